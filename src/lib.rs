@@ -1,0 +1,1 @@
+//! Exact and numeric transforms of contact mechanics by the method of dimensionality reduction.
