@@ -1,0 +1,17 @@
+//! Numbers without symbols: special functions, quadrature, root finding and values that carry their error.
+
+pub mod bounded;
+pub(crate) mod double_double;
+pub mod error;
+pub mod estimate;
+pub mod forms;
+pub mod kappa;
+pub(crate) mod legendre;
+pub mod quadrature;
+pub mod roots;
+pub mod special;
+pub(crate) mod stable;
+
+pub use bounded::Bounded;
+pub use error::NumError;
+pub use estimate::Estimate;

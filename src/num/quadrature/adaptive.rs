@@ -1,0 +1,107 @@
+//! Global adaptive Gauss–Kronrod quadrature with an honest error: the worst piece is refined first.
+
+use super::super::bounded::Bounded;
+use super::super::error::NumError;
+use super::super::estimate::Estimate;
+use super::refine::Work;
+use super::sample::{Order, Place};
+use super::transform::Map;
+use super::{Panel, Point};
+
+/// What is asked of [`integrate`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Accepted error relative to |value|; 0 to ask by `abs_tol` alone.
+    pub rel_tol: f64,
+    /// Accepted absolute error; the larger of the two tolerances counts.
+    pub abs_tol: f64,
+    /// Most calls of the integrand.
+    pub max_evaluations: u64,
+    /// Whether the effect of the rounding of [`Point::x`] is added to the error. Switch it off
+    /// only for integrands that use the distances alone, or carry the rounding of x in their own
+    /// bound ([`Point::bounded_x`]).
+    pub charge_x: bool,
+}
+
+impl Options {
+    /// The absolute error that is accepted beside this value.
+    pub(super) fn target(&self, value: f64) -> f64 {
+        self.abs_tol.max(self.rel_tol * value.abs())
+    }
+}
+
+impl Default for Options {
+    /// Relative tolerance 1e−12, 200 000 evaluations, rounding of x charged.
+    fn default() -> Self {
+        Self { rel_tol: 1e-12, abs_tol: 0.0, max_evaluations: 200_000, charge_x: true }
+    }
+}
+
+/// The integral of `integrand` over all panels.
+///
+/// The integrand returns its value with a bound on its own rounding error; it is called at inner
+/// points only. Panels are summed up; they need not touch. Break the range at every kink, and
+/// declare algebraic and logarithmic ends as [`EndBehaviour::Singular`](super::EndBehaviour).
+///
+/// Accuracy: `error` = what the rules leave out (judged from the decay of the integrand's
+/// coefficients on the nodes) + the integrand's own error bounds + rounding of nodes, weights and
+/// sums. It rests on samples: what lies between two nodes and shows at none of them, a narrow spike
+/// or a kink just inside the end of a piece, is not noticed; hence tell kinks by panels. A panel
+/// of zeros is not believed before it has been searched eight times as finely.
+///
+/// # Errors
+/// * [`NumError::ToleranceNotReached`]: only rounding noise is left, or no refinement helps; carries
+///   the best value and its honest error.
+/// * [`NumError::EvaluationLimit`]: the same after `max_evaluations` (overrun by one panel at most);
+///   the error is infinite if some panel has not been looked at.
+/// * [`NumError::NotFinite`]: the integrand returned an infinity or NaN.
+/// * [`NumError::OutOfDomain`]: a panel with ends that are not finite or in the wrong order, or a
+///   sum beyond the largest number.
+///
+/// ```
+/// use sneddon::num::quadrature::{Options, Panel, integrate};
+/// use sneddon::num::Bounded;
+/// // ∫₀¹ dx/√(1 − x) = 2, from the exact distance to the upper end.
+/// let panels = [Panel::singular(0.0, 1.0)];
+/// let mut f = |p: sneddon::num::quadrature::Point| Bounded::exact(1.0) / p.bounded_from_upper().sqrt();
+/// let options = Options { charge_x: false, ..Options::default() };
+/// let two = integrate(&mut f, &panels, &options)?;
+/// assert!((two.value - 2.0).abs() <= two.error && two.error <= 2e-12);
+/// # Ok::<(), sneddon::num::NumError>(())
+/// ```
+pub fn integrate(integrand: &mut impl FnMut(Point) -> Bounded, panels: &[Panel], options: &Options) -> Result<Estimate, NumError> {
+    // 21 points usually meet a sharp tolerance at once where 15 need a second attempt.
+    let order = if options.rel_tol >= 1e-8 { Order::Points15 } else { Order::Points21 };
+    let mut work = Work::default();
+    for panel in panels {
+        let Some(map) = Map::new(panel)? else {
+            continue;
+        };
+        work.may_start(options)?;
+        let (cut, used) = map.cut_tails(integrand)?;
+        work.count(cut, used);
+        if !map.is_smooth() {
+            // The substituted integrand is a bell that no single rule resolves.
+            for index in 0..BELL_PIECES {
+                let place = Place { index, level: BELL_PIECES.ilog2() };
+                let piece = work.measure(order, map, place, 0, options, integrand)?;
+                work.push(piece);
+            }
+            continue;
+        }
+        let whole = Place { index: 0, level: 0 };
+        let piece = work.measure(order, map, whole, 0, options, integrand)?;
+        if panels.len() == 1 {
+            // The common case: one rule, done, nothing allocated.
+            let found = work.alone(&piece);
+            if found.error <= options.target(found.value) {
+                return Ok(found);
+            }
+        }
+        work.push(piece);
+    }
+    work.refine(order, options, integrand)
+}
+
+/// Pieces that a singular panel starts with.
+const BELL_PIECES: u64 = 8;

@@ -1,0 +1,169 @@
+//! One rule applied to one piece of a panel: value, quadrature error and rounding noise.
+
+use super::super::bounded::{Bounded, UNIT};
+use super::super::error::NumError;
+use super::Point;
+use super::rules::{KRONROD_15, KRONROD_21, KRONROD_31, Rule};
+use super::transform::Map;
+
+/// Which rule: in order of cost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Order {
+    Points15,
+    Points21,
+    Points31,
+}
+
+impl Order {
+    pub(super) fn points(self) -> u64 {
+        match self {
+            Self::Points15 => 15,
+            Self::Points21 => 21,
+            Self::Points31 => 31,
+        }
+    }
+
+    /// Steps of two degrees from this rule's last decay row to that of 31 points.
+    pub(super) fn steps_to_the_largest(self) -> i32 {
+        match self {
+            Self::Points15 => 8,
+            Self::Points21 => 5,
+            Self::Points31 => 0,
+        }
+    }
+}
+
+/// A piece of a panel: the `index`-th of 2^`level` equal parts of the map's variable.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    pub(super) index: u64,
+    pub(super) level: u32,
+}
+
+/// What one application of a rule found.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    /// The Kronrod value.
+    pub(super) value: f64,
+    /// Bound on what the rule leaves out.
+    pub(super) quadrature: f64,
+    /// Bound on the effect of rounding in the integrand, the nodes and the sum.
+    pub(super) noise: f64,
+    /// The rule's value for |f|.
+    pub(super) size: f64,
+    /// Ratio of the integrand's coefficients two degrees apart: small where f is resolved.
+    pub(super) rate: f64,
+}
+
+/// Applies the rule of the given order.
+pub(super) fn sample(
+    order: Order,
+    map: &Map,
+    place: Place,
+    charge_x: bool,
+    integrand: &mut impl FnMut(Point) -> Bounded,
+) -> Result<Sample, NumError> {
+    match order {
+        Order::Points15 => apply(&KRONROD_15, map, place, charge_x, integrand),
+        Order::Points21 => apply(&KRONROD_21, map, place, charge_x, integrand),
+        Order::Points31 => apply(&KRONROD_31, map, place, charge_x, integrand),
+    }
+}
+
+fn apply<const H: usize>(
+    rule: &Rule<H>,
+    map: &Map,
+    place: Place,
+    charge_x: bool,
+    integrand: &mut impl FnMut(Point) -> Bounded,
+) -> Result<Sample, NumError> {
+    // Integer positions: the fractions 0 … 1 of the panel keep full relative accuracy at both ends.
+    let width = 0.5f64.powi(place.level as i32);
+    let before = place.index as f64;
+    let after = ((1u64 << place.level) - 1 - place.index) as f64;
+    let mut noise = 0.0;
+    let mut at = |near: f64, far: f64, weight: f64| -> Result<f64, NumError> {
+        let (point, slope) = map.point((before + near) * width, (after + far) * width);
+        let height = integrand(point);
+        if !height.value.is_finite() {
+            return Err(NumError::NotFinite { at: point.x });
+        }
+        let carried = weight * slope * height.error;
+        // An unknown error is an unbounded one.
+        noise += if carried.is_nan() { f64::INFINITY } else { carried };
+        Ok(height.value * slope)
+    };
+    let (mut low, mut high) = ([0.0; H], [0.0; H]);
+    for (i, (&near, &weight)) in rule.distance.iter().zip(&rule.kronrod).enumerate().take(H - 1) {
+        low[i] = at(near, 1.0 - near, weight)?;
+        high[i] = at(1.0 - near, near, weight)?;
+    }
+    let centre = at(0.5, 0.5, rule.kronrod[H - 1])?;
+    // The centre counts once: as a sum with nothing, and as no difference.
+    (low[H - 1], high[H - 1]) = (centre, 0.0);
+
+    let sums: [f64; H] = std::array::from_fn(|i| low[i] + high[i]);
+    let differences: [f64; H] = std::array::from_fn(|i| high[i] - low[i]);
+    let sizes: [f64; H] = std::array::from_fn(|i| low[i].abs() + high[i].abs());
+    let kronrod = dot(&rule.kronrod, &sums);
+    let size = dot(&rule.kronrod, &sizes);
+    let steps = |from: &[f64; H]| -> f64 {
+        let inner = if H > 1 { (from[H - 2] - centre).abs() } else { 0.0 };
+        from.windows(2).take(H - 2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>() + inner
+    };
+    let variation = steps(&low) + steps(&high);
+
+    let scale = 0.5 * width;
+    let shift = map.displacement(before * width, (before + 1.0) * width, charge_x);
+    // Weights, products and the four-lane sum cost at most 8 roundings; the map's slope another 8.
+    let roundings = if map.is_smooth() { 8.0 } else { 16.0 };
+    let rounding = roundings * UNIT * size;
+    let [a, b, c, d, e, f] = &rule.decay;
+    let levels =
+        [dot(a, &differences).hypot(dot(b, &sums)), dot(c, &differences).hypot(dot(d, &sums)), dot(e, &differences).hypot(dot(f, &sums))];
+    let gap = (kronrod - dot(&rule.gauss, &sums)).abs();
+    let (left_out, rate) = truncation(levels, gap, rounding + noise);
+    let found = Sample {
+        value: kronrod * scale,
+        quadrature: left_out * scale,
+        noise: (noise + rounding) * scale + shift * variation,
+        size: size * scale,
+        rate,
+    };
+    if found.value.is_finite() && found.size.is_finite() && found.quadrature.is_finite() {
+        Ok(found)
+    } else {
+        // The values are finite but their sum is not.
+        let (point, _) = map.point((before + 0.5) * width, (after + 0.5) * width);
+        Err(NumError::NotFinite { at: point.x })
+    }
+}
+
+/// What the Kronrod rule leaves out, from the last three pairs of coefficients and the difference to
+/// the Gauss rule; and the rate at which the coefficients decay over two degrees.
+///
+/// The difference says how wrong the *Gauss* rule is. That the Kronrod rule, exact to 1.6 times the
+/// degree, is much better follows only if the coefficients are still falling, so they must fall at
+/// every step that the points can see. The bound is ten times what is seen, and less by the rate of
+/// one such step, where a geometric decay has five ahead and an algebraic one (a kink in some
+/// derivative) more than three: what is left over pays for a slower part hidden under a fast one.
+fn truncation(levels: [f64; 3], gap: f64, floor: f64) -> (f64, f64) {
+    let [first, second, third] = levels;
+    let fall = |now: f64, before: f64| {
+        if now <= floor { 0.0 } else { now / before.max(floor) }
+    };
+    let rate = fall(second, first).max(fall(third, second));
+    let seen = gap.max(third);
+    let left_out = 10.0 * seen * rate.clamp(1e-2, 1.0);
+    // Coefficients in the rounding noise cannot fall further.
+    (if seen <= floor { left_out.min(seen) } else { left_out }, rate)
+}
+
+/// Σ a·b in four lanes: shorter chains of roundings, and of waiting.
+fn dot<const H: usize>(a: &[f64; H], b: &[f64; H]) -> f64 {
+    let mut lanes = [0.0; 4];
+    for (i, (x, y)) in a.iter().zip(b).enumerate() {
+        lanes[i & 3] += x * y;
+    }
+    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
+}
