@@ -1,0 +1,62 @@
+//! Exact differentiation by the rules of sums, products, powers and the function table.
+
+use super::{Expr, ExprError, Node, Symbol};
+
+/// d(`expr`)/d(`symbol`).
+///
+/// # Errors
+/// [`ExprError::NoDerivative`] where a function row states no derivative for an argument that depends on the symbol.
+///
+/// ```
+/// use sneddon::expr::{derivative, Expr, Symbol};
+/// let r = Expr::symbol("r");
+/// let slope = derivative(&r.power(3), &Symbol::new("r")).unwrap();
+/// assert_eq!(slope, Expr::integer(3) * r.power(2));
+/// ```
+pub fn derivative(expr: &Expr, symbol: &Symbol) -> Result<Expr, ExprError> {
+    if !expr.contains(symbol) {
+        return Ok(Expr::zero());
+    }
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) => Ok(Expr::zero()),
+        Node::Symbol(own) => Ok(if own == symbol { Expr::one() } else { Expr::zero() }),
+        Node::Sum(terms) => Ok(Expr::sum(terms.iter().map(|t| derivative(t, symbol)).collect::<Result<Vec<_>, _>>()?)),
+        Node::Product(factors) => {
+            let mut terms = Vec::new();
+            for (i, factor) in factors.iter().enumerate() {
+                let slope = derivative(factor, symbol)?;
+                if !slope.is_zero() {
+                    let rest = factors.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, f)| f.clone());
+                    terms.push(Expr::product(rest.chain([slope])));
+                }
+            }
+            Ok(Expr::sum(terms))
+        }
+        Node::Power(base, exponent) => {
+            let mut terms = Vec::new();
+            if base.contains(symbol) {
+                terms.push(Expr::product([exponent.clone(), base.pow(&(exponent - Expr::one())), derivative(base, symbol)?]));
+            }
+            if exponent.contains(symbol) {
+                terms.push(Expr::product([expr.clone(), Expr::call("ln", [base.clone()]), derivative(exponent, symbol)?]));
+            }
+            Ok(Expr::sum(terms))
+        }
+        Node::Function(function, arguments) => {
+            let mut terms = Vec::new();
+            for (i, argument) in arguments.iter().enumerate() {
+                let inner = derivative(argument, symbol)?;
+                if inner.is_zero() {
+                    continue;
+                }
+                let row = function.row();
+                let outer = row
+                    .derivative
+                    .and_then(|rule| rule(arguments, i))
+                    .ok_or(ExprError::NoDerivative { function: row.name, argument: i + 1 })?;
+                terms.push(outer * inner);
+            }
+            Ok(Expr::sum(terms))
+        }
+    }
+}

@@ -1,0 +1,347 @@
+//! Rows of the elementary functions.
+
+use super::{Function, Latex, PLAIN, Row};
+use crate::expr::{Expr, Number, Sign, sign};
+use num_complex::Complex64;
+
+/// Twice the measured maximum error of the platform's elementary functions, in ulps.
+const LIBRARY: f64 = 2.0;
+
+pub(super) static ROWS: &[Row] = &[
+    Row {
+        name: "exp",
+        latex: Latex::Custom(|a| format!("e^{{{}}}", a.first().map_or("", String::as_str))),
+        value: |a| unary(a, f64::exp),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::exp)),
+        derivative: Some(|a, _| Some(call("exp", a))),
+        fold: Some(|a| match a {
+            [u] if u.is_zero() => Some(Expr::one()),
+            [u] if u.is_one() => Some(Expr::euler()),
+            [u] => inverse_of("ln", u),
+            _ => None,
+        }),
+        sign: Some(|_| Sign::Positive),
+        ..PLAIN
+    },
+    Row {
+        name: "ln",
+        spellings: &["log"],
+        latex: Latex::Operator("\\ln"),
+        value: |a| unary(a, f64::ln),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::ln)),
+        derivative: Some(|a, _| Some(first(a).recip())),
+        fold: Some(|a| match a {
+            [u] if u.is_one() => Some(Expr::zero()),
+            [u] if *u == Expr::euler() => Some(Expr::one()),
+            [u] => inverse_of("exp", u),
+            _ => None,
+        }),
+        sign: Some(compare_with_one),
+        domain: Some(|a| vec![first(a)]),
+        ..PLAIN
+    },
+    Row {
+        name: "sin",
+        latex: Latex::Operator("\\sin"),
+        value: |a| unary(a, f64::sin),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::sin)),
+        derivative: Some(|a, _| Some(call("cos", a))),
+        fold: Some(|a| odd("sin", a)),
+        ..PLAIN
+    },
+    Row {
+        name: "cos",
+        latex: Latex::Operator("\\cos"),
+        value: |a| unary(a, f64::cos),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::cos)),
+        derivative: Some(|a, _| Some(-call("sin", a))),
+        fold: Some(|a| even("cos", a)),
+        ..PLAIN
+    },
+    Row {
+        name: "tan",
+        latex: Latex::Operator("\\tan"),
+        value: |a| unary(a, f64::tan),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::tan)),
+        derivative: Some(|a, _| Some(Expr::one() + call("tan", a).power(2))),
+        fold: Some(|a| odd("tan", a)),
+        ..PLAIN
+    },
+    Row {
+        name: "asin",
+        spellings: &["arcsin"],
+        latex: Latex::Operator("\\arcsin"),
+        value: |a| unary(a, f64::asin),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::asin)),
+        derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).sqrt().recip())),
+        fold: Some(|a| odd("asin", a)),
+        sign: Some(sign_of_argument),
+        domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
+        ..PLAIN
+    },
+    Row {
+        name: "acos",
+        spellings: &["arccos"],
+        latex: Latex::Operator("\\arccos"),
+        value: |a| unary(a, f64::acos),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::acos)),
+        derivative: Some(|a, _| Some(-(Expr::one() - first(a).power(2)).sqrt().recip())),
+        domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
+        ..PLAIN
+    },
+    Row {
+        name: "atan",
+        spellings: &["arctan"],
+        latex: Latex::Operator("\\arctan"),
+        value: |a| unary(a, f64::atan),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::atan)),
+        derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).recip())),
+        fold: Some(|a| odd("atan", a)),
+        sign: Some(sign_of_argument),
+        ..PLAIN
+    },
+    Row {
+        name: "sinh",
+        latex: Latex::Operator("\\sinh"),
+        value: |a| unary(a, f64::sinh),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::sinh)),
+        derivative: Some(|a, _| Some(call("cosh", a))),
+        fold: Some(|a| odd("sinh", a)),
+        sign: Some(sign_of_argument),
+        ..PLAIN
+    },
+    Row {
+        name: "cosh",
+        latex: Latex::Operator("\\cosh"),
+        value: |a| unary(a, f64::cosh),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::cosh)),
+        derivative: Some(|a, _| Some(call("sinh", a))),
+        fold: Some(|a| even("cosh", a)),
+        sign: Some(|_| Sign::Positive),
+        ..PLAIN
+    },
+    Row {
+        name: "tanh",
+        latex: Latex::Operator("\\tanh"),
+        value: |a| unary(a, f64::tanh),
+        ulps: LIBRARY,
+        complex: Some(|a| complex(a, Complex64::tanh)),
+        derivative: Some(|a, _| Some(call("cosh", a).power(-2))),
+        fold: Some(|a| odd("tanh", a)),
+        sign: Some(sign_of_argument),
+        ..PLAIN
+    },
+    Row {
+        name: "asinh",
+        spellings: &["arcsinh", "arsinh"],
+        latex: Latex::Operator("\\operatorname{arsinh}"),
+        value: |a| unary(a, libm::asinh),
+        ulps: 4.0,
+        complex: Some(|a| complex(a, Complex64::asinh)),
+        derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).sqrt().recip())),
+        fold: Some(|a| odd("asinh", a)),
+        sign: Some(sign_of_argument),
+        ..PLAIN
+    },
+    Row {
+        name: "acosh",
+        spellings: &["arccosh", "arcosh"],
+        latex: Latex::Operator("\\operatorname{arcosh}"),
+        value: |a| unary(a, libm::acosh),
+        ulps: 4.0,
+        complex: Some(|a| complex(a, Complex64::acosh)),
+        derivative: Some(|a, _| Some((first(a).power(2) - Expr::one()).sqrt().recip())),
+        sign: Some(|_| Sign::Positive),
+        domain: Some(|a| vec![first(a) - Expr::one()]),
+        ..PLAIN
+    },
+    Row {
+        name: "atanh",
+        spellings: &["arctanh", "artanh"],
+        latex: Latex::Operator("\\operatorname{artanh}"),
+        value: |a| unary(a, libm::atanh),
+        ulps: 4.0,
+        complex: Some(|a| complex(a, Complex64::atanh)),
+        derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).recip())),
+        fold: Some(|a| odd("atanh", a)),
+        sign: Some(sign_of_argument),
+        domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
+        ..PLAIN
+    },
+    Row {
+        name: "abs",
+        latex: Latex::Custom(|a| format!("\\left|{}\\right|", a.first().map_or("", String::as_str))),
+        value: |a| unary(a, f64::abs),
+        ulps: 0.0,
+        derivative: Some(|a, _| Some(first(a) / call("abs", a))),
+        fold: Some(|a| match a {
+            [u] => match sign(u) {
+                Sign::Positive | Sign::Zero => Some(u.clone()),
+                Sign::Negative => Some(-u),
+                Sign::Unknown => negated(u).map(|u| Expr::call("abs", [u])),
+            },
+            _ => None,
+        }),
+        sign: Some(|a| match sign(&first(a)) {
+            Sign::Negative => Sign::Positive,
+            known @ (Sign::Positive | Sign::Zero) => known,
+            Sign::Unknown => Sign::Unknown,
+        }),
+        ..PLAIN
+    },
+    Row {
+        name: "max",
+        arity: (2, 2),
+        latex: Latex::Custom(|a| format!("\\max({})", a.join(",\\,"))),
+        value: |a| pick(a, |u, v| u >= v),
+        ulps: 0.0,
+        fold: Some(|a| extreme(a, false)),
+        sign: Some(|a| a.iter().map(sign).find(|s| *s == Sign::Positive).unwrap_or(Sign::Unknown)),
+        ..PLAIN
+    },
+    Row {
+        name: "min",
+        arity: (2, 2),
+        latex: Latex::Custom(|a| format!("\\min({})", a.join(",\\,"))),
+        value: |a| pick(a, |u, v| u <= v),
+        ulps: 0.0,
+        fold: Some(|a| extreme(a, true)),
+        sign: Some(|a| if a.iter().all(|u| sign(u) == Sign::Positive) { Sign::Positive } else { Sign::Unknown }),
+        ..PLAIN
+    },
+    Row {
+        name: "atan2",
+        arity: (2, 2),
+        latex: Latex::Custom(|a| format!("\\operatorname{{atan2}}({})", a.join(",\\,"))),
+        value: |a| binary(a, f64::atan2),
+        ulps: LIBRARY,
+        ..PLAIN
+    },
+];
+
+pub(super) fn unary(a: &[f64], f: fn(f64) -> f64) -> f64 {
+    match a {
+        [z] => f(*z),
+        _ => f64::NAN,
+    }
+}
+
+pub(super) fn binary(a: &[f64], f: fn(f64, f64) -> f64) -> f64 {
+    match a {
+        [u, v] => f(*u, *v),
+        _ => f64::NAN,
+    }
+}
+
+pub(super) fn first(a: &[Expr]) -> Expr {
+    a.first().cloned().unwrap_or_else(Expr::zero)
+}
+
+pub(super) fn call(name: &'static str, a: &[Expr]) -> Expr {
+    Expr::call(name, a.to_vec())
+}
+
+fn complex(a: &[Complex64], f: fn(Complex64) -> Complex64) -> Complex64 {
+    match a {
+        [z] => f(*z),
+        _ => Complex64::new(f64::NAN, f64::NAN),
+    }
+}
+
+fn pick(a: &[f64], first_wins: fn(f64, f64) -> bool) -> f64 {
+    match a {
+        [u, v] if u.is_nan() || v.is_nan() => f64::NAN,
+        [u, v] => {
+            if first_wins(*u, *v) {
+                *u
+            } else {
+                *v
+            }
+        }
+        _ => f64::NAN,
+    }
+}
+
+fn sign_of_argument(a: &[Expr]) -> Sign {
+    sign(&first(a))
+}
+
+/// The sign of ln u.
+fn compare_with_one(a: &[Expr]) -> Sign {
+    sign(&(first(a) - Expr::one()))
+}
+
+/// `u` itself where the argument is the inverse function of u.
+fn inverse_of(name: &str, argument: &Expr) -> Option<Expr> {
+    match argument.node() {
+        crate::expr::Node::Function(f, inner) if f.name() == name => inner.first().cloned(),
+        _ => None,
+    }
+}
+
+/// The negation, where the leading term has a negative coefficient.
+///
+/// The leading term is the first one by what its coefficient multiplies: negation does not change that order, so of u and −u exactly one is kept.
+pub(super) fn negated(u: &Expr) -> Option<Expr> {
+    let terms = u.terms().into_iter().filter(|t| t.as_number().is_none()).map(|t| t.split_coefficient());
+    let (coefficient, _) = terms.min_by(|(_, left), (_, right)| left.cmp(right))?;
+    coefficient.is_negative().then(|| -u)
+}
+
+/// f(−u) = −f(u), f(0) = 0.
+fn odd(name: &'static str, a: &[Expr]) -> Option<Expr> {
+    match a {
+        [u] if u.is_zero() => Some(Expr::zero()),
+        [u] if u.as_number().is_some_and(Number::is_negative) => Some(-Expr::call(name, [-u])),
+        [u] => negated(u).map(|u| -Expr::call(name, [u])),
+        _ => None,
+    }
+}
+
+/// f(−u) = f(u), f(0) = 1.
+fn even(name: &'static str, a: &[Expr]) -> Option<Expr> {
+    match a {
+        [u] if u.is_zero() => Some(Expr::one()),
+        [u] if u.as_number().is_some_and(Number::is_negative) => Some(Expr::call(name, [-u])),
+        [u] => negated(u).map(|u| Expr::call(name, [u])),
+        _ => None,
+    }
+}
+
+/// The larger or smaller argument where the order is provable; else the arguments in canonical order.
+fn extreme(a: &[Expr], smaller: bool) -> Option<Expr> {
+    let [u, v] = a else { return None };
+    match sign(&(u - v)) {
+        Sign::Zero => Some(u.clone()),
+        Sign::Positive => Some(if smaller { v.clone() } else { u.clone() }),
+        Sign::Negative => Some(if smaller { u.clone() } else { v.clone() }),
+        Sign::Unknown if v < u => {
+            Function::named(if smaller { "min" } else { "max" }).map(|f| Expr::function(f, vec![v.clone(), u.clone()]))
+        }
+        Sign::Unknown => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_odd_function_has_one_form_for_both_signs() {
+        let (x, y) = (Expr::symbol("x"), Expr::symbol("y"));
+        for u in [&x - &y, Expr::integer(2) * &y - Expr::integer(3) * &x, -&x - &y, Expr::one() - &x] {
+            assert_eq!(Expr::call("sin", [-&u]), -Expr::call("sin", [u.clone()]));
+            assert_eq!(Expr::call("cos", [-&u]), Expr::call("cos", [u]));
+        }
+    }
+}

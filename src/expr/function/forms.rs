@@ -1,0 +1,244 @@
+//! Rows of functions that exist for stable evaluation; each states the expression that is shown in its place.
+
+use super::elementary::{binary, unary};
+use super::{Latex, PLAIN, Row};
+use crate::expr::normal::over_whole_denominator;
+use crate::expr::{Expr, Sign};
+use crate::num::{forms, kappa};
+
+/// What these rows have in common: positive values, no LaTeX of their own because the shown expression is set.
+const FORM: Row = Row { latex: Latex::Operator("\\operatorname{form}"), sign: Some(|_| Sign::Positive), ..PLAIN };
+
+pub(super) static ROWS: &[Row] = &[
+    Row {
+        name: "kappa",
+        ulps: 1.1,
+        latex: Latex::Custom(|a| format!("\\kappa_{{{}}}", a.join(","))),
+        value: |a| unary(a, kappa::kappa),
+        shown: Some(|a| {
+            with(a, |[n]| Expr::pi().sqrt() * gamma(n / Expr::integer(2) + Expr::one()) / gamma(n / Expr::integer(2) + Expr::ratio(1, 2)))
+        }),
+        ..FORM
+    },
+    // A number that is known to 32 ulps only: a kink that was located numerically.
+    Row { name: "approximate", value: |a| unary(a, |z| z), ulps: 64.0, shown: Some(|a| with(a, |[z]| z.clone())), ..FORM },
+    // ∫_b^x (r−b)^k/√(x²−r²) dr
+    Row { name: "shifted_power", ulps: 8.0, arity: (3, 3), value: |a| segment(a, forms::shifted_power), ..FORM },
+    // ∫_b^c (r−b)^k/√(x²−r²) dr
+    Row { name: "shifted_power_between", ulps: 8.0, arity: (4, 4), value: |a| segment(a, forms::shifted_power), ..FORM },
+    // ∫_b^a (r−b)^k r²/√(a²−r²) dr
+    Row { name: "shifted_power_force", ulps: 8.0, arity: (3, 3), value: |a| segment(a, forms::shifted_power_force), ..FORM },
+    // ∫_b^c (r−b)^k r²/√(a²−r²) dr
+    Row { name: "shifted_power_force_between", ulps: 8.0, arity: (4, 4), value: |a| segment(a, forms::shifted_power_force), ..FORM },
+    Row {
+        name: "artanh_ratio",
+        ulps: 2.0,
+        arity: (2, 2),
+        value: |a| binary(a, forms::artanh_ratio),
+        shown: Some(|a| with(a, |[x, big]| Expr::call("atanh", [x / big]))),
+        ..FORM
+    },
+    Row {
+        name: "sphere_force",
+        ulps: 9.0,
+        arity: (2, 2),
+        value: |a| binary(a, forms::sphere_force),
+        shown: Some(|a| with(a, |[a, big]| ((big.power(2) + a.power(2)) * Expr::call("atanh", [a / big]) - a * big) / Expr::integer(2))),
+        ..FORM
+    },
+    Row {
+        name: "hyperboloid_force",
+        ulps: 6.0,
+        arity: (2, 2),
+        value: |a| binary(a, forms::hyperboloid_force),
+        shown: Some(|a| with(a, |[a, b]| ((a.power(2) - b.power(2)) * Expr::call("atan", [a / b]) + a * b) / Expr::integer(2))),
+        ..FORM
+    },
+    Row {
+        name: "worn_sphere_slope",
+        ulps: 5.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::worn_sphere_slope),
+        shown: Some(|a| with(a, |[b, x, big]| Expr::call("atanh", [leg(x, b) / leg(big, b)]))),
+        ..FORM
+    },
+    Row {
+        name: "worn_sphere_force",
+        ulps: 12.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::worn_sphere_force),
+        shown: Some(|a| {
+            with(a, |[b, a, big]| {
+                let (w, c) = (leg(a, b), leg(big, b));
+                ((big.power(2) + a.power(2)) * Expr::call("atanh", [&w / &c]) - w * c) / Expr::integer(2)
+            })
+        }),
+        ..FORM
+    },
+    Row {
+        name: "worn_hyperboloid_slope",
+        ulps: 4.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::worn_hyperboloid_slope),
+        shown: Some(|a| with(a, |[b, x, scale]| Expr::call("atan", [leg(x, b) / hypotenuse(scale, b)]))),
+        ..FORM
+    },
+    Row {
+        name: "worn_hyperboloid_force",
+        ulps: 9.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::worn_hyperboloid_force),
+        shown: Some(|a| {
+            with(a, |[b, a, scale]| {
+                let (w, c) = (leg(a, b), hypotenuse(scale, b));
+                ((a.power(2) - scale.power(2)) * Expr::call("atan", [&w / &c]) + w * c) / Expr::integer(2)
+            })
+        }),
+        ..FORM
+    },
+    Row {
+        name: "pressure_power",
+        ulps: 7.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::pressure_power),
+        shown: Some(|a| with(a, |[n, s, a]| pressure_power(n, s, a))),
+        ..FORM
+    },
+    Row {
+        name: "sphere_pressure",
+        ulps: 8.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::sphere_pressure),
+        shown: Some(|a| {
+            with(a, |[s, a, big]| {
+                let (w, c) = (leg(a, s), leg(big, s));
+                let outer = big + &c;
+                chi((a + &w) / &outer) - chi((a - &w) / &outer) + big / &c * Expr::call("atanh", [&w / &c])
+            })
+        }),
+        ..FORM
+    },
+    Row {
+        name: "hyperboloid_pressure",
+        ulps: 6.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::hyperboloid_pressure),
+        shown: Some(|a| {
+            with(a, |[s, a, b]| {
+                let (w, c) = (leg(a, s), hypotenuse(b, s));
+                let outer = b + &c;
+                ti((a + &w) / &outer) - ti((a - &w) / &outer) + b / &c * Expr::call("atan", [&w / &c])
+            })
+        }),
+        ..FORM
+    },
+    // ∫_M^a x^(2k)/√((x²−M²)(x²−m²)) dx with M = max(b, r), m = min(b, r)
+    Row {
+        name: "elliptic_moment",
+        ulps: 14.0,
+        arity: (4, 4),
+        value: |a| match a {
+            [k, b, s, a] => order(*k).map_or(f64::NAN, |k| forms::elliptic_moment(k, *b, *s, *a)),
+            _ => f64::NAN,
+        },
+        shown: Some(|a| match a {
+            [k, b, s, a] => k.as_integer().map_or_else(Expr::zero, |k| elliptic_moment(k, b, s, a)),
+            _ => Expr::zero(),
+        }),
+        ..FORM
+    },
+];
+
+/// Runs `shape` on exactly N arguments; a wrong number cannot be built and shows as 0.
+fn with<const N: usize>(arguments: &[Expr], shape: impl Fn(&[Expr; N]) -> Expr) -> Expr {
+    <&[Expr; N]>::try_from(arguments).map_or_else(|_| Expr::zero(), shape)
+}
+
+fn ternary(a: &[f64], f: fn(f64, f64, f64) -> f64) -> f64 {
+    match a {
+        [u, v, w] => f(*u, *v, *w),
+        _ => f64::NAN,
+    }
+}
+
+/// Calls a segment form; without an upper end the segment reaches to x.
+fn segment(a: &[f64], f: fn(u32, f64, f64, f64) -> f64) -> f64 {
+    match a {
+        [k, b, x] => order(*k).map_or(f64::NAN, |k| f(k, *b, f64::INFINITY, *x)),
+        [k, b, c, x] => order(*k).map_or(f64::NAN, |k| f(k, *b, *c, *x)),
+        _ => f64::NAN,
+    }
+}
+
+fn order(k: f64) -> Option<u32> {
+    (k.fract() == 0.0 && (0.0..=400.0).contains(&k)).then_some(k as u32)
+}
+
+/// Legendre's χ₂.
+fn chi(z: Expr) -> Expr {
+    Expr::call("legendre_chi2", [z])
+}
+
+/// The inverse tangent integral Ti₂.
+fn ti(z: Expr) -> Expr {
+    Expr::call("inverse_tangent_integral", [z])
+}
+
+fn gamma(u: Expr) -> Expr {
+    Expr::call("gamma", [u])
+}
+
+/// √(u² − v²).
+fn leg(u: &Expr, v: &Expr) -> Expr {
+    (u.power(2) - v.power(2)).sqrt()
+}
+
+/// √(u² + v²).
+fn hypotenuse(u: &Expr, v: &Expr) -> Expr {
+    (u.power(2) + v.power(2)).sqrt()
+}
+
+/// S_n = ∫_s^a xⁿ/√(x²−s²) dx: elementary for small whole n by n S_n = a^(n−1) w + (n−1) s² S_(n−2), else by 2F1.
+fn pressure_power(n: &Expr, s: &Expr, a: &Expr) -> Expr {
+    const HIGHEST: i64 = 40;
+    let w = leg(a, s);
+    let Some(whole) = n.as_integer().filter(|n| (0..=HIGHEST).contains(n)) else {
+        let (two, one) = (Expr::integer(2), Expr::one());
+        let arguments = [one.clone(), (&one - n) / &two, Expr::ratio(3, 2), one - (s / a).power(2)];
+        return a.pow(&(n - Expr::one())) * w * Expr::call("hyp2f1", arguments);
+    };
+    // S_n = w·P(a, s) + c·s^n·arcosh(a/s), the last only for even n.
+    let (mut start, mut factor, mut polynomial) = (whole % 2, Expr::one(), Vec::new());
+    if start == 1 {
+        polynomial.push(Expr::one());
+    }
+    while start < whole {
+        start += 2;
+        let step = Expr::ratio(start - 1, start) * s.power(2);
+        polynomial = polynomial.iter().map(|term| term * &step).collect();
+        factor = factor * step;
+        polynomial.push(a.power(start - 1) / Expr::integer(start));
+    }
+    let with_root = if whole == 0 { Expr::zero() } else { w * over_whole_denominator(&Expr::sum(polynomial)) };
+    if whole % 2 == 1 { with_root } else { with_root + factor * Expr::call("acosh", [a / s]) }
+}
+
+/// E_k by (2k−1)E_k = (2k−2)(M²+m²)E_(k−1) − (2k−3)M²m²E_(k−2) + a^(2k−3)√((a²−M²)(a²−m²)).
+fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
+    let (big, small) = (Expr::call("max", [b.clone(), s.clone()]), Expr::call("min", [b.clone(), s.clone()]));
+    let ratio = leg(a, &big) / leg(a, &small);
+    let (angle, parameter) = (Expr::call("asin", [ratio.clone()]), (&small / &big).power(2));
+    let first = Expr::call("ellipf", [angle.clone(), parameter.clone()]);
+    let second = Expr::call("ellipe", [angle, parameter]);
+    let mut moments = vec![&first / &big, &big * (first - second) + a * ratio];
+    // M² + m² = b² + s² and M m = b s, whichever is larger.
+    let (total, product) = (b.power(2) + s.power(2), (b * s).power(2));
+    for j in 2..=k {
+        let index = j as usize;
+        let (Some(one), Some(two)) = (moments.get(index - 1), moments.get(index - 2)) else { break };
+        let root = leg(a, b) * leg(a, s);
+        let next = Expr::integer(2 * j - 2) * &total * one - Expr::integer(2 * j - 3) * &product * two + a.power(2 * j - 3) * root;
+        moments.push(next / Expr::integer(2 * j - 1));
+    }
+    moments.get(usize::try_from(k).unwrap_or(usize::MAX)).cloned().unwrap_or_else(Expr::zero)
+}

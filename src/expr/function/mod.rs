@@ -1,0 +1,135 @@
+//! The function table: one row per function, and everything that is known of it in that row.
+
+mod elementary;
+mod forms;
+mod special;
+
+use super::{Expr, Sign};
+use num_complex::Complex64;
+use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
+
+/// One function: its names, its values and its laws.
+pub struct Row {
+    /// The name that is printed and read.
+    pub name: &'static str,
+    /// Other spellings that are read.
+    pub spellings: &'static [&'static str],
+    /// Smallest and largest number of arguments.
+    pub arity: (usize, usize),
+    /// How LaTeX sets it.
+    pub latex: Latex,
+    /// The value; NaN outside the domain.
+    pub value: fn(&[f64]) -> f64,
+    /// Error bound of the value in ulps: twice the measured maximum.
+    pub ulps: f64,
+    /// The value at complex arguments, for elementary functions.
+    pub complex: Option<fn(&[Complex64]) -> Complex64>,
+    /// The derivative with respect to the argument at the given position.
+    pub derivative: Option<DerivativeLaw>,
+    /// A shorter canonical form for these arguments, where there is one.
+    pub fold: Option<FoldLaw>,
+    /// The sign for these arguments.
+    pub sign: Option<fn(&[Expr]) -> Sign>,
+    /// Expressions that must be positive for the function to be real and finite.
+    pub domain: Option<DomainLaw>,
+    /// The expression that a reader sees in place of a function which exists only for stable evaluation.
+    pub shown: Option<fn(&[Expr]) -> Expr>,
+    /// True where LaTeX has a sign for the function itself, so that only text shows what it equals.
+    pub in_latex: bool,
+}
+
+/// The derivative of f(arguments) with respect to the argument at a position.
+pub type DerivativeLaw = fn(&[Expr], usize) -> Option<Expr>;
+/// A shorter form of f(arguments).
+pub type FoldLaw = fn(&[Expr]) -> Option<Expr>;
+/// What must be positive for f(arguments) to be real.
+pub type DomainLaw = fn(&[Expr]) -> Vec<Expr>;
+
+/// How a function is set in LaTeX.
+#[derive(Clone, Copy)]
+pub enum Latex {
+    /// An operator name before its argument, e.g. `\sin`.
+    Operator(&'static str),
+    /// Set from its arguments, already set themselves.
+    Custom(fn(&[String]) -> String),
+}
+
+/// What a plain row leaves open; rows are written as changes of this one.
+pub(super) const PLAIN: Row = Row {
+    name: "",
+    spellings: &[],
+    arity: (1, 1),
+    latex: Latex::Operator(""),
+    value: |_| f64::NAN,
+    ulps: 1.0,
+    complex: None,
+    derivative: None,
+    fold: None,
+    sign: None,
+    domain: None,
+    shown: None,
+    in_latex: false,
+};
+
+/// A function of the table; compared by name.
+#[derive(Clone, Copy)]
+pub struct Function(&'static Row);
+
+impl Function {
+    /// The function of this name or spelling.
+    pub fn named(name: &str) -> Option<Self> {
+        rows().find(|row| row.name == name || row.spellings.contains(&name)).map(Self)
+    }
+
+    /// Every function of the table.
+    pub fn all() -> impl Iterator<Item = Self> {
+        rows().map(Self)
+    }
+
+    /// Its row.
+    pub fn row(self) -> &'static Row {
+        self.0
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        self.0.name
+    }
+}
+
+fn rows() -> impl Iterator<Item = &'static Row> {
+    elementary::ROWS.iter().chain(special::ROWS).chain(forms::ROWS)
+}
+
+impl std::fmt::Debug for Function {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl PartialEq for Function {
+    fn eq(&self, other: &Self) -> bool {
+        self.name() == other.name()
+    }
+}
+
+impl Eq for Function {}
+
+impl PartialOrd for Function {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Function {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.name().cmp(other.name())
+    }
+}
+
+impl Hash for Function {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name().hash(state);
+    }
+}

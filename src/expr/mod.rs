@@ -1,0 +1,27 @@
+//! Symbolic expressions: exact numbers, canonical trees, the function table, differentiation and the recognition form.
+//!
+//! Constructors are local and cheap: they flatten, sort by content, collect and fold, and never expand.
+//! Every symbol stands for a positive real number; [`sign`] proves what follows from that and says `Unknown` otherwise.
+
+mod build;
+mod compare;
+mod derivative;
+mod error;
+mod formula;
+pub mod function;
+mod node;
+pub mod normal;
+mod number;
+mod shown;
+mod sign;
+mod substitute;
+
+pub use derivative::derivative;
+pub use error::ExprError;
+pub use formula::{Condition, Formula, Relation};
+pub use function::{Function, Row};
+pub use node::{Constant, Expr, Node, Symbol};
+pub use number::Number;
+pub use shown::{shown, shown_in_latex};
+pub use sign::{Sign, sign};
+pub use substitute::Bindings;

@@ -1,0 +1,233 @@
+//! Sums of products of powers over exact numbers, the arithmetic behind the recognition form.
+
+use super::power;
+use crate::expr::{Expr, ExprError, Node, Number, Symbol};
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A product of powers of distinct atoms; an atom is anything that the expansion does not look into.
+pub(super) type Monomial = BTreeMap<Expr, Expr>;
+
+/// What one expansion shares: the variable whose roots are brought to canonical form, and the work that is left.
+#[derive(Clone, Debug)]
+pub(super) struct Frame {
+    variable: Symbol,
+    left: Rc<Cell<u32>>,
+}
+
+impl Frame {
+    fn new(variable: &Symbol) -> Self {
+        Self { variable: variable.clone(), left: Rc::new(Cell::new(Polynomial::WORK)) }
+    }
+
+    pub(super) fn variable(&self) -> &Symbol {
+        &self.variable
+    }
+
+    /// Takes one step off the budget.
+    pub(super) fn charge(&self) -> Result<(), ExprError> {
+        let left = self.left.get().checked_sub(1).ok_or(ExprError::TooLarge { limit: Polynomial::LIMIT })?;
+        self.left.set(left);
+        Ok(())
+    }
+}
+
+/// A sum of numbers times products of powers, collected and without zero terms.
+#[derive(Clone, Debug)]
+pub struct Polynomial {
+    terms: BTreeMap<Monomial, Number>,
+    frame: Frame,
+}
+
+impl Polynomial {
+    /// The largest number of terms that an expansion may have.
+    pub const LIMIT: usize = 2000;
+    /// The largest number of steps that an expansion may take, intermediate ones included.
+    const WORK: u32 = 40_000;
+
+    /// Expands an expression; `variable` is the one whose roots are brought to canonical form.
+    ///
+    /// # Errors
+    /// [`ExprError::TooLarge`] beyond [`Self::LIMIT`] terms.
+    pub fn from_expr(expr: &Expr, variable: &Symbol) -> Result<Self, ExprError> {
+        Self::expand(expr, &Frame::new(variable))
+    }
+
+    /// Expands within the frame of a larger expansion, whose budget it shares.
+    pub(super) fn expand(expr: &Expr, frame: &Frame) -> Result<Self, ExprError> {
+        frame.charge()?;
+        match expr.node() {
+            Node::Number(number) => Ok(Self::constant(number.clone(), frame)),
+            Node::Constant(_) | Node::Symbol(_) => Ok(Self::atom(expr.clone(), Expr::one(), frame)),
+            Node::Sum(terms) => {
+                let mut total = Self::zero(frame);
+                for term in terms {
+                    total.add(&Self::expand(term, frame)?)?;
+                }
+                Ok(total)
+            }
+            Node::Product(factors) => {
+                let mut total = Self::constant(Number::integer(1), frame);
+                for factor in factors {
+                    total = total.times(&Self::expand(factor, frame)?)?;
+                }
+                Ok(total)
+            }
+            Node::Power(base, exponent) => {
+                let exponent = Self::expand(exponent, frame)?.to_expr();
+                power::raise(&Self::expand(base, frame)?, &exponent)
+            }
+            Node::Function(function, arguments) => {
+                let arguments = arguments.iter().map(|a| Ok(Self::expand(a, frame)?.to_expr())).collect::<Result<Vec<_>, ExprError>>()?;
+                let rebuilt = Expr::function(*function, arguments);
+                match rebuilt.node() {
+                    Node::Function(..) => {
+                        let (base, exponent) = rebuilt.split_power();
+                        Ok(Self::atom(base, exponent, frame))
+                    }
+                    _ => Self::expand(&rebuilt, frame),
+                }
+            }
+        }
+    }
+
+    pub(super) fn zero(frame: &Frame) -> Self {
+        Self { terms: BTreeMap::new(), frame: frame.clone() }
+    }
+
+    pub(super) fn constant(number: Number, frame: &Frame) -> Self {
+        let mut result = Self::zero(frame);
+        if !number.is_zero() {
+            result.terms.insert(Monomial::new(), number);
+        }
+        result
+    }
+
+    pub(super) fn atom(base: Expr, exponent: Expr, frame: &Frame) -> Self {
+        Self::single(Monomial::from([(base, exponent)]), Number::integer(1), frame)
+    }
+
+    pub(super) fn single(monomial: Monomial, coefficient: Number, frame: &Frame) -> Self {
+        let mut result = Self::zero(frame);
+        if !coefficient.is_zero() {
+            result.terms.insert(monomial, coefficient);
+        }
+        result
+    }
+
+    /// The monomials with their numbers, in canonical order.
+    pub(super) fn terms(&self) -> impl Iterator<Item = (&Monomial, &Number)> {
+        self.terms.iter()
+    }
+
+    pub(super) fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// The only term, where there is exactly one.
+    pub(super) fn only(&self) -> Option<(&Monomial, &Number)> {
+        if self.terms.len() == 1 { self.terms.iter().next() } else { None }
+    }
+
+    /// True for the sum without terms.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// The expanded expression.
+    pub fn to_expr(&self) -> Expr {
+        Expr::sum(self.terms.iter().map(|(monomial, number)| {
+            Expr::product(std::iter::once(Expr::number(number.clone())).chain(monomial.iter().map(|(atom, power)| atom.pow(power))))
+        }))
+    }
+
+    pub(super) fn add(&mut self, other: &Self) -> Result<(), ExprError> {
+        for (monomial, number) in &other.terms {
+            self.add_term(monomial.clone(), number);
+        }
+        self.check()
+    }
+
+    pub(super) fn minus(&self, other: &Self) -> Result<Self, ExprError> {
+        let mut result = self.clone();
+        result.add(&other.scaled(&Number::integer(-1)))?;
+        Ok(result)
+    }
+
+    pub(super) fn scaled(&self, factor: &Number) -> Self {
+        let mut result = Self::zero(&self.frame);
+        if !factor.is_zero() {
+            result.terms = self.terms.iter().map(|(monomial, number)| (monomial.clone(), number * factor)).collect();
+        }
+        result
+    }
+
+    /// The product, expanded; powers of sums that became whole are expanded too.
+    pub(super) fn times(&self, other: &Self) -> Result<Self, ExprError> {
+        if self.len().saturating_mul(other.len()) > 40 * Self::LIMIT {
+            return Err(ExprError::TooLarge { limit: Self::LIMIT });
+        }
+        let mut result = Self::zero(&self.frame);
+        for (left, a) in &self.terms {
+            for (right, b) in &other.terms {
+                let mut monomial = left.clone();
+                for (atom, exponent) in right {
+                    let total = monomial.get(atom).map_or_else(|| exponent.clone(), |own| own + exponent);
+                    if total.is_zero() {
+                        monomial.remove(atom);
+                    } else {
+                        monomial.insert(atom.clone(), total);
+                    }
+                }
+                power::settle(monomial, &(a * b), &mut result)?;
+            }
+            result.check()?;
+        }
+        Ok(result)
+    }
+
+    pub(super) fn whole_power(&self, n: u32) -> Result<Self, ExprError> {
+        let mut result = Self::constant(Number::integer(1), &self.frame);
+        if n as usize > Self::LIMIT && self.len() > 1 {
+            return Err(ExprError::TooLarge { limit: Self::LIMIT });
+        }
+        let (mut square, mut rest) = (self.clone(), n);
+        while rest > 0 {
+            if rest & 1 == 1 {
+                result = result.times(&square)?;
+            }
+            rest >>= 1;
+            if rest > 0 {
+                square = square.times(&square)?;
+            }
+        }
+        Ok(result)
+    }
+
+    pub(super) fn add_term(&mut self, monomial: Monomial, number: &Number) {
+        match self.terms.entry(monomial) {
+            std::collections::btree_map::Entry::Vacant(entry) => {
+                if !number.is_zero() {
+                    entry.insert(number.clone());
+                }
+            }
+            std::collections::btree_map::Entry::Occupied(mut entry) => {
+                let total = entry.get() + number;
+                if total.is_zero() {
+                    entry.remove();
+                } else {
+                    entry.insert(total);
+                }
+            }
+        }
+    }
+
+    fn check(&self) -> Result<(), ExprError> {
+        if self.terms.len() > Self::LIMIT { Err(ExprError::TooLarge { limit: Self::LIMIT }) } else { Ok(()) }
+    }
+}

@@ -1,0 +1,307 @@
+//! Powers in the recognition form: contents taken out, roots rationalised, degrees reduced.
+
+use super::is_sum;
+use super::polynomial::{Frame, Monomial, Polynomial};
+use crate::expr::{Expr, ExprError, Node, Number, Sign, sign};
+
+/// `base`^`exponent`.
+pub(super) fn raise(base: &Polynomial, exponent: &Expr) -> Result<Polynomial, ExprError> {
+    let frame = base.frame().clone();
+    if base.is_zero() {
+        return Ok(if sign(exponent) == Sign::Positive { base.clone() } else { Polynomial::atom(Expr::zero(), exponent.clone(), &frame) });
+    }
+    if let Some(n) = exponent.as_integer().and_then(|n| u32::try_from(n).ok()) {
+        return base.whole_power(n);
+    }
+    if let Some((monomial, number)) = base.only() {
+        return raise_monomial(monomial, number, exponent, &frame);
+    }
+    let whole = exponent.as_integer().is_some();
+    let (content, number, primitive) = split_content(base, whole);
+    let outside = raise_monomial(&content, &number, exponent, &frame)?;
+    let inside = raise_primitive(&primitive, exponent)?;
+    outside.times(&inside)
+}
+
+/// Raises one product; factors of unproven sign keep a fractional power as a whole.
+fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Expr, frame: &Frame) -> Result<Polynomial, ExprError> {
+    let whole = exponent.as_integer();
+    let mut raised = Monomial::new();
+    let mut kept = vec![];
+    let mut coefficient = Number::integer(1);
+    match (whole.and_then(|n| number.power(n)), number.is_positive()) {
+        (Some(power), _) => coefficient = power,
+        (None, true) => {
+            let folded = Expr::number(number.clone()).pow(exponent);
+            let (outside, rest) = folded.split_coefficient();
+            coefficient = outside;
+            for factor in rest.factors() {
+                if !factor.is_one() {
+                    let (base, power) = factor.split_power();
+                    raised.insert(base, power);
+                }
+            }
+        }
+        (None, false) => kept.push(Expr::number(number.clone())),
+    }
+    for (atom, power) in monomial {
+        if whole.is_some() || sign(atom) == Sign::Positive {
+            let total = power * exponent;
+            let total = Polynomial::expand(&total, frame)?.to_expr();
+            let total = raised.get(atom).map_or_else(|| total.clone(), |own| own + &total);
+            raised.insert(atom.clone(), total);
+        } else {
+            kept.push(atom.pow(power));
+        }
+    }
+    if !kept.is_empty() {
+        raised.insert(Expr::product(kept), exponent.clone());
+    }
+    let mut result = Polynomial::zero(frame);
+    settle(raised, &coefficient, &mut result)?;
+    Ok(result)
+}
+
+/// Content · number · primitive: the common powers of positive atoms, the common rational factor, the rest.
+///
+/// The number is positive unless `whole`; then the primitive's first term is positive.
+fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number, Polynomial) {
+    let frame = base.frame();
+    let mut content: Option<Monomial> = None;
+    let mut gcd = Number::integer(0);
+    for (monomial, number) in base.terms() {
+        gcd = gcd.common_factor(number);
+        content = Some(match content {
+            None => {
+                monomial.iter().filter(|(atom, _)| whole || sign(atom) == Sign::Positive).map(|(a, p)| (a.clone(), p.clone())).collect()
+            }
+            Some(own) => own
+                .into_iter()
+                .filter_map(|(atom, power)| {
+                    let other = monomial.get(&atom).cloned().unwrap_or_else(Expr::zero);
+                    let lower = smaller(&power, &other)?;
+                    (!lower.is_zero()).then_some((atom, lower))
+                })
+                .collect(),
+        });
+    }
+    let mut content = content.unwrap_or_default();
+    // Negative powers that only some terms have are taken out as well: 1 − r²/c² = c⁻²(c² − r²).
+    let mut negative = Monomial::new();
+    for (monomial, _) in base.terms() {
+        for (atom, power) in monomial {
+            if power.as_number().is_some_and(Number::is_negative) && (whole || sign(atom) == Sign::Positive) && !is_sum(atom) {
+                let lowest = negative.get(atom).and_then(|own: &Expr| smaller(own, power)).unwrap_or_else(|| power.clone());
+                negative.insert(atom.clone(), lowest);
+            }
+        }
+    }
+    content.extend(negative);
+    content.retain(|_, power| !power.is_zero());
+    if whole && base.terms().next().is_some_and(|(_, number)| number.is_negative()) {
+        gcd = -&gcd;
+    }
+    let number = gcd;
+    let mut primitive = Polynomial::zero(frame);
+    let inverse = number.reciprocal().unwrap_or_else(|| Number::integer(1));
+    for (monomial, own) in base.terms() {
+        let mut rest = monomial.clone();
+        for (atom, power) in &content {
+            let left = rest.get(atom).map_or_else(|| -power, |own| own - power);
+            if left.is_zero() {
+                rest.remove(atom);
+            } else {
+                rest.insert(atom.clone(), left);
+            }
+        }
+        primitive.add_term(rest, &(own * &inverse));
+    }
+    (content, number, primitive)
+}
+
+/// The smaller of two exponents where the order is known.
+fn smaller(a: &Expr, b: &Expr) -> Option<Expr> {
+    if a == b {
+        return Some(a.clone());
+    }
+    match sign(&(a - b)) {
+        Sign::Negative => Some(a.clone()),
+        Sign::Positive => Some(b.clone()),
+        _ => None,
+    }
+}
+
+/// A sum without content to a power that is no natural number.
+fn raise_primitive(primitive: &Polynomial, exponent: &Expr) -> Result<Polynomial, ExprError> {
+    let frame = primitive.frame().clone();
+    if let Some((monomial, number)) = primitive.only() {
+        return raise_monomial(monomial, number, exponent, &frame);
+    }
+    if exponent.as_integer().is_some_and(|n| n < 0)
+        && let Some(rationalised) = rationalise(primitive)?
+    {
+        return raise(&rationalised, &(-exponent));
+    }
+    let mut result = Polynomial::zero(&frame);
+    settle(Monomial::from([(primitive.to_expr(), exponent.clone())]), &Number::integer(1), &mut result)?;
+    Ok(result)
+}
+
+/// 1/(A + B·Q^(−1/2)) = (A − B·Q^(−1/2))·Q/(A²Q − B²), where exactly one root of a sum occurs.
+fn rationalise(primitive: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
+    let frame = primitive.frame();
+    let minus_half = Expr::ratio(-1, 2);
+    let mut root: Option<Expr> = None;
+    for (monomial, _) in primitive.terms() {
+        for (atom, power) in monomial {
+            if is_sum(atom) && atom.contains(frame.variable()) && power.as_integer().is_none() {
+                if *power != minus_half || root.as_ref().is_some_and(|own| own != atom) {
+                    return Ok(None);
+                }
+                root = Some(atom.clone());
+            }
+        }
+    }
+    let Some(root) = root else { return Ok(None) };
+    let (mut plain, mut with_root) = (Polynomial::zero(frame), Polynomial::zero(frame));
+    for (monomial, number) in primitive.terms() {
+        let mut rest = monomial.clone();
+        if rest.remove(&root).is_some() {
+            with_root.add_term(rest, number);
+        } else {
+            plain.add_term(rest, number);
+        }
+    }
+    let radicand = Polynomial::expand(&root, frame)?;
+    let inverse_root = Polynomial::atom(root, minus_half, frame);
+    let conjugate = plain.minus(&with_root.times(&inverse_root)?)?.times(&radicand)?;
+    let norm = plain.times(&plain)?.times(&radicand)?.minus(&with_root.times(&with_root)?)?;
+    if norm.is_zero() {
+        return Ok(None);
+    }
+    Ok(Some(conjugate.times(&raise(&norm, &Expr::integer(-1))?)?))
+}
+
+/// Adds number · monomial to `result` after bringing its powers to canonical form.
+///
+/// Numbers under roots are folded; natural powers of sums are expanded; q^(k+1/2) with k ≥ 0 becomes
+/// q^(k+1)·q^(−1/2); r^m·q^p with p ≤ −1 is brought to partial fractions.
+pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polynomial) -> Result<(), ExprError> {
+    if number.is_zero() {
+        return Ok(());
+    }
+    result.frame().charge()?;
+    let frame = result.frame().clone();
+    monomial.retain(|_, power| !power.is_zero());
+    for (atom, power) in &monomial {
+        if let Node::Number(_) = atom.node() {
+            let folded = atom.pow(power);
+            let (coefficient, rest) = folded.split_coefficient();
+            if coefficient.is_one() && rest.split_power() == (atom.clone(), power.clone()) {
+                continue;
+            }
+            let mut others = monomial.clone();
+            others.remove(atom);
+            for factor in rest.factors().into_iter().filter(|f| !f.is_one()) {
+                let (base, exponent) = factor.split_power();
+                let total = others.get(&base).map_or_else(|| exponent.clone(), |own| own + &exponent);
+                others.insert(base, total);
+            }
+            return settle(others, &(number * &coefficient), result);
+        }
+        if !is_sum(atom) {
+            continue;
+        }
+        let Some(exponent) = power.as_number() else { continue };
+        let depends = atom.contains(frame.variable());
+        let natural = if exponent.is_integer() {
+            exponent.to_i64().filter(|n| *n > 0)
+        } else if depends && exponent.value().denom() == &num_bigint::BigInt::from(2) && exponent.is_positive() {
+            (exponent + &Number::ratio(1, 2)).to_i64()
+        } else {
+            None
+        };
+        if let Some(n) = natural.and_then(|n| u32::try_from(n).ok()) {
+            let mut others = monomial.clone();
+            others.remove(atom);
+            let left = power - Expr::integer(i64::from(n));
+            if !left.is_zero() {
+                others.insert(atom.clone(), left);
+            }
+            let expanded = Polynomial::expand(atom, &frame)?.whole_power(n)?;
+            let rest = Polynomial::single(others, number.clone(), &frame);
+            return result.add(&expanded.times(&rest)?);
+        }
+        if depends && exponent <= &Number::integer(-1) && divide(&monomial, atom, power, number, result)? {
+            return Ok(());
+        }
+    }
+    if let Some((left, right)) = twins(&monomial, &frame) {
+        let exponent = monomial.remove(&left).unwrap_or_else(Expr::zero);
+        monomial.remove(&right);
+        let product = Polynomial::expand(&left, &frame)?.times(&Polynomial::expand(&right, &frame)?)?;
+        let rest = Polynomial::single(monomial, number.clone(), &frame);
+        return result.add(&raise(&product, &exponent)?.times(&rest)?);
+    }
+    result.add_term(monomial, number);
+    Ok(())
+}
+
+/// Two sums under the same root, which belong under one: √(R−r)·√(R+r) = √(R²−r²).
+fn twins(monomial: &Monomial, frame: &Frame) -> Option<(Expr, Expr)> {
+    let roots: Vec<(&Expr, &Expr)> =
+        monomial.iter().filter(|(atom, power)| is_sum(atom) && power.as_integer().is_none() && atom.contains(frame.variable())).collect();
+    roots.iter().enumerate().find_map(|(i, (left, power))| {
+        let (right, _) = roots.iter().skip(i + 1).find(|(_, other)| other == power)?;
+        Some(((*left).clone(), (*right).clone()))
+    })
+}
+
+/// One step of a partial fraction for r^m·q^p with p ≤ −1.
+///
+/// With q = c r^k + rest and m ≥ k: r^m q^p = r^(m−k)/c · (q^(p+1) − rest·q^p), which lowers the degree.
+/// With q = c + rest and m < 0: r^m q^p = r^m/c · (q^(p+1) − rest·q^p), which raises the negative power.
+fn divide(monomial: &Monomial, atom: &Expr, power: &Expr, number: &Number, result: &mut Polynomial) -> Result<bool, ExprError> {
+    let frame = result.frame().clone();
+    let radius = Expr::from(frame.variable().clone());
+    let Some(m) = monomial.get(&radius).and_then(Expr::as_integer) else { return Ok(false) };
+    let polynomial = Polynomial::expand(atom, &frame)?;
+    let mut degrees = Vec::new();
+    for (own, _) in polynomial.terms() {
+        if own.iter().any(|(a, p)| *a != radius && (a.contains(frame.variable()) || p.contains(frame.variable()))) {
+            return Ok(false);
+        }
+        match own.get(&radius).map_or(Some(0), Expr::as_integer).filter(|k| *k >= 0) {
+            Some(k) => degrees.push(k),
+            None => return Ok(false),
+        }
+    }
+    let degree = if m < 0 { 0 } else { degrees.iter().copied().max().unwrap_or(0) };
+    // A leading or constant coefficient that is a sum has no simple inverse: leave the term as it is.
+    if (m >= 0 && (degree == 0 || m < degree)) || degrees.iter().filter(|k| **k == degree).count() != 1 {
+        return Ok(false);
+    }
+    let (mut leading, mut rest) = (None, Polynomial::zero(&frame));
+    for ((own, coefficient), k) in polynomial.terms().zip(&degrees) {
+        if *k == degree {
+            leading = Some((own.clone(), coefficient.clone()));
+        } else {
+            rest.add_term(own.clone(), coefficient);
+        }
+    }
+    let Some((mut own, coefficient)) = leading else { return Ok(false) };
+    own.remove(&radius);
+    let inverse = raise_monomial(&own, &coefficient, &Expr::integer(-1), &frame)?;
+    let mut others = monomial.clone();
+    others.remove(atom);
+    others.insert(radius.clone(), Expr::integer(m - degree));
+    others.retain(|_, power| !power.is_zero());
+    let front = Polynomial::single(others, number.clone(), &frame).times(&inverse)?;
+    let next = power + Expr::one();
+    let raised =
+        if next.is_zero() { Polynomial::constant(Number::integer(1), &frame) } else { Polynomial::atom(atom.clone(), next, &frame) };
+    result.add(&front.times(&raised)?)?;
+    let second = front.scaled(&Number::integer(-1)).times(&rest)?.times(&Polynomial::atom(atom.clone(), power.clone(), &frame))?;
+    result.add(&second)?;
+    Ok(true)
+}

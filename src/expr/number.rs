@@ -1,0 +1,323 @@
+//! Exact rational numbers that remember whether they were typed as decimals.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{One, Pow, Signed, ToPrimitive, Zero};
+use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// An exact rational number; `decimal` is a wish of the printer and no part of its identity.
+///
+/// `0.7` is 7/10 in every computation and prints as `0.7` because it was typed that way.
+/// Sums and products with a decimal are decimals again, as long as the decimal expansion ends.
+///
+/// ```
+/// use sneddon::expr::Number;
+/// let typed = Number::parse_decimal("0.7").unwrap();
+/// assert_eq!(typed, Number::ratio(7, 10));
+/// assert!(typed.is_decimal() && !Number::ratio(7, 10).is_decimal());
+/// ```
+#[derive(Clone, Debug)]
+pub struct Number {
+    value: BigRational,
+    decimal: bool,
+}
+
+/// The largest size, in bits, of a number that folding a power may produce.
+const LARGEST_FOLD_BITS: u64 = 1 << 16;
+
+impl Number {
+    /// The integer `n`.
+    pub fn integer(n: i64) -> Self {
+        Self::from(BigRational::from_integer(BigInt::from(n)))
+    }
+
+    /// The fraction `p/q`; `q` must not be zero (a zero denominator gives `p`).
+    pub fn ratio(p: i64, q: i64) -> Self {
+        if q == 0 {
+            return Self::integer(p);
+        }
+        Self::from(BigRational::new(BigInt::from(p), BigInt::from(q)))
+    }
+
+    /// Reads digits with an optional point and an optional exponent, exactly.
+    ///
+    /// `None` when the text is no such number or its exponent lies beyond ±10 000.
+    pub fn parse_decimal(text: &str) -> Option<Self> {
+        let (mantissa, exponent) = match text.find(['e', 'E']) {
+            Some(at) => (&text[..at], text[at + 1..].parse::<i64>().ok()?),
+            None => (text, 0),
+        };
+        if exponent.abs() > 10_000 {
+            return None;
+        }
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let digits: String = [whole, fraction].concat();
+        if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
+            return None;
+        }
+        let scale = exponent - i64::try_from(fraction.len()).ok()?;
+        let power = BigInt::from(10).pow(u32::try_from(scale.unsigned_abs()).ok()?);
+        let integer: BigInt = digits.parse().ok()?;
+        let value = if scale >= 0 { BigRational::from_integer(integer * power) } else { BigRational::new(integer, power) };
+        let decimal = mantissa.contains('.') || exponent < 0;
+        Some(Self { value, decimal })
+    }
+
+    /// The exact rational value of a finite `f64`; `None` for NaN and infinities.
+    pub fn from_f64(value: f64) -> Option<Self> {
+        BigRational::from_float(value).map(|value| Self { value, decimal: true })
+    }
+
+    /// The exact value.
+    pub fn value(&self) -> &BigRational {
+        &self.value
+    }
+
+    /// True where the number should print as a decimal fraction.
+    pub fn is_decimal(&self) -> bool {
+        self.decimal
+    }
+
+    /// The same number, printed as a fraction.
+    pub fn as_fraction(&self) -> Self {
+        Self { value: self.value.clone(), decimal: false }
+    }
+
+    /// True for 0.
+    pub fn is_zero(&self) -> bool {
+        self.value.is_zero()
+    }
+
+    /// True for 1.
+    pub fn is_one(&self) -> bool {
+        self.value.is_one()
+    }
+
+    /// True for whole numbers.
+    pub fn is_integer(&self) -> bool {
+        self.value.is_integer()
+    }
+
+    /// True below 0.
+    pub fn is_negative(&self) -> bool {
+        self.value.is_negative()
+    }
+
+    /// True above 0.
+    pub fn is_positive(&self) -> bool {
+        self.value.is_positive()
+    }
+
+    /// The value as a machine integer, where it is one.
+    pub fn to_i64(&self) -> Option<i64> {
+        if self.is_integer() { self.value.to_integer().to_i64() } else { None }
+    }
+
+    /// The nearest `f64` (ties to even), infinite beyond the range.
+    pub fn to_f64(&self) -> f64 {
+        nearest_f64(&self.value)
+    }
+
+    /// True where [`Self::to_f64`] is the number itself.
+    pub fn is_exact_f64(&self) -> bool {
+        BigRational::from_float(self.to_f64()).is_some_and(|back| back == self.value)
+    }
+
+    /// The size of numerator and denominator together, in bits.
+    pub fn bits(&self) -> u64 {
+        self.value.numer().bits() + self.value.denom().bits()
+    }
+
+    /// The reciprocal; `None` for 0.
+    pub fn reciprocal(&self) -> Option<Self> {
+        (!self.is_zero()).then(|| Self::keep(self.value.recip(), self.decimal))
+    }
+
+    /// The integer power, where it is defined and not larger than a fold may be.
+    pub fn power(&self, exponent: i64) -> Option<Self> {
+        if self.is_zero() && exponent < 0 {
+            return None;
+        }
+        let magnitude = exponent.unsigned_abs();
+        let unit = self.value.numer().magnitude().is_one() && self.value.denom().is_one();
+        if !unit && !self.is_zero() && self.bits().saturating_mul(magnitude) > LARGEST_FOLD_BITS {
+            return None;
+        }
+        let exponent = if unit { exponent % 2 } else { exponent };
+        let value = Pow::pow(&self.value, i32::try_from(exponent).ok()?);
+        Some(Self::keep(value, self.decimal))
+    }
+
+    /// The exact k-th root of a positive number, where it is rational.
+    pub fn root(&self, k: u32) -> Option<Self> {
+        if !self.is_positive() || k == 0 || self.bits() > LARGEST_FOLD_BITS {
+            return None;
+        }
+        let (p, q) = (self.value.numer().nth_root(k), self.value.denom().nth_root(k));
+        let exact = Pow::pow(&p, k) == *self.value.numer() && Pow::pow(&q, k) == *self.value.denom();
+        exact.then(|| Self::keep(BigRational::new(p, q), self.decimal))
+    }
+
+    /// The largest positive rational of which both are whole multiples; the magnitude of the other where one is 0.
+    pub fn common_factor(&self, other: &Self) -> Self {
+        let (p, q) = (self.value.numer().gcd(other.value.numer()), self.value.denom().lcm(other.value.denom()));
+        Self::keep(BigRational::new(p, q), self.decimal || other.decimal)
+    }
+
+    /// The absolute value.
+    pub fn abs(&self) -> Self {
+        Self { value: self.value.abs(), decimal: self.decimal }
+    }
+
+    fn keep(value: BigRational, decimal: bool) -> Self {
+        let decimal = decimal && !value.is_integer() && ends_in_decimals(&value);
+        Self { value, decimal }
+    }
+}
+
+/// True where the denominator has no prime factor besides 2 and 5 and few enough digits to print.
+fn ends_in_decimals(value: &BigRational) -> bool {
+    let mut denominator = value.denom().clone();
+    if denominator.bits() > 64 {
+        return false;
+    }
+    for prime in [2, 5] {
+        while (&denominator % BigInt::from(prime)).is_zero() {
+            denominator /= BigInt::from(prime);
+        }
+    }
+    denominator.is_one()
+}
+
+/// Rounds to the nearest `f64` by integer division of scaled operands.
+fn nearest_f64(value: &BigRational) -> f64 {
+    if value.is_zero() {
+        return 0.0;
+    }
+    let (p, q) = (value.numer().magnitude(), value.denom().magnitude());
+    // 66 quotient bits: 53 for the result, the rest and a sticky bit decide the rounding.
+    let shift = 66 - (p.bits() as i64 - q.bits() as i64);
+    let (n, d) = if shift >= 0 { (p << shift as u64, q.clone()) } else { (p.clone(), q << (-shift) as u64) };
+    let quotient = &n / &d;
+    let sticky = !(&n - &quotient * &d).is_zero();
+    let mut bits = quotient.to_u128().unwrap_or(0) << 1 | u128::from(sticky);
+    let mut exponent = -shift - 1;
+    let length = 128 - i64::from(bits.leading_zeros());
+    // Subnormal results keep fewer bits, so that the one rounding happens at the right place.
+    let kept = (length + exponent + 1074).clamp(0, 53);
+    let drop = length - kept;
+    if drop > 0 {
+        let drop = drop.min(127) as u32;
+        let (rest, half) = (bits & ((1 << drop) - 1), 1u128 << (drop - 1));
+        bits >>= drop;
+        exponent += i64::from(drop);
+        if rest > half || (rest == half && bits & 1 == 1) {
+            bits += 1;
+        }
+    }
+    let magnitude = if exponent > 1100 {
+        f64::INFINITY
+    } else {
+        // `bits` has at most 54 bits and the product is exact: the rounding is done.
+        let exponent = exponent.max(-1200) as i32;
+        let half = exponent / 2;
+        bits as f64 * 2f64.powi(half) * 2f64.powi(exponent - half)
+    };
+    if value.is_negative() { -magnitude } else { magnitude }
+}
+
+impl From<BigRational> for Number {
+    fn from(value: BigRational) -> Self {
+        Self { value, decimal: false }
+    }
+}
+
+impl PartialEq for Number {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl Eq for Number {}
+
+impl PartialOrd for Number {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Number {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.value.cmp(&other.value)
+    }
+}
+
+impl Hash for Number {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.value.hash(state);
+    }
+}
+
+impl Add for &Number {
+    type Output = Number;
+    fn add(self, other: Self) -> Number {
+        Number::keep(&self.value + &other.value, self.decimal || other.decimal)
+    }
+}
+
+impl Sub for &Number {
+    type Output = Number;
+    fn sub(self, other: Self) -> Number {
+        Number::keep(&self.value - &other.value, self.decimal || other.decimal)
+    }
+}
+
+impl Mul for &Number {
+    type Output = Number;
+    fn mul(self, other: Self) -> Number {
+        Number::keep(&self.value * &other.value, self.decimal || other.decimal)
+    }
+}
+
+impl Neg for &Number {
+    type Output = Number;
+    fn neg(self) -> Number {
+        Number { value: -&self.value, decimal: self.decimal }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nearest_f64_agrees_with_the_standard_parser() {
+        for text in [
+            "0.1",
+            "0.3",
+            "1e-6",
+            "5e-324",
+            "2.5e-324",
+            "1.7976931348623157e308",
+            "2.2250738585072011e-308",
+            "123456789.123456789",
+            "9007199254740993",
+            "1e400",
+            "3e-330",
+        ] {
+            let number = Number::parse_decimal(text).unwrap();
+            assert_eq!(number.to_f64(), text.parse::<f64>().unwrap(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_decimal_stays_one_only_while_it_ends() {
+        let a = Number::parse_decimal("0.7").unwrap();
+        assert!((&a * &Number::integer(3)).is_decimal());
+        assert!(!(&a * &Number::ratio(1, 3)).is_decimal());
+        assert!(!(&a * &Number::integer(10)).is_decimal());
+    }
+}
