@@ -1,4 +1,5 @@
 //! Exact and numeric transforms of contact mechanics by the method of dimensionality reduction.
 
+pub mod eval;
 pub mod expr;
 pub mod num;

@@ -1,0 +1,127 @@
+//! The kinds of value that an expression can be walked with.
+
+use crate::expr::Function;
+use crate::num::Bounded;
+use num_complex::Complex64;
+
+/// Arithmetic over one kind of value; values outside a domain become NaN, which callers turn into errors.
+pub trait Algebra {
+    /// The values.
+    type Value: Copy;
+    /// A number of the tree, with the error of its rounding to `f64`.
+    fn constant(&mut self, number: Bounded) -> Self::Value;
+    /// a + b.
+    fn add(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
+    /// a − b.
+    fn subtract(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
+    /// a·b.
+    fn multiply(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
+    /// a/b.
+    fn divide(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
+    /// √a.
+    fn square_root(&mut self, a: Self::Value) -> Self::Value;
+    /// a^b.
+    fn power(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
+    /// A function of the table.
+    fn call(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value;
+}
+
+/// Plain `f64` values.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FloatAlgebra;
+
+impl Algebra for FloatAlgebra {
+    type Value = f64;
+    fn constant(&mut self, number: Bounded) -> f64 {
+        number.value
+    }
+    fn add(&mut self, a: f64, b: f64) -> f64 {
+        a + b
+    }
+    fn subtract(&mut self, a: f64, b: f64) -> f64 {
+        a - b
+    }
+    fn multiply(&mut self, a: f64, b: f64) -> f64 {
+        a * b
+    }
+    fn divide(&mut self, a: f64, b: f64) -> f64 {
+        a / b
+    }
+    fn square_root(&mut self, a: f64) -> f64 {
+        a.sqrt()
+    }
+    fn power(&mut self, a: f64, b: f64) -> f64 {
+        a.powf(b)
+    }
+    fn call(&mut self, function: Function, arguments: &[f64]) -> f64 {
+        (function.row().value)(arguments)
+    }
+}
+
+/// Values with a running bound of their error.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BoundedAlgebra;
+
+impl Algebra for BoundedAlgebra {
+    type Value = Bounded;
+    fn constant(&mut self, number: Bounded) -> Bounded {
+        number
+    }
+    fn add(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        a + b
+    }
+    fn subtract(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        a - b
+    }
+    fn multiply(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        a * b
+    }
+    fn divide(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        a / b
+    }
+    fn square_root(&mut self, a: Bounded) -> Bounded {
+        a.sqrt()
+    }
+    fn power(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        a.powf(b)
+    }
+    fn call(&mut self, function: Function, arguments: &[Bounded]) -> Bounded {
+        let row = function.row();
+        match arguments {
+            [argument] => argument.apply(|z| (row.value)(&[z]), row.ulps),
+            _ => Bounded::apply_many(row.value, arguments, row.ulps),
+        }
+    }
+}
+
+/// Complex values of the elementary functions; a step into the imaginary direction gives derivatives without cancellation.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ComplexAlgebra;
+
+impl Algebra for ComplexAlgebra {
+    type Value = Complex64;
+    fn constant(&mut self, number: Bounded) -> Complex64 {
+        Complex64::new(number.value, 0.0)
+    }
+    fn add(&mut self, a: Complex64, b: Complex64) -> Complex64 {
+        a + b
+    }
+    fn subtract(&mut self, a: Complex64, b: Complex64) -> Complex64 {
+        a - b
+    }
+    fn multiply(&mut self, a: Complex64, b: Complex64) -> Complex64 {
+        a * b
+    }
+    fn divide(&mut self, a: Complex64, b: Complex64) -> Complex64 {
+        a / b
+    }
+    fn square_root(&mut self, a: Complex64) -> Complex64 {
+        a.sqrt()
+    }
+    fn power(&mut self, a: Complex64, b: Complex64) -> Complex64 {
+        if b.im == 0.0 { a.powf(b.re) } else { a.powc(b) }
+    }
+    fn call(&mut self, function: Function, arguments: &[Complex64]) -> Complex64 {
+        function.row().complex.map_or(Complex64::new(f64::NAN, f64::NAN), |f| f(arguments))
+    }
+}

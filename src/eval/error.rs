@@ -1,0 +1,14 @@
+//! What can go wrong while an expression becomes a number.
+
+use thiserror::Error;
+
+/// Errors of evaluation.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum EvalError {
+    /// A symbol has no value.
+    #[error("the parameter {name} has no value; give one with --set {name}=VALUE")]
+    Unbound {
+        /// The symbol.
+        name: String,
+    },
+}

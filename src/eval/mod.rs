@@ -1,0 +1,13 @@
+//! Expressions to numbers: one walk over the tree that computes, bounds, differentiates or records, depending on the algebra.
+//!
+//! The same walk that evaluates a tree also records the [`Tape`], so both do the same operations in the same order, bit for bit.
+
+mod algebra;
+mod error;
+mod tape;
+mod walk;
+
+pub use algebra::{Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra};
+pub use error::EvalError;
+pub use tape::Tape;
+pub use walk::{constant_value, walk};

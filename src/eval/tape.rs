@@ -1,0 +1,174 @@
+//! A recorded walk: operations over numbered slots, with shared subterms computed once.
+
+use super::walk::walk_with;
+use super::{Algebra, EvalError};
+use crate::expr::{Expr, Function, Node, Symbol};
+use crate::num::Bounded;
+use std::collections::HashMap;
+
+/// Expressions compiled for many evaluations.
+///
+/// ```
+/// use sneddon::{eval::{FloatAlgebra, Tape}, expr::{Expr, Symbol}};
+/// let f = Expr::symbol("r").power(2) + Expr::symbol("r");
+/// let tape = Tape::compile(&[f], &[Symbol::new("r")]).unwrap();
+/// let mut slots = Vec::new();
+/// assert_eq!(tape.run(&mut FloatAlgebra, &[3.0], &mut slots), Some(12.0));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Tape {
+    operations: Vec<Operation>,
+    arguments: Vec<u32>,
+    outputs: Vec<u32>,
+    inputs: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Operation {
+    Constant(Bounded),
+    Input(u32),
+    Add(u32, u32),
+    Subtract(u32, u32),
+    Multiply(u32, u32),
+    Divide(u32, u32),
+    SquareRoot(u32),
+    Power(u32, u32),
+    Call(Function, u32, u32),
+}
+
+impl Tape {
+    /// Records the expressions over the given inputs.
+    ///
+    /// # Errors
+    /// [`EvalError::Unbound`] for a symbol that is no input.
+    pub fn compile(expressions: &[Expr], inputs: &[Symbol]) -> Result<Self, EvalError> {
+        let mut recorder =
+            Recorder { tape: Self { operations: Vec::new(), arguments: Vec::new(), outputs: Vec::new(), inputs: inputs.len() } };
+        for index in 0..inputs.len() {
+            recorder.push(Operation::Input(u32::try_from(index).unwrap_or(u32::MAX)));
+        }
+        let mut outputs = Vec::new();
+        let mut seen: HashMap<Expr, u32> = HashMap::new();
+        for expr in expressions {
+            let slot = record(expr, &mut recorder, inputs, &mut seen)?;
+            outputs.push(slot);
+        }
+        recorder.tape.outputs = outputs;
+        Ok(recorder.tape)
+    }
+
+    /// The first output for the given input values; `None` where the number of inputs is wrong.
+    pub fn run<A: Algebra>(&self, algebra: &mut A, inputs: &[A::Value], slots: &mut Vec<A::Value>) -> Option<A::Value> {
+        self.fill(algebra, inputs, slots)?;
+        slots.get(*self.outputs.first()? as usize).copied()
+    }
+
+    /// Every output for the given input values.
+    pub fn run_all<A: Algebra>(&self, algebra: &mut A, inputs: &[A::Value], slots: &mut Vec<A::Value>) -> Option<Vec<A::Value>> {
+        self.fill(algebra, inputs, slots)?;
+        self.outputs.iter().map(|slot| slots.get(*slot as usize).copied()).collect()
+    }
+
+    /// The number of operations.
+    pub fn len(&self) -> usize {
+        self.operations.len()
+    }
+
+    /// True for a tape without operations.
+    pub fn is_empty(&self) -> bool {
+        self.operations.is_empty()
+    }
+
+    fn fill<A: Algebra>(&self, algebra: &mut A, inputs: &[A::Value], slots: &mut Vec<A::Value>) -> Option<()> {
+        if inputs.len() != self.inputs {
+            return None;
+        }
+        slots.clear();
+        slots.reserve(self.operations.len());
+        let mut gathered = Vec::new();
+        for operation in &self.operations {
+            let get = |slot: &u32| slots.get(*slot as usize).copied();
+            let value = match operation {
+                Operation::Constant(number) => algebra.constant(*number),
+                Operation::Input(index) => *inputs.get(*index as usize)?,
+                Operation::Add(a, b) => algebra.add(get(a)?, get(b)?),
+                Operation::Subtract(a, b) => algebra.subtract(get(a)?, get(b)?),
+                Operation::Multiply(a, b) => algebra.multiply(get(a)?, get(b)?),
+                Operation::Divide(a, b) => algebra.divide(get(a)?, get(b)?),
+                Operation::SquareRoot(a) => algebra.square_root(get(a)?),
+                Operation::Power(a, b) => algebra.power(get(a)?, get(b)?),
+                Operation::Call(function, from, to) => {
+                    gathered.clear();
+                    for slot in self.arguments.get(*from as usize..*to as usize)? {
+                        gathered.push(get(slot)?);
+                    }
+                    algebra.call(*function, &gathered)
+                }
+            };
+            slots.push(value);
+        }
+        Some(())
+    }
+}
+
+/// Walks `expr` into the recorder; equal subtrees get one slot.
+fn record(expr: &Expr, recorder: &mut Recorder, inputs: &[Symbol], seen: &mut HashMap<Expr, u32>) -> Result<u32, EvalError> {
+    if let Some(slot) = seen.get(expr) {
+        return Ok(*slot);
+    }
+    let slot = match expr.node() {
+        Node::Symbol(symbol) => inputs
+            .iter()
+            .position(|input| input == symbol)
+            .and_then(|index| u32::try_from(index).ok())
+            .ok_or_else(|| EvalError::Unbound { name: symbol.name().to_owned() })?,
+        _ => walk_with(expr, recorder, &mut |inner, recorder| {
+            if inner == expr { Ok(None) } else { record(inner, recorder, inputs, seen).map(Some) }
+        })?,
+    };
+    seen.insert(expr.clone(), slot);
+    Ok(slot)
+}
+
+/// The algebra whose values are slots: it writes operations down instead of doing them.
+struct Recorder {
+    tape: Tape,
+}
+
+impl Recorder {
+    fn push(&mut self, operation: Operation) -> u32 {
+        self.tape.operations.push(operation);
+        u32::try_from(self.tape.operations.len() - 1).unwrap_or(u32::MAX)
+    }
+}
+
+impl Algebra for Recorder {
+    type Value = u32;
+    fn constant(&mut self, number: Bounded) -> u32 {
+        self.push(Operation::Constant(number))
+    }
+    fn add(&mut self, a: u32, b: u32) -> u32 {
+        self.push(Operation::Add(a, b))
+    }
+    fn subtract(&mut self, a: u32, b: u32) -> u32 {
+        self.push(Operation::Subtract(a, b))
+    }
+    fn multiply(&mut self, a: u32, b: u32) -> u32 {
+        self.push(Operation::Multiply(a, b))
+    }
+    fn divide(&mut self, a: u32, b: u32) -> u32 {
+        self.push(Operation::Divide(a, b))
+    }
+    fn square_root(&mut self, a: u32) -> u32 {
+        self.push(Operation::SquareRoot(a))
+    }
+    fn power(&mut self, a: u32, b: u32) -> u32 {
+        self.push(Operation::Power(a, b))
+    }
+    fn call(&mut self, function: Function, arguments: &[u32]) -> u32 {
+        let from = u32::try_from(self.tape.arguments.len()).unwrap_or(u32::MAX);
+        self.tape.arguments.extend_from_slice(arguments);
+        let to = u32::try_from(self.tape.arguments.len()).unwrap_or(u32::MAX);
+        self.push(Operation::Call(function, from, to))
+    }
+}

@@ -1,0 +1,202 @@
+//! The walk over the tree: which operations stand for a node, in which order.
+
+use super::{Algebra, BoundedAlgebra, EvalError};
+use crate::expr::{Bindings, Constant, Expr, Node, Number, Symbol};
+use crate::num::Bounded;
+
+/// Computes `expr` in the given algebra; `value_of` gives the value of a symbol.
+///
+/// Differences of squares are factored, (u − v)(u + v), fractions divide by their denominator, half powers are
+/// roots, and products alternate between factors and divisors so that intermediate results stay in range.
+///
+/// # Errors
+/// [`EvalError::Unbound`] for a symbol without value.
+///
+/// ```
+/// use sneddon::{eval::{walk, FloatAlgebra}, expr::Expr};
+/// let f = Expr::symbol("r").power(2) / Expr::integer(4);
+/// let value = walk(&f, &mut FloatAlgebra, &mut |_| Some(3.0)).unwrap();
+/// assert_eq!(value, 2.25);
+/// ```
+pub fn walk<A: Algebra>(
+    expr: &Expr,
+    algebra: &mut A,
+    value_of: &mut impl FnMut(&Symbol) -> Option<A::Value>,
+) -> Result<A::Value, EvalError> {
+    walk_with(expr, algebra, &mut |expr, _| match expr.node() {
+        Node::Symbol(symbol) => value_of(symbol).map(Some).ok_or_else(|| EvalError::Unbound { name: symbol.name().to_owned() }),
+        _ => Ok(None),
+    })
+}
+
+/// The value of an expression without symbols, or with the given ones bound, and a bound of its error.
+///
+/// # Errors
+/// As [`walk`].
+pub fn constant_value(expr: &Expr, bindings: &Bindings) -> Result<Bounded, EvalError> {
+    walk(&bindings.apply(expr), &mut BoundedAlgebra, &mut |_| None)
+}
+
+/// The walk with a hook that may know a subtree's value already.
+pub(super) fn walk_with<A: Algebra>(
+    expr: &Expr,
+    algebra: &mut A,
+    known: &mut impl FnMut(&Expr, &mut A) -> Result<Option<A::Value>, EvalError>,
+) -> Result<A::Value, EvalError> {
+    if let Some(value) = known(expr, algebra)? {
+        return Ok(value);
+    }
+    match expr.node() {
+        Node::Number(number) => Ok(algebra.constant(rounded(number))),
+        Node::Constant(Constant::Pi) => Ok(algebra.constant(Bounded::rounded(std::f64::consts::PI))),
+        Node::Constant(Constant::Euler) => Ok(algebra.constant(Bounded::rounded(std::f64::consts::E))),
+        Node::Symbol(symbol) => Err(EvalError::Unbound { name: symbol.name().to_owned() }),
+        Node::Function(function, arguments) => {
+            let values = arguments.iter().map(|a| walk_with(a, algebra, known)).collect::<Result<Vec<_>, _>>()?;
+            Ok(algebra.call(*function, &values))
+        }
+        Node::Sum(terms) => {
+            if let Some((u, v)) = difference_of_squares(terms) {
+                let (u, v) = (walk_with(&u, algebra, known)?, walk_with(&v, algebra, known)?);
+                let (difference, sum) = (algebra.subtract(u, v), algebra.add(u, v));
+                return Ok(algebra.multiply(difference, sum));
+            }
+            let mut total = None;
+            // Positive terms first: the differences come last, with the largest partial sums behind them.
+            let (positive, negative): (Vec<&Expr>, Vec<&Expr>) = terms.iter().partition(|t| !t.split_coefficient().0.is_negative());
+            for term in positive {
+                let value = walk_with(term, algebra, known)?;
+                total = Some(match total {
+                    None => value,
+                    Some(sum) => algebra.add(sum, value),
+                });
+            }
+            for term in negative {
+                let value = walk_with(&-term, algebra, known)?;
+                let from = match total {
+                    None => algebra.constant(Bounded::exact(0.0)),
+                    Some(sum) => sum,
+                };
+                total = Some(algebra.subtract(from, value));
+            }
+            Ok(total.unwrap_or_else(|| algebra.constant(Bounded::exact(0.0))))
+        }
+        Node::Product(_) | Node::Power(..) => quotient(expr, algebra, known),
+    }
+}
+
+/// Rounds a number of the tree; the error is 0 where `f64` holds it exactly.
+fn rounded(number: &Number) -> Bounded {
+    let value = number.to_f64();
+    if number.is_exact_f64() { Bounded::exact(value) } else { Bounded::rounded(value) }
+}
+
+/// Products and powers: factors and divisors by turns.
+fn quotient<A: Algebra>(
+    expr: &Expr,
+    algebra: &mut A,
+    known: &mut impl FnMut(&Expr, &mut A) -> Result<Option<A::Value>, EvalError>,
+) -> Result<A::Value, EvalError> {
+    let (mut factors, mut divisors) = (Vec::new(), Vec::new());
+    for factor in expr.factors() {
+        match factor.node() {
+            Node::Number(number) => split_number(number, algebra, &mut factors, &mut divisors),
+            Node::Power(base, exponent) => match exponent.as_number() {
+                Some(power) if power.is_negative() => raise(base, &-power, algebra, known, &mut divisors)?,
+                Some(power) => raise(base, power, algebra, known, &mut factors)?,
+                None => {
+                    let (base, exponent) = (walk_with(base, algebra, known)?, walk_with(exponent, algebra, known)?);
+                    factors.push(algebra.power(base, exponent));
+                }
+            },
+            _ => factors.push(walk_with(&factor, algebra, known)?),
+        }
+    }
+    let mut factors = factors.into_iter();
+    let mut result = match factors.next() {
+        Some(first) => first,
+        None => algebra.constant(Bounded::exact(1.0)),
+    };
+    let mut divisors = divisors.into_iter();
+    loop {
+        let (divisor, factor) = (divisors.next(), factors.next());
+        if divisor.is_none() && factor.is_none() {
+            return Ok(result);
+        }
+        if let Some(divisor) = divisor {
+            result = algebra.divide(result, divisor);
+        }
+        if let Some(factor) = factor {
+            result = algebra.multiply(result, factor);
+        }
+    }
+}
+
+/// A rational factor as numerator and denominator where `f64` holds both, which saves a rounding.
+fn split_number<A: Algebra>(number: &Number, algebra: &mut A, factors: &mut Vec<A::Value>, divisors: &mut Vec<A::Value>) {
+    let numerator = Number::from(num_rational::BigRational::from_integer(number.value().numer().clone()));
+    let denominator = Number::from(num_rational::BigRational::from_integer(number.value().denom().clone()));
+    if number.is_exact_f64() || !(numerator.is_exact_f64() && denominator.is_exact_f64()) {
+        factors.push(algebra.constant(rounded(number)));
+        return;
+    }
+    if !numerator.is_one() {
+        factors.push(algebra.constant(rounded(&numerator)));
+    }
+    divisors.push(algebra.constant(rounded(&denominator)));
+}
+
+/// Pushes the factors that make base^power, `power` > 0.
+fn raise<A: Algebra>(
+    base: &Expr,
+    power: &Number,
+    algebra: &mut A,
+    known: &mut impl FnMut(&Expr, &mut A) -> Result<Option<A::Value>, EvalError>,
+    into: &mut Vec<A::Value>,
+) -> Result<(), EvalError> {
+    let value = walk_with(base, algebra, known)?;
+    let half = Number::ratio(1, 2);
+    match (power.to_i64(), (power - &half).to_i64()) {
+        (Some(n @ 1..=3), _) => into.extend(std::iter::repeat_n(value, n.unsigned_abs() as usize)),
+        (None, Some(n @ 0..=3)) => {
+            into.extend(std::iter::repeat_n(value, n.unsigned_abs() as usize));
+            into.push(algebra.square_root(value));
+        }
+        _ => {
+            // The exponent's own rounding would count ln(base) times: what f64 leaves of it is a second, small power.
+            let nearest = power.to_f64();
+            let exponent = algebra.constant(Bounded::exact(nearest));
+            into.push(algebra.power(value, exponent));
+            if let Some(rest) = Number::from_f64(nearest).map(|nearest| power - &nearest).filter(|rest| !rest.is_zero()) {
+                let exponent = algebra.constant(Bounded::rounded(rest.to_f64()));
+                into.push(algebra.power(value, exponent));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// u and v where the sum is u² − v² with monomials u and v.
+fn difference_of_squares(terms: &[Expr]) -> Option<(Expr, Expr)> {
+    let [first, second] = terms else { return None };
+    let (plus, minus) = match (first.split_coefficient().0.is_negative(), second.split_coefficient().0.is_negative()) {
+        (false, true) => (first.clone(), -second),
+        (true, false) => (second.clone(), -first),
+        _ => return None,
+    };
+    Some((monomial_root(&plus)?, monomial_root(&minus)?))
+}
+
+/// The exact square root of a number times even powers of symbols.
+fn monomial_root(expr: &Expr) -> Option<Expr> {
+    let factors = expr.factors();
+    let roots = factors.iter().map(|factor| match factor.node() {
+        Node::Number(number) => number.root(2).map(Expr::number),
+        Node::Power(base, exponent) if base.as_symbol().is_some() => {
+            let n = exponent.as_integer()?;
+            (n % 2 == 0).then(|| base.power(n / 2))
+        }
+        _ => None,
+    });
+    Some(Expr::product(roots.collect::<Option<Vec<_>>>()?))
+}
