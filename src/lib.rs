@@ -3,3 +3,5 @@
 pub mod eval;
 pub mod expr;
 pub mod num;
+pub mod parse;
+pub mod print;

@@ -1,0 +1,104 @@
+//! What a name means: a constant, a variable, a parameter, or an error with a better name.
+
+use super::super::{ParseError, Reason};
+use crate::expr::{Expr, Function};
+use std::ops::Range;
+
+/// Which names a text may use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::parse) enum Names {
+    /// `r` and parameters.
+    Profile,
+    /// Every variable and parameter.
+    Formula,
+    /// Constants alone.
+    None,
+}
+
+/// Functions of the grammar that are no rows of the table.
+const BUILT_IN: [&str; 7] = ["sqrt", "piecewise", "integral", "J0", "J1", "I0", "I1"];
+
+/// Function names that are Greek letters too; without parentheses they are parameters.
+const GREEK: [&str; 4] = ["beta", "zeta", "kappa", "chi"];
+
+const CONSTANTS: &str = "a closed constant such as 0.3, 3/2, 1e-6, -1, pi/6 or sqrt(2) is accepted";
+
+impl Names {
+    /// The expression that a name without parentheses stands for.
+    pub(super) fn resolve(self, name: &str, span: &Range<usize>) -> Result<Expr, ParseError> {
+        let error = |reason, accepted: String| Err(ParseError::new(span.clone(), reason, accepted));
+        match name {
+            "pi" => return Ok(Expr::pi()),
+            "e" => return Ok(Expr::euler()),
+            _ => {}
+        }
+        let owned = name.to_owned();
+        if is_function(name) {
+            let accepted = match name {
+                "gamma" => "write gamma(…) for the function, or call the parameter gamma_0".to_owned(),
+                _ => format!("write {name}(…), or give a parameter another name, such as {name}_0"),
+            };
+            return error(Reason::FunctionWithoutArguments { name: owned }, accepted);
+        }
+        match self {
+            Self::None => error(Reason::NotConstant { name: owned }, CONSTANTS.to_owned()),
+            Self::Profile => match reserved(name) {
+                Some((meaning, accepted)) => error(Reason::Reserved { name: owned, meaning }, accepted.to_owned()),
+                None => Ok(Expr::symbol(name)),
+            },
+            Self::Formula => Ok(Expr::symbol(name)),
+        }
+    }
+
+    /// What would be accepted in place of a function that does not exist.
+    pub(super) fn nearest(self, name: &str) -> String {
+        let rows = Function::all().filter(|function| function.row().shown.is_none());
+        let names = rows.flat_map(|f| std::iter::once(f.name()).chain(f.row().spellings.iter().copied()));
+        let known = names.chain(BUILT_IN).filter(|known| self == Self::Formula || *known != "integral");
+        let mut near: Vec<(usize, &str)> = known.map(|known| (distance(name, known), known)).filter(|(d, _)| *d <= 2).collect();
+        near.sort_unstable();
+        near.dedup();
+        let near: Vec<&str> = near.into_iter().filter(|(d, known)| *d < known.len()).take(3).map(|(_, known)| known).collect();
+        match near.as_slice() {
+            [] if name.chars().count() <= 2 => format!("write {name}*(…) for a product"),
+            [] => "functions such as sqrt, exp, ln, sin, cos, tan, atan, sinh, abs, erf, min, max or piecewise are accepted".to_owned(),
+            [only] => format!("{only} is accepted, or {name}*(…) for a product"),
+            [names @ .., last] => format!("{} or {last} is accepted", names.join(", ")),
+        }
+    }
+}
+
+/// True for a name that needs parentheses.
+fn is_function(name: &str) -> bool {
+    let built_in = matches!(name, "sqrt" | "piecewise" | "integral");
+    built_in || (!GREEK.contains(&name) && Function::named(name).is_some())
+}
+
+/// Meaning and better names of the names that a profile may not use.
+fn reserved(name: &str) -> Option<(&'static str, &'static str)> {
+    Some(match name {
+        "x" => ("the coordinate of the transformed profile g(x)", "the radius is r; for a parameter write x_0"),
+        "a" => ("the contact radius", "the radius is r; for a parameter write a_0 or b"),
+        "d" => ("the depth", "for a parameter write d_0 or h"),
+        "E" => ("the effective modulus", "for a parameter write E_0; Euler's number is e"),
+        _ => return None,
+    })
+}
+
+/// The number of insertions, deletions and replacements between two names; long names are far from all others.
+fn distance(left: &str, right: &str) -> usize {
+    if left.len() > 20 {
+        return usize::MAX;
+    }
+    let left = left.to_ascii_lowercase();
+    let mut row: Vec<usize> = (0..=right.len()).collect();
+    for (i, l) in left.bytes().enumerate() {
+        let mut next = vec![i + 1];
+        for ((above_left, above), r) in row.iter().zip(row.iter().skip(1)).zip(right.bytes()) {
+            let side = next.last().copied().unwrap_or(0);
+            next.push((above_left + usize::from(l != r.to_ascii_lowercase())).min(above + 1).min(side + 1));
+        }
+        row = next;
+    }
+    row.last().copied().unwrap_or(usize::MAX)
+}

@@ -1,0 +1,83 @@
+//! Text to formulas: lexer, operator precedence over byte spans, and the meaning of what was typed as canonical expressions.
+//!
+//! Three entries share one grammar and differ in the names that they accept: [`profile`] for what a user types,
+//! [`formula`] for everything that the program prints, [`constant`] for values of parameters.
+//! Every limit is a typed error that names the place; no input exhausts the stack or computes for long.
+
+mod alphabet;
+mod error;
+mod lexer;
+mod lower;
+mod parser;
+mod position;
+mod syntax;
+
+pub use error::{ParseError, Reason};
+pub use position::position;
+
+use crate::expr::{Expr, Formula};
+use lower::{Lowering, Names};
+
+/// The limits of the grammar; each is a typed error.
+pub mod limits {
+    /// Longest text, in bytes.
+    pub const TEXT_BYTES: usize = 1 << 20;
+    /// Deepest nesting of parentheses, function calls, right-nested powers and signs.
+    pub const DEPTH: usize = 1000;
+    /// Most digits of one number.
+    pub const DIGITS: usize = 10_000;
+    /// Largest magnitude of the exponent of a decimal number, as in `1e-6`.
+    pub const DECIMAL_EXPONENT: i64 = 10_000;
+    /// Largest magnitude of a numeric exponent, as in `r^6`.
+    pub const EXPONENT: i64 = 1_000_000;
+    /// Most breakpoints of all `piecewise` of one text.
+    pub const BREAKPOINTS: usize = 1000;
+    /// Most characters counted once per level of nesting that they stand in.
+    pub(super) const NESTED_BYTES: usize = 1 << 24;
+    /// Most work on long numbers: the sum of squared lengths, in words of 64 bits.
+    pub(super) const NUMBER_WORK: u64 = 1 << 22;
+}
+
+/// Reads the shape f(r) of an indenter: `r` is the radius, other names are positive parameters.
+///
+/// # Errors
+/// [`ParseError`] with the place, the reason and what would be accepted; also for the names `x`, `a`, `d`, `E`, which are reserved.
+///
+/// ```
+/// use sneddon::expr::Expr;
+/// let (r, radius) = (Expr::symbol("r"), Expr::symbol("R"));
+/// let f = sneddon::parse::profile("r^2/(2*R)").unwrap();
+/// assert_eq!(f.as_closed(), Some(&(r.power(2) / (Expr::integer(2) * radius))));
+/// assert_eq!(sneddon::parse::profile("2r").unwrap_err().span(), 1..2);
+/// ```
+pub fn profile(text: &str) -> Result<Formula, ParseError> {
+    Lowering::new(Names::Profile, text).formula(parser::parse(text)?)
+}
+
+/// Reads a formula as the program prints it: all variables, integrals and the functions of the table.
+///
+/// # Errors
+/// As [`profile`], without reserved names.
+///
+/// ```
+/// use sneddon::{expr::Formula, parse};
+/// let force = parse::formula("integral(2*E*r^2/sqrt(a^2 - r^2), r, 0, a)").unwrap();
+/// assert!(matches!(force, Formula::Integral { .. }));
+/// ```
+pub fn formula(text: &str) -> Result<Formula, ParseError> {
+    Lowering::new(Names::Formula, text).formula(parser::parse(text)?)
+}
+
+/// Reads a closed constant, as the value of a parameter: `0.3`, `3/2`, `1e-6`, `-1`, `pi/6`, `sqrt(2)`.
+///
+/// # Errors
+/// As [`profile`]; also for every name that is no constant.
+///
+/// ```
+/// use sneddon::{expr::Expr, parse};
+/// assert_eq!(parse::constant("0.25").unwrap(), Expr::ratio(1, 4));
+/// assert!(parse::constant("inf").is_err());
+/// ```
+pub fn constant(text: &str) -> Result<Expr, ParseError> {
+    Lowering::new(Names::None, text).constant(parser::parse(text)?)
+}

@@ -1,0 +1,305 @@
+//! Tokens to what was typed: operator precedence with an explicit stack, which counts the depth of nesting.
+
+use super::lexer::{Lexer, Token};
+use super::syntax::{Item, Kind};
+use super::{ParseError, Reason, limits};
+use std::ops::Range;
+
+/// Reads a whole text as one expression.
+pub(super) fn parse(text: &str) -> Result<Vec<Item>, ParseError> {
+    let mut lexer = Lexer::new(text)?;
+    let (token, span) = lexer.next()?;
+    if token == Token::End {
+        return Err(ParseError::new(0..text.len(), Reason::Empty, "an expression such as r^2/(2*R) is accepted"));
+    }
+    let mut parser = Parser { lexer, token, span, last: 0..0, open: Vec::new(), depth: 0, nested_bytes: 0, items: Vec::new() };
+    loop {
+        parser.operand()?;
+        if parser.operator()? {
+            return Ok(parser.items);
+        }
+    }
+}
+
+/// Something begun that waits for its last operand.
+struct Frame {
+    kind: Waiting,
+    start: usize,
+}
+
+enum Waiting {
+    Sum(Vec<bool>),
+    Product(Vec<bool>),
+    Power,
+    /// A sign; a tight one stands inside a product or power and takes no product itself: 2/-r*3 is (2/(−r))·3.
+    Sign {
+        negative: bool,
+        tight: bool,
+    },
+    Parenthesis,
+    Call {
+        name: String,
+        name_span: Range<usize>,
+        done: usize,
+        comparison: Option<Comparison>,
+    },
+    List {
+        done: usize,
+    },
+}
+
+struct Comparison {
+    reversed: bool,
+    start: usize,
+}
+
+/// How tightly the operator after an operand binds.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Nothing,
+    Sum,
+    Product,
+}
+
+const OPERAND: &str = "a number, a name, a function or ( is accepted";
+
+struct Parser<'t> {
+    lexer: Lexer<'t>,
+    token: Token,
+    span: Range<usize>,
+    /// The place of the last complete operand.
+    last: Range<usize>,
+    open: Vec<Frame>,
+    depth: usize,
+    nested_bytes: usize,
+    items: Vec<Item>,
+}
+
+impl Parser<'_> {
+    fn advance(&mut self) -> Result<(Token, Range<usize>), ParseError> {
+        let (token, span) = self.lexer.next()?;
+        Ok((std::mem::replace(&mut self.token, token), std::mem::replace(&mut self.span, span)))
+    }
+
+    fn emit(&mut self, kind: Kind, span: Range<usize>) {
+        self.last = span.clone();
+        self.items.push(Item { kind, span });
+    }
+
+    /// Begins a level of nesting.
+    fn deepen(&mut self, kind: Waiting, start: usize, at: Range<usize>) -> Result<(), ParseError> {
+        self.depth += 1;
+        if self.depth > limits::DEPTH {
+            return Err(ParseError::new(at, Reason::TooDeep, "fewer parentheses, calls, powers or signs inside each other are accepted"));
+        }
+        self.open.push(Frame { kind, start });
+        Ok(())
+    }
+
+    /// Ends a level of nesting.
+    fn rise(&mut self, kind: Kind, span: Range<usize>) -> Result<(), ParseError> {
+        self.depth -= 1;
+        // What follows costs time in proportion to this sum: every level works on everything inside it.
+        self.nested_bytes += span.len();
+        if self.nested_bytes > limits::NESTED_BYTES {
+            return Err(ParseError::new(span, Reason::TooIntricate, "a shorter or a flatter expression is accepted"));
+        }
+        self.emit(kind, span);
+        Ok(())
+    }
+
+    /// Reads up to the end of the next number, name or empty argument list, opening signs, parentheses and calls on the way.
+    fn operand(&mut self) -> Result<(), ParseError> {
+        loop {
+            match self.token {
+                Token::Plus | Token::Minus => {
+                    let (sign, at) = self.advance()?;
+                    let top = self.open.last().map(|frame| &frame.kind);
+                    let tight = matches!(top, Some(Waiting::Product(_) | Waiting::Power | Waiting::Sign { tight: true, .. }));
+                    self.deepen(Waiting::Sign { negative: sign == Token::Minus, tight }, at.start, at)?;
+                }
+                Token::Open => {
+                    let (_, at) = self.advance()?;
+                    self.deepen(Waiting::Parenthesis, at.start, at)?;
+                }
+                Token::OpenList if self.begins_argument() => {
+                    let (_, at) = self.advance()?;
+                    self.deepen(Waiting::List { done: 0 }, at.start, at)?;
+                    if self.token == Token::CloseList {
+                        return Ok(());
+                    }
+                }
+                Token::Number(_) | Token::Name(_) => match self.advance()? {
+                    (Token::Number(number), span) => {
+                        self.emit(Kind::Number(number), span);
+                        return Ok(());
+                    }
+                    (Token::Name(name), span) if self.token == Token::Open => {
+                        let (_, at) = self.advance()?;
+                        let (start, at) = (span.start, span.start..at.end);
+                        self.deepen(Waiting::Call { name, name_span: span, done: 0, comparison: None }, start, at)?;
+                        if self.token == Token::Close {
+                            return Ok(());
+                        }
+                    }
+                    (Token::Name(name), span) => {
+                        self.emit(Kind::Name(name), span);
+                        return Ok(());
+                    }
+                    _ => return Err(self.unexpected()),
+                },
+                _ => return Err(self.unexpected()),
+            }
+        }
+    }
+
+    /// True at the beginning of an argument of a call.
+    fn begins_argument(&self) -> bool {
+        matches!(self.open.last(), Some(Frame { kind: Waiting::Call { comparison: None, .. }, .. }))
+    }
+
+    /// Reads what follows an operand; true at the end of the text, false where another operand must follow.
+    fn operator(&mut self) -> Result<bool, ParseError> {
+        loop {
+            match self.token {
+                Token::Caret => {
+                    let start = self.last.start;
+                    let (_, at) = self.advance()?;
+                    self.deepen(Waiting::Power, start, at)?;
+                    return Ok(false);
+                }
+                Token::Times | Token::Divide => {
+                    self.reduce(Binding::Product)?;
+                    let divides = self.advance()?.0 == Token::Divide;
+                    match self.open.last_mut() {
+                        Some(Frame { kind: Waiting::Product(factors), .. }) => factors.push(divides),
+                        _ => self.open.push(Frame { kind: Waiting::Product(vec![false, divides]), start: self.last.start }),
+                    }
+                    return Ok(false);
+                }
+                Token::Plus | Token::Minus => {
+                    self.reduce(Binding::Sum)?;
+                    let subtracted = self.advance()?.0 == Token::Minus;
+                    match self.open.last_mut() {
+                        Some(Frame { kind: Waiting::Sum(terms), .. }) => terms.push(subtracted),
+                        _ => self.open.push(Frame { kind: Waiting::Sum(vec![false, subtracted]), start: self.last.start }),
+                    }
+                    return Ok(false);
+                }
+                _ if self.token.begins_operand() => return Err(self.missing_operator()),
+                Token::Close | Token::CloseList => {
+                    self.reduce(Binding::Nothing)?;
+                    self.close()?;
+                }
+                Token::Comma | Token::Below | Token::Above => {
+                    self.reduce(Binding::Nothing)?;
+                    self.separate()?;
+                    return Ok(false);
+                }
+                _ => {
+                    self.reduce(Binding::Nothing)?;
+                    return self.end().map(|()| true);
+                }
+            }
+        }
+    }
+
+    /// Completes every operator that binds its operand more tightly than what follows.
+    fn reduce(&mut self, next: Binding) -> Result<(), ParseError> {
+        while let Some(frame) = self.open.pop() {
+            let span = frame.start..self.last.end;
+            match frame.kind {
+                Waiting::Power => self.rise(Kind::Power, span)?,
+                Waiting::Sign { negative, tight } if tight || next < Binding::Product => {
+                    self.rise(if negative { Kind::Negation } else { Kind::Group }, span)?;
+                }
+                Waiting::Product(factors) if next < Binding::Product => self.emit(Kind::Product(factors), span),
+                Waiting::Sum(terms) if next < Binding::Sum => self.emit(Kind::Sum(terms), span),
+                kind => {
+                    self.open.push(Frame { kind, start: frame.start });
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Closes a parenthesis, a call or a list.
+    fn close(&mut self) -> Result<(), ParseError> {
+        let span = self.open.last().map_or(0, |frame| frame.start)..self.span.end;
+        // An empty list of arguments closes right after it was opened: nothing has been read since.
+        let one_more = |done: usize, last: &Range<usize>| done + usize::from(done > 0 || last.start >= span.start && last.end > span.start);
+        let kind = match (self.open.pop().map(|frame| frame.kind), &self.token) {
+            (Some(Waiting::Parenthesis), Token::Close) => Kind::Group,
+            (Some(Waiting::Call { name, name_span, done, comparison }), Token::Close) => {
+                self.compare(comparison);
+                Kind::Call { name, name_span, arguments: one_more(done, &self.last) }
+            }
+            (Some(Waiting::List { done }), Token::CloseList) => Kind::List(one_more(done, &self.last)),
+            _ => return Err(self.unexpected()),
+        };
+        self.advance()?;
+        self.rise(kind, span)
+    }
+
+    /// Reads a comma between arguments, or a comparison inside one.
+    fn separate(&mut self) -> Result<(), ParseError> {
+        let start = self.last.start;
+        let mut finished = None;
+        match (self.open.last_mut().map(|frame| &mut frame.kind), &self.token) {
+            (Some(Waiting::Call { done, comparison, .. }), Token::Comma) => {
+                *done += 1;
+                finished = comparison.take();
+            }
+            (Some(Waiting::List { done }), Token::Comma) => *done += 1,
+            (Some(Waiting::Call { comparison: comparison @ None, .. }), Token::Below | Token::Above) => {
+                *comparison = Some(Comparison { reversed: self.token == Token::Above, start });
+            }
+            _ => return Err(self.unexpected()),
+        }
+        self.compare(finished);
+        self.advance().map(drop)
+    }
+
+    fn compare(&mut self, comparison: Option<Comparison>) {
+        if let Some(Comparison { reversed, start }) = comparison {
+            self.emit(Kind::Comparison(reversed), start..self.last.end);
+        }
+    }
+
+    fn end(&self) -> Result<(), ParseError> {
+        let Some(frame) = self.open.last() else { return Ok(()) };
+        let (span, bracket, accepted) = match &frame.kind {
+            Waiting::Call { name_span, .. } => (name_span.clone(), '(', "close it with )"),
+            Waiting::List { .. } => (frame.start..frame.start + 1, '[', "close it with ]"),
+            _ => (frame.start..frame.start + 1, '(', "close it with )"),
+        };
+        Err(ParseError::new(span, Reason::Unclosed { bracket }, accepted))
+    }
+
+    fn unexpected(&self) -> ParseError {
+        let accepted = match self.token {
+            Token::End => return ParseError::new(self.span.clone(), Reason::End, OPERAND),
+            Token::Close | Token::CloseList if self.open.is_empty() => "remove it, or open it first",
+            Token::Comma => "write decimals with a point, as in 0.3; commas separate the arguments of a function",
+            Token::Below | Token::Above => "conditions such as r<b stand between the values of piecewise(v0, r<b, v1), one comparison each",
+            Token::OpenList => "lists stand only in hyper([a], [b], z)",
+            _ => OPERAND,
+        };
+        let found = format!("{:?}", self.lexer.slice(self.span.clone()));
+        ParseError::new(self.span.clone(), Reason::Unexpected { found }, accepted)
+    }
+
+    fn missing_operator(&self) -> ParseError {
+        let (first, second) = (self.lexer.slice(self.last.clone()), self.lexer.slice(self.span.clone()));
+        let found = format!("{second:?}");
+        let accepted = if first.len() + second.len() > 40 {
+            "write every product with *, as in 2*r".to_owned()
+        } else if matches!(self.token, Token::Open | Token::OpenList) {
+            format!("write every product with *, as in {first}*(…)")
+        } else {
+            format!("write {first}*{second}")
+        };
+        ParseError::new(self.span.clone(), Reason::MissingOperator { found }, accepted)
+    }
+}

@@ -1,0 +1,89 @@
+//! Names of parameters and variables in LaTeX.
+
+/// A name: Greek letters as such, indices below, words upright, the effective modulus with its star.
+pub(super) fn symbol(name: &str) -> String {
+    if name == "E" {
+        return "E^{*}".to_owned();
+    }
+    let (letter, index) = match name.split_once('_') {
+        Some((letter, index)) => (letter, index.to_owned()),
+        None => {
+            let end = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+            (name.get(..end).unwrap_or(name), name.get(end..).unwrap_or("").to_owned())
+        }
+    };
+    let indices: Vec<String> = index.split('_').filter(|part| !part.is_empty()).map(word).collect();
+    if indices.is_empty() { word(letter) } else { format!("{}_{{{}}}", word(letter), indices.join(",")) }
+}
+
+/// True for a letter that is named in full, as `theta`.
+pub(super) fn is_greek(name: &str) -> bool {
+    GREEK.contains(&name) || LATIN_LOOKING.iter().any(|(greek, _)| *greek == name)
+}
+
+/// One part of a name.
+fn word(word: &str) -> String {
+    if GREEK.contains(&word) {
+        return format!("\\{word}");
+    }
+    if let Some((_, letter)) = LATIN_LOOKING.iter().find(|(greek, _)| *greek == word) {
+        return (*letter).to_owned();
+    }
+    if let Some(letter) = word.strip_prefix("Delta").filter(|rest| rest.len() == 1) {
+        return format!("\\Delta {letter}");
+    }
+    let single = word.chars().count() == 1 || word.chars().all(|c| c.is_ascii_digit());
+    if single { word.to_owned() } else { format!("\\mathrm{{{word}}}") }
+}
+
+const GREEK: [&str; 34] = [
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi", "pi", "rho",
+    "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi",
+    "Psi", "Omega",
+];
+
+/// Greek letters that look like Latin ones and have no command of their own.
+const LATIN_LOOKING: [(&str, &str); 14] = [
+    ("omicron", "o"),
+    ("Alpha", "\\mathrm{A}"),
+    ("Beta", "\\mathrm{B}"),
+    ("Epsilon", "\\mathrm{E}"),
+    ("Zeta", "\\mathrm{Z}"),
+    ("Eta", "\\mathrm{H}"),
+    ("Iota", "\\mathrm{I}"),
+    ("Kappa", "\\mathrm{K}"),
+    ("Mu", "\\mathrm{M}"),
+    ("Nu", "\\mathrm{N}"),
+    ("Omicron", "\\mathrm{O}"),
+    ("Rho", "\\mathrm{P}"),
+    ("Tau", "\\mathrm{T}"),
+    ("Chi", "\\mathrm{X}"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_set_as_an_author_sets_them() {
+        for (name, latex) in [
+            ("r", "r"),
+            ("E", "E^{*}"),
+            ("E_0", "E_{0}"),
+            ("theta", "\\theta"),
+            ("theta_0", "\\theta_{0}"),
+            ("c_1", "c_{1}"),
+            ("c12", "c_{12}"),
+            ("R_tip", "R_{\\mathrm{tip}}"),
+            ("R_t", "R_{t}"),
+            ("R_theta", "R_{\\theta}"),
+            ("R_tip_1", "R_{\\mathrm{tip},1}"),
+            ("width", "\\mathrm{width}"),
+            ("Deltah", "\\Delta h"),
+            ("R_", "R"),
+            ("Alpha", "\\mathrm{A}"),
+        ] {
+            assert_eq!(symbol(name), latex, "{name}");
+        }
+    }
+}

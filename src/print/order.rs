@@ -1,0 +1,175 @@
+//! The order of reading: factors of a product, terms of a sum.
+
+use super::layout::{Factor, layout};
+use crate::expr::{Expr, Function, Node};
+use std::cmp::{Ordering, Reverse};
+
+/// The kinds of factor in the order in which they stand.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Rank {
+    Number,
+    NumberPower,
+    Constant,
+    Modulus,
+    Parameter,
+    Variable,
+    Sum,
+    Root,
+    Exponential,
+    Function,
+}
+
+/// Variables of every formula; other symbols are parameters.
+const VARIABLES: [&str; 4] = ["a", "d", "r", "x"];
+
+impl Rank {
+    pub(super) fn of(factor: &Factor) -> Self {
+        match factor.base.node() {
+            Node::Number(_) if factor.exponent.is_one() => Self::Number,
+            Node::Number(_) => Self::NumberPower,
+            Node::Constant(_) => Self::Constant,
+            Node::Symbol(symbol) if symbol.name() == "E" => Self::Modulus,
+            Node::Symbol(symbol) if VARIABLES.contains(&symbol.name()) => Self::Variable,
+            Node::Symbol(_) => Self::Parameter,
+            Node::Function(function, _) if function.name() == "exp" => Self::Exponential,
+            Node::Function(..) => Self::Function,
+            Node::Sum(_) if factor.whole().is_some() => Self::Sum,
+            // √(2R) stands where R stands.
+            Node::Product(inner) if factor.root().is_some() => {
+                let ranks = inner.iter().map(|base| Self::of(&Factor { base: base.clone(), exponent: Expr::one() }));
+                ranks.max().filter(|rank| *rank <= Self::Variable).unwrap_or(Self::Root)
+            }
+            Node::Sum(_) | Node::Product(_) | Node::Power(..) => Self::Root,
+        }
+    }
+}
+
+/// The order of factors: by kind, symbols by name, functions by name; whatever is left by content.
+pub(super) fn factors(left: &Factor, right: &Factor) -> Ordering {
+    let by_rank = Rank::of(left).cmp(&Rank::of(right));
+    let by_name = || name(&left.base).cmp(&name(&right.base));
+    let by_content = || (&left.base, &left.exponent).cmp(&(&right.base, &right.exponent));
+    by_rank.then_with(by_name).then_with(by_content)
+}
+
+/// Latin letters before Greek ones, regardless of case first.
+fn name(base: &Expr) -> (bool, String, &str) {
+    let name = match base.node() {
+        Node::Symbol(symbol) => symbol.name(),
+        Node::Function(function, _) => function.name(),
+        _ => "",
+    };
+    let letter = name.split('_').next().unwrap_or(name);
+    (super::latex_symbol::is_greek(letter), name.to_lowercase(), name)
+}
+
+/// The arguments of a function as they read: |r − b| and not |b − r|, cos(kr − φ) and not cos(φ − kr).
+pub(super) fn arguments(function: Function, arguments: &[Expr]) -> Vec<Expr> {
+    match arguments {
+        [argument] if EVEN.contains(&function.name()) && natural(argument).first().is_some_and(is_negative) => vec![-argument],
+        _ => arguments.to_vec(),
+    }
+}
+
+/// Functions of which a negated argument reads back as the same.
+const EVEN: [&str; 3] = ["abs", "cos", "cosh"];
+
+fn is_negative(term: &Expr) -> bool {
+    term.split_coefficient().0.is_negative()
+}
+
+/// The terms of a sum in the order of reading.
+///
+/// Polynomial terms by falling powers of the variables, then terms with functions or roots of them;
+/// a positive term is moved to the front, where there is one.
+pub(super) fn terms(expr: &Expr) -> Vec<Expr> {
+    let mut terms = natural(expr);
+    if let [first, last] = terms.as_slice()
+        && last.as_number().is_some_and(|number| number.is_positive())
+        && leads_after_number(first)
+    {
+        terms.rotate_right(1);
+    }
+    if let Some(positive) = terms.iter().position(|term| !is_negative(term)) {
+        let front = terms.remove(positive);
+        terms.insert(0, front);
+    }
+    terms
+}
+
+/// The terms by their keys alone.
+fn natural(expr: &Expr) -> Vec<Expr> {
+    let mut terms: Vec<(Key, Expr)> = expr.terms().into_iter().map(|term| (Key::of(&term), term)).collect();
+    terms.sort_by(|(left, _), (right, _)| left.cmp(right));
+    terms.into_iter().map(|(_, term)| term).collect()
+}
+
+/// True where a number reads better in front: 1 + r²/w², 1 + eˣ, but n + 1.
+fn leads_after_number(term: &Expr) -> bool {
+    let layout = layout(term);
+    let simple = |factor: &Factor| Rank::of(factor) <= Rank::Parameter;
+    !(layout.upper.iter().all(simple)
+        && layout.lower.iter().all(|factor| Rank::of(factor) <= Rank::Constant)
+        && layout.behind.iter().all(simple))
+}
+
+/// Where a term stands in its sum.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Key {
+    depends_through_function: bool,
+    degree: Reverse<Degree>,
+    has_function: bool,
+    degree_of_parameters: Reverse<Degree>,
+    names: Vec<(Rank, String, Expr)>,
+    term: Expr,
+}
+
+#[derive(PartialEq)]
+struct Degree(f64);
+
+impl Eq for Degree {}
+
+impl PartialOrd for Degree {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Degree {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+impl Key {
+    fn of(term: &Expr) -> Self {
+        let layout = layout(term);
+        let all: Vec<&Factor> = layout.upper.iter().chain(&layout.lower).chain(&layout.behind).collect();
+        let function = |factor: &&&Factor| Rank::of(factor) > Rank::Variable;
+        let depends =
+            |factor: &Factor| factor.base.symbols().iter().chain(&factor.exponent.symbols()).any(|s| VARIABLES.contains(&s.name()));
+        Self {
+            depends_through_function: all.iter().filter(function).any(|factor| depends(factor)),
+            degree: Reverse(Degree(degree(term, true))),
+            has_function: all.iter().any(|factor| function(&factor)),
+            degree_of_parameters: Reverse(Degree(degree(term, false))),
+            names: all
+                .iter()
+                .map(|factor| (Rank::of(factor), name(&factor.base).1, factor.exponent.clone()))
+                .filter(|key| key.0 > Rank::Number)
+                .collect(),
+            term: term.split_coefficient().1,
+        }
+    }
+}
+
+/// The degree in the variables, or in all other symbols.
+fn degree(expr: &Expr, variables: bool) -> f64 {
+    match expr.node() {
+        Node::Symbol(symbol) => f64::from(u8::from(VARIABLES.contains(&symbol.name()) == variables)),
+        Node::Power(base, exponent) => exponent.as_number().map_or(0.0, |number| number.to_f64()) * degree(base, variables),
+        Node::Product(factors) => factors.iter().map(|factor| degree(factor, variables)).sum(),
+        Node::Sum(terms) => terms.iter().map(|term| degree(term, variables)).fold(f64::NEG_INFINITY, f64::max),
+        Node::Number(_) | Node::Constant(_) | Node::Function(..) => 0.0,
+    }
+}
