@@ -5,3 +5,4 @@ pub mod expr;
 pub mod num;
 pub mod parse;
 pub mod print;
+pub mod transform;

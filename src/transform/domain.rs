@@ -1,0 +1,254 @@
+//! Where a profile is real and finite: its value at the axis, the limits of r, and tests at random admissible points.
+
+use super::stream::Stream;
+use super::{Chain, TransformError};
+use crate::eval::{BoundedAlgebra, constant_value, walk};
+use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Sign, Symbol, normal, sign};
+use crate::num::Bounded;
+use crate::print;
+
+/// f(0) of the innermost piece.
+///
+/// # Errors
+/// [`TransformError::SingularAtAxis`] where f is infinite there, [`TransformError::NotReal`] where it is not real.
+pub(super) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Result<Expr, TransformError> {
+    let radius = Symbol::new("r");
+    if let Some(value) = finite_limit_of_terms(piece, &radius, conditions) {
+        return value;
+    }
+    if is_regular(piece) {
+        let here = Bindings::one("r", Expr::zero()).apply(piece);
+        return match probe(&here, 0.0) {
+            Probe::Finite => Ok(here),
+            Probe::NotReal => Err(TransformError::NotReal { detail: print::text_expr(piece) }),
+            Probe::Infinite => Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) }),
+        };
+    }
+    // 0·ln 0, sin(r)/r and the like: look at the sequence r → 0.
+    let settled = sample_bindings(piece, 3).iter().all(|set| {
+        let near = |r: f64| value_at(piece, set, r);
+        let (u, v, w) = (near(1e-80), near(1e-120), near(1e-160));
+        let size = near(1e-3).abs().max(f64::MIN_POSITIVE);
+        u.is_finite()
+            && v.is_finite()
+            && w.is_finite()
+            && (v - w).abs() <= 1e-9 * size.max(w.abs())
+            && (u - v).abs() <= 1e-6 * size.max(w.abs())
+    });
+    if !settled {
+        return Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) });
+    }
+    let limits: Vec<f64> = sample_bindings(piece, 3).iter().map(|set| value_at(piece, set, 1e-160)).collect();
+    if limits.iter().all(|limit| limit.abs() < 1e-30) {
+        return Ok(Expr::zero());
+    }
+    match (limits.first().copied().and_then(Number::from_f64), piece.symbols().len()) {
+        (Some(limit), 0 | 1) => Ok(Expr::number(limit)),
+        _ => Err(TransformError::SingularAtAxis { detail: format!("{} is 0/0 there", print::text_expr(piece)) }),
+    }
+}
+
+/// The limit from the recognition form, where every term is a plain power.
+fn finite_limit_of_terms(piece: &Expr, radius: &Symbol, conditions: &mut Vec<Condition>) -> Option<Result<Expr, TransformError>> {
+    let terms = normal::normal_terms(piece, radius).ok()?;
+    let (mut limit, mut demands) = (Expr::zero(), Vec::new());
+    // Poles of several terms may cancel, as in (1 − cos r)/r; those of plain powers cannot.
+    let plain = terms.iter().all(|term| term.kernel.is_one());
+    for term in terms {
+        let positive = sign(&term.exponent) == Sign::Positive;
+        if positive && is_logarithmic(&term.kernel, radius) {
+            continue;
+        }
+        if !term.kernel.is_one() {
+            return None;
+        }
+        match sign(&term.exponent) {
+            Sign::Positive => {}
+            Sign::Zero => limit = limit + term.coefficient,
+            Sign::Negative if !plain => return None,
+            Sign::Negative => {
+                let detail = print::text_expr(&term.to_expr(radius));
+                return Some(Err(TransformError::SingularAtAxis { detail }));
+            }
+            // An exponent of unknown sign must be positive: that is for the reader to judge.
+            Sign::Unknown => demands.push(Condition::less(Expr::zero(), term.exponent)),
+        }
+    }
+    conditions.extend(demands);
+    Some(Ok(limit))
+}
+
+/// True for 1 and for powers of logarithms of r, which any positive power of r outweighs at the axis.
+fn is_logarithmic(kernel: &Expr, radius: &Symbol) -> bool {
+    kernel.factors().iter().all(|factor| match factor.split_power().0.node() {
+        Node::Number(_) => true,
+        Node::Function(function, arguments) => {
+            function.name() == "ln"
+                && arguments
+                    .iter()
+                    .all(|a| a.factors().iter().all(|f| f.split_power().0.as_symbol() == Some(radius) || !f.contains(radius)))
+        }
+        _ => false,
+    })
+}
+
+enum Probe {
+    Finite,
+    NotReal,
+    Infinite,
+}
+
+fn probe(expr: &Expr, r: f64) -> Probe {
+    let mut real = false;
+    for set in sample_bindings(expr, 4) {
+        let value = value_at(expr, &set, r);
+        if value.is_infinite() {
+            return Probe::Infinite;
+        }
+        real |= value.is_finite();
+    }
+    if real { Probe::Finite } else { Probe::NotReal }
+}
+
+/// False where something vanishes at the axis under a power that may be negative, or in a logarithm.
+fn is_regular(expr: &Expr) -> bool {
+    let vanishes = |inner: &Expr| Bindings::one("r", Expr::zero()).apply(inner).is_zero();
+    let own = match expr.node() {
+        Node::Power(base, exponent) => sign(exponent) == Sign::Positive || !vanishes(base),
+        Node::Function(function, arguments) => function.name() != "ln" || !arguments.iter().any(vanishes),
+        _ => true,
+    };
+    own && expr.children().into_iter().all(is_regular)
+}
+
+/// Adds what the functions and roots of a chain demand of r, solved for r where that is plain.
+///
+/// # Errors
+/// [`TransformError::NotReal`] where a demand can never be met near the axis.
+pub(super) fn collect(chain: &Chain, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
+    for (lower, upper, piece) in chain.intervals() {
+        let mut demands = Vec::new();
+        gather(piece, &mut demands);
+        for demand in demands {
+            if let Some(condition) = solve(&demand, &lower, upper)? {
+                conditions.push(condition);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Expressions under fractional powers and in restricted functions that must be positive.
+fn gather(expr: &Expr, demands: &mut Vec<Expr>) {
+    match expr.node() {
+        Node::Power(base, exponent) if sign(base) != Sign::Positive => match exponent.as_integer() {
+            // A divisor may have either sign, but must keep the one that it has at the axis.
+            Some(n) if n < 0 => demands.push(if starts_negative(base) { -base } else { base.clone() }),
+            Some(_) => {}
+            None => demands.push(base.clone()),
+        },
+        Node::Function(function, arguments) => {
+            if let Some(domain) = function.row().domain {
+                demands.extend(domain(arguments).into_iter().filter(|d| sign(d) != Sign::Positive));
+            }
+        }
+        _ => {}
+    }
+    expr.children().into_iter().for_each(|child| gather(child, demands));
+}
+
+/// True where the expression is known to be negative at r = 0.
+fn starts_negative(expr: &Expr) -> bool {
+    let here = Bindings::one("r", Expr::zero()).apply(expr);
+    sign(&here) == Sign::Negative || numeric_sign(&here) == Some(-1.0)
+}
+
+/// `demand` > 0 as a condition; `None` where it holds throughout the interval.
+fn solve(demand: &Expr, lower: &Expr, upper: Option<&Expr>) -> Result<Option<Condition>, TransformError> {
+    let radius = Symbol::new("r");
+    let r = Expr::symbol("r");
+    if !demand.contains(&radius) {
+        return match sign(demand) {
+            Sign::Negative => Err(TransformError::NotReal { detail: print::text_expr(demand) }),
+            Sign::Positive => Ok(None),
+            _ => match numeric_sign(demand) {
+                Some(s) if s > 0.0 => Ok(None),
+                Some(_) => Err(TransformError::NotReal { detail: print::text_expr(demand) }),
+                None => Ok(Some(Condition::less(Expr::zero(), demand.clone()))),
+            },
+        };
+    }
+    let Ok(terms) = normal::normal_terms(demand, &radius) else { return Ok(None) };
+    let (mut constant, mut power) = (Expr::zero(), None);
+    for term in terms {
+        if term.kernel.is_one() && term.exponent.is_zero() {
+            constant = term.coefficient;
+        } else if term.kernel.is_one() && power.is_none() && sign(&term.exponent) == Sign::Positive {
+            power = Some(term);
+        } else {
+            return Ok(None);
+        }
+    }
+    let Some(power) = power else { return Ok(None) };
+    match (sign(&constant), sign(&power.coefficient)) {
+        (Sign::Positive | Sign::Zero, Sign::Positive) => Ok(None),
+        (Sign::Negative, Sign::Negative) => Err(TransformError::NotReal { detail: print::text_expr(demand) }),
+        (Sign::Positive, Sign::Negative) => {
+            let limit = (-constant / power.coefficient).pow(&power.exponent.recip());
+            // A piece that ends before the limit, or at it, never crosses it.
+            let Some(end) = upper else { return Ok(Some(Condition::less(r, limit))) };
+            let room = &limit - end;
+            Ok(match (sign(&room), numeric_sign(&room)) {
+                (Sign::Positive | Sign::Zero, _) | (_, Some(1.0)) => None,
+                _ if normal::is_proven_zero(&room, &radius) => None,
+                (Sign::Negative, _) | (_, Some(_)) => Some(Condition::less(r, limit)),
+                _ => Some(Condition { left: end.clone(), relation: Relation::LessOrEqual, right: limit }),
+            })
+        }
+        (Sign::Negative, Sign::Positive) => {
+            let limit = (-constant / power.coefficient).pow(&power.exponent.recip());
+            match sign(&(lower - &limit)) {
+                Sign::Positive | Sign::Zero => Ok(None),
+                _ if lower.is_zero() => Err(TransformError::NotReal { detail: print::text_expr(demand) }),
+                _ => Ok(Some(Condition::less(limit, lower.clone()))),
+            }
+        }
+        _ => Ok(None),
+    }
+}
+
+/// True where the expression vanishes within its error bound at 32 random admissible points; `None` where it is real at none.
+pub(super) fn vanishes_at_random_points(expr: &Expr) -> Option<bool> {
+    let mut seen = false;
+    for set in sample_bindings(expr, 32) {
+        let Ok(value) = constant_value(expr, &set) else { return Some(false) };
+        if value.value.is_nan() {
+            continue;
+        }
+        seen = true;
+        if value.value.abs() > 4.0 * value.error {
+            return Some(false);
+        }
+    }
+    seen.then_some(true)
+}
+
+/// The sign of an expression without symbols, where its error bound leaves no doubt.
+pub(super) fn numeric_sign(expr: &Expr) -> Option<f64> {
+    if !expr.symbols().is_empty() {
+        return None;
+    }
+    let value = constant_value(expr, &Bindings::default()).ok()?;
+    (value.value.abs() > value.error).then(|| value.value.signum())
+}
+
+/// Seeded random positive values, exact in `f64`, for every symbol of the expression besides r.
+pub(super) fn sample_bindings(expr: &Expr, count: usize) -> Vec<Bindings> {
+    let names: Vec<Symbol> = expr.symbols().into_iter().filter(|s| s.name() != "r").collect();
+    let mut stream = Stream::new(0x5eed_0d0e);
+    (0..count).map(|_| names.iter().map(|s| (s.name(), Expr::number(stream.dyadic()))).collect()).collect()
+}
+
+fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {
+    walk(&set.apply(expr), &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).map_or(f64::NAN, |v| v.value)
+}

@@ -1,0 +1,109 @@
+//! What can go wrong between a profile and its answers.
+
+use crate::eval::EvalError;
+use crate::expr::ExprError;
+use crate::num::NumError;
+use thiserror::Error;
+
+/// Errors of the transform layer.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum TransformError {
+    /// f has no finite limit at r = 0.
+    #[error(
+        "the profile has no finite value at r = 0 ({detail}); a shape that starts at a finite height, such as C*r^n with n > 0, would be accepted"
+    )]
+    SingularAtAxis {
+        /// What was found there.
+        detail: String,
+    },
+    /// The value of f jumps at a breakpoint.
+    #[error("the profile jumps by {jump} at r = {at}; pieces that meet at their breakpoints would be accepted")]
+    Jump {
+        /// The breakpoint.
+        at: String,
+        /// Value beyond minus value before.
+        jump: String,
+    },
+    /// The profile is real nowhere near the axis.
+    #[error("the profile is not a real number near r = 0 ({detail}); check the signs under roots and logarithms")]
+    NotReal {
+        /// The expression that is not real.
+        detail: String,
+    },
+    /// f does not depend on r, and no depth was given.
+    #[error("a flat profile with a smooth edge has no contact problem; give the depth of the punch with --depth d (or a number)")]
+    Flat,
+    /// The kinks of abs, min or max could not be located.
+    #[error("the kinks of {function} cannot be located ({reason}); set the parameters with --set, or write the pieces with piecewise(…)")]
+    Kinks {
+        /// The function whose kinks are wanted.
+        function: &'static str,
+        /// Why not.
+        reason: String,
+    },
+    /// Too many pieces.
+    #[error("the profile has more than {limit} pieces; fewer would be accepted")]
+    TooManyPieces {
+        /// The largest number.
+        limit: usize,
+    },
+    /// A point lies outside the profile's domain.
+    #[error("{symbol} = {at:?} lies outside the domain of the profile{limit}")]
+    OutOfDomain {
+        /// Name of the coordinate.
+        symbol: &'static str,
+        /// The value.
+        at: f64,
+        /// The known limit, as text that follows the sentence.
+        limit: String,
+    },
+    /// A value beyond the largest number.
+    #[error("the value at {symbol} = {at:?} is too large for a 64-bit float; a smaller {symbol}, or other units, would be accepted")]
+    Overflow {
+        /// Name of the coordinate.
+        symbol: &'static str,
+        /// The coordinate.
+        at: f64,
+    },
+    /// f′ or f″ has no value in double precision somewhere below the point.
+    #[error(
+        "up to {at:?} the profile's slope cannot be computed in double precision (0/0, an overflow or a pole); a form without cancellation, or a smaller range, would be accepted"
+    )]
+    NotComputable {
+        /// The end of the range.
+        at: f64,
+    },
+    /// A quadrature that promises no digits.
+    #[error(
+        "up to {at:?} the integral has no reliable digit ({value:?} with an error of up to {error:?}): a pole, or a feature too narrow to be resolved, lies within; a smaller range would be accepted"
+    )]
+    NoDigits {
+        /// The end of the range.
+        at: f64,
+        /// The best value.
+        value: f64,
+        /// Its error bound.
+        error: f64,
+    },
+    /// No closed form where one was demanded.
+    #[error("no closed form is known for {quantity} of this profile; --method auto or --method quadrature gives its value")]
+    NoClosedForm {
+        /// The quantity.
+        quantity: &'static str,
+    },
+    /// A condition that the answer needs is false.
+    #[error("the condition {condition} does not hold for these values; set parameters that satisfy it")]
+    ConditionFails {
+        /// The condition.
+        condition: String,
+    },
+    /// An expression could not be rewritten.
+    #[error(transparent)]
+    Expression(#[from] ExprError),
+    /// An expression could not be evaluated.
+    #[error(transparent)]
+    Evaluation(#[from] EvalError),
+    /// A number could not be computed.
+    #[error(transparent)]
+    Number(#[from] NumError),
+}

@@ -1,0 +1,356 @@
+//! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
+
+use super::integral::NumericProfile;
+use super::quantity::Quantity;
+use super::{Segment, Solution, TransformError};
+use crate::eval::{BoundedAlgebra, Tape, constant_value};
+use crate::expr::{Bindings, Expr, Symbol};
+use crate::num::{Bounded, Estimate};
+use std::cell::OnceCell;
+
+/// How a number may be computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The cheapest way that meets the tolerance.
+    Auto,
+    /// Closed forms only.
+    Exact,
+    /// Quadrature of the profile as typed.
+    Quadrature,
+}
+
+/// A number with its error and the way it was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// Value, error bound and evaluations of f′.
+    pub estimate: Estimate,
+    /// `exact`, `quadrature`, or `mixed` where closed terms stand beside integrals.
+    pub method: &'static str,
+}
+
+/// A solution with numbers for its parameters, compiled for many points.
+pub struct Evaluator<'a> {
+    solution: &'a Solution,
+    bindings: Bindings,
+    chains: Vec<NumericChain>,
+    limits: Vec<f64>,
+    typed: OnceCell<NumericProfile>,
+    heights: OnceCell<Heights>,
+    tolerance: f64,
+    method: Method,
+}
+
+/// f as it was typed: the value at the axis, and per chain its breakpoints and pieces.
+struct Heights {
+    shift: Bounded,
+    chains: Vec<(Vec<f64>, Vec<Tape>)>,
+}
+
+struct NumericChain {
+    breakpoints: Vec<Bounded>,
+    slope: OnceCell<Part>,
+    force: OnceCell<Part>,
+    pressure: OnceCell<Part>,
+}
+
+/// The closed expressions of one quantity, one per interval of the contact, and what is left to integrate.
+struct Part {
+    closed: Vec<Option<Tape>>,
+    open: NumericProfile,
+}
+
+impl<'a> Evaluator<'a> {
+    /// Binds the parameters to numbers; nothing else is computed before it is asked for.
+    ///
+    /// ```
+    /// use sneddon::{expr::{Bindings, Expr}, parse, transform::{Evaluator, Method, Profile, derive}};
+    /// let profile = Profile::new(&parse::profile("r^2/(2*R)").unwrap()).unwrap();
+    /// let solution = derive(&profile).unwrap();
+    /// let set = Bindings::one("R", Expr::integer(2));
+    /// let evaluator = Evaluator::new(&solution, &set, Method::Auto, 1e-13).unwrap();
+    /// assert_eq!(evaluator.slope(3.0).unwrap().estimate.value, 4.5);
+    /// ```
+    ///
+    /// # Errors
+    /// [`TransformError::Evaluation`] where a parameter has no value.
+    pub fn new(solution: &'a Solution, bindings: &Bindings, method: Method, tolerance: f64) -> Result<Self, TransformError> {
+        let number = |expr: &Expr| constant_value(expr, bindings).map(|b| b.value);
+        let mut chains = Vec::new();
+        for chain in &solution.chains {
+            let breakpoints = chain.breakpoints.iter().map(|b| constant_value(b, bindings)).collect::<Result<_, _>>()?;
+            chains.push(NumericChain { breakpoints, slope: OnceCell::new(), force: OnceCell::new(), pressure: OnceCell::new() });
+        }
+        let limits = solution.profile.limits().map(number).collect::<Result<_, _>>()?;
+        Ok(Self {
+            solution,
+            bindings: bindings.clone(),
+            chains,
+            limits,
+            typed: OnceCell::new(),
+            heights: OnceCell::new(),
+            tolerance,
+            method,
+        })
+    }
+
+    /// The profile as typed, as numbers.
+    ///
+    /// # Errors
+    /// As [`Evaluator::new`].
+    pub fn typed(&self) -> Result<&NumericProfile, TransformError> {
+        if let Some(ready) = self.typed.get() {
+            return Ok(ready);
+        }
+        let mut pieces = Vec::new();
+        for chain in &self.solution.profile.chains {
+            let slopes = chain.slopes()?;
+            pieces
+                .extend(chain.intervals().zip(slopes).map(|((lower, upper, _), slope)| (Segment { lower, upper: upper.cloned() }, slope)));
+        }
+        let built = NumericProfile::new(&pieces, &self.bindings)?;
+        Ok(self.typed.get_or_init(|| built))
+    }
+
+    /// The smallest upper limit of r that the profile has.
+    pub fn limit(&self) -> f64 {
+        self.limits.iter().copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Every breakpoint below `end`, rising.
+    pub fn breakpoints_below(&self, end: f64) -> Vec<f64> {
+        let mut list: Vec<f64> =
+            self.chains.iter().flat_map(|c| c.breakpoints.iter().map(|b| b.value)).filter(|b| *b > 0.0 && *b < end).collect();
+        list.sort_by(f64::total_cmp);
+        list.dedup();
+        list
+    }
+
+    /// g(x).
+    ///
+    /// # Errors
+    /// [`TransformError`]: outside the domain, no closed form where one is demanded, or no digits.
+    pub fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+        self.check_domain("x", x)?;
+        self.combine(Quantity::Slope, x, &[x], |open| open.slope(x, self.tolerance).map(Some)).and_then(|r| finite(r, "x", x))
+    }
+
+    /// F(a)/(2E*) under a smooth edge.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn force(&self, a: f64) -> Result<Reading, TransformError> {
+        self.check_domain("a", a)?;
+        self.combine(Quantity::Force, a, &[a], |open| open.force(a, self.tolerance).map(Some)).and_then(|r| finite(r, "a", a))
+    }
+
+    /// p(r)·π/E* under a smooth edge of radius a; `None` where it is infinite by theory.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
+        self.check_domain("a", a)?;
+        if r >= a {
+            let zero = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
+            return Ok(Some(Reading { estimate: zero, method: "exact" }));
+        }
+        self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance))
+    }
+
+    fn heights(&self) -> Result<&Heights, TransformError> {
+        if let Some(ready) = self.heights.get() {
+            return Ok(ready);
+        }
+        let radius = [Symbol::new("r")];
+        let mut chains = Vec::new();
+        for chain in &self.solution.profile.chains {
+            let number = |b: &Expr| constant_value(b, &self.bindings).map(|b| b.value);
+            let breakpoints = chain.breakpoints.iter().map(number).collect::<Result<Vec<_>, _>>()?;
+            let compile = |piece: &Expr| Tape::compile(&[self.bindings.apply(piece)], &radius);
+            chains.push((breakpoints, chain.pieces.iter().map(compile).collect::<Result<Vec<_>, _>>()?));
+        }
+        let shift = constant_value(&self.solution.profile.shift, &self.bindings)?;
+        Ok(self.heights.get_or_init(|| Heights { shift, chains }))
+    }
+
+    /// f(r) − f(0): the typed expression where it keeps its digits, else ∫₀^r f′ dr.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn height(&self, r: f64) -> Result<Reading, TransformError> {
+        self.check_domain("r", r)?;
+        let heights = self.heights()?;
+        let mut total = -heights.shift;
+        let mut slots = Vec::new();
+        for (breakpoints, pieces) in &heights.chains {
+            let interval = breakpoints.iter().filter(|b| **b <= r).count();
+            let value = pieces.get(interval).and_then(|tape| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots));
+            total = total + value.unwrap_or(Bounded::exact(f64::NAN));
+        }
+        let estimate = Estimate::from_bounded(total, 0);
+        let plain = Reading { estimate, method: "exact" };
+        if self.method != Method::Quadrature && (self.method == Method::Exact || estimate.relative_error() <= self.tolerance) {
+            return finite(Some(plain), "r", r);
+        }
+        let other = Reading { estimate: self.typed()?.height(r, self.tolerance)?, method: "quadrature" };
+        let better = if estimate.error <= other.estimate.error { plain } else { other };
+        finite(Some(better), "r", r)
+    }
+
+    /// G(a) = ∫₀^a g dx: from the closed forms where that keeps its digits, else as one integral of its own.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn integral(&self, a: f64) -> Result<Reading, TransformError> {
+        self.check_domain("a", a)?;
+        if self.method != Method::Quadrature {
+            let (slope, force) = (self.slope(a)?, self.force(a)?);
+            let closed = Bounded::exact(a) * slope.estimate.bounded() - force.estimate.bounded();
+            let evaluations = slope.estimate.evaluations + force.estimate.evaluations;
+            let estimate = Estimate::from_bounded(closed, evaluations);
+            if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
+                return Ok(Reading { estimate, method: slope.method });
+            }
+        }
+        Ok(Reading { estimate: self.typed()?.integral(a, self.tolerance)?, method: "quadrature" })
+    }
+
+    /// u_z(r) outside a contact of radius a < r with a smooth edge.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
+        self.check_domain("a", a)?;
+        if self.method == Method::Exact {
+            return Err(TransformError::NoClosedForm { quantity: "u outside the contact" });
+        }
+        Ok(Reading { estimate: self.typed()?.displacement(r, a, self.tolerance)?, method: "quadrature" })
+    }
+
+    /// Closed terms plus the integrals of the others; or the whole by quadrature where that is demanded or has more digits.
+    fn combine(
+        &self,
+        quantity: Quantity,
+        contact: f64,
+        inputs: &[f64],
+        integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
+    ) -> Result<Option<Reading>, TransformError> {
+        let whole = || -> Result<Option<Reading>, TransformError> {
+            Ok(integrate(self.typed()?)?.map(|estimate| Reading { estimate, method: "quadrature" }))
+        };
+        if self.method == Method::Quadrature {
+            return whole();
+        }
+        let inputs: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
+        let (mut total, mut evaluations, mut any_closed, mut any_open) = (Bounded::exact(0.0), 0, false, false);
+        let mut slots = Vec::new();
+        for index in 0..self.chains.len() {
+            let part = self.part(index, quantity)?;
+            let interval = self.interval(index, contact);
+            if let Some(tape) = part.closed.get(interval).and_then(Option::as_ref) {
+                let value = tape.run(&mut BoundedAlgebra, &inputs, &mut slots).unwrap_or(Bounded::exact(f64::NAN));
+                if value.value.is_infinite() {
+                    // Infinite by theory at the apex and at kinks, too large for a float elsewhere.
+                    let at = inputs.first().map_or(0.0, |own| own.value);
+                    let singular = at == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == at));
+                    let theory = quantity == Quantity::Pressure && singular;
+                    return if theory { Ok(None) } else { Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact }) };
+                }
+                total = total + value;
+                any_closed = true;
+            }
+            if !part.open.is_empty() {
+                if self.method == Method::Exact {
+                    return Err(TransformError::NoClosedForm { quantity: quantity.name() });
+                }
+                let Some(found) = integrate(&part.open)? else { return Ok(None) };
+                total = total + found.bounded();
+                evaluations += found.evaluations;
+                any_open = true;
+            }
+        }
+        let estimate = Estimate::from_bounded(total, evaluations);
+        let method = match (any_closed, any_open) {
+            (true, true) => "mixed",
+            (false, true) => "quadrature",
+            _ => "exact",
+        };
+        let own = Reading { estimate, method };
+        if estimate.value.is_nan() && self.method == Method::Exact {
+            // Infinite parts of both signs: theory says whether the whole is infinite too.
+            return match whole()? {
+                None => Ok(None),
+                Some(_) => Err(TransformError::NoClosedForm { quantity: quantity.name() }),
+            };
+        }
+        if method == "quadrature" || self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
+            return Ok(Some(own));
+        }
+        // The closed form lost digits here, or left its domain: quadrature may have them.
+        match whole() {
+            Ok(Some(other)) if own.estimate.error.is_nan() || own.estimate.error > other.estimate.error => Ok(Some(other)),
+            Ok(None) if estimate.value.is_nan() => Ok(None),
+            Err(error) if estimate.value.is_nan() => Err(error),
+            _ => Ok(Some(own)),
+        }
+    }
+
+    /// Refuses a place that the profile does not reach.
+    ///
+    /// # Errors
+    /// [`TransformError::OutOfDomain`] at the limit of r and beyond it.
+    pub fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
+        let limit = self.limit();
+        if at >= limit {
+            return Err(TransformError::OutOfDomain { symbol, at, limit: format!(", which ends at r = {limit}") });
+        }
+        Ok(())
+    }
+
+    /// The number of breakpoints of the chain below the contact's end; one that may be below it counts, because the
+    /// formula beyond it carries the doubt in its error.
+    fn interval(&self, chain: usize, contact: f64) -> usize {
+        self.chains
+            .get(chain)
+            .map_or(0, |c| c.breakpoints.iter().filter(|b| b.value < contact || (b.error > 0.0 && b.value - b.error < contact)).count())
+    }
+
+    fn part(&self, index: usize, quantity: Quantity) -> Result<&Part, TransformError> {
+        let (Some(numeric), Some(chain)) = (self.chains.get(index), self.solution.chains.get(index)) else {
+            return Err(TransformError::NoClosedForm { quantity: quantity.name() });
+        };
+        let cell = match quantity {
+            Quantity::Slope => &numeric.slope,
+            Quantity::Force => &numeric.force,
+            Quantity::Pressure => &numeric.pressure,
+        };
+        if let Some(ready) = cell.get() {
+            return Ok(ready);
+        }
+        let inputs: &[&str] = match quantity {
+            Quantity::Slope => &["x"],
+            Quantity::Force => &["a"],
+            Quantity::Pressure => &["r", "a"],
+        };
+        let symbols: Vec<Symbol> = inputs.iter().map(|name| Symbol::new(name)).collect();
+        let mut closed = Vec::new();
+        for interval in 0..chain.intervals.len() {
+            let expr = self.bindings.apply(&chain.closed(interval, quantity, |pair| &pair.evaluated));
+            closed.push(if expr.is_zero() { None } else { Some(Tape::compile(&[expr], &symbols)?) });
+        }
+        let open = chain.remainder(|term| match quantity {
+            Quantity::Pressure => term.has_open_pressure(),
+            Quantity::Slope | Quantity::Force => term.is_open(),
+        });
+        let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
+        Ok(cell.get_or_init(|| part))
+    }
+}
+
+/// A value that theory makes infinite, or that left the domain, is an error where a number is needed.
+fn finite(reading: Option<Reading>, symbol: &'static str, at: f64) -> Result<Reading, TransformError> {
+    match reading {
+        Some(reading) if reading.estimate.value.is_finite() => Ok(reading),
+        Some(reading) if reading.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol, at }),
+        _ => Err(TransformError::OutOfDomain { symbol, at, limit: String::new() }),
+    }
+}

@@ -1,0 +1,283 @@
+//! The fallback: every quantity as one integral straight from f′, by quadrature.
+
+use super::TransformError;
+use super::term::Segment;
+use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
+use crate::expr::{Bindings, Expr, Symbol, derivative, normal};
+use crate::num::quadrature::{Options, Panel, Point, integrate};
+use crate::num::{Bounded, Estimate, NumError, forms};
+use std::cell::OnceCell;
+
+/// A profile as numbers: f′ on every interval, compiled over the distance to the interval's lower end.
+pub struct NumericProfile {
+    pub(super) segments: Vec<NumericSegment>,
+}
+
+/// One interval [lower, upper) with f′(lower + δ).
+pub(super) struct NumericSegment {
+    pub(super) lower: Bounded,
+    pub(super) upper: Option<Bounded>,
+    /// f′ over δ.
+    pub(super) slope: Tape,
+    /// f′ and its interval's lower end as expressions in r, for what is compiled only on demand.
+    pub(super) source: (Expr, Expr),
+    /// (r f′)′ over δ, compiled at the first pressure.
+    pub(super) bend: OnceCell<Option<Tape>>,
+    /// True where f′ behaves like a fractional power of δ at the lower end.
+    pub(super) singular: bool,
+}
+
+/// What multiplies f′ under the integral over t, r = x sin t.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Weight {
+    /// 1: g(x) = x ∫ f′ dt.
+    Slope,
+    /// r²: F(a)/(2E*) = ∫ r² f′ dt.
+    Force,
+    /// cos²t: G(a) = a² ∫ f′ cos²t dt.
+    Integral,
+    /// The smooth part of the displacement outside, u(r) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt.
+    Outside(f64),
+}
+
+impl NumericProfile {
+    /// Compiles f′ on the given intervals, parameters replaced by the bindings.
+    ///
+    /// # Errors
+    /// [`TransformError::Evaluation`] where a parameter has no value.
+    pub fn new(pieces: &[(Segment, Expr)], bindings: &Bindings) -> Result<Self, TransformError> {
+        let mut segments = Vec::new();
+        for (segment, slope) in pieces {
+            if slope.is_zero() {
+                continue;
+            }
+            let lower_expr = bindings.apply(&segment.lower);
+            let lower = constant_value(&lower_expr, &Bindings::default())?;
+            let upper = segment.upper.as_ref().map(|upper| constant_value(upper, bindings)).transpose()?;
+            let slope_expr = bindings.apply(slope);
+            let slope = compile_shifted(&slope_expr, &lower_expr)?;
+            let singular = is_singular(&slope, lower.value, upper.map(|u| u.value));
+            segments.push(NumericSegment { lower, upper, slope, source: (slope_expr, lower_expr), bend: OnceCell::new(), singular });
+        }
+        Ok(Self { segments })
+    }
+
+    /// True where nothing is left to integrate.
+    pub fn is_empty(&self) -> bool {
+        self.segments.is_empty()
+    }
+
+    /// g(x) = x ∫₀^{π/2} f′(x sin t) dt.
+    ///
+    /// # Errors
+    /// [`TransformError`] where f′ is not finite below x, or no digits can be promised.
+    pub fn slope(&self, x: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        Ok(self.over_angle(x, Weight::Slope, tolerance)?.scaled(x))
+    }
+
+    /// F(a)/(2E*) = ∫₀^a r² f′/√(a²−r²) dr, for a smooth edge.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn force(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        self.over_angle(a, Weight::Force, tolerance)
+    }
+
+    /// G(a) = ∫₀^a g dx = ∫₀^a f′ √(a²−r²) dr.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn integral(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        Ok(self.over_angle(a, Weight::Integral, tolerance)?.scaled(a).scaled(a))
+    }
+
+    /// f(r) − f(0) = ∫₀^r f′ dr.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn height(&self, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        let mut total = Bounded::exact(0.0);
+        let mut evaluations = 0;
+        for segment in &self.segments {
+            let length = segment.upper.map_or(r, |u| u.value.min(r)) - segment.lower.value;
+            if length <= 0.0 {
+                continue;
+            }
+            let mut slots = Vec::new();
+            let mut integrand = |point: Point| {
+                let delta = point.bounded_from_lower();
+                segment.slope.run(&mut BoundedAlgebra, &[delta], &mut slots).unwrap_or(Bounded::exact(f64::NAN))
+            };
+            let panel = if segment.singular { Panel::singular(0.0, length) } else { Panel::smooth(0.0, length) };
+            let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
+            let result = integrate(&mut integrand, &[panel], &options);
+            let inner = |v: f64| integrand(Point { x: v, from_lower: v, from_upper: length - v }).value;
+            let found = settle(result, r, || magnitude(length, inner))?;
+            total = total + found.bounded();
+            evaluations += found.evaluations;
+        }
+        Ok(Estimate::from_bounded(total, evaluations))
+    }
+
+    /// The displacement u_z(r) outside a contact of radius a < r with a smooth edge.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn displacement(&self, r: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        let found = self.over_angle(a, Weight::Outside(r), tolerance)?;
+        let factor = Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a);
+        Ok(Estimate::from_bounded(found.bounded() * factor, found.evaluations))
+    }
+
+    /// ∫ f′(x sin t)·weight dt over all intervals below x.
+    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Estimate, TransformError> {
+        let mut total = Bounded::exact(0.0);
+        let mut evaluations = 0;
+        for segment in &self.segments {
+            let part = segment.over_angle(x, weight, tolerance)?;
+            total = total + part.bounded();
+            evaluations += part.evaluations;
+        }
+        Ok(Estimate::from_bounded(total, evaluations))
+    }
+}
+
+impl NumericSegment {
+    /// The part of the integral on this interval; 0 where it begins beyond x.
+    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Estimate, TransformError> {
+        let lower = self.lower.value;
+        let smear = self.smear(x, weight);
+        if lower >= x {
+            return Ok(Estimate { value: 0.0, error: smear, evaluations: 0 });
+        }
+        let end = self.upper.map_or(f64::INFINITY, |u| u.value);
+        let width = forms::angle_between(lower, end, x);
+        let beyond = if end < x { ((x - end) * (x + end)).sqrt().atan2(end) } else { 0.0 };
+        let mut slots = Vec::new();
+        let mut integrand = |point: Point| -> Bounded {
+            let (v, rest) = (point.from_lower, beyond + point.from_upper);
+            // r − lower = 2x sin(v/2) sin(π/2 − t_lower − v/2): every factor is positive.
+            // Below the smallest normal number f′ has no digits; the panel's tail is bounded from its last values.
+            let distance = (2.0 * x * (0.5 * v).sin() * (rest + 0.5 * v).sin()).max(f64::MIN_POSITIVE);
+            let delta = with_ulps(distance, 12.0);
+            let Some(slope) = self.slope.run(&mut BoundedAlgebra, &[delta], &mut slots) else { return Bounded::exact(f64::NAN) };
+            match weight {
+                Weight::Slope => slope,
+                Weight::Force => {
+                    let r = self.lower + delta;
+                    slope * r * r
+                }
+                Weight::Integral => {
+                    let cosine = with_ulps(rest.sin(), 8.0);
+                    slope * cosine * cosine
+                }
+                Weight::Outside(r) => {
+                    let ratio = x / ((r - x) * (r + x)).sqrt();
+                    let (q, s) = (rest.sin(), (lower + distance) / x);
+                    let short = s * s / (1.0 + q);
+                    let angle = (q * ratio).atan();
+                    slope * with_ulps((short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle, 24.0)
+                }
+            }
+        };
+        let panel = if self.singular { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };
+        let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
+        let result = integrate(&mut integrand, &[panel], &options);
+        let inner = |v: f64| integrand(Point { x: v, from_lower: v, from_upper: width - v }).value;
+        let mut found = settle(result, x, || magnitude(width, inner))?;
+        // The rounding of the angle, and of the interval's ends.
+        found.error += 8.0 * f64::EPSILON * found.value.abs() + smear;
+        Ok(found)
+    }
+
+    /// What the integral may change by while the ends of the interval are known to their errors only.
+    fn smear(&self, x: f64, weight: Weight) -> f64 {
+        let arc = |end: Bounded| {
+            let (from, to) = ((end.value - end.error).max(0.0), end.value + end.error);
+            if end.error == 0.0 || from >= x { 0.0 } else { forms::angle_between(from, if to < x { to } else { f64::INFINITY }, x) }
+        };
+        let (lower, upper) = (arc(self.lower), self.upper.map_or(0.0, arc));
+        if lower + upper == 0.0 {
+            return 0.0;
+        }
+        let end = self.upper.map_or(x, |u| u.value.min(x));
+        let size = |delta: f64| self.slope_at(delta).value.abs();
+        let factor = if matches!(weight, Weight::Force) { x * x } else { 1.0 };
+        // Twice: f′ is taken at the ends, and the weights of the other integrals stay below 2.
+        2.0 * factor * (lower * size(f64::MIN_POSITIVE) + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
+    }
+
+    /// (r f′)′ over δ.
+    pub(super) fn bend(&self) -> Result<&Tape, TransformError> {
+        let tape = self.bend.get_or_init(|| {
+            let radius = Symbol::new("r");
+            let (slope, lower) = &self.source;
+            let bend = derivative(&(Expr::symbol("r") * slope), &radius).ok()?;
+            // From the axis on, powers of r that would overflow apart are joined: r·r^(−3/2) = r^(−1/2).
+            let joined = if lower.is_zero() { normal::expanded(&bend, &radius).ok() } else { None };
+            compile_shifted(joined.as_ref().unwrap_or(&bend), lower).ok()
+        });
+        tape.as_ref().ok_or(TransformError::NoClosedForm { quantity: "the derivative (r f′)′" })
+    }
+}
+
+/// Compiles an expression in r over δ with r = lower + δ; sums such as r − b collapse to δ before any rounding.
+fn compile_shifted(expr: &Expr, lower: &Expr) -> Result<Tape, TransformError> {
+    let delta = Symbol::new("δ");
+    let shifted = Bindings::one("r", lower + Expr::from(delta.clone())).apply(expr);
+    Ok(Tape::compile(&[shifted], &[delta])?)
+}
+
+/// True where the tape behaves like a fractional or negative power of δ near 0.
+fn is_singular(slope: &Tape, lower: f64, upper: Option<f64>) -> bool {
+    let scale = match upper {
+        Some(upper) => upper - lower,
+        None if lower > 0.0 => lower,
+        None => 1.0,
+    };
+    let mut slots = Vec::new();
+    let mut at = |factor: f64| slope.run(&mut FloatAlgebra, &[scale * factor], &mut slots).unwrap_or(f64::NAN);
+    let (u, v) = (at(1e-9), at(1e-12));
+    if u == 0.0 && v == 0.0 {
+        return false;
+    }
+    if !(u.is_finite() && v.is_finite()) || u == 0.0 || v == 0.0 {
+        return true;
+    }
+    let exponent = (u / v).abs().log10() / 3.0;
+    exponent < -0.01 || (exponent - exponent.round()).abs() > 0.004
+}
+
+/// A value with a bound of that many ulps.
+pub(super) fn with_ulps(value: f64, ulps: f64) -> Bounded {
+    Bounded { value, error: ulps * 0.5 * f64::EPSILON * value.abs() }
+}
+
+/// A quadrature that stopped early still has a value and an honest error; poles and infinite errors are failures.
+///
+/// `scale` is the size of ∫|integrand|: an error beyond even that is no answer.
+pub(super) fn settle(result: Result<Estimate, NumError>, at: f64, scale: impl FnOnce() -> f64) -> Result<Estimate, TransformError> {
+    let found = match result {
+        Ok(found) => found,
+        Err(NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations }) => {
+            Estimate { value, error, evaluations }
+        }
+        Err(NumError::NotFinite { .. }) => return Err(TransformError::NotComputable { at }),
+        Err(other) => return Err(other.into()),
+    };
+    let Estimate { value, error, .. } = found;
+    let lost = !(value.is_finite() && error.is_finite()) || (error > LOST * value.abs() && error > BEYOND * scale());
+    if lost { Err(TransformError::NoDigits { at, value, error }) } else { Ok(found) }
+}
+
+/// An error of this share of the value leaves no digit worth the name, and …
+const LOST: f64 = 0.01;
+/// … one of this multiple of the integral of the magnitude is no rounding noise but a pole or an unseen feature.
+const BEYOND: f64 = 3.0;
+
+/// The integral of |f| over (0, width) by its values at 32 midpoints.
+pub(super) fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let step = width / 32.0;
+    let total: f64 = (0..32).map(|i| f(step * (f64::from(i) + 0.5)).abs()).filter(|v| v.is_finite()).sum();
+    total * step
+}

@@ -1,0 +1,272 @@
+//! The kinks of abs, min and max: located exactly where the equation solves, numerically where it has no parameters.
+
+use super::domain::numeric_sign;
+use super::{Chain, TransformError};
+use crate::eval::{BoundedAlgebra, Tape};
+use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, normal, sign};
+use crate::num::Bounded;
+
+/// The largest number of kinks that are resolved in one chain.
+const MOST_KINKS: usize = 200;
+
+/// An abs, min or max with its arguments.
+type Kink = (Function, Vec<Expr>);
+
+/// Replaces every abs, min and max that depends on r by pieces.
+///
+/// # Errors
+/// [`TransformError::Kinks`] where a kink cannot be located.
+pub(super) fn resolve(mut chain: Chain) -> Result<Chain, TransformError> {
+    for _ in 0..MOST_KINKS {
+        let found = chain.pieces.iter().enumerate().find_map(|(i, piece)| Some((i, find(piece)?)));
+        let Some((index, (function, arguments))) = found else { return Ok(chain) };
+        split(&mut chain, index, function, &arguments)?;
+    }
+    Err(TransformError::TooManyPieces { limit: MOST_KINKS })
+}
+
+/// The summands of an expression, those without kinks together and those with the same kinks together.
+pub(super) fn groups(expr: &Expr) -> Vec<Expr> {
+    let mut groups: Vec<(Option<Kink>, Vec<Expr>)> = vec![(None, Vec::new())];
+    for term in expr.terms() {
+        let kink = find(&term);
+        match groups.iter_mut().find(|(own, _)| *own == kink) {
+            Some((_, list)) => list.push(term),
+            None => groups.push((kink, vec![term])),
+        }
+    }
+    let plain_only = groups.len() == 1;
+    groups.into_iter().filter(|(_, list)| plain_only || !list.is_empty()).map(|(_, list)| Expr::sum(list)).collect()
+}
+
+/// The innermost abs, min or max that depends on r.
+fn find(expr: &Expr) -> Option<Kink> {
+    if let Some(inner) = expr.children().into_iter().find_map(find) {
+        return Some(inner);
+    }
+    match expr.node() {
+        Node::Function(function, arguments)
+            if matches!(function.name(), "abs" | "min" | "max") && arguments.iter().any(|a| a.contains(&Symbol::new("r"))) =>
+        {
+            Some((*function, arguments.clone()))
+        }
+        _ => None,
+    }
+}
+
+/// Splits one piece at the sign changes of the deciding difference.
+fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]) -> Result<(), TransformError> {
+    let name = function.name();
+    // abs(u) is u where u > 0; max(u, v) is u where u − v > 0; min(u, v) is v there.
+    let (difference, above, below) = match (name, arguments) {
+        ("abs", [u]) => (u.clone(), u.clone(), -u),
+        ("max", [u, v]) => (u - v, u.clone(), v.clone()),
+        ("min", [u, v]) => (u - v, v.clone(), u.clone()),
+        _ => return Err(failure(name, "the number of arguments is wrong")),
+    };
+    let lower = if index == 0 { None } else { chain.breakpoints.get(index - 1).cloned() };
+    let upper = chain.breakpoints.get(index).cloned();
+    let Some(piece) = chain.pieces.get(index).cloned() else { return Err(failure(name, "the piece is missing")) };
+    let (roots, mut positive) = sign_changes(&difference, name)?;
+    // Keep the roots inside the piece; those before it flip the sign that holds at its lower end.
+    let mut inside = Vec::new();
+    for root in roots {
+        if let Some(lower) = &lower {
+            match order(&root, lower)? {
+                Sign::Positive => {}
+                _ => {
+                    positive = !positive;
+                    continue;
+                }
+            }
+        }
+        match &upper {
+            Some(upper) if order(&root, upper)? != Sign::Negative => {}
+            _ => inside.push(root),
+        }
+    }
+    let target = Expr::function(function, arguments.to_vec());
+    let mut pieces = Vec::new();
+    for _ in 0..=inside.len() {
+        pieces.push(replace(&piece, &target, if positive { &above } else { &below }));
+        positive = !positive;
+    }
+    chain.pieces.splice(index..=index, pieces);
+    chain.breakpoints.splice(index..index, inside);
+    Ok(())
+}
+
+/// The order of two breakpoints: proven, numeric, or an error.
+fn order(root: &Expr, end: &Expr) -> Result<Sign, TransformError> {
+    match sign(&(root - end)) {
+        Sign::Unknown => match numeric_sign(&(root - end)) {
+            Some(s) if s > 0.0 => Ok(Sign::Positive),
+            Some(_) => Ok(Sign::Negative),
+            None if normal::is_proven_zero(&(root - end), &Symbol::new("r")) => Ok(Sign::Zero),
+            None => {
+                Err(crate::expr::ExprError::UnknownOrder { left: crate::print::text_expr(root), right: crate::print::text_expr(end) }
+                    .into())
+            }
+        },
+        known => Ok(known),
+    }
+}
+
+fn failure(function: &'static str, reason: &str) -> TransformError {
+    TransformError::Kinks { function, reason: reason.to_owned() }
+}
+
+/// The sign changes on r > 0, rising, and whether the expression is positive just beyond r = 0.
+fn sign_changes(difference: &Expr, name: &'static str) -> Result<(Vec<Expr>, bool), TransformError> {
+    let radius = Symbol::new("r");
+    let expanded = normal::expanded(difference, &radius)?;
+    match sign(&expanded) {
+        Sign::Positive | Sign::Zero => return Ok((Vec::new(), true)),
+        Sign::Negative => return Ok((Vec::new(), false)),
+        Sign::Unknown => {}
+    }
+    let terms = normal::normal_terms(&expanded, &radius)?;
+    if let [one, two] = terms.as_slice()
+        && one.kernel.is_one()
+        && two.kernel.is_one()
+    {
+        // A r^p + B r^q = 0 at r = (−A/B)^(1/(q−p)).
+        let gap = &two.exponent - &one.exponent;
+        let ratio = -&one.coefficient / &two.coefficient;
+        match (sign(&ratio), sign(&gap)) {
+            (Sign::Positive, Sign::Positive | Sign::Negative) => {
+                let first = if sign(&gap) == Sign::Positive { one } else { two };
+                let starts = known_sign(&first.coefficient, name)?;
+                return Ok((vec![ratio.pow(&gap.recip())], starts == Sign::Positive));
+            }
+            (Sign::Negative, _) => {
+                let starts = known_sign(&one.coefficient, name)?;
+                return Ok((Vec::new(), starts == Sign::Positive));
+            }
+            _ => {}
+        }
+    }
+    if let Some(found) = quadratic(&expanded, &radius) {
+        return Ok(found);
+    }
+    let others: Vec<Symbol> = expanded.symbols().into_iter().filter(|s| *s != radius).collect();
+    if !others.is_empty() {
+        return Err(failure(name, &format!("their place depends on {} in a way that does not solve", others[0])));
+    }
+    isolate(&expanded, name)
+}
+
+fn known_sign(expr: &Expr, name: &'static str) -> Result<Sign, TransformError> {
+    match (sign(expr), numeric_sign(expr)) {
+        (Sign::Unknown, Some(s)) => Ok(if s > 0.0 { Sign::Positive } else { Sign::Negative }),
+        (Sign::Unknown, None) => Err(failure(name, &format!("the sign of {} is not known", crate::print::text_expr(expr)))),
+        (known, _) => Ok(known),
+    }
+}
+
+/// The positive roots of a quadratic with numbers for coefficients, and whether it is positive near r = 0.
+fn quadratic(expanded: &Expr, radius: &Symbol) -> Option<(Vec<Expr>, bool)> {
+    let coefficients = normal::polynomial_coefficients(expanded, radius)?;
+    let [c, b, a] = coefficients.as_slice() else { return None };
+    let starts = numeric_sign(c)? > 0.0;
+    let discriminant = b.power(2) - Expr::integer(4) * a * c;
+    if numeric_sign(&discriminant)? < 0.0 {
+        return Some((Vec::new(), starts));
+    }
+    let side = |sign: i64| (Expr::integer(sign) * discriminant.sqrt() - b) / (Expr::integer(2) * a);
+    let mut roots = [side(-1), side(1)];
+    if numeric_sign(a)? < 0.0 {
+        roots.reverse();
+    }
+    let tidy = |root: Expr| normal::expanded(&root, radius).unwrap_or(root);
+    let positive = roots.into_iter().map(|root| Some((numeric_sign(&root)? > 0.0, tidy(root)))).collect::<Option<Vec<_>>>()?;
+    Some((positive.into_iter().filter(|(positive, _)| *positive).map(|(_, root)| root).collect(), starts))
+}
+
+/// True where a place was located numerically, so that no formula over it is exact.
+pub(super) fn is_approximate(expr: &Expr) -> bool {
+    matches!(expr.node(), Node::Function(function, _) if function.name() == "approximate")
+        || expr.children().into_iter().any(is_approximate)
+}
+
+/// The range of r that is searched for kinks, and the steps per decade.
+const SEARCH: (i32, i32, u32) = (-30, 30, 300);
+
+/// Sign changes of an expression in r alone: a logarithmic scan, then bisection to the last bit.
+fn isolate(expr: &Expr, name: &'static str) -> Result<(Vec<Expr>, bool), TransformError> {
+    let tape = Tape::compile(std::slice::from_ref(expr), &[Symbol::new("r")])?;
+    let mut slots = Vec::new();
+    let mut value = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots).unwrap_or(Bounded::exact(f64::NAN));
+    let (first, last, per_decade) = SEARCH;
+    let mut roots = Vec::new();
+    let (mut starts, mut before) = (None, None);
+    for step in 0..=(last - first).unsigned_abs() * per_decade {
+        let r = 10f64.powf(f64::from(first) + f64::from(step) / f64::from(per_decade));
+        let own = value(r);
+        if own.value.is_nan() {
+            // The argument's domain ends here, or it overflows on both sides of a difference.
+            break;
+        }
+        // Without a sign beyond doubt nothing is known at this place.
+        if own.value.abs() <= own.error {
+            continue;
+        }
+        let positive = own.value > 0.0;
+        starts.get_or_insert(positive);
+        if let Some((left, was, size)) = before
+            && was != positive
+        {
+            let root = bisect(&mut value, left, r, was);
+            let (below, above) = (value(root * (1.0 - SHARP)), value(root * (1.0 + SHARP)));
+            if below.value.abs().min(above.value.abs()) > own.value.abs().max(size) {
+                return Err(failure(name, &format!("its argument has a pole near r = {root:?}")));
+            }
+            let certain = below.value.abs() > below.error && above.value.abs() > above.error;
+            if !certain || (below.value > 0.0) == (above.value > 0.0) {
+                return Err(failure(name, &format!("the one near r = {root:?} is not sharp enough in double precision")));
+            }
+            let number = Number::parse_decimal(&format!("{root:?}")).ok_or_else(|| failure(name, "a kink lies out of range"))?;
+            roots.push(Expr::call("approximate", [Expr::number(number)]));
+            if roots.len() > MOST_KINKS {
+                return Err(failure(name, "there are too many of them"));
+            }
+        }
+        before = Some((r, positive, own.value.abs()));
+    }
+    match starts {
+        Some(starts) => Ok((roots, starts)),
+        None => Err(failure(name, "the sign of its argument is known nowhere")),
+    }
+}
+
+/// Half of the relative width within which a located kink must lie: 30 ulps.
+const SHARP: f64 = 30.0 * f64::EPSILON;
+
+fn bisect(value: &mut impl FnMut(f64) -> Bounded, mut lower: f64, mut upper: f64, positive_below: bool) -> f64 {
+    for _ in 0..120 {
+        let middle = lower + 0.5 * (upper - lower);
+        if middle <= lower || middle >= upper {
+            break;
+        }
+        if (value(middle).value > 0.0) == positive_below {
+            lower = middle;
+        } else {
+            upper = middle;
+        }
+    }
+    upper
+}
+
+/// The expression with every occurrence of `target` replaced.
+fn replace(expr: &Expr, target: &Expr, by: &Expr) -> Expr {
+    if expr == target {
+        return by.clone();
+    }
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Power(base, exponent) => replace(base, target, by).pow(&replace(exponent, target, by)),
+        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(|a| replace(a, target, by)).collect()),
+        Node::Product(factors) => Expr::product(factors.iter().map(|f| replace(f, target, by))),
+        Node::Sum(terms) => Expr::sum(terms.iter().map(|t| replace(t, target, by))),
+    }
+}

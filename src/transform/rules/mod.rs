@@ -1,0 +1,20 @@
+//! The list of exact solutions: one line per family, one file per line.
+
+mod polynomial_segment;
+mod power;
+mod root;
+
+pub use power::kappa;
+
+use super::{Answer, Rule, Term};
+
+/// Every rule; the order never matters, because rules are disjoint or say which one they specialise.
+pub static RULES: &[&Rule] =
+    &[&power::RULE, &polynomial_segment::RULE, &root::SPHERE, &root::WORN_SPHERE, &root::HYPERBOLOID, &root::WORN_HYPERBOLOID];
+
+/// The rule that answers a term, with its answer.
+pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
+    let answers: Vec<(&'static Rule, Answer)> = RULES.iter().filter_map(|rule| Some((*rule, (rule.apply)(term)?))).collect();
+    let general: Vec<&str> = answers.iter().filter_map(|(rule, _)| rule.specializes).collect();
+    answers.into_iter().find(|(rule, _)| !general.contains(&rule.id))
+}

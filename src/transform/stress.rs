@@ -1,0 +1,143 @@
+//! The pressure by one integral straight from f′ and f″, with its logarithmic singularity and its kinks.
+
+use super::TransformError;
+use super::integral::{NumericProfile, NumericSegment, magnitude, settle, with_ulps};
+use crate::eval::{BoundedAlgebra, Tape};
+use crate::num::quadrature::{Options, Panel, Point, integrate};
+use crate::num::{Bounded, Estimate, special};
+
+impl NumericProfile {
+    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge, as
+    /// ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s), δ the jump of f′ at b; K by Carlson's R_F.
+    ///
+    /// `None` where the value is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
+    ///
+    /// # Errors
+    /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
+    pub fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        let mut total = Bounded::exact(0.0);
+        let mut evaluations = 0;
+        for (at, jump) in self.jumps(a) {
+            if jump.value == 0.0 {
+                continue;
+            }
+            if at.value == s {
+                return Ok(None);
+            }
+            let distances = Distances { difference: (at - Bounded::exact(s)).value.abs(), below_edge: a - at.value };
+            let kernel = kernel(at.value, s, a, &distances);
+            // Next to the kink the rounding of b itself moves the logarithm.
+            let widened = Bounded { value: kernel.value, error: kernel.error + at.error / distances.difference / a };
+            total = total + at * jump * widened;
+        }
+        if s == 0.0 && self.starts_steeply() {
+            return Ok(None);
+        }
+        for segment in &self.segments {
+            let found = segment.pressure(s, a, tolerance)?;
+            total = total + found.bounded();
+            evaluations += found.evaluations;
+        }
+        Ok(Some(Estimate::from_bounded(total, evaluations)))
+    }
+
+    /// The jumps of f′ below a: where segments begin, end or meet; a jump within its own error is none.
+    fn jumps(&self, a: f64) -> Vec<(Bounded, Bounded)> {
+        let mut ends: Vec<(Bounded, Bounded)> = Vec::new();
+        let mut add = |at: Bounded, jump: Bounded| match ends.iter_mut().find(|(own, _)| own.value == at.value) {
+            Some((_, own)) => *own = *own + jump,
+            None => ends.push((at, jump)),
+        };
+        for segment in &self.segments {
+            if segment.lower.value > 0.0 && segment.lower.value < a {
+                add(segment.lower, segment.slope_at(0.0));
+            }
+            if let Some(upper) = segment.upper.filter(|u| u.value < a) {
+                add(upper, -segment.slope_at(upper.value - segment.lower.value));
+            }
+        }
+        for (_, jump) in &mut ends {
+            if jump.value.abs() <= jump.error {
+                jump.value = 0.0;
+            }
+        }
+        ends
+    }
+
+    /// True where f′ does not vanish at the axis, so that the pressure is infinite there.
+    fn starts_steeply(&self) -> bool {
+        let Some(first) = self.segments.iter().find(|segment| segment.lower.value == 0.0) else { return false };
+        let (near, nearer) = (first.slope_at(1e-12).value.abs(), first.slope_at(1e-15).value.abs());
+        // f′ ~ r^m with m > 0 falls by 10^(3m); everything slower is steep.
+        nearer > 0.0 && nearer > 0.99 * near
+    }
+}
+
+impl NumericSegment {
+    pub(super) fn slope_at(&self, delta: f64) -> Bounded {
+        let mut slots = Vec::new();
+        self.slope.run(&mut BoundedAlgebra, &[Bounded::exact(delta)], &mut slots).unwrap_or(Bounded::exact(f64::NAN))
+    }
+
+    /// ∫ (r f′)′ K(r, s) dr over the interval below a, split at s.
+    fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        let lower = self.lower.value;
+        let end = self.upper.map_or(a, |u| u.value.min(a));
+        let mut total = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
+        if lower >= end {
+            return Ok(total);
+        }
+        let bend = self.bend()?;
+        let mut places = vec![lower];
+        if s > lower && s < end {
+            places.push(s);
+        }
+        places.push(end);
+        for pair in places.windows(2) {
+            let [from, to] = pair else { continue };
+            let part = self.pressure_between(bend, *from, *to, s, a, tolerance)?;
+            total = Estimate::from_bounded(total.bounded() + part.bounded(), total.evaluations + part.evaluations);
+        }
+        Ok(total)
+    }
+
+    fn pressure_between(&self, bend: &Tape, from: f64, to: f64, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        let lower = self.lower.value;
+        let mut slots = Vec::new();
+        let mut integrand = |point: Point| -> Bounded {
+            let (up, down) = (point.from_lower, point.from_upper);
+            // Every distance is a sum of parts of one sign.
+            let delta = ((from - lower) + up).max(f64::MIN_POSITIVE);
+            let difference = if s <= from { (from - s) + up } else { (s - to) + down };
+            let below_edge = (a - to) + down;
+            let r = if up < down { from + up } else { to - down };
+            let Some(bend) = bend.run(&mut BoundedAlgebra, &[with_ulps(delta, 8.0)], &mut slots) else { return Bounded::exact(f64::NAN) };
+            bend * kernel(r, s, a, &Distances { difference, below_edge })
+        };
+        let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
+        let result = integrate(&mut integrand, &[Panel::singular(from, to)], &options);
+        let width = to - from;
+        let inner = |v: f64| integrand(Point { x: from + v, from_lower: v, from_upper: width - v }).value;
+        settle(result, a, || magnitude(width, inner))
+    }
+}
+
+/// |r − s| and a − r, without cancellation.
+struct Distances {
+    difference: f64,
+    below_edge: f64,
+}
+
+/// K(r, s) = ∫_M^a dx/√((x²−r²)(x²−s²)), M = max(r, s), m = min(r, s), D = M² − m².
+///
+/// It is √((a−M)(a+M)) R_F(M²D, a²D, M²(a−m)(a+m)); in units of a, and with 1/M taken out of R_F, nothing underflows.
+fn kernel(r: f64, s: f64, a: f64, distances: &Distances) -> Bounded {
+    let (big, small) = if r > s { (r / a, s / a) } else { (s / a, r / a) };
+    // The edge distance of the larger one: of r itself, or of s.
+    let (edge, rest) = if r > s { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };
+    let (edge, rest, gap) = (edge / a, rest / a, distances.difference / a);
+    // D/M² = (M − m)/M · (1 + m/M).
+    let spread = gap / big * (1.0 + small / big);
+    let value = (edge * (1.0 + big)).sqrt() / big * special::rf(big * gap * (1.0 + small / big), spread, rest * (1.0 + small));
+    with_ulps(value / a, 64.0)
+}
