@@ -1,5 +1,6 @@
 //! Exact and numeric transforms of contact mechanics by the method of dimensionality reduction.
 
+pub mod contact;
 pub mod eval;
 pub mod expr;
 pub mod num;

@@ -1,0 +1,53 @@
+//! What can go wrong in a contact problem.
+
+use crate::num::NumError;
+use crate::transform::TransformError;
+use thiserror::Error;
+
+/// Errors of the contact layer.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ContactError {
+    /// A material constant is out of its range.
+    #[error("{name} = {value} is not possible: {accepted}")]
+    Material {
+        /// The constant.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What would be accepted.
+        accepted: &'static str,
+    },
+    /// A quantity needs something that was not given.
+    #[error("{quantity} needs {needs}")]
+    Missing {
+        /// The quantity.
+        quantity: &'static str,
+        /// What is missing, and how to give it.
+        needs: &'static str,
+    },
+    /// No contact radius belongs to the load.
+    #[error("no contact radius belongs to d = {depth:?}: {reason}")]
+    Unreachable {
+        /// The indentation depth.
+        depth: f64,
+        /// Why not.
+        reason: &'static str,
+    },
+    /// The number of springs is out of range.
+    #[error("a spring foundation of {springs} springs is not possible; 1 to {limit} would be accepted")]
+    Springs {
+        /// The number asked for.
+        springs: usize,
+        /// The largest number.
+        limit: usize,
+    },
+    /// The transform failed.
+    #[error(transparent)]
+    Transform(#[from] TransformError),
+}
+
+impl From<NumError> for ContactError {
+    fn from(error: NumError) -> Self {
+        Self::Transform(error.into())
+    }
+}

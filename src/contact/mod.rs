@@ -1,0 +1,17 @@
+//! The contact problem: materials, depth, force, pressure and displacement, explicit relations and the spring foundation.
+
+mod comparison;
+mod error;
+mod explicit;
+mod foundation;
+mod material;
+mod problem;
+mod report;
+
+pub use comparison::{Comparison, Setting, compare};
+pub use error::ContactError;
+pub use explicit::{Explicit, explicit};
+pub use foundation::{FoundationState, SpringFoundation};
+pub use material::{ElasticBody, TransverselyIsotropic, effective_modulus};
+pub use problem::{Contact, Measured, Reason};
+pub use report::{Edge, Relations, relations};

@@ -1,0 +1,319 @@
+//! The numbers of a contact: depth, force, stiffness, pressure, displacement, energy and the inverse a(d).
+
+use super::ContactError;
+use crate::num::quadrature::{Options, Panel, Point, integrate};
+use crate::num::roots::{RootOptions, bracketed, expand_bracket};
+use crate::num::{Bounded, Estimate, NumError};
+use crate::transform::{Evaluator, Reading, TransformError};
+
+/// A contact with numbers for everything: the evaluator of its profile, E*, and the depth of a rim if there is one.
+pub struct Contact<'a> {
+    evaluator: Evaluator<'a>,
+    effective_modulus: f64,
+    depth: Option<f64>,
+    tolerance: f64,
+}
+
+/// The largest number of values of g that one energy may take.
+const MOST_NESTED: u64 = 5_000;
+/// How far out a contact radius is looked for.
+const HIGHEST: f64 = 1e30;
+
+/// A value, or the reason why theory has none.
+pub type Measured = Result<Reading, Reason>;
+
+/// Why a quantity has no finite value at a point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// The pressure diverges at the axis under a pointed tip.
+    Apex,
+    /// The pressure diverges where f′ jumps.
+    Kink,
+    /// The pressure diverges at the rim of a punch.
+    Rim,
+}
+
+impl Reason {
+    /// The sentence that reports give.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Apex => "the pressure is infinite at the apex of a pointed tip (logarithmically)",
+            Self::Kink => "the pressure is infinite at a kink of the profile (logarithmically)",
+            Self::Rim => "the pressure is infinite at the rim of a punch (as an inverse square root)",
+        }
+    }
+}
+
+impl<'a> Contact<'a> {
+    /// A contact of the evaluated profile with the effective modulus E* and, for a punch with a rim, its depth.
+    ///
+    /// ```
+    /// use sneddon::contact::Contact;
+    /// use sneddon::{expr::Bindings, parse, transform::{Evaluator, Method, Profile, derive}};
+    /// let solution = derive(&Profile::new(&parse::profile("r^2/4").unwrap()).unwrap()).unwrap();
+    /// let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    /// let contact = Contact::new(evaluator, 3.0, None, 1e-13);
+    /// // F = (4/3) E* a³/R with R = 2
+    /// assert_eq!(contact.force(1.0).unwrap().estimate.value, 2.0);
+    /// ```
+    pub fn new(evaluator: Evaluator<'a>, effective_modulus: f64, depth: Option<f64>, tolerance: f64) -> Self {
+        Self { evaluator, effective_modulus, depth, tolerance }
+    }
+
+    /// The profile's evaluator.
+    pub fn evaluator(&self) -> &Evaluator<'a> {
+        &self.evaluator
+    }
+
+    /// f(r), shifted so that f(0) = 0.
+    ///
+    /// # Errors
+    /// [`ContactError`] outside the domain.
+    pub fn profile(&self, r: f64) -> Result<Reading, ContactError> {
+        Ok(self.evaluator.height(r)?)
+    }
+
+    /// d: g(a) under a smooth edge (3.26), the given depth under a rim.
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn depth(&self, a: f64) -> Result<Reading, ContactError> {
+        match self.depth {
+            Some(depth) => Ok(exact(depth)),
+            None => Ok(self.evaluator.slope(a)?),
+        }
+    }
+
+    /// F = F_smooth(a) + 2E* a (d − g(a)) (3.22), (3.61).
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn force(&self, a: f64) -> Result<Reading, ContactError> {
+        let smooth = self.evaluator.force(a)?;
+        let twice = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus);
+        let mut total = smooth.estimate.bounded() * twice;
+        let mut evaluations = smooth.estimate.evaluations;
+        if let Some(depth) = self.depth {
+            let g = self.evaluator.slope(a)?;
+            evaluations += g.estimate.evaluations;
+            total = total + (Bounded::exact(depth) - g.estimate.bounded()) * Bounded::exact(a) * twice;
+        }
+        Ok(Reading { estimate: Estimate::from_bounded(total, evaluations), method: smooth.method })
+    }
+
+    /// k = 2E*a (3.1), (3.22).
+    pub fn stiffness(&self, a: f64) -> Reading {
+        let value = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus) * Bounded::exact(a);
+        Reading { estimate: Estimate::from_bounded(value, 0), method: "exact" }
+    }
+
+    /// p(r), positive in compression: (E*/π)(∫_r^a g′/√(x²−r²) dx + (d − g(a))/√(a²−r²)) (3.37) with its edge term.
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn pressure(&self, r: f64, a: f64) -> Result<Measured, ContactError> {
+        if r > a {
+            return Ok(Ok(exact(0.0)));
+        }
+        let excess = match self.depth {
+            Some(depth) => Bounded::exact(depth) - self.evaluator.slope(a)?.estimate.bounded(),
+            None => Bounded::exact(0.0),
+        };
+        if r == a {
+            return Ok(if excess.value == 0.0 { Ok(exact(0.0)) } else { Err(Reason::Rim) });
+        }
+        let Some(smooth) = self.evaluator.pressure(r, a)? else {
+            return Ok(Err(if r == 0.0 { Reason::Apex } else { Reason::Kink }));
+        };
+        let root = ((Bounded::exact(a) - Bounded::exact(r)) * (Bounded::exact(a) + Bounded::exact(r))).sqrt();
+        let factor = Bounded::exact(self.effective_modulus) / Bounded::rounded(std::f64::consts::PI);
+        let total = (smooth.estimate.bounded() + excess / root) * factor;
+        Ok(Ok(Reading { estimate: Estimate::from_bounded(total, smooth.estimate.evaluations), method: smooth.method }))
+    }
+
+    /// u_z(r): d − f(r) inside the contact, (2/π)∫₀^a (d − g)/√(r²−x²) dx outside.
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn displacement(&self, r: f64, a: f64) -> Result<Reading, ContactError> {
+        let d = self.depth(a)?;
+        if r <= a {
+            let f = self.profile(r)?;
+            let value = d.estimate.bounded() - f.estimate.bounded();
+            return Ok(Reading {
+                estimate: Estimate::from_bounded(value, d.estimate.evaluations + f.estimate.evaluations),
+                method: d.method,
+            });
+        }
+        let smooth = self.evaluator.displacement(r, a)?;
+        let mut total = smooth.estimate.bounded();
+        if let Some(depth) = self.depth {
+            let excess = Bounded::exact(depth) - self.evaluator.slope(a)?.estimate.bounded();
+            let angle = (Bounded::exact(a) / Bounded::exact(r)).apply(f64::asin, 2.0);
+            total = total + excess * angle * Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI);
+        }
+        Ok(Reading { estimate: Estimate::from_bounded(total, smooth.estimate.evaluations), method: smooth.method })
+    }
+
+    /// G(a) = ∫₀^a g dx.
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn integral(&self, a: f64) -> Result<Reading, ContactError> {
+        Ok(self.evaluator.integral(a)?)
+    }
+
+    /// The strain energy U = E* ∫₀^a (d − g)² dx of the whole profile; it does not superpose.
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn energy(&self, a: f64) -> Result<Reading, ContactError> {
+        let d = self.depth(a)?.estimate.bounded();
+        let mut failure = None;
+        let mut inner = 0;
+        // Nearer to the axis than this nothing adds to the energy, and g may have no digits left.
+        let nearest = 1e-60 * a;
+        let mut integrand = |point: Point| match self.evaluator.slope(point.x.max(nearest)) {
+            Ok(g) => {
+                inner += g.estimate.evaluations;
+                let gap = d - g.estimate.bounded();
+                gap * gap
+            }
+            Err(error) => {
+                failure.get_or_insert(error);
+                Bounded::exact(f64::NAN)
+            }
+        };
+        let mut places = vec![0.0];
+        places.extend(self.evaluator.breakpoints_below(a));
+        places.push(a);
+        let panels: Vec<Panel> = places.windows(2).filter_map(|p| Some(Panel::singular(*p.first()?, *p.last()?))).collect();
+        // Every evaluation may be a quadrature of its own.
+        let options = Options { rel_tol: self.tolerance, max_evaluations: MOST_NESTED, ..Options::default() };
+        let found = match integrate(&mut integrand, &panels, &options) {
+            Ok(found) => found,
+            Err(
+                NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations },
+            ) if error.is_finite() => Estimate { value, error, evaluations },
+            Err(other) => return Err(failure.map_or_else(|| other.into(), Into::into)),
+        };
+        let total = found.bounded() * Bounded::exact(self.effective_modulus);
+        Ok(Reading { estimate: Estimate::from_bounded(total, found.evaluations + inner), method: "quadrature" })
+    }
+
+    /// a(d): the first root of g(a) = d beyond the last flat part of the tip, as far as 64 steps outward tell.
+    ///
+    /// # Errors
+    /// [`ContactError::Unreachable`] where g never reaches d on the profile.
+    pub fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
+        if depth < 0.0 {
+            return Err(ContactError::Unreachable { depth, reason: "a negative depth means no contact; d >= 0 would be accepted" });
+        }
+        let mut evaluations = 0;
+        let mut gap = |a: f64| -> Result<f64, TransformError> {
+            let g = self.evaluator.slope(a)?;
+            evaluations += g.estimate.evaluations + 1;
+            Ok(g.estimate.value - depth)
+        };
+        // The flat part of a worn tip carries no depth: the root lies beyond it.
+        let mut start = 0.0;
+        for b in self.evaluator.breakpoints_below(f64::INFINITY) {
+            if self.evaluator.slope(b)?.estimate.value == 0.0 {
+                start = b;
+            }
+        }
+        if depth == 0.0 {
+            return Ok(exact(start));
+        }
+        let limit = self.evaluator.limit();
+        let upper = if limit.is_finite() {
+            let last = limit.next_down();
+            if gap(last)? < 0.0 {
+                return Err(ContactError::Unreachable { depth, reason: "the profile ends before g reaches this depth" });
+            }
+            last
+        } else {
+            let first = if start > 0.0 { start * 1.5 } else { 1.0 };
+            let found = if gap(first)? >= 0.0 { Ok(first) } else { expand_bracket(&mut gap, first, HIGHEST).map(|b| b.upper) };
+            match found {
+                Ok(upper) => upper,
+                Err(
+                    TransformError::Number(_)
+                    | TransformError::NoDigits { .. }
+                    | TransformError::NotComputable { .. }
+                    | TransformError::Overflow { .. },
+                ) => {
+                    return Err(ContactError::Unreachable { depth, reason: "g stays below this depth at every radius that was tried" });
+                }
+                Err(other) => return Err(other.into()),
+            }
+        };
+        let (lower, upper) = first_crossing(&mut gap, start, upper, depth)?;
+        let a = bracketed(&mut gap, lower, upper, &RootOptions::default())?.x;
+        let error = self.certain(&mut gap, a, start, limit, depth)?;
+        Ok(Reading { estimate: Estimate { value: a, error, evaluations }, method: "root" })
+    }
+}
+
+/// The first of the steps outward, up to `upper`, at which g has reached the depth, and the place before it.
+fn first_crossing(
+    gap: &mut impl FnMut(f64) -> Result<f64, TransformError>,
+    start: f64,
+    upper: f64,
+    depth: f64,
+) -> Result<(f64, f64), ContactError> {
+    const STEPS: u32 = 64;
+    let mut first = upper;
+    for step in (1..STEPS).rev() {
+        let a = start + (upper - start) * f64::from(step) / f64::from(STEPS);
+        if a > start && a < first && gap(a)? >= 0.0 {
+            first = a;
+        }
+    }
+    let mut lower = (first - (upper - start) / f64::from(STEPS)).max(start);
+    if start > 0.0 {
+        return Ok((lower, first));
+    }
+    if lower <= 0.0 {
+        lower = 0.25 * first;
+    }
+    while gap(lower)? >= 0.0 {
+        lower *= 0.25;
+        if lower < f64::MIN_POSITIVE {
+            return Err(ContactError::Unreachable {
+                depth,
+                reason: "the radius lies below the smallest number; a larger depth would be accepted",
+            });
+        }
+    }
+    Ok((lower, first))
+}
+
+impl Contact<'_> {
+    /// How far from `a` one must go on either side until g − d has its sign beyond doubt.
+    fn certain(
+        &self,
+        gap: &mut impl FnMut(f64) -> Result<f64, TransformError>,
+        a: f64,
+        start: f64,
+        limit: f64,
+        depth: f64,
+    ) -> Result<f64, ContactError> {
+        let noise = self.evaluator.slope(a)?.estimate.error + f64::EPSILON * depth;
+        let mut reach = f64::EPSILON * a;
+        while reach < a {
+            let (below, above) = (a - reach, a + reach);
+            let settled_below = below <= start || gap(below)? < -noise;
+            let settled_above = above >= limit || gap(above)? > noise;
+            if settled_below && settled_above {
+                return Ok(reach);
+            }
+            reach *= 2.0;
+        }
+        Err(ContactError::Unreachable { depth, reason: "g does not rise through this depth" })
+    }
+}
+
+fn exact(value: f64) -> Reading {
+    Reading { estimate: Estimate { value, error: 0.0, evaluations: 0 }, method: "exact" }
+}

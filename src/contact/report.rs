@@ -1,0 +1,161 @@
+//! The derived relations of a contact: g, d, F, p, k, a(d) and F(d) with their rules and conditions.
+
+use super::{ContactError, Explicit, explicit};
+use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative, normal, sign};
+use crate::print;
+use crate::transform::{Derived, Solution, Status, TransformError};
+
+/// How the contact ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Edge {
+    /// The profile leaves the surface smoothly: d = g(a).
+    Smooth,
+    /// A rim at the contact radius, the depth given: d is free.
+    Rim(Expr),
+}
+
+/// Everything that is derived from a profile.
+#[derive(Clone, Debug)]
+pub struct Relations {
+    /// g(x).
+    pub g: Derived,
+    /// d(a), or the given depth.
+    pub d: Derived,
+    /// F(a).
+    pub force: Derived,
+    /// p(r).
+    pub pressure: Derived,
+    /// k(a) = 2E*a.
+    pub stiffness: Derived,
+    /// a(d), where it is explicit.
+    pub contact_radius_of_depth: Option<Derived>,
+    /// F(d), where it is explicit.
+    pub force_of_depth: Option<Derived>,
+    /// Conditions as text, the edge among them.
+    pub conditions: Vec<String>,
+}
+
+/// Collects the relations of a solution under the given edge.
+///
+/// ```
+/// use sneddon::contact::{Edge, relations};
+/// use sneddon::{expr::Expr, parse, print, transform::{Profile, derive}};
+/// let flat = Profile::new(&parse::profile("0").unwrap()).unwrap();
+/// let punch = relations(&derive(&flat).unwrap(), &Edge::Rim(Expr::symbol("d"))).unwrap();
+/// assert_eq!(print::text(&punch.force.formula), "2*E*a*d");
+/// ```
+///
+/// # Errors
+/// [`TransformError::Flat`] for a flat profile without a depth.
+pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> {
+    if solution.profile.is_flat() && *edge == Edge::Smooth {
+        return Err(TransformError::Flat.into());
+    }
+    let (modulus, a) = (Expr::symbol("E"), Expr::symbol("a"));
+    let at_edge = Bindings::one("x", a.clone());
+    let g = solution.equivalent_profile();
+    let g_at_edge = at_edge_of(&g.formula, &at_edge);
+    let mut conditions: Vec<Condition> = solution.conditions.clone();
+    let stiffness = Derived {
+        formula: Formula::Closed(Expr::integer(2) * &modulus * &a),
+        status: Status::Exact,
+        rules: Vec::new(),
+        reference: vec!["Popov & Heß (3.1), (3.22)"],
+    };
+    let inverse: Option<Explicit> = if *edge == Edge::Smooth { explicit(solution) } else { None };
+    if let Some(found) = &inverse {
+        conditions.extend(found.conditions.iter().cloned());
+    }
+    let closed = |expr: &Expr, found: &Explicit| Derived {
+        formula: Formula::Closed(expr.clone()),
+        status: Status::Exact,
+        rules: g.rules.clone(),
+        reference: found.reference.clone(),
+    };
+    let mut texts: Vec<String> = conditions.iter().map(print::text_condition).collect();
+    texts.sort();
+    texts.dedup();
+    let (d, force, pressure) = match edge {
+        Edge::Smooth => {
+            texts.push("smooth edge: d = g(a)".to_owned());
+            let d = Derived { formula: g_at_edge, reference: with_first(&g.reference, "Popov & Heß (3.26)"), ..g.clone() };
+            (d, solution.force(), solution.pressure())
+        }
+        Edge::Rim(depth) => {
+            texts.push(format!("rim at r = a: the depth {} is free", print::text_expr(depth)));
+            texts.extend(complete_contact(solution, depth, &g_at_edge));
+            let d = Derived { formula: Formula::Closed(depth.clone()), status: Status::Exact, rules: Vec::new(), reference: Vec::new() };
+            let excess = Formula::sum([Formula::Closed(depth.clone()), g_at_edge.scaled(&Expr::integer(-1))]);
+            let (force, pressure) = (solution.force(), solution.pressure());
+            let extra = excess.clone().scaled(&(Expr::integer(2) * &modulus * &a));
+            let edge_term = excess.scaled(&(&modulus / (Expr::pi() * (a.power(2) - Expr::symbol("r").power(2)).sqrt())));
+            let force = Derived {
+                formula: simplified(Formula::sum([force.formula, extra]), "a"),
+                reference: with_first(&force.reference, "Popov & Heß (3.61)"),
+                ..force
+            };
+            let pressure = Derived {
+                formula: Formula::sum([pressure.formula, edge_term]),
+                reference: with_first(&pressure.reference, "Popov & Heß (3.56), (3.62)–(3.63)"),
+                ..pressure
+            };
+            (d, force, pressure)
+        }
+    };
+    Ok(Relations {
+        contact_radius_of_depth: inverse.as_ref().map(|found| closed(&found.contact_radius, found)),
+        force_of_depth: inverse.as_ref().map(|found| closed(&found.force, found)),
+        g,
+        d,
+        force,
+        pressure,
+        stiffness,
+        conditions: texts,
+    })
+}
+
+/// What a complete contact up to the rim demands: no gap there, d ≥ g(a), and no tension inside.
+///
+/// Under a rising g the first is enough. A concave parabola −h r²/c² is in tension first at the centre, which gives
+/// d ≥ 2h a²/c² (3.63); elsewhere the place is not known beforehand and the demand is stated as it is.
+fn complete_contact(solution: &Solution, depth: &Expr, g_at_edge: &Formula) -> Vec<String> {
+    if let Some(own) = g_at_edge.as_closed()
+        && sign(own) == Sign::Negative
+    {
+        let terms: Vec<_> = solution.terms().collect();
+        if let [only] = terms.as_slice()
+            && only.term.single().is_some_and(|part| part.exponent.is_one() && part.kernel.is_one())
+        {
+            return vec![print::text_condition(&Condition { left: -own, relation: Relation::LessOrEqual, right: depth.clone() })];
+        }
+    }
+    let edge = format!("{} <= {}", print::text(g_at_edge), print::text_expr(depth));
+    // (r f′)′ ≥ 0 makes g rise, and a rising g presses everywhere.
+    let radius = Symbol::new("r");
+    let rising = solution.terms().all(|solved| {
+        let bend = derivative(&(Expr::symbol("r") * solved.term.slope()), &radius);
+        bend.is_ok_and(|bend| bend.terms().iter().all(|term| sign(term) == Sign::Positive))
+    });
+    if rising { vec![edge] } else { vec![edge, "complete contact: p(r) >= 0 for every r < a".to_owned()] }
+}
+
+/// g with x = a, its pieces over a.
+fn at_edge_of(formula: &Formula, at_edge: &Bindings) -> Formula {
+    match formula.substitute(at_edge) {
+        Formula::Piecewise { pieces, last, .. } => Formula::Piecewise { variable: Symbol::new("a"), pieces, last },
+        Formula::Sum(parts) => Formula::Sum(parts.iter().map(|part| at_edge_of(part, at_edge)).collect()),
+        other => other,
+    }
+}
+
+/// Closed sums are expanded once, so that the edge's share and the smooth share cancel where they can.
+fn simplified(formula: Formula, variable: &str) -> Formula {
+    match &formula {
+        Formula::Closed(expr) => normal::expanded(expr, &Symbol::new(variable)).map_or(formula, Formula::Closed),
+        _ => formula,
+    }
+}
+
+fn with_first(list: &[&'static str], first: &'static str) -> Vec<&'static str> {
+    std::iter::once(first).chain(list.iter().copied().filter(|r| *r != first)).collect()
+}

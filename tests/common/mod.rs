@@ -1,0 +1,8 @@
+//! What the test files share: long decimals and ulps, seeded random numbers, formulas as numbers, rows of reference values.
+// Every test binary compiles all of this and uses its own part.
+#![allow(dead_code, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+pub(crate) mod decimal;
+pub(crate) mod formulas;
+pub(crate) mod random;
+pub(crate) mod rows;
