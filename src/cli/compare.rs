@@ -1,0 +1,59 @@
+//! `sneddon compare`: closed forms against quadrature.
+
+use super::{Failure, Outcome, input, output};
+use crate::contact::{self, ContactError, Setting};
+use crate::report::{self, Compared};
+use crate::transform::{self, TransformError};
+
+/// Compares the closed forms with quadrature of the profile as typed, at 64 points per quantity.
+///
+/// Parameters without value get seeded random admissible ones. A comparison that fails is exit code 1.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
+    #[arg(value_name = "PROFILE", allow_hyphen_values = true)]
+    profile: String,
+    /// Gives a parameter a value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// The contact radius; without it the points spread over the reach of the profile.
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    radius: Option<String>,
+    /// The depth of a punch with a rim at the contact radius.
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    depth: Option<String>,
+    /// The largest relative difference that may stand; without it, differences must stay within the error estimates.
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    tol: Option<String>,
+    /// Writes JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon compare 'R-sqrt(R^2-r^2)'
+  sneddon compare 'piecewise(0, r<b, (r^2-b^2)/(2*R))' --set R=2 --set b=0.6 --tol 1e-9 --json";
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let setting = Setting {
+        radius: arguments.radius.as_deref().map(|text| input::positive("--radius", text)).transpose()?,
+        depth: arguments.depth.as_deref().map(|text| input::constant("--depth", text).map(|(_, value)| value)).transpose()?,
+        tolerance: arguments.tol.as_deref().map(input::tolerance).transpose()?,
+    };
+    let typed = input::profile(&arguments.profile)?;
+    let settings = input::Settings::read(&arguments.set, &typed)?;
+    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let profile = settings.bound_profile(&typed)?;
+    if profile.is_flat() && setting.depth.is_none() {
+        return Err(failed(TransformError::Flat.into()));
+    }
+    let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    let comparisons = contact::compare(&solution, &setting).map_err(failed)?;
+    let record = Compared { profile: &typed.formula, comparisons: &comparisons };
+    output::print(|out| match arguments.json {
+        true => report::json::comparison(&record, out),
+        false => report::text::comparison(&record, out),
+    })?;
+    Ok(if comparisons.iter().all(|own| own.passed) { Outcome::Done } else { Outcome::Failed })
+}

@@ -1,0 +1,64 @@
+//! `sneddon derive`: the formulas of a profile.
+
+use super::failure::warn;
+use super::{Failure, Outcome, input, output};
+use crate::contact::{ContactError, Edge, relations};
+use crate::report::{self, Derivation};
+use crate::transform;
+use clap::ValueEnum;
+
+/// Derives g, d, F, p, k and, where they are explicit, a(d) and F(d) as formulas.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
+    #[arg(value_name = "PROFILE", allow_hyphen_values = true)]
+    profile: String,
+    /// Gives a parameter a value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// A punch with a rim at the contact radius, at this depth: a number, or the symbol d.
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    depth: Option<String>,
+    /// How the answer is written.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// The same as --format json.
+    #[arg(long, conflicts_with = "format")]
+    json: bool,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon derive 'r^2/(2*R)'
+  sneddon derive '-h*r^2/c^2' --depth d --format latex
+  echo 'R-sqrt(R^2-r^2)' | sneddon derive - --set R=2 --json";
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Text,
+    Latex,
+    Json,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let edge = arguments.depth.as_deref().map(input::depth).transpose()?.map_or(Edge::Smooth, Edge::Rim);
+    let typed = input::profile(&arguments.profile)?;
+    let settings = input::Settings::read(&arguments.set, &typed)?;
+    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
+    let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    let relations = relations(&solution, &edge).map_err(failed)?;
+    let check = transform::check(&solution).map_err(|error| error.to_string());
+    let record = Derivation { profile: &profile, edge: &edge, relations: &relations, check };
+    output::print(|out| match arguments.format {
+        _ if arguments.json => report::json::derivation(&record, out),
+        Format::Json => report::json::derivation(&record, out),
+        Format::Latex => report::latex::derivation(&record, out),
+        Format::Text => report::text::derivation(&record, out),
+    })?;
+    if record.passed() {
+        return Ok(Outcome::Done);
+    }
+    warn("the check against quadrature failed");
+    Ok(Outcome::Failed)
+}

@@ -1,0 +1,282 @@
+//! `sneddon eval`: the numbers of one quantity.
+
+use super::failure::warn;
+use super::{Failure, Outcome, input, output, points};
+use crate::contact::{self, Contact, ContactError, Explicit, Measured};
+use crate::eval::constant_value;
+use crate::expr::Bindings;
+use crate::report::{self, Evaluation, Shift};
+use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError};
+use clap::ValueEnum;
+
+/// Computes numbers, each with a bound of its error.
+///
+/// The points are r for f, x for g and G, the contact radius a for d, F, k and U, r for p and u (which need --radius),
+/// and the depth d for a.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
+    #[arg(value_name = "PROFILE", allow_hyphen_values = true)]
+    profile: String,
+    /// What is computed.
+    #[arg(long, value_enum)]
+    quantity: Quantity,
+    /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count.
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    at: String,
+    /// Gives a parameter a value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// The contact radius, for p and u.
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    radius: Option<String>,
+    /// The depth of a punch with a rim at the contact radius.
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    depth: Option<String>,
+    /// E*, the modulus of both bodies together.
+    #[arg(long, value_name = "VALUE", default_value = "1", allow_hyphen_values = true)]
+    effective_modulus: String,
+    /// Which way; auto takes the cheapest one that meets the tolerance.
+    #[arg(long, value_enum, default_value_t = Way::Auto)]
+    method: Way,
+    /// The relative tolerance [default: 1e-13].
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    tol: Option<String>,
+    /// Writes JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon eval 'r^2/(2*R)' --quantity F --at 0.1,0.5 --set R=2
+  sneddon eval 'R-sqrt(R^2-r^2)' --quantity p --at 0:0.5:6 --radius 0.5 --set R=2 --json
+  sneddon eval 'h*ln(1+r/w)' --quantity g --at log:0.01:1:5 --set h=0.4 --set w=1.3";
+
+/// The relative tolerance where none was given.
+const TOLERANCE: f64 = 1e-13;
+/// The relative error that is worth a warning where no tolerance was given.
+const FEW_DIGITS: f64 = 1e-8;
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Quantity {
+    /// The shape, shifted so that f(0) = 0.
+    #[value(name = "f")]
+    Profile,
+    /// The equivalent profile g(x).
+    #[value(name = "g")]
+    Equivalent,
+    /// The depth d(a).
+    #[value(name = "d")]
+    Depth,
+    /// The normal force F(a).
+    #[value(name = "F")]
+    Force,
+    /// The pressure p(r), positive in compression.
+    #[value(name = "p")]
+    Pressure,
+    /// The displacement u(r) of the surface, positive inwards.
+    #[value(name = "u")]
+    Displacement,
+    /// The stiffness k(a).
+    #[value(name = "k")]
+    Stiffness,
+    /// The integral of g from 0 to x.
+    #[value(name = "G")]
+    Integral,
+    /// The strain energy U(a).
+    #[value(name = "U")]
+    Energy,
+    /// The contact radius a(d).
+    #[value(name = "a")]
+    Radius,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Way {
+    /// The cheapest way that meets the tolerance.
+    Auto,
+    /// Closed forms only.
+    Exact,
+    /// Quadrature of the profile as typed.
+    Quadrature,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let quantity = arguments.quantity;
+    let at = points::read(&arguments.at)?;
+    let radius = arguments.radius.as_deref().map(|text| input::positive("--radius", text)).transpose()?;
+    let depth = arguments.depth.as_deref().map(|text| input::constant("--depth", text).map(|(_, value)| value)).transpose()?;
+    let effective_modulus = input::positive("--effective-modulus", &arguments.effective_modulus)?;
+    let demanded = arguments.tol.as_deref().map(input::tolerance).transpose()?;
+    let (method, tolerance) = (arguments.method.method(), demanded.unwrap_or(TOLERANCE));
+    if quantity.needs_radius() && radius.is_none() {
+        let message = format!("--quantity {} needs the contact radius", quantity.symbol());
+        return Err(Failure::new(message).help("give it with --radius A"));
+    }
+    if quantity == Quantity::Radius && depth.is_some() {
+        return Err(Failure::new("with a rim the contact radius does not depend on the depth")
+            .help("leave out --depth, or ask for another quantity"));
+    }
+    let typed = input::profile(&arguments.profile)?;
+    let settings = input::Settings::read(&arguments.set, &typed)?;
+    settings.demand_all(&typed)?;
+    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let profile = settings.bound_profile(&typed)?;
+    if profile.is_flat() && depth.is_none() && quantity.needs_contact() {
+        return Err(failed(TransformError::Flat.into()));
+    }
+    let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
+    let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
+    // Known beforehand and cheap: a long list fails at once.
+    for (symbol, place) in quantity.reached(&at, radius) {
+        contact.evaluator().check_domain(symbol, place).map_err(|error| failed(error.into()))?;
+    }
+    let inverse = if quantity == Quantity::Radius { contact::explicit(&solution) } else { None };
+    let asked = Asked { contact, inverse, radius, method, tolerance };
+    let mut readings = Vec::with_capacity(at.len());
+    for point in &at {
+        readings.push(quantity.read(&asked, *point).map_err(failed)?);
+    }
+    warn_of_invalid_contact(quantity, &readings);
+    warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
+    let shift = shift(&profile, &settings.exact_profile(&typed).unwrap_or_else(|_| profile.clone()));
+    let record = Evaluation {
+        quantity: quantity.symbol(),
+        coordinate: quantity.coordinate(),
+        profile: &typed.formula,
+        parameters: settings.values(),
+        effective_modulus,
+        radius: radius.filter(|_| quantity.needs_radius()),
+        depth,
+        shift,
+        at,
+        readings,
+    };
+    output::print(|out| match arguments.json {
+        true => report::json::evaluation(&record, out),
+        false => report::text::evaluation(&record, out),
+    })?;
+    Ok(Outcome::Done)
+}
+
+/// Every value tells its error; this tells that one is larger than what was asked for.
+fn warn_of_few_digits(limit: f64, readings: &[Measured]) {
+    let estimates = readings.iter().flatten().map(|reading| reading.estimate);
+    let missed =
+        estimates.filter(|estimate| estimate.error.is_nan() || estimate.error > limit * estimate.value.abs() + f64::MIN_POSITIVE).count();
+    if missed > 0 {
+        warn(&format!("the relative error is larger than {limit:?} at {missed} of {} points; see the error estimates", readings.len()));
+    }
+}
+
+/// f(0), where it is not zero: the number, and the expression that it was typed as.
+fn shift(profile: &Profile, typed: &Profile) -> Option<Shift> {
+    let number = || constant_value(&profile.shift, &Bindings::default()).map_or(f64::NAN, |bounded| bounded.value);
+    (!profile.shift.is_zero()).then(|| Shift { expr: typed.shift.clone(), value: number() })
+}
+
+/// A falling g shows as a negative depth, force or pressure; the verdict itself belongs to `solve`.
+fn warn_of_invalid_contact(quantity: Quantity, readings: &[Measured]) {
+    let telling = matches!(quantity, Quantity::Equivalent | Quantity::Depth | Quantity::Force | Quantity::Pressure | Quantity::Integral);
+    let negative = readings.iter().flatten().any(|reading| reading.estimate.value < -reading.estimate.error);
+    if telling && negative {
+        warn(&format!("{} is negative at some points: no valid contact; the formula is answered all the same", quantity.symbol()));
+    }
+}
+
+/// What every point of a call shares.
+struct Asked<'a> {
+    contact: Contact<'a>,
+    /// a(d) in closed form, where it is wanted and known.
+    inverse: Option<Explicit>,
+    radius: Option<f64>,
+    method: Method,
+    tolerance: f64,
+}
+
+impl Asked<'_> {
+    /// a(d) by its formula where that meets the tolerance, else as the root of g(a) = d.
+    fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
+        if self.method != Method::Quadrature {
+            let closed = self.inverse.as_ref().map(|inverse| inverse.contact_radius_at(depth)).transpose().map_err(TransformError::from)?;
+            match closed {
+                Some(closed) if self.method == Method::Exact || closed.estimate.relative_error() <= self.tolerance => return Ok(closed),
+                None if self.method == Method::Exact => return Err(TransformError::NoClosedForm { quantity: "a" }.into()),
+                _ => {}
+            }
+        }
+        self.contact.contact_radius(depth)
+    }
+}
+
+impl Way {
+    fn method(self) -> Method {
+        match self {
+            Self::Auto => Method::Auto,
+            Self::Exact => Method::Exact,
+            Self::Quadrature => Method::Quadrature,
+        }
+    }
+}
+
+impl Quantity {
+    fn read(self, asked: &Asked<'_>, at: f64) -> Result<Measured, ContactError> {
+        let contact = &asked.contact;
+        let a = asked.radius.unwrap_or(at);
+        Ok(Ok(match self {
+            Self::Profile => contact.profile(at)?,
+            Self::Equivalent => contact.evaluator().slope(at)?,
+            Self::Depth => contact.depth(at)?,
+            Self::Force => contact.force(at)?,
+            Self::Pressure => return contact.pressure(at, a),
+            Self::Displacement => contact.displacement(at, a)?,
+            Self::Stiffness => contact.stiffness(at),
+            Self::Integral => contact.integral(at)?,
+            Self::Energy if asked.method == Method::Exact => return Err(TransformError::NoClosedForm { quantity: "U" }.into()),
+            Self::Energy => contact.energy(at)?,
+            Self::Radius => asked.contact_radius(at)?,
+        }))
+    }
+
+    /// How far out the profile must reach, with the symbol of each place.
+    fn reached(self, at: &[f64], radius: Option<f64>) -> impl Iterator<Item = (&'static str, f64)> {
+        let at = if self == Self::Radius || self.needs_radius() { &[] } else { at };
+        let radius = radius.filter(|_| self.needs_radius()).map(|a| ("a", a));
+        at.iter().map(move |place| (self.coordinate(), *place)).chain(radius)
+    }
+
+    fn symbol(self) -> &'static str {
+        match self {
+            Self::Profile => "f",
+            Self::Equivalent => "g",
+            Self::Depth => "d",
+            Self::Force => "F",
+            Self::Pressure => "p",
+            Self::Displacement => "u",
+            Self::Stiffness => "k",
+            Self::Integral => "G",
+            Self::Energy => "U",
+            Self::Radius => "a",
+        }
+    }
+
+    fn coordinate(self) -> &'static str {
+        match self {
+            Self::Profile | Self::Pressure | Self::Displacement => "r",
+            Self::Equivalent | Self::Integral => "x",
+            Self::Depth | Self::Force | Self::Stiffness | Self::Energy => "a",
+            Self::Radius => "d",
+        }
+    }
+
+    fn needs_radius(self) -> bool {
+        matches!(self, Self::Pressure | Self::Displacement)
+    }
+
+    /// False where the quantity belongs to the shape alone.
+    fn needs_contact(self) -> bool {
+        !matches!(self, Self::Profile | Self::Equivalent | Self::Integral | Self::Stiffness)
+    }
+}

@@ -1,0 +1,135 @@
+//! Bad input: what is said about it, with the place marked under the text.
+
+use crate::contact::ContactError;
+use crate::parse::{self, ParseError};
+use crate::transform::TransformError;
+use std::io::{self, IsTerminal, Write};
+use std::ops::Range;
+
+/// Why a command did not do its work; the exit code is 2.
+#[derive(Debug)]
+pub(super) struct Failure {
+    message: String,
+    help: Option<String>,
+    place: Option<Place>,
+}
+
+/// A piece of text with the part of it that is meant.
+#[derive(Debug)]
+struct Place {
+    name: String,
+    text: String,
+    span: Range<usize>,
+}
+
+/// Characters of a line that are shown; longer ones are cut.
+const SHOWN: usize = 120;
+/// Characters before the place in a line that is cut.
+const BEFORE: usize = 50;
+
+impl Failure {
+    /// A message that needs no place.
+    pub(super) fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), help: None, place: None }
+    }
+
+    /// Adds what would be accepted.
+    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// A text that could not be read.
+    pub(super) fn parse(name: &str, text: &str, error: &ParseError) -> Self {
+        Self::new(error.reason().to_string()).help(error.accepted()).at(name, text, error.span())
+    }
+
+    /// A profile that could be read but has no answer.
+    pub(super) fn profile(text: &str, error: &ContactError) -> Self {
+        let about_profile = match error {
+            ContactError::Transform(
+                TransformError::OutOfDomain { .. }
+                | TransformError::Overflow { .. }
+                | TransformError::NotComputable { .. }
+                | TransformError::NoDigits { .. }
+                | TransformError::NoClosedForm { .. }
+                | TransformError::Number(_)
+                | TransformError::Evaluation(_),
+            ) => false,
+            ContactError::Transform(_) => true,
+            _ => false,
+        };
+        let failure = Self::new(error.to_string());
+        if about_profile { failure.at("PROFILE", text, 0..text.len()) } else { failure }
+    }
+
+    /// Marks a place.
+    pub(super) fn at(mut self, name: &str, text: &str, span: Range<usize>) -> Self {
+        self.place = Some(Place { name: name.to_owned(), text: text.to_owned(), span });
+        self
+    }
+
+    /// Says it on stderr.
+    pub(super) fn report(&self) {
+        let mut stderr = io::stderr().lock();
+        let colour = stderr.is_terminal();
+        // Nothing can be said where even the message cannot be written.
+        let _ = self.write(colour, &mut stderr);
+    }
+
+    fn write(&self, colour: bool, out: &mut dyn Write) -> io::Result<()> {
+        let (bold, plain) = if colour { ("\x1b[1;31m", "\x1b[0m") } else { ("", "") };
+        match &self.place {
+            None => writeln!(out, "{bold}error{plain}: {}", self.message)?,
+            Some(place) => {
+                writeln!(out, "{bold}error{plain}: {}: {}", place.position(), self.message)?;
+                let (shown, offset, marks) = place.excerpt();
+                writeln!(out, "  | {shown}")?;
+                writeln!(out, "  | {}{bold}{}{plain}", " ".repeat(offset), "^".repeat(marks))?;
+            }
+        }
+        self.help.iter().try_for_each(|help| writeln!(out, "help: {help}"))
+    }
+}
+
+impl Place {
+    /// The name of the text with line and column.
+    fn position(&self) -> String {
+        let (line, column) = parse::position(&self.text, self.span.clone());
+        match self.text.trim_end().contains('\n') {
+            false => format!("{}, column {column}", self.name),
+            true => format!("{}, line {line}, column {column}", self.name),
+        }
+    }
+
+    /// The line of the place as it can be shown, the characters before the mark, and the length of the mark.
+    ///
+    /// Control characters are replaced, and a long line is cut around the place.
+    fn excerpt(&self) -> (String, usize, usize) {
+        let before = self.text.get(..self.span.start).unwrap_or(&self.text);
+        let begin = before.rfind('\n').map_or(0, |at| at + 1);
+        let line: Vec<char> = self.text.get(begin..).unwrap_or_default().chars().take_while(|c| *c != '\n').map(visible).collect();
+        let offset = before.get(begin..).unwrap_or_default().chars().count();
+        let marked = self.text.get(self.span.clone()).unwrap_or_default().chars().count();
+        let skipped = if line.len() > SHOWN { offset.saturating_sub(BEFORE) } else { 0 };
+        let shown: String = line.iter().skip(skipped).take(SHOWN).collect();
+        let (left, right) = (if skipped > 0 { "... " } else { "" }, if line.len() > skipped + SHOWN { " ..." } else { "" });
+        let room = line.len().min(skipped + SHOWN).saturating_sub(offset);
+        (format!("{left}{shown}{right}"), left.len() + offset - skipped, marked.min(room).max(1))
+    }
+}
+
+/// A character that takes one place and moves no cursor.
+fn visible(c: char) -> char {
+    match c {
+        '\t' => ' ',
+        c if c.is_control() => '\u{fffd}',
+        c => c,
+    }
+}
+
+/// Something that is worth knowing, on stderr.
+pub(super) fn warn(message: &str) {
+    // A warning that cannot be written is no reason to stop.
+    let _ = writeln!(io::stderr(), "warning: {message}");
+}

@@ -1,0 +1,189 @@
+//! What comes in: the profile's text, values of parameters and other numbers.
+
+use super::Failure;
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Expr, Formula, Number, Symbol};
+use crate::parse;
+use crate::transform::{Profile, TransformError};
+use std::io::{self, Read};
+
+/// A profile as it was typed, and as it was read.
+pub(super) struct Typed {
+    pub(super) text: String,
+    pub(super) formula: Formula,
+}
+
+/// Reads PROFILE: the argument itself, or stdin for `-`.
+pub(super) fn profile(argument: &str) -> Result<Typed, Failure> {
+    let text = if argument == "-" { from_stdin()? } else { argument.to_owned() };
+    if looks_like_an_option(&text) {
+        return Err(Failure::new(format!("there is no option {text}"))
+            .help("--help lists the options; a profile such as -(-r) may begin with a minus"));
+    }
+    let formula = parse::profile(&text).map_err(|error| Failure::parse("PROFILE", &text, &error))?;
+    Ok(Typed { text, formula })
+}
+
+/// A mistyped option would be read as a parameter with two signs.
+fn looks_like_an_option(text: &str) -> bool {
+    text.strip_prefix("--").is_some_and(|name| {
+        name.len() > 1 && name.starts_with(char::is_alphabetic) && name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
+    })
+}
+
+fn from_stdin() -> Result<String, Failure> {
+    let limit = parse::limits::TEXT_BYTES;
+    let mut bytes = Vec::new();
+    let read = io::stdin().lock().take(limit as u64 + 1).read_to_end(&mut bytes);
+    read.map_err(|error| Failure::new(format!("stdin cannot be read: {error}")))?;
+    if bytes.len() > limit {
+        return Err(
+            Failure::new(format!("the profile on stdin is longer than {limit} bytes")).help("a shorter expression would be accepted")
+        );
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Failure::new(format!("stdin is no text: byte {} is not valid UTF-8", at + 1)).help("an expression in UTF-8 would be accepted")
+    })
+}
+
+/// The parameters that were set.
+pub(super) struct Settings(Vec<Setting>);
+
+struct Setting {
+    symbol: Symbol,
+    exact: Expr,
+    value: f64,
+}
+
+impl Settings {
+    /// Reads `--set NAME=VALUE`; every name must be a parameter of the profile, and every value positive.
+    pub(super) fn read(list: &[String], typed: &Typed) -> Result<Self, Failure> {
+        let parameters = parameters(&typed.formula);
+        let mut settings: Vec<Setting> = Vec::new();
+        for item in list {
+            let form = "--set NAME=VALUE, such as --set R=2, would be accepted";
+            let Some((name, text)) = item.split_once('=') else {
+                return Err(Failure::new(format!("--set {item} has no value")).help(form));
+            };
+            // Read as an expression, so that theta and its letter are one name here as well.
+            let symbol = parse::formula(name).ok().and_then(|formula| formula.as_closed().and_then(|expr| expr.as_symbol().cloned()));
+            let Some(symbol) = symbol.filter(|symbol| parameters.contains(symbol)) else {
+                let own = match parameters.as_slice() {
+                    [] => "it has no parameters".to_owned(),
+                    [only] => format!("it has {only}"),
+                    many => format!("it has {}", many.iter().map(Symbol::name).collect::<Vec<_>>().join(", ")),
+                };
+                return Err(Failure::new(format!("the profile has no parameter {}; {own}", name.trim())).help(form));
+            };
+            if settings.iter().any(|known| known.symbol == symbol) {
+                return Err(Failure::new(format!("{symbol} is set twice")).help(form));
+            }
+            let place = format!("--set {symbol}");
+            let (exact, value) = constant(&place, text)?;
+            if value <= 0.0 {
+                let message = format!("{symbol} = {} is not positive", text.trim());
+                return Err(Failure::new(message).help("parameters are positive; write the sign into the profile").at(
+                    &place,
+                    text,
+                    0..text.len(),
+                ));
+            }
+            settings.push(Setting { symbol, exact, value });
+        }
+        Ok(Self(settings))
+    }
+
+    /// The values as they were typed.
+    fn exact(&self) -> Bindings {
+        self.0.iter().map(|own| (own.symbol.name(), own.exact.clone())).collect()
+    }
+
+    /// The exact values of the `f64` that stand for them.
+    fn rounded(&self) -> Bindings {
+        self.0.iter().map(|own| (own.symbol.name(), Number::from_f64(own.value).map_or_else(|| own.exact.clone(), Expr::number))).collect()
+    }
+
+    /// The profile at the values as they were typed.
+    pub(super) fn exact_profile(&self, typed: &Typed) -> Result<Profile, TransformError> {
+        Profile::new(&typed.formula.substitute(&self.exact()))
+    }
+
+    /// The profile at the numbers that were set: at the `f64` next to each value, or, where only the values as typed make
+    /// its pieces meet, at those.
+    pub(super) fn bound_profile(&self, typed: &Typed) -> Result<Profile, Failure> {
+        let rounded = Profile::new(&typed.formula.substitute(&self.rounded()));
+        rounded.or_else(|first| self.exact_profile(typed).map_err(|_| Failure::profile(&typed.text, &first.into())))
+    }
+
+    /// Names and numbers.
+    pub(super) fn values(&self) -> Vec<(String, f64)> {
+        self.0.iter().map(|own| (own.symbol.name().to_owned(), own.value)).collect()
+    }
+
+    /// An error that names the parameters without value, if there are any.
+    pub(super) fn demand_all(&self, typed: &Typed) -> Result<(), Failure> {
+        let missing: Vec<Symbol> = parameters(&typed.formula).into_iter().filter(|p| self.0.iter().all(|own| own.symbol != *p)).collect();
+        let names = missing.iter().map(Symbol::name).collect::<Vec<_>>().join(", ");
+        let options = missing.iter().map(|name| format!("--set {name}=VALUE")).collect::<Vec<_>>().join(" ");
+        match missing.len() {
+            0 => Ok(()),
+            1 => Err(Failure::new(format!("the parameter {names} has no value")).help(format!("give one with {options}"))),
+            _ => Err(Failure::new(format!("the parameters {names} have no values")).help(format!("give them with {options}"))),
+        }
+    }
+}
+
+/// The parameters of a profile, by name.
+fn parameters(formula: &Formula) -> Vec<Symbol> {
+    formula.symbols().into_iter().filter(|symbol| symbol.name() != "r").collect()
+}
+
+/// A finite number, with what was typed as an exact expression.
+pub(super) fn constant(place: &str, text: &str) -> Result<(Expr, f64), Failure> {
+    let exact = parse::constant(text).map_err(|error| Failure::parse(place, text, &error))?;
+    let value = match exact.as_number() {
+        Some(number) => number.to_f64(),
+        None => constant_value(&exact, &Bindings::default()).map_or(f64::NAN, |bounded| bounded.value),
+    };
+    let lost = value == 0.0 && !exact.is_zero();
+    if !value.is_finite() || lost {
+        let message = format!("{} is no number that a 64-bit float can hold", text.trim());
+        return Err(Failure::new(message).help("a finite number such as 0.5, 3/2 or 1e-6 would be accepted").at(
+            place,
+            text,
+            0..text.len(),
+        ));
+    }
+    Ok((exact, value))
+}
+
+/// A finite number above zero.
+pub(super) fn positive(place: &str, text: &str) -> Result<f64, Failure> {
+    let (_, value) = constant(place, text)?;
+    if value > 0.0 {
+        return Ok(value);
+    }
+    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("a number above 0 would be accepted").at(
+        place,
+        text,
+        0..text.len(),
+    ))
+}
+
+/// A tolerance between 0 and 1.
+pub(super) fn tolerance(text: &str) -> Result<f64, Failure> {
+    let value = positive("--tol", text)?;
+    if value < 1.0 {
+        return Ok(value);
+    }
+    Err(Failure::new(format!("--tol {} is not below 1", text.trim())).help("a relative tolerance such as 1e-10 would be accepted"))
+}
+
+/// The depth of a punch with a rim, as an expression; the symbol d stands for any depth.
+pub(super) fn depth(text: &str) -> Result<Expr, Failure> {
+    if text.trim() == "d" {
+        return Ok(Expr::symbol("d"));
+    }
+    constant("--depth", text).map(|(exact, _)| exact)
+}

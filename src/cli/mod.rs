@@ -1,0 +1,75 @@
+//! The command line: one file per subcommand, and the only place with input and output.
+
+mod compare;
+mod completions;
+mod derive;
+mod eval;
+mod failure;
+mod input;
+mod output;
+mod points;
+mod rules;
+
+use clap::{Parser, Subcommand};
+use failure::Failure;
+use std::process::ExitCode;
+
+/// Contact mechanics from the shape of an indenter: formulas and numbers.
+///
+/// A profile is an expression for the shape f(r), such as r^2/(2*R); other names than r are positive parameters.
+#[derive(Parser)]
+#[command(name = "sneddon", version, propagate_version = false, after_help = EXAMPLES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon derive 'r^2/(2*R)'
+  sneddon eval 'R-sqrt(R^2-r^2)' --quantity F --at 0.1,0.5 --set R=2
+
+Exit codes: 0 done, 1 a comparison failed, 2 bad input (the reason is on stderr).";
+
+#[derive(Subcommand)]
+enum Command {
+    Derive(derive::Arguments),
+    Eval(eval::Arguments),
+    Compare(compare::Arguments),
+    Rules(rules::Arguments),
+    Completions(completions::Arguments),
+}
+
+/// How a command ended that did its work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Outcome {
+    Done,
+    /// A comparison failed its tolerance.
+    Failed,
+}
+
+/// Runs the program on the arguments of the process.
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Nothing can be said where even the message cannot be written.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let outcome = match arguments.command {
+        Command::Derive(own) => derive::run(&own),
+        Command::Eval(own) => eval::run(&own),
+        Command::Compare(own) => compare::run(&own),
+        Command::Rules(own) => rules::run(&own),
+        Command::Completions(own) => completions::run(&own),
+    };
+    match outcome {
+        Ok(Outcome::Done) => ExitCode::SUCCESS,
+        Ok(Outcome::Failed) => ExitCode::from(1),
+        Err(failure) => {
+            failure.report();
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! Records as JSON: one document, numbers as the shortest decimals that read back, null with a reason where there is none.
+
+use super::{Compared, Derivation, Evaluation};
+use crate::contact::Measured;
+use crate::expr::{Expr, Formula};
+use crate::print;
+use crate::transform::Rule;
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+/// Writes what was derived.
+///
+/// # Errors
+/// As the writer.
+pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
+    #[derive(Serialize)]
+    struct Document<'a> {
+        profile: Typeset,
+        shift: Option<Typeset>,
+        conditions: &'a [String],
+        #[serde(flatten)]
+        entries: Entries<'a>,
+        notes: Vec<&'static str>,
+        check: Check<'a>,
+    }
+    let check = match &record.check {
+        Ok(check) => {
+            Check { points: check.points, max_relative_difference: finite(check.max_relative_difference), passed: check.passed, why: None }
+        }
+        Err(reason) => Check { points: 0, max_relative_difference: None, passed: false, why: Some(reason) },
+    };
+    let document = Document {
+        profile: Typeset::of(record.formula()),
+        shift: record.shift().map(Typeset::of_expr),
+        conditions: &record.relations.conditions,
+        entries: Entries(record),
+        notes: record.notes(),
+        check,
+    };
+    write(&document, out)
+}
+
+/// Writes the numbers of one quantity.
+///
+/// # Errors
+/// As the writer.
+pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()> {
+    #[derive(Serialize)]
+    struct Document<'a> {
+        quantity: &'static str,
+        method: &'static str,
+        coordinate: &'static str,
+        profile: Typeset,
+        parameters: BTreeMap<&'a str, f64>,
+        effective_modulus: f64,
+        radius: Option<f64>,
+        depth: Option<f64>,
+        shift: Option<Shift>,
+        points: Points<'a>,
+    }
+    #[derive(Serialize)]
+    struct Shift {
+        #[serde(flatten)]
+        formula: Typeset,
+        value: f64,
+    }
+    let document = Document {
+        quantity: record.quantity,
+        method: record.method(),
+        coordinate: record.coordinate,
+        profile: Typeset::of(record.profile),
+        parameters: record.parameters.iter().map(|(name, value)| (name.as_str(), *value)).collect(),
+        effective_modulus: record.effective_modulus,
+        radius: record.radius,
+        depth: record.depth,
+        shift: record.shift.as_ref().map(|shift| Shift { formula: Typeset::of_expr(&shift.expr), value: shift.value }),
+        points: Points(record),
+    };
+    write(&document, out)
+}
+
+/// Writes the comparisons, one key per quantity.
+///
+/// # Errors
+/// As the writer.
+pub fn comparison(record: &Compared<'_>, out: &mut dyn Write) -> io::Result<()> {
+    write(record, out)
+}
+
+/// Writes the catalogue of rules as a list.
+///
+/// # Errors
+/// As the writer.
+pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
+    #[derive(Serialize)]
+    struct Entry {
+        id: &'static str,
+        name: &'static str,
+        title: &'static str,
+        pattern: &'static str,
+        result: Results,
+        guard: &'static str,
+        source: &'static [&'static str],
+        specializes: Option<&'static str>,
+    }
+    #[derive(Serialize)]
+    struct Results {
+        g: &'static str,
+        #[serde(rename = "F")]
+        force: &'static str,
+        p: Option<&'static str>,
+    }
+    let entries: Vec<Entry> = rules
+        .iter()
+        .map(|rule| Entry {
+            id: rule.id,
+            name: rule.id,
+            title: rule.title,
+            pattern: rule.pattern,
+            result: Results { g: rule.slope, force: rule.force, p: rule.pressure },
+            guard: rule.guard,
+            source: rule.reference,
+            specializes: rule.specializes,
+        })
+        .collect();
+    write(&entries, out)
+}
+
+fn write(document: &impl Serialize, mut out: &mut dyn Write) -> io::Result<()> {
+    serde_json::to_writer(&mut out, document)?;
+    writeln!(out)
+}
+
+/// JSON knows neither NaN nor infinities.
+fn finite(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+/// A formula in both notations.
+#[derive(Serialize)]
+struct Typeset {
+    text: String,
+    latex: String,
+}
+
+impl Typeset {
+    fn of(formula: &Formula) -> Self {
+        Self { text: print::text(formula), latex: print::latex(formula) }
+    }
+
+    fn of_expr(expr: &Expr) -> Self {
+        Self::of(&Formula::Closed(expr.clone()))
+    }
+}
+
+/// The derived quantities under their keys.
+struct Entries<'a>(&'a Derivation<'a>);
+
+impl Serialize for Entries<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Quantity<'a> {
+            #[serde(flatten)]
+            formula: Typeset,
+            status: &'static str,
+            rules: &'a [&'static str],
+            reference: &'a [&'static str],
+        }
+
+        serializer.collect_map(self.0.entries().iter().map(|entry| {
+            let value = entry.derived.map(|derived| Quantity {
+                formula: Typeset::of(&derived.formula),
+                status: derived.status.name(),
+                rules: &derived.rules,
+                reference: &derived.reference,
+            });
+            (entry.key, value)
+        }))
+    }
+}
+
+#[derive(Serialize)]
+struct Check<'a> {
+    points: u32,
+    max_relative_difference: Option<f64>,
+    passed: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    why: Option<&'a str>,
+}
+
+/// The readings, written one by one: there may be many.
+struct Points<'a>(&'a Evaluation<'a>);
+
+impl Serialize for Points<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.at.iter().zip(&self.0.readings).map(|(at, reading)| Point::new(*at, reading)))
+    }
+}
+
+#[derive(Serialize)]
+struct Point {
+    at: f64,
+    value: Option<f64>,
+    error_estimate: Option<f64>,
+    method: Option<&'static str>,
+    evaluations: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    why: Option<&'static str>,
+}
+
+impl Point {
+    fn new(at: f64, reading: &Measured) -> Self {
+        match reading {
+            Ok(reading) => {
+                let (value, error_estimate) = (finite(reading.estimate.value), finite(reading.estimate.error));
+                let why = match (value, error_estimate) {
+                    (None, _) => Some("no finite value was found"),
+                    (_, None) => Some("no error bound can be promised"),
+                    _ => None,
+                };
+                Self { at, value, error_estimate, method: Some(reading.method), evaluations: reading.estimate.evaluations, why }
+            }
+            Err(reason) => Self { at, value: None, error_estimate: None, method: None, evaluations: 0, why: Some(reason.text()) },
+        }
+    }
+}
+
+impl Serialize for Compared<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Entry<'a> {
+            max_relative_difference: Option<f64>,
+            at: Option<f64>,
+            points: u32,
+            passed: bool,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            why: Option<&'a str>,
+        }
+        let mut map = serializer.serialize_map(Some(self.comparisons.len()))?;
+        for own in self.comparisons {
+            let entry = Entry {
+                max_relative_difference: own.max_relative_difference.and_then(finite),
+                at: own.at,
+                points: own.points,
+                passed: own.passed,
+                why: own.why.as_deref(),
+            };
+            map.serialize_entry(own.quantity, &entry)?;
+        }
+        map.end()
+    }
+}

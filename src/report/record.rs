@@ -1,0 +1,130 @@
+//! The records that every output format reads: what was derived, evaluated and compared.
+
+use crate::contact::{Comparison, Edge, Measured, Relations};
+use crate::expr::{Expr, Formula};
+use crate::transform::{Check, Derived, Profile};
+
+/// Everything that `derive` found.
+pub struct Derivation<'a> {
+    /// The profile, with set parameters in place.
+    pub profile: &'a Profile,
+    /// How the contact ends.
+    pub edge: &'a Edge,
+    /// The derived relations.
+    pub relations: &'a Relations,
+    /// The outcome of the check, or why it could not be made.
+    pub check: Result<Check, String>,
+}
+
+/// One derived quantity, or the place of one that has no explicit form.
+pub struct Entry<'a> {
+    /// The key that machines read.
+    pub key: &'static str,
+    /// The left side of the equation.
+    pub left: &'static str,
+    /// The right side with its sources.
+    pub derived: Option<&'a Derived>,
+}
+
+impl Derivation<'_> {
+    /// The quantities in the order of reading.
+    pub fn entries(&self) -> [Entry<'_>; 7] {
+        let all = self.relations;
+        let entry = |key, left, derived| Entry { key, left, derived };
+        [
+            entry("g", "g(x)", Some(&all.g)),
+            entry("d", if self.has_rim() { "d" } else { "d(a)" }, Some(&all.d)),
+            entry("F", "F(a)", Some(&all.force)),
+            entry("p", "p(r)", Some(&all.pressure)),
+            entry("k", "k(a)", Some(&all.stiffness)),
+            entry("a_of_d", "a(d)", all.contact_radius_of_depth.as_ref()),
+            entry("F_of_d", "F(d)", all.force_of_depth.as_ref()),
+        ]
+    }
+
+    /// f(0), where something had to be subtracted.
+    pub fn shift(&self) -> Option<&Expr> {
+        Some(&self.profile.shift).filter(|shift| !shift.is_zero())
+    }
+
+    /// f as it was typed.
+    pub fn formula(&self) -> &Formula {
+        &self.profile.typed
+    }
+
+    /// What a reader of the formulas must know.
+    pub fn notes(&self) -> Vec<&'static str> {
+        let mut notes = vec![
+            "the formulas hold for x >= 0; g is even",
+            "E is the effective modulus E*",
+            "p = -sigma_zz is positive in compression and 0 for r > a",
+        ];
+        if self.has_rim() {
+            notes.push("a is the radius of the rim, whatever the depth is");
+        } else if self.relations.contact_radius_of_depth.is_none() {
+            notes.push("a(d) and F(d) have no explicit form that is known here; eval --quantity a solves g(a) = d in numbers");
+        }
+        notes
+    }
+
+    fn has_rim(&self) -> bool {
+        matches!(self.edge, Edge::Rim(_))
+    }
+
+    /// True where the check was made and passed.
+    pub fn passed(&self) -> bool {
+        self.check.as_ref().is_ok_and(|check| check.passed)
+    }
+}
+
+/// The numbers that `eval` found.
+pub struct Evaluation<'a> {
+    /// The quantity's symbol.
+    pub quantity: &'static str,
+    /// The symbol of the coordinate at which it was asked for.
+    pub coordinate: &'static str,
+    /// The profile as it was typed.
+    pub profile: &'a Formula,
+    /// The parameters with the numbers that stand for them.
+    pub parameters: Vec<(String, f64)>,
+    /// E*.
+    pub effective_modulus: f64,
+    /// The contact radius, where the quantity needs one.
+    pub radius: Option<f64>,
+    /// The depth of a punch with a rim.
+    pub depth: Option<f64>,
+    /// f(0), where something had to be subtracted.
+    pub shift: Option<Shift>,
+    /// The coordinates.
+    pub at: Vec<f64>,
+    /// The readings, one per coordinate.
+    pub readings: Vec<Measured>,
+}
+
+/// f(0), which was subtracted.
+pub struct Shift {
+    /// As an expression of what was typed.
+    pub expr: Expr,
+    /// As a number.
+    pub value: f64,
+}
+
+impl Evaluation<'_> {
+    /// The way that all finite values were found, or `mixed`.
+    pub fn method(&self) -> &'static str {
+        let mut methods = self.readings.iter().filter_map(|reading| reading.as_ref().ok()).map(|reading| reading.method);
+        match methods.next() {
+            None => "exact",
+            Some(first) if methods.all(|method| method == first) => first,
+            Some(_) => "mixed",
+        }
+    }
+}
+
+/// The outcome of `compare`.
+pub struct Compared<'a> {
+    /// The profile as it was typed.
+    pub profile: &'a Formula,
+    /// One comparison per quantity.
+    pub comparisons: &'a [Comparison],
+}

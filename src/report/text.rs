@@ -1,0 +1,149 @@
+//! Records as plain text, made to be read in a terminal.
+
+use super::{Compared, Derivation, Evaluation};
+use crate::print;
+use crate::transform::Rule;
+use std::io::{self, Write};
+
+/// Writes what was derived: one quantity after the other with its sources, then conditions, notes and the check.
+///
+/// # Errors
+/// As the writer.
+pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "f(r) = {}", print::text(record.formula()))?;
+    if let Some(shift) = record.shift() {
+        let shift = print::text_expr(shift);
+        writeln!(out, "       f(0) = {shift} is subtracted, so that f starts at 0")?;
+    }
+    for entry in record.entries() {
+        writeln!(out)?;
+        let Some(derived) = entry.derived else {
+            writeln!(out, "{}: no explicit form", entry.left)?;
+            continue;
+        };
+        writeln!(out, "{} = {}", entry.left, print::text(&derived.formula))?;
+        let rules = match derived.rules.as_slice() {
+            [] => String::new(),
+            [rule] => format!(" | rule {rule}"),
+            rules => format!(" | rules {}", rules.join(", ")),
+        };
+        let reference = if derived.reference.is_empty() { String::new() } else { format!(" | {}", derived.reference.join("; ")) };
+        writeln!(out, "       {}{rules}{reference}", derived.status.name())?;
+    }
+    writeln!(out, "\nConditions")?;
+    for condition in &record.relations.conditions {
+        writeln!(out, "  {condition}")?;
+    }
+    writeln!(out, "\nNotes")?;
+    for note in record.notes() {
+        writeln!(out, "  {note}")?;
+    }
+    writeln!(out, "\nCheck against quadrature of f as typed")?;
+    match &record.check {
+        Ok(check) => {
+            let verdict = if check.passed { "passed" } else { "FAILED" };
+            writeln!(out, "  {} points, largest relative difference {}: {verdict}", check.points, short(check.max_relative_difference))
+        }
+        Err(reason) => writeln!(out, "  FAILED: {reason}"),
+    }
+}
+
+/// Writes the numbers of one quantity as a table.
+///
+/// # Errors
+/// As the writer.
+pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{} of f(r) = {}", record.quantity, print::text(record.profile))?;
+    let mut given: Vec<String> = record.parameters.iter().map(|(name, value)| format!("{name} = {}", number(*value))).collect();
+    given.push(format!("E* = {}", number(record.effective_modulus)));
+    given.extend(record.radius.map(|a| format!("a = {}", number(a))));
+    given.extend(record.depth.map(|d| format!("d = {} (rim)", number(d))));
+    writeln!(out, "with {}", given.join(", "))?;
+    if let Some(shift) = &record.shift {
+        writeln!(out, "f(0) = {} = {} is subtracted, so that f starts at 0", print::text_expr(&shift.expr), number(shift.value))?;
+    }
+    writeln!(out)?;
+    let header = [record.coordinate, record.quantity, "error", "method"];
+    let rows = || {
+        record.at.iter().zip(&record.readings).map(|(at, reading)| match reading {
+            Ok(reading) => {
+                let estimate = reading.estimate;
+                [number(*at), number(estimate.value), short(estimate.error), reading.method.to_owned()]
+            }
+            Err(reason) => [number(*at), "-".to_owned(), "-".to_owned(), reason.text().to_owned()],
+        })
+    };
+    table(&header, rows, out)
+}
+
+/// Writes the comparisons as a table.
+///
+/// # Errors
+/// As the writer.
+pub fn comparison(record: &Compared<'_>, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "closed forms against quadrature, f(r) = {}\n", print::text(record.profile))?;
+    let header = ["quantity", "points", "largest relative difference", "at", "verdict"];
+    let rows = || {
+        record.comparisons.iter().map(|own| {
+            let verdict = if own.passed { "passed" } else { "FAILED" };
+            [
+                own.quantity.to_owned(),
+                own.points.to_string(),
+                own.max_relative_difference.map_or("-".to_owned(), short),
+                own.at.map_or("-".to_owned(), number),
+                own.why.as_ref().map_or(verdict.to_owned(), |why| format!("{verdict}: {why}")),
+            ]
+        })
+    };
+    table(&header, rows, out)
+}
+
+/// Writes the catalogue of rules.
+///
+/// # Errors
+/// As the writer.
+pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
+    for (index, rule) in rules.iter().enumerate() {
+        if index > 0 {
+            writeln!(out)?;
+        }
+        writeln!(out, "{}: {}", rule.id, rule.title)?;
+        writeln!(out, "  f(r) = {}", rule.pattern)?;
+        writeln!(out, "  g(x) = {}", rule.slope)?;
+        writeln!(out, "  F(a) = {}", rule.force)?;
+        writeln!(out, "  p(r) = {}", rule.pressure.unwrap_or("(left as an integral)"))?;
+        writeln!(out, "  where  {}", rule.guard)?;
+        if let Some(general) = rule.specializes {
+            writeln!(out, "  a nicer form of {general}")?;
+        }
+        writeln!(out, "  source {}", rule.reference.join("; "))?;
+    }
+    Ok(())
+}
+
+/// Two digits of an error or a difference.
+fn short(value: f64) -> String {
+    if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
+/// Writes rows under a header, every column as wide as its widest entry.
+fn table<const N: usize, I: Iterator<Item = [String; N]>>(header: &[&str; N], rows: impl Fn() -> I, out: &mut dyn Write) -> io::Result<()> {
+    let mut widths = header.map(|title| title.chars().count());
+    for row in rows() {
+        for (width, cell) in widths.iter_mut().zip(&row) {
+            *width = (*width).max(cell.chars().count());
+        }
+    }
+    let mut line = |cells: &[String; N]| {
+        let padded: Vec<String> = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        writeln!(out, "{}", padded.join("  ").trim_end())
+    };
+    line(&header.map(str::to_owned))?;
+    rows().try_for_each(|row| line(&row))
+}
+
+/// The shortest decimal that reads back to the same number, whole numbers without a point.
+fn number(value: f64) -> String {
+    let text = format!("{value:?}");
+    text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
+}
