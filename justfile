@@ -1,0 +1,37 @@
+# Daily commands; `just` lists them.
+
+# List the commands.
+default:
+    @just --list
+
+# Does it compile? With the program, and the library alone.
+check:
+    cargo check --all-targets
+    cargo check --no-default-features --lib
+
+# Every test, or those whose name contains the filter.
+test filter='':
+    cargo test {{filter}}
+
+# Format, then lint as strictly as the acceptance run.
+lint:
+    cargo fmt
+    cargo clippy --all-targets -- -D warnings
+    cargo clippy --no-default-features --lib -- -D warnings
+
+# The API documentation, and the tests that hold the written documents to the program.
+docs:
+    RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
+    cargo test --test docs --test architecture
+
+# The benchmarks.
+bench filter='':
+    cargo bench -- {{filter}}
+
+# The catalogue of profiles with reference values of 40 digits, with its output.
+catalogue:
+    cargo test --test catalogue -- --nocapture
+
+# What must hold before a change is accepted.
+ci:
+    .ci/run

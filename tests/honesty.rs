@@ -1,0 +1,84 @@
+//! Where an answer is hard it is right, or carries an error that covers the truth, or is refused with a reason.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod common;
+
+use common::decimal::Decimal;
+use sneddon::contact::{Contact, ContactError};
+use sneddon::expr::Bindings;
+use sneddon::parse;
+use sneddon::transform::{Evaluator, Method, Profile, Reading, Solution, TransformError, derive};
+use std::time::{Duration, Instant};
+
+fn solution(text: &str) -> Solution {
+    derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
+}
+
+fn contact(solution: &Solution) -> Contact<'_> {
+    Contact::new(Evaluator::new(solution, &Bindings::default(), Method::Auto, 1e-13).unwrap(), 1.0, None, 1e-13)
+}
+
+fn read(text: &str, quantity: &str, at: f64) -> Result<Reading, ContactError> {
+    let solution = solution(text);
+    let contact = contact(&solution);
+    match quantity {
+        "g" => Ok(contact.evaluator().slope(at)?),
+        "a" => contact.contact_radius(at),
+        other => panic!("{other}"),
+    }
+}
+
+/// Numerically located kinks, kinks far out, first crossings, divisors that are negative, pieces that end at their limit:
+/// the true error never exceeds the estimate.
+#[test]
+fn estimates_cover_the_true_error() {
+    for line in include_str!("oracle/honesty.csv").lines() {
+        let [profile, quantity, at, value] = line.split(';').collect::<Vec<_>>().try_into().unwrap();
+        let reading = read(profile, quantity, at.parse().unwrap()).unwrap();
+        let estimate = reading.estimate;
+        let error = Decimal::read(value).distance(estimate.value).abs();
+        assert!(error <= estimate.error, "{line}: {estimate:?}, true error {error:e}");
+        // Within a few ulps of a kink that no float holds few digits can be promised; elsewhere at least ten are.
+        let close = ["0.693147", "0.663324", "1.618033"].iter().any(|kink| at.starts_with(kink));
+        assert!(close || estimate.relative_error() < 1e-10, "{line}: {estimate:?}");
+    }
+}
+
+/// An integral over a pole, or over a spike that no node sees, has no reliable digit.
+#[test]
+fn poles_and_unseen_spikes_are_refused() {
+    for (profile, at) in [("tan(r)", 2.0), ("1/cos(r)", 1.6), ("1/(r^2-r+0.24)", 0.5), ("exp(-1e8*(r-0.77)^2)", 1.5)] {
+        let answer = read(profile, "g", at);
+        assert!(matches!(answer, Err(ContactError::Transform(TransformError::NoDigits { .. }))), "{profile}: {answer:?}");
+    }
+}
+
+/// A value beyond the largest float is said to be that, and no kink or end of the domain.
+#[test]
+fn overflow_is_told_as_overflow() {
+    let answer = read("r^1000", "g", 10.0);
+    assert!(matches!(answer, Err(ContactError::Transform(TransformError::Overflow { .. }))), "{answer:?}");
+}
+
+/// A kink that was located numerically leaves no formula exact.
+#[test]
+fn located_kinks_are_not_called_exact() {
+    assert!(!solution("abs(exp(r)-2)").is_closed());
+    assert!(solution("abs(r^2-r-1)").is_closed());
+}
+
+/// Expansions stop at their budget: none of these takes long, whatever the answer is.
+#[test]
+fn intricate_profiles_are_answered_or_left_whole_quickly() {
+    let nested = format!("{}r{}", "sqrt(1+".repeat(8), ")".repeat(8));
+    let factors: Vec<String> = (1..30).map(|i| format!("sqrt(r+b_{i})")).collect();
+    let product = format!("r*{}", factors.join("*"));
+    for profile in [nested.as_str(), &product, "(((1+r)^10+1)^10+1)^10", "(1+r+b)^40*(2+r+c)^40", "((1+r)^50+(2+r)^50)^50"] {
+        let start = Instant::now();
+        if let Ok(profile) = Profile::new(&parse::profile(profile).unwrap()) {
+            let _ = derive(&profile);
+        }
+        // A hang, not slowness, is what this would show.
+        assert!(start.elapsed() < Duration::from_secs(60), "{profile}");
+    }
+}
