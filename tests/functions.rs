@@ -19,6 +19,7 @@ const NAMES: [&str; 8] = ["u_0", "u_1", "u_2", "u_3", "u_4", "u_5", "u_6", "u_7"
 fn arguments(function: Function, stream: &mut Stream) -> Vec<f64> {
     let mut between = |low: f64, high: f64| stream.uniform(low, high);
     match function.name() {
+        "polygamma" => vec![1.0, between(0.2, 3.0)],
         "acosh" => vec![between(1.1, 4.0)],
         "gamma" | "digamma" => vec![between(0.3, 6.0)],
         "legendre_chi2" | "inverse_tangent_integral" => vec![between(0.05, 0.95)],

@@ -60,6 +60,19 @@ fn overflow_is_told_as_overflow() {
     assert!(matches!(answer, Err(ContactError::Transform(TransformError::Overflow { .. }))), "{answer:?}");
 }
 
+/// No term of a pressure is dropped: f″ of the gamma function exists, and where f″ does not the profile is refused.
+#[test]
+fn second_derivatives_are_there_or_said_to_be_missing() {
+    let gamma = solution("gamma(1+r)");
+    let pressure = contact(&gamma).pressure(0.5, 1.0).unwrap().unwrap().estimate;
+    // mpmath, 25 digits: (1/π) ∫ g′(x)/√(x²−r²) dx with g′ from Γ, ψ and ψ′.
+    let error = Decimal::read("0.1981505733304490960372535").distance(pressure.value).abs();
+    assert!(error <= pressure.error && pressure.relative_error() < 1e-12, "{pressure:?}");
+    assert!(!gamma.pressure().formula.is_zero());
+    let refused = derive(&Profile::new(&parse::profile("digamma(1+r)").unwrap()).unwrap());
+    assert!(matches!(refused, Err(TransformError::Expression(_))));
+}
+
 /// A kink that was located numerically leaves no formula exact.
 #[test]
 fn located_kinks_are_not_called_exact() {

@@ -128,7 +128,8 @@ impl SolvedChain {
         }
         match self.open_pressure_from_slope(interval) {
             Ok(Some(formula)) => formula,
-            _ => self.open_pressure_from_profile(interval, solution),
+            // `derive` has made sure that (r f′)′ exists.
+            _ => self.open_pressure_from_profile(interval, solution).unwrap_or_else(|_| Formula::zero()),
         }
     }
 
@@ -169,7 +170,7 @@ impl SolvedChain {
     }
 
     /// ∫ (s f′(s))′ K(s, r) ds + Σ b δ K(b, r).
-    fn open_pressure_from_profile(&self, interval: usize, solution: &Solution) -> Formula {
+    fn open_pressure_from_profile(&self, interval: usize, solution: &Solution) -> Result<Formula, TransformError> {
         let name = bound_name(solution);
         let (s, a) = (Expr::symbol(name), Expr::symbol("a"));
         let radius = Symbol::new("r");
@@ -182,14 +183,14 @@ impl SolvedChain {
                 let jump = expanded_or_same(&(place.apply(&slope) - place.apply(&previous)), "r");
                 parts.push(Formula::Closed(jump * &segment.lower * kernel(&segment.lower)));
             }
-            let bend = derivative(&(Expr::symbol("r") * &slope), &radius).unwrap_or_else(|_| Expr::zero());
+            let bend = derivative(&(Expr::symbol("r") * &slope), &radius)?;
             let upper = if index < interval { segment.upper.clone().unwrap_or_else(|| a.clone()) } else { a.clone() };
             if !bend.is_zero() {
                 parts.push(integral(rename.apply(&bend) * kernel(&s), name, segment.lower, upper));
             }
             previous = slope;
         }
-        Formula::sum(parts)
+        Ok(Formula::sum(parts))
     }
 }
 

@@ -5,7 +5,7 @@ use super::rules;
 use super::term::{self, Segment};
 use super::{Answer, Chain, Profile, Rule, Term, TransformError};
 use crate::expr::normal::NormalTerm;
-use crate::expr::{Condition, Expr, Symbol, normal};
+use crate::expr::{Condition, Expr, Symbol, derivative, normal};
 
 /// A profile with the answer of every term: exact where a rule answers, an integral where none does.
 #[derive(Clone)]
@@ -68,6 +68,10 @@ pub fn derive(profile: &Profile) -> Result<Solution, TransformError> {
         if let Some((_, answer)) = &term.answer {
             conditions.extend(answer.conditions.iter().cloned());
         }
+    }
+    // The pressure of an open term is an integral over (r f′)′: without it the answer would lack that term.
+    for (_, slope) in chains.iter().flat_map(|chain| chain.remainder(SolvedTerm::has_open_pressure)) {
+        derivative(&(Expr::symbol("r") * slope), &Symbol::new("r"))?;
     }
     conditions.sort();
     conditions.dedup();

@@ -32,7 +32,14 @@ pub(super) static ROWS: &[Row] = &[
         }),
         ..PLAIN
     },
-    Row { name: "digamma", latex: Latex::Operator("\\psi"), value: |a| unary(a, special::digamma), ulps: 6.0, ..PLAIN },
+    Row {
+        name: "digamma",
+        latex: Latex::Operator("\\psi"),
+        value: |a| unary(a, special::digamma),
+        ulps: 6.0,
+        derivative: Some(|a, _| Some(Expr::call("polygamma", [Expr::one(), first(a)]))),
+        ..PLAIN
+    },
     // χ₂(z) = Σ z^(2k+1)/(2k+1)², for |z| ≤ 1.
     Row {
         name: "legendre_chi2",
@@ -53,6 +60,21 @@ pub(super) static ROWS: &[Row] = &[
         sign: Some(|a| sign(&first(a))),
         shown: Some(|a| dilogarithm(a, -1)),
         in_latex: true,
+        ..PLAIN
+    },
+    // ψ^(m)(z); the value is known for m = 1, which second derivatives of gamma need.
+    Row {
+        name: "polygamma",
+        arity: (2, 2),
+        latex: Latex::Custom(|a| match a {
+            [m, z] => format!("\\psi^{{({m})}}\\left({z}\\right)"),
+            _ => String::new(),
+        }),
+        value: |a| match a {
+            [m, z] if *m == 1.0 => special::trigamma(*z),
+            _ => f64::NAN,
+        },
+        ulps: 8.0,
         ..PLAIN
     },
     Row {

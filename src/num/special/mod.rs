@@ -9,6 +9,7 @@ pub mod digamma;
 pub mod dilogarithm;
 pub mod elliptic;
 pub mod hypergeometric;
+mod trigamma;
 
 pub use bessel::{besseli, besselj};
 pub use carlson::{rc, rd, rf};
@@ -17,3 +18,4 @@ pub use dilogarithm::{inverse_tangent_integral, legendre_chi2, polylog2};
 pub use elliptic::{ellipe, ellipe_inc, ellipf, ellipk};
 pub use hypergeometric::{hyp2f1, hyper};
 pub use libm::{erf, tgamma as gamma};
+pub use trigamma::trigamma;
