@@ -1,4 +1,4 @@
-//! Unevaluated sums of two doubles: about 106 bits for the few places where one rounding would be multiplied.
+//! Unevaluated sums of two doubles: about 106 bits for places where one rounding would be multiplied.
 
 /// A number `hi + lo` with `|lo| <= ulp(hi) / 2`.
 ///
@@ -6,16 +6,22 @@
 /// numbers whose magnitudes lie in `[2^-480, 2^480]`; outside that range the splitting may overflow or lose the low
 /// word, so callers scale by powers of two first.
 /// Source: Dekker 1971, Knuth TAOCP 4.2.2.
+///
+/// ```
+/// use sneddon::num::DoubleDouble;
+/// let third = DoubleDouble::ONE.div(3.0.into());
+/// assert!(third.mul(3.0.into()).sub(DoubleDouble::ONE).value().abs() < 1e-31);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct DoubleDouble {
+pub struct DoubleDouble {
     /// The nearest double.
-    pub(crate) hi: f64,
+    pub hi: f64,
     /// What the nearest double leaves out.
-    pub(crate) lo: f64,
+    pub lo: f64,
 }
 
 /// `a + b` and its rounding error, exactly, for any order of magnitudes.
-pub(crate) fn two_sum(a: f64, b: f64) -> DoubleDouble {
+pub fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     let virtual_b = hi - a;
     let lo = (a - (hi - virtual_b)) + (b - virtual_b);
@@ -36,7 +42,7 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 /// `a * b` and its rounding error, exactly while nothing over- or underflows.
-pub(crate) fn two_prod(a: f64, b: f64) -> DoubleDouble {
+pub fn two_prod(a: f64, b: f64) -> DoubleDouble {
     let hi = a * b;
     let (a_high, a_low) = split(a);
     let (b_high, b_low) = split(b);
@@ -46,25 +52,26 @@ pub(crate) fn two_prod(a: f64, b: f64) -> DoubleDouble {
 
 impl DoubleDouble {
     /// The number one.
-    pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
+    pub const ONE: Self = Self { hi: 1.0, lo: 0.0 };
 
     /// The nearest double.
-    pub(crate) fn value(self) -> f64 {
+    pub fn value(self) -> f64 {
         self.hi + self.lo
     }
 
     /// Negation, exact.
-    pub(crate) fn neg(self) -> Self {
+    #[allow(clippy::should_implement_trait)]
+    pub fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
 
     /// Product by a power of two, exact.
-    pub(crate) fn scale(self, power_of_two: f64) -> Self {
+    pub fn scale(self, power_of_two: f64) -> Self {
         Self { hi: self.hi * power_of_two, lo: self.lo * power_of_two }
     }
 
     /// Sum.
-    pub(crate) fn add(self, other: Self) -> Self {
+    pub fn add(self, other: Self) -> Self {
         let head = two_sum(self.hi, other.hi);
         let tail = two_sum(self.lo, other.lo);
         let once = quick_two_sum(head.hi, head.lo + tail.hi);
@@ -72,18 +79,18 @@ impl DoubleDouble {
     }
 
     /// Difference.
-    pub(crate) fn sub(self, other: Self) -> Self {
+    pub fn sub(self, other: Self) -> Self {
         self.add(other.neg())
     }
 
     /// Product.
-    pub(crate) fn mul(self, other: Self) -> Self {
+    pub fn mul(self, other: Self) -> Self {
         let head = two_prod(self.hi, other.hi);
         quick_two_sum(head.hi, head.lo + (self.hi * other.lo + self.lo * other.hi))
     }
 
     /// Quotient.
-    pub(crate) fn div(self, other: Self) -> Self {
+    pub fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
         let rest = self.sub(other.mul(first.into()));
         let second = rest.hi / other.hi;
@@ -93,13 +100,36 @@ impl DoubleDouble {
     }
 
     /// Square root of a non-negative number: one Newton step from the double root.
-    pub(crate) fn sqrt(self) -> Self {
+    pub fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self { hi: self.hi.sqrt(), lo: 0.0 };
         }
         let root = self.hi.sqrt();
         let rest = self.sub(two_prod(root, root));
         quick_two_sum(root, rest.hi / (2.0 * root))
+    }
+}
+
+/// A double-double value and a bound on its distance to the true value.
+#[derive(Clone, Copy, Debug)]
+pub struct Precise {
+    /// The value.
+    pub value: DoubleDouble,
+    /// Absolute bound on |value − true|; infinite or NaN where nothing is known.
+    pub error: f64,
+}
+
+impl Precise {
+    /// A value whose relative error is at most `units` times 2^-104.
+    #[must_use]
+    pub fn relative(value: DoubleDouble, units: f64) -> Self {
+        Self { value, error: units * value.hi.abs() * 2.0_f64.powi(-104) }
+    }
+
+    /// No value: outside the domain.
+    #[must_use]
+    pub fn nan() -> Self {
+        Self { value: f64::NAN.into(), error: f64::NAN }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Numbers without symbols: special functions, quadrature, root finding and values that carry their error.
 
 pub mod bounded;
-pub(crate) mod double_double;
+pub mod double_double;
 pub mod error;
 pub mod estimate;
 pub mod forms;
@@ -13,5 +13,6 @@ pub mod special;
 pub(crate) mod stable;
 
 pub use bounded::Bounded;
+pub use double_double::{DoubleDouble, Precise};
 pub use error::NumError;
 pub use estimate::Estimate;

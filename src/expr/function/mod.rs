@@ -5,6 +5,7 @@ mod forms;
 mod special;
 
 use super::{Expr, Sign};
+use crate::num::{DoubleDouble, Precise};
 use num_complex::Complex64;
 use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
@@ -23,6 +24,8 @@ pub struct Row {
     pub value: fn(&[f64]) -> f64,
     /// Error bound of the value in ulps: twice the measured maximum.
     pub ulps: f64,
+    /// The value with about 30 digits, at exact arguments; what has none is evaluated in double precision only.
+    pub precise: Option<fn(&[DoubleDouble]) -> Precise>,
     /// The value at complex arguments, for elementary functions.
     pub complex: Option<fn(&[Complex64]) -> Complex64>,
     /// The derivative with respect to the argument at the given position.
@@ -63,6 +66,7 @@ pub(super) const PLAIN: Row = Row {
     latex: Latex::Operator(""),
     value: |_| f64::NAN,
     ulps: 1.0,
+    precise: None,
     complex: None,
     derivative: None,
     fold: None,

@@ -2,6 +2,7 @@
 
 mod polynomial_segment;
 mod power;
+mod reading;
 mod root;
 
 pub use power::kappa;

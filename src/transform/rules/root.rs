@@ -1,6 +1,7 @@
 //! The root family √(R² ± r²): sphere, ellipsoid, hyperboloid, and the same shapes worn flat at the tip.
 
-use crate::expr::{Condition, Expr, Node, Sign, Symbol, normal, sign};
+use super::reading;
+use crate::expr::{Condition, Expr, Sign, sign};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 pub(super) static SPHERE: Rule = Rule {
@@ -131,20 +132,16 @@ fn recognise(term: &Term, branch: Sign) -> Option<Root> {
     if !part.exponent.is_one() {
         return None;
     }
-    let Node::Power(base, exponent) = part.kernel.node() else { return None };
-    if *exponent != Expr::ratio(-1, 2) {
+    let (base, exponent) = reading::power(&part.kernel);
+    let (alpha, beta) = reading::quadratic(&base)?;
+    if exponent != Expr::ratio(-1, 2) || sign(&beta) != branch {
         return None;
     }
-    let coefficients = normal::polynomial_coefficients(base, &Symbol::new("r"))?;
-    let [alpha, middle, beta] = coefficients.as_slice() else { return None };
-    if !middle.is_zero() || sign(beta) != branch {
-        return None;
-    }
-    let conditions = match sign(alpha) {
+    let conditions = match sign(&alpha) {
         Sign::Positive => Vec::new(),
         Sign::Unknown => vec![Condition::less(Expr::zero(), alpha.clone())],
         Sign::Zero | Sign::Negative => return None,
     };
-    let magnitude = if branch == Sign::Negative { -beta } else { beta.clone() };
+    let magnitude = if branch == Sign::Negative { -beta } else { beta };
     Some(Root { coefficient: &part.coefficient / magnitude.sqrt(), radius: (alpha / magnitude).sqrt(), conditions })
 }
