@@ -100,10 +100,17 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
         name: &'static str,
         title: &'static str,
         pattern: &'static str,
+        parameters: Vec<Interval>,
         result: Results,
         guard: &'static str,
         source: &'static [&'static str],
         specializes: Option<&'static str>,
+    }
+    #[derive(Serialize)]
+    struct Interval {
+        name: &'static str,
+        lowest: f64,
+        highest: f64,
     }
     #[derive(Serialize)]
     struct Results {
@@ -119,6 +126,7 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
             name: rule.id,
             title: rule.title,
             pattern: rule.pattern,
+            parameters: rule.parameters.iter().map(|p| Interval { name: p.name, lowest: p.lowest, highest: p.highest }).collect(),
             result: Results { g: rule.slope, force: rule.force, p: rule.pressure },
             guard: rule.guard,
             source: rule.reference,

@@ -2,6 +2,7 @@
 // Every test binary compiles all of this and uses its own part.
 #![allow(dead_code, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+pub(crate) mod accuracy;
 pub(crate) mod decimal;
 pub(crate) mod formulas;
 pub(crate) mod random;
