@@ -5,5 +5,6 @@
 pub(crate) mod accuracy;
 pub(crate) mod decimal;
 pub(crate) mod formulas;
+pub(crate) mod profiles;
 pub(crate) mod random;
 pub(crate) mod rows;

@@ -2,8 +2,8 @@
 
 use super::elementary::{binary, unary};
 use super::{Latex, PLAIN, Row};
-use crate::expr::normal::over_whole_denominator;
-use crate::expr::{Expr, Sign};
+use crate::expr::normal::{expanded, over_whole_denominator};
+use crate::expr::{Expr, Sign, Symbol};
 use crate::num::{forms, kappa};
 
 /// What these rows have in common: positive values, no LaTeX of their own because the shown expression is set.
@@ -223,22 +223,39 @@ fn pressure_power(n: &Expr, s: &Expr, a: &Expr) -> Expr {
     if whole % 2 == 1 { with_root } else { with_root + factor * Expr::call("acosh", [a / s]) }
 }
 
-/// E_k by (2k−1)E_k = (2k−2)(M²+m²)E_(k−1) − (2k−3)M²m²E_(k−2) + a^(2k−3)√((a²−M²)(a²−m²)).
+/// E_k for k = 0 and 1 by elliptic integrals, for larger k by these two.
 fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
+    let moment = |k: i64| Expr::call("elliptic_moment", [Expr::integer(k), b.clone(), s.clone(), a.clone()]);
+    if k > 1 {
+        let [first, second, root] = elliptic_moment_parts(k, b, s, a);
+        return first * moment(0) + second * moment(1) + root * leg(a, b) * leg(a, s);
+    }
     let (big, small) = (Expr::call("max", [b.clone(), s.clone()]), Expr::call("min", [b.clone(), s.clone()]));
     let ratio = leg(a, &big) / leg(a, &small);
     let (angle, parameter) = (Expr::call("asin", [ratio.clone()]), (&small / &big).power(2));
     let first = Expr::call("ellipf", [angle.clone(), parameter.clone()]);
     let second = Expr::call("ellipe", [angle, parameter]);
-    let mut moments = vec![&first / &big, &big * (first - second) + a * ratio];
-    // M² + m² = b² + s² and M m = b s, whichever is larger.
+    if k == 0 { first / big } else { big * (first - second) + a * ratio }
+}
+
+/// α, β, γ of E_k = α E_0 + β E_1 + γ √((a²−b²)(a²−s²)), polynomials in the squares of a, b and s.
+///
+/// From (2k−1)E_k = (2k−2)(b²+s²)E_(k−1) − (2k−3)b²s²E_(k−2) + a^(2k−3)√((a²−b²)(a²−s²)).
+pub(crate) fn elliptic_moment_parts(k: i64, b: &Expr, s: &Expr, a: &Expr) -> [Expr; 3] {
     let (total, product) = (b.power(2) + s.power(2), (b * s).power(2));
-    for j in 2..=k {
-        let index = j as usize;
-        let (Some(one), Some(two)) = (moments.get(index - 1), moments.get(index - 2)) else { break };
-        let root = leg(a, b) * leg(a, s);
-        let next = Expr::integer(2 * j - 2) * &total * one - Expr::integer(2 * j - 3) * &product * two + a.power(2 * j - 3) * root;
-        moments.push(next / Expr::integer(2 * j - 1));
+    let (zero, one) = (Expr::zero, Expr::one);
+    let (mut before, mut own) = ([one(), zero(), zero()], [zero(), one(), zero()]);
+    if k == 0 {
+        return before;
     }
-    moments.get(usize::try_from(k).unwrap_or(usize::MAX)).cloned().unwrap_or_else(Expr::zero)
+    let symbol = Symbol::new("a");
+    for j in 2..=k {
+        let mut next = [zero(), zero(), a.power(2 * j - 3)];
+        for (sum, (one, two)) in next.iter_mut().zip(own.iter().zip(&before)) {
+            let step = Expr::integer(2 * j - 2) * &total * one - Expr::integer(2 * j - 3) * &product * two + &*sum;
+            *sum = expanded(&(step / Expr::integer(2 * j - 1)), &symbol).unwrap_or_else(|_| zero());
+        }
+        before = std::mem::replace(&mut own, next);
+    }
+    own
 }

@@ -4,6 +4,8 @@ mod elementary;
 mod forms;
 mod special;
 
+pub(crate) use forms::elliptic_moment_parts;
+
 use super::{Expr, Sign};
 use crate::num::{DoubleDouble, Precise};
 use num_complex::Complex64;

@@ -1,5 +1,6 @@
 //! Polynomials on a segment: worn and truncated tips, caps, rounded edges, and every piece between two breakpoints.
 
+use crate::expr::function::elliptic_moment_parts;
 use crate::expr::normal;
 use crate::expr::{Bindings, Expr, Symbol, derivative};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
@@ -137,26 +138,31 @@ fn pressure(coefficients: &[Expr], lower: &Expr, upper: Option<&Expr>) -> Option
     if coefficients.iter().step_by(2).any(|c| !c.is_zero()) {
         return None;
     }
-    let from = |end: &Expr| if end.is_zero() { power_pressure(coefficients) } else { worn_pressure(coefficients, end) };
+    let from = |end: &Expr| if end.is_zero() { Some(power_pressure(coefficients)) } else { worn_pressure(coefficients, end) };
     let within = from(lower)?;
     let beyond = match upper {
-        Some(upper) => &within - from(upper)?,
+        Some(upper) => {
+            let outer = from(upper)?;
+            Pair { shown: &within.shown - outer.shown, evaluated: &within.evaluated - outer.evaluated }
+        }
         None => within.clone(),
     };
-    Some(Branches { within: Pair::same(within), beyond: Pair::same(beyond) })
+    Some(Branches { within, beyond })
 }
 
 /// Σ c_m κ_(m+1) S_m: the pressure of the same polynomial without lower end.
-fn power_pressure(coefficients: &[Expr]) -> Option<Expr> {
+fn power_pressure(coefficients: &[Expr]) -> Pair {
     let (r, a) = (Expr::symbol("r"), Expr::symbol("a"));
-    Some(Expr::sum(coefficients.iter().enumerate().map(|(m, c)| {
+    Pair::same(Expr::sum(coefficients.iter().enumerate().map(|(m, c)| {
         let m = m as i64;
         c * super::power::kappa(&Expr::integer(m + 1)) * Expr::call("pressure_power", [Expr::integer(m), r.clone(), a.clone()])
     })))
 }
 
 /// ∫_max(b,r)^a g′/√(x²−r²) dx with g = Σ c_m x J_m(b; x), all m odd, as Σ q_k E_k.
-fn worn_pressure(coefficients: &[Expr], b: &Expr) -> Option<Expr> {
+///
+/// Shown as α E_0 + β E_1 + γ √((a²−b²)(a²−r²)) with polynomials α, β, γ.
+fn worn_pressure(coefficients: &[Expr], b: &Expr) -> Option<Pair> {
     let symbol = Symbol::new("x");
     let x = Expr::from(symbol.clone());
     let roots = root_coefficients(coefficients.len(), b, &x);
@@ -166,5 +172,25 @@ fn worn_pressure(coefficients: &[Expr], b: &Expr) -> Option<Expr> {
     let list = normal::polynomial_coefficients(&numerator, &symbol)?;
     let (r, a) = (Expr::symbol("r"), Expr::symbol("a"));
     let moment = |k: i64| Expr::call("elliptic_moment", [Expr::integer(k), b.clone(), r.clone(), a.clone()]);
-    Some(Expr::sum(list.iter().enumerate().filter(|(_, c)| !c.is_zero()).map(|(power, c)| c * moment(power as i64 / 2))))
+    let (mut evaluated, mut parts) = (Vec::new(), [Expr::zero(), Expr::zero(), Expr::zero()]);
+    for (power, c) in list.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
+        let k = power as i64 / 2;
+        evaluated.push(c * moment(k));
+        for (sum, part) in parts.iter_mut().zip(elliptic_moment_parts(k, b, &r, &a)) {
+            *sum = &*sum + c * part;
+        }
+    }
+    let [first, second, root] = parts.map(|part| factored(&part));
+    let edge = (a.power(2) - b.power(2)).sqrt() * (a.power(2) - r.power(2)).sqrt();
+    Some(Pair { shown: first * moment(0) + second * moment(1) + root * edge, evaluated: Expr::sum(evaluated) })
+}
+
+/// Expanded, with what all terms have in common in front.
+fn factored(expr: &Expr) -> Expr {
+    let expanded = normal::expanded(expr, &Symbol::new("r")).unwrap_or_else(|_| expr.clone());
+    let (content, reduced) = normal::common_content(&expanded.terms());
+    if reduced.iter().all(|term| term.split_coefficient().0.is_negative()) {
+        return -content * Expr::sum(reduced.iter().map(|term| -term));
+    }
+    content * Expr::sum(reduced)
 }
