@@ -7,6 +7,7 @@ pub mod estimate;
 pub mod forms;
 pub mod kappa;
 pub(crate) mod legendre;
+pub mod precise;
 pub mod quadrature;
 pub mod roots;
 pub mod special;

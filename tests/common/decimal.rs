@@ -31,6 +31,26 @@ impl Decimal {
         (exact(value) - &self.0).to_f64().unwrap()
     }
 
+    /// How far the exact sum of the words lies from here.
+    pub(crate) fn distance_of(&self, words: &[f64]) -> f64 {
+        if words.iter().any(|word| !word.is_finite()) {
+            return f64::NAN;
+        }
+        (words.iter().map(|word| exact(*word)).sum::<BigRational>() - &self.0).to_f64().unwrap()
+    }
+
+    /// The same as a part of this number; infinite for NaN, 0 for equal zeros.
+    pub(crate) fn relative_of(&self, words: &[f64]) -> f64 {
+        if words.iter().any(|word| !word.is_finite()) {
+            return f64::INFINITY;
+        }
+        let difference = words.iter().map(|word| exact(*word)).sum::<BigRational>() - &self.0;
+        if difference.is_zero() {
+            return 0.0;
+        }
+        if self.0.is_zero() { f64::INFINITY } else { (difference / &self.0).abs().to_f64().unwrap_or(f64::INFINITY) }
+    }
+
     /// The number moved by a small amount.
     pub(crate) fn moved(&self, by: f64) -> Self {
         Self(&self.0 + exact(by))
