@@ -2,6 +2,7 @@
 
 mod polynomial_segment;
 mod power;
+mod quadratic;
 mod reading;
 mod root;
 
@@ -10,8 +11,26 @@ pub use power::kappa;
 use super::{Answer, Rule, Term};
 
 /// Every rule; the order never matters, because rules are disjoint or say which one they specialise.
-pub static RULES: &[&Rule] =
-    &[&power::RULE, &polynomial_segment::RULE, &root::SPHERE, &root::WORN_SPHERE, &root::HYPERBOLOID, &root::WORN_HYPERBOLOID];
+pub static RULES: &[&Rule] = &[
+    &power::RULE,
+    &polynomial_segment::RULE,
+    &root::SPHERE,
+    &root::WORN_SPHERE,
+    &root::HYPERBOLOID,
+    &root::WORN_HYPERBOLOID,
+    &quadratic::pole::ODD,
+    &quadratic::pole::ODD_BELOW,
+    &quadratic::pole::EVEN,
+    &quadratic::pole::EVEN_BELOW,
+    &quadratic::pole::WORN_ODD,
+    &quadratic::pole::WORN_ODD_BELOW,
+    &quadratic::pole::WORN_EVEN,
+    &quadratic::pole::WORN_EVEN_BELOW,
+    &quadratic::logarithm::ABOVE,
+    &quadratic::logarithm::BELOW,
+    &quadratic::logarithm::WORN_ABOVE,
+    &quadratic::logarithm::WORN_BELOW,
+];
 
 /// The rule that answers a term, with its answer.
 pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {

@@ -1,0 +1,83 @@
+//! Powers of r times ln(1 ± r²/ρ²).
+
+use super::{Field, Kernel, Reach, kernel};
+use crate::expr::Expr;
+use crate::transform::rules::reading;
+use crate::transform::{Answer, Parameter, Rule, Term};
+
+const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
+const W: Parameter = Parameter { name: "w", lowest: 0.5, highest: 4.0 };
+const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
+const B: Parameter = Parameter { name: "b", lowest: 0.2, highest: 2.0 };
+
+const PARTS: &str = "integration by parts of ∫ r^m ln(1 ± r²/ρ²)/√(x²−r²) dr";
+
+pub(in crate::transform::rules) static ABOVE: Rule = Rule {
+    id: "log-quadratic",
+    title: "Powers of r times ln(1 + r²/w²)",
+    pattern: "h*((w^2+r^2)*ln(1+r^2/w^2)-r^2)",
+    slope: "2*h*x*(2*sqrt(w^2+x^2)*asinh(x/w)-2*x)",
+    force: "8*E*h/3*((2*a^2-w^2)*sqrt(w^2+a^2)*asinh(a/w)-5/3*a^3+w^2*a)",
+    pressure: None,
+    parameters: &[H, W],
+    guard: "w > 0",
+    reference: &[PARTS],
+    specializes: None,
+    apply: |term| apply(term, 1, Reach::Whole),
+};
+
+pub(in crate::transform::rules) static BELOW: Rule = Rule {
+    id: "log-quadratic-below",
+    title: "Powers of r times ln(1 − r²/R²)",
+    pattern: "h*((R^2-r^2)*ln(1-r^2/R^2)+r^2)",
+    slope: "4*h*x*(x-sqrt(R^2-x^2)*asin(x/R))",
+    force: "8*E*h/3*(5/3*a^3+R^2*a-(2*a^2+R^2)*sqrt(R^2-a^2)*asin(a/R))",
+    pressure: None,
+    parameters: &[H, R],
+    guard: "r < R",
+    reference: &[PARTS],
+    specializes: None,
+    apply: |term| apply(term, -1, Reach::Whole),
+};
+
+pub(in crate::transform::rules) static WORN_ABOVE: Rule = Rule {
+    id: "worn-log-quadratic",
+    title: "Odd powers of r times ln(1 + r²/w²) on a segment",
+    pattern: "piecewise(0, r<b, h*((w^2+r^2)*ln(1+r^2/w^2)-r^2-(w^2+b^2)*ln(1+b^2/w^2)+b^2))",
+    slope: "piecewise(0, x<b, 2*h*x*(sqrt(x^2-b^2)*ln(1+b^2/w^2)+2*sqrt(w^2+x^2)*asinh(sqrt(x^2-b^2)/sqrt(w^2+b^2))-2*sqrt(x^2-b^2)))",
+    force: "piecewise(0, a<b, 4*E*h/3*((b^2+2*a^2)*sqrt(a^2-b^2)*ln(1+b^2/w^2)\
+            +2*(2*a^2-w^2)*sqrt(w^2+a^2)*asinh(sqrt(a^2-b^2)/sqrt(w^2+b^2))\
+            -2*(5*a^2-3*w^2+b^2)/3*sqrt(a^2-b^2)))",
+    pressure: None,
+    parameters: &[H, W, B],
+    guard: "r ≥ b",
+    reference: &[PARTS],
+    specializes: None,
+    apply: |term| apply(term, 1, Reach::Segment),
+};
+
+pub(in crate::transform::rules) static WORN_BELOW: Rule = Rule {
+    id: "worn-log-quadratic-below",
+    title: "Odd powers of r times ln(1 − r²/R²) on a segment",
+    pattern: "piecewise(0, r<b, h*((R^2-r^2)*ln(1-r^2/R^2)+r^2-(R^2-b^2)*ln(1-b^2/R^2)-b^2))",
+    slope: "piecewise(0, x<b, 2*h*x*(2*sqrt(x^2-b^2)-sqrt(x^2-b^2)*ln(1-b^2/R^2)-2*sqrt(R^2-x^2)*asin(sqrt(x^2-b^2)/sqrt(R^2-b^2))))",
+    force: "piecewise(0, a<b, 4*E*h/3*(2*(5*a^2+3*R^2+b^2)/3*sqrt(a^2-b^2)-(b^2+2*a^2)*sqrt(a^2-b^2)*ln(1-b^2/R^2)\
+            -2*(2*a^2+R^2)*sqrt(R^2-a^2)*asin(sqrt(a^2-b^2)/sqrt(R^2-b^2))))",
+    pressure: None,
+    parameters: &[H, R, B],
+    guard: "b ≤ r < R",
+    reference: &[PARTS],
+    specializes: None,
+    apply: |term| apply(term, -1, Reach::Segment),
+};
+
+/// c r^m ln(1 + βr²): every m ≥ 0 on the whole axis, odd m on segments.
+fn apply(term: &Term, sigma: i64, reach: Reach) -> Option<Answer> {
+    kernel(term, Kernel::Logarithm, reach, |own| {
+        let [argument] = reading::call(own, "ln")? else { return None };
+        let (field, magnitude, conditions) = super::field(argument)?;
+        // The argument is 1 at the axis, so that its size is that of the length alone.
+        let plain = (&field.square_length * magnitude).is_one() && conditions.is_empty();
+        (plain && field.sigma == sigma).then_some((Expr::one(), Field { ..field }))
+    })
+}

@@ -1,0 +1,211 @@
+//! The transcendental pieces that the recurrences end in, on a segment and beyond it.
+
+use super::moments::{Family, Kernel};
+use crate::expr::Expr;
+
+/// Q = ρ² + σr², by σ and ρ².
+#[derive(Clone, Debug)]
+pub(super) struct Field {
+    pub(super) sigma: i64,
+    pub(super) square_length: Expr,
+}
+
+/// Where a moment is taken: from b to x, or from b to c with x beyond c.
+pub(super) struct Place<'a> {
+    pub(super) field: &'a Field,
+    pub(super) x: Expr,
+    pub(super) lower: &'a Expr,
+    pub(super) upper: Option<&'a Expr>,
+    /// True for the form that is computed, false for the one that is printed.
+    pub(super) stable: bool,
+}
+
+impl Place<'_> {
+    pub(super) fn length(&self) -> Expr {
+        self.field.square_length.sqrt()
+    }
+
+    /// Q(e) = ρ² + σe².
+    fn at(&self, end: &Expr) -> Expr {
+        if end.is_zero() {
+            return self.field.square_length.clone();
+        }
+        &self.field.square_length + Expr::integer(self.field.sigma) * end.power(2)
+    }
+
+    /// √(x² − e²).
+    pub(super) fn leg(&self, end: &Expr) -> Expr {
+        if end.is_zero() { self.x.clone() } else { (self.x.power(2) - end.power(2)).sqrt() }
+    }
+
+    /// √Q(e).
+    pub(super) fn root(&self, end: &Expr) -> Expr {
+        self.at(end).sqrt()
+    }
+
+    /// s = √Q(x).
+    fn s(&self) -> Expr {
+        self.root(&self.x)
+    }
+
+    fn plus(&self) -> bool {
+        self.field.sigma > 0
+    }
+
+    /// Value at the lower end minus value at the upper one, where there is one.
+    fn difference(&self, value: impl Fn(&Expr) -> Expr) -> Expr {
+        match self.upper {
+            None => value(self.lower),
+            Some(upper) => value(self.lower) - value(upper),
+        }
+    }
+
+    /// The first piece of a family: see [`super::moments::Piece`].
+    pub(super) fn first(&self, family: Family, odd: bool) -> Expr {
+        match (family.half, odd) {
+            (false, true) => self.odd_pole(),
+            (false, false) => self.even_pole(),
+            (true, true) => self.arc(),
+            (true, false) => self.elliptic("ellipk", "ellipf") / self.length(),
+        }
+    }
+
+    /// The second piece.
+    pub(super) fn second(&self, family: Family, odd: bool) -> Expr {
+        match (family.half, odd) {
+            (false, true) => Expr::zero(),
+            (false, false) => self.angle(),
+            (true, true) => self.inverse_arc(),
+            (true, false) => self.elliptic("ellipe", "ellipe") * self.length(),
+        }
+    }
+
+    /// ∫ r/(Q√(x²−r²)) dr.
+    fn odd_pole(&self) -> Expr {
+        if let Some(upper) = self.upper
+            && (self.stable || !self.plus())
+        {
+            // Real on both sides of x = ρ; w_b − w_c without cancellation.
+            let (b, c, sigma) = (self.leg(self.lower), self.leg(upper), Expr::integer(self.field.sigma));
+            let spread = (upper.power(2) - self.lower.power(2)) / (&b + &c);
+            let first = self.at(&self.x) - sigma * b * c;
+            return spread * Expr::call("elliprc", [first.power(2), self.at(self.lower) * self.at(upper)]);
+        }
+        let name = if self.plus() { "asinh" } else { "asin" };
+        self.difference(|end| Expr::call(name, [self.leg(end) / self.root(end)])) / self.s()
+    }
+
+    /// ∫ 1/(Q√(x²−r²)) dr.
+    fn even_pole(&self) -> Expr {
+        if let Some(upper) = self.upper
+            && (self.stable || !self.plus())
+        {
+            let (b, c) = (self.leg(self.lower), self.leg(upper));
+            let spread = self.x.power(2) * (upper.power(2) - self.lower.power(2)) / (upper * &b + self.lower * &c);
+            let first = &self.field.square_length * b * c + self.at(&self.x) * self.lower * upper;
+            return spread * Expr::call("elliprc", [first.power(2), self.x.power(4) * self.at(self.lower) * self.at(upper)]);
+        }
+        let angle = match self.upper {
+            Some(upper) if self.lower.is_zero() => Expr::call("atan", [upper * self.s() / (self.length() * self.leg(upper))]),
+            _ => self.difference(|end| self.elliptic_angle(end)),
+        };
+        angle / (self.length() * self.s())
+    }
+
+    /// atan(ρ√(x²−e²)/(e s)), which is π/2 at the axis; the amplitude of the elliptic integrals too.
+    fn elliptic_angle(&self, end: &Expr) -> Expr {
+        if end.is_zero() {
+            return Expr::pi() / Expr::integer(2);
+        }
+        Expr::call("atan", [self.length() * self.leg(end) / (end * self.s())])
+    }
+
+    /// ∫ 1/√(x²−r²) dr.
+    fn angle(&self) -> Expr {
+        let arc = |end: &Expr| Expr::call("acos", [end / &self.x]);
+        match (self.lower.is_zero(), self.upper) {
+            (true, None) => Expr::pi() / Expr::integer(2),
+            (true, Some(upper)) => Expr::call("asin", [upper / &self.x]),
+            (false, Some(upper)) if self.stable => {
+                let (b, c) = (self.leg(self.lower), self.leg(upper));
+                let sine = self.x.power(2) * (upper.power(2) - self.lower.power(2)) / (upper * &b + self.lower * &c);
+                Expr::call("atan", [sine / (self.lower * upper + b * c)])
+            }
+            (false, _) => self.difference(arc),
+        }
+    }
+
+    /// ∫ r/(√Q √(x²−r²)) dr.
+    fn arc(&self) -> Expr {
+        match self.upper {
+            Some(upper) if !self.plus() => {
+                // Real on both sides of x = ρ.
+                let side = |end: &Expr| self.root(end) + self.leg(end);
+                Expr::call("ln", [side(self.lower) / side(upper)])
+            }
+            _ => self.difference(|end| Expr::call(if self.plus() { "atan" } else { "atanh" }, [self.leg(end) / self.root(end)])),
+        }
+    }
+
+    /// ∫ 1/(r √Q √(x²−r²)) dr; only from b > 0.
+    fn inverse_arc(&self) -> Expr {
+        let (x, length) = (&self.x, self.length());
+        let value = match self.upper {
+            None => Expr::call("atanh", [&length * self.leg(self.lower) / (x * self.root(self.lower))]),
+            Some(upper) => {
+                let side = |end: &Expr| (x * self.root(end) + &length * self.leg(end)) / end;
+                Expr::call("ln", [side(self.lower) / side(upper)])
+            }
+        };
+        value / (length * x)
+    }
+
+    /// An elliptic integral of parameter −σx²/ρ², complete on the whole axis.
+    ///
+    /// Within a worn segment its amplitude is the one that turns E(m) − E(θ|m) into E(φ|m) and an algebraic term,
+    /// which [`Self::needs_algebraic_term`] announces.
+    fn elliptic(&self, complete: &'static str, incomplete: &'static str) -> Expr {
+        let parameter = Expr::integer(-self.field.sigma) * self.x.power(2) / &self.field.square_length;
+        let from = |end: &Expr| Expr::call(incomplete, [Expr::call("asin", [end / &self.x]), parameter.clone()]);
+        match (self.lower.is_zero(), self.upper) {
+            (true, None) => Expr::call(complete, [parameter]),
+            (false, None) => Expr::call(incomplete, [self.elliptic_angle(self.lower), parameter]),
+            (true, Some(upper)) => from(upper),
+            (false, Some(upper)) => from(upper) - from(self.lower),
+        }
+    }
+
+    /// True where ∫ √Q/√(x²−r²) dr is ρ E(φ|m) + σ b √(x²−b²)/√Q(b).
+    pub(super) fn needs_algebraic_term(&self) -> bool {
+        self.upper.is_none() && !self.lower.is_zero()
+    }
+
+    /// K(e).
+    pub(super) fn kernel(&self, kernel: Kernel, end: &Expr) -> Expr {
+        let ratio = end / self.length();
+        let name = match (kernel, self.plus()) {
+            (Kernel::Logarithm, _) => {
+                let square = Expr::integer(self.field.sigma) * end.power(2) / &self.field.square_length;
+                return Expr::call("ln", [Expr::one() + square]);
+            }
+            (Kernel::Arctangent, true) => "atan",
+            (Kernel::Arctangent, false) => "atanh",
+            (Kernel::Arcsine, true) => "asinh",
+            (Kernel::Arcsine, false) => "asin",
+        };
+        Expr::call(name, [ratio])
+    }
+
+    /// ∫₀ˣ K/√(x²−r²) dr.
+    pub(super) fn whole_kernel(&self, kernel: Kernel) -> Expr {
+        let (x, length) = (&self.x, self.length());
+        let two = Expr::integer(2);
+        match (kernel, self.plus()) {
+            (Kernel::Logarithm, _) => Expr::pi() * Expr::call("ln", [(&length + self.s()) / (two * length)]),
+            (Kernel::Arctangent, true) => two * Expr::call("legendre_chi2", [x / (length + self.s())]),
+            (Kernel::Arctangent, false) => two * Expr::call("inverse_tangent_integral", [x / (length + self.s())]),
+            (Kernel::Arcsine, true) => Expr::call("inverse_tangent_integral", [x / length]),
+            (Kernel::Arcsine, false) => Expr::call("legendre_chi2", [x / length]),
+        }
+    }
+}

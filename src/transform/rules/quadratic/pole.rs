@@ -1,0 +1,140 @@
+//! Whole negative powers of the quadratic: Lorentzian, log-quadratic, arctangent, and the same from a radius outward.
+
+use super::{Family, Reach, Work, power};
+use crate::transform::{Answer, Parameter, Rule, Term};
+
+const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
+const W: Parameter = Parameter { name: "w", lowest: 0.5, highest: 4.0 };
+const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
+const B: Parameter = Parameter { name: "b", lowest: 0.2, highest: 2.0 };
+
+const RECURRENCE: &str = "recurrence in the exponent for ∫ r^m (ρ² ± r²)^p/√(x²−r²) dr";
+const WEAR: &str = "wear rule for even profiles";
+const OUTWARD: &str = "r ≥ b";
+const BELOW: &str = "r < R";
+
+pub(in crate::transform::rules) static ODD: Rule = Rule {
+    id: "quadratic-pole",
+    title: "Odd powers of r over powers of w² + r²",
+    pattern: "h*ln(1+r^2/w^2)",
+    slope: "2*h*x*asinh(x/w)/sqrt(w^2+x^2)",
+    force: "4*E*h*(a-w^2*asinh(a/w)/sqrt(w^2+a^2))",
+    pressure: None,
+    parameters: &[H, W],
+    guard: "w > 0",
+    reference: &[RECURRENCE],
+    specializes: None,
+    apply: |term| apply(term, 1, true, Reach::Whole),
+};
+
+pub(in crate::transform::rules) static ODD_BELOW: Rule = Rule {
+    id: "quadratic-pole-below",
+    title: "Odd powers of r over powers of R² − r²",
+    pattern: "-h*ln(1-r^2/R^2)",
+    slope: "2*h*x*asin(x/R)/sqrt(R^2-x^2)",
+    force: "4*E*h*(R^2*asin(a/R)/sqrt(R^2-a^2)-a)",
+    pressure: None,
+    parameters: &[H, R],
+    guard: BELOW,
+    reference: &[RECURRENCE],
+    specializes: None,
+    apply: |term| apply(term, -1, true, Reach::Whole),
+};
+
+pub(in crate::transform::rules) static EVEN: Rule = Rule {
+    id: "arctangent",
+    title: "Even powers of r over powers of w² + r²",
+    pattern: "h*atan(r/w)",
+    slope: "h*pi/2*x/sqrt(w^2+x^2)",
+    force: "E*h*pi*w*(1-w/sqrt(w^2+a^2))",
+    pressure: None,
+    parameters: &[H, W],
+    guard: "w > 0",
+    reference: &[RECURRENCE],
+    specializes: None,
+    apply: |term| apply(term, 1, false, Reach::Whole),
+};
+
+pub(in crate::transform::rules) static EVEN_BELOW: Rule = Rule {
+    id: "artanh",
+    title: "Even powers of r over powers of R² − r²",
+    pattern: "h*atanh(r/R)",
+    slope: "h*pi/2*x/sqrt(R^2-x^2)",
+    force: "E*h*pi*R*(R/sqrt(R^2-a^2)-1)",
+    pressure: None,
+    parameters: &[H, R],
+    guard: BELOW,
+    reference: &[RECURRENCE],
+    specializes: None,
+    apply: |term| apply(term, -1, false, Reach::Whole),
+};
+
+pub(in crate::transform::rules) static WORN_ODD: Rule = Rule {
+    id: "worn-quadratic-pole",
+    title: "Odd powers of r over powers of w² + r² on a segment",
+    pattern: "piecewise(0, r<b, h*ln((w^2+r^2)/(w^2+b^2)))",
+    slope: "piecewise(0, x<b, 2*h*x*asinh(sqrt(x^2-b^2)/sqrt(w^2+b^2))/sqrt(w^2+x^2))",
+    force: "piecewise(0, a<b, 4*E*h*(sqrt(a^2-b^2)-w^2*asinh(sqrt(a^2-b^2)/sqrt(w^2+b^2))/sqrt(w^2+a^2)))",
+    pressure: None,
+    parameters: &[H, W, B],
+    guard: OUTWARD,
+    reference: &[RECURRENCE, WEAR],
+    specializes: None,
+    apply: |term| apply(term, 1, true, Reach::Segment),
+};
+
+pub(in crate::transform::rules) static WORN_ODD_BELOW: Rule = Rule {
+    id: "worn-quadratic-pole-below",
+    title: "Odd powers of r over powers of R² − r² on a segment",
+    pattern: "piecewise(0, r<b, h*ln((R^2-b^2)/(R^2-r^2)))",
+    slope: "piecewise(0, x<b, 2*h*x*asin(sqrt(x^2-b^2)/sqrt(R^2-b^2))/sqrt(R^2-x^2))",
+    force: "piecewise(0, a<b, 4*E*h*(R^2*asin(sqrt(a^2-b^2)/sqrt(R^2-b^2))/sqrt(R^2-a^2)-sqrt(a^2-b^2)))",
+    pressure: None,
+    parameters: &[H, R, B],
+    guard: "b ≤ r < R",
+    reference: &[RECURRENCE, WEAR],
+    specializes: None,
+    apply: |term| apply(term, -1, true, Reach::Segment),
+};
+
+pub(in crate::transform::rules) static WORN_EVEN: Rule = Rule {
+    id: "worn-arctangent",
+    title: "Even powers of r over powers of w² + r² on a segment",
+    pattern: "piecewise(0, r<b, h*(atan(r/w)-atan(b/w)))",
+    slope: "piecewise(0, x<b, h*x*atan(w*sqrt(x^2-b^2)/(b*sqrt(w^2+x^2)))/sqrt(w^2+x^2))",
+    force: "piecewise(0, a<b, 2*E*h*w*(acos(b/a)-w*atan(w*sqrt(a^2-b^2)/(b*sqrt(w^2+a^2)))/sqrt(w^2+a^2)))",
+    pressure: None,
+    parameters: &[H, W, B],
+    guard: OUTWARD,
+    reference: &[RECURRENCE],
+    specializes: None,
+    apply: |term| apply(term, 1, false, Reach::Segment),
+};
+
+pub(in crate::transform::rules) static WORN_EVEN_BELOW: Rule = Rule {
+    id: "worn-artanh",
+    title: "Even powers of r over powers of R² − r² on a segment",
+    pattern: "piecewise(0, r<b, h*(atanh(r/R)-atanh(b/R)))",
+    slope: "piecewise(0, x<b, h*x*atan(R*sqrt(x^2-b^2)/(b*sqrt(R^2-x^2)))/sqrt(R^2-x^2))",
+    force: "piecewise(0, a<b, 2*E*h*R*(R*atan(R*sqrt(a^2-b^2)/(b*sqrt(R^2-a^2)))/sqrt(R^2-a^2)-acos(b/a)))",
+    pressure: None,
+    parameters: &[H, R, B],
+    guard: "b ≤ r < R",
+    reference: &[RECURRENCE],
+    specializes: None,
+    apply: |term| apply(term, -1, false, Reach::Segment),
+};
+
+/// c r^m Q^(−k) with whole k > 0 and m ≥ 0, odd or even.
+fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
+    if !reach.fits(&term.segment) {
+        return None;
+    }
+    let (reading, exponent) = power(term.single()?)?;
+    let k = -exponent.as_integer().filter(|p| *p < 0)?;
+    if reading.field.sigma != sigma || (reading.exponent % 2 != 0) != odd {
+        return None;
+    }
+    let family = Family { sigma, half: false };
+    Work { reading, segment: &term.segment, family, kernel: None }.answer(|m| family.moment(m, k))
+}
