@@ -29,7 +29,7 @@ enum Format {
 const EXAMPLES: &str = "Examples:
   sneddon rules
   sneddon rules --json
-  sneddon rules --format markdown > rules.md";
+  sneddon rules --format markdown";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let statements = match arguments.format {

@@ -4,6 +4,7 @@
 //! Every symbol stands for a positive real number; [`sign`] proves what follows from that and says `Unknown` otherwise.
 
 mod build;
+mod collected;
 mod compare;
 mod derivative;
 mod error;
@@ -16,6 +17,7 @@ mod shown;
 mod sign;
 mod substitute;
 
+pub use collected::collected;
 pub use derivative::derivative;
 pub use error::ExprError;
 pub use formula::{Condition, Formula, Relation};

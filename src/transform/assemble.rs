@@ -3,7 +3,7 @@
 use super::engine::{SolvedChain, SolvedTerm, expanded_or_same};
 use super::quantity::Quantity;
 use super::{Solution, TransformError};
-use crate::expr::{Bindings, Expr, Formula, Symbol, derivative, shown};
+use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, shown};
 
 /// Sizes of expressions are compared up to this number of nodes.
 const SIZE: usize = 10_000;
@@ -91,7 +91,7 @@ impl Solution {
 impl SolvedChain {
     fn formula(&self, quantity: Quantity, variable: &str, solution: &Solution) -> Formula {
         let mut values = (0..self.intervals.len()).map(|interval| {
-            let closed = self.closed(interval, quantity, |pair| &pair.shown);
+            let closed = collected(&self.closed(interval, quantity, |pair| &pair.shown));
             let open = match quantity {
                 Quantity::Slope => self.open_integral(interval, "x"),
                 Quantity::Force => self.open_integral(interval, "a"),

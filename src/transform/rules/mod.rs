@@ -1,8 +1,10 @@
 //! The list of exact solutions: one line per family, one file per line.
 
+mod combination;
 mod polynomial_segment;
 mod power;
 mod quadratic;
+mod power_log;
 mod reading;
 mod root;
 
@@ -30,6 +32,8 @@ pub static RULES: &[&Rule] = &[
     &quadratic::logarithm::BELOW,
     &quadratic::logarithm::WORN_ABOVE,
     &quadratic::logarithm::WORN_BELOW,
+    &power_log::RULE,
+    &power_log::ON_SEGMENT,
 ];
 
 /// The rule that answers a term, with its answer.

@@ -1,0 +1,112 @@
+//! Sums as an author writes them: one coefficient before each root or function, what is common in front.
+
+use super::{Expr, Node, Number};
+use std::collections::BTreeMap;
+
+/// Larger sums are left as they are.
+const TERMS: usize = 120;
+/// Sizes are compared up to this number of nodes.
+const SIZE: usize = 20_000;
+
+/// The sum with its products multiplied out and collected again by roots and functions, where that is clearly shorter.
+///
+/// ```
+/// use sneddon::expr::{Expr, collected};
+/// let (x, b) = (Expr::symbol("x"), Expr::symbol("b"));
+/// let root = (x.power(2) - b.power(2)).sqrt();
+/// // x² w + x (b w − x) + x² = x w (x + b)
+/// let sum = x.power(2) * &root + &x * (&b * &root - &x) + x.power(2);
+/// assert_eq!(collected(&sum), &x * (&x + &b) * &root);
+/// ```
+pub fn collected(expr: &Expr) -> Expr {
+    if !matches!(expr.node(), Node::Sum(_)) {
+        return expr.clone();
+    }
+    let Some(terms) = multiplied_out(expr) else { return expr.clone() };
+    let mut groups: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
+    for term in terms {
+        let (kernels, plain): (Vec<Expr>, Vec<Expr>) = term.factors().into_iter().partition(is_kernel);
+        groups.entry(Expr::product(kernels)).or_default().push(Expr::product(plain));
+    }
+    let parts: Vec<Expr> = groups.into_iter().map(|(kernel, list)| kernel * in_front(&Expr::sum(list))).collect();
+    let result = in_front(&Expr::sum(parts));
+    // A little shorter is no reason to change what the rules say.
+    if 6 * result.size_up_to(SIZE) <= 5 * expr.size_up_to(SIZE) { result } else { expr.clone() }
+}
+
+/// Roots, functions, and what stands in a denominator: all that is not a plain monomial.
+fn is_kernel(factor: &Expr) -> bool {
+    match factor.node() {
+        Node::Function(..) | Node::Sum(_) => true,
+        Node::Power(base, exponent) => exponent.as_integer().is_none() || !matches!(base.node(), Node::Symbol(_) | Node::Constant(_)),
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Product(_) => false,
+    }
+}
+
+/// The terms of the sum with every factor that is a sum distributed; `None` where they would be too many.
+fn multiplied_out(expr: &Expr) -> Option<Vec<Expr>> {
+    let mut done = Vec::new();
+    for term in expr.terms() {
+        let mut products = vec![Expr::one()];
+        for factor in term.factors() {
+            let inner = if matches!(factor.node(), Node::Sum(_)) { multiplied_out(&factor)? } else { vec![factor] };
+            products = products.iter().flat_map(|left| inner.iter().map(move |right| left * right)).collect();
+            if products.len() + done.len() > TERMS {
+                return None;
+            }
+        }
+        done.append(&mut products);
+    }
+    Some(done)
+}
+
+/// The common factor of the terms in front: the lowest power of every base that all of them have.
+fn in_front(sum: &Expr) -> Expr {
+    let terms = sum.terms();
+    let [first, others @ ..] = terms.as_slice() else { return sum.clone() };
+    if others.is_empty() {
+        return sum.clone();
+    }
+    let mut common: Vec<(Expr, Expr)> = first
+        .factors()
+        .iter()
+        .filter(|f| f.as_number().is_none())
+        .map(Expr::split_power)
+        .filter(|(_, p)| p.as_number().is_some())
+        .collect();
+    for term in others {
+        let own: Vec<(Expr, Expr)> = term.factors().iter().map(Expr::split_power).collect();
+        common = common
+            .into_iter()
+            .filter_map(|(base, power)| {
+                let (_, other) = own.iter().find(|(b, p)| *b == base && p.as_number().is_some())?;
+                Some((base, lower(power, other)?))
+            })
+            .collect();
+    }
+    let number = number_in_front(&terms.iter().map(|term| term.split_coefficient().0).collect::<Vec<_>>());
+    let content = Expr::number(number) * Expr::product(common.into_iter().map(|(base, power)| base.pow(&power)));
+    if content.is_one() {
+        return sum.clone();
+    }
+    &content * Expr::sum(terms.iter().map(|term| term / &content))
+}
+
+/// What the numeric factors share without making any of them longer: halves and thirds are not brought together.
+fn number_in_front(numbers: &[Number]) -> Number {
+    let [first, others @ ..] = numbers else { return Number::integer(1) };
+    let alike = others.iter().all(|own| own.value().denom() == first.value().denom());
+    let shared = if alike { others.iter().fold(first.clone(), |all, own| all.common_factor(own)) } else { Number::integer(1) };
+    let shared = if shared.is_negative() { -&shared } else { shared };
+    if numbers.iter().all(Number::is_negative) { -&shared } else { shared }
+}
+
+/// The power nearer to zero where both have the same sign.
+fn lower(one: Expr, two: &Expr) -> Option<Expr> {
+    let (a, b) = (one.as_number()?, two.as_number()?);
+    if a.is_negative() != b.is_negative() {
+        return None;
+    }
+    let first_is_lower = (b - a).is_negative() == a.is_negative();
+    Some(if first_is_lower { one } else { two.clone() })
+}
