@@ -36,9 +36,19 @@ impl Form {
 pub(super) struct Combination(Vec<Expr>);
 
 impl Combination {
+    /// Nothing.
+    pub(super) fn zero(len: usize) -> Self {
+        Self(vec![Expr::zero(); len])
+    }
+
     /// The i-th of `len` basis functions.
     pub(super) fn unit(i: usize, len: usize) -> Self {
         Self((0..len).map(|k| if k == i { Expr::one() } else { Expr::zero() }).collect())
+    }
+
+    /// The same over a basis with one more function.
+    pub(super) fn extended(&self) -> Self {
+        Self(self.0.iter().cloned().chain([Expr::zero()]).collect())
     }
 
     /// The sum of two combinations over one basis.

@@ -1,6 +1,9 @@
 //! The list of exact solutions: one line per family, one file per line.
 
 mod combination;
+mod linear;
+mod log_linear;
+mod pole;
 mod polynomial_segment;
 mod power;
 mod quadratic;
@@ -34,6 +37,9 @@ pub static RULES: &[&Rule] = &[
     &quadratic::logarithm::WORN_BELOW,
     &power_log::RULE,
     &power_log::ON_SEGMENT,
+    &linear::RATIONAL,
+    &linear::ROOT,
+    &log_linear::RULE,
 ];
 
 /// The rule that answers a term, with its answer.
