@@ -23,7 +23,7 @@ use super::DoubleDouble;
 ///
 /// ```
 /// use sneddon::num::{DoubleDouble, precise::ldexp};
-/// assert_eq!(ldexp(DoubleDouble::ONE, -1030).hi, 2.0_f64.powi(-1030));
+/// assert_eq!(ldexp(DoubleDouble::ONE, -1074).hi, f64::from_bits(1));
 /// ```
 pub fn ldexp(value: DoubleDouble, exponent: i32) -> DoubleDouble {
     if (-1000..=1000).contains(&exponent) {

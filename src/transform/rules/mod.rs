@@ -6,8 +6,8 @@ mod log_linear;
 mod pole;
 mod polynomial_segment;
 mod power;
-mod quadratic;
 mod power_log;
+mod quadratic;
 mod reading;
 mod root;
 
