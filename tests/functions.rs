@@ -24,7 +24,9 @@ fn arguments(function: Function, stream: &mut Stream) -> Vec<f64> {
         "gamma" | "digamma" => vec![between(0.3, 6.0)],
         "legendre_chi2" | "inverse_tangent_integral" => vec![between(0.05, 0.95)],
         "kappa" => vec![between(0.1, 9.0)],
-        "besselj" | "besseli" => vec![between(0.0, 3.0).floor(), between(0.2, 4.0)],
+        "besselj" | "besseli" | "besseli_scaled" | "struveh" | "struvel" | "bessel_struve" => {
+            vec![between(0.0, 3.0).floor(), between(0.2, 4.0)]
+        }
         "hyp2f1" => vec![between(0.2, 2.0), between(0.2, 2.0), between(0.5, 3.0), between(-0.9, 0.9)],
         "hyper" => vec![2.0, 1.0, between(0.2, 2.0), between(0.2, 2.0), between(0.5, 3.0), between(-0.9, 0.9)],
         "shifted_power" | "shifted_power_force" => vec![between(0.0, 5.0).floor(), between(0.1, 1.0), between(1.1, 3.0)],

@@ -3,6 +3,7 @@
 mod elementary;
 mod forms;
 mod special;
+mod waves;
 
 pub(crate) use forms::elliptic_moment_parts;
 
@@ -105,7 +106,7 @@ impl Function {
 }
 
 fn rows() -> impl Iterator<Item = &'static Row> {
-    elementary::ROWS.iter().chain(special::ROWS).chain(forms::ROWS)
+    elementary::ROWS.iter().chain(special::ROWS).chain(waves::ROWS).chain(forms::ROWS)
 }
 
 impl std::fmt::Debug for Function {

@@ -7,19 +7,6 @@ use crate::num::special;
 
 pub(super) static ROWS: &[Row] = &[
     Row {
-        name: "erf",
-        latex: Latex::Operator("\\operatorname{erf}"),
-        value: |a| unary(a, libm::erf),
-        ulps: 2.0,
-        derivative: Some(|a, _| Some(Expr::integer(2) / Expr::pi().sqrt() * Expr::call("exp", [-first(a).power(2)]))),
-        fold: Some(|a| match a {
-            [u] if u.is_zero() => Some(Expr::zero()),
-            _ => None,
-        }),
-        sign: Some(|a| sign(&first(a))),
-        ..PLAIN
-    },
-    Row {
         name: "gamma",
         latex: Latex::Operator("\\Gamma"),
         value: |a| unary(a, libm::tgamma),
@@ -75,27 +62,6 @@ pub(super) static ROWS: &[Row] = &[
             _ => f64::NAN,
         },
         ulps: 8.0,
-        ..PLAIN
-    },
-    Row {
-        name: "besselj",
-        arity: (2, 2),
-        latex: Latex::Custom(|a| order_and_argument("J", a)),
-        value: |a| binary(a, special::besselj),
-        ulps: 34.0,
-        derivative: Some(|a, i| bessel_derivative("besselj", a, i, -1)),
-        fold: Some(bessel_at_zero),
-        ..PLAIN
-    },
-    Row {
-        name: "besseli",
-        arity: (2, 2),
-        latex: Latex::Custom(|a| order_and_argument("I", a)),
-        value: |a| binary(a, special::besseli),
-        ulps: 15.0,
-        derivative: Some(|a, i| bessel_derivative("besseli", a, i, 1)),
-        fold: Some(bessel_at_zero),
-        sign: Some(|a| if a.iter().all(|u| sign(u) == Sign::Positive) { Sign::Positive } else { Sign::Unknown }),
         ..PLAIN
     },
     Row {
@@ -228,36 +194,6 @@ fn dilogarithm(a: &[Expr], sign: i64) -> Expr {
     let parameters = [Expr::integer(3), Expr::integer(2), half.clone(), half, one, Expr::ratio(3, 2), Expr::ratio(3, 2)];
     let argument = Expr::integer(sign) * z.power(2);
     z * Expr::call("hyper", parameters.into_iter().chain([argument]))
-}
-
-/// J_n(z) or I_n(z).
-fn order_and_argument(letter: &str, a: &[String]) -> String {
-    match a {
-        [n, z] => format!("{letter}_{{{n}}}\\left({z}\\right)"),
-        _ => String::new(),
-    }
-}
-
-/// J_n′ = (J_(n−1) − J_(n+1))/2, I_n′ = (I_(n−1) + I_(n+1))/2; below order 1 by n/z·J_n ∓ J_(n+1), which needs no negative order.
-fn bessel_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_next: i64) -> Option<Expr> {
-    let [n, z] = a else { return None };
-    if position != 1 {
-        return None;
-    }
-    let next = Expr::integer(sign_of_next) * Expr::call(name, [n + Expr::one(), z.clone()]);
-    match n.as_number() {
-        Some(order) if *order >= Number::integer(1) => Some((Expr::call(name, [n - Expr::one(), z.clone()]) + next) / Expr::integer(2)),
-        _ => Some(n / z * Expr::call(name, a.to_vec()) + next),
-    }
-}
-
-/// J_0(0) = I_0(0) = 1, and 0 for every positive order.
-fn bessel_at_zero(a: &[Expr]) -> Option<Expr> {
-    match a {
-        [n, z] if z.is_zero() && n.is_zero() => Some(Expr::one()),
-        [n, z] if z.is_zero() && sign(n) == Sign::Positive => Some(Expr::zero()),
-        _ => None,
-    }
 }
 
 #[cfg(test)]

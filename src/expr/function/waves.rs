@@ -1,0 +1,244 @@
+//! Rows of the functions of exponential type: Bessel and Struve functions, error functions, Dawson's and Fresnel's integrals.
+
+use super::elementary::{binary, first, unary};
+use super::{Latex, PLAIN, Row};
+use crate::expr::{Expr, Number, Sign, sign};
+use crate::num::{DoubleDouble, Precise, special};
+
+/// A 30-digit value rounded: half an ulp and a hair.
+const ROUNDED: f64 = 1.1;
+/// The same next to the zeros, where 16 of the 30 digits are left.
+const NEAR_ZEROS: f64 = 5.0;
+
+pub(super) static ROWS: &[Row] = &[
+    Row {
+        name: "erf",
+        latex: Latex::Operator("\\operatorname{erf}"),
+        value: |a| unary(a, libm::erf),
+        ulps: 2.0,
+        precise: Some(|a| one(a, special::erf_precise)),
+        derivative: Some(|a, _| Some(gaussian(a, -1))),
+        fold: Some(zero_at_zero),
+        sign: Some(|a| sign(&first(a))),
+        ..PLAIN
+    },
+    Row {
+        name: "erfi",
+        latex: Latex::Operator("\\operatorname{erfi}"),
+        value: |a| unary(a, special::erfi),
+        ulps: ROUNDED,
+        precise: Some(|a| one(a, special::erfi_precise)),
+        derivative: Some(|a, _| Some(gaussian(a, 1))),
+        fold: Some(zero_at_zero),
+        sign: Some(|a| sign(&first(a))),
+        ..PLAIN
+    },
+    // e^(−z²) ∫₀^z e^(t²) dt.
+    Row {
+        name: "dawson",
+        latex: Latex::Operator("\\operatorname{D}"),
+        value: |a| unary(a, special::dawson),
+        ulps: ROUNDED,
+        precise: Some(|a| one(a, special::dawson_precise)),
+        derivative: Some(|a, _| Some(Expr::one() - Expr::integer(2) * first(a) * Expr::call("dawson", a.to_vec()))),
+        fold: Some(zero_at_zero),
+        sign: Some(|a| sign(&first(a))),
+        ..PLAIN
+    },
+    // ∫₀^z cos(πt²/2) dt.
+    Row {
+        name: "fresnelc",
+        latex: Latex::Operator("C"),
+        value: |a| unary(a, special::fresnelc),
+        ulps: ROUNDED,
+        precise: Some(|a| one(a, special::fresnelc_precise)),
+        derivative: Some(|a, _| Some(Expr::call("cos", [half_turns(a)]))),
+        fold: Some(zero_at_zero),
+        sign: Some(|a| sign(&first(a))),
+        ..PLAIN
+    },
+    // ∫₀^z sin(πt²/2) dt.
+    Row {
+        name: "fresnels",
+        latex: Latex::Operator("S"),
+        value: |a| unary(a, special::fresnels),
+        ulps: ROUNDED,
+        precise: Some(|a| one(a, special::fresnels_precise)),
+        derivative: Some(|a, _| Some(Expr::call("sin", [half_turns(a)]))),
+        fold: Some(zero_at_zero),
+        sign: Some(|a| sign(&first(a))),
+        ..PLAIN
+    },
+    Row {
+        name: "besselj",
+        arity: (2, 2),
+        latex: Latex::Custom(|a| order_and_argument("J", a)),
+        value: |a| binary(a, special::besselj),
+        ulps: NEAR_ZEROS,
+        precise: Some(|a| two(a, special::besselj_precise)),
+        derivative: Some(|a, i| bessel_derivative("besselj", a, i, -1)),
+        fold: Some(|a| bessel_fold("besselj", a, -1)),
+        ..PLAIN
+    },
+    Row {
+        name: "besseli",
+        arity: (2, 2),
+        latex: Latex::Custom(|a| order_and_argument("I", a)),
+        value: |a| binary(a, special::besseli),
+        ulps: ROUNDED,
+        precise: Some(|a| two(a, special::besseli_precise)),
+        derivative: Some(|a, i| bessel_derivative("besseli", a, i, 1)),
+        fold: Some(|a| bessel_fold("besseli", a, 1)),
+        sign: Some(positive_order_and_argument),
+        ..PLAIN
+    },
+    // e^(−z) I_n(z), where e^z alone would overflow.
+    Row {
+        name: "besseli_scaled",
+        arity: (2, 2),
+        latex: Latex::Operator("\\operatorname{form}"),
+        value: |a| binary(a, special::besseli_scaled),
+        ulps: ROUNDED,
+        precise: Some(|a| two(a, special::besseli_scaled_precise)),
+        sign: Some(positive_order_and_argument),
+        shown: Some(|a| match a {
+            [_, z] => Expr::call("exp", [-z]) * Expr::call("besseli", a.to_vec()),
+            _ => Expr::zero(),
+        }),
+        ..PLAIN
+    },
+    Row {
+        name: "struveh",
+        arity: (2, 2),
+        latex: Latex::Custom(|a| order_and_argument("\\mathbf{H}", a)),
+        value: |a| binary(a, special::struveh),
+        ulps: NEAR_ZEROS,
+        precise: Some(|a| two(a, special::struveh_precise)),
+        derivative: Some(|a, i| struve_derivative("struveh", a, i, -1)),
+        fold: Some(struve_at_zero),
+        ..PLAIN
+    },
+    Row {
+        name: "struvel",
+        arity: (2, 2),
+        latex: Latex::Custom(|a| order_and_argument("\\mathbf{L}", a)),
+        value: |a| binary(a, special::struvel),
+        ulps: ROUNDED,
+        precise: Some(|a| two(a, special::struvel_precise)),
+        derivative: Some(|a, i| struve_derivative("struvel", a, i, 1)),
+        fold: Some(struve_at_zero),
+        sign: Some(positive_order_and_argument),
+        ..PLAIN
+    },
+    // I_n(z) − L_n(z), which cancels as e^z grows.
+    Row {
+        name: "bessel_struve",
+        arity: (2, 2),
+        latex: Latex::Operator("\\operatorname{form}"),
+        value: |a| binary(a, special::bessel_struve),
+        ulps: ROUNDED,
+        precise: Some(|a| two(a, special::bessel_struve_precise)),
+        sign: Some(positive_order_and_argument),
+        shown: Some(|a| Expr::call("besseli", a.to_vec()) - Expr::call("struvel", a.to_vec())),
+        ..PLAIN
+    },
+];
+
+fn one(a: &[DoubleDouble], f: fn(DoubleDouble) -> Precise) -> Precise {
+    match a {
+        [z] => f(*z),
+        _ => Precise::nan(),
+    }
+}
+
+fn two(a: &[DoubleDouble], f: fn(DoubleDouble, DoubleDouble) -> Precise) -> Precise {
+    match a {
+        [n, z] => f(*n, *z),
+        _ => Precise::nan(),
+    }
+}
+
+/// (2/√π) e^(±z²).
+fn gaussian(a: &[Expr], sign: i64) -> Expr {
+    Expr::integer(2) / Expr::pi().sqrt() * Expr::call("exp", [Expr::integer(sign) * first(a).power(2)])
+}
+
+/// π z²/2.
+fn half_turns(a: &[Expr]) -> Expr {
+    Expr::pi() / Expr::integer(2) * first(a).power(2)
+}
+
+fn zero_at_zero(a: &[Expr]) -> Option<Expr> {
+    match a {
+        [u] if u.is_zero() => Some(Expr::zero()),
+        _ => None,
+    }
+}
+
+/// J_n(z), I_n(z) and their kin.
+fn order_and_argument(letter: &str, a: &[String]) -> String {
+    match a {
+        [n, z] => format!("{letter}_{{{n}}}\\left({z}\\right)"),
+        _ => String::new(),
+    }
+}
+
+/// Positive where the argument is and the order is not negative.
+fn positive_order_and_argument(a: &[Expr]) -> Sign {
+    match a {
+        [n, z] if matches!(sign(n), Sign::Positive | Sign::Zero) && sign(z) == Sign::Positive => Sign::Positive,
+        _ => Sign::Unknown,
+    }
+}
+
+/// J_0′ = −J_1, J_n′ = (J_(n−1) − J_(n+1))/2 and the same with + for I; of an order that is no number n/z·J_n ∓ J_(n+1).
+fn bessel_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_next: i64) -> Option<Expr> {
+    let [n, z] = a else { return None };
+    if position != 1 {
+        return None;
+    }
+    let next = Expr::integer(sign_of_next) * Expr::call(name, [n + Expr::one(), z.clone()]);
+    match n.as_number() {
+        Some(order) if order.is_zero() => Some(next),
+        Some(order) if *order > Number::integer(0) => Some((Expr::call(name, [n - Expr::one(), z.clone()]) + next) / Expr::integer(2)),
+        _ => Some(n / z * Expr::call(name, a.to_vec()) + next),
+    }
+}
+
+/// J_(−n) = (−1)^n J_n and I_(−n) = I_n for whole n; J_0(0) = I_0(0) = 1, and 0 for every positive order.
+fn bessel_fold(name: &'static str, a: &[Expr], sign_of_odd: i64) -> Option<Expr> {
+    match a {
+        [n, z] if z.is_zero() && n.is_zero() => Some(Expr::one()),
+        [n, z] if z.is_zero() && sign(n) == Sign::Positive => Some(Expr::zero()),
+        [n, z] => {
+            let order = n.as_integer().filter(|order| *order < 0)?;
+            let factor = if order % 2 == 0 { 1 } else { sign_of_odd };
+            Some(Expr::integer(factor) * Expr::call(name, [-n, z.clone()]))
+        }
+        _ => None,
+    }
+}
+
+/// H_0′ = 2/π − H_1, L_0′ = 2/π + L_1; else H_n′ = H_(n−1) − (n/z) H_n, and the same for L.
+fn struve_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_next: i64) -> Option<Expr> {
+    let [n, z] = a else { return None };
+    if position != 1 {
+        return None;
+    }
+    if n.is_zero() {
+        let next = Expr::integer(sign_of_next) * Expr::call(name, [Expr::one(), z.clone()]);
+        return Some(Expr::integer(2) / Expr::pi() + next);
+    }
+    // The order below −1 would leave the domain.
+    let order = n.as_integer().filter(|order| *order > 0)?;
+    Some(Expr::call(name, [Expr::integer(order - 1), z.clone()]) - n / z * Expr::call(name, a.to_vec()))
+}
+
+/// H_(−1) = 2/π − H_1 and L_(−1) = 2/π + L_1 at 0, and 0 for every order from 0.
+fn struve_at_zero(a: &[Expr]) -> Option<Expr> {
+    match a {
+        [n, z] if z.is_zero() && matches!(sign(n), Sign::Positive | Sign::Zero) => Some(Expr::zero()),
+        [n, z] if z.is_zero() && n.as_integer() == Some(-1) => Some(Expr::integer(2) / Expr::pi()),
+        _ => None,
+    }
+}
