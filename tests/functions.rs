@@ -19,7 +19,8 @@ const NAMES: [&str; 8] = ["u_0", "u_1", "u_2", "u_3", "u_4", "u_5", "u_6", "u_7"
 fn arguments(function: Function, stream: &mut Stream) -> Vec<f64> {
     let mut between = |low: f64, high: f64| stream.uniform(low, high);
     match function.name() {
-        "polygamma" => vec![1.0, between(0.2, 3.0)],
+        "polygamma" => vec![between(1.0, 5.0).floor(), between(0.2, 3.0)],
+        "polylog" | "clsin" => vec![2.0, between(0.1, 0.9)],
         "acosh" => vec![between(1.1, 4.0)],
         "gamma" | "digamma" => vec![between(0.3, 6.0)],
         "legendre_chi2" | "inverse_tangent_integral" => vec![between(0.05, 0.95)],
@@ -27,7 +28,7 @@ fn arguments(function: Function, stream: &mut Stream) -> Vec<f64> {
         "besselj" | "besseli" | "besseli_scaled" | "struveh" | "struvel" | "bessel_struve" => {
             vec![between(0.0, 3.0).floor(), between(0.2, 4.0)]
         }
-        "hyp2f1" => vec![between(0.2, 2.0), between(0.2, 2.0), between(0.5, 3.0), between(-0.9, 0.9)],
+        "hyp2f1" => vec![between(0.2, 2.0), between(0.2, 2.0), between(0.5, 3.0), between(-0.9, 0.6)],
         "hyper" => vec![2.0, 1.0, between(0.2, 2.0), between(0.2, 2.0), between(0.5, 3.0), between(-0.9, 0.9)],
         "shifted_power" | "shifted_power_force" => vec![between(0.0, 5.0).floor(), between(0.1, 1.0), between(1.1, 3.0)],
         "shifted_power_between" | "shifted_power_force_between" => {

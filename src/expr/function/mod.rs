@@ -1,7 +1,9 @@
 //! The function table: one row per function, and everything that is known of it in that row.
 
 mod elementary;
+mod elliptic;
 mod forms;
+mod hypergeometric;
 mod special;
 mod waves;
 
@@ -106,7 +108,7 @@ impl Function {
 }
 
 fn rows() -> impl Iterator<Item = &'static Row> {
-    elementary::ROWS.iter().chain(special::ROWS).chain(waves::ROWS).chain(forms::ROWS)
+    elementary::ROWS.iter().chain(special::ROWS).chain(hypergeometric::ROWS).chain(elliptic::ROWS).chain(waves::ROWS).chain(forms::ROWS)
 }
 
 impl std::fmt::Debug for Function {

@@ -1,6 +1,11 @@
 //! The dilogarithm and its odd relatives, Legendre's chi function and the inverse tangent integral.
 
-use crate::num::legendre;
+use super::ball::Ball;
+use super::ball_elementary::PI;
+use super::clausen::even_series;
+use super::continuation::pfaff_series;
+use super::series::series;
+use crate::num::{DoubleDouble, Precise, legendre};
 
 /// Legendre's `chi_2(z) = Σ z^(2k+1)/(2k+1)^2 = ∫_0^z artanh(t)/t dt`.
 ///
@@ -83,6 +88,82 @@ pub fn polylog2(z: f64) -> f64 {
     debye(z)
 }
 
+/// [`polylog2`] with about 30 digits.
+///
+/// Method: Debye's series, with the reflection above 0.8 and the inversion below -4.
+///
+/// ```
+/// use sneddon::num::special::polylog2_precise;
+/// assert!(polylog2_precise((-1.0).into()).error < 1e-29);
+/// ```
+pub fn polylog2_precise(z: DoubleDouble) -> Precise {
+    dilogarithm(Ball::exact(z)).precise()
+}
+
+/// [`legendre_chi2`] with about 30 digits: half the difference of two dilogarithms.
+///
+/// ```
+/// use sneddon::num::special::legendre_chi2_precise;
+/// assert!(legendre_chi2_precise(1.0.into()).error < 1e-28);
+/// ```
+pub fn legendre_chi2_precise(z: DoubleDouble) -> Precise {
+    chi(Ball::exact(z)).precise()
+}
+
+/// [`inverse_tangent_integral`] with about 30 digits: `z 3F2(1/2, 1/2, 1; 3/2, 3/2; -z^2)` and the inversion.
+///
+/// ```
+/// use sneddon::num::special::inverse_tangent_integral_precise;
+/// assert!(inverse_tangent_integral_precise(2.0.into()).error < 1e-28);
+/// ```
+pub fn inverse_tangent_integral_precise(z: DoubleDouble) -> Precise {
+    tangent(Ball::exact(z)).precise()
+}
+
+/// `Li_2` of a ball, `z <= 1`.
+fn dilogarithm(z: Ball) -> Ball {
+    let rest = Ball::ONE - z;
+    if z.hi().is_nan() || rest.hi() < 0.0 {
+        return Ball::NONE;
+    }
+    if rest.hi() == 0.0 {
+        return ZETA_2;
+    }
+    if z.hi() < -4.0 {
+        let logarithm = (-z).ln();
+        return -(ZETA_2 + logarithm.square().scale(0.5) + debye_ball(z.recip()));
+    }
+    if z.hi() > 0.8 { ZETA_2 - (z.ln() * rest.ln() + debye_ball(rest)) } else { debye_ball(z) }
+}
+
+/// [`debye`] with `B_2k/(2k+1)! = (-1)^(k+1) 2 ζ(2k)/((2k+1) (2π)^(2k))`.
+fn debye_ball(z: Ball) -> Ball {
+    let u = -(-z).ln_1p();
+    let square = -(u / PI.scale(2.0)).square();
+    let sum = even_series(square, |k| f64::from(2 * k + 1));
+    u - u.square().scale(0.25) - u * sum.scale(2.0)
+}
+
+/// `χ_2` of a ball, `|z| <= 1`.
+pub(super) fn chi(z: Ball) -> Ball {
+    (dilogarithm(z) - dilogarithm(-z)).scale(0.5)
+}
+
+/// `Ti_2` of a ball.
+pub(super) fn tangent(z: Ball) -> Ball {
+    if z.hi() < 0.0 {
+        return -tangent(-z);
+    }
+    if z.hi() > 1.0 {
+        return tangent(z.recip()) + PI.scale(0.5) * z.ln();
+    }
+    let [half, more] = [0.5, 1.5].map(Ball::from);
+    let argument = -z.square();
+    let (upper, lower) = ([half, half, Ball::ONE], [more, more]);
+    z * if z.hi() < 0.6 { series(&upper, &lower, argument) } else { pfaff_series(&upper, &lower, argument) }
+}
+
+const ZETA_2: Ball = Ball { value: DoubleDouble { hi: PI2_6, lo: 3.040_672_350_398_476e-17 }, error: 2e-32 };
 const PI2_6: f64 = 1.644_934_066_848_226_4;
 const PI2_8: f64 = 1.233_700_550_136_169_7;
 /// What the double nearest to pi^2/8 leaves out.

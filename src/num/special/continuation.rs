@@ -1,0 +1,128 @@
+//! `(q+1)Fq` along the negative axis, where the series itself ends at -1.
+
+use super::ball::{Ball, UNIT};
+use super::gamma::gamma_ratio;
+use super::series::series;
+use crate::num::DoubleDouble;
+
+/// `(q+1)Fq(upper; lower; z)` for `z < 0`, no polynomial.
+///
+/// Method: the power series in `w = z/(z-1)`, which converges for every negative `z`; for large `-z` the connection to
+/// `1/z`, and where upper parameters differ by whole numbers its limit by interpolation in the parameters.
+/// Source: DLMF 16.3.1 (the differential equation, rewritten in `w`), 16.8.8.
+pub(super) fn continued(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
+    let near = if z.hi() > -30.0 { pfaff_series(upper, lower, z) } else { Ball::NONE };
+    if near.relative() < 1e-24 || z.hi() > -1.5 {
+        return near;
+    }
+    let apart = upper.iter().enumerate().all(|(i, p)| upper.iter().skip(i + 1).all(|q| from_whole(*p - *q) > 1e-3));
+    if apart { near.better(far(upper, lower, z)) } else { near.better(between(upper, lower, z)) }
+}
+
+fn from_whole(x: Ball) -> f64 {
+    ((x.hi() - x.hi().round()) + x.value.lo).abs()
+}
+
+/// `Σ f_n w^n`, with `f` from the differential equation: in `w` the operator `z d/dz` is `(1-w) w d/dw`.
+pub(super) fn pfaff_series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
+    let w = z / (z - 1.0);
+    // Left, U: the factors θ + β with β = 0 and b - 1; right, V: θ + a. Then (w-1) U = w V.
+    let shifts: Vec<DoubleDouble> = std::iter::once(Ball::ZERO).chain(lower.iter().map(|b| *b - 1.0)).map(|b| b.value).collect();
+    let nothing = DoubleDouble::from(0.0);
+    let mut left = vec![nothing; shifts.len() + 1];
+    let mut right = vec![nothing; upper.len() + 1];
+    let (mut power, mut sum) = (DoubleDouble::ONE, nothing);
+    let (mut local, mut error) = (0.0_f64, 0.0_f64);
+    let mut before = nothing;
+    let operations = UNIT * 2.0 * (upper.len() + lower.len() + 2) as f64;
+    for step in 0..MAX_TERMS {
+        let n = f64::from(step);
+        let back = DoubleDouble::from(n - 1.0);
+        // U_n with f_n = 0, and the factor of f_n.
+        let (mut known, mut factor) = (nothing, DoubleDouble::ONE);
+        for (shift, previous) in shifts.iter().zip(&left) {
+            let diagonal = shift.add(n.into());
+            known = known.mul(diagonal).sub(back.mul(*previous));
+            factor = factor.mul(diagonal);
+        }
+        let coefficient = if step == 0 { DoubleDouble::ONE } else { before.sub(known).div(factor) };
+        if step > 0 {
+            local += operations * (before.hi.abs() + known.hi.abs()) / factor.hi.abs();
+        }
+        descend(&mut left, coefficient, back, n, shifts.iter().copied());
+        descend(&mut right, coefficient, back, n, upper.iter().map(|a| a.value));
+        before = match (left.last(), right.last()) {
+            (Some(u), Some(v)) => u.sub(*v),
+            _ => nothing,
+        };
+        let term = coefficient.mul(power);
+        sum = sum.add(term);
+        let size = term.hi.abs();
+        error += power.hi * local * (1.0 + n.sqrt()) + size * UNIT * (n + 4.0) + sum.hi.abs() * UNIT;
+        if !size.is_finite() {
+            return Ball::NONE;
+        }
+        if step > 20 && size < 0.01 * UNIT * sum.hi.abs() * (1.0 - w.hi()) {
+            return Ball { value: sum, error: error + 4.0 * size / (1.0 - w.hi()) };
+        }
+        power = power.mul(w.value);
+    }
+    Ball::NONE
+}
+
+/// The chain `u ↦ (θ + β) u` at index n: every member of the row becomes its coefficient there.
+fn descend(row: &mut [DoubleDouble], top: DoubleDouble, back: DoubleDouble, n: f64, shifts: impl Iterator<Item = DoubleDouble>) {
+    let mut value = top;
+    let mut members = row.iter_mut();
+    let Some(mut place) = members.next() else { return };
+    for (shift, next) in shifts.zip(members) {
+        let moved = value.mul(shift.add(n.into())).sub(back.mul(*place));
+        *place = value;
+        value = moved;
+        place = next;
+    }
+    *place = value;
+}
+
+/// DLMF 16.8.8, upper parameters that do not differ by whole numbers.
+fn far(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
+    let (inverse, logarithm) = (z.recip(), (-z).ln());
+    let mut sum = Ball::ZERO;
+    for (i, own) in upper.iter().enumerate() {
+        let others = || upper.iter().enumerate().filter(move |(k, _)| *k != i).map(|(_, p)| *p);
+        let above: Vec<Ball> = lower.iter().copied().chain(others().map(|p| p - *own)).collect();
+        let below: Vec<Ball> = others().chain(lower.iter().map(|q| *q - *own)).collect();
+        let scale = gamma_ratio(&above, &below);
+        if scale.hi() == 0.0 {
+            continue;
+        }
+        let first: Vec<Ball> = std::iter::once(*own).chain(lower.iter().map(|q| *own - *q + 1.0)).collect();
+        let second: Vec<Ball> = others().map(|p| *own - p + 1.0).collect();
+        sum = sum + scale * (-(logarithm * *own)).exp() * series(&first, &second, inverse);
+    }
+    sum
+}
+
+/// The limit of [`far`] at coinciding parameters: they are moved apart by ±h, …, ±7h, and the even part is extrapolated.
+fn between(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
+    let step = 2.0_f64.powi(-5) / (1.0 + z.hi().abs().ln()).log2().ceil().exp2();
+    let at = |k: f64| {
+        let moved: Vec<Ball> = (0_u32..).zip(upper).map(|(i, p)| *p + SPREAD[i as usize % SPREAD.len()] * k * step).collect();
+        far(&moved, lower, z)
+    };
+    let (mut fine, mut coarse) = (Ball::ZERO, Ball::ZERO);
+    for (k, (seven, six)) in (1_u32..).zip(EXTRAPOLATION) {
+        let pair = (at(f64::from(k)) + at(-f64::from(k))).scale(0.5);
+        fine = fine + pair * seven / 1716.0;
+        coarse = coarse + pair * six / 462.0;
+    }
+    let doubt = (fine - coarse).hi().abs();
+    fine.widened(doubt)
+}
+
+/// Directions in which parameters move; no two differ by a small fraction.
+const SPREAD: [f64; 6] = [0.0, 1.0, -0.625, 0.40625, -1.4375, 1.75];
+/// Weights of the pairs ±h … ±7h, times 1716 = C(14, 7)/2, and of ±h … ±6h, times 462.
+const EXTRAPOLATION: [(f64, f64); 7] =
+    [(3003.0, 792.0), (-2002.0, -495.0), (1001.0, 220.0), (-364.0, -66.0), (91.0, 12.0), (-14.0, -1.0), (1.0, 0.0)];
+const MAX_TERMS: u32 = 4000;
