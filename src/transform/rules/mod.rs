@@ -1,8 +1,11 @@
 //! The list of exact solutions: one line per family, one file per line.
 
+mod bessel;
 mod combination;
+mod laurent;
 mod linear;
 mod log_linear;
+mod moments;
 mod pole;
 mod polynomial_segment;
 mod power;
@@ -40,6 +43,8 @@ pub static RULES: &[&Rule] = &[
     &linear::RATIONAL,
     &linear::ROOT,
     &log_linear::RULE,
+    &bessel::FIRST_KIND,
+    &bessel::MODIFIED,
 ];
 
 /// The rule that answers a term, with its answer.

@@ -1,0 +1,62 @@
+//! The answer of every kernel whose moments ∫₀^x r^m k(r)/√(x²−r²) dr close for whole m.
+
+use super::laurent::{Combination, Member};
+use super::reading;
+use crate::expr::normal::NormalTerm;
+use crate::expr::{Expr, Sign, sign};
+use crate::transform::{Answer, Branches, Pair, Term};
+
+/// Exponents up to this one are answered; formulas beyond it fill pages.
+pub(super) const HIGHEST: i64 = 40;
+
+/// A kernel of y = scale·r with the moments scale^(−m)·Σ Λ_i(y) B_i(y).
+pub(super) struct Moments<'a> {
+    /// The factor of r in y.
+    pub(super) scale: Expr,
+    /// The parts Λ_i of the moment of order m.
+    pub(super) moment: &'a dyn Fn(i64) -> Combination,
+    /// The functions B_i at y, for the moment of order m.
+    pub(super) members: &'a dyn Fn(i64, &Expr) -> Vec<Member>,
+    /// True where what stands alone is written power by power, because another term takes it away.
+    pub(super) apart: bool,
+}
+
+/// The single part of a term on the whole axis, with its whole exponent in 0 … [`HIGHEST`].
+pub(super) fn whole(term: &Term) -> Option<(&NormalTerm, i64)> {
+    let part = term.single()?;
+    if !term.segment.is_whole() || part.kernel.is_one() {
+        return None;
+    }
+    Some((part, exponent(part)?))
+}
+
+/// The exponent of r, where it is whole and in 0 … [`HIGHEST`].
+pub(super) fn exponent(part: &NormalTerm) -> Option<i64> {
+    part.exponent.as_integer().filter(|m| (0..=HIGHEST).contains(m))
+}
+
+/// |k| and whether k is negative, for an argument k·r^power with k of proven sign.
+pub(super) fn argument(u: &Expr, power: i64) -> Option<(Expr, bool)> {
+    let (k, exponent) = reading::monomial(u)?;
+    if exponent != Expr::integer(power) {
+        return None;
+    }
+    match sign(&k) {
+        Sign::Positive => Some((k, false)),
+        Sign::Negative => Some((-k, true)),
+        Sign::Zero | Sign::Unknown => None,
+    }
+}
+
+/// g(x) = c x M_m(x) and F(a)/(2E*) = c M_(m+2)(a) for f′ = c·r^m·k(r).
+pub(super) fn answer(coefficient: &Expr, m: i64, moments: &Moments) -> Answer {
+    let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
+    let written = |order: i64, factor: &Expr, at: &Expr| {
+        let y = &moments.scale * at;
+        let factor = coefficient * moments.scale.power(-order) * factor;
+        let (moment, members) = ((moments.moment)(order), (moments.members)(order, &y));
+        let expr = if moments.apart { moment.written_apart(&factor, &y, &members) } else { moment.written(&factor, &y, &members) };
+        Branches::endless(Pair::same(expr))
+    };
+    Answer { slope: written(m, &x, &x), force: written(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() }
+}
