@@ -295,7 +295,15 @@ fn terms_without_a_solution_are_declined() {
         kernel(root(Expr::integer(-1) + r.power(2)), 1),
         kernel((Expr::integer(-1) + r.power(2)).recip(), 1),
         kernel((Expr::one() + &r + r.power(2)).sqrt().recip(), 2),
-        kernel(Expr::call("exp", [r.clone()]), 1),
+        kernel(Expr::call("exp", [r.power(2) + &r]), 1),
+        kernel(Expr::call("exp", [-&r]) * Expr::call("cos", [r.clone()]), 1),
+        kernel(Expr::call("sin", [&r + Expr::one()]), 1),
+        kernel(Expr::call("cos", [r.clone()]), -1),
+        kernel(Expr::call("sin", [r.clone()]).recip(), 1),
+        kernel(Expr::call("erf", [r.clone()]) * Expr::call("exp", [-r.power(2)]), 1),
+        kernel(Expr::call("erf", [r.clone()]) * Expr::call("exp", [Expr::integer(2) * r.power(2)]), 1),
+        kernel(Expr::call("besselj", [Expr::zero(), r.clone()]), -1),
+        kernel(Expr::call("besselj", [Expr::zero(), r.clone()]) * Expr::call("besselj", [Expr::one(), Expr::integer(2) * &r]), 0),
     ] {
         let found = rules::answer(&term).map(|(rule, _)| rule.id);
         assert_eq!(found, None, "{term:?}");

@@ -57,11 +57,12 @@ impl Kind {
 fn apply(term: &Term, kind: &Kind) -> Option<Answer> {
     let part = term.single().filter(|_| term.segment.is_whole())?;
     let [order, argument] = reading::call(&part.kernel, kind.name)? else { return None };
-    let (k, negative) = moments::argument(argument, 1)?;
     let (m, whole) = (part.exponent.as_integer()?, order.as_integer());
-    if !negative && (m == -1 || m == 0 && whole.is_none()) {
+    if m == -1 || m == 0 && whole.is_none() {
+        let (k, _) = moments::argument(argument, 1).filter(|(_, negative)| !negative)?;
         return any_order(&part.coefficient, m, order, &k, kind);
     }
+    let (k, negative) = moments::wavenumber(argument)?;
     let (m, n) = (moments::exponent(part)?, whole.filter(|n| (-moments::HIGHEST..=moments::HIGHEST).contains(n))?);
     // J_(−n) = (−1)^n J_n, I_(−n) = I_n, and both kinds are odd for odd n.
     let flips = n % 2 != 0 && (negative != (n < 0 && kind.epsilon < 0));
@@ -69,7 +70,7 @@ fn apply(term: &Term, kind: &Kind) -> Option<Answer> {
     let n = n.abs();
     let moment = |m: i64| moment(m, n, kind);
     let members = |m: i64, y: &Expr| members(lowest_order(m, n), kind, y);
-    Some(moments::answer(&coefficient, m, &Moments { scale: k, moment: &moment, members: &members, apart: false }))
+    Some(moments::answer(&coefficient, m, &Moments { scale: k, moment: &moment, members: &members, shown: &members, apart: false }))
 }
 
 /// Where n ends after m steps down, turning at 0.

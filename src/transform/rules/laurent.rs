@@ -102,7 +102,8 @@ impl Combination {
     pub(super) fn written(&self, factor: &Expr, y: &Expr, members: &[Member]) -> Expr {
         let present: Vec<(&Laurent, &Member)> = self.0.iter().zip(members).filter(|(part, _)| !part.0.is_empty()).collect();
         let coefficients: Vec<&BigRational> = present.iter().flat_map(|(part, _)| part.0.values()).collect();
-        let (Some(low), Some(content)) = (present.iter().filter_map(|(part, _)| part.0.keys().next()).min(), content(&coefficients)) else {
+        let (Some(low), Some(content)) = (present.iter().filter_map(|(part, _)| part.0.keys().next()).min(), common_number(&coefficients))
+        else {
             return Expr::zero();
         };
         let common = match present.as_slice() {
@@ -110,8 +111,12 @@ impl Combination {
             _ => Expr::one(),
         };
         let sum = Expr::sum(present.iter().map(|(part, member)| {
-            let polynomial = Expr::sum(part.0.iter().map(|(j, c)| number(c / &content) * y.power(j - low)));
-            polynomial * (&member.factor / &common) * &member.function
+            // What a polynomial has in common stands before it, its sign too.
+            let own = common_number(&part.0.values().collect::<Vec<_>>()).unwrap_or_else(BigRational::one);
+            let first = part.0.keys().next().unwrap_or(low);
+            let polynomial = Expr::sum(part.0.iter().map(|(j, c)| number(c / &own) * y.power(j - first)));
+            let factors = [number(&own / &content), y.power(first - low), &member.factor / &common, polynomial, member.function.clone()];
+            Expr::product(factors)
         }));
         Expr::product([factor.clone(), y.power(*low), common, number(content), sum])
     }
@@ -136,7 +141,7 @@ fn number(value: BigRational) -> Expr {
 }
 
 /// The largest rational that leaves whole coefficients, negative where most of them are.
-fn content(coefficients: &[&BigRational]) -> Option<BigRational> {
+fn common_number(coefficients: &[&BigRational]) -> Option<BigRational> {
     let numerator = coefficients.iter().fold(BigInt::zero(), |common, c| common.gcd(c.numer()));
     let denominator = coefficients.iter().fold(BigInt::one(), |common, c| common.lcm(c.denom()));
     let negative = coefficients.iter().filter(|c| c.is_negative()).count();

@@ -2,6 +2,8 @@
 
 mod bessel;
 mod combination;
+mod error_function;
+mod gaussian;
 mod laurent;
 mod linear;
 mod log_linear;
@@ -11,8 +13,11 @@ mod polynomial_segment;
 mod power;
 mod power_log;
 mod quadratic;
+mod quadratic_wave;
 mod reading;
 mod root;
+mod struve;
+mod wave;
 
 pub use power::kappa;
 
@@ -45,6 +50,19 @@ pub static RULES: &[&Rule] = &[
     &log_linear::RULE,
     &bessel::FIRST_KIND,
     &bessel::MODIFIED,
+    &wave::CIRCULAR,
+    &wave::HYPERBOLIC,
+    &wave::EXPONENTIAL,
+    &quadratic_wave::RULE,
+    &gaussian::DECAY,
+    &gaussian::GROWTH,
+    &gaussian::SEGMENT,
+    &error_function::ERROR_FUNCTION,
+    &error_function::DAWSON,
+    &struve::STRUVE,
+    &struve::MODIFIED_STRUVE,
+    &struve::BESSEL_SQUARE,
+    &struve::MODIFIED_BESSEL_SQUARE,
 ];
 
 /// The rule that answers a term, with its answer.

@@ -17,6 +17,8 @@ pub(super) struct Moments<'a> {
     pub(super) moment: &'a dyn Fn(i64) -> Combination,
     /// The functions B_i at y, for the moment of order m.
     pub(super) members: &'a dyn Fn(i64, &Expr) -> Vec<Member>,
+    /// The same as a reader sees them, with what they have in common in their factors.
+    pub(super) shown: &'a dyn Fn(i64, &Expr) -> Vec<Member>,
     /// True where what stands alone is written power by power, because another term takes it away.
     pub(super) apart: bool,
 }
@@ -37,14 +39,23 @@ pub(super) fn exponent(part: &NormalTerm) -> Option<i64> {
 
 /// |k| and whether k is negative, for an argument k·r^power with k of proven sign.
 pub(super) fn argument(u: &Expr, power: i64) -> Option<(Expr, bool)> {
-    let (k, exponent) = reading::monomial(u)?;
-    if exponent != Expr::integer(power) {
-        return None;
-    }
+    let (k, negative) = signed(u, power)?;
+    Some((k, negative?))
+}
+
+/// The same for an argument k·r of a function whose moments are analytic in k: where nothing is proven k stays as it is.
+pub(super) fn wavenumber(u: &Expr) -> Option<(Expr, bool)> {
+    let (k, negative) = signed(u, 1)?;
+    Some((k, negative.unwrap_or(false)))
+}
+
+fn signed(u: &Expr, power: i64) -> Option<(Expr, Option<bool>)> {
+    let (k, _) = reading::monomial(u).filter(|(_, exponent)| *exponent == Expr::integer(power))?;
     match sign(&k) {
-        Sign::Positive => Some((k, false)),
-        Sign::Negative => Some((-k, true)),
-        Sign::Zero | Sign::Unknown => None,
+        Sign::Positive => Some((k, Some(false))),
+        Sign::Negative => Some((-k, Some(true))),
+        Sign::Unknown => Some((k, None)),
+        Sign::Zero => None,
     }
 }
 
@@ -54,9 +65,11 @@ pub(super) fn answer(coefficient: &Expr, m: i64, moments: &Moments) -> Answer {
     let written = |order: i64, factor: &Expr, at: &Expr| {
         let y = &moments.scale * at;
         let factor = coefficient * moments.scale.power(-order) * factor;
-        let (moment, members) = ((moments.moment)(order), (moments.members)(order, &y));
-        let expr = if moments.apart { moment.written_apart(&factor, &y, &members) } else { moment.written(&factor, &y, &members) };
-        Branches::endless(Pair::same(expr))
+        let moment = (moments.moment)(order);
+        let with = |members: &[Member]| {
+            if moments.apart { moment.written_apart(&factor, &y, members) } else { moment.written(&factor, &y, members) }
+        };
+        Branches::endless(Pair { shown: with(&(moments.shown)(order, &y)), evaluated: with(&(moments.members)(order, &y)) })
     };
     Answer { slope: written(m, &x, &x), force: written(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() }
 }
