@@ -86,6 +86,11 @@ impl Pair {
 }
 
 impl Branches {
+    /// Both multiplied by a factor.
+    pub fn scaled(&self, factor: &Expr) -> Self {
+        Self { within: self.within.scaled(factor), beyond: self.beyond.scaled(factor) }
+    }
+
     /// The answer of a segment without upper end.
     pub fn endless(pair: Pair) -> Self {
         Self { beyond: pair.clone(), within: pair }

@@ -76,8 +76,7 @@ impl Laurent {
 
     /// p/q times the same.
     pub(super) fn scaled(&self, p: i64, q: i64) -> Self {
-        let factor = Number::ratio(p, q);
-        Self(self.0.iter().map(|(e, n)| (*e, n * &factor)).filter(|(_, n)| !n.is_zero()).collect())
+        self.times_number(&Number::ratio(p, q))
     }
 
     /// The same times a power of one variable.
@@ -122,6 +121,16 @@ impl Laurent {
         }
         result.retain(|_, own| !own.is_zero());
         Some(result)
+    }
+
+    /// The powers of ρ with their numbers, for a coefficient that has no other variable.
+    pub(super) fn monomials(&self) -> impl Iterator<Item = (i32, &Number)> {
+        self.0.iter().map(|([_, length, ..], number)| (*length, number))
+    }
+
+    /// The same times a number.
+    pub(super) fn times_number(&self, factor: &Number) -> Self {
+        Self(self.0.iter().map(|(e, n)| (*e, n * factor)).filter(|(_, n)| !n.is_zero()).collect())
     }
 
     /// As an expression: powers of s² and Q(e) and a monomial, times a polynomial with whole coefficients.

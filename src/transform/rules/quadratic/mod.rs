@@ -1,10 +1,14 @@
 //! Families over one quadratic Q = ρ² ± r²: its powers, and its logarithm, arctangent and arcsine, times powers of r.
 
+pub(super) mod arcs;
+pub(super) mod binomial;
 mod laurent;
 pub(super) mod logarithm;
 mod moments;
 mod pieces;
 pub(super) mod pole;
+mod pressure;
+pub(super) mod roots;
 
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Condition, Expr, Sign, sign};

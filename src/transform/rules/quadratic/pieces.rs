@@ -66,7 +66,10 @@ impl Place<'_> {
             (false, true) => self.odd_pole(),
             (false, false) => self.even_pole(),
             (true, true) => self.arc(),
-            (true, false) => self.elliptic("ellipk", "ellipf") / self.length(),
+            (true, false) => match self.carlson() {
+                Some((first, _)) => first,
+                None => self.elliptic("ellipk", "ellipf") / self.length(),
+            },
         }
     }
 
@@ -76,7 +79,10 @@ impl Place<'_> {
             (false, true) => Expr::zero(),
             (false, false) => self.angle(),
             (true, true) => self.inverse_arc(),
-            (true, false) => self.elliptic("ellipe", "ellipe") * self.length(),
+            (true, false) => match self.carlson() {
+                Some((first, square)) => &self.field.square_length * first + Expr::integer(self.field.sigma) * square,
+                None => self.elliptic("ellipe", "ellipe") * self.length(),
+            },
         }
     }
 
@@ -162,8 +168,7 @@ impl Place<'_> {
 
     /// An elliptic integral of parameter −σx²/ρ², complete on the whole axis.
     ///
-    /// Within a worn segment its amplitude is the one that turns E(m) − E(θ|m) into E(φ|m) and an algebraic term,
-    /// which [`Self::needs_algebraic_term`] announces.
+    /// From b to x its amplitude φ turns E(m) − E(θ|m) into E(φ|m) and the term of [`Self::needs_algebraic_term`].
     fn elliptic(&self, complete: &'static str, incomplete: &'static str) -> Expr {
         let parameter = Expr::integer(-self.field.sigma) * self.x.power(2) / &self.field.square_length;
         let from = |end: &Expr| Expr::call(incomplete, [Expr::call("asin", [end / &self.x]), parameter.clone()]);
@@ -173,6 +178,24 @@ impl Place<'_> {
             (true, Some(upper)) => from(upper),
             (false, Some(upper)) => from(upper) - from(self.lower),
         }
+    }
+
+    /// ∫ 1/√(Q (x²−r²)) dr and ∫ r²/√(Q (x²−r²)) dr from b to c, real on both sides of x = ρ and free of cancellation.
+    ///
+    /// Source: DLMF 19.29.4 and 19.29.7 in r².
+    fn carlson(&self) -> Option<(Expr, Expr)> {
+        let upper = self.upper.filter(|_| self.stable || !self.plus())?;
+        let (b, c) = (self.lower, upper);
+        let (big, small) = ([self.root(b), self.leg(b)], [self.root(c), self.leg(c)]);
+        let ([root_b, leg_b], [root_c, leg_c]) = (&big, &small);
+        let spread = c.power(2) - b.power(2);
+        let first = (c * root_c * leg_b + b * root_b * leg_c) / &spread;
+        let second = (c * leg_c * root_b + b * leg_b * root_c) / &spread;
+        let third = (c * root_b * leg_b + b * root_c * leg_c) / &spread;
+        let squares = [first.power(2), second.power(2), third.power(2)];
+        let scale = &self.field.square_length * self.x.power(2) / Expr::integer(3);
+        let square = scale * Expr::call("elliprd", squares.clone()) + b * c / third;
+        Some((Expr::call("elliprf", squares), square))
     }
 
     /// True where ∫ √Q/√(x²−r²) dr is ρ E(φ|m) + σ b √(x²−b²)/√Q(b).

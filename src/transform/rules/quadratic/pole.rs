@@ -1,6 +1,6 @@
 //! Whole negative powers of the quadratic: Lorentzian, log-quadratic, arctangent, and the same from a radius outward.
 
-use super::{Family, Reach, Work, power};
+use super::{Family, Reach, Work, power, pressure};
 use crate::transform::{Answer, Parameter, Rule, Term};
 
 const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
@@ -47,7 +47,9 @@ pub(in crate::transform::rules) static EVEN: Rule = Rule {
     pattern: "h*atan(r/w)",
     slope: "h*pi/2*x/sqrt(w^2+x^2)",
     force: "E*h*pi*w*(1-w/sqrt(w^2+a^2))",
-    pressure: None,
+    pressure: Some(
+        "E*h/2*(ellipf(atan(sqrt(a^2-r^2)/sqrt(w^2+r^2)),-w^2/r^2)/r-r*ellipe(atan(sqrt(a^2-r^2)/sqrt(w^2+r^2)),-w^2/r^2)/(w^2+r^2))",
+    ),
     parameters: &[H, W],
     guard: "w > 0",
     reference: &[RECURRENCE],
@@ -61,7 +63,10 @@ pub(in crate::transform::rules) static EVEN_BELOW: Rule = Rule {
     pattern: "h*atanh(r/R)",
     slope: "h*pi/2*x/sqrt(R^2-x^2)",
     force: "E*h*pi*R*(R/sqrt(R^2-a^2)-1)",
-    pressure: None,
+    pressure: Some(
+        "E*h/(2*(R^2-r^2))*(R^2/r*ellipf(atan(sqrt(a^2-r^2)/sqrt(R^2-a^2)),1-R^2/r^2)\
+         -r*ellipe(atan(sqrt(a^2-r^2)/sqrt(R^2-a^2)),1-R^2/r^2)+a*sqrt(a^2-r^2)/sqrt(R^2-a^2))",
+    ),
     parameters: &[H, R],
     guard: BELOW,
     reference: &[RECURRENCE],
@@ -136,5 +141,10 @@ fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
         return None;
     }
     let family = Family { sigma, half: false };
-    Work { reading, segment: &term.segment, family, kernel: None }.answer(|m| family.moment(m, k))
+    let (m, coefficient, field) = (reading.exponent, reading.coefficient.clone(), reading.field.clone());
+    let mut answer = Work { reading, segment: &term.segment, family, kernel: None }.answer(|m| family.moment(m, k))?;
+    if !odd && reach == Reach::Whole {
+        answer.pressure = family.moment(m, k).and_then(|form| pressure::elliptic(&form, &field)).map(|p| p.scaled(&coefficient));
+    }
+    Some(answer)
 }

@@ -1,0 +1,153 @@
+//! Powers −1/2, −3/2, … of the quadratic beyond sphere and hyperboloid: elementary for odd m, elliptic for even m.
+
+use super::{Family, Reach, Work, power, pressure};
+use crate::expr::Number;
+use crate::transform::{Answer, Parameter, Rule, Term};
+
+const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
+const S: Parameter = Parameter { name: "b", lowest: 0.5, highest: 4.0 };
+const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
+const C: Parameter = Parameter { name: "c", lowest: 0.2, highest: 2.0 };
+
+const RECURRENCE: &str = "recurrence in the exponent for ∫ r^m (ρ² ± r²)^p/√(x²−r²) dr";
+const ELLIPTIC: &str = "Legendre's normal form with r = x sin t";
+const WORN_ELLIPTIC: &str = "DLMF 19.7(iii), 19.29(i)";
+const POSITIVE: &str = "b > 0";
+const INSIDE: &str = "r < R";
+
+/// What the rules of this file have in common.
+const BASE: Rule = Rule {
+    id: "",
+    title: "",
+    pattern: "",
+    slope: "",
+    force: "",
+    pressure: None,
+    parameters: &[H, S],
+    guard: POSITIVE,
+    reference: &[RECURRENCE],
+    specializes: None,
+    apply: |_| None,
+};
+
+pub(in crate::transform::rules) static ODD: Rule = Rule {
+    id: "quadratic-root",
+    title: "Odd powers of r over odd powers of √(b² + r²)",
+    pattern: "h*(1-1/sqrt(1+r^2/b^2))",
+    slope: "h*x^2/(b^2+x^2)",
+    force: "2*E*h*(b*atan(a/b)-a*b^2/(a^2+b^2))",
+    pressure: Some("E*h*b^2/pi*(sqrt(a^2-r^2)/((b^2+r^2)*(a^2+b^2))+atan(sqrt(a^2-r^2)/sqrt(b^2+r^2))/(b^2+r^2)^(3/2))"),
+    apply: |term| apply(term, 1, true, Reach::Whole),
+    ..BASE
+};
+
+pub(in crate::transform::rules) static ODD_BELOW: Rule = Rule {
+    id: "quadratic-root-below",
+    title: "Odd powers of r over odd powers of √(R² − r²)",
+    pattern: "h*(1/sqrt(1-r^2/R^2)-1)",
+    slope: "h*x^2/(R^2-x^2)",
+    force: "2*E*h*(a*R^2/(R^2-a^2)-R*atanh(a/R))",
+    pressure: Some("E*h*R^2/pi*(sqrt(a^2-r^2)/((R^2-r^2)*(R^2-a^2))+atanh(sqrt(a^2-r^2)/sqrt(R^2-r^2))/(R^2-r^2)^(3/2))"),
+    parameters: &[H, R],
+    guard: INSIDE,
+    apply: |term| apply(term, -1, true, Reach::Whole),
+    ..BASE
+};
+
+pub(in crate::transform::rules) static WORN_ODD: Rule = Rule {
+    id: "worn-quadratic-root",
+    title: "Odd powers of r over odd powers of √(b² + r²) on a segment",
+    pattern: "piecewise(0, r<c, h*(1/sqrt(1+c^2/b^2)-1/sqrt(1+r^2/b^2)))",
+    slope: "piecewise(0, x<c, h*b*x*sqrt(x^2-c^2)/(sqrt(b^2+c^2)*(b^2+x^2)))",
+    force: "piecewise(0, a<c, 2*E*h*b*(atan(sqrt(a^2-c^2)/sqrt(b^2+c^2))-b^2*sqrt(a^2-c^2)/(sqrt(b^2+c^2)*(b^2+a^2))))",
+    parameters: &[H, S, C],
+    guard: "r ≥ c",
+    apply: |term| apply(term, 1, true, Reach::Segment),
+    ..BASE
+};
+
+pub(in crate::transform::rules) static WORN_ODD_BELOW: Rule = Rule {
+    id: "worn-quadratic-root-below",
+    title: "Odd powers of r over odd powers of √(R² − r²) on a segment",
+    pattern: "piecewise(0, r<c, h*(1/sqrt(1-r^2/R^2)-1/sqrt(1-c^2/R^2)))",
+    slope: "piecewise(0, x<c, h*R*x*sqrt(x^2-c^2)/(sqrt(R^2-c^2)*(R^2-x^2)))",
+    force: "piecewise(0, a<c, 2*E*h*R*(R^2*sqrt(a^2-c^2)/(sqrt(R^2-c^2)*(R^2-a^2))-atanh(sqrt(a^2-c^2)/sqrt(R^2-c^2))))",
+    parameters: &[H, R, C],
+    guard: "c ≤ r < R",
+    apply: |term| apply(term, -1, true, Reach::Segment),
+    ..BASE
+};
+
+pub(in crate::transform::rules) static EVEN: Rule = Rule {
+    id: "arsinh",
+    title: "Even powers of r over odd powers of √(b² + r²)",
+    pattern: "h*asinh(r/b)",
+    slope: "h*x/b*ellipk(-x^2/b^2)",
+    force: "2*E*h*b*(ellipe(-a^2/b^2)-ellipk(-a^2/b^2))",
+    reference: &[RECURRENCE, ELLIPTIC],
+    apply: |term| apply(term, 1, false, Reach::Whole),
+    ..BASE
+};
+
+pub(in crate::transform::rules) static EVEN_BELOW: Rule = Rule {
+    id: "arcsine",
+    title: "Even powers of r over odd powers of √(R² − r²)",
+    pattern: "h*asin(r/R)",
+    slope: "h*x/R*ellipk(x^2/R^2)",
+    force: "2*E*h*R*(ellipk(a^2/R^2)-ellipe(a^2/R^2))",
+    parameters: &[H, R],
+    guard: INSIDE,
+    reference: &[RECURRENCE, ELLIPTIC],
+    apply: |term| apply(term, -1, false, Reach::Whole),
+    ..BASE
+};
+
+pub(in crate::transform::rules) static WORN_EVEN: Rule = Rule {
+    id: "worn-arsinh",
+    title: "Even powers of r over odd powers of √(b² + r²) on a segment",
+    pattern: "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))",
+    slope: "piecewise(0, x<c, h*x/b*ellipf(atan(b*sqrt(x^2-c^2)/(c*sqrt(b^2+x^2))),-x^2/b^2))",
+    force: "piecewise(0, a<c, 2*E*h*(b*ellipe(atan(b*sqrt(a^2-c^2)/(c*sqrt(b^2+a^2))),-a^2/b^2)+c*sqrt(a^2-c^2)/sqrt(b^2+c^2)\
+            -b*ellipf(atan(b*sqrt(a^2-c^2)/(c*sqrt(b^2+a^2))),-a^2/b^2)))",
+    parameters: &[H, S, C],
+    guard: "r ≥ c",
+    reference: &[RECURRENCE, WORN_ELLIPTIC],
+    apply: |term| apply(term, 1, false, Reach::Segment),
+    ..BASE
+};
+
+pub(in crate::transform::rules) static WORN_EVEN_BELOW: Rule = Rule {
+    id: "worn-arcsine",
+    title: "Even powers of r over odd powers of √(R² − r²) on a segment",
+    pattern: "piecewise(0, r<c, h*(asin(r/R)-asin(c/R)))",
+    slope: "piecewise(0, x<c, h*x/R*ellipf(atan(R*sqrt(x^2-c^2)/(c*sqrt(R^2-x^2))),x^2/R^2))",
+    force: "piecewise(0, a<c, 2*E*h*(R*ellipf(atan(R*sqrt(a^2-c^2)/(c*sqrt(R^2-a^2))),a^2/R^2)+c*sqrt(a^2-c^2)/sqrt(R^2-c^2)\
+            -R*ellipe(atan(R*sqrt(a^2-c^2)/(c*sqrt(R^2-a^2))),a^2/R^2)))",
+    parameters: &[H, R, C],
+    guard: "c ≤ r < R",
+    reference: &[RECURRENCE, WORN_ELLIPTIC],
+    apply: |term| apply(term, -1, false, Reach::Segment),
+    ..BASE
+};
+
+/// c r^m Q^(1/2−k) with whole k > 0; sphere and hyperboloid, whole and endless, have rules of their own.
+fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
+    if !reach.fits(&term.segment) {
+        return None;
+    }
+    let (reading, exponent) = power(term.single()?)?;
+    let k = (&Number::ratio(1, 2) - exponent.as_number()?).to_i64().filter(|k| *k > 0)?;
+    let m = reading.exponent;
+    let known = m == 1 && k == 1 && term.segment.upper.is_none();
+    let singular = m < 0 && term.segment.lower.is_zero();
+    if reading.field.sigma != sigma || (m % 2 != 0) != odd || known || singular {
+        return None;
+    }
+    let family = Family { sigma, half: true };
+    let (coefficient, field) = (reading.coefficient.clone(), reading.field.clone());
+    let mut answer = Work { reading, segment: &term.segment, family, kernel: None }.answer(|m| family.moment(m, k))?;
+    if odd && reach == Reach::Whole {
+        answer.pressure = family.moment(m, k).and_then(|form| pressure::rational(&form, &field)).map(|p| p.scaled(&coefficient));
+    }
+    Some(answer)
+}
