@@ -9,7 +9,7 @@ use sneddon::eval::{BoundedAlgebra, walk};
 use sneddon::expr::normal::NormalTerm;
 use sneddon::expr::{Bindings, Expr, shown};
 use sneddon::num::Bounded;
-use sneddon::transform::rules::{self, RULES};
+use sneddon::transform::rules::{self, GENERAL, RULES};
 use sneddon::transform::{Answer, Branches, Evaluator, Method, NumericProfile, Pair, Rule, Segment, Solution, Term};
 
 /// Draws of the parameters for every rule.
@@ -50,7 +50,7 @@ fn patterns_are_recognised_by_their_own_rule_only() {
             for solved in solution.terms() {
                 let found = solved.answer.as_ref().unwrap_or_else(|| panic!("{}: {:?} has no answer", rule.id, solved.term));
                 assert_eq!(found.0.id, rule.id);
-                let others = RULES.iter().filter(|other| other.id != rule.id && Some(other.id) != rule.specializes);
+                let others = RULES.iter().filter(|other| ![rule.id, GENERAL.id].contains(&other.id) && Some(other.id) != rule.specializes);
                 for other in others {
                     let also = (other.apply)(&solved.term).is_some() && other.specializes != Some(rule.id);
                     assert!(!also, "{} answers a term of {}", other.id, rule.id);
@@ -289,7 +289,8 @@ fn terms_without_a_solution_are_declined() {
     for term in [
         kernel(Expr::one(), -1),
         kernel(Expr::one(), -3),
-        kernel(root(Expr::one() + r.power(4)), 1),
+        kernel(Expr::call("ln", [r.clone()]), -1),
+        kernel(Expr::call("ln", [Expr::one() + &r]), 2),
         kernel(root(Expr::one() + &r + r.power(2)), 1),
         kernel(root(Expr::integer(-1) - r.power(2)), 1),
         kernel(root(Expr::integer(-1) + r.power(2)), 1),
@@ -304,10 +305,44 @@ fn terms_without_a_solution_are_declined() {
         kernel(Expr::call("erf", [r.clone()]) * Expr::call("exp", [Expr::integer(2) * r.power(2)]), 1),
         kernel(Expr::call("besselj", [Expr::zero(), r.clone()]), -1),
         kernel(Expr::call("besselj", [Expr::zero(), r.clone()]) * Expr::call("besselj", [Expr::one(), Expr::integer(2) * &r]), 0),
+        // The series has a radius of convergence that the kernel itself has not.
+        kernel((Expr::one() + &r).pow(&Expr::ratio(-1, 3)), 1),
+        kernel(Expr::call("atan", [r.pow(&Expr::ratio(1, 2))]), 1),
+        kernel(Expr::call("exp", [&r + r.power(2)]), 1),
+        kernel(Expr::call("tanh", [r.clone()]), 1),
     ] {
         let found = rules::answer(&term).map(|(rule, _)| rule.id);
         assert_eq!(found, None, "{term:?}");
     }
+}
+
+/// Where the general rule would answer a term of another one, it agrees with that.
+#[test]
+fn the_general_rule_agrees_with_every_other() {
+    let mut stream = Stream::new(6);
+    let mut compared = 0;
+    for (rule, round) in RULES.iter().flat_map(|rule| (0..DRAWS).map(move |round| (rule, round))) {
+        let solution = derived_with(rule.pattern, &draw(rule, &mut stream));
+        for solved in solution.terms() {
+            let (Some((own, answer)), Some(general)) = (&solved.answer, (GENERAL.apply)(&solved.term)) else { continue };
+            let a = stream.uniform(0.1, 1.2);
+            let values = [("x", a), ("a", a)];
+            for (what, one, two) in [("g", &answer.slope, &general.slope), ("F", &answer.force, &general.force)] {
+                let (one, two) = (number(&one.within.evaluated, &values), number(&two.within.evaluated, &values));
+                // Beyond its series the general form may have no number.
+                if two.is_finite() {
+                    assert!(
+                        relative(one, two) < SAME,
+                        "{} {round}: {what} is {one:e}, in general {two:e} at {a} of {:?}",
+                        own.id,
+                        solved.term
+                    );
+                    compared += usize::from(own.id != GENERAL.id);
+                }
+            }
+        }
+    }
+    assert!(compared >= 4 * DRAWS, "{compared}");
 }
 
 /// With a symbol in the exponent or under the root, what the answer needs is a condition.

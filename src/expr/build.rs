@@ -223,6 +223,10 @@ fn fold_root(base: &Number, exponent: &Expr) -> Option<Expr> {
     if let Some(root) = base.root(k) {
         return root.power(p).map(Expr::number);
     }
+    // Under one root stand p q^(k−1): beyond the range of doubles nothing is gained.
+    if base.bits() * u64::from(k) > 512 {
+        return None;
+    }
     let outside = base.power(whole)?;
     let denominator = Number::from(num_rational::BigRational::from_integer(base.value().denom().clone()));
     // Under the root an integer: (p/q)^(rest/k) = (p q^(k−1))^(rest/k) / q^rest.

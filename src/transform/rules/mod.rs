@@ -5,6 +5,7 @@ mod combination;
 mod error_function;
 mod gaussian;
 mod laurent;
+mod hypergeometric;
 mod linear;
 mod log_linear;
 mod moments;
@@ -18,6 +19,9 @@ mod reading;
 mod root;
 mod struve;
 mod wave;
+mod segment_power;
+mod series;
+mod shifted_power;
 
 pub use power::kappa;
 
@@ -87,11 +91,20 @@ pub static RULES: &[&Rule] = &[
     &quadratic::binomial::WHOLE_BELOW,
     &quadratic::binomial::WORN,
     &quadratic::binomial::WORN_BELOW,
+    &segment_power::NEGATIVE,
+    &segment_power::REAL,
+    &shifted_power::RULE,
+    GENERAL,
 ];
+
+/// The rule of last resort: it is asked where no other one answers, and agrees with every other one where both would.
+pub static GENERAL: &Rule = &hypergeometric::RULE;
 
 /// The rule that answers a term, with its answer.
 pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
-    let answers: Vec<(&'static Rule, Answer)> = RULES.iter().filter_map(|rule| Some((*rule, (rule.apply)(term)?))).collect();
+    let answers: Vec<(&'static Rule, Answer)> =
+        RULES.iter().filter(|rule| rule.id != GENERAL.id).filter_map(|rule| Some((*rule, (rule.apply)(term)?))).collect();
     let general: Vec<&str> = answers.iter().filter_map(|(rule, _)| rule.specializes).collect();
-    answers.into_iter().find(|(rule, _)| !general.contains(&rule.id))
+    let nicest = answers.into_iter().find(|(rule, _)| !general.contains(&rule.id));
+    nicest.or_else(|| Some((GENERAL, (GENERAL.apply)(term)?)))
 }

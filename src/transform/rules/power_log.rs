@@ -2,7 +2,7 @@
 
 use super::combination::{Combination, Form};
 use super::{power, reading};
-use crate::expr::{Condition, Expr, Function, Sign, sign};
+use crate::expr::{Condition, Expr, Sign, sign};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 pub(super) static RULE: Rule = Rule {
@@ -75,7 +75,7 @@ fn whole_axis(term: &Term) -> Option<Answer> {
         slope: Branches::endless(pair(&x, m, &n)),
         force: Branches::endless(pair(&a, &(m + Expr::integer(2)), &next)),
         pressure: whole
-            .filter(|m| k == 1 && (m % 2 == 1 || Function::named("polylog").is_some()))
+            .filter(|_| k == 1)
             .map(|m| Branches::endless(pressure(c, m))),
         conditions,
     })
@@ -223,7 +223,7 @@ fn stress_moments(m: i64) -> (Combination, Combination) {
 
 fn on_segment(term: &Term) -> Option<Answer> {
     let (c, m, k) = read(term)?;
-    let m = m.as_integer().filter(|m| m.abs() <= HIGHEST_EXPONENT && (m % 2 != 0 || Function::named("clsin").is_some()))?;
+    let m = m.as_integer().filter(|m| m.abs() <= HIGHEST_EXPONENT)?;
     let lower = &term.segment.lower;
     if term.segment.is_whole() || k != 1 || (m < 0 && (m % 2 != 0 || lower.is_zero())) {
         return None;
