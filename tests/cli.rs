@@ -437,3 +437,30 @@ fn answers_do_not_change_from_run_to_run() {
     let arguments = ["derive", "r^2/(2*R)+r*tan(theta)+h*(1-cos(k*r))", "--json"];
     assert_eq!(run(&arguments).stdout, run(&arguments).stdout);
 }
+
+#[test]
+fn invert_answers_in_the_form_of_derive() {
+    let found = json(&["invert", "x*atanh(x/R)", "--json"]);
+    assert_eq!(found["f"]["text"], "R - sqrt(R^2 - r^2)");
+    assert_eq!(found["f"]["status"], "exact");
+    assert_eq!(found["conditions"][0], "r < R");
+    assert_eq!(found["check"]["passed"], true);
+    assert_eq!(found["g"]["text"], "x*atanh(x/R)");
+    assert!(found["f"]["rules"].is_array() && found["f"]["reference"].is_array() && found["points"].is_null());
+    let points = json(&["invert", "x^2/R", "--set", "R=2", "--at", "1,2", "--json"]);
+    assert_eq!(points["points"][1]["value"], 1.0);
+    assert_eq!(points["points"][1]["method"], "exact");
+    let pressed = json(&["invert", "--pressure", "p_0*sqrt(1-r^2/a^2)", "--set", "a=2", "--json"]);
+    assert_eq!(pressed["F"]["text"], "8*pi/3*p_0");
+}
+
+#[test]
+fn what_cannot_be_inverted() {
+    refused(b"", &["invert", "r^2"], &["column 1", "\n  | ^\n", "the coordinate of g is x"]);
+    refused(b"", &["invert", "1/x"], &["no finite value at x = 0", "| ^^^"]);
+    refused(b"", &["invert", "piecewise(0, x<1, 1)"], &["jumps by 1 at x = 1", "no profile"]);
+    refused(b"", &["invert", "x^2/R", "--at", "1"], &["parameter R has no value"]);
+    refused(b"", &["invert", "--pressure", "p_0*exp(-r)"], &["--pressure", "exp(-r)", "(a^2-r^2)^s"]);
+    refused(b"", &["invert"], &["required"]);
+    refused(b"x^2+", &["invert", "-"], &["column 5"]);
+}

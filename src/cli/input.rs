@@ -15,13 +15,19 @@ pub(super) struct Typed {
 
 /// Reads PROFILE: the argument itself, or stdin for `-`.
 pub(super) fn profile(argument: &str) -> Result<Typed, Failure> {
+    let text = text(argument)?;
+    let formula = parse::profile(&text).map_err(|error| Failure::parse("PROFILE", &text, &error))?;
+    Ok(Typed { text, formula })
+}
+
+/// The text of an expression: the argument itself, or stdin for `-`.
+pub(super) fn text(argument: &str) -> Result<String, Failure> {
     let text = if argument == "-" { from_stdin()? } else { argument.to_owned() };
     if looks_like_an_option(&text) {
         return Err(Failure::new(format!("there is no option {text}"))
             .help("--help lists the options; a profile such as -(-r) may begin with a minus"));
     }
-    let formula = parse::profile(&text).map_err(|error| Failure::parse("PROFILE", &text, &error))?;
-    Ok(Typed { text, formula })
+    Ok(text)
 }
 
 /// A mistyped option would be read as a parameter with two signs.
@@ -95,12 +101,12 @@ impl Settings {
     }
 
     /// The values as they were typed.
-    fn exact(&self) -> Bindings {
+    pub(super) fn exact(&self) -> Bindings {
         self.0.iter().map(|own| (own.symbol.name(), own.exact.clone())).collect()
     }
 
     /// The exact values of the `f64` that stand for them.
-    fn rounded(&self) -> Bindings {
+    pub(super) fn rounded(&self) -> Bindings {
         self.0.iter().map(|own| (own.symbol.name(), Number::from_f64(own.value).map_or_else(|| own.exact.clone(), Expr::number))).collect()
     }
 
@@ -134,9 +140,9 @@ impl Settings {
     }
 }
 
-/// The parameters of a profile, by name.
+/// The parameters of a profile, or of an equivalent profile over x, by name.
 fn parameters(formula: &Formula) -> Vec<Symbol> {
-    formula.symbols().into_iter().filter(|symbol| symbol.name() != "r").collect()
+    formula.symbols().into_iter().filter(|symbol| !matches!(symbol.name(), "r" | "x")).collect()
 }
 
 /// A finite number, with what was typed as an exact expression.

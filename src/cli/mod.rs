@@ -6,6 +6,7 @@ mod derive;
 mod eval;
 mod failure;
 mod input;
+mod invert;
 mod output;
 mod points;
 mod rules;
@@ -35,6 +36,7 @@ enum Command {
     Derive(derive::Arguments),
     Eval(eval::Arguments),
     Compare(compare::Arguments),
+    Invert(invert::Arguments),
     Rules(rules::Arguments),
     Completions(completions::Arguments),
 }
@@ -61,6 +63,7 @@ pub fn main() -> ExitCode {
         Command::Derive(own) => derive::run(&own),
         Command::Eval(own) => eval::run(&own),
         Command::Compare(own) => compare::run(&own),
+        Command::Invert(own) => invert::run(&own),
         Command::Rules(own) => rules::run(&own),
         Command::Completions(own) => completions::run(&own),
     };

@@ -1,7 +1,7 @@
 //! Text to formulas: lexer, operator precedence over byte spans, and the meaning of what was typed as canonical expressions.
 //!
-//! Three entries share one grammar and differ in the names that they accept: [`profile`] for what a user types,
-//! [`formula`] for everything that the program prints, [`constant`] for values of parameters.
+//! The entries share one grammar and differ in the names that they accept: [`profile`], [`equivalent`] and [`pressure`] for what a
+//! user types, [`formula`] for everything that the program prints, [`constant`] for values of parameters.
 //! Every limit is a typed error that names the place; no input exhausts the stack or computes for long.
 
 mod alphabet;
@@ -54,6 +54,34 @@ pub fn profile(text: &str) -> Result<Formula, ParseError> {
     Lowering::new(Names::Profile, text).formula(parser::parse(text)?)
 }
 
+/// Reads an equivalent profile g(x): `x` is the coordinate, other names are positive parameters.
+///
+/// # Errors
+/// As [`profile`]; the reserved names are `r`, `a`, `d`, `E`.
+///
+/// ```
+/// use sneddon::expr::Expr;
+/// let g = sneddon::parse::equivalent("x^2/R").unwrap();
+/// assert_eq!(g.as_closed(), Some(&(Expr::symbol("x").power(2) / Expr::symbol("R"))));
+/// assert!(sneddon::parse::equivalent("r^2").is_err());
+/// ```
+pub fn equivalent(text: &str) -> Result<Formula, ParseError> {
+    Lowering::new(Names::Equivalent, text).formula(parser::parse(text)?)
+}
+
+/// Reads a pressure p(r) in a contact of radius `a`, with `E` for the effective modulus.
+///
+/// # Errors
+/// As [`profile`]; the reserved names are `x` and `d`, and pieces are refused.
+///
+/// ```
+/// assert!(sneddon::parse::pressure("p_0*sqrt(1-r^2/a^2)").is_ok());
+/// assert!(sneddon::parse::pressure("p_0*x").is_err());
+/// ```
+pub fn pressure(text: &str) -> Result<Expr, ParseError> {
+    Lowering::new(Names::Pressure, text).closed(parser::parse(text)?, "a pressure")
+}
+
 /// Reads a formula as the program prints it: all variables, integrals and the functions of the table.
 ///
 /// # Errors
@@ -79,5 +107,5 @@ pub fn formula(text: &str) -> Result<Formula, ParseError> {
 /// assert!(parse::constant("inf").is_err());
 /// ```
 pub fn constant(text: &str) -> Result<Expr, ParseError> {
-    Lowering::new(Names::None, text).constant(parser::parse(text)?)
+    Lowering::new(Names::None, text).closed(parser::parse(text)?, "a constant")
 }

@@ -4,7 +4,7 @@ use super::{Compared, Derivation, Evaluation};
 use crate::contact::Measured;
 use crate::expr::{Expr, Formula};
 use crate::print;
-use crate::transform::Rule;
+use crate::transform::{Derived, Reading, Rule};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::collections::BTreeMap;
@@ -136,29 +136,29 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
     write(&entries, out)
 }
 
-fn write(document: &impl Serialize, mut out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(document: &impl Serialize, mut out: &mut dyn Write) -> io::Result<()> {
     serde_json::to_writer(&mut out, document)?;
     writeln!(out)
 }
 
 /// JSON knows neither NaN nor infinities.
-fn finite(value: f64) -> Option<f64> {
+pub(super) fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
 /// A formula in both notations.
 #[derive(Serialize)]
-struct Typeset {
+pub(super) struct Typeset {
     text: String,
     latex: String,
 }
 
 impl Typeset {
-    fn of(formula: &Formula) -> Self {
+    pub(super) fn of(formula: &Formula) -> Self {
         Self { text: print::text(formula), latex: print::latex(formula) }
     }
 
-    fn of_expr(expr: &Expr) -> Self {
+    pub(super) fn of_expr(expr: &Expr) -> Self {
         Self::of(&Formula::Closed(expr.clone()))
     }
 }
@@ -168,34 +168,45 @@ struct Entries<'a>(&'a Derivation<'a>);
 
 impl Serialize for Entries<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        #[derive(Serialize)]
-        struct Quantity<'a> {
-            #[serde(flatten)]
-            formula: Typeset,
-            status: &'static str,
-            rules: &'a [&'static str],
-            reference: &'a [&'static str],
-        }
+        serializer.collect_map(self.0.entries().iter().map(|entry| (entry.key, entry.derived.map(Quantity::of))))
+    }
+}
 
-        serializer.collect_map(self.0.entries().iter().map(|entry| {
-            let value = entry.derived.map(|derived| Quantity {
-                formula: Typeset::of(&derived.formula),
-                status: derived.status.name(),
-                rules: &derived.rules,
-                reference: &derived.reference,
-            });
-            (entry.key, value)
-        }))
+/// A formula with its status, rules and sources.
+#[derive(Serialize)]
+pub(super) struct Quantity<'a> {
+    #[serde(flatten)]
+    formula: Typeset,
+    status: &'static str,
+    rules: &'a [&'static str],
+    reference: &'a [&'static str],
+}
+
+impl<'a> Quantity<'a> {
+    pub(super) fn of(derived: &'a Derived) -> Self {
+        Self { formula: Typeset::of(&derived.formula), status: derived.status.name(), rules: &derived.rules, reference: &derived.reference }
     }
 }
 
 #[derive(Serialize)]
-struct Check<'a> {
-    points: u32,
-    max_relative_difference: Option<f64>,
-    passed: bool,
+pub(super) struct Check<'a> {
+    pub(super) points: u32,
+    pub(super) max_relative_difference: Option<f64>,
+    pub(super) passed: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
-    why: Option<&'a str>,
+    pub(super) why: Option<&'a str>,
+}
+
+/// Readings that theory never makes infinite.
+pub(super) struct Readings<'a> {
+    pub(super) at: &'a [f64],
+    pub(super) readings: &'a [Reading],
+}
+
+impl Serialize for Readings<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.at.iter().zip(self.readings).map(|(at, reading)| Point::new(*at, &Ok(*reading))))
+    }
 }
 
 /// The readings, written one by one: there may be many.

@@ -1,6 +1,8 @@
 //! Reports: plain records of what was found, and one file per output format that writes them.
 
 #[cfg(feature = "cli")]
+pub mod inversion;
+#[cfg(feature = "cli")]
 pub mod json;
 pub mod latex;
 pub mod markdown;
@@ -8,5 +10,7 @@ mod record;
 mod statement;
 pub mod text;
 
+#[cfg(feature = "cli")]
+pub use inversion::{Inversion, Wanted};
 pub use record::{Compared, Derivation, Entry, Evaluation, Shift};
 pub use statement::Statement;

@@ -122,12 +122,16 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Two digits of an error or a difference.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
 }
 
 /// Writes rows under a header, every column as wide as its widest entry.
-fn table<const N: usize, I: Iterator<Item = [String; N]>>(header: &[&str; N], rows: impl Fn() -> I, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn table<const N: usize, I: Iterator<Item = [String; N]>>(
+    header: &[&str; N],
+    rows: impl Fn() -> I,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     let mut widths = header.map(|title| title.chars().count());
     for row in rows() {
         for (width, cell) in widths.iter_mut().zip(&row) {
@@ -143,7 +147,7 @@ fn table<const N: usize, I: Iterator<Item = [String; N]>>(header: &[&str; N], ro
 }
 
 /// The shortest decimal that reads back to the same number, whole numbers without a point.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let text = format!("{value:?}");
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)
 }

@@ -91,6 +91,12 @@ pub enum TransformError {
         /// The quantity.
         quantity: &'static str,
     },
+    /// A wanted pressure whose profile has no closed form here.
+    #[error("no profile is known for the part {term} of the pressure; sums of c*r^(2*j)*(a^2-r^2)^s with s > -1 would be accepted")]
+    NoProfileForPressure {
+        /// The part of the pressure.
+        term: String,
+    },
     /// A condition that the answer needs is false.
     #[error("the condition {condition} does not hold for these values; set parameters that satisfy it")]
     ConditionFails {

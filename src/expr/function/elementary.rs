@@ -93,6 +93,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         complex: Some(|a| complex(a, Complex64::acos)),
         derivative: Some(|a, _| Some(-(Expr::one() - first(a).power(2)).sqrt().recip())),
+        fold: Some(|a| first(a).is_one().then(Expr::zero)),
         domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
         ..PLAIN
     },

@@ -65,10 +65,10 @@ impl<'t> Lowering<'t> {
         Self { text, names, arithmetic: Arithmetic::default(), breakpoints: Breakpoints::default() }
     }
 
-    /// The closed expression of a whole text.
-    pub(super) fn constant(self, items: Vec<Item>) -> Result<Expr, ParseError> {
+    /// The closed expression of a whole text, which is meant as `what`.
+    pub(super) fn closed(self, items: Vec<Item>, what: &'static str) -> Result<Expr, ParseError> {
         let span = 0..self.text.len();
-        Operand { value: Value::Formula(self.formula(items)?), span }.closed("a constant")
+        Operand { value: Value::Formula(self.formula(items)?), span }.closed(what)
     }
 
     /// The formula of a whole text.

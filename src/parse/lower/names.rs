@@ -9,6 +9,10 @@ use std::ops::Range;
 pub(in crate::parse) enum Names {
     /// `r` and parameters.
     Profile,
+    /// `x` and parameters.
+    Equivalent,
+    /// `r`, `a`, `E` and parameters.
+    Pressure,
     /// Every variable and parameter.
     Formula,
     /// Constants alone.
@@ -42,11 +46,29 @@ impl Names {
         }
         match self {
             Self::None => error(Reason::NotConstant { name: owned }, CONSTANTS.to_owned()),
-            Self::Profile => match reserved(name) {
+            Self::Profile | Self::Equivalent | Self::Pressure => match self.reserved(name) {
                 Some((meaning, accepted)) => error(Reason::Reserved { name: owned, meaning }, accepted.to_owned()),
                 None => Ok(Expr::symbol(name)),
             },
             Self::Formula => Ok(Expr::symbol(name)),
+        }
+    }
+
+    /// True for a name that conditions of `piecewise` may compare.
+    pub(super) fn is_variable(self, name: &str) -> bool {
+        match self {
+            Self::Formula => matches!(name, "r" | "x" | "a" | "d"),
+            Self::Equivalent => name == "x",
+            Self::Profile | Self::Pressure | Self::None => name == "r",
+        }
+    }
+
+    /// Meaning and better names of the names that this kind of text may not use.
+    fn reserved(self, name: &str) -> Option<(&'static str, &'static str)> {
+        match (self, name) {
+            (Self::Equivalent, "x") | (Self::Pressure, "a" | "E") => None,
+            (Self::Equivalent, "r") => Some(("the radius", "the coordinate of g is x; for a parameter write r_0")),
+            _ => reserved(name),
         }
     }
 

@@ -6,9 +6,6 @@ use super::{Lowering, Names, Operand, Value, align};
 use crate::expr::{Expr, Formula, Sign, Symbol};
 use std::ops::Range;
 
-/// Names that are variables in every formula; in a condition they are what is compared.
-const VARIABLES: [&str; 4] = ["r", "x", "a", "d"];
-
 const FORM: &str = "write piecewise(v0, r<b, v1), with more pairs of condition and value as needed";
 
 impl Lowering<'_> {
@@ -51,7 +48,7 @@ impl Lowering<'_> {
         let Value::Comparison(sides) = condition.value else { return error(Reason::Condition, FORM) };
         let (smaller, larger) = *sides;
         let accepted = "write r<b: the value before it holds up to b, the value after it beyond";
-        let is_variable = |name: &str| if self.names == Names::Formula { VARIABLES.contains(&name) } else { name == "r" };
+        let is_variable = |name: &str| self.names.is_variable(name);
         let span = larger.span.clone();
         let (smaller, breakpoint) = (smaller.closed("a condition")?, larger.closed("a breakpoint")?);
         let Some(variable) = smaller.as_symbol().filter(|own| self.names == Names::Formula || is_variable(own.name())).cloned() else {

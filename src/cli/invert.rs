@@ -1,0 +1,150 @@
+//! `sneddon invert`: the profile that has a given equivalent profile, or that presses with a given pressure.
+
+use super::failure::warn;
+use super::{Failure, Outcome, input, output, points};
+use crate::expr::{Bindings, Expr, Formula};
+use crate::report::{Inversion, Wanted, inversion};
+use crate::transform::{self, Inverse, InverseNumbers, Method, TransformError};
+use crate::{parse, print};
+use clap::ValueEnum;
+
+/// Finds f(r) from g(x), or from a wanted pressure p(r).
+///
+/// g is an expression in x with the grammar of profiles. What has no closed form is printed as an integral; --at gives numbers.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The equivalent profile g(x), such as x^2/R; - reads it from stdin.
+    #[arg(value_name = "G", allow_hyphen_values = true, required_unless_present = "pressure")]
+    equivalent: Option<String>,
+    /// A wanted pressure p(r) in a contact of radius a, with E for the effective modulus, in place of G.
+    #[arg(long, value_name = "P", conflicts_with = "equivalent", allow_hyphen_values = true)]
+    pressure: Option<String>,
+    /// Gives a parameter a value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Radii at which f is computed: 0.1,0.5 or start:stop:count or log:start:stop:count.
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    at: Option<String>,
+    /// How the answer is written.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// The same as --format json.
+    #[arg(long, conflicts_with = "format")]
+    json: bool,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon invert 'x*atanh(x/R)'
+  sneddon invert 'C*x^n' --format latex
+  sneddon invert 'ln(1+x^4/w^4)' --set w=2 --at 0.5,1,2
+  sneddon invert --pressure 'p_0*sqrt(1-r^2/a^2)'";
+
+/// The relative tolerance of numbers.
+const TOLERANCE: f64 = 1e-13;
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Text,
+    Latex,
+    Json,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let at = arguments.at.as_deref().map(points::read).transpose()?.unwrap_or_default();
+    let asked = Asked::read(arguments)?;
+    let settings = input::Settings::read(&arguments.set, &asked.typed)?;
+    if !at.is_empty() {
+        settings.demand_all(&asked.typed)?;
+    }
+    let (equivalent, found) = asked.solved(&settings.exact())?;
+    let mut readings = Vec::new();
+    if !at.is_empty() {
+        let (_, bound) = asked.solved(&settings.rounded()).or_else(|_| asked.solved(&settings.exact()))?;
+        let numbers = InverseNumbers::new(&bound, &Bindings::default(), Method::Auto, TOLERANCE).map_err(|error| asked.failure(&error))?;
+        for r in &at {
+            readings.push(numbers.value(*r).map_err(|error| asked.failure(&error))?);
+        }
+    }
+    let pressure = asked.pressure.as_ref().map(|own| {
+        let set = settings.exact();
+        [&own.0, &own.1.depth, &own.1.force].map(|expr| set.apply(expr))
+    });
+    let record = Inversion {
+        pressure: pressure.as_ref().map(|[pressure, depth, force]| Wanted { pressure, depth, force }),
+        equivalent: &equivalent,
+        profile: found.profile(),
+        at_axis: found.at_axis(),
+        conditions: found.conditions.iter().map(print::text_condition).collect(),
+        check: transform::check_inverse(&found).map_err(|error| error.to_string()),
+        at,
+        readings,
+    };
+    output::print(|out| match arguments.format {
+        _ if arguments.json => inversion::json(&record, out),
+        Format::Json => inversion::json(&record, out),
+        Format::Latex => inversion::latex(&record, out),
+        Format::Text => inversion::text(&record, out),
+    })?;
+    if record.passed() {
+        return Ok(Outcome::Done);
+    }
+    warn("the check against quadrature failed");
+    Ok(Outcome::Failed)
+}
+
+/// What was asked for: g as typed, or the g of a pressure.
+struct Asked {
+    place: &'static str,
+    typed: input::Typed,
+    equivalent: Formula,
+    pressure: Option<(Expr, transform::FromPressure)>,
+}
+
+impl Asked {
+    fn read(arguments: &Arguments) -> Result<Self, Failure> {
+        if let Some(argument) = &arguments.pressure {
+            let pressure = parse::pressure(argument).map_err(|error| Failure::parse("--pressure", argument, &error))?;
+            let typed = input::Typed { text: argument.clone(), formula: Formula::Closed(pressure.clone()) };
+            let found = transform::equivalent_of_pressure(&pressure)
+                .map_err(|error| Failure::new(error.to_string()).at("--pressure", argument, 0..argument.len()))?;
+            let equivalent = Formula::Closed(found.equivalent.clone());
+            return Ok(Self { place: "--pressure", typed, equivalent, pressure: Some((pressure, found)) });
+        }
+        let text = input::text(arguments.equivalent.as_deref().unwrap_or_default())?;
+        let formula = parse::equivalent(&text).map_err(|error| Failure::parse("G", &text, &error))?;
+        Ok(Self { place: "G", equivalent: formula.clone(), typed: input::Typed { text, formula }, pressure: None })
+    }
+
+    /// g at these values, and f.
+    fn solved(&self, values: &Bindings) -> Result<(Formula, Inverse), Failure> {
+        let equivalent = self.equivalent.substitute(values);
+        let found = transform::invert(&equivalent, |text| parse::formula(text).ok()).map_err(|error| self.failure(&error))?;
+        Ok((equivalent, found))
+    }
+
+    /// The error in words about g(x); the room below speaks of f(r).
+    fn failure(&self, error: &TransformError) -> Failure {
+        let over_x = |text: &str| {
+            let named = parse::formula(text).map(|formula| print::text(&formula.substitute(&Bindings::one("r", Expr::symbol("x")))));
+            named.unwrap_or_else(|_| text.to_owned())
+        };
+        let message = match error {
+            TransformError::SingularAtAxis { detail } => {
+                let detail = over_x(detail);
+                format!("g has no finite value at x = 0 ({detail}); an equivalent profile such as C*x^n with n > 0 would be accepted")
+            }
+            TransformError::NotReal { detail } => {
+                format!("g is not a real number near x = 0 ({}); check the signs under roots and logarithms", over_x(detail))
+            }
+            TransformError::Jump { at, jump } => format!(
+                "g jumps by {jump} at x = {at}: no profile with a finite slope has it; pieces that meet at their breakpoints would be accepted"
+            ),
+            TransformError::OutOfDomain { .. } | TransformError::Overflow { .. } | TransformError::Evaluation(_) => {
+                return Failure::new(error.to_string());
+            }
+            other => other.to_string().replace("the profile", "g"),
+        };
+        Failure::new(message).at(self.place, &self.typed.text, 0..self.typed.text.len())
+    }
+}
