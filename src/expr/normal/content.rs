@@ -1,6 +1,8 @@
 //! Common factors taken out of sums and lists, so that they stand once.
 
-use crate::expr::{Expr, Node, Number};
+use super::polynomial::{Monomial, Polynomial};
+use super::{is_sum, sparse};
+use crate::expr::{Expr, ExprError, Node, Number};
 
 /// The common factor of the expressions, and what is left of each; a zero stays zero.
 ///
@@ -41,4 +43,44 @@ pub(super) fn factored(expr: &Expr) -> Expr {
         }
         _ => expr.clone(),
     }
+}
+
+/// Numerator and denominators of a sum of fractions: the sum times the denominators, and these.
+pub(super) fn over_one_denominator(sum: &Polynomial) -> Result<(Polynomial, Monomial), ExprError> {
+    let mut denominators = Monomial::new();
+    for (monomial, _) in sum.terms() {
+        for (atom, power) in monomial.iter().filter(|(atom, _)| is_sum(atom)) {
+            if let Some(n) = power.as_integer().filter(|n| *n < 0) {
+                let deepest = denominators.get(atom).and_then(Expr::as_integer).unwrap_or(0).max(-n);
+                denominators.insert(atom.clone(), Expr::integer(deepest));
+            }
+        }
+    }
+    if denominators.is_empty() {
+        return Ok((sum.clone(), denominators));
+    }
+    let numerator = sum.times(&Polynomial::single(denominators.clone(), Number::integer(1), sum.frame()))?;
+    Ok((numerator, denominators))
+}
+
+/// A sum of fractions in which common factors of numerator and denominator are cancelled.
+pub(super) fn cancelled(sum: Polynomial) -> Result<Polynomial, ExprError> {
+    let (mut numerator, denominators) = over_one_denominator(&sum)?;
+    if denominators.is_empty() {
+        return Ok(sum);
+    }
+    let mut left = Monomial::new();
+    for (atom, power) in denominators {
+        let divisor = Polynomial::expand(&atom, sum.frame())?;
+        let mut n = power.as_integer().unwrap_or(0);
+        while n > 0 && !numerator.is_zero() {
+            let Some(quotient) = sparse::quotient(&numerator, &divisor) else { break };
+            numerator = quotient;
+            n -= 1;
+        }
+        if n > 0 {
+            left.insert(atom, Expr::integer(-n));
+        }
+    }
+    numerator.times(&Polynomial::single(left, Number::integer(1), sum.frame()))
 }

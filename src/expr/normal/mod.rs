@@ -2,9 +2,17 @@
 //!
 //! It serves recognition and proofs of equality only; answers are shown in the form that their rule states.
 
+mod calls;
 mod content;
+mod factor;
+mod gather;
+mod logarithm;
 mod polynomial;
 mod power;
+mod rational;
+mod sparse;
+mod univariate;
+mod waves;
 
 use super::{Expr, ExprError, Node, Symbol};
 pub use content::common_content;
@@ -55,7 +63,7 @@ impl NormalTerm {
 /// assert_eq!(terms[0].coefficient, Expr::ratio(1, 2));
 /// ```
 pub fn normal_terms(expr: &Expr, variable: &Symbol) -> Result<Vec<NormalTerm>, ExprError> {
-    let polynomial = Polynomial::from_expr(expr, variable)?;
+    let polynomial = Polynomial::canonical(expr, variable)?;
     let base = Expr::from(variable.clone());
     let mut collected: BTreeMap<(Expr, Expr), Vec<Expr>> = BTreeMap::new();
     for (monomial, coefficient) in polynomial.terms() {
@@ -63,6 +71,10 @@ pub fn normal_terms(expr: &Expr, variable: &Symbol) -> Result<Vec<NormalTerm>, E
         for (atom, power) in monomial {
             if *atom == base && !power.contains(variable) {
                 exponent = power.clone();
+            } else if *atom == Expr::euler() {
+                let (dependent, constant): (Vec<Expr>, Vec<Expr>) = power.terms().into_iter().partition(|term| term.contains(variable));
+                kernel.push(atom.pow(&Expr::sum(dependent)));
+                free.push(atom.pow(&Expr::sum(constant)));
             } else if atom.contains(variable) || power.contains(variable) {
                 kernel.push(atom.pow(power));
             } else {
@@ -88,7 +100,9 @@ pub fn expanded(expr: &Expr, variable: &Symbol) -> Result<Expr, ExprError> {
 
 /// True where the expression is proven to be zero; false proves nothing.
 pub fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
-    expr.is_zero() || Polynomial::from_expr(expr, variable).is_ok_and(|p| p.is_zero())
+    expr.is_zero()
+        || Polynomial::from_expr(expr, variable).is_ok_and(|p| p.is_zero())
+        || Polynomial::canonical(expr, variable).is_ok_and(|p| p.is_zero())
 }
 
 /// The coefficients c_k of a polynomial in the variable, by rising k; `None` where it is none.

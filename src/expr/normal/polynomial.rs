@@ -1,6 +1,6 @@
 //! Sums of products of powers over exact numbers, the arithmetic behind the recognition form.
 
-use super::power;
+use super::{calls, gather, power};
 use crate::expr::{Expr, ExprError, Node, Number, Symbol};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -10,15 +10,22 @@ use std::rc::Rc;
 pub(super) type Monomial = BTreeMap<Expr, Expr>;
 
 /// What one expansion shares: the variable whose roots are brought to canonical form, and the work that is left.
+///
+/// A canonical frame applies the identities of functions as well; a plain one only expands.
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
     variable: Symbol,
     left: Rc<Cell<u32>>,
+    canonical: bool,
 }
 
 impl Frame {
-    fn new(variable: &Symbol) -> Self {
-        Self { variable: variable.clone(), left: Rc::new(Cell::new(Polynomial::WORK)) }
+    fn new(variable: &Symbol, canonical: bool) -> Self {
+        Self { variable: variable.clone(), left: Rc::new(Cell::new(Polynomial::WORK)), canonical }
+    }
+
+    pub(super) fn is_canonical(&self) -> bool {
+        self.canonical
     }
 
     pub(super) fn variable(&self) -> &Symbol {
@@ -51,7 +58,21 @@ impl Polynomial {
     /// # Errors
     /// [`ExprError::TooLarge`] beyond [`Self::LIMIT`] terms.
     pub fn from_expr(expr: &Expr, variable: &Symbol) -> Result<Self, ExprError> {
-        Self::expand(expr, &Frame::new(variable))
+        Self::expand(expr, &Frame::new(variable, false))
+    }
+
+    /// The canonical form: expanded, with the identities of functions and partial fractions applied.
+    ///
+    /// # Errors
+    /// As [`Self::from_expr`].
+    pub fn canonical(expr: &Expr, variable: &Symbol) -> Result<Self, ExprError> {
+        Self::canonical_within(expr, &Frame::new(variable, true))
+    }
+
+    /// The canonical form within the frame of a larger expansion; a plain frame only expands.
+    pub(super) fn canonical_within(expr: &Expr, frame: &Frame) -> Result<Self, ExprError> {
+        let expanded = Self::expand(expr, frame)?;
+        if frame.is_canonical() { gather::gathered(expanded) } else { Ok(expanded) }
     }
 
     /// Expands within the frame of a larger expansion, whose budget it shares.
@@ -68,8 +89,10 @@ impl Polynomial {
                 Ok(total)
             }
             Node::Product(factors) => {
-                let mut total = Self::constant(Number::integer(1), frame);
-                for factor in factors {
+                let (waves, others) = if frame.is_canonical() { joint_waves(factors, frame)? } else { (Monomial::new(), factors.clone()) };
+                let mut total = Self::zero(frame);
+                power::settle(waves, &Number::integer(1), &mut total)?;
+                for factor in &others {
                     total = total.times(&Self::expand(factor, frame)?)?;
                 }
                 Ok(total)
@@ -79,8 +102,13 @@ impl Polynomial {
                 power::raise(&Self::expand(base, frame)?, &exponent)
             }
             Node::Function(function, arguments) => {
-                let arguments = arguments.iter().map(|a| Ok(Self::expand(a, frame)?.to_expr())).collect::<Result<Vec<_>, ExprError>>()?;
-                let rebuilt = Expr::function(*function, arguments);
+                let arguments = arguments.iter().map(|a| Self::canonical_within(a, frame)).collect::<Result<Vec<_>, ExprError>>()?;
+                if frame.is_canonical()
+                    && let Some(rewritten) = calls::rewritten(function.name(), &arguments)?
+                {
+                    return Ok(rewritten);
+                }
+                let rebuilt = Expr::function(*function, arguments.iter().map(Self::to_expr).collect());
                 match rebuilt.node() {
                     Node::Function(..) => {
                         let (base, exponent) = rebuilt.split_power();
@@ -144,6 +172,16 @@ impl Polynomial {
         Expr::sum(self.terms.iter().map(|(monomial, number)| {
             Expr::product(std::iter::once(Expr::number(number.clone())).chain(monomial.iter().map(|(atom, power)| atom.pow(power))))
         }))
+    }
+
+    /// The terms that the test picks, and the others.
+    pub(super) fn split(&self, picked: impl Fn(&Monomial) -> bool) -> (Self, Self) {
+        let (mut yes, mut no) = (Self::zero(&self.frame), Self::zero(&self.frame));
+        for (monomial, number) in &self.terms {
+            let part = if picked(monomial) { &mut yes } else { &mut no };
+            part.terms.insert(monomial.clone(), number.clone());
+        }
+        (yes, no)
     }
 
     pub(super) fn add(&mut self, other: &Self) -> Result<(), ExprError> {
@@ -230,4 +268,27 @@ impl Polynomial {
     fn check(&self) -> Result<(), ExprError> {
         if self.terms.len() > Self::LIMIT { Err(ExprError::TooLarge { limit: Self::LIMIT }) } else { Ok(()) }
     }
+}
+
+/// Whole powers of functions in a product, which are reduced together, and the other factors.
+fn joint_waves(factors: &[Expr], frame: &Frame) -> Result<(Monomial, Vec<Expr>), ExprError> {
+    let (mut joint, mut others) = (Monomial::new(), Vec::new());
+    for factor in factors {
+        let (base, exponent) = factor.split_power();
+        if matches!(base.node(), Node::Function(..)) && base.contains(frame.variable()) && exponent.as_integer().is_some() {
+            let expanded = Polynomial::expand(&base, frame)?;
+            if let Some((monomial, number)) = expanded.only()
+                && number.is_one()
+                && let [(atom, power)] = monomial.iter().collect::<Vec<_>>().as_slice()
+                && power.is_one()
+                && matches!(atom.node(), Node::Function(..))
+            {
+                let total = joint.get(*atom).map_or_else(|| exponent.clone(), |own| own + &exponent);
+                joint.insert((*atom).clone(), total);
+                continue;
+            }
+        }
+        others.push(factor.clone());
+    }
+    Ok((joint, others))
 }

@@ -1,7 +1,7 @@
 //! Powers in the recognition form: contents taken out, roots rationalised, degrees reduced.
 
-use super::is_sum;
 use super::polynomial::{Frame, Monomial, Polynomial};
+use super::{calls, content, factor, is_sum, waves};
 use crate::expr::{Expr, ExprError, Node, Number, Sign, sign};
 
 /// `base`^`exponent`.
@@ -13,14 +13,51 @@ pub(super) fn raise(base: &Polynomial, exponent: &Expr) -> Result<Polynomial, Ex
     if let Some(n) = exponent.as_integer().and_then(|n| u32::try_from(n).ok()) {
         return base.whole_power(n);
     }
+    if frame.is_canonical() && exponent.contains(frame.variable()) {
+        return calls::to_variable_power(base, exponent);
+    }
     if let Some((monomial, number)) = base.only() {
         return raise_monomial(monomial, number, exponent, &frame);
     }
     let whole = exponent.as_integer().is_some();
+    if frame.is_canonical()
+        && let Some(result) = raise_fraction(base, exponent)?
+    {
+        return Ok(result);
+    }
     let (content, number, primitive) = split_content(base, whole);
     let outside = raise_monomial(&content, &number, exponent, &frame)?;
     let inside = raise_primitive(&primitive, exponent)?;
     outside.times(&inside)
+}
+
+/// (N/D)^p = N^p·D^−p, where N and D are positive if p is not whole.
+fn raise_fraction(base: &Polynomial, exponent: &Expr) -> Result<Option<Polynomial>, ExprError> {
+    let frame = base.frame();
+    let (numerator, denominators) = content::over_one_denominator(base)?;
+    if !denominators.keys().any(|atom| atom.contains(frame.variable())) {
+        return Ok(None);
+    }
+    let mut unproven: Vec<&Expr> = denominators.keys().filter(|atom| sign(atom) != Sign::Positive).collect();
+    if exponent.as_integer().is_none() {
+        if let [only] = unproven.as_slice()
+            && sign(&numerator.to_expr()) == Sign::Positive
+            && denominators.get(only).and_then(Expr::as_integer).is_some_and(|n| n % 2 != 0)
+        {
+            unproven.clear();
+        }
+        if !unproven.is_empty() {
+            return Ok(None);
+        }
+    }
+    let mut result = raise(&numerator, exponent)?;
+    for (atom, power) in &denominators {
+        let total = Polynomial::expand(&-(power * exponent), frame)?.to_expr();
+        let mut settled = Polynomial::zero(frame);
+        settle(Monomial::from([(atom.clone(), total)]), &Number::integer(1), &mut settled)?;
+        result = result.times(&settled)?;
+    }
+    Ok(Some(result))
 }
 
 /// Raises one product; factors of unproven sign keep a fractional power as a whole.
@@ -44,8 +81,12 @@ fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Expr, frame: 
         }
         (None, false) => kept.push(Expr::number(number.clone())),
     }
+    // A single factor of unproven sign is positive, because the product is.
+    let unproven = monomial.keys().filter(|atom| sign(atom) != Sign::Positive).count();
+    let alone = frame.is_canonical() && unproven == 1 && number.is_positive();
+    let positive = |atom: &Expr, power: &Expr| sign(atom) == Sign::Positive || (alone && power.as_integer().is_none_or(|n| n % 2 != 0));
     for (atom, power) in monomial {
-        if whole.is_some() || sign(atom) == Sign::Positive {
+        if whole.is_some() || positive(atom, power) {
             let total = power * exponent;
             let total = Polynomial::expand(&total, frame)?.to_expr();
             let total = raised.get(atom).map_or_else(|| total.clone(), |own| own + &total);
@@ -65,7 +106,7 @@ fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Expr, frame: 
 /// Content · number · primitive: the common powers of positive atoms, the common rational factor, the rest.
 ///
 /// The number is positive unless `whole`; then the primitive's first term is positive.
-fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number, Polynomial) {
+pub(super) fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number, Polynomial) {
     let frame = base.frame();
     let mut content: Option<Monomial> = None;
     let mut gcd = Number::integer(0);
@@ -98,7 +139,7 @@ fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number, Polynomia
     }
     content.extend(negative);
     content.retain(|_, power| !power.is_zero());
-    if whole && base.terms().next().is_some_and(|(_, number)| number.is_negative()) {
+    if whole && is_reversed(base) {
         gcd = -&gcd;
     }
     let number = gcd;
@@ -119,6 +160,20 @@ fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number, Polynomia
     (content, number, primitive)
 }
 
+/// True where the primitive sum is the negated one: R² − r² is kept, which is positive at the axis, not r² − R².
+fn is_reversed(base: &Polynomial) -> bool {
+    let frame = base.frame();
+    if frame.is_canonical() {
+        let (_, constant) = base.split(|monomial| calls::depends(monomial, frame));
+        match sign(&constant.to_expr()) {
+            Sign::Positive => return false,
+            Sign::Negative => return true,
+            _ => {}
+        }
+    }
+    base.terms().next().is_some_and(|(_, number)| number.is_negative())
+}
+
 /// The smaller of two exponents where the order is known.
 fn smaller(a: &Expr, b: &Expr) -> Option<Expr> {
     if a == b {
@@ -137,6 +192,12 @@ fn raise_primitive(primitive: &Polynomial, exponent: &Expr) -> Result<Polynomial
     if let Some((monomial, number)) = primitive.only() {
         return raise_monomial(monomial, number, exponent, &frame);
     }
+    if frame.is_canonical()
+        && exponent.as_integer().is_none()
+        && let Some(result) = raise_squares(primitive, exponent)?
+    {
+        return Ok(result);
+    }
     if exponent.as_integer().is_some_and(|n| n < 0)
         && let Some(rationalised) = rationalise(primitive)?
     {
@@ -145,6 +206,22 @@ fn raise_primitive(primitive: &Polynomial, exponent: &Expr) -> Result<Polynomial
     let mut result = Polynomial::zero(&frame);
     settle(Monomial::from([(primitive.to_expr(), exponent.clone())]), &Number::integer(1), &mut result)?;
     Ok(result)
+}
+
+/// (s²t)^p = s^(2p)·t^p for positive s.
+fn raise_squares(primitive: &Polynomial, exponent: &Expr) -> Result<Option<Polynomial>, ExprError> {
+    let frame = primitive.frame();
+    let (mut result, mut rest) = (Polynomial::constant(Number::integer(1), frame), Polynomial::constant(Number::integer(1), frame));
+    let mut found = false;
+    for (own, multiplicity) in factor::factors(primitive, false)? {
+        if multiplicity > 1 && sign(&own.to_expr()) == Sign::Positive {
+            result = result.times(&raise(&own, &(exponent * Expr::integer(multiplicity)))?)?;
+            found = true;
+        } else {
+            rest = rest.times(&own.whole_power(multiplicity as u32)?)?;
+        }
+    }
+    if found { Ok(Some(result.times(&raise(&rest, exponent)?)?)) } else { Ok(None) }
 }
 
 /// 1/(A + B·Q^(−1/2)) = (A − B·Q^(−1/2))·Q/(A²Q − B²), where exactly one root of a sum occurs.
@@ -193,6 +270,11 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
     result.frame().charge()?;
     let frame = result.frame().clone();
     monomial.retain(|_, power| !power.is_zero());
+    if frame.is_canonical()
+        && let Some(reduced) = waves::reduced(&monomial, &frame)?
+    {
+        return result.add(&reduced.scaled(number));
+    }
     for (atom, power) in &monomial {
         if let Node::Number(_) = atom.node() {
             let folded = atom.pow(power);
@@ -232,13 +314,18 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
             let rest = Polynomial::single(others, number.clone(), &frame);
             return result.add(&expanded.times(&rest)?);
         }
-        if depends && exponent <= &Number::integer(-1) && divide(&monomial, atom, power, number, result)? {
+        if depends && !frame.is_canonical() && exponent <= &Number::integer(-1) && divide(&monomial, atom, power, number, result)? {
             return Ok(());
         }
     }
     if let Some((left, right)) = twins(&monomial, &frame) {
-        let exponent = monomial.remove(&left).unwrap_or_else(Expr::zero);
-        monomial.remove(&right);
+        let (first, second) = (monomial.remove(&left).unwrap_or_else(Expr::zero), monomial.remove(&right).unwrap_or_else(Expr::zero));
+        // What the exponents differ by stays with its own base, a whole power.
+        let shift = &second - &first;
+        if !shift.is_zero() {
+            monomial.insert(right.clone(), shift);
+        }
+        let exponent = first;
         let product = Polynomial::expand(&left, &frame)?.times(&Polynomial::expand(&right, &frame)?)?;
         let rest = Polynomial::single(monomial, number.clone(), &frame);
         return result.add(&raise(&product, &exponent)?.times(&rest)?);
@@ -252,7 +339,7 @@ fn twins(monomial: &Monomial, frame: &Frame) -> Option<(Expr, Expr)> {
     let roots: Vec<(&Expr, &Expr)> =
         monomial.iter().filter(|(atom, power)| is_sum(atom) && power.as_integer().is_none() && atom.contains(frame.variable())).collect();
     roots.iter().enumerate().find_map(|(i, (left, power))| {
-        let (right, _) = roots.iter().skip(i + 1).find(|(_, other)| other == power)?;
+        let (right, _) = roots.iter().skip(i + 1).find(|(_, other)| (*other - *power).as_integer().is_some())?;
         Some(((*left).clone(), (*right).clone()))
     })
 }

@@ -1,0 +1,201 @@
+//! Identities of single functions: phases, exponentials of logarithms, inverse functions in one of their spellings.
+
+use super::polynomial::{Frame, Monomial, Polynomial};
+use super::{content, is_sum, logarithm, power};
+use crate::expr::{Expr, ExprError, Node, Number, Sign, sign};
+
+/// The canonical spelling of a function of canonical arguments; `None` where the call itself is it.
+///
+/// Every identity holds wherever the call is real, for positive symbols.
+pub(super) fn rewritten(name: &str, arguments: &[Polynomial]) -> Result<Option<Polynomial>, ExprError> {
+    let [u] = arguments else { return Ok(None) };
+    match name {
+        "exp" => exponential(u).map(Some),
+        "ln" => logarithm::of(u).map(Some),
+        "sin" | "cos" | "sinh" | "cosh" => phase(name, u),
+        "acos" => complement(call("asin", &[u.to_expr()], u.frame())?).map(Some),
+        "atan" | "asin" | "atanh" | "asinh" | "acosh" => inverse(name, u),
+        _ => Ok(None),
+    }
+}
+
+/// base^exponent with the variable in the exponent, as an exponential.
+pub(super) fn to_variable_power(base: &Polynomial, exponent: &Expr) -> Result<Polynomial, ExprError> {
+    exponential(&logarithm::of(base)?.times(&Polynomial::expand(exponent, base.frame())?)?)
+}
+
+/// e^u in one factor, with e^(p ln q) = q^p taken out.
+fn exponential(u: &Polynomial) -> Result<Polynomial, ExprError> {
+    let frame = u.frame();
+    let (mut result, mut rest) = (Polynomial::constant(Number::integer(1), frame), Polynomial::zero(frame));
+    for (monomial, number) in u.terms() {
+        match logarithm_in(monomial, frame) {
+            Some((argument, factor)) => {
+                let exponent = Polynomial::single(factor, number.clone(), frame).to_expr();
+                result = result.times(&power::raise(&Polynomial::expand(&argument, frame)?, &exponent)?)?;
+            }
+            None => rest.add_term(monomial.clone(), number),
+        }
+    }
+    if rest.is_zero() {
+        return Ok(result);
+    }
+    result.times(&Polynomial::atom(Expr::euler(), rest.to_expr(), frame))
+}
+
+/// The argument of the only logarithm of a product whose other factors are free of the variable, and these.
+fn logarithm_in(monomial: &Monomial, frame: &Frame) -> Option<(Expr, Monomial)> {
+    let mut found = None;
+    let mut rest = Monomial::new();
+    for (atom, power) in monomial {
+        match atom.node() {
+            Node::Function(function, arguments) if function.name() == "ln" && power.is_one() && found.is_none() => {
+                found = arguments.first().cloned();
+            }
+            _ if atom.contains(frame.variable()) || power.contains(frame.variable()) => return None,
+            _ => {
+                rest.insert(atom.clone(), power.clone());
+            }
+        }
+    }
+    found.map(|argument| (argument, rest))
+}
+
+/// sin(u + φ) = sin u cos φ + cos u sin φ and its kin, φ free of the variable.
+fn phase(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
+    let frame = u.frame();
+    let (dependent, constant) = u.split(|monomial| depends(monomial, frame));
+    if dependent.is_zero() || constant.is_zero() {
+        return Ok(None);
+    }
+    let (sine, cosine) = if name.ends_with('h') { ("sinh", "cosh") } else { ("sin", "cos") };
+    let (of_u, of_phase) = (dependent.to_expr(), constant.to_expr());
+    let first = |name: &'static str| Expr::call(name, [of_u.clone()]);
+    let second = |name: &'static str| exact(name, &of_phase).unwrap_or_else(|| Expr::call(name, [of_phase.clone()]));
+    let total = match name {
+        "sin" | "sinh" => first(sine) * second(cosine) + first(cosine) * second(sine),
+        "cos" => first(cosine) * second(cosine) - first(sine) * second(sine),
+        _ => first(cosine) * second(cosine) + first(sine) * second(sine),
+    };
+    Polynomial::expand(&total, frame).map(Some)
+}
+
+/// sin and cos at multiples of π/6 and π/4.
+fn exact(name: &str, angle: &Expr) -> Option<Expr> {
+    let (number, rest) = angle.split_coefficient();
+    if rest != Expr::pi() || !matches!(name, "sin" | "cos") {
+        return None;
+    }
+    let twelfths = (&number * &Number::integer(12)).to_i64()?;
+    let twelfths = if name == "cos" { twelfths.checked_add(6)? } else { twelfths }.rem_euclid(24);
+    let (sign, twelfths) = if twelfths >= 12 { (-1, twelfths - 12) } else { (1, twelfths) };
+    let value = match twelfths.min(12 - twelfths) {
+        0 => Expr::zero(),
+        2 => Expr::ratio(1, 2),
+        3 => Expr::ratio(1, 2).sqrt(),
+        4 => Expr::integer(3).sqrt() / Expr::integer(2),
+        6 => Expr::one(),
+        _ => return None,
+    };
+    Some(Expr::integer(sign) * value)
+}
+
+/// True where a factor depends on the variable.
+pub(super) fn depends(monomial: &Monomial, frame: &Frame) -> bool {
+    monomial.iter().any(|(atom, power)| atom.contains(frame.variable()) || power.contains(frame.variable()))
+}
+
+/// The call expanded, with its identities applied.
+fn call(name: &'static str, arguments: &[Expr], frame: &Frame) -> Result<Polynomial, ExprError> {
+    Polynomial::expand(&Expr::call(name, arguments.to_vec()), frame)
+}
+
+/// π/2 − u.
+fn complement(u: Polynomial) -> Result<Polynomial, ExprError> {
+    Polynomial::atom(Expr::pi(), Expr::one(), u.frame()).scaled(&Number::ratio(1, 2)).minus(&u)
+}
+
+/// atan(w/r) = π/2 − atan(r/w), and arguments with a root that another inverse function has without.
+fn inverse(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
+    let frame = u.frame();
+    let radius = Expr::from(frame.variable().clone());
+    if name == "atan"
+        && let Some((monomial, number)) = u.only()
+        && monomial.get(&radius).and_then(Expr::as_number).is_some_and(Number::is_negative)
+        && monomial.iter().all(|(atom, _)| *atom == radius || !atom.contains(frame.variable()))
+        && sign(&u.to_expr()) != Sign::Unknown
+    {
+        let inverted = call("atan", &[power::raise(u, &Expr::integer(-1))?.to_expr()], frame)?;
+        let quarter = Polynomial::atom(Expr::pi(), Expr::one(), frame).scaled(&Number::ratio(if number.is_negative() { -1 } else { 1 }, 2));
+        return quarter.minus(&inverted).map(Some);
+    }
+    if !u.terms().any(|(monomial, _)| monomial.iter().any(|(atom, power)| is_root(atom, power, frame))) {
+        return Ok(None);
+    }
+    without_root(name, u)
+}
+
+/// True for a fractional power of a sum that depends on the variable.
+fn is_root(atom: &Expr, power: &Expr, frame: &Frame) -> bool {
+    is_sum(atom) && atom.contains(frame.variable()) && power.as_integer().is_none()
+}
+
+/// With t = 1 ± u²: asin u = atan(u/√t) = π/2 − asin √t, atan u = asin(u/√t) = π/2 − asin(1/√t),
+/// atanh u = asinh(u/√t), asinh u = atanh(u/√t), acosh u = asinh √(u² − 1), where the new argument is a plain monomial.
+fn without_root(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
+    let frame = u.frame();
+    let square = super::gather::gathered(u.times(u)?)?;
+    let one = Polynomial::constant(Number::integer(1), frame);
+    let t = match name {
+        "asin" | "atanh" => one.minus(&square)?,
+        "acosh" => square.minus(&one)?,
+        _ => {
+            let mut t = one;
+            t.add(&square)?;
+            t
+        }
+    };
+    let (numerator, _) = content::over_one_denominator(&t)?;
+    if !numerator.only().is_some_and(|(_, number)| number.is_positive()) {
+        return Ok(None);
+    }
+    let half = Expr::ratio(1, 2);
+    let root = power::raise(&t, &half)?;
+    if name == "acosh" {
+        return if is_plain(&root) { call("asinh", &[root.to_expr()], frame).map(Some) } else { Ok(None) };
+    }
+    let inverse_root = power::raise(&t, &-half)?;
+    let other = super::gather::gathered(u.times(&inverse_root)?)?;
+    if is_plain(&other) {
+        let name = match name {
+            "atan" => "asin",
+            "asin" => "atan",
+            "atanh" => "asinh",
+            _ => "atanh",
+        };
+        return call(name, &[other.to_expr()], frame).map(Some);
+    }
+    let complementary = match name {
+        "asin" if is_plain(&root) => root,
+        "atan" if is_plain(&inverse_root) => inverse_root,
+        _ => return Ok(None),
+    };
+    if !is_positive_root(u)? {
+        return Ok(None);
+    }
+    complement(call("asin", &[complementary.to_expr()], frame)?).map(Some)
+}
+
+/// True for one product without sums of the variable.
+fn is_plain(u: &Polynomial) -> bool {
+    u.only().is_some_and(|(monomial, _)| !monomial.keys().any(|atom| is_sum(atom) && atom.contains(u.frame().variable())))
+}
+
+/// True for a positive multiple of √q.
+fn is_positive_root(u: &Polynomial) -> Result<bool, ExprError> {
+    let frame = u.frame();
+    let mut roots = u.terms().flat_map(|(monomial, _)| monomial.iter()).filter(|(atom, power)| is_root(atom, power, frame));
+    let Some((root, _)) = roots.next() else { return Ok(false) };
+    let outside = u.times(&Polynomial::atom(root.clone(), Expr::ratio(-1, 2), frame))?;
+    Ok(sign(&super::gather::gathered(outside)?.to_expr()) == Sign::Positive)
+}
