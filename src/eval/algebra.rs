@@ -1,15 +1,15 @@
 //! The kinds of value that an expression can be walked with.
 
 use crate::expr::Function;
-use crate::num::Bounded;
+use crate::num::{Bounded, Precise};
 use num_complex::Complex64;
 
 /// Arithmetic over one kind of value; values outside a domain become NaN, which callers turn into errors.
 pub trait Algebra {
     /// The values.
     type Value: Copy;
-    /// A number of the tree, with the error of its rounding to `f64`.
-    fn constant(&mut self, number: Bounded) -> Self::Value;
+    /// A number of the tree to 30 digits.
+    fn constant(&mut self, number: Precise) -> Self::Value;
     /// a + b.
     fn add(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
     /// a − b.
@@ -32,8 +32,8 @@ pub struct FloatAlgebra;
 
 impl Algebra for FloatAlgebra {
     type Value = f64;
-    fn constant(&mut self, number: Bounded) -> f64 {
-        number.value
+    fn constant(&mut self, number: Precise) -> f64 {
+        number.value.hi
     }
     fn add(&mut self, a: f64, b: f64) -> f64 {
         a + b
@@ -64,8 +64,9 @@ pub struct BoundedAlgebra;
 
 impl Algebra for BoundedAlgebra {
     type Value = Bounded;
-    fn constant(&mut self, number: Bounded) -> Bounded {
-        number
+    fn constant(&mut self, number: Precise) -> Bounded {
+        let exact = number.error == 0.0 && number.value.lo == 0.0;
+        if exact { Bounded::exact(number.value.hi) } else { Bounded::rounded(number.value.hi) }
     }
     fn add(&mut self, a: Bounded, b: Bounded) -> Bounded {
         a + b
@@ -100,8 +101,8 @@ pub struct ComplexAlgebra;
 
 impl Algebra for ComplexAlgebra {
     type Value = Complex64;
-    fn constant(&mut self, number: Bounded) -> Complex64 {
-        Complex64::new(number.value, 0.0)
+    fn constant(&mut self, number: Precise) -> Complex64 {
+        Complex64::new(number.value.hi, 0.0)
     }
     fn add(&mut self, a: Complex64, b: Complex64) -> Complex64 {
         a + b

@@ -4,10 +4,12 @@
 
 mod algebra;
 mod error;
+mod second;
 mod tape;
 mod walk;
 
 pub use algebra::{Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra};
 pub use error::EvalError;
+pub use second::PreciseAlgebra;
 pub use tape::Tape;
-pub use walk::{constant_value, walk};
+pub use walk::{constant_value, precise_value, walk};

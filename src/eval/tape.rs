@@ -3,7 +3,7 @@
 use super::walk::walk_with;
 use super::{Algebra, EvalError};
 use crate::expr::{Expr, Function, Node, Symbol};
-use crate::num::Bounded;
+use crate::num::Precise;
 use std::collections::HashMap;
 
 /// Expressions compiled for many evaluations.
@@ -18,6 +18,7 @@ use std::collections::HashMap;
 #[derive(Clone, Debug)]
 pub struct Tape {
     operations: Vec<Operation>,
+    constants: Vec<Precise>,
     arguments: Vec<u32>,
     outputs: Vec<u32>,
     inputs: usize,
@@ -25,7 +26,7 @@ pub struct Tape {
 
 #[derive(Clone, Copy, Debug)]
 enum Operation {
-    Constant(Bounded),
+    Constant(u32),
     Input(u32),
     Add(u32, u32),
     Subtract(u32, u32),
@@ -42,8 +43,9 @@ impl Tape {
     /// # Errors
     /// [`EvalError::Unbound`] for a symbol that is no input.
     pub fn compile(expressions: &[Expr], inputs: &[Symbol]) -> Result<Self, EvalError> {
-        let mut recorder =
-            Recorder { tape: Self { operations: Vec::new(), arguments: Vec::new(), outputs: Vec::new(), inputs: inputs.len() } };
+        let mut recorder = Recorder {
+            tape: Self { operations: Vec::new(), constants: Vec::new(), arguments: Vec::new(), outputs: Vec::new(), inputs: inputs.len() },
+        };
         for index in 0..inputs.len() {
             recorder.push(Operation::Input(u32::try_from(index).unwrap_or(u32::MAX)));
         }
@@ -89,7 +91,7 @@ impl Tape {
         for operation in &self.operations {
             let get = |slot: &u32| slots.get(*slot as usize).copied();
             let value = match operation {
-                Operation::Constant(number) => algebra.constant(*number),
+                Operation::Constant(index) => algebra.constant(*self.constants.get(*index as usize)?),
                 Operation::Input(index) => *inputs.get(*index as usize)?,
                 Operation::Add(a, b) => algebra.add(get(a)?, get(b)?),
                 Operation::Subtract(a, b) => algebra.subtract(get(a)?, get(b)?),
@@ -144,8 +146,10 @@ impl Recorder {
 
 impl Algebra for Recorder {
     type Value = u32;
-    fn constant(&mut self, number: Bounded) -> u32 {
-        self.push(Operation::Constant(number))
+    fn constant(&mut self, number: Precise) -> u32 {
+        let index = u32::try_from(self.tape.constants.len()).unwrap_or(u32::MAX);
+        self.tape.constants.push(number);
+        self.push(Operation::Constant(index))
     }
     fn add(&mut self, a: u32, b: u32) -> u32 {
         self.push(Operation::Add(a, b))

@@ -1,8 +1,8 @@
 //! The walk over the tree: which operations stand for a node, in which order.
 
-use super::{Algebra, BoundedAlgebra, EvalError};
-use crate::expr::{Bindings, Constant, Expr, Node, Number, Symbol};
-use crate::num::Bounded;
+use super::{Algebra, BoundedAlgebra, EvalError, PreciseAlgebra};
+use crate::expr::{Bindings, Constant, Expr, Node, Number, Symbol, shown_to_30_digits};
+use crate::num::{Bounded, DoubleDouble, Precise, precise};
 
 /// Computes `expr` in the given algebra; `value_of` gives the value of a symbol.
 ///
@@ -37,6 +37,14 @@ pub fn constant_value(expr: &Expr, bindings: &Bindings) -> Result<Bounded, EvalE
     walk(&bindings.apply(expr), &mut BoundedAlgebra, &mut |_| None)
 }
 
+/// The same with 30 digits.
+///
+/// # Errors
+/// As [`walk`].
+pub fn precise_value(expr: &Expr, bindings: &Bindings) -> Result<Precise, EvalError> {
+    walk(&shown_to_30_digits(&bindings.apply(expr)), &mut PreciseAlgebra, &mut |_| None)
+}
+
 /// The walk with a hook that may know a subtree's value already.
 pub(super) fn walk_with<A: Algebra>(
     expr: &Expr,
@@ -47,9 +55,9 @@ pub(super) fn walk_with<A: Algebra>(
         return Ok(value);
     }
     match expr.node() {
-        Node::Number(number) => Ok(algebra.constant(rounded(number))),
-        Node::Constant(Constant::Pi) => Ok(algebra.constant(Bounded::rounded(std::f64::consts::PI))),
-        Node::Constant(Constant::Euler) => Ok(algebra.constant(Bounded::rounded(std::f64::consts::E))),
+        Node::Number(number) => Ok(algebra.constant(literal(number))),
+        Node::Constant(Constant::Pi) => Ok(algebra.constant(Precise { value: precise::PI, error: 3.0e-33 })),
+        Node::Constant(Constant::Euler) => Ok(algebra.constant(Precise { value: precise::E, error: 2.2e-33 })),
         Node::Symbol(symbol) => Err(EvalError::Unbound { name: symbol.name().to_owned() }),
         Node::Function(function, arguments) => {
             let values = arguments.iter().map(|a| walk_with(a, algebra, known)).collect::<Result<Vec<_>, _>>()?;
@@ -74,21 +82,30 @@ pub(super) fn walk_with<A: Algebra>(
             for term in negative {
                 let value = walk_with(&-term, algebra, known)?;
                 let from = match total {
-                    None => algebra.constant(Bounded::exact(0.0)),
+                    None => algebra.constant(Precise::exact(0.0)),
                     Some(sum) => sum,
                 };
                 total = Some(algebra.subtract(from, value));
             }
-            Ok(total.unwrap_or_else(|| algebra.constant(Bounded::exact(0.0))))
+            Ok(total.unwrap_or_else(|| algebra.constant(Precise::exact(0.0))))
         }
         Node::Product(_) | Node::Power(..) => quotient(expr, algebra, known),
     }
 }
 
-/// Rounds a number of the tree; the error is 0 where `f64` holds it exactly.
-fn rounded(number: &Number) -> Bounded {
-    let value = number.to_f64();
-    if number.is_exact_f64() { Bounded::exact(value) } else { Bounded::rounded(value) }
+/// A number of the tree as two doubles; the error is 0 where they hold it exactly.
+fn literal(number: &Number) -> Precise {
+    let hi = number.to_f64();
+    let Some(head) = Number::from_f64(hi) else {
+        return Precise { value: hi.into(), error: f64::INFINITY };
+    };
+    let rest = number - &head;
+    if rest.is_zero() {
+        return Precise::exact(hi);
+    }
+    let lo = rest.to_f64();
+    let error = if rest.is_exact_f64() { 0.0 } else { lo.abs() * f64::EPSILON + f64::from_bits(1) };
+    Precise { value: DoubleDouble { hi, lo }, error }
 }
 
 /// Products and powers: factors and divisors by turns.
@@ -115,7 +132,7 @@ fn quotient<A: Algebra>(
     let mut factors = factors.into_iter();
     let mut result = match factors.next() {
         Some(first) => first,
-        None => algebra.constant(Bounded::exact(1.0)),
+        None => algebra.constant(Precise::exact(1.0)),
     };
     let mut divisors = divisors.into_iter();
     loop {
@@ -137,13 +154,13 @@ fn split_number<A: Algebra>(number: &Number, algebra: &mut A, factors: &mut Vec<
     let numerator = Number::from(num_rational::BigRational::from_integer(number.value().numer().clone()));
     let denominator = Number::from(num_rational::BigRational::from_integer(number.value().denom().clone()));
     if number.is_exact_f64() || !(numerator.is_exact_f64() && denominator.is_exact_f64()) {
-        factors.push(algebra.constant(rounded(number)));
+        factors.push(algebra.constant(literal(number)));
         return;
     }
     if !numerator.is_one() {
-        factors.push(algebra.constant(rounded(&numerator)));
+        factors.push(algebra.constant(literal(&numerator)));
     }
-    divisors.push(algebra.constant(rounded(&denominator)));
+    divisors.push(algebra.constant(literal(&denominator)));
 }
 
 /// Pushes the factors that make base^power, `power` > 0.
@@ -165,10 +182,10 @@ fn raise<A: Algebra>(
         _ => {
             // The exponent's own rounding would count ln(base) times: what f64 leaves of it is a second, small power.
             let nearest = power.to_f64();
-            let exponent = algebra.constant(Bounded::exact(nearest));
+            let exponent = algebra.constant(Precise::exact(nearest));
             into.push(algebra.power(value, exponent));
             if let Some(rest) = Number::from_f64(nearest).map(|nearest| power - &nearest).filter(|rest| !rest.is_zero()) {
-                let exponent = algebra.constant(Bounded::rounded(rest.to_f64()));
+                let exponent = algebra.constant(literal(&rest));
                 into.push(algebra.power(value, exponent));
             }
         }

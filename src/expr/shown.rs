@@ -1,6 +1,6 @@
 //! The form that a reader sees: functions that exist for stable evaluation give way to what they equal.
 
-use super::{Expr, Node};
+use super::{Expr, Node, Row};
 
 /// The expression that is printed for `expr`; parts without such functions are kept as they are.
 ///
@@ -10,42 +10,57 @@ use super::{Expr, Node};
 /// assert_eq!(shown(&stable), Expr::call("atanh", [Expr::symbol("x") / Expr::symbol("R")]));
 /// ```
 pub fn shown(expr: &Expr) -> Expr {
-    replaced(expr, false).unwrap_or_else(|| expr.clone())
+    replaced(expr, |_| false).unwrap_or_else(|| expr.clone())
 }
 
 /// The expression that LaTeX sets: functions that have a sign of their own there are kept.
 pub fn shown_in_latex(expr: &Expr) -> Expr {
-    replaced(expr, true).unwrap_or_else(|| expr.clone())
+    replaced(expr, |row| row.in_latex).unwrap_or_else(|| expr.clone())
+}
+
+/// The expression that is evaluated with 30 digits: functions that have no value of that kind give way to what they equal.
+pub fn shown_to_30_digits(expr: &Expr) -> Expr {
+    replaced(expr, |row| row.precise.is_some()).unwrap_or_else(|| expr.clone())
+}
+
+/// Whether every function in the expression has a value with 30 digits.
+pub fn has_30_digits(expr: &Expr) -> bool {
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => true,
+        Node::Power(base, exponent) => has_30_digits(base) && has_30_digits(exponent),
+        Node::Function(function, arguments) => function.row().precise.is_some() && arguments.iter().all(has_30_digits),
+        Node::Product(parts) | Node::Sum(parts) => parts.iter().all(has_30_digits),
+    }
 }
 
 /// The replacement, where anything changes.
-fn replaced(expr: &Expr, latex: bool) -> Option<Expr> {
+fn replaced(expr: &Expr, keep: fn(&Row) -> bool) -> Option<Expr> {
     match expr.node() {
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => None,
         Node::Power(base, exponent) => {
-            let (new_base, new_exponent) = (replaced(base, latex), replaced(exponent, latex));
+            let (new_base, new_exponent) = (replaced(base, keep), replaced(exponent, keep));
             if new_base.is_none() && new_exponent.is_none() {
                 return None;
             }
             Some(new_base.as_ref().unwrap_or(base).pow(new_exponent.as_ref().unwrap_or(exponent)))
         }
         Node::Function(function, arguments) => {
-            let inner = all_replaced(arguments, latex);
-            match function.row().shown.filter(|_| !(latex && function.row().in_latex)) {
+            let inner = all_replaced(arguments, keep);
+            match function.row().shown.filter(|_| !keep(function.row())) {
                 Some(rule) => {
                     let form = rule(inner.as_deref().unwrap_or(arguments));
-                    Some(replaced(&form, latex).unwrap_or(form))
+                    Some(replaced(&form, keep).unwrap_or(form))
                 }
                 None => inner.map(|arguments| Expr::function(*function, arguments)),
             }
         }
-        Node::Product(factors) => all_replaced(factors, latex).map(Expr::product),
-        Node::Sum(terms) => all_replaced(terms, latex).map(Expr::sum),
+        Node::Product(factors) => all_replaced(factors, keep).map(Expr::product),
+        Node::Sum(terms) => all_replaced(terms, keep).map(Expr::sum),
     }
 }
 
-fn all_replaced(parts: &[Expr], latex: bool) -> Option<Vec<Expr>> {
-    let new: Vec<Option<Expr>> = parts.iter().map(|part| replaced(part, latex)).collect();
+fn all_replaced(parts: &[Expr], keep: fn(&Row) -> bool) -> Option<Vec<Expr>> {
+    let new: Vec<Option<Expr>> = parts.iter().map(|part| replaced(part, keep)).collect();
     if new.iter().all(Option::is_none) {
         return None;
     }

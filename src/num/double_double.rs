@@ -120,10 +120,12 @@ pub struct Precise {
 }
 
 impl Precise {
-    /// A value whose relative error is at most `units` times 2^-104.
+    /// A value whose relative error is at most `units` times 2^-104; 0 counts as exact.
     #[must_use]
     pub fn relative(value: DoubleDouble, units: f64) -> Self {
-        Self { value, error: units * value.hi.abs() * 2.0_f64.powi(-104) }
+        // Below 2^-900 the low word may be subnormal.
+        let underflow = if value.hi != 0.0 && value.hi.abs() < 1e-270 { 64.0 * f64::from_bits(1) } else { 0.0 };
+        Self { value, error: units * value.hi.abs() * (f64::EPSILON * f64::EPSILON) + underflow }
     }
 
     /// No value: outside the domain.

@@ -1,7 +1,9 @@
 //! Rows of the elementary functions.
 
+use super::precise::{self, one, to_edge, to_one, to_pole};
 use super::{Function, Latex, PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
+use crate::num::{DoubleDouble, precise as thirty};
 use num_complex::Complex64;
 
 /// Twice the measured maximum error of the platform's elementary functions, in ulps.
@@ -13,6 +15,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("e^{{{}}}", a.first().map_or("", String::as_str))),
         value: |a| unary(a, f64::exp),
         ulps: LIBRARY,
+        precise: Some(precise::exp),
+        spread: Some(|a, by| one(a, by, |z, by| z.hi.exp() * by.exp_m1())),
         complex: Some(|a| complex(a, Complex64::exp)),
         derivative: Some(|a, _| Some(call("exp", a))),
         fold: Some(|a| match a {
@@ -30,6 +34,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\ln"),
         value: |a| unary(a, f64::ln),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::ln)),
+        spread: Some(|a, by| one(a, by, |z, by| to_pole(by, z.hi - 2.0 * by))),
         complex: Some(|a| complex(a, Complex64::ln)),
         derivative: Some(|a, _| Some(first(a).recip())),
         fold: Some(|a| match a {
@@ -47,6 +53,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\sin"),
         value: |a| unary(a, f64::sin),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::sin)),
+        spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.cos().abs() + z.lo.abs() + by))),
         complex: Some(|a| complex(a, Complex64::sin)),
         derivative: Some(|a, _| Some(call("cos", a))),
         fold: Some(|a| odd("sin", a)),
@@ -57,6 +65,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\cos"),
         value: |a| unary(a, f64::cos),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::cos)),
+        spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.sin().abs() + z.lo.abs() + by))),
         complex: Some(|a| complex(a, Complex64::cos)),
         derivative: Some(|a, _| Some(-call("sin", a))),
         fold: Some(|a| even("cos", a)),
@@ -67,6 +77,13 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\tan"),
         value: |a| unary(a, f64::tan),
         ulps: LIBRARY,
+        precise: Some(precise::tan),
+        spread: Some(|a, by| {
+            one(a, by, |z, by| {
+                let t = z.hi.tan().abs();
+                to_pole(by * (1.0 + t * t), (1.0 - 2.0 * t * (by + z.lo.abs()) - by).powi(2))
+            })
+        }),
         complex: Some(|a| complex(a, Complex64::tan)),
         derivative: Some(|a, _| Some(Expr::one() + call("tan", a).power(2))),
         fold: Some(|a| odd("tan", a)),
@@ -78,6 +95,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\arcsin"),
         value: |a| unary(a, f64::asin),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::asin)),
+        spread: Some(|a, by| one(a, by, |z, by| to_edge(by, to_one(z, by), 1.0 + z.hi.abs() - by))),
         complex: Some(|a| complex(a, Complex64::asin)),
         derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).sqrt().recip())),
         fold: Some(|a| odd("asin", a)),
@@ -91,6 +110,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\arccos"),
         value: |a| unary(a, f64::acos),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::acos)),
+        spread: Some(|a, by| one(a, by, |z, by| to_edge(by, to_one(z, by), 1.0 + z.hi.abs() - by))),
         complex: Some(|a| complex(a, Complex64::acos)),
         derivative: Some(|a, _| Some(-(Expr::one() - first(a).power(2)).sqrt().recip())),
         fold: Some(|a| first(a).is_one().then(Expr::zero)),
@@ -103,6 +124,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\arctan"),
         value: |a| unary(a, f64::atan),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::atan)),
+        spread: Some(|a, by| one(a, by, |z, by| by / (1.0 + (z.hi.abs() - by).max(0.0).powi(2)))),
         complex: Some(|a| complex(a, Complex64::atan)),
         derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).recip())),
         fold: Some(|a| odd("atan", a)),
@@ -114,6 +137,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\sinh"),
         value: |a| unary(a, f64::sinh),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::sinh)),
+        spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.abs() + by).cosh())),
         complex: Some(|a| complex(a, Complex64::sinh)),
         derivative: Some(|a, _| Some(call("cosh", a))),
         fold: Some(|a| odd("sinh", a)),
@@ -125,6 +150,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\cosh"),
         value: |a| unary(a, f64::cosh),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::cosh)),
+        spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.abs() + by).sinh())),
         complex: Some(|a| complex(a, Complex64::cosh)),
         derivative: Some(|a, _| Some(call("sinh", a))),
         fold: Some(|a| even("cosh", a)),
@@ -136,6 +163,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\tanh"),
         value: |a| unary(a, f64::tanh),
         ulps: LIBRARY,
+        precise: Some(|a| precise::unary(a, thirty::tanh)),
+        spread: Some(|a, by| one(a, by, |z, by| by / (z.hi.abs() - by).max(0.0).cosh().powi(2))),
         complex: Some(|a| complex(a, Complex64::tanh)),
         derivative: Some(|a, _| Some(call("cosh", a).power(-2))),
         fold: Some(|a| odd("tanh", a)),
@@ -148,6 +177,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\operatorname{arsinh}"),
         value: |a| unary(a, libm::asinh),
         ulps: 4.0,
+        precise: Some(|a| precise::unary(a, thirty::asinh)),
+        spread: Some(|a, by| one(a, by, |z, by| by / 1.0_f64.hypot((z.hi.abs() - by).max(0.0)))),
         complex: Some(|a| complex(a, Complex64::asinh)),
         derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).sqrt().recip())),
         fold: Some(|a| odd("asinh", a)),
@@ -160,6 +191,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\operatorname{arcosh}"),
         value: |a| unary(a, libm::acosh),
         ulps: 4.0,
+        precise: Some(|a| precise::unary(a, thirty::acosh)),
+        spread: Some(|a, by| one(a, by, |z, by| to_edge(by, z.sub(DoubleDouble::ONE).hi * (1.0 - f64::EPSILON) - by, z.hi + 1.0 - by))),
         complex: Some(|a| complex(a, Complex64::acosh)),
         derivative: Some(|a, _| Some((first(a).power(2) - Expr::one()).sqrt().recip())),
         sign: Some(|_| Sign::Positive),
@@ -172,6 +205,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\operatorname{artanh}"),
         value: |a| unary(a, libm::atanh),
         ulps: 4.0,
+        precise: Some(|a| precise::unary(a, thirty::atanh)),
+        spread: Some(|a, by| one(a, by, |z, by| to_pole(by, to_one(z, by) * (1.0 + z.hi.abs() - by).max(0.0)))),
         complex: Some(|a| complex(a, Complex64::atanh)),
         derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).recip())),
         fold: Some(|a| odd("atanh", a)),
@@ -184,6 +219,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("\\left|{}\\right|", a.first().map_or("", String::as_str))),
         value: |a| unary(a, f64::abs),
         ulps: 0.0,
+        precise: Some(precise::abs),
+        spread: Some(precise::largest),
         derivative: Some(|a, _| Some(first(a) / call("abs", a))),
         fold: Some(|a| match a {
             [u] => match sign(u) {
@@ -206,6 +243,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("\\max({})", a.join(",\\,"))),
         value: |a| pick(a, |u, v| u >= v),
         ulps: 0.0,
+        precise: Some(|a| precise::extreme(a, false)),
+        spread: Some(precise::largest),
         fold: Some(|a| extreme(a, false)),
         sign: Some(|a| a.iter().map(sign).find(|s| *s == Sign::Positive).unwrap_or(Sign::Unknown)),
         ..PLAIN
@@ -216,6 +255,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("\\min({})", a.join(",\\,"))),
         value: |a| pick(a, |u, v| u <= v),
         ulps: 0.0,
+        precise: Some(|a| precise::extreme(a, true)),
+        spread: Some(precise::largest),
         fold: Some(|a| extreme(a, true)),
         sign: Some(|a| if a.iter().all(|u| sign(u) == Sign::Positive) { Sign::Positive } else { Sign::Unknown }),
         ..PLAIN
@@ -226,6 +267,8 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("\\operatorname{{atan2}}({})", a.join(",\\,"))),
         value: |a| binary(a, f64::atan2),
         ulps: LIBRARY,
+        precise: Some(precise::atan2),
+        spread: Some(precise::turn),
         ..PLAIN
     },
 ];

@@ -4,7 +4,7 @@ use super::elementary::{binary, unary};
 use super::{Latex, PLAIN, Row};
 use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
-use crate::num::{forms, kappa};
+use crate::num::{Precise, forms, kappa};
 
 /// What these rows have in common: positive values, no LaTeX of their own because the shown expression is set.
 const FORM: Row = Row { latex: Latex::Operator("\\operatorname{form}"), sign: Some(|_| Sign::Positive), ..PLAIN };
@@ -21,7 +21,18 @@ pub(super) static ROWS: &[Row] = &[
         ..FORM
     },
     // A number that is known to 32 ulps only: a kink that was located numerically.
-    Row { name: "approximate", value: |a| unary(a, |z| z), ulps: 64.0, shown: Some(|a| with(a, |[z]| z.clone())), ..FORM },
+    Row {
+        name: "approximate",
+        value: |a| unary(a, |z| z),
+        ulps: 64.0,
+        precise: Some(|a| match a {
+            [z] => Precise { value: *z, error: 64.0 * f64::EPSILON * z.hi.abs() },
+            _ => Precise::nan(),
+        }),
+        spread: Some(|_, by| by.iter().sum()),
+        shown: Some(|a| with(a, |[z]| z.clone())),
+        ..FORM
+    },
     // ∫_b^x (r−b)^k/√(x²−r²) dr
     Row { name: "shifted_power", ulps: 8.0, arity: (3, 3), value: |a| segment(a, forms::shifted_power), ..FORM },
     // ∫_b^c (r−b)^k/√(x²−r²) dr

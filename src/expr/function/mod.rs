@@ -4,6 +4,7 @@ mod elementary;
 mod elliptic;
 mod forms;
 mod hypergeometric;
+mod precise;
 mod special;
 mod waves;
 
@@ -31,6 +32,8 @@ pub struct Row {
     pub ulps: f64,
     /// The value with about 30 digits, at exact arguments; what has none is evaluated in double precision only.
     pub precise: Option<fn(&[DoubleDouble]) -> Precise>,
+    /// Bound on how far the value moves while every argument moves by at most its distance; what has none is probed.
+    pub spread: Option<fn(&[DoubleDouble], &[f64]) -> f64>,
     /// The value at complex arguments, for elementary functions.
     pub complex: Option<fn(&[Complex64]) -> Complex64>,
     /// The derivative with respect to the argument at the given position.
@@ -72,6 +75,7 @@ pub(super) const PLAIN: Row = Row {
     value: |_| f64::NAN,
     ulps: 1.0,
     precise: None,
+    spread: None,
     complex: None,
     derivative: None,
     fold: None,

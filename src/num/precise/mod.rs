@@ -9,6 +9,7 @@ mod exponential;
 mod inverse_circular;
 mod logarithm;
 mod power;
+mod running;
 
 pub use circular::{cos, sin, sin_cos, tan};
 pub use constants::{E, EULER_GAMMA, LN_2, PI, ROOT_PI};
