@@ -3,7 +3,8 @@
 
 use divan::Bencher;
 use sneddon::contact::{Edge, relations};
-use sneddon::transform::{Profile, check, derive};
+use sneddon::expr::Bindings;
+use sneddon::transform::{Evaluator, Method, Profile, check, derive};
 use sneddon::{parse, print};
 
 /// A smooth, a composite, a rooted, a worn, a capped and an open profile.
@@ -41,6 +42,14 @@ fn derivation(bencher: Bencher<'_, '_>, name: &str) {
 fn own_check(bencher: Bencher<'_, '_>, name: &str) {
     let solution = derive(&Profile::new(&parse::profile(profile(name)).unwrap()).unwrap()).unwrap();
     bencher.bench(|| check(&solution).unwrap());
+}
+
+/// One number from a compiled solution: in doubles, and with the second pass, which F of a hyperboloid needs at small a.
+#[divan::bench(args = [("r-atan(r)", 0.8), ("r-atan(r)", 1e-3), ("r^2+sqrt(1+r^2)", 0.8), ("r^2/2-sqrt(1+r^2)", 1e-3)])]
+fn number(bencher: Bencher<'_, '_>, (text, at): (&str, f64)) {
+    let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Exact, 1e-13).unwrap();
+    bencher.bench(|| (evaluator.height(at).unwrap(), evaluator.slope(at)));
 }
 
 fn profile(name: &str) -> &'static str {

@@ -3,7 +3,7 @@
 use crate::eval::{BoundedAlgebra, EvalError, constant_value, walk};
 use crate::expr::{Bindings, Condition, Expr, Sign, Symbol, sign};
 use crate::num::{Bounded, Estimate};
-use crate::transform::{Reading, Solution, Term};
+use crate::transform::{ClosedForm, Reading, Solution, Term};
 
 /// a(d) and F(d) of a smooth-edged contact, with what must hold.
 #[derive(Clone, Debug)]
@@ -142,6 +142,10 @@ impl Explicit {
 
     /// One of the two expressions as a number, its parameters being set.
     pub(super) fn value(&self, expr: &Expr, depth: Bounded, effective_modulus: f64) -> Result<Estimate, EvalError> {
+        if depth.error == 0.0 {
+            let form = ClosedForm::new(expr, &[Symbol::new("d"), Symbol::new("E")])?;
+            return Ok(Estimate::from_bounded(form.value(&[depth.value, effective_modulus]), 0));
+        }
         let mut value_of = |symbol: &Symbol| match symbol.name() {
             "d" => Some(depth),
             "E" => Some(Bounded::exact(effective_modulus)),

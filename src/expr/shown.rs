@@ -10,17 +10,22 @@ use super::{Expr, Node, Row};
 /// assert_eq!(shown(&stable), Expr::call("atanh", [Expr::symbol("x") / Expr::symbol("R")]));
 /// ```
 pub fn shown(expr: &Expr) -> Expr {
-    replaced(expr, |_| false).unwrap_or_else(|| expr.clone())
+    replaced(expr, &|row, a| row.shown.map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
 }
 
 /// The expression that LaTeX sets: functions that have a sign of their own there are kept.
 pub fn shown_in_latex(expr: &Expr) -> Expr {
-    replaced(expr, |row| row.in_latex).unwrap_or_else(|| expr.clone())
+    replaced(expr, &|row, a| row.shown.filter(|_| !row.in_latex).map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
 }
 
-/// The expression that is evaluated with 30 digits: functions that have no value of that kind give way to what they equal.
+/// The expression that is evaluated with 30 digits: functions that have no value of that kind give way to what they equal,
+/// where that has.
 pub fn shown_to_30_digits(expr: &Expr) -> Expr {
-    replaced(expr, |row| row.precise.is_some()).unwrap_or_else(|| expr.clone())
+    let form = |row: &Row, a: &[Expr]| {
+        let rule = row.shown.filter(|_| row.precise.is_none())?;
+        Some(shown_to_30_digits(&rule(a))).filter(has_30_digits)
+    };
+    replaced(expr, &form).unwrap_or_else(|| expr.clone())
 }
 
 /// Whether every function in the expression has a value with 30 digits.
@@ -33,34 +38,34 @@ pub fn has_30_digits(expr: &Expr) -> bool {
     }
 }
 
+/// What stands in the place of a function at these arguments, where anything does.
+type Form<'a> = &'a dyn Fn(&Row, &[Expr]) -> Option<Expr>;
+
 /// The replacement, where anything changes.
-fn replaced(expr: &Expr, keep: fn(&Row) -> bool) -> Option<Expr> {
+fn replaced(expr: &Expr, form: Form<'_>) -> Option<Expr> {
     match expr.node() {
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => None,
         Node::Power(base, exponent) => {
-            let (new_base, new_exponent) = (replaced(base, keep), replaced(exponent, keep));
+            let (new_base, new_exponent) = (replaced(base, form), replaced(exponent, form));
             if new_base.is_none() && new_exponent.is_none() {
                 return None;
             }
             Some(new_base.as_ref().unwrap_or(base).pow(new_exponent.as_ref().unwrap_or(exponent)))
         }
         Node::Function(function, arguments) => {
-            let inner = all_replaced(arguments, keep);
-            match function.row().shown.filter(|_| !keep(function.row())) {
-                Some(rule) => {
-                    let form = rule(inner.as_deref().unwrap_or(arguments));
-                    Some(replaced(&form, keep).unwrap_or(form))
-                }
+            let inner = all_replaced(arguments, form);
+            match form(function.row(), inner.as_deref().unwrap_or(arguments)) {
+                Some(here) => Some(replaced(&here, form).unwrap_or(here)),
                 None => inner.map(|arguments| Expr::function(*function, arguments)),
             }
         }
-        Node::Product(factors) => all_replaced(factors, keep).map(Expr::product),
-        Node::Sum(terms) => all_replaced(terms, keep).map(Expr::sum),
+        Node::Product(factors) => all_replaced(factors, form).map(Expr::product),
+        Node::Sum(terms) => all_replaced(terms, form).map(Expr::sum),
     }
 }
 
-fn all_replaced(parts: &[Expr], keep: fn(&Row) -> bool) -> Option<Vec<Expr>> {
-    let new: Vec<Option<Expr>> = parts.iter().map(|part| replaced(part, keep)).collect();
+fn all_replaced(parts: &[Expr], form: Form<'_>) -> Option<Vec<Expr>> {
+    let new: Vec<Option<Expr>> = parts.iter().map(|part| replaced(part, form)).collect();
     if new.iter().all(Option::is_none) {
         return None;
     }

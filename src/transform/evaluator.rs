@@ -1,11 +1,12 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
+use super::closed::{ClosedForm, for_second_pass, precise_total, refined, total};
 use super::integral::NumericProfile;
 use super::quantity::Quantity;
 use super::{Segment, Solution, TransformError};
-use crate::eval::{BoundedAlgebra, Tape, constant_value};
-use crate::expr::{Bindings, Expr, Symbol};
-use crate::num::{Bounded, Estimate};
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
+use crate::num::{Bounded, Estimate, Precise};
 use std::cell::OnceCell;
 
 /// How a number may be computed.
@@ -40,10 +41,9 @@ pub struct Evaluator<'a> {
     method: Method,
 }
 
-/// f as it was typed: the value at the axis, and per chain its breakpoints and pieces.
+/// f as it was typed, less its value at the axis: per chain its breakpoints and pieces.
 struct Heights {
-    shift: Bounded,
-    chains: Vec<(Vec<f64>, Vec<Tape>)>,
+    chains: Vec<(Vec<f64>, Vec<ClosedForm>)>,
 }
 
 struct NumericChain {
@@ -55,7 +55,7 @@ struct NumericChain {
 
 /// The closed expressions of one quantity, one per interval of the contact, and what is left to integrate.
 struct Part {
-    closed: Vec<Option<Tape>>,
+    closed: Vec<Option<ClosedForm>>,
     open: NumericProfile,
 }
 
@@ -162,14 +162,16 @@ impl<'a> Evaluator<'a> {
         }
         let radius = [Symbol::new("r")];
         let mut chains = Vec::new();
+        // f(0) is taken away in the expression, where it may cancel before any rounding.
+        let mut shift = -self.bindings.apply(&self.solution.profile.shift);
         for chain in &self.solution.profile.chains {
             let number = |b: &Expr| constant_value(b, &self.bindings).map(|b| b.value);
             let breakpoints = chain.breakpoints.iter().map(number).collect::<Result<Vec<_>, _>>()?;
-            let compile = |piece: &Expr| Tape::compile(&[self.bindings.apply(piece)], &radius);
+            let compile = |piece: &Expr| ClosedForm::new(&(self.bindings.apply(piece) + &shift), &radius);
             chains.push((breakpoints, chain.pieces.iter().map(compile).collect::<Result<Vec<_>, _>>()?));
+            shift = Expr::zero();
         }
-        let shift = constant_value(&self.solution.profile.shift, &self.bindings)?;
-        Ok(self.heights.get_or_init(|| Heights { shift, chains }))
+        Ok(self.heights.get_or_init(|| Heights { chains }))
     }
 
     /// f(r) − f(0): the typed expression where it keeps its digits, else ∫₀^r f′ dr.
@@ -179,14 +181,14 @@ impl<'a> Evaluator<'a> {
     pub fn height(&self, r: f64) -> Result<Reading, TransformError> {
         self.check_domain("r", r)?;
         let heights = self.heights()?;
-        let mut total = -heights.shift;
-        let mut slots = Vec::new();
+        let mut forms = Vec::new();
         for (breakpoints, pieces) in &heights.chains {
-            let interval = breakpoints.iter().filter(|b| **b <= r).count();
-            let value = pieces.get(interval).and_then(|tape| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots));
-            total = total + value.unwrap_or(Bounded::exact(f64::NAN));
+            let Some(piece) = pieces.get(breakpoints.iter().filter(|b| **b <= r).count()) else {
+                return Err(TransformError::OutOfDomain { symbol: "r", at: r, limit: String::new() });
+            };
+            forms.push(piece);
         }
-        let estimate = Estimate::from_bounded(total, 0);
+        let estimate = Estimate::from_bounded(total(&forms, &[r]), 0);
         let plain = Reading { estimate, method: "exact" };
         if self.method != Method::Quadrature && (self.method == Method::Exact || estimate.relative_error() <= self.tolerance) {
             return finite(Some(plain), "r", r);
@@ -206,12 +208,35 @@ impl<'a> Evaluator<'a> {
             let (slope, force) = (self.slope(a)?, self.force(a)?);
             let closed = Bounded::exact(a) * slope.estimate.bounded() - force.estimate.bounded();
             let evaluations = slope.estimate.evaluations + force.estimate.evaluations;
+            let closed = refined(closed, closed.value, || self.precise_integral(a).unwrap_or(Precise::nan()));
             let estimate = Estimate::from_bounded(closed, evaluations);
+            let own = Reading { estimate, method: slope.method };
             if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
-                return Ok(Reading { estimate, method: slope.method });
+                return Ok(own);
             }
+            let whole = self.typed()?.integral(a, self.tolerance);
+            return match whole {
+                Ok(whole) if !(estimate.error <= whole.error) => Ok(Reading { estimate: whole, method: "quadrature" }),
+                Err(error) if !estimate.error.is_finite() => Err(error),
+                _ => Ok(own),
+            };
         }
         Ok(Reading { estimate: self.typed()?.integral(a, self.tolerance)?, method: "quadrature" })
+    }
+
+    /// a g(a) − F/(2E*) with 30 digits, where nothing is left to integrate.
+    fn precise_integral(&self, a: f64) -> Result<Precise, TransformError> {
+        let (mut slope, mut force) = (Vec::new(), Vec::new());
+        for (quantity, forms) in [(Quantity::Slope, &mut slope), (Quantity::Force, &mut force)] {
+            for index in 0..self.chains.len() {
+                let part = self.part(index, quantity)?;
+                if !part.open.is_empty() {
+                    return Ok(Precise::nan());
+                }
+                forms.extend(part.closed.get(self.interval(index, a)).and_then(Option::as_ref));
+            }
+        }
+        Ok(Precise::exact(a).mul(precise_total(&slope, &[a])).sub(precise_total(&force, &[a])))
     }
 
     /// u_z(r) outside a contact of radius a < r with a smooth edge.
@@ -227,6 +252,8 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Closed terms plus the integrals of the others; or the whole by quadrature where that is demanded or has more digits.
+    ///
+    /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
     fn combine(
         &self,
         quantity: Quantity,
@@ -240,36 +267,39 @@ impl<'a> Evaluator<'a> {
         if self.method == Method::Quadrature {
             return whole();
         }
-        let inputs: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
-        let (mut total, mut evaluations, mut any_closed, mut any_open) = (Bounded::exact(0.0), 0, false, false);
+        let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
+        let (mut closed, mut open, mut evaluations, mut any_open) = (Bounded::exact(0.0), Bounded::exact(0.0), 0, false);
+        let mut forms = Vec::new();
         let mut slots = Vec::new();
         for index in 0..self.chains.len() {
             let part = self.part(index, quantity)?;
             let interval = self.interval(index, contact);
-            if let Some(tape) = part.closed.get(interval).and_then(Option::as_ref) {
-                let value = tape.run(&mut BoundedAlgebra, &inputs, &mut slots).unwrap_or(Bounded::exact(f64::NAN));
+            if let Some(form) = part.closed.get(interval).and_then(Option::as_ref) {
+                let value = form.in_doubles(&exact, &mut slots);
                 if value.value.is_infinite() {
                     // Infinite by theory at the apex and at kinks, too large for a float elsewhere.
-                    let at = inputs.first().map_or(0.0, |own| own.value);
+                    let at = inputs.first().copied().unwrap_or(0.0);
                     let singular = at == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == at));
                     let theory = quantity == Quantity::Pressure && singular;
                     return if theory { Ok(None) } else { Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact }) };
                 }
-                total = total + value;
-                any_closed = true;
+                closed = closed + value;
+                forms.push(form);
             }
             if !part.open.is_empty() {
                 if self.method == Method::Exact {
                     return Err(TransformError::NoClosedForm { quantity: quantity.name() });
                 }
                 let Some(found) = integrate(&part.open)? else { return Ok(None) };
-                total = total + found.bounded();
+                open = open + found.bounded();
                 evaluations += found.evaluations;
                 any_open = true;
             }
         }
+        let closed = refined(closed, (closed + open).value, || precise_total(&forms, inputs));
+        let total = if any_open { closed + open } else { closed };
         let estimate = Estimate::from_bounded(total, evaluations);
-        let method = match (any_closed, any_open) {
+        let method = match (!forms.is_empty(), any_open) {
             (true, true) => "mixed",
             (false, true) => "quadrature",
             _ => "exact",
@@ -335,7 +365,9 @@ impl<'a> Evaluator<'a> {
         let mut closed = Vec::new();
         for interval in 0..chain.intervals.len() {
             let expr = self.bindings.apply(&chain.closed(interval, quantity, |pair| &pair.evaluated));
-            closed.push(if expr.is_zero() { None } else { Some(Tape::compile(&[expr], &symbols)?) });
+            let second =
+                if has_30_digits(&expr) { expr.clone() } else { self.bindings.apply(&chain.closed(interval, quantity, for_second_pass)) };
+            closed.push(if expr.is_zero() { None } else { Some(ClosedForm::with_second(&expr, second, &symbols)?) });
         }
         let open = chain.remainder(|term| match quantity {
             Quantity::Pressure => term.has_open_pressure(),

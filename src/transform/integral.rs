@@ -159,7 +159,11 @@ impl NumericSegment {
             // r − lower = 2x sin(v/2) sin(π/2 − t_lower − v/2): every factor is positive.
             // Below the smallest normal number f′ has no digits; the panel's tail is bounded from its last values.
             let distance = (2.0 * x * (0.5 * v).sin() * (rest + 0.5 * v).sin()).max(f64::MIN_POSITIVE);
-            let delta = with_ulps(distance, 12.0);
+            let mut delta = with_ulps(distance, 12.0);
+            // The distance counts from an end that is known to its error only; next to that end `smear` has it.
+            if distance > 2.0 * self.lower.error {
+                delta.error += self.lower.error;
+            }
             let Some(slope) = self.slope.run(&mut BoundedAlgebra, &[delta], &mut slots) else { return Bounded::exact(f64::NAN) };
             match weight {
                 Weight::Slope => slope,

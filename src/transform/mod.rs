@@ -2,6 +2,7 @@
 
 mod assemble;
 mod check;
+mod closed;
 mod domain;
 mod engine;
 mod error;
@@ -20,6 +21,7 @@ mod term;
 
 pub use assemble::{Derived, Status};
 pub use check::{Check, check};
+pub use closed::ClosedForm;
 pub use engine::{Solution, derive};
 pub use error::TransformError;
 pub use evaluator::{Evaluator, Method, Reading};

@@ -1,10 +1,11 @@
 //! Rows of functions that exist for stable evaluation; each states the expression that is shown in its place.
 
 use super::elementary::{binary, unary};
-use super::{Latex, PLAIN, Row};
+use super::precise::order;
+use super::{Latex, PLAIN, Row, precise};
 use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
-use crate::num::{Precise, forms, kappa};
+use crate::num::{Precise, forms, kappa, precise as thirty};
 
 /// What these rows have in common: positive values, no LaTeX of their own because the shown expression is set.
 const FORM: Row = Row { latex: Latex::Operator("\\operatorname{form}"), sign: Some(|_| Sign::Positive), ..PLAIN };
@@ -34,13 +35,45 @@ pub(super) static ROWS: &[Row] = &[
         ..FORM
     },
     // ∫_b^x (r−b)^k/√(x²−r²) dr
-    Row { name: "shifted_power", ulps: 8.0, arity: (3, 3), value: |a| segment(a, forms::shifted_power), ..FORM },
+    Row {
+        name: "shifted_power",
+        ulps: 8.0,
+        arity: (3, 3),
+        value: |a| segment(a, forms::shifted_power),
+        precise: Some(|a| precise::segment(a, thirty::shifted_power)),
+        spread: Some(|a, by| precise::segment_spread(a, by, false)),
+        ..FORM
+    },
     // ∫_b^c (r−b)^k/√(x²−r²) dr
-    Row { name: "shifted_power_between", ulps: 8.0, arity: (4, 4), value: |a| segment(a, forms::shifted_power), ..FORM },
+    Row {
+        name: "shifted_power_between",
+        ulps: 8.0,
+        arity: (4, 4),
+        value: |a| segment(a, forms::shifted_power),
+        precise: Some(|a| precise::segment(a, thirty::shifted_power)),
+        spread: Some(|a, by| precise::segment_spread(a, by, false)),
+        ..FORM
+    },
     // ∫_b^a (r−b)^k r²/√(a²−r²) dr
-    Row { name: "shifted_power_force", ulps: 8.0, arity: (3, 3), value: |a| segment(a, forms::shifted_power_force), ..FORM },
+    Row {
+        name: "shifted_power_force",
+        ulps: 8.0,
+        arity: (3, 3),
+        value: |a| segment(a, forms::shifted_power_force),
+        precise: Some(|a| precise::segment(a, thirty::shifted_power_force)),
+        spread: Some(|a, by| precise::segment_spread(a, by, true)),
+        ..FORM
+    },
     // ∫_b^c (r−b)^k r²/√(a²−r²) dr
-    Row { name: "shifted_power_force_between", ulps: 8.0, arity: (4, 4), value: |a| segment(a, forms::shifted_power_force), ..FORM },
+    Row {
+        name: "shifted_power_force_between",
+        ulps: 8.0,
+        arity: (4, 4),
+        value: |a| segment(a, forms::shifted_power_force),
+        precise: Some(|a| precise::segment(a, thirty::shifted_power_force)),
+        spread: Some(|a, by| precise::segment_spread(a, by, true)),
+        ..FORM
+    },
     Row {
         name: "artanh_ratio",
         ulps: 2.0,
@@ -179,10 +212,6 @@ fn segment(a: &[f64], f: fn(u32, f64, f64, f64) -> f64) -> f64 {
         [k, b, c, x] => order(*k).map_or(f64::NAN, |k| f(k, *b, *c, *x)),
         _ => f64::NAN,
     }
-}
-
-fn order(k: f64) -> Option<u32> {
-    (k.fract() == 0.0 && (0.0..=400.0).contains(&k)).then_some(k as u32)
 }
 
 /// Legendre's χ₂.

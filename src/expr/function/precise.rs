@@ -1,6 +1,6 @@
 //! What the rows of elementary functions know beyond double precision: 30-digit values, and how errors of arguments grow.
 
-use crate::num::{DoubleDouble, Precise, precise};
+use crate::num::{DoubleDouble, Precise, forms, precise};
 
 /// Twice the measured maximum error of `num::precise`, rounded up, in units of 2^-104; see `tests/precise.rs`.
 const UNITS: f64 = 4.0;
@@ -85,4 +85,55 @@ pub(super) fn turn(a: &[DoubleDouble], by: &[f64]) -> f64 {
 pub(super) fn to_one(z: DoubleDouble, by: f64) -> f64 {
     let z = if z.hi < 0.0 { z.neg() } else { z };
     DoubleDouble::ONE.sub(z).hi * (1.0 - f64::EPSILON) - by
+}
+
+/// The order of a segment function, where it is one.
+pub(super) fn order(k: f64) -> Option<u32> {
+    (k.fract() == 0.0 && (0.0..=400.0).contains(&k)).then_some(k as u32)
+}
+
+/// An integral over a segment: order, lower end, perhaps upper end, radius.
+type Segment = fn(u32, DoubleDouble, Option<DoubleDouble>, DoubleDouble) -> Precise;
+
+/// The value of such an integral.
+pub(super) fn segment(a: &[DoubleDouble], f: Segment) -> Precise {
+    let (k, b, c, x) = match a {
+        [k, b, x] => (k, b, None, x),
+        [k, b, c, x] => (k, b, Some(*c), x),
+        _ => return Precise::nan(),
+    };
+    order(k.hi).map_or(Precise::nan(), |k| f(k, *b, c, *x))
+}
+
+/// How far such an integral T moves: T_b = −k T of order k − 1, T_c from the integrand, T_x because T is homogeneous.
+///
+/// Nothing is promised where the ends come as near to each other as their distances.
+pub(super) fn segment_spread(a: &[DoubleDouble], by: &[f64], force: bool) -> f64 {
+    let (k, b, c, x, by_b, by_c, by_x) = match (a, by) {
+        ([k, b, x], [_, by_b, by_x]) => (k.hi, *b, None, *x, *by_b, 0.0, *by_x),
+        ([k, b, c, x], [_, by_b, by_c, by_x]) => (k.hi, *b, Some(*c), *x, *by_b, *by_c, *by_x),
+        _ => return f64::INFINITY,
+    };
+    let Some(order) = order(k) else { return f64::INFINITY };
+    let inner = c.filter(|c| c.sub(x).hi < 0.0);
+    let room = match inner {
+        Some(c) => c.sub(b).hi.min(x.sub(c).hi),
+        None => x.sub(b).hi,
+    };
+    if 10.0 * (k + 1.0) * (by_b + by_c + by_x) >= room {
+        return f64::INFINITY;
+    }
+    let value = |order: u32| {
+        let f = if force { forms::shifted_power_force } else { forms::shifted_power };
+        f(order, b.hi, inner.map_or(f64::INFINITY, |c| c.hi), x.hi)
+    };
+    let end = |e: DoubleDouble| {
+        let weight = if force { e.hi * e.hi } else { 1.0 };
+        weight / (x.sub(e).hi * (x.hi + e.hi)).sqrt()
+    };
+    let along_b = order.checked_sub(1).map_or_else(|| end(b), |lower| k * value(lower));
+    let along_c = inner.map_or(0.0, |c| c.sub(b).hi.powf(k) * end(c));
+    let degree = if force { k + 2.0 } else { k };
+    let along_x = (degree * value(order) + b.hi * along_b + inner.map_or(0.0, |c| c.hi) * along_c) / x.hi;
+    2.0 * (along_b * by_b + along_c * by_c + along_x * by_x)
 }

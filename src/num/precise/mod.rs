@@ -10,6 +10,7 @@ mod inverse_circular;
 mod logarithm;
 mod power;
 mod running;
+mod segment;
 
 pub use circular::{cos, sin, sin_cos, tan};
 pub use constants::{E, EULER_GAMMA, LN_2, PI, ROOT_PI};
@@ -17,6 +18,7 @@ pub use exponential::{cosh, exp, expm1, sinh, tanh};
 pub use inverse_circular::{acos, asin, atan, atan2};
 pub use logarithm::{acosh, asinh, atanh, ln, ln1p};
 pub use power::{pow, powi, sqrt};
+pub use segment::{shifted_power, shifted_power_force};
 
 use super::DoubleDouble;
 

@@ -1,0 +1,92 @@
+//! A closed expression as a number: in double precision where that keeps its digits, else with 30 digits, rounded once.
+
+use super::Pair;
+use crate::eval::{BoundedAlgebra, EvalError, PreciseAlgebra, Tape};
+use crate::expr::{Expr, Symbol, has_30_digits, shown_to_30_digits};
+use crate::num::{Bounded, Precise};
+use std::cell::OnceCell;
+
+/// A relative bound of this size is good enough: four units in the last place of a double.
+const GOOD: f64 = 4.0 * f64::EPSILON;
+
+/// An expression over a few inputs, compiled for many points.
+///
+/// ```
+/// use sneddon::{expr::{Expr, Symbol}, transform::ClosedForm};
+/// let x = Expr::symbol("x");
+/// let f = (Expr::one() + &x).sqrt() - Expr::one() - x / Expr::integer(2);
+/// let form = ClosedForm::new(&f, &[Symbol::new("x")]).unwrap();
+/// // −x²/8 + x³/16, of which double precision alone keeps nothing.
+/// let value = form.value(&[1e-9]);
+/// assert!(value.error < 1e-15 * value.value.abs() && (value.value / -1.249_999_999_375e-19 - 1.0).abs() < 1e-15);
+/// ```
+#[derive(Clone, Debug)]
+pub struct ClosedForm {
+    tape: Tape,
+    /// What the second pass evaluates, before functions give way to what they equal.
+    second: Expr,
+    inputs: Vec<Symbol>,
+    precise: OnceCell<Option<Tape>>,
+}
+
+impl ClosedForm {
+    /// Compiles an expression whose only symbols are the inputs.
+    ///
+    /// # Errors
+    /// [`EvalError::Unbound`] for any other symbol.
+    pub fn new(expr: &Expr, inputs: &[Symbol]) -> Result<Self, EvalError> {
+        Self::with_second(expr, expr.clone(), inputs)
+    }
+
+    /// The same where the second pass has an expression of its own, which must be equal.
+    pub(super) fn with_second(expr: &Expr, second: Expr, inputs: &[Symbol]) -> Result<Self, EvalError> {
+        let tape = Tape::compile(std::slice::from_ref(expr), inputs)?;
+        Ok(Self { tape, second, inputs: inputs.to_vec(), precise: OnceCell::new() })
+    }
+
+    /// The value at exact inputs, with a bound of its error; NaN where the number of inputs is wrong.
+    pub fn value(&self, inputs: &[f64]) -> Bounded {
+        total(&[self], inputs)
+    }
+
+    /// In double precision.
+    pub(super) fn in_doubles(&self, inputs: &[Bounded], slots: &mut Vec<Bounded>) -> Bounded {
+        self.tape.run(&mut BoundedAlgebra, inputs, slots).unwrap_or(Bounded::exact(f64::NAN))
+    }
+
+    /// With 30 digits; the tape is compiled when it is first needed.
+    fn in_30_digits(&self, inputs: &[Precise], slots: &mut Vec<Precise>) -> Precise {
+        let compile = || Tape::compile(&[shown_to_30_digits(&self.second)], &self.inputs).ok();
+        let tape = self.precise.get_or_init(compile);
+        tape.as_ref().and_then(|tape| tape.run(&mut PreciseAlgebra, inputs, slots)).unwrap_or(Precise::nan())
+    }
+}
+
+/// The sum of closed forms at exact inputs.
+pub(super) fn total(forms: &[&ClosedForm], inputs: &[f64]) -> Bounded {
+    let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
+    let mut slots = Vec::new();
+    let sum = forms.iter().fold(Bounded::exact(0.0), |sum, form| sum + form.in_doubles(&exact, &mut slots));
+    refined(sum, sum.value, || precise_total(forms, inputs))
+}
+
+/// The sum with 30 digits, which survives what cancels between the forms.
+pub(super) fn precise_total(forms: &[&ClosedForm], inputs: &[f64]) -> Precise {
+    let exact: Vec<Precise> = inputs.iter().copied().map(Precise::exact).collect();
+    let mut slots = Vec::new();
+    forms.iter().fold(Precise::exact(0.0), |sum, form| sum.add(form.in_30_digits(&exact, &mut slots)))
+}
+
+/// The first value where its bound is good next to the whole of which it is a part, else the better of both.
+pub(super) fn refined(first: Bounded, whole: f64, second: impl FnOnce() -> Precise) -> Bounded {
+    if first.error <= GOOD * whole.abs() {
+        return first;
+    }
+    let second = second().bounded();
+    if second.is_finite() && !(second.error >= first.error) { second } else { first }
+}
+
+/// The expression of an answer that the second pass evaluates: the shown one where the other has functions without 30 digits.
+pub(super) fn for_second_pass(pair: &Pair) -> &Expr {
+    if has_30_digits(&shown_to_30_digits(&pair.evaluated)) { &pair.evaluated } else { &pair.shown }
+}
