@@ -86,6 +86,12 @@ const TABLE: &[(&str, &str, &str)] = &[
     ("abs(r-b)", r"\left|r - b\right|", "abs(r - b)"),
     ("max(0, r-b)", r"\max(0,\,r - b)", "max(0, r - b)"),
     ("gamma(n)^2", r"\Gamma^{2}(n)", "gamma(n)^2"),
+    ("x*struveh(0, k*x)", r"x \mathbf{H}_{0}\left(k x\right)", "x*struveh(0, k*x)"),
+    ("x*struvel(1, k*x)", r"x \mathbf{L}_{1}\left(k x\right)", "x*struvel(1, k*x)"),
+    ("x*besselj(0, x/w)", r"x J_{0}\left(\frac{x}{w}\right)", "x*besselj(0, x/w)"),
+    ("x/w*dawson(x/w)", r"\frac{x}{w} \operatorname{D}\left(\frac{x}{w}\right)", "x/w*dawson(x/w)"),
+    ("erfi(k*x)", r"\operatorname{erfi}(k x)", "erfi(k*x)"),
+    ("fresnelc(k*x)-fresnels(k*x)", r"C(k x) - S(k x)", "fresnelc(k*x) - fresnels(k*x)"),
     // Signs and sums.
     ("-r", "-r", "-r"),
     ("-(r+b)/2", r"-\frac{r + b}{2}", "-(r + b)/2"),

@@ -15,13 +15,13 @@ const LIMITS: &[(&str, f64, f64)] = &[
     ("bessel_struve", 0.51, 1e-24),
     ("besseli", 0.51, 1e-27),
     ("besseli_scaled", 0.51, 1e-27),
-    ("besselj", 2.5, 1e-24),
+    ("besselj", 0.51, 1e-24),
     ("dawson", 0.51, 1e-27),
     ("erf", 0.75, 1e-27),
     ("erfi", 0.51, 1e-27),
     ("fresnelc", 0.51, 1e-27),
     ("fresnels", 0.51, 1e-27),
-    ("struveh", 2.5, 1e-24),
+    ("struveh", 0.51, 1e-24),
     ("struvel", 0.51, 1e-27),
 ];
 

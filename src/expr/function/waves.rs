@@ -7,8 +7,6 @@ use crate::num::{DoubleDouble, Precise, special};
 
 /// A 30-digit value rounded: half an ulp and a hair.
 const ROUNDED: f64 = 1.1;
-/// The same next to the zeros, where 16 of the 30 digits are left.
-const NEAR_ZEROS: f64 = 5.0;
 
 pub(super) static ROWS: &[Row] = &[
     Row {
@@ -74,7 +72,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         latex: Latex::Custom(|a| order_and_argument("J", a)),
         value: |a| binary(a, special::besselj),
-        ulps: NEAR_ZEROS,
+        ulps: ROUNDED,
         precise: Some(|a| two(a, special::besselj_precise)),
         derivative: Some(|a, i| bessel_derivative("besselj", a, i, -1)),
         fold: Some(|a| bessel_fold("besselj", a, -1)),
@@ -112,7 +110,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         latex: Latex::Custom(|a| order_and_argument("\\mathbf{H}", a)),
         value: |a| binary(a, special::struveh),
-        ulps: NEAR_ZEROS,
+        ulps: ROUNDED,
         precise: Some(|a| two(a, special::struveh_precise)),
         derivative: Some(|a, i| struve_derivative("struveh", a, i, -1)),
         fold: Some(struve_at_zero),
@@ -219,7 +217,8 @@ fn bessel_fold(name: &'static str, a: &[Expr], sign_of_odd: i64) -> Option<Expr>
     }
 }
 
-/// H_0′ = 2/π − H_1, L_0′ = 2/π + L_1; else H_n′ = H_(n−1) − (n/z) H_n, and the same for L.
+/// H_0′ = 2/π − H_1, L_0′ = 2/π + L_1; else H_n′ = H_(n−1) − (n/z) H_n, and the same for L; of H_(−1) = 2/π − H_1 and
+/// L_(−1) = 2/π + L_1 without the order −2.
 fn struve_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_next: i64) -> Option<Expr> {
     let [n, z] = a else { return None };
     if position != 1 {
@@ -229,7 +228,10 @@ fn struve_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_ne
         let next = Expr::integer(sign_of_next) * Expr::call(name, [Expr::one(), z.clone()]);
         return Some(Expr::integer(2) / Expr::pi() + next);
     }
-    // The order below −1 would leave the domain.
+    if n.as_integer() == Some(-1) {
+        let first = struve_derivative(name, &[Expr::one(), z.clone()], 1, sign_of_next)?;
+        return Some(Expr::integer(sign_of_next) * first);
+    }
     let order = n.as_integer().filter(|order| *order > 0)?;
     Some(Expr::call(name, [Expr::integer(order - 1), z.clone()]) - n / z * Expr::call(name, a.to_vec()))
 }

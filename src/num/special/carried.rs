@@ -108,6 +108,11 @@ pub(super) fn series(s: DoubleDouble, a: f64, b: DoubleDouble) -> Precise {
     Precise::nan()
 }
 
+/// Whether a double of the value would miss its last digits, as next to a zero.
+pub(super) fn is_short(value: Precise) -> bool {
+    value.error > 0.05 * f64::EPSILON * value.value.hi.abs()
+}
+
 /// The nearest double where enough digits are known: 2 ulps of the value, or of `amplitude` next to a zero.
 pub(super) fn rounded(value: Precise, amplitude: f64) -> f64 {
     let nearest = value.value.value();

@@ -18,6 +18,7 @@ pub mod dawson;
 pub mod digamma;
 pub mod dilogarithm;
 pub mod elliptic;
+mod fixed_point;
 pub mod fresnel;
 mod gamma;
 mod hankel;
