@@ -48,6 +48,10 @@ pub(in crate::transform::rules) static ATAN_ODD: Rule = Rule {
     pattern: "h*((w^2+r^2)*atan(r/w)-w*r)",
     slope: "pi*h*x*(sqrt(w^2+x^2)-w)",
     force: "2*pi/3*E*h*((2*a^2-w^2)*sqrt(w^2+a^2)+w^3-3/2*w*a^2)",
+    pressure: Some(
+        "E*h*((w^2+2*r^2)/r*ellipf(atan(sqrt(a^2-r^2)/sqrt(w^2+r^2)),-w^2/r^2)\
+         -2*r*ellipe(atan(sqrt(a^2-r^2)/sqrt(w^2+r^2)),-w^2/r^2)+2*a*sqrt(a^2-r^2)/sqrt(w^2+a^2)-w*acosh(a/r))",
+    ),
     apply: |term| apply(term, Kernel::Arctangent, "atan", true, Reach::Whole),
     ..BASE
 };
@@ -73,6 +77,10 @@ pub(in crate::transform::rules) static ATANH_ODD: Rule = Rule {
     force: "2*pi/3*E*h*(R^3+3/2*R*a^2-(2*a^2+R^2)*sqrt(R^2-a^2))",
     parameters: &[H, R],
     guard: INSIDE,
+    pressure: Some(
+        "E*h*(R*acosh(a/r)-R^2/r*ellipf(atan(sqrt(a^2-r^2)/sqrt(R^2-a^2)),1-R^2/r^2)\
+         +2*r*ellipe(atan(sqrt(a^2-r^2)/sqrt(R^2-a^2)),1-R^2/r^2))",
+    ),
     apply: |term| apply(term, Kernel::Arctangent, "atanh", true, Reach::Whole),
     ..BASE
 };

@@ -1,14 +1,14 @@
 //! Real and symbolic powers of the quadratic, by Gauss's hypergeometric function.
 
 use super::{Reach, field};
-use crate::expr::{Condition, Expr, Number, Sign, sign};
+use crate::expr::{Condition, Expr, Number, Sign, Symbol, normal, sign};
 use crate::transform::rules::{kappa, reading};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Segment, Term};
 
 const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
 const S: Parameter = Parameter { name: "b", lowest: 0.8, highest: 4.0 };
 const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
-const P: Parameter = Parameter { name: "p", lowest: 1.55, highest: 1.95 };
+const P: Parameter = Parameter { name: "p", lowest: 1.62, highest: 1.86 };
 const C: Parameter = Parameter { name: "c", lowest: 0.2, highest: 2.0 };
 
 const GAUSS: &str = "Euler's integral of the hypergeometric function, DLMF 15.6.1";
@@ -96,7 +96,7 @@ fn apply(term: &Term, branch: Sign, reach: Reach) -> Option<Answer> {
     let (base, p) = reading::power(&part.kernel);
     let (own, magnitude, mut conditions) = field(&base)?;
     let closes_better = p.as_number().is_some_and(|p| (p * &Number::integer(2)).is_integer()) && part.exponent.as_integer().is_some();
-    if (own.sigma > 0) != (branch == Sign::Positive) || closes_better || p.contains(&crate::expr::Symbol::new("r")) {
+    if (own.sigma > 0) != (branch == Sign::Positive) || closes_better || p.contains(&Symbol::new("r")) {
         return None;
     }
     let (alpha, beta) = (&own.square_length * &magnitude, Expr::integer(own.sigma) * magnitude);
@@ -123,7 +123,7 @@ impl Binomial {
         let (next, two) = (m + Expr::one(), Expr::integer(2));
         let argument = -(&self.beta * x.power(2) / &self.alpha);
         let series = Expr::call("hyp2f1", [-&self.p, &next / &two, (m + &two) / &two, argument]);
-        &self.coefficient * self.alpha.pow(&self.p) * kappa(&next) / next * x.pow(m) * series
+        tidy(&(&self.coefficient * self.alpha.pow(&self.p))) * kappa(&next) / next * x.pow(m) * series
     }
 
     /// From b outward; the part beyond an upper end is taken away, which needs a quadratic that stays positive there.
@@ -160,6 +160,15 @@ impl Binomial {
             choose = choose * Expr::ratio(n - j, j + 1);
             beta = beta * Expr::ratio(2 * j + 2, 2 * j + 3);
         }
-        &self.coefficient * q.pow(&self.p) * square.sqrt() * Expr::sum(terms)
+        tidy(&self.coefficient) * q.pow(&self.p) * square.sqrt() * Expr::sum(terms)
     }
+}
+
+/// A product whose exponents are expanded, so that b^(2p−2(p−1)) becomes b².
+fn tidy(product: &Expr) -> Expr {
+    let factors = product.factors().into_iter().map(|factor| {
+        let (base, exponent) = factor.split_power();
+        base.pow(&normal::expanded(&exponent, &Symbol::new("r")).unwrap_or(exponent))
+    });
+    Expr::product(factors)
 }

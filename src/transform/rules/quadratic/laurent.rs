@@ -123,6 +123,18 @@ impl Laurent {
         Some(result)
     }
 
+    /// Its terms by powers of x, where s² does not occur.
+    pub(super) fn in_x(&self) -> Option<BTreeMap<i32, Self>> {
+        let mut result: BTreeMap<i32, Self> = BTreeMap::new();
+        for ([x, length, square, end, at_end], number) in &self.0 {
+            if *square != 0 {
+                return None;
+            }
+            result.entry(*x).or_default().add([0, *length, 0, *end, *at_end], number.clone());
+        }
+        Some(result)
+    }
+
     /// The powers of ρ with their numbers, for a coefficient that has no other variable.
     pub(super) fn monomials(&self) -> impl Iterator<Item = (i32, &Number)> {
         self.0.iter().map(|([_, length, ..], number)| (*length, number))

@@ -154,6 +154,11 @@ fn kernel(term: &Term, kernel: Kernel, reach: Reach, read: impl Fn(&Expr) -> Opt
     }
     let sigma = field.sigma;
     let reading = Reading { coefficient: &part.coefficient * factor, exponent, field, conditions: Vec::new() };
+    let (coefficient, field) = (reading.coefficient.clone(), reading.field.clone());
     let work = Work { reading, segment: &term.segment, family: kernel.family(sigma), kernel: Some(kernel) };
-    work.answer(|m| kernel.moment(sigma, m))
+    let mut answer = work.answer(|m| kernel.moment(sigma, m))?;
+    if odd && kernel == Kernel::Arctangent && reach == Reach::Whole {
+        answer.pressure = kernel.moment(sigma, exponent).and_then(|form| pressure::elliptic(&form, &field)).map(|p| p.scaled(&coefficient));
+    }
+    Some(answer)
 }

@@ -1,4 +1,4 @@
-//! Pressures that close: g rational in x², and g = x times odd powers of 1/√(ρ² + σx²).
+//! Pressures that close: g rational in x², and g = x times odd powers of √(ρ² + σx²).
 
 use super::laurent::{Laurent, Values, Variable};
 use super::moments::{Form, Piece};
@@ -48,25 +48,18 @@ fn arc_moment(k: i64) -> (Laurent, Laurent) {
     (root, arc)
 }
 
-/// ∫_r^a g′/√(x²−r²) dx for g = x·(moment), the moment being π/(2ρs) times a polynomial in 1/s².
+/// ∫_r^a g′/√(x²−r²) dx for g = x·(moment) with the moment A(x²) π/(2ρs) + B(x²) π/2: elliptic integrals and powers.
 pub(super) fn elliptic(form: &Form, field: &Field) -> Option<Branches> {
-    if !form.at(Piece::Second).is_zero() {
-        return None;
-    }
     let sigma = field.sigma;
-    let slope = form.at(Piece::First).plus(&form.at(Piece::Root).scaled(0, 1)).at_axis();
     let mut total: [Laurent; 3] = std::array::from_fn(|_| Laurent::default());
     let mut add = |n: i64, coefficient: &Laurent| {
         for (own, part) in total.iter_mut().zip(elliptic_moment(n, sigma)) {
             *own = own.plus(&product(&part, coefficient));
         }
     };
-    for (power, coefficient) in slope.in_square(sigma)? {
+    for (power, coefficient) in form.at(Piece::First).at_axis().in_square(sigma)? {
         // (x s^(−n))′ = (1−n) s^(−n) + n ρ² s^(−n−2)
         let n = 1 - 2 * i64::from(power);
-        if n < 1 {
-            return None;
-        }
         add(n, &coefficient.scaled(1 - n, 1));
         add(n + 2, &coefficient.times(Length, 2).scaled(n, 1));
     }
@@ -76,19 +69,25 @@ pub(super) fn elliptic(form: &Form, field: &Field) -> Option<Branches> {
     let (angle, parameter) = if sigma > 0 {
         (leg() / at(&r).sqrt(), -(&field.square_length / r.power(2)))
     } else {
-        (leg() / at(&a).sqrt(), -(at(&r) / r.power(2)))
+        (leg() / at(&a).sqrt(), Expr::one() - &field.square_length / r.power(2))
     };
     let angle = Expr::call("atan", [angle]);
     let factor = Expr::pi() / (Expr::integer(2) * length);
-    let terms = [
+    let mut terms = vec![
         expression(first, field) / &r * Expr::call("ellipf", [angle.clone(), parameter.clone()]) * &factor,
         expression(second, field) * &r * Expr::call("ellipe", [angle, parameter]) * &factor,
         expression(root, field) * &a * leg() / at(&a).sqrt() * &factor,
     ];
+    // (x^(2k+1))′ = (2k+1) x^(2k)
+    for (power, coefficient) in form.at(Piece::Second).at_axis().in_x()? {
+        let moment = Expr::call("pressure_power", [Expr::integer(i64::from(power)), r.clone(), a.clone()]);
+        let coefficient = expression(&coefficient, field) * Expr::integer(i64::from(power) + 1) * Expr::pi() / Expr::integer(2);
+        terms.push(coefficient * moment);
+    }
     Some(collected(&terms))
 }
 
-/// E_n = ∫_r^a s^(−n)/√(x²−r²) dx for odd n ≥ 1 as multiples of F/r, r E and a w/S.
+/// E_n = ∫_r^a s^(−n)/√(x²−r²) dx for odd n as multiples of F/r, r E and a w/S.
 ///
 /// n ρ²c² E_(n+2) = (2−n) E_(n−2) + (n−1)(ρ²+c²) E_n − σ a w S^(−n).
 fn elliptic_moment(n: i64, sigma: i64) -> [Laurent; 3] {
@@ -100,19 +99,32 @@ fn elliptic_moment(n: i64, sigma: i64) -> [Laurent; 3] {
     } else {
         [Laurent::one().times(Length, 2), Laurent::ratio(-1, 1), none()]
     };
-    let (mut before, mut now, mut own) = (minus_one, one, 1);
-    while own < n {
+    let combine = |(old, p): (&[Laurent; 3], i64), (near, q): (&[Laurent; 3], i64), (own, end): (i64, i64)| {
         let mut next: [Laurent; 3] = std::array::from_fn(|_| none());
-        for ((slot, old), current) in next.iter_mut().zip(&before).zip(&now) {
-            let middle = current.times(Length, 2).plus(&current.times(AtEnd, 1));
-            *slot = old.scaled(2 - own, 1).plus(&middle.scaled(own - 1, 1));
+        for ((slot, old), near) in next.iter_mut().zip(old).zip(near) {
+            let middle = near.times(Length, 2).plus(&near.times(AtEnd, 1));
+            *slot = old.scaled(p, 1).plus(&middle.scaled(q, 1));
         }
         if let Some(root) = next.last_mut() {
             // a w S^(−n) = (a w/S) S^(1−n)
-            *root = root.plus(&Laurent::ratio(-sigma, 1).times(Square, ((1 - own) / 2) as i32));
+            *root = root.plus(&Laurent::ratio(end * sigma, 1).times(Square, ((1 - own) / 2) as i32));
         }
-        let divided = next.map(|part| part.times(Length, -2).times(AtEnd, -1).scaled(1, own));
-        (before, now, own) = (now, divided, own + 2);
+        next
+    };
+    if n >= 1 {
+        let (mut before, mut now) = (minus_one, one);
+        for own in (1..n).step_by(2) {
+            let next = combine((&before, 2 - own), (&now, own - 1), (own, -1));
+            before = std::mem::replace(&mut now, next.map(|part| part.times(Length, -2).times(AtEnd, -1).scaled(1, own)));
+        }
+        return now;
+    }
+    let (mut before, mut now, mut own) = (one, minus_one, -1);
+    while own > n {
+        let far = before.map(|part| part.times(Length, 2).times(AtEnd, 1));
+        let next = combine((&far, own), (&now, 1 - own), (own, 1));
+        before = std::mem::replace(&mut now, next.map(|part| part.scaled(1, 2 - own)));
+        own -= 2;
     }
     now
 }
