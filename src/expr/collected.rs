@@ -23,15 +23,60 @@ pub fn collected(expr: &Expr) -> Expr {
         return expr.clone();
     }
     let Some(terms) = multiplied_out(expr) else { return expr.clone() };
+    let size = |own: &Expr| own.size_up_to(SIZE);
+    let mut result = grouped(&terms);
+    if let Some(other) = over_one_root(&terms).map(|terms| grouped(&terms)).filter(|other| size(other) < size(&result)) {
+        result = other;
+    }
+    // A little shorter is no reason to change what the rules say.
+    if 6 * size(&result) <= 5 * size(expr) { result } else { expr.clone() }
+}
+
+/// One coefficient before each product of kernels, and the common factor of all in front.
+fn grouped(terms: &[Expr]) -> Expr {
     let mut groups: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
     for term in terms {
         let (kernels, plain): (Vec<Expr>, Vec<Expr>) = term.factors().into_iter().partition(is_kernel);
         groups.entry(Expr::product(kernels)).or_default().push(Expr::product(plain));
     }
     let parts: Vec<Expr> = groups.into_iter().map(|(kernel, list)| kernel * in_front(&Expr::sum(list))).collect();
-    let result = in_front(&Expr::sum(parts));
-    // A little shorter is no reason to change what the rules say.
-    if 6 * result.size_up_to(SIZE) <= 5 * expr.size_up_to(SIZE) { result } else { expr.clone() }
+    in_front(&Expr::sum(parts))
+}
+
+/// The terms with every power of a sum lowered by whole steps to the lowest that occurs: q^(−1/2) is q q^(−3/2).
+///
+/// `None` where nothing is lowered, or the terms would be too many.
+fn over_one_root(terms: &[Expr]) -> Option<Vec<Expr>> {
+    let powers = |term: &Expr| -> Vec<(Expr, Expr)> {
+        let pairs = term.factors().iter().map(Expr::split_power).collect::<Vec<_>>();
+        pairs.into_iter().filter(|(base, power)| matches!(base.node(), Node::Sum(_)) && power.as_number().is_some()).collect()
+    };
+    let mut lowest: Vec<(Expr, Expr)> = Vec::new();
+    for (base, power) in terms.iter().flat_map(powers) {
+        match lowest.iter_mut().find(|(own, least)| *own == base && (least as &Expr - &power).as_integer().is_some()) {
+            Some((_, least)) if (least as &Expr - &power).as_integer().is_some_and(|steps| steps > 0) => *least = power,
+            Some(_) => {}
+            None => lowest.push((base, power)),
+        }
+    }
+    let mut lowered = Vec::new();
+    let mut changed = false;
+    for term in terms {
+        let mut products = vec![term.clone()];
+        for (base, power) in powers(term) {
+            let steps = lowest.iter().filter(|(own, _)| *own == base).find_map(|(_, least)| (&power - least).as_integer())?;
+            changed |= steps > 0;
+            for _ in 0..steps {
+                let inner = base.terms();
+                products = products.iter().flat_map(|left| inner.iter().map(|right| left / &base * right).collect::<Vec<_>>()).collect();
+                if products.len() + lowered.len() > TERMS {
+                    return None;
+                }
+            }
+        }
+        lowered.append(&mut products);
+    }
+    changed.then_some(lowered)
 }
 
 /// Roots, functions, and what stands in a denominator: all that is not a plain monomial.
@@ -79,7 +124,7 @@ fn in_front(sum: &Expr) -> Expr {
         common = common
             .into_iter()
             .filter_map(|(base, power)| {
-                let (_, other) = own.iter().find(|(b, p)| *b == base && p.as_number().is_some())?;
+                let (_, other) = own.iter().find(|(own, _)| *own == base)?;
                 Some((base, lower(power, other)?))
             })
             .collect();
@@ -101,8 +146,11 @@ fn number_in_front(numbers: &[Number]) -> Number {
     if numbers.iter().all(Number::is_negative) { -&shared } else { shared }
 }
 
-/// The power nearer to zero where both have the same sign.
+/// The power nearer to zero where both have the same sign, or the one that both are.
 fn lower(one: Expr, two: &Expr) -> Option<Expr> {
+    if one == *two {
+        return Some(one);
+    }
     let (a, b) = (one.as_number()?, two.as_number()?);
     if a.is_negative() != b.is_negative() {
         return None;

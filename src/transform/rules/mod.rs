@@ -4,8 +4,8 @@ mod bessel;
 mod combination;
 mod error_function;
 mod gaussian;
-mod laurent;
 mod hypergeometric;
+mod laurent;
 mod linear;
 mod log_linear;
 mod moments;
@@ -17,11 +17,11 @@ mod quadratic;
 mod quadratic_wave;
 mod reading;
 mod root;
-mod struve;
-mod wave;
 mod segment_power;
 mod series;
 mod shifted_power;
+mod struve;
+mod wave;
 
 pub use power::kappa;
 

@@ -74,9 +74,7 @@ fn whole_axis(term: &Term) -> Option<Answer> {
     Some(Answer {
         slope: Branches::endless(pair(&x, m, &n)),
         force: Branches::endless(pair(&a, &(m + Expr::integer(2)), &next)),
-        pressure: whole
-            .filter(|_| k == 1)
-            .map(|m| Branches::endless(pressure(c, m))),
+        pressure: whole.filter(|_| k == 1).map(|m| Branches::endless(pressure(c, m))),
         conditions,
     })
 }
