@@ -60,7 +60,8 @@ fn every_rule_is_right_everywhere() {
         let (truth, found) = (Decimal::read(truth), reading.estimate);
         assert_eq!(reading.method, "exact", "{case} {quantity} {arguments}");
         let distance = truth.distance(found.value).abs();
-        assert!(distance <= found.error, "{case} {quantity} {arguments}: {found:?} is off by {distance:e}");
+        // The references have 28 digits, some bounds more.
+        assert!(distance <= found.error + 1e-28 * found.value.abs(), "{case} {quantity} {arguments}: {found:?} is off by {distance:e}");
         let (ulps, entry) = (truth.ulps(found.value), worst.entry((case, quantity)).or_default());
         *entry = (entry.0.max(ulps), entry.1 + 1);
         if ulps > 8.0 {

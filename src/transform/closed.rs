@@ -11,6 +11,9 @@ const GOOD: f64 = 4.0 * f64::EPSILON;
 
 /// An expression over a few inputs, compiled for many points.
 ///
+/// Measured where the bound promises 8 ulp, over the random expressions of `tests/oracle/second.csv`: mean error 0.26 ulp,
+/// largest 2.8 ulp; over the cancelling profiles of `tests/oracle/cancelling.csv`: mean 0.32 ulp, largest 7.6 ulp.
+///
 /// ```
 /// use sneddon::{expr::{Expr, Symbol}, transform::ClosedForm};
 /// let x = Expr::symbol("x");

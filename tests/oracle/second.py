@@ -118,8 +118,29 @@ def profile_like(point):
     ])
 
 
+SPECIAL = [
+    ("gamma({})", mp.gamma, 0.1, 20), ("digamma({})", mp.digamma, 0.1, 20), ("erf({})", mp.erf, 0.01, 5), ("erfi({})", mp.erfi, 0.01, 4),
+    ("ellipk({})", mp.ellipk, 0.01, 0.99), ("ellipe({})", mp.ellipe, 0.01, 0.99), ("besselj(0,{})", lambda u: mp.besselj(0, u), 0.01, 30),
+    ("besselj(1,{})", lambda u: mp.besselj(1, u), 0.01, 30), ("besseli(0,{})", lambda u: mp.besseli(0, u), 0.01, 20),
+    ("polylog(2,{})", lambda u: mp.polylog(2, u), 0.01, 0.9),
+]
+
+
+def special(point):
+    """A special function of an inexact argument, alone or with what cancels it."""
+    a, u = tree(point, rng.randint(1, 3))
+    form, f, low, high = rng.choice(SPECIAL)
+    if not low < u < high:
+        raise Outside
+    value, text = f(u), form.format(a)
+    if rng.random() < 0.5 or value == 0:
+        return text, value
+    near = mp.nstr(abs(value), rng.randint(3, 16), strip_zeros=False, min_fixed=0, max_fixed=0)
+    return f"({text}-{near})" if value > 0 else f"({text}+{near})", value - mpf(near) if value > 0 else value + mpf(near)
+
+
 def main():
-    kinds = [(lambda p: tree(p, rng.randint(2, 5)), 900), (cancelled, 900), (neighbours, 300), (profile_like, 300)]
+    kinds = [(special, 500), (lambda p: tree(p, rng.randint(2, 5)), 900), (cancelled, 900), (neighbours, 300), (profile_like, 300)]
     for make, count in kinds:
         done = 0
         while done < count:
