@@ -50,6 +50,8 @@ pub fn two_prod(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo }
 }
 
+// Operators would hide what an operation costs.
+#[allow(clippy::should_implement_trait)]
 impl DoubleDouble {
     /// The number one.
     pub const ONE: Self = Self { hi: 1.0, lo: 0.0 };
@@ -60,7 +62,6 @@ impl DoubleDouble {
     }
 
     /// Negation, exact.
-    #[allow(clippy::should_implement_trait)]
     pub fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }

@@ -33,7 +33,7 @@ pub struct Row {
     /// The value with about 30 digits, at exact arguments; what has none is evaluated in double precision only.
     pub precise: Option<fn(&[DoubleDouble]) -> Precise>,
     /// Bound on how far the value moves while every argument moves by at most its distance; what has none is probed.
-    pub spread: Option<fn(&[DoubleDouble], &[f64]) -> f64>,
+    pub spread: Option<Spread>,
     /// The value at complex arguments, for elementary functions.
     pub complex: Option<fn(&[Complex64]) -> Complex64>,
     /// The derivative with respect to the argument at the given position.
@@ -50,6 +50,8 @@ pub struct Row {
     pub in_latex: bool,
 }
 
+/// How far f(arguments) moves while every argument moves by at most its distance.
+pub type Spread = fn(&[DoubleDouble], &[f64]) -> f64;
 /// The derivative of f(arguments) with respect to the argument at a position.
 pub type DerivativeLaw = fn(&[Expr], usize) -> Option<Expr>;
 /// A shorter form of f(arguments).

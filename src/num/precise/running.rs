@@ -18,6 +18,7 @@ const UNDERFLOW: f64 = 64.0 * f64::from_bits(1);
 const SMALL: f64 = 1e-130;
 const LARGE: f64 = 1e130;
 
+#[allow(clippy::should_implement_trait)]
 impl Precise {
     /// A number that is meant exactly as it stands.
     #[must_use]
@@ -66,7 +67,6 @@ impl Precise {
 
     /// a + b.
     #[must_use]
-    #[allow(clippy::should_implement_trait)]
     pub fn add(self, other: Self) -> Self {
         if other.is_exact_zero() {
             return self;
@@ -80,21 +80,18 @@ impl Precise {
 
     /// a − b.
     #[must_use]
-    #[allow(clippy::should_implement_trait)]
     pub fn sub(self, other: Self) -> Self {
         self.add(other.neg())
     }
 
     /// −a.
     #[must_use]
-    #[allow(clippy::should_implement_trait)]
     pub fn neg(self) -> Self {
         Self { value: self.value.neg(), error: self.error }
     }
 
     /// a·b.
     #[must_use]
-    #[allow(clippy::should_implement_trait)]
     pub fn mul(self, other: Self) -> Self {
         if self.is_exact_zero() && other.is_finite() || other.is_exact_zero() && self.is_finite() {
             return Self::exact(0.0);
@@ -106,7 +103,6 @@ impl Precise {
 
     /// a/b.
     #[must_use]
-    #[allow(clippy::should_implement_trait)]
     pub fn div(self, other: Self) -> Self {
         let least = other.value.hi.abs() * (1.0 - f64::EPSILON) - other.error;
         if self.is_exact_zero() && least > 0.0 {
