@@ -86,7 +86,8 @@ pub(super) fn refined(first: Bounded, whole: f64, second: impl FnOnce() -> Preci
         return first;
     }
     let second = second().bounded();
-    if second.is_finite() && !(second.error >= first.error) { second } else { first }
+    let better = first.error.is_nan() || second.error < first.error;
+    if second.is_finite() && better { second } else { first }
 }
 
 /// The expression of an answer that the second pass evaluates: the shown one where the other has functions without 30 digits.

@@ -216,7 +216,9 @@ impl<'a> Evaluator<'a> {
             }
             let whole = self.typed()?.integral(a, self.tolerance);
             return match whole {
-                Ok(whole) if !(estimate.error <= whole.error) => Ok(Reading { estimate: whole, method: "quadrature" }),
+                Ok(whole) if estimate.error.is_nan() || estimate.error > whole.error => {
+                    Ok(Reading { estimate: whole, method: "quadrature" })
+                }
                 Err(error) if !estimate.error.is_finite() => Err(error),
                 _ => Ok(own),
             };
