@@ -143,7 +143,7 @@ for n, z in [(40.0, 30.0), (40.0, 50.0), (40.0, 100.0), (9.0, 100.0), (9.0, 1e3)
     add("struveh", struveh, n, z)
     add("struvel", struvel, n, z)
     add("bessel_struve", difference, n, z)
-for index in [1, 2, 3, 5, 9, 13, 20, 27, 33, 100, 1000]:
+for index in [1, 2, 3, 5, 6, 9, 13, 18, 20, 27, 33, 100, 1000]:
     for n in [0, 1, 2]:
         for z in near_zero(mpmath.besselj, n, index):
             add("besselj", mpmath.besselj, float(n), z)

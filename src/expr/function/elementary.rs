@@ -343,7 +343,7 @@ pub(super) fn negated(u: &Expr) -> Option<Expr> {
 }
 
 /// f(−u) = −f(u), f(0) = 0.
-fn odd(name: &'static str, a: &[Expr]) -> Option<Expr> {
+pub(super) fn odd(name: &'static str, a: &[Expr]) -> Option<Expr> {
     match a {
         [u] if u.is_zero() => Some(Expr::zero()),
         [u] if u.as_number().is_some_and(Number::is_negative) => Some(-Expr::call(name, [-u])),

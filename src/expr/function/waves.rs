@@ -1,6 +1,6 @@
 //! Rows of the functions of exponential type: Bessel and Struve functions, error functions, Dawson's and Fresnel's integrals.
 
-use super::elementary::{binary, first, unary};
+use super::elementary::{binary, first, negated, odd, unary};
 use super::{Latex, PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
 use crate::num::{DoubleDouble, Precise, special};
@@ -16,7 +16,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 2.0,
         precise: Some(|a| one(a, special::erf_precise)),
         derivative: Some(|a, _| Some(gaussian(a, -1))),
-        fold: Some(zero_at_zero),
+        fold: Some(|a| odd("erf", a)),
         sign: Some(|a| sign(&first(a))),
         ..PLAIN
     },
@@ -27,7 +27,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: ROUNDED,
         precise: Some(|a| one(a, special::erfi_precise)),
         derivative: Some(|a, _| Some(gaussian(a, 1))),
-        fold: Some(zero_at_zero),
+        fold: Some(|a| odd("erfi", a)),
         sign: Some(|a| sign(&first(a))),
         ..PLAIN
     },
@@ -39,7 +39,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: ROUNDED,
         precise: Some(|a| one(a, special::dawson_precise)),
         derivative: Some(|a, _| Some(Expr::one() - Expr::integer(2) * first(a) * Expr::call("dawson", a.to_vec()))),
-        fold: Some(zero_at_zero),
+        fold: Some(|a| odd("dawson", a)),
         sign: Some(|a| sign(&first(a))),
         ..PLAIN
     },
@@ -51,7 +51,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: ROUNDED,
         precise: Some(|a| one(a, special::fresnelc_precise)),
         derivative: Some(|a, _| Some(Expr::call("cos", [half_turns(a)]))),
-        fold: Some(zero_at_zero),
+        fold: Some(|a| odd("fresnelc", a)),
         sign: Some(|a| sign(&first(a))),
         ..PLAIN
     },
@@ -63,7 +63,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: ROUNDED,
         precise: Some(|a| one(a, special::fresnels_precise)),
         derivative: Some(|a, _| Some(Expr::call("sin", [half_turns(a)]))),
-        fold: Some(zero_at_zero),
+        fold: Some(|a| odd("fresnels", a)),
         sign: Some(|a| sign(&first(a))),
         ..PLAIN
     },
@@ -113,7 +113,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: ROUNDED,
         precise: Some(|a| two(a, special::struveh_precise)),
         derivative: Some(|a, i| struve_derivative("struveh", a, i, -1)),
-        fold: Some(struve_at_zero),
+        fold: Some(|a| struve_fold("struveh", a)),
         ..PLAIN
     },
     Row {
@@ -124,7 +124,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: ROUNDED,
         precise: Some(|a| two(a, special::struvel_precise)),
         derivative: Some(|a, i| struve_derivative("struvel", a, i, 1)),
-        fold: Some(struve_at_zero),
+        fold: Some(|a| struve_fold("struvel", a)),
         sign: Some(positive_order_and_argument),
         ..PLAIN
     },
@@ -166,13 +166,6 @@ fn half_turns(a: &[Expr]) -> Expr {
     Expr::pi() / Expr::integer(2) * first(a).power(2)
 }
 
-fn zero_at_zero(a: &[Expr]) -> Option<Expr> {
-    match a {
-        [u] if u.is_zero() => Some(Expr::zero()),
-        _ => None,
-    }
-}
-
 /// J_n(z), I_n(z) and their kin.
 fn order_and_argument(letter: &str, a: &[String]) -> String {
     match a {
@@ -203,18 +196,32 @@ fn bessel_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_ne
     }
 }
 
-/// J_(−n) = (−1)^n J_n and I_(−n) = I_n for whole n; J_0(0) = I_0(0) = 1, and 0 for every positive order.
+/// J_(−n) = (−1)^n J_n and I_(−n) = I_n for whole n, which have the parity of n; J_0(0) = I_0(0) = 1, and 0 for every positive order.
 fn bessel_fold(name: &'static str, a: &[Expr], sign_of_odd: i64) -> Option<Expr> {
     match a {
         [n, z] if z.is_zero() && n.is_zero() => Some(Expr::one()),
         [n, z] if z.is_zero() && sign(n) == Sign::Positive => Some(Expr::zero()),
         [n, z] => {
-            let order = n.as_integer().filter(|order| *order < 0)?;
-            let factor = if order % 2 == 0 { 1 } else { sign_of_odd };
-            Some(Expr::integer(factor) * Expr::call(name, [-n, z.clone()]))
+            let order = n.as_integer()?;
+            if order < 0 {
+                let factor = if order % 2 == 0 { 1 } else { sign_of_odd };
+                return Some(Expr::integer(factor) * Expr::call(name, [-n, z.clone()]));
+            }
+            mirrored(name, n, z, order % 2 == 0)
         }
         _ => None,
     }
+}
+
+/// f_n(−z) = ±f_n(z), where the argument is the one of the two that is not kept.
+fn mirrored(name: &'static str, n: &Expr, z: &Expr, even: bool) -> Option<Expr> {
+    let kept = match z.as_number() {
+        Some(number) if number.is_negative() => -z,
+        Some(_) => return None,
+        None => negated(z)?,
+    };
+    let value = Expr::call(name, [n.clone(), kept]);
+    Some(if even { value } else { -value })
 }
 
 /// H_0′ = 2/π − H_1, L_0′ = 2/π + L_1; else H_n′ = H_(n−1) − (n/z) H_n, and the same for L; of H_(−1) = 2/π − H_1 and
@@ -236,11 +243,31 @@ fn struve_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_ne
     Some(Expr::call(name, [Expr::integer(order - 1), z.clone()]) - n / z * Expr::call(name, a.to_vec()))
 }
 
-/// H_(−1) = 2/π − H_1 and L_(−1) = 2/π + L_1 at 0, and 0 for every order from 0.
-fn struve_at_zero(a: &[Expr]) -> Option<Expr> {
+/// The parity of n + 1; 2/π at 0 for the order −1, and 0 for every order from 0.
+fn struve_fold(name: &'static str, a: &[Expr]) -> Option<Expr> {
     match a {
         [n, z] if z.is_zero() && matches!(sign(n), Sign::Positive | Sign::Zero) => Some(Expr::zero()),
         [n, z] if z.is_zero() && n.as_integer() == Some(-1) => Some(Expr::integer(2) / Expr::pi()),
+        [n, z] => mirrored(name, n, z, n.as_integer()? % 2 != 0),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_form_for_both_signs() {
+        let z = Expr::symbol("k") * Expr::symbol("x");
+        let call = |name: &str, n: i64, z: &Expr| Expr::call(name, [Expr::integer(n), z.clone()]);
+        assert_eq!(call("besselj", 1, &-&z), -call("besselj", 1, &z));
+        assert_eq!(call("besselj", -1, &z), -call("besselj", 1, &z));
+        assert_eq!(call("besseli", -1, &-&z), -call("besseli", 1, &z));
+        assert_eq!(call("struveh", 0, &-&z), -call("struveh", 0, &z));
+        assert_eq!(call("struvel", -1, &-&z), call("struvel", -1, &z));
+        assert_eq!(call("struveh", -1, &Expr::zero()), Expr::integer(2) / Expr::pi());
+        assert_eq!(Expr::call("erf", [-&z]), -Expr::call("erf", [z.clone()]));
+        assert_eq!(call("besselj", 0, &Expr::zero()), Expr::one());
     }
 }

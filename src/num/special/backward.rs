@@ -1,6 +1,6 @@
 //! Miller's backward recurrence for J, which loses nothing to cancellation, and the Neumann sums that come with it.
 
-use super::carried::{TINY, UNIT, exact, over, quotient, times};
+use super::carried::{TINY, UNIT, exact, multiple, over, quotient, times};
 use super::leading::bessel_leading;
 use crate::num::double_double::{DoubleDouble, Precise};
 
@@ -20,16 +20,16 @@ pub(super) struct Backward {
     pub(super) even: Precise,
 }
 
-/// J_(f+m)(z) for 0 <= f < 1, z >= 1; the sums mean something for f = 0 only.
+/// J_(f+m)(z) for 0 <= f < 1, z >= 1; the Neumann sums are made where they are asked for, and mean something for f = 0 only.
 ///
 /// Source: DLMF 3.6(v), 10.12.4, 10.23.15.
-pub(super) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble) -> Backward {
+pub(super) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble, neumann: bool) -> Backward {
     let turning = z.hi.max(f64::from(m));
     // Beyond the turning point 24 widths are 36 digits.
     let top = 2 * ((turning + 24.0 * turning.cbrt() + 4.0) / 2.0).ceil() as u32;
     let weights = weights(f, top / 2);
     let step = DoubleDouble::from(2.0).div(z);
-    let zero = DoubleDouble::from(0.0);
+    let (zero, whole) = (DoubleDouble::from(0.0), f.hi == 0.0);
     let (mut above, mut now) = (zero, DoubleDouble::from(1e-100));
     let (mut norm, mut odd, mut even) = (zero, zero, zero);
     let mut sizes = [0.0; 3];
@@ -42,9 +42,11 @@ pub(super) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble) -> Backward {
             }
         }
         if index % 2 == 1 {
-            let part = quotient(now, f64::from(index));
-            odd = odd.add(part);
-            sizes[1] += part.hi.abs();
+            if neumann {
+                let part = quotient(now, f64::from(index));
+                odd = odd.add(part);
+                sizes[1] += part.hi.abs();
+            }
         } else {
             let part = match weights.get((index / 2) as usize) {
                 Some(weight) => now.mul(*weight),
@@ -53,7 +55,7 @@ pub(super) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble) -> Backward {
             };
             norm = norm.add(part);
             sizes[0] += part.hi.abs();
-            if index > 0 {
+            if neumann && index > 0 {
                 let order = f64::from(index);
                 let part = quotient(now, order * order - 1.0);
                 even = even.add(part);
@@ -63,8 +65,8 @@ pub(super) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble) -> Backward {
         if index == 0 {
             break;
         }
-        let order = f.add(f64::from(index).into());
-        let below = now.mul(step.mul(order)).sub(above);
+        let factor = if whole { multiple(step, f64::from(index)) } else { step.mul(f.add(f64::from(index).into())) };
+        let below = now.mul(factor).sub(above);
         (above, now) = (now, below);
         if now.hi.abs() > LARGE {
             for value in [&mut above, &mut now, &mut norm, &mut odd, &mut even].into_iter().chain(&mut wanted) {
@@ -77,7 +79,7 @@ pub(super) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble) -> Backward {
     // Roundings of the recurrence stay bounded where J oscillates; measured below a quarter of this.
     let each = UNIT * (24.0 + f64::from(top));
     let sum = Precise { value: norm, error: each * sizes[0] };
-    let scale = if f.hi == 0.0 { over(exact(DoubleDouble::ONE), sum) } else { over(bessel_leading(f, z.scale(0.5)), sum) };
+    let scale = if whole { over(exact(DoubleDouble::ONE), sum) } else { over(bessel_leading(f, z.scale(0.5)), sum) };
     let envelope = (2.0 / z.hi.sqrt()).min(1.0) / scale.value.hi.abs();
     let ready = |value: DoubleDouble, size: f64| times(Precise { value, error: each * size + TINY }, scale);
     let of_order = |value: DoubleDouble, order: u32| {

@@ -61,6 +61,9 @@ pub(super) fn exponential(x: Precise, factor: Precise) -> Precise {
     if x.value.hi < -1500.0 {
         return Precise { value: 0.0.into(), error: TINY };
     }
+    if x.value.hi > 1500.0 {
+        return Precise { value: f64::INFINITY.copysign(factor.value.hi).into(), error: f64::INFINITY };
+    }
     // In two halves, the second moved towards 1, so that no word is lost on the way.
     let half = crate::num::precise::exp(x.value.scale(0.5));
     let shift = if x.value.hi > 0.0 { 2.0_f64.powi(-500) } else { 2.0_f64.powi(500) };
@@ -80,6 +83,14 @@ pub(super) fn quotient(a: DoubleDouble, b: f64) -> DoubleDouble {
     let second = (((a.hi - product.hi) - product.lo) + a.lo) / b;
     let hi = first + second;
     DoubleDouble { hi, lo: second - (hi - first) }
+}
+
+/// a·b for a factor of one word.
+pub(super) fn multiple(a: DoubleDouble, b: f64) -> DoubleDouble {
+    let product = two_prod(a.hi, b);
+    let rest = product.lo + a.lo * b;
+    let hi = product.hi + rest;
+    DoubleDouble { hi, lo: rest - (hi - product.hi) }
 }
 
 /// n + k, as exact as the two words of n allow.
@@ -116,5 +127,5 @@ pub(super) fn is_short(value: Precise) -> bool {
 /// The nearest double where enough digits are known: 2 ulps of the value, or of `amplitude` next to a zero.
 pub(super) fn rounded(value: Precise, amplitude: f64) -> f64 {
     let nearest = value.value.value();
-    if value.error <= 2.0 * f64::EPSILON * nearest.abs().max(amplitude) + TINY { nearest } else { f64::NAN }
+    if value.error <= 2.0 * f64::EPSILON * nearest.abs().max(amplitude) + 100.0 * TINY { nearest } else { f64::NAN }
 }

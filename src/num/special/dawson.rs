@@ -28,6 +28,11 @@ pub fn dawson(z: f64) -> f64 {
 ///
 /// Method: `e^(-z^2) Σ z^(2k+1)/(k! (2k+1))`, all terms positive, up to `z = 9`; the asymptotic series beyond.
 /// Source: DLMF 7.2.5, 7.6.4, 7.12.1 for imaginary argument.
+///
+/// ```
+/// let value = sneddon::num::special::dawson_precise(1.0.into());
+/// assert!((value.value.hi - 0.538_079_506_912_768_4).abs() < 1e-15 && value.error < 1e-29);
+/// ```
 pub fn dawson_precise(z: DoubleDouble) -> Precise {
     if !z.hi.is_finite() {
         return Precise::nan();
@@ -56,6 +61,11 @@ pub fn erfi(z: f64) -> f64 {
 }
 
 /// `erfi(z)` to about 29 digits, with its error; infinite where a double overflows.
+///
+/// ```
+/// let value = sneddon::num::special::erfi_precise(1.0.into());
+/// assert!((value.value.hi - 1.650_425_758_797_542_9).abs() < 1e-15 && value.error < 1e-28);
+/// ```
 pub fn erfi_precise(z: DoubleDouble) -> Precise {
     if z.hi.is_nan() {
         return Precise::nan();

@@ -1,6 +1,6 @@
 //! Fresnel integrals.
 
-use super::carried::{UNIT, exact, known, minus, opposite, over, plus, quotient, rounded, times};
+use super::carried::{UNIT, exact, known, minus, multiple, opposite, over, plus, quotient, rounded, times};
 use crate::num::double_double::{DoubleDouble, Precise, two_sum};
 use crate::num::precise::{PI, sin_cos};
 
@@ -38,11 +38,21 @@ pub fn fresnels(z: f64) -> f64 {
 /// Method: `z Σ j_(2k)(u)` over spherical Bessel functions of `u = pi z^2/2`, which does not cancel, by Miller's
 /// recurrence; the power series for `u < 1`, the auxiliary functions f and g for `u > 82`.
 /// Source: DLMF 7.6.10, 7.6.4, 7.12.2, 7.5.3.
+///
+/// ```
+/// let value = sneddon::num::special::fresnelc_precise(1.0.into());
+/// assert!((value.value.hi - 0.779_893_400_376_822_8).abs() < 1e-15 && value.error < 1e-29);
+/// ```
 pub fn fresnelc_precise(z: DoubleDouble) -> Precise {
     odd(z, 0)
 }
 
 /// `S(z)` to about 29 digits, with its error; as [`fresnelc_precise`] with `z Σ j_(2k+1)(u)`.
+///
+/// ```
+/// let value = sneddon::num::special::fresnels_precise(1.0.into());
+/// assert!((value.value.hi - 0.438_259_147_390_354_8).abs() < 1e-15 && value.error < 1e-29);
+/// ```
 pub fn fresnels_precise(z: DoubleDouble) -> Precise {
     odd(z, 1)
 }
@@ -82,6 +92,9 @@ fn positive(z: DoubleDouble, parity: u32) -> Precise {
 fn power_series(z: DoubleDouble, u: DoubleDouble, parity: u32) -> Precise {
     let square = u.mul(u).neg();
     let start = if parity == 0 { DoubleDouble::ONE } else { u };
+    if start.hi == 0.0 {
+        return known(start, 0.0);
+    }
     let p = f64::from(parity);
     let (mut power, mut units) = (start, 4.0);
     let mut sum = quotient(start, 2.0 * p + 1.0);
@@ -109,7 +122,7 @@ fn spherical(z: DoubleDouble, u: DoubleDouble, parity: u32) -> Precise {
             sum = sum.add(now);
             size += now.hi.abs();
         }
-        let below = now.mul(inverse).mul(f64::from(2 * order + 1).into()).sub(above);
+        let below = now.mul(multiple(inverse, f64::from(2 * order + 1))).sub(above);
         (above, now) = (now, below);
     }
     if parity == 0 {

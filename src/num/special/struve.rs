@@ -45,6 +45,11 @@ pub fn struveh(n: f64, z: f64) -> f64 {
 /// Method: power series for small `z` and for `n > z`; Neumann series of Bessel functions from Miller's recurrence up to
 /// `z = 82`, `Y_n` and the asymptotic series beyond, raised in order by the recurrence.
 /// Source: DLMF 11.2.1, 11.4.5 and 11.4.6 (in `J`), 11.6.1, 11.4.23.
+///
+/// ```
+/// let value = sneddon::num::special::struveh_precise(0.0.into(), 1.0.into());
+/// assert!(value.value.hi == 0.568_656_627_048_287_9 && value.error < 1e-29);
+/// ```
 pub fn struveh_precise(n: DoubleDouble, z: DoubleDouble) -> Precise {
     with_parity(n, z, ordinary)
 }
@@ -66,6 +71,11 @@ pub fn struvel(n: f64, z: f64) -> f64 {
 /// `L_n(z)` to about 29 digits, with its error.
 ///
 /// Method: power series up to `z = 82`, `I_n` less the asymptotic series beyond. Source: DLMF 11.2.2, 11.6.2.
+///
+/// ```
+/// let value = sneddon::num::special::struvel_precise(1.0.into(), 1.0.into());
+/// assert!((value.value.hi - 0.226_764_381_055_808_64).abs() < 1e-16 && value.error < 1e-29);
+/// ```
 pub fn struvel_precise(n: DoubleDouble, z: DoubleDouble) -> Precise {
     with_parity(n, z, modified)
 }
@@ -89,6 +99,11 @@ pub fn bessel_struve(n: f64, z: f64) -> f64 {
 ///
 /// Method: the difference up to `z = 4` and for `n > z`; Taylor series about tabulated points up to `z = 82`, the
 /// asymptotic series beyond, raised in order by the recurrence. Source: DLMF 11.4.25, 11.5.4, 11.6.2.
+///
+/// ```
+/// let value = sneddon::num::special::bessel_struve_precise(0.0.into(), 30.0.into());
+/// assert!(value.value.hi == 0.021_244_480_317_825_293 && value.error < 1e-29);
+/// ```
 pub fn bessel_struve_precise(n: DoubleDouble, z: DoubleDouble) -> Precise {
     if !allowed(n, z) || z.hi < 0.0 { Precise::nan() } else { difference(n.hi, z) }
 }
@@ -128,7 +143,7 @@ fn ordinary(n: f64, z: DoubleDouble) -> Precise {
     let (zeroth, first) = if z.hi >= FAR {
         (plus(oscillating(0.0.into(), z).1, tail(0.0, z, 1.0)), plus(oscillating(1.0.into(), z).1, tail(1.0, z, 1.0)))
     } else {
-        let waves = backward(0.0.into(), 0, z);
+        let waves = backward(0.0.into(), 0, z, true);
         let double = exact(2.0);
         // H_0 = (4/π) Σ J_(2k+1)/(2k+1); H_1 = (2/π)(1 − J_0) + (4/π) Σ J_(2k)/(4k²−1).
         let factor = known(TWO_OVER_PI, 1.0);

@@ -1,6 +1,6 @@
 //! Taylor series of I_0 − L_0 about tabulated points, between the reach of the difference and of the asymptotic series.
 
-use super::carried::{TWO_OVER_PI, UNIT};
+use super::carried::{TWO_OVER_PI, UNIT, multiple, quotient};
 use crate::num::double_double::{DoubleDouble, Precise};
 
 /// K = I_0 − L_0 and its derivative K′ = I_1 − L_(−1) = I_1 − L_1 − 2/π, for 4 <= z <= 82.
@@ -18,14 +18,14 @@ pub(super) fn difference_pair(z: DoubleDouble) -> (Precise, Precise) {
     let (mut power, mut sum, mut derivative) = (DoubleDouble::ONE, *value, *slope);
     for m in 0..200_u32 {
         let m = f64::from(m);
-        let mut top = now.mul((*at).into()).add(before).sub(next.mul(((m + 1.0) * (m + 1.0)).into()));
+        let mut top = multiple(now, *at).add(before).sub(multiple(next, (m + 1.0) * (m + 1.0)));
         if m == 0.0 {
             top = top.sub(TWO_OVER_PI);
         }
-        let after = top.mul(scale).div(((m + 1.0) * (m + 2.0)).into());
+        let after = quotient(top.mul(scale), (m + 1.0) * (m + 2.0));
         power = power.mul(h);
         sum = sum.add(next.mul(power));
-        derivative = derivative.add(after.mul(power).mul((m + 2.0).into()));
+        derivative = derivative.add(multiple(after.mul(power), m + 2.0));
         if (after.hi * power.hi * (m + 2.0)).abs() < 1e-37 && m > 4.0 {
             break;
         }
