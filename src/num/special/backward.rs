@@ -36,10 +36,8 @@ pub(super) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble, neumann: bool) 
     let mut wanted = [zero; 2];
     let mut index = top;
     loop {
-        if index == m || index == m + 1 {
-            if let Some(slot) = wanted.get_mut((index - m) as usize) {
-                *slot = now;
-            }
+        if let Some(slot) = index.checked_sub(m).and_then(|above| wanted.get_mut(above as usize)) {
+            *slot = now;
         }
         if index % 2 == 1 {
             if neumann {

@@ -62,7 +62,7 @@ const fn words(hi: f64, lo: f64) -> DoubleDouble {
 
 /// Taylor coefficients of 1/Γ(1+f) about f = 1/2, to 32 digits.
 const RECIPROCAL_GAMMA: [DoubleDouble; 33] = [
-    words(1.128_379_167_095_512_6, 1.533_545_961_316_588e-17),
+    words(std::f64::consts::FRAC_2_SQRT_PI, 1.533_545_961_316_588e-17),
     words(-0.041_174_526_445_283_1, -3.375_213_015_737_574_5e-18),
     words(-0.526_654_435_525_544_5, -6.112_036_385_608_127e-18),
     words(0.175_102_026_043_934_57, -1.065_747_126_851_441_2e-17),
