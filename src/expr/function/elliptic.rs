@@ -3,7 +3,7 @@
 use super::elementary::{binary, first, unary};
 use super::{Latex, PLAIN, Row};
 use crate::expr::{Expr, Sign, sign};
-use crate::num::special;
+use crate::num::{DoubleDouble, Precise, special};
 
 pub(super) static ROWS: &[Row] = &[
     Row {
@@ -12,6 +12,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("R_{{F}}({})", a.join(",\\,"))),
         value: |a| ternary(a, special::rf),
         ulps: 8.0,
+        precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rf_precise)),
         derivative: Some(|a, i| match (a, i) {
             ([x, y, z], 0) | ([y, x, z], 1) | ([y, z, x], 2) => Some(-elliprd(y, z, x) / Expr::integer(6)),
             _ => None,
@@ -25,6 +26,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("R_{{D}}({})", a.join(",\\,"))),
         value: |a| ternary(a, special::rd),
         ulps: 11.0,
+        precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rd_precise)),
         derivative: Some(elliprd_derivative),
         sign: Some(|_| Sign::Positive),
         ..PLAIN
@@ -35,6 +37,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("R_{{C}}({})", a.join(",\\,"))),
         value: |a| binary(a, special::rc),
         ulps: 6.0,
+        precise: Some(|a| <[DoubleDouble; 2]>::try_from(a).map_or_else(|_| Precise::nan(), special::rc_precise)),
         derivative: Some(elliprc_derivative),
         fold: Some(|a| match a {
             [x, y] if x == y => Some(x.sqrt().recip()),
@@ -49,6 +52,10 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("K"),
         value: |a| unary(a, special::ellipk),
         ulps: 6.0,
+        precise: Some(|a| match a {
+            [m] => special::ellipk_precise(*m),
+            _ => Precise::nan(),
+        }),
         derivative: Some(|a, _| {
             let m = first(a);
             let rest = Expr::one() - &m;
@@ -64,6 +71,10 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| format!("F({})", a.join("\\,|\\,"))),
         value: |a| binary(a, special::ellipf),
         ulps: 7.0,
+        precise: Some(|a| match a {
+            [phi, m] => special::ellipf_precise(*phi, *m),
+            _ => Precise::nan(),
+        }),
         derivative: Some(first_kind_derivative),
         fold: Some(|a| match a {
             [phi, m] if phi.is_zero() || m.is_zero() => Some(phi.clone()),
@@ -82,6 +93,11 @@ pub(super) static ROWS: &[Row] = &[
             _ => f64::NAN,
         },
         ulps: 8.0,
+        precise: Some(|a| match a {
+            [m] => special::ellipe_precise(*m),
+            [phi, m] => special::ellipe_inc_precise(*phi, *m),
+            _ => Precise::nan(),
+        }),
         derivative: Some(second_kind_derivative),
         fold: Some(|a| match a {
             [m] if m.is_zero() => Some(Expr::pi() / Expr::integer(2)),

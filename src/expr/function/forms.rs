@@ -16,6 +16,10 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 1.1,
         latex: Latex::Custom(|a| format!("\\kappa_{{{}}}", a.join(","))),
         value: |a| unary(a, kappa::kappa),
+        precise: Some(|a| match a {
+            [n] => kappa::kappa_precise(*n),
+            _ => Precise::nan(),
+        }),
         shown: Some(|a| {
             with(a, |[n]| Expr::pi().sqrt() * gamma(n / Expr::integer(2) + Expr::one()) / gamma(n / Expr::integer(2) + Expr::ratio(1, 2)))
         }),

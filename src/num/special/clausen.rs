@@ -44,25 +44,42 @@ pub(super) fn clausen(z: Ball) -> Ball {
     if z.hi() == 0.0 {
         return Ball { value: z.value, error: if z.error > 0.0 { f64::INFINITY } else { 0.0 } };
     }
-    let turns = (z.hi() / TURN[0]).round();
-    let reduced = TURN.iter().fold(z, |rest, part| rest - Ball::from(*part) * turns).widened(turns.abs() * 1e-48);
-    if reduced.hi() < 0.0 { -half_turn(-reduced) } else { half_turn(reduced) }
+    // The nearest multiple of π first, so that the distance to it keeps its digits.
+    let halves = (z.hi() / FLAT[0]).round();
+    let rest = reduced(z, FLAT, halves);
+    if halves % 2.0 != 0.0 && rest.hi().abs() < 1.1 {
+        return about_flat(-rest);
+    }
+    let angle = reduced(z, TURN, (z.hi() / TURN[0]).round());
+    if angle.hi() < 0.0 { -half_turn(-angle) } else { half_turn(angle) }
 }
 
-/// `Cl_2` on [0, π].
+/// `z` less a multiple of a period in three parts.
+fn reduced(z: Ball, period: [f64; 3], times: f64) -> Ball {
+    if times == 0.0 {
+        return z;
+    }
+    period.iter().fold(z, |rest, part| rest - Ball::from(*part) * times).widened(times.abs() * 1e-48)
+}
+
+fn divisor(k: u32) -> f64 {
+    f64::from(k) * f64::from(2 * k + 1)
+}
+
+/// `Cl_2` on [0, π]: up to 2.1 by `θ (1 - ln θ + Σ ζ(2k) (θ/2π)^(2k) / (k (2k+1)))`.
 fn half_turn(angle: Ball) -> Ball {
-    let divisor = |k: u32| f64::from(k) * f64::from(2 * k + 1);
     if angle.hi() == 0.0 {
         return Ball::ZERO.widened(angle.error.sqrt());
     }
-    if angle.hi() < 2.1 {
-        // θ (1 - ln θ + Σ ζ(2k) (θ/2π)^(2k) / (k (2k+1)))
-        let square = (angle / PI.scale(2.0)).square();
-        let sum = even_series(square, divisor);
-        return angle * (Ball::ONE - angle.ln() + sum);
+    if angle.hi() > 2.1 {
+        return about_flat(PI - angle);
     }
-    // φ = π - θ: φ (ln 2 - Σ ζ(2k) (1 - 2^(-2k)) (φ/π)^(2k) / (k (2k+1)))
-    let rest = FLAT.iter().fold(-angle, |sum, part| sum + *part).widened(1e-48);
+    let square = (angle / PI.scale(2.0)).square();
+    angle * (Ball::ONE - angle.ln() + even_series(square, divisor))
+}
+
+/// `Cl_2(π - φ) = φ (ln 2 - Σ ζ(2k) (1 - 2^(-2k)) (φ/π)^(2k) / (k (2k+1)))`, odd in `φ`.
+fn about_flat(rest: Ball) -> Ball {
     let square = (rest / PI).square();
     rest * (LN_2 - (even_series(square, divisor) - even_series(square.scale(0.25), divisor)))
 }

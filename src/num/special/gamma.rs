@@ -1,6 +1,7 @@
 //! The gamma function and ratios of gamma functions with 30 digits.
 
 use super::ball::{Ball, UNIT};
+use super::ball_elementary::PI;
 use crate::num::{DoubleDouble, Precise};
 
 /// `Gamma(x)` with about 30 digits.
@@ -58,6 +59,34 @@ pub(super) fn is_pole(x: Ball) -> bool {
 /// Exactly a whole number.
 pub(super) fn is_whole(x: Ball) -> bool {
     x.hi().fract() == 0.0 && x.value.lo == 0.0 && x.error < 1e-25 * (1.0 + x.hi().abs())
+}
+
+/// [`crate::num::kappa::kappa_precise`].
+pub(crate) fn kappa_series(n: DoubleDouble) -> Precise {
+    let n = Ball::exact(n);
+    if (n + 1.0).hi() <= 0.0 || n.hi().is_nan() || n.hi() > 1e100 {
+        return Precise::nan();
+    }
+    let steps = if n.hi() < 40.0 { ((40.0 - n.hi()) * 0.5).ceil() as u32 } else { 0 };
+    let (mut above, mut below) = (Ball::ONE, Ball::ONE);
+    for step in 0..steps {
+        let shift = f64::from(2 * step);
+        above = above * (n + (shift + 1.0));
+        below = below * (n + (shift + 2.0));
+    }
+    let s = (n + f64::from(2 * steps)).scale(2.0) + 1.0;
+    let square = s.square().recip();
+    let (mut power, mut series) = (square, Ball::ZERO);
+    for (k, euler) in (1_u32..).zip(EULER) {
+        let term = power * Ball::exact(DoubleDouble { hi: euler.0, lo: euler.1 }).widened(euler.0.abs() * 1e-32) / f64::from(4 * k);
+        series = series - term;
+        if term.hi().abs() < UNIT * 1e-3 {
+            break;
+        }
+        power = power * square;
+    }
+    let far = (PI * s).scale(0.25).sqrt() * series.widened(UNIT * 1e-2).exp();
+    (far * above / below).precise()
 }
 
 /// Γ(x) = sign · exp(logarithm) / below, where `below` is the size of the product of the recurrence.
@@ -119,4 +148,25 @@ pub(super) const BERNOULLI: [(f64, f64); 17] = [
     (8615841276005.0, 14322.0),
     (-7709321041217.0, 510.0),
     (2577687858367.0, 6.0),
+];
+
+/// Euler's numbers `E_2, E_4, …, E_34`, each as the nearest double and the rest.
+const EULER: [(f64, f64); 17] = [
+    (-1.0, 0.0),
+    (5.0, 0.0),
+    (-61.0, 0.0),
+    (1385.0, 0.0),
+    (-50521.0, 0.0),
+    (2702765.0, 0.0),
+    (-199360981.0, 0.0),
+    (19391512145.0, 0.0),
+    (-2404879675441.0, 0.0),
+    (370371188237525.0, 0.0),
+    (-6.93488743931379e+16, 3.0),
+    (1.5514534163557087e+19, -327.0),
+    (-4.087072509293124e+21, 232311.0),
+    (1.25225964140363e+24, -59571843.0),
+    (-4.415438932490231e+26, 7818344571.0),
+    (1.775193915795393e+29, -15070703486303.0),
+    (-8.07232992358879e+31, 5878602840479.0),
 ];

@@ -31,7 +31,7 @@ mod taylor;
 
 pub use bessel::{besseli, besseli_precise, besseli_scaled, besseli_scaled_precise, besselj, besselj_precise};
 pub use beta::{betainc, betainc_precise};
-pub use carlson::{rc, rd, rf};
+pub use carlson::{rc, rc_precise, rd, rd_precise, rf, rf_precise};
 pub use clausen::{clsin2, clsin2_precise};
 pub use confluent::{hyp1f1, hyp1f1_precise};
 pub use dawson::{dawson, dawson_precise, erf_precise, erfi, erfi_precise};
@@ -39,9 +39,10 @@ pub use digamma::{digamma, digamma_precise};
 pub use dilogarithm::{
     inverse_tangent_integral, inverse_tangent_integral_precise, legendre_chi2, legendre_chi2_precise, polylog2, polylog2_precise,
 };
-pub use elliptic::{ellipe, ellipe_inc, ellipf, ellipk};
+pub use elliptic::{ellipe, ellipe_inc, ellipe_inc_precise, ellipe_precise, ellipf, ellipf_precise, ellipk, ellipk_precise};
 pub use fresnel::{fresnelc, fresnelc_precise, fresnels, fresnels_precise};
 pub use gamma::gamma_precise;
+pub(crate) use gamma::kappa_series;
 pub use hypergeometric::{hyp2f1, hyp2f1_precise, hyper, hyper_precise};
 pub use libm::{erf, tgamma as gamma};
 pub use polygamma::{polygamma, polygamma_precise};
