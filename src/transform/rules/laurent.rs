@@ -98,6 +98,14 @@ impl Combination {
         self.0.iter().zip(law).fold(outer, |sum, (part, own)| sum.plus(&own.times(part)))
     }
 
+    /// The combination with y^j B_i replaced by its integral from 0.
+    pub(super) fn integrated(&self, integral: &dyn Fn(usize, i64) -> Self) -> Self {
+        let parts = self.0.iter().enumerate().flat_map(|(position, part)| part.0.iter().map(move |(j, c)| (position, *j, c)));
+        parts.fold(Self::default(), |sum, (position, j, c)| {
+            sum.plus(&integral(position, j).times(&Laurent(BTreeMap::from([(0, c.clone())]))))
+        })
+    }
+
     /// `factor` times the combination at y, with common powers of y, numbers and constants taken out.
     pub(super) fn written(&self, factor: &Expr, y: &Expr, members: &[Member]) -> Expr {
         let present: Vec<(&Laurent, &Member)> = self.0.iter().zip(members).filter(|(part, _)| !part.0.is_empty()).collect();

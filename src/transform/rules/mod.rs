@@ -4,6 +4,8 @@ mod bessel;
 mod combination;
 mod error_function;
 mod gaussian;
+mod gaussian_bessel;
+mod laurent;
 mod hypergeometric;
 mod laurent;
 mod linear;
@@ -57,10 +59,12 @@ pub static RULES: &[&Rule] = &[
     &wave::CIRCULAR,
     &wave::HYPERBOLIC,
     &wave::EXPONENTIAL,
-    &quadratic_wave::RULE,
+    &quadratic_wave::WHOLE,
+    &quadratic_wave::SEGMENT,
     &gaussian::DECAY,
     &gaussian::GROWTH,
     &gaussian::SEGMENT,
+    &gaussian_bessel::RULE,
     &error_function::ERROR_FUNCTION,
     &error_function::DAWSON,
     &struve::STRUVE,

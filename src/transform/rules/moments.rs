@@ -62,9 +62,13 @@ fn signed(u: &Expr, power: i64) -> Option<(Expr, Option<bool>)> {
 /// g(x) = c x M_m(x) and F(a)/(2E*) = c M_(m+2)(a) for f′ = c·r^m·k(r).
 pub(super) fn answer(coefficient: &Expr, m: i64, moments: &Moments) -> Answer {
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
+    // A factor q − k beside the scale k − q is minus that.
+    let opposite = -&moments.scale;
+    let turned = |own: Expr| if own == opposite { vec![Expr::integer(-1), moments.scale.clone()] } else { vec![own] };
+    let coefficients: Vec<Expr> = coefficient.factors().into_iter().flat_map(turned).collect();
     let written = |order: i64, factor: &Expr, at: &Expr| {
         let y = &moments.scale * at;
-        let factor = coefficient * moments.scale.power(-order) * factor;
+        let factor = Expr::product(coefficients.iter().cloned().chain([moments.scale.power(-order), factor.clone()]));
         let moment = (moments.moment)(order);
         let with = |members: &[Member]| {
             if moments.apart { moment.written_apart(&factor, &y, members) } else { moment.written(&factor, &y, members) }
