@@ -1,7 +1,7 @@
 //! `sneddon eval`: the numbers of one quantity.
 
 use super::failure::warn;
-use super::{Failure, Outcome, input, output, points};
+use super::{Failure, Outcome, input, output, points, series};
 use crate::contact::{self, Contact, ContactError, Explicit, Measured};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
@@ -40,6 +40,9 @@ pub(super) struct Arguments {
     /// Which way; auto takes the cheapest one that meets the tolerance.
     #[arg(long, value_enum, default_value_t = Way::Auto)]
     method: Way,
+    /// The highest power of r that --method series keeps [default: 20].
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    order: Option<String>,
     /// The relative tolerance [default: 1e-13].
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     tol: Option<String>,
@@ -100,6 +103,8 @@ enum Way {
     Exact,
     /// Quadrature of the profile as typed.
     Quadrature,
+    /// The power series at r = 0, term by term.
+    Series,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -110,6 +115,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let effective_modulus = input::positive("--effective-modulus", &arguments.effective_modulus)?;
     let demanded = arguments.tol.as_deref().map(input::tolerance).transpose()?;
     let (method, tolerance) = (arguments.method.method(), demanded.unwrap_or(TOLERANCE));
+    let by_series = matches!(arguments.method, Way::Series);
+    if by_series {
+        series::refuse_rim(depth)?;
+    } else {
+        series::refuse_order(arguments.order.as_deref())?;
+    }
+    let order = series::order(arguments.order.as_deref())?;
     if quantity.needs_radius() && radius.is_none() {
         let message = format!("--quantity {} needs the contact radius", quantity.symbol());
         return Err(Failure::new(message).help("give it with --radius A"));
@@ -135,10 +147,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let inverse = if quantity == Quantity::Radius { contact::explicit(&solution) } else { None };
     let asked = Asked { contact, inverse, radius, method, tolerance };
-    let mut readings = Vec::with_capacity(at.len());
-    for point in &at {
-        readings.push(quantity.read(&asked, *point).map_err(failed)?);
-    }
+    let readings = if by_series {
+        series::readings(quantity.symbol(), &profile, order, &at, radius, effective_modulus)?
+    } else {
+        at.iter().map(|point| quantity.read(&asked, *point).map_err(failed)).collect::<Result<Vec<_>, _>>()?
+    };
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
     let shift = shift(&profile, &settings.exact_profile(&typed).unwrap_or_else(|_| profile.clone()));
@@ -216,7 +229,8 @@ impl Way {
         match self {
             Self::Auto => Method::Auto,
             Self::Exact => Method::Exact,
-            Self::Quadrature => Method::Quadrature,
+            // The series has its own way; what it shares with the others is cheap.
+            Self::Quadrature | Self::Series => Method::Quadrature,
         }
     }
 }

@@ -10,6 +10,7 @@ mod invert;
 mod output;
 mod points;
 mod rules;
+mod series;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;

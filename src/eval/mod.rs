@@ -5,11 +5,13 @@
 mod algebra;
 mod error;
 mod second;
+mod series;
 mod tape;
 mod walk;
 
 pub use algebra::{Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra};
 pub use error::EvalError;
 pub use second::PreciseAlgebra;
+pub use series::{Series, SeriesError, power_series};
 pub use tape::Tape;
 pub use walk::{constant_value, precise_value, walk};

@@ -85,7 +85,8 @@ impl InverseNumbers {
                 if self.method == Method::Exact {
                     return Err(TransformError::NoClosedForm { quantity: "f" });
                 }
-                let found = transformed(&chain.open, r, self.tolerance)?;
+                // The recognition form of what is left may cancel where g as typed does not.
+                let Ok(found) = transformed(&chain.open, r, self.tolerance) else { return whole() };
                 total = total + found.bounded();
                 evaluations += found.evaluations;
                 any_open = true;

@@ -69,17 +69,19 @@ pub(super) fn statements(read: Reader) -> Vec<Statement> {
 /// With a breakpoint the terms are those from there outward, and only worn shapes are looked for.
 pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Expr>, statements: &[Statement]) -> Vec<Found> {
     let mut found = Vec::new();
-    'again: while terms.iter().any(|term| !term.kernel.is_one()) {
-        for target in terms.iter().filter(|term| !term.kernel.is_one()) {
-            for statement in statements.iter().filter(|own| own.breakpoint.is_some() == breakpoint.is_some()) {
-                if let Some((own, rest)) = statement.explains(target, terms, breakpoint) {
-                    found.push(own);
-                    *terms = rest;
-                    continue 'again;
-                }
-            }
-        }
-        break;
+    let open = |list: &[NormalTerm]| list.iter().filter(|term| !term.kernel.is_one()).count();
+    while open(terms) > 0 {
+        let targets = terms.iter().filter(|term| !term.kernel.is_one());
+        let candidates = targets.flat_map(|target| {
+            let own = statements.iter().filter(|own| own.breakpoint.is_some() == breakpoint.is_some());
+            let terms: &[NormalTerm] = terms;
+            own.filter_map(move |statement| statement.explains(target, terms, breakpoint))
+        });
+        // The one that explains most; of equals the first.
+        let best = candidates.reduce(|best, other| if open(&other.1) < open(&best.1) { other } else { best });
+        let Some((own, rest)) = best else { break };
+        found.push(own);
+        *terms = rest;
     }
     found
 }

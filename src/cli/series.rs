@@ -1,0 +1,73 @@
+//! `eval --method series`: the numbers of a quantity by its power series.
+
+use super::Failure;
+use crate::contact::Measured;
+use crate::num::{Bounded, Estimate};
+use crate::transform::{HIGHEST_ORDER, Profile, Reading, SeriesEvaluator, SeriesFailure};
+
+/// The order where none was given.
+const ORDER: usize = 20;
+
+/// Reads `--order N`.
+pub(super) fn order(text: Option<&str>) -> Result<usize, Failure> {
+    let Some(text) = text else { return Ok(ORDER) };
+    let number = text.trim().parse::<usize>().ok().filter(|n| (1..=HIGHEST_ORDER).contains(n));
+    number.ok_or_else(|| {
+        let help = format!("a whole number from 1 to {HIGHEST_ORDER} would be accepted");
+        Failure::new(format!("--order {} is no order of a series", text.trim())).help(help).at("--order", text, 0..text.len())
+    })
+}
+
+/// The values of the quantity with this symbol at every point.
+pub(super) fn readings(
+    symbol: &'static str,
+    profile: &Profile,
+    order: usize,
+    at: &[f64],
+    radius: Option<f64>,
+    effective_modulus: f64,
+) -> Result<Vec<Measured>, Failure> {
+    let failed = |error: SeriesFailure| Failure::new(error.to_string());
+    let series = SeriesEvaluator::new(profile, order).map_err(failed)?;
+    let modulus = Bounded::exact(effective_modulus);
+    let times =
+        |reading: Reading, factor: Bounded| Reading { estimate: Estimate::from_bounded(reading.estimate.bounded() * factor, 0), ..reading };
+    let value = |at: f64| -> Result<Measured, SeriesFailure> {
+        Ok(Ok(match symbol {
+            "f" => series.height(at)?,
+            "g" | "d" => series.slope(at)?,
+            "F" => times(series.force(at)?, Bounded::exact(2.0) * modulus),
+            "G" => series.integral(at)?,
+            "p" => {
+                let a = radius.unwrap_or(at);
+                let over_pi = modulus / Bounded::rounded(std::f64::consts::PI);
+                let outside = Reading { estimate: Estimate { value: 0.0, error: 0.0, evaluations: 0 }, method: "series" };
+                if at >= a { outside } else { times(series.pressure(at, a)?, over_pi) }
+            }
+            "k" => {
+                let value = Bounded::exact(2.0 * at) * modulus;
+                Reading { estimate: Estimate::from_bounded(value, 0), method: "exact" }
+            }
+            quantity => return Err(SeriesFailure::Quantity { quantity }),
+        }))
+    };
+    at.iter().map(|point| value(*point).map_err(failed)).collect()
+}
+
+/// The smooth edge that a series needs.
+pub(super) fn refuse_rim(depth: Option<f64>) -> Result<(), Failure> {
+    match depth {
+        Some(_) => Err(Failure::new("--method series answers smooth edges only").help("leave out --depth, or take another method")),
+        None => Ok(()),
+    }
+}
+
+/// `--order` belongs to `--method series`.
+pub(super) fn refuse_order(order: Option<&str>) -> Result<(), Failure> {
+    match order {
+        Some(text) => {
+            Err(Failure::new("--order belongs to --method series").help("add --method series").at("--order", text, 0..text.len()))
+        }
+        None => Ok(()),
+    }
+}
