@@ -214,7 +214,9 @@ impl Asked<'_> {
     fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
         if self.method != Method::Quadrature {
             let closed = self.inverse.as_ref().map(|inverse| inverse.contact_radius_at(depth)).transpose().map_err(TransformError::from)?;
+            // Beyond the largest depth the formula has no value, and the root tells why.
             match closed {
+                Some(closed) if !closed.estimate.value.is_finite() => {}
                 Some(closed) if self.method == Method::Exact || closed.estimate.relative_error() <= self.tolerance => return Ok(closed),
                 None if self.method == Method::Exact => return Err(TransformError::NoClosedForm { quantity: "a" }.into()),
                 _ => {}

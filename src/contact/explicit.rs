@@ -1,5 +1,7 @@
 //! Explicit inversions: a(d) and F(d) where the equation g(a) = d solves in closed form.
 
+mod kernels;
+
 use crate::eval::{BoundedAlgebra, EvalError, constant_value, walk};
 use crate::expr::{Bindings, Condition, Expr, Sign, Symbol, sign};
 use crate::num::{Bounded, Estimate};
@@ -18,7 +20,8 @@ pub struct Explicit {
     pub conditions: Vec<Condition>,
 }
 
-/// Solves g(a) = d for a single power, for A a^(2n) + B aⁿ, and for a worn paraboloid; `None` elsewhere.
+/// Solves g(a) = d for a single power, for A a^(2n) + B aⁿ, for a worn paraboloid, and for atan, artanh, 1 − 1/√(1 + r²/b²),
+/// 1 − J₀ and I₀ − 1 (up to the first maximum of g); `None` elsewhere.
 ///
 /// ```
 /// use sneddon::{contact::explicit, parse, print, transform::{Profile, derive}};
@@ -33,7 +36,7 @@ pub fn explicit(solution: &Solution) -> Option<Explicit> {
         terms.push((&solved.term, answer));
     }
     let found = match terms.as_slice() {
-        [(term, _)] if term.segment.is_whole() => single_power(term)?,
+        [(term, _)] if term.segment.is_whole() => single_power(term).or_else(|| kernels::single_kernel(term))?,
         [(one, _), (two, _)] if one.segment.is_whole() && two.segment.is_whole() => two_powers(one, two)?,
         [(term, _)] => worn_paraboloid(term)?,
         _ => return None,
@@ -169,7 +172,8 @@ impl Explicit {
     fn admissible(mut self) -> Option<Self> {
         let mut left = Vec::new();
         for condition in self.conditions {
-            if condition.right.symbols().is_empty() {
+            // A limit of d stays: it decides nothing about the parameters.
+            if condition.left.is_zero() && condition.right.symbols().is_empty() {
                 let value = constant_value(&condition.right, &Bindings::default()).ok()?;
                 if value.value.is_nan() || value.value <= value.error {
                     return None;

@@ -60,10 +60,7 @@ impl Solution {
     }
 
     fn derived(&self, quantity: Quantity, variable: &str, factor: &Expr, reference: &'static str) -> Derived {
-        let open = |term: &SolvedTerm| match quantity {
-            Quantity::Pressure => term.has_open_pressure(),
-            Quantity::Slope | Quantity::Force => term.is_open(),
-        };
+        let open = |term: &SolvedTerm| quantity.is_open(term);
         let (mut rules, mut references) = (Vec::new(), vec![reference]);
         let (mut closed, mut left) = (0, 0);
         for term in self.terms() {
@@ -96,6 +93,8 @@ impl SolvedChain {
                 Quantity::Slope => self.open_integral(interval, "x"),
                 Quantity::Force => self.open_integral(interval, "a"),
                 Quantity::Pressure => self.open_pressure(interval, solution),
+                // No formula of it is shown.
+                Quantity::Outside => Formula::zero(),
             };
             Formula::sum([Formula::Closed(closed), open])
         });

@@ -51,6 +51,7 @@ struct NumericChain {
     slope: OnceCell<Part>,
     force: OnceCell<Part>,
     pressure: OnceCell<Part>,
+    outside: OnceCell<Part>,
 }
 
 /// The closed expressions of one quantity, one per interval of the contact, and what is left to integrate.
@@ -78,7 +79,13 @@ impl<'a> Evaluator<'a> {
         let mut chains = Vec::new();
         for chain in &solution.chains {
             let breakpoints = chain.breakpoints.iter().map(|b| constant_value(b, bindings)).collect::<Result<_, _>>()?;
-            chains.push(NumericChain { breakpoints, slope: OnceCell::new(), force: OnceCell::new(), pressure: OnceCell::new() });
+            chains.push(NumericChain {
+                breakpoints,
+                slope: OnceCell::new(),
+                force: OnceCell::new(),
+                pressure: OnceCell::new(),
+                outside: OnceCell::new(),
+            });
         }
         let limits = solution.profile.limits().map(number).collect::<Result<_, _>>()?;
         Ok(Self {
@@ -247,10 +254,8 @@ impl<'a> Evaluator<'a> {
     /// As [`Self::slope`].
     pub fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        if self.method == Method::Exact {
-            return Err(TransformError::NoClosedForm { quantity: "u outside the contact" });
-        }
-        Ok(Reading { estimate: self.typed()?.displacement(r, a, self.tolerance)?, method: "quadrature" })
+        let found = self.combine(Quantity::Outside, a, &[r, a], |open| open.displacement(r, a, self.tolerance).map(Some));
+        found.and_then(|reading| finite(reading, "r", r))
     }
 
     /// Closed terms plus the integrals of the others; or the whole by quadrature where that is demanded or has more digits.
@@ -354,6 +359,7 @@ impl<'a> Evaluator<'a> {
             Quantity::Slope => &numeric.slope,
             Quantity::Force => &numeric.force,
             Quantity::Pressure => &numeric.pressure,
+            Quantity::Outside => &numeric.outside,
         };
         if let Some(ready) = cell.get() {
             return Ok(ready);
@@ -361,7 +367,7 @@ impl<'a> Evaluator<'a> {
         let inputs: &[&str] = match quantity {
             Quantity::Slope => &["x"],
             Quantity::Force => &["a"],
-            Quantity::Pressure => &["r", "a"],
+            Quantity::Pressure | Quantity::Outside => &["r", "a"],
         };
         let symbols: Vec<Symbol> = inputs.iter().map(|name| Symbol::new(name)).collect();
         let mut closed = Vec::new();
@@ -371,10 +377,7 @@ impl<'a> Evaluator<'a> {
                 if has_30_digits(&expr) { expr.clone() } else { self.bindings.apply(&chain.closed(interval, quantity, for_second_pass)) };
             closed.push(if expr.is_zero() { None } else { Some(ClosedForm::with_second(&expr, second, &symbols)?) });
         }
-        let open = chain.remainder(|term| match quantity {
-            Quantity::Pressure => term.has_open_pressure(),
-            Quantity::Slope | Quantity::Force => term.is_open(),
-        });
+        let open = chain.remainder(|term| quantity.is_open(term));
         let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
         Ok(cell.get_or_init(|| part))
     }

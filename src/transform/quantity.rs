@@ -1,7 +1,7 @@
 //! The quantities that superpose term by term, and the sum of their closed answers.
 
-use super::engine::SolvedChain;
-use super::{Answer, Branches, Pair};
+use super::engine::{SolvedChain, SolvedTerm};
+use super::{Branches, Pair, rules};
 use crate::expr::Expr;
 
 /// The quantities that superpose term by term.
@@ -13,6 +13,8 @@ pub enum Quantity {
     Force,
     /// p(r)·π/E* under a smooth edge.
     Pressure,
+    /// u(r) outside a contact with a smooth edge.
+    Outside,
 }
 
 impl Quantity {
@@ -22,6 +24,7 @@ impl Quantity {
             Self::Slope => "g",
             Self::Force => "F",
             Self::Pressure => "p",
+            Self::Outside => "u outside the contact",
         }
     }
 
@@ -30,11 +33,23 @@ impl Quantity {
         if self == Self::Slope { "x" } else { "a" }
     }
 
-    fn branches(self, answer: &Answer) -> Option<&Branches> {
+    fn branches(self, solved: &SolvedTerm) -> Option<Branches> {
+        let answer = || solved.answer.as_ref().map(|(_, answer)| answer);
         match self {
-            Self::Slope => Some(&answer.slope),
-            Self::Force => Some(&answer.force),
-            Self::Pressure => answer.pressure.as_ref(),
+            Self::Slope => Some(answer()?.slope.clone()),
+            Self::Force => Some(answer()?.force.clone()),
+            Self::Pressure => answer()?.pressure.clone(),
+            // Known for terms, whatever their rules say.
+            Self::Outside => rules::outside(&solved.term),
+        }
+    }
+
+    /// True where the term's share of the quantity is left as an integral.
+    pub(super) fn is_open(self, solved: &SolvedTerm) -> bool {
+        match self {
+            Self::Slope | Self::Force => solved.is_open(),
+            Self::Pressure => solved.has_open_pressure(),
+            Self::Outside => rules::outside(&solved.term).is_none(),
         }
     }
 }
@@ -44,10 +59,8 @@ impl SolvedChain {
     pub(super) fn closed(&self, interval: usize, quantity: Quantity, pick: impl Fn(&Pair) -> &Expr) -> Expr {
         let mut terms = Vec::new();
         for (index, own) in self.intervals.iter().enumerate().take(interval + 1) {
-            for (_, answer) in own.terms.iter().filter_map(|t| t.answer.as_ref()) {
-                if let Some(branches) = quantity.branches(answer) {
-                    terms.push(pick(if index < interval { &branches.beyond } else { &branches.within }).clone());
-                }
+            for branches in own.terms.iter().filter_map(|term| quantity.branches(term)) {
+                terms.push(pick(if index < interval { &branches.beyond } else { &branches.within }).clone());
             }
         }
         Expr::sum(terms)

@@ -7,6 +7,14 @@ use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
 use crate::num::{Precise, forms, kappa, precise as thirty};
 
+/// aⁿ arcsin(a/r) − aⁿ⁺¹/((n+1) r) 2F1(1/2, (n+1)/2; (n+3)/2; a²/r²).
+fn outside_power(n: &Expr, a: &Expr, r: &Expr) -> Expr {
+    let (half, next) = (Expr::ratio(1, 2), n + Expr::one());
+    let lower = (n + Expr::integer(3)) * &half;
+    let hyper = Expr::call("hyp2f1", [half.clone(), &next * &half, lower, a.power(2) / r.power(2)]);
+    a.pow(n) * Expr::call("asin", [a / r]) - a.pow(&next) / (next * r) * hyper
+}
+
 /// What these rows have in common: positive values, no LaTeX of their own because the shown expression is set.
 const FORM: Row = Row { latex: Latex::Operator("\\operatorname{form}"), sign: Some(|_| Sign::Positive), ..PLAIN };
 
@@ -142,6 +150,15 @@ pub(super) static ROWS: &[Row] = &[
                 ((a.power(2) - scale.power(2)) * Expr::call("atan", [&w / &c]) + w * c) / Expr::integer(2)
             })
         }),
+        ..FORM
+    },
+    // ∫₀^a n x^(n−1) asin(x/r) dx
+    Row {
+        name: "outside_power",
+        ulps: 40.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::outside_power),
+        shown: Some(|a| with(a, |[n, a, r]| outside_power(n, a, r))),
         ..FORM
     },
     Row {

@@ -1,9 +1,10 @@
 //! Numbers of an inverse: closed shares with their error bounds, quadrature for the rest, and the check of one by the other.
 
+use super::super::closed::{ClosedForm, for_second_pass, total};
 use super::super::term::Segment;
 use super::super::{Check, Method, NumericProfile, Reading, Sampler, Solution, TransformError};
 use super::Inverse;
-use crate::eval::{BoundedAlgebra, Tape, constant_value};
+use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol};
 use crate::num::{Bounded, Estimate};
 
@@ -25,7 +26,7 @@ pub struct InverseNumbers {
 
 struct NumericChain {
     breakpoints: Vec<Bounded>,
-    closed: Vec<Option<Tape>>,
+    closed: Vec<Option<ClosedForm>>,
     open: NumericProfile,
 }
 
@@ -42,7 +43,8 @@ impl InverseNumbers {
             let mut closed = Vec::new();
             for interval in 0..chain.intervals.len() {
                 let expr = bindings.apply(&chain.closed(interval, |pair| &pair.evaluated));
-                closed.push(if expr.is_zero() { None } else { Some(Tape::compile(&[expr], &radius)?) });
+                let second = bindings.apply(&chain.closed(interval, for_second_pass));
+                closed.push(if expr.is_zero() { None } else { Some(ClosedForm::with_second(&expr, second, &radius)?) });
             }
             let open: Vec<(Segment, Expr)> = chain.intervals.iter().map(|own| (own.segment.clone(), own.open.clone())).collect();
             chains.push(NumericChain { breakpoints, closed, open: NumericProfile::new(&open, bindings)? });
@@ -72,28 +74,26 @@ impl InverseNumbers {
         if self.method == Method::Quadrature {
             return whole();
         }
-        let (mut total, mut evaluations, mut any_closed, mut any_open) = (Bounded::exact(0.0), 0, false, false);
-        let mut slots = Vec::new();
+        let (mut open, mut evaluations, mut any_open) = (Bounded::exact(0.0), 0, false);
+        let mut forms = Vec::new();
         for chain in &self.chains {
             // A breakpoint that may lie below r counts, because the formula beyond it carries the doubt in its error.
             let interval = chain.breakpoints.iter().filter(|b| b.value - b.error < r).count();
-            if let Some(tape) = chain.closed.get(interval).and_then(Option::as_ref) {
-                total = total + tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots).unwrap_or(Bounded::exact(f64::NAN));
-                any_closed = true;
-            }
+            forms.extend(chain.closed.get(interval).and_then(Option::as_ref));
             if !chain.open.is_empty() {
                 if self.method == Method::Exact {
                     return Err(TransformError::NoClosedForm { quantity: "f" });
                 }
                 // The recognition form of what is left may cancel where g as typed does not.
                 let Ok(found) = transformed(&chain.open, r, self.tolerance) else { return whole() };
-                total = total + found.bounded();
+                open = open + found.bounded();
                 evaluations += found.evaluations;
                 any_open = true;
             }
         }
-        let estimate = Estimate::from_bounded(total, evaluations);
-        let method = match (any_closed, any_open) {
+        let closed = total(&forms, &[r]);
+        let estimate = Estimate::from_bounded(if any_open { closed + open } else { closed }, evaluations);
+        let method = match (!forms.is_empty(), any_open) {
             (true, true) => "mixed",
             (false, true) => "quadrature",
             _ => "exact",

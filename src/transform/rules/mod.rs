@@ -11,6 +11,7 @@ mod laurent;
 mod linear;
 mod log_linear;
 mod moments;
+mod outside;
 mod pole;
 mod polynomial_segment;
 mod power;
@@ -25,6 +26,7 @@ mod shifted_power;
 mod struve;
 mod wave;
 
+pub use outside::outside;
 pub use power::kappa;
 
 use super::{Answer, Rule, Term};

@@ -5,7 +5,7 @@
 
 use super::reading;
 use crate::expr::{Expr, Sign, sign};
-use crate::transform::{Branches, Pair, Term};
+use crate::transform::{Branches, Pair, Term, kinks};
 
 /// The contribution of a term to u(r) for r > a under a smooth edge, over the symbols r and a; `None` where none is known.
 ///
@@ -16,6 +16,9 @@ pub fn outside(term: &Term) -> Option<Branches> {
     let pair = |expr: Expr| Pair::same(&two_over_pi * expr);
     if term.segment.is_whole() {
         return power(term).or_else(|| root(term)).map(|expr| Branches::endless(pair(expr)));
+    }
+    if kinks::is_approximate(&term.segment.lower) || term.segment.upper.as_ref().is_some_and(kinks::is_approximate) {
+        return None;
     }
     let coefficients = term.polynomial()?;
     let (flat, rising) = match coefficients.as_slice() {
