@@ -5,7 +5,6 @@ mod combination;
 mod error_function;
 mod gaussian;
 mod gaussian_bessel;
-mod laurent;
 mod hypergeometric;
 mod laurent;
 mod linear;
