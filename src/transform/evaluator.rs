@@ -1,6 +1,7 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
 use super::closed::{ClosedForm, for_second_pass, precise_total, refined, total};
+use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
 use super::quantity::Quantity;
 use super::{Segment, Solution, TransformError};
@@ -36,6 +37,7 @@ pub struct Evaluator<'a> {
     chains: Vec<NumericChain>,
     limits: Vec<f64>,
     typed: OnceCell<NumericProfile>,
+    recognised: OnceCell<NumericProfile>,
     heights: OnceCell<Heights>,
     tolerance: f64,
     method: Method,
@@ -94,6 +96,7 @@ impl<'a> Evaluator<'a> {
             chains,
             limits,
             typed: OnceCell::new(),
+            recognised: OnceCell::new(),
             heights: OnceCell::new(),
             tolerance,
             method,
@@ -116,6 +119,18 @@ impl<'a> Evaluator<'a> {
         }
         let built = NumericProfile::new(&pieces, &self.bindings)?;
         Ok(self.typed.get_or_init(|| built))
+    }
+
+    /// The profile by the recognition form of f′.
+    fn recognised(&self) -> Result<&NumericProfile, TransformError> {
+        if let Some(ready) = self.recognised.get() {
+            return Ok(ready);
+        }
+        let intervals = self.solution.chains.iter().flat_map(|chain| &chain.intervals);
+        let slope = |interval: &SolvedInterval| Expr::sum(interval.terms.iter().map(|solved| solved.term.slope()));
+        let pieces: Vec<(Segment, Expr)> = intervals.map(|interval| (interval.segment.clone(), slope(interval))).collect();
+        let built = NumericProfile::new(&pieces, &self.bindings)?;
+        Ok(self.recognised.get_or_init(|| built))
     }
 
     /// The smallest upper limit of r that the profile has.
@@ -322,8 +337,16 @@ impl<'a> Evaluator<'a> {
         if method == "quadrature" || self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
             return Ok(Some(own));
         }
-        // The closed form lost digits here, or left its domain: quadrature may have them.
-        match whole() {
+        // The closed form lost digits here, or left its domain: quadrature may have them, of f′ as typed or, where that
+        // cancels too, of its recognition form.
+        let mut other = whole();
+        if matches!(&other, Ok(Some(reading)) if reading.estimate.relative_error() > self.tolerance)
+            && let Ok(Some(estimate)) = self.recognised().and_then(&integrate)
+            && matches!(&other, Ok(Some(reading)) if estimate.error < reading.estimate.error)
+        {
+            other = Ok(Some(Reading { estimate, method: "quadrature" }));
+        }
+        match other {
             Ok(Some(other)) if own.estimate.error.is_nan() || own.estimate.error > other.estimate.error => Ok(Some(other)),
             Ok(None) if estimate.value.is_nan() => Ok(None),
             Err(error) if estimate.value.is_nan() => Err(error),
