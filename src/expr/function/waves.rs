@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn one_form_for_both_signs() {
         let z = Expr::symbol("k") * Expr::symbol("x");
-        let call = |name: &str, n: i64, z: &Expr| Expr::call(name, [Expr::integer(n), z.clone()]);
+        let call = |name: &'static str, n: i64, z: &Expr| Expr::call(name, [Expr::integer(n), z.clone()]);
         assert_eq!(call("besselj", 1, &-&z), -call("besselj", 1, &z));
         assert_eq!(call("besselj", -1, &z), -call("besselj", 1, &z));
         assert_eq!(call("besseli", -1, &-&z), -call("besseli", 1, &z));
