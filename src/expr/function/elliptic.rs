@@ -9,7 +9,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprf",
         arity: (3, 3),
-        latex: Latex::Custom(|a| format!("R_{{F}}({})", a.join(",\\,"))),
+        latex: Latex::Custom(|a| bracketed("R_{F}", a, ",\\,")),
         value: |a| ternary(a, special::rf),
         ulps: 8.0,
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rf_precise)),
@@ -23,7 +23,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprd",
         arity: (3, 3),
-        latex: Latex::Custom(|a| format!("R_{{D}}({})", a.join(",\\,"))),
+        latex: Latex::Custom(|a| bracketed("R_{D}", a, ",\\,")),
         value: |a| ternary(a, special::rd),
         ulps: 11.0,
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rd_precise)),
@@ -34,7 +34,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprc",
         arity: (2, 2),
-        latex: Latex::Custom(|a| format!("R_{{C}}({})", a.join(",\\,"))),
+        latex: Latex::Custom(|a| bracketed("R_{C}", a, ",\\,")),
         value: |a| binary(a, special::rc),
         ulps: 6.0,
         precise: Some(|a| <[DoubleDouble; 2]>::try_from(a).map_or_else(|_| Precise::nan(), special::rc_precise)),
@@ -61,6 +61,7 @@ pub(super) static ROWS: &[Row] = &[
             let rest = Expr::one() - &m;
             Some((call("ellipe", &[&m]) - &rest * call("ellipk", &[&m])) / (Expr::integer(2) * m * rest))
         }),
+        domain: Some(|a| vec![Expr::one() - first(a)]),
         fold: Some(|a| first(a).is_zero().then(|| Expr::pi() / Expr::integer(2))),
         sign: Some(|_| Sign::Positive),
         ..PLAIN
@@ -68,7 +69,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "ellipf",
         arity: (2, 2),
-        latex: Latex::Custom(|a| format!("F({})", a.join("\\,|\\,"))),
+        latex: Latex::Custom(|a| bracketed("F", a, " \\mid ")),
         value: |a| binary(a, special::ellipf),
         ulps: 7.0,
         precise: Some(|a| match a {
@@ -86,7 +87,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "ellipe",
         arity: (1, 2),
-        latex: Latex::Custom(|a| format!("E({})", a.join("\\,|\\,"))),
+        latex: Latex::Custom(|a| bracketed("E", a, " \\mid ")),
         value: |a| match a {
             [m] => special::ellipe(*m),
             [phi, m] => special::ellipe_inc(*phi, *m),
@@ -109,9 +110,19 @@ pub(super) static ROWS: &[Row] = &[
             [phi, _] => sign(phi),
             _ => Sign::Positive,
         }),
+        domain: Some(|a| match a {
+            [m] => vec![Expr::one() - m],
+            _ => Vec::new(),
+        }),
         ..PLAIN
     },
 ];
+
+/// Arguments in parentheses that grow with fractions.
+fn bracketed(letter: &str, arguments: &[String], between: &str) -> String {
+    let inside = arguments.join(between);
+    if inside.contains("\\frac") { format!("{letter}\\left({inside}\\right)") } else { format!("{letter}({inside})") }
+}
 
 fn call(name: &'static str, arguments: &[&Expr]) -> Expr {
     Expr::call(name, arguments.iter().map(|u| (*u).clone()))

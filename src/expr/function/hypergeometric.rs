@@ -92,6 +92,10 @@ pub(super) static ROWS: &[Row] = &[
             [p, q, c, z] if p == c => Some((Expr::one() - z).pow(&-q)),
             _ => None,
         }),
+        domain: Some(|a| match a {
+            [p, q, _, z] if ![p, q].iter().any(|u| u.as_integer().is_some_and(|n| n <= 0)) => vec![Expr::one() - z],
+            _ => Vec::new(),
+        }),
         // Positive by its series, or by Euler's integral where a parameter lies between 0 and c.
         sign: Some(|a| match a {
             [p, q, c, z] if all_positive(&[p, &(c - p)]) || all_positive(&[q, &(c - q)]) || all_positive(&[p, q, c, z]) => Sign::Positive,
@@ -145,6 +149,10 @@ pub(super) static ROWS: &[Row] = &[
             [s, z] if s.as_integer() == Some(2) && z.as_integer() == Some(-1) => Some(-Expr::pi().power(2) / Expr::integer(12)),
             _ => None,
         }),
+        domain: Some(|a| match a {
+            [_, z] => vec![Expr::one() - z],
+            _ => Vec::new(),
+        }),
         sign: Some(|a| match a {
             [s, z] if s.as_integer() == Some(2) => sign(z),
             _ => Sign::Unknown,
@@ -181,6 +189,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 3.0,
         precise: Some(|a| single(a, special::legendre_chi2_precise)),
         derivative: Some(|a, _| Some(Expr::call("atanh", a.to_vec()) / first(a))),
+        domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
         fold: Some(zero_at_zero),
         sign: Some(|a| sign(&first(a))),
         shown: Some(|a| dilogarithm(a, 1)),

@@ -1,7 +1,8 @@
 //! Kummer's confluent hypergeometric function.
 
-use super::ball::{Ball, UNIT};
-use super::gamma::{gamma_ratio, is_pole};
+use super::ball::Ball;
+use super::continuation::asymptotic;
+use super::gamma::is_pole;
 use super::hypergeometric::ENOUGH;
 use super::series::series;
 use crate::num::{DoubleDouble, Precise};
@@ -63,7 +64,7 @@ pub(super) fn confluent(a: Ball, b: Ball, z: Ball) -> Ball {
         return if value.relative() < 1e-26 { value } else { value.better(series(&[difference], &[b], -z) * z.exp()) };
     }
     if z.hi() < -90.0 && !is_pole(difference) {
-        let far = asymptotic(a, b, difference, -z);
+        let far = asymptotic(&[a], &[b], z);
         if far.relative() < 1e-26 {
             return far;
         }
@@ -71,27 +72,4 @@ pub(super) fn confluent(a: Ball, b: Ball, z: Ball) -> Ball {
     }
     let value = series(&[difference], &[b], -z) * z.exp();
     if value.relative() < 1e-26 { value } else { value.better(series(&[a], &[b], z)) }
-}
-
-/// DLMF 13.7.2 for `1F1(a; b; -x)`: the algebraic part; the other is of relative size `e^(-x)`.
-fn asymptotic(a: Ball, b: Ball, difference: Ball, x: Ball) -> Ball {
-    let shifted = a - b + 1.0;
-    let (mut sum, mut term) = (Ball::ONE, Ball::ONE);
-    let mut last = f64::INFINITY;
-    for k in 0..400_u32 {
-        let k = f64::from(k);
-        term = term * (a + k) * (shifted + k) / (x * (k + 1.0));
-        let size = term.hi().abs();
-        if size >= last && k > a.hi().abs() + shifted.hi().abs() {
-            break;
-        }
-        last = size;
-        sum = sum + term;
-        if size < 0.01 * UNIT * sum.hi().abs() {
-            break;
-        }
-    }
-    let power = x.pow(-a);
-    let other = (x.hi().ln() * (a.hi() - b.hi()) - x.hi()).exp() * gamma_ratio(&[b], &[a]).hi().abs() * 4.0;
-    (gamma_ratio(&[b], &[difference]) * power * sum.widened(4.0 * last)).widened(other)
 }

@@ -1,4 +1,4 @@
-//! `(q+1)Fq` along the negative axis, where the series itself ends at -1.
+//! `(q+1)Fq` along the negative axis, where the series itself ends at -1, and `qFq` far out there.
 
 use super::ball::{Ball, UNIT};
 use super::gamma::gamma_ratio;
@@ -15,8 +15,7 @@ pub(super) fn continued(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
     if near.relative() < 1e-24 || z.hi() > -1.5 {
         return near;
     }
-    let apart = upper.iter().enumerate().all(|(i, p)| upper.iter().skip(i + 1).all(|q| from_whole(*p - *q) > 1e-3));
-    if apart { near.better(far(upper, lower, z)) } else { near.better(between(upper, lower, z)) }
+    if are_apart(upper) { near.better(far(upper, lower, z)) } else { near.better(between(upper, lower, z)) }
 }
 
 fn from_whole(x: Ball) -> f64 {
@@ -84,9 +83,47 @@ fn descend(row: &mut [DoubleDouble], top: DoubleDouble, back: DoubleDouble, n: f
     *place = value;
 }
 
-/// DLMF 16.8.8, upper parameters that do not differ by whole numbers.
+/// `qFq` far out on the negative axis: the algebraic part of its asymptotic expansion; the other is of relative size `e^z`.
+///
+/// Source: DLMF 16.11.7; its series are cut at their smallest terms.
+pub(super) fn asymptotic(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
+    let value = if are_apart(upper) { far(upper, lower, z) } else { between(upper, lower, z) };
+    // The exponential part is e^z (-z)^(Σa - Σb) Π Γ(b)/Π Γ(a).
+    let excess: f64 = upper.iter().map(|p| p.hi()).sum::<f64>() - lower.iter().map(|p| p.hi()).sum::<f64>();
+    let other = (z.hi() + excess * z.hi().abs().ln()).exp() * gamma_ratio(lower, upper).hi().abs();
+    value.widened(4.0 * other)
+}
+
+/// A series that diverges, up to its smallest term.
+fn cut(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
+    let largest = upper.iter().chain(lower).fold(0.0_f64, |most, p| most.max(p.hi().abs()));
+    let (mut sum, mut term, mut last) = (Ball::ONE, Ball::ONE, f64::INFINITY);
+    for k in 0..400_u32 {
+        let k = f64::from(k);
+        let above = upper.iter().fold(term * z, |product, p| product * (*p + k));
+        term = lower.iter().fold(above / (k + 1.0), |quotient, p| quotient / (*p + k));
+        let size = term.hi().abs();
+        if size == 0.0 {
+            return sum;
+        }
+        if k > largest && (size >= last || size < 0.01 * UNIT * sum.hi().abs()) {
+            return sum.widened(4.0 * last.min(size));
+        }
+        last = size;
+        sum = sum + term;
+    }
+    Ball::NONE
+}
+
+fn are_apart(upper: &[Ball]) -> bool {
+    upper.iter().enumerate().all(|(i, p)| upper.iter().skip(i + 1).all(|q| from_whole(*p - *q) > 1e-3))
+}
+
+/// DLMF 16.8.8 or 16.11.7, upper parameters that do not differ by whole numbers.
 fn far(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
-    let (inverse, logarithm) = (z.recip(), (-z).ln());
+    let logarithm = (-z).ln();
+    let converges = upper.len() > lower.len();
+    let inverse = if converges { z.recip() } else { -z.recip() };
     let mut sum = Ball::ZERO;
     for (i, own) in upper.iter().enumerate() {
         let others = || upper.iter().enumerate().filter(move |(k, _)| *k != i).map(|(_, p)| *p);
@@ -98,7 +135,10 @@ fn far(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
         }
         let first: Vec<Ball> = std::iter::once(*own).chain(lower.iter().map(|q| *own - *q + 1.0)).collect();
         let second: Vec<Ball> = others().map(|p| *own - p + 1.0).collect();
-        sum = sum + scale * (-(logarithm * *own)).exp() * series(&first, &second, inverse);
+        sum = sum
+            + scale
+                * (-(logarithm * *own)).exp()
+                * if converges { series(&first, &second, inverse) } else { cut(&first, &second, inverse) };
     }
     sum
 }

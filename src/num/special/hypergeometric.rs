@@ -3,7 +3,7 @@
 use super::ball::Ball;
 use super::confluent::confluent;
 use super::connection::Gauss;
-use super::continuation::continued;
+use super::continuation::{asymptotic, continued};
 use super::dilogarithm::{chi, tangent};
 use super::gamma::is_pole;
 use super::series::series;
@@ -65,9 +65,9 @@ pub fn hyper(a: &[f64], b: &[f64], z: f64) -> f64 {
 /// [`hyper`] with about 30 digits and a bound that has everything that cancels.
 ///
 /// Method: equal upper and lower parameters cancel; `2F1` and `1F1` by their own methods; else the series, and for
-/// `p = q + 1` its continuation along the negative axis.
+/// `p = q + 1` its continuation along the negative axis, for `p = q` its asymptotic expansion there.
 ///
-/// Source: DLMF 16.2.1.
+/// Source: DLMF 16.2.1, 16.3.1, 16.8.8, 16.11.7.
 ///
 /// ```
 /// use sneddon::num::special::hyper_precise;
@@ -123,7 +123,11 @@ fn general(mut upper: Vec<Ball>, mut lower: Vec<Ball>, z: Ball) -> Ball {
         ([p], [c]) => confluent(*p, *c, z),
         ([_, _, _], [c, d]) if c.is(1.5) && d.is(1.5) && is_dilogarithm(&upper) => dilogarithm(z),
         _ if upper.len() == lower.len() + 1 && degree.is_infinite() && z.hi() < -0.4 => continued(&upper, &lower, z),
-        _ => series(&upper, &lower, z),
+        _ => {
+            let value = series(&upper, &lower, z);
+            let far = upper.len() == lower.len() && degree.is_infinite() && z.hi() < -20.0 && value.relative() > 1e-20;
+            if far { value.better(asymptotic(&upper, &lower, z)) } else { value }
+        }
     }
 }
 
