@@ -41,44 +41,82 @@ fn half_sum(first: &Polynomial, second: &Polynomial) -> Result<Polynomial, ExprE
     Ok(total.scaled(&Number::ratio(1, 2)))
 }
 
-/// e^u and e^−u with the same factor become cosh u and sinh u.
+/// A function of the pair e^u, e^−u, in the order of the coefficients of a group.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Exponential {
+    Rising,
+    Falling,
+    Cosh,
+    Sinh,
+}
+
+/// The function, and u with the sign that cosh keeps.
+fn exponential(atom: &Expr, power: &Expr, frame: &Frame) -> Option<(Exponential, Expr)> {
+    match atom.node() {
+        Node::Function(function, arguments) if power.is_one() => {
+            let u = arguments.first().filter(|u| u.contains(frame.variable()))?.clone();
+            match function.name() {
+                "cosh" => Some((Exponential::Cosh, u)),
+                "sinh" => Some((Exponential::Sinh, u)),
+                _ => None,
+            }
+        }
+        _ if *atom == Expr::euler() => {
+            let own = Expr::sum(power.terms().into_iter().filter(|term| term.contains(frame.variable())));
+            // Of u and −u exactly one is the argument that cosh keeps.
+            let kept = match Expr::call("cosh", [own.clone()]).node() {
+                Node::Function(_, arguments) => arguments.first().cloned()?,
+                _ => return None,
+            };
+            Some((if kept == own { Exponential::Rising } else { Exponential::Falling }, kept))
+        }
+        _ => None,
+    }
+}
+
+/// e^u, e^−u, cosh u and sinh u with the same factor: one or two of them.
+///
+/// One alone where it suffices; else cosh and sinh where nothing else was typed, and exponentials otherwise.
 fn joined_exponentials(sum: Polynomial) -> Result<Polynomial, ExprError> {
     let frame = sum.frame().clone();
     let euler = Expr::euler();
-    let is_exponential = |monomial: &Monomial| monomial.get(&euler).is_some_and(|u| u.contains(frame.variable()));
-    let (exponentials, mut result) = sum.split(is_exponential);
+    let own = |monomial: &Monomial| monomial.iter().find_map(|(a, p)| exponential(a, p, &frame).map(|found| (a.clone(), found)));
+    let (exponentials, mut result) = sum.split(|monomial| own(monomial).is_some());
     if exponentials.len() < 2 {
         return Ok(sum);
     }
-    let mut groups: Groups<i8> = Groups::new();
+    let mut groups: Groups<Exponential> = Groups::new();
     for (monomial, number) in exponentials.terms() {
+        let Some((atom, (kind, u))) = own(monomial) else { continue };
         let (mut free, mut rest) = parted(monomial, &frame);
-        let exponent = rest.remove(&euler).unwrap_or_else(Expr::zero);
-        let (own, constant): (Vec<Expr>, Vec<Expr>) = exponent.terms().into_iter().partition(|term| term.contains(frame.variable()));
-        let (own, constant) = (Expr::sum(own), Expr::sum(constant));
-        if !constant.is_zero() {
-            free.insert(euler.clone(), constant);
+        if let Some(power) = rest.remove(&atom)
+            && atom == euler
+        {
+            let constant = Expr::sum(power.terms().into_iter().filter(|term| !term.contains(frame.variable())));
+            if !constant.is_zero() {
+                free.insert(euler.clone(), constant);
+            }
         }
-        // Of u and −u exactly one is the argument that cosh keeps.
-        let kept = match Expr::call("cosh", [own.clone()]).node() {
-            Node::Function(_, arguments) => arguments.first().cloned().unwrap_or_else(Expr::zero),
-            _ => own.clone(),
-        };
-        let side = if kept == own { 1 } else { -1 };
-        add_to(&mut groups, (rest, kept), side, free, number, &frame);
+        add_to(&mut groups, (rest, u), kind, free, number, &frame);
     }
-    for ((rest, u), sides) in groups {
-        if let (Some(plus), Some(minus)) = (sides.get(&1), sides.get(&-1)) {
-            let mut total = plus.clone();
-            total.add(minus)?;
-            insert(&mut result, &total, &rest, Expr::call("cosh", [u.clone()]));
-            insert(&mut result, &plus.minus(minus)?, &rest, Expr::call("sinh", [u]));
+    for ((rest, u), kinds) in groups {
+        let of = |kind: Exponential| kinds.get(&kind).cloned().unwrap_or_else(|| Polynomial::zero(&frame));
+        let (cosh, sinh) = (of(Exponential::Cosh), of(Exponential::Sinh));
+        let (mut rising, mut falling) = (of(Exponential::Rising), of(Exponential::Falling));
+        let typed = kinds.keys().all(|kind| matches!(kind, Exponential::Cosh | Exponential::Sinh));
+        rising.add(&half_sum(&cosh, &sinh)?)?;
+        falling.add(&half_sum(&cosh, &sinh.scaled(&Number::integer(-1)))?)?;
+        let (mut even, odd) = (rising.clone(), rising.minus(&falling)?);
+        even.add(&falling)?;
+        let one_is_enough = even.is_zero() || odd.is_zero();
+        if one_is_enough || (typed && !rising.is_zero() && !falling.is_zero()) {
+            insert(&mut result, &even, &rest, Expr::call("cosh", [u.clone()]));
+            insert(&mut result, &odd, &rest, Expr::call("sinh", [u]));
             continue;
         }
         let rest = Polynomial::single(rest, Number::integer(1), &frame);
-        for (side, coefficient) in sides {
-            let exponential = Polynomial::atom(euler.clone(), if side > 0 { u.clone() } else { -&u }, &frame);
-            result.add(&coefficient.times(&exponential)?.times(&rest)?)?;
+        for (coefficient, exponent) in [(rising, u.clone()), (falling, -u)] {
+            result.add(&coefficient.times(&Polynomial::atom(euler.clone(), exponent, &frame))?.times(&rest)?)?;
         }
     }
     Ok(result)

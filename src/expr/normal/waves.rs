@@ -16,7 +16,8 @@ struct Wave<'a> {
 
 /// A product with one step of the reduction done; `None` where nothing is to be done.
 ///
-/// Products and positive powers of sin and cos become sums of sin and cos; those of sinh and cosh become exponentials;
+/// Products and positive powers of sin and cos become sums of sin and cos; those of sinh and cosh become exponentials,
+/// and so do they beside an exponential;
 /// quotients become tan and tanh with powers of 1/cos and 1/cosh; r·J_n and r·I_n with n ≥ 2 are lowered to orders 0 and 1.
 pub(super) fn reduced(monomial: &Monomial, frame: &Frame) -> Result<Option<Polynomial>, ExprError> {
     let waves: Vec<Wave<'_>> = monomial.iter().filter_map(|(atom, power)| read(atom, power, frame)).collect();
@@ -26,9 +27,13 @@ pub(super) fn reduced(monomial: &Monomial, frame: &Frame) -> Result<Option<Polyn
     if let Some(result) = quotient(monomial, &waves, frame)? {
         return Ok(Some(result));
     }
-    if let Some(wave) = waves.iter().find(|w| matches!(w.name, "sinh" | "cosh") && (1..=HIGHEST).contains(&w.power)) {
-        let exponentials = exponentials(wave, frame)?.whole_power(wave.power as u32)?;
-        return Ok(Some(exponentials.times(&without(monomial, &[wave], frame))?));
+    let mut hyperbolic = waves.iter().filter(|w| matches!(w.name, "sinh" | "cosh") && (1..=HIGHEST).contains(&w.power));
+    if let Some(wave) = hyperbolic.next() {
+        let among_exponentials = monomial.get(&Expr::euler()).is_some_and(|u| u.contains(frame.variable()));
+        if wave.power > 1 || among_exponentials || hyperbolic.next().is_some() {
+            let exponentials = exponentials(wave, frame)?.whole_power(wave.power as u32)?;
+            return Ok(Some(exponentials.times(&without(monomial, &[wave], frame))?));
+        }
     }
     let mut circular = waves.iter().filter(|w| matches!(w.name, "sin" | "cos") && (1..=HIGHEST).contains(&w.power));
     if let Some(wave) = circular.clone().find(|w| w.power > 1) {
