@@ -3,10 +3,14 @@
 
 mod common;
 
-use common::formulas::formula;
+use common::formulas::{formula, number};
+use common::random::Stream;
 use sneddon::expr::normal::{NormalTerm, normal_terms};
 use sneddon::expr::{Expr, Formula, Symbol, derivative};
 use std::collections::BTreeMap;
+
+/// How many random profiles are spelled twice.
+const DRAWS: usize = 300;
 
 /// Profiles; those on one line are spellings of one slope.
 const SPELLINGS: &[&[&str]] = &[
@@ -147,4 +151,285 @@ fn spellings_of_one_profile_have_one_form() {
 #[test]
 fn algebraic_spellings_of_one_profile_have_one_form() {
     all_the_same(ALGEBRA);
+}
+
+/// Draws spellings: what it is asked for is fixed, how it is written is not.
+struct Writer {
+    stream: Stream,
+    depth: u32,
+}
+
+impl Writer {
+    fn one_of(&mut self, list: &[String]) -> String {
+        list[self.stream.whole(0, list.len() as i64 - 1) as usize].clone()
+    }
+
+    fn flip(&mut self) -> bool {
+        self.stream.whole(0, 1) == 1
+    }
+
+    /// r/w.
+    fn ratio(&mut self, w: &str) -> String {
+        self.one_of(&[
+            format!("(r/{w})"),
+            format!("(r*{w}^-1)"),
+            format!("(1/{w}*r)"),
+            format!("(2*r/(2*{w}))"),
+            format!("(0.5*r/(0.5*{w}))"),
+            format!("(1/({w}/r))"),
+        ])
+    }
+
+    /// u².
+    fn square(&mut self, u: &str) -> String {
+        self.one_of(&[format!("({u})^2"), format!("(({u})*({u}))"), format!("(1/({u})^-2)"), format!("({u})^3/({u})")])
+    }
+
+    /// u + v in some order.
+    fn sum(&mut self, u: &str, v: &str) -> String {
+        self.one_of(&[
+            format!("({u}+{v})"),
+            format!("({v}+{u})"),
+            format!("({v}-(-({u})))"),
+            format!("(2*({u})+2*({v}))/2"),
+            format!("({u}+3*r+{v}-r*3)"),
+        ])
+    }
+
+    /// 1 ± (r/w)².
+    fn one_and_square(&mut self, w: &str, sign: &str) -> String {
+        let ratio = self.ratio(w);
+        let square = self.square(&ratio);
+        let mut list = vec![
+            format!("(1{sign}{square})"),
+            format!("({w}^2{sign}r^2)/{w}^2"),
+            format!("(1{sign}r*r/{w}/{w})"),
+            format!("(4*{w}^2{sign}4*r^2)/(4*{w}*{w})"),
+        ];
+        if sign == "-" {
+            list.push(format!("(({w}-r)*({w}+r)/{w}^2)"));
+            list.push(format!("(1-{ratio})*(1+r/{w})"));
+        }
+        self.one_of(&list)
+    }
+
+    /// √u.
+    fn root(&mut self, u: &str) -> String {
+        self.one_of(&[
+            format!("sqrt({u})"),
+            format!("({u})^0.5"),
+            format!("(({u})/sqrt({u}))"),
+            format!("1/sqrt(1/({u}))"),
+            format!("sqrt(4*({u}))/2"),
+        ])
+    }
+
+    fn logarithm(&mut self, u: &str) -> String {
+        self.one_of(&[
+            format!("ln({u})"),
+            format!("(-ln(1/({u})))"),
+            format!("ln(({u})^2)/2"),
+            format!("2*ln(sqrt({u}))"),
+            format!("(ln(3*({u}))-ln(3))"),
+        ])
+    }
+
+    fn exponential(&mut self, u: &str) -> String {
+        self.one_of(&[
+            format!("exp({u})"),
+            format!("e^({u})"),
+            format!("exp(({u})/2)^2"),
+            format!("1/exp(-({u}))"),
+            format!("exp(1+{u})/e"),
+            format!("exp(3*({u}))*exp(-2*({u}))"),
+        ])
+    }
+
+    /// One of the families, by number; the same number is the same function.
+    fn kernel(&mut self, family: i64) -> String {
+        let (w, big) = ("w", "R");
+        match family {
+            0 => "1".into(),
+            1 => self.logarithm("r"),
+            2 => {
+                let ratio = self.ratio("b");
+                let own = self.sum("1", &ratio);
+                if self.flip() { self.logarithm(&own) } else { "(ln(b+r)-ln(b))".into() }
+            }
+            3 => {
+                let own = self.one_and_square(w, "+");
+                self.logarithm(&own)
+            }
+            4 => {
+                let own = self.one_and_square(big, "-");
+                if self.flip() {
+                    self.one_of(&[format!("ln({own})"), format!("(-ln(1/({own})))"), format!("2*ln(sqrt({own}))")])
+                } else {
+                    "(ln(1-r/R)+ln(R+r)-ln(R))".into()
+                }
+            }
+            5 => {
+                let own = self.one_and_square(w, "+");
+                self.root(&own)
+            }
+            6 => {
+                let own = self.one_and_square(big, "-");
+                self.root(&own)
+            }
+            7 => {
+                let own = self.one_and_square(w, "+");
+                self.one_of(&[
+                    format!("({own})^p"),
+                    format!("({own})*({own})^(p-1)"),
+                    format!("(1/({own}))^(-p)"),
+                    "(w^2+r^2)^p*w^(-2*p)".into(),
+                ])
+            }
+            8 => {
+                let ratio = self.ratio(w);
+                self.one_of(&[
+                    format!("atan({ratio})"),
+                    format!("(pi/2-atan(1/{ratio}))"),
+                    "(pi/2-atan(w/r))".into(),
+                    "asin(r/sqrt(r^2+w^2))".into(),
+                    format!("(-atan(-{ratio}))"),
+                ])
+            }
+            9 => {
+                let ratio = self.ratio(w);
+                self.one_of(&[format!("asinh({ratio})"), format!("ln({ratio}+sqrt(1+r^2/w^2))"), "(ln(r+sqrt(r^2+w^2))-ln(w))".into()])
+            }
+            10 => {
+                let ratio = self.ratio(big);
+                self.one_of(&[format!("asin({ratio})"), format!("(pi/2-acos({ratio}))"), "atan(r/sqrt(R^2-r^2))".into()])
+            }
+            11 => {
+                let ratio = self.ratio(big);
+                self.one_of(&[format!("atanh({ratio})"), "ln((R+r)/(R-r))/2".into(), "(ln(1+r/R)-ln(1-r/R))/2".into()])
+            }
+            12 => self.one_of(&[
+                "cos(k*r)".into(),
+                "(1-2*sin(k*r/2)^2)".into(),
+                "sin(k*r+pi/2)".into(),
+                "(cos(k*r/2)^2-sin(k*r/2)^2)".into(),
+                "(2*cos(0.5*k*r)^2-1)".into(),
+            ]),
+            13 => self.one_of(&["sin(k*r)".into(), "2*sin(k*r/2)*cos(k*r/2)".into(), "cos(k*r-pi/2)".into(), "(-sin(-r*k))".into()]),
+            14 => self.one_of(&["sin(k*r)^2".into(), "(1-cos(k*r)^2)".into(), "(1-cos(2*k*r))/2".into(), "sin(k*r)*sin(k*r)".into()]),
+            15 => self.exponential("-k*r"),
+            16 => {
+                let ratio = self.ratio(w);
+                let square = self.square(&ratio);
+                self.exponential(&format!("-{square}"))
+            }
+            17 => self.one_of(&[
+                "cosh(k*r)".into(),
+                "(exp(k*r)+exp(-k*r))/2".into(),
+                "(1+2*sinh(k*r/2)^2)".into(),
+                "(2*cosh(k*r/2)^2-1)".into(),
+            ]),
+            18 => self.one_of(&["besselj(0,k*r)".into(), "besselj(0,r*k)".into()]),
+            19 => self.one_of(&["besseli(1,k*r)".into(), "besseli(1,r/(1/k))".into()]),
+            20 => self.one_of(&[
+                "1/(b+r)".into(),
+                "1/(b*(1+r/b))".into(),
+                "(c+r)/((b+r)*(c+r))".into(),
+                "(b+r)/(b^2+2*b*r+r^2)".into(),
+                "(b-r)/(b^2-r^2)".into(),
+            ]),
+            21 => self.one_of(&["1/((b+r)*(c+r))".into(), "1/(b*c+(b+c)*r+r^2)".into(), "(1/(b+r)-1/(c+r))/(c-b)".into()]),
+            22 => {
+                let own = self.one_and_square(w, "+");
+                self.one_of(&[
+                    format!("1/({own})"),
+                    "w^2/(r^2+w^2)".into(),
+                    "(1-r^2/(r^2+w^2))".into(),
+                    "w^2*(w^2+r^2)/(r^4+2*r^2*w^2+w^4)".into(),
+                ])
+            }
+            23 => {
+                let own = self.one_and_square(big, "-");
+                self.one_of(&[format!("1/({own})"), "R/2*(1/(R-r)+1/(R+r))".into(), "(1+r^2/(R^2-r^2))".into()])
+            }
+            _ => self.one_of(&["erf(r/w)".into(), "erf(r*w^-1)".into()]),
+        }
+    }
+
+    /// Coefficient · r^m · kernel, and what leaves its value unchanged.
+    fn term(&mut self, coefficient: &str, m: i64, family: i64) -> String {
+        let kernel = self.kernel(family);
+        let power = if m == 0 {
+            "1".into()
+        } else {
+            self.one_of(&[format!("r^{m}"), format!("r^{}*r", m - 1), format!("sqrt(r^{})", 2 * m), format!("(1/r^-{m})")])
+        };
+        let own = match self.stream.whole(0, 3) {
+            0 => format!("{coefficient}*{power}*{kernel}"),
+            1 => format!("({power}*({kernel})*{coefficient})"),
+            2 => format!("({power}*({kernel}+1)-{power})*{coefficient}"),
+            _ => format!("(w*{coefficient}*{power}*({kernel}))/w"),
+        };
+        if self.depth == 0 || self.flip() {
+            return own;
+        }
+        self.depth -= 1;
+        let stray = self.stream.whole(0, 24);
+        let (once, again) = (self.kernel(stray), self.kernel(stray));
+        format!("({own}+{once}-({again}))")
+    }
+}
+
+/// Coefficients, powers of r and families.
+fn plan(stream: &mut Stream) -> Vec<(String, i64, i64)> {
+    let coefficients = ["h", "2", "0.75", "h/w", "1/3", "(h+2*q)", "sqrt(h)"];
+    (0..stream.whole(1, 2)).map(|_| ((*stream.pick::<&str>(&coefficients)).to_owned(), stream.whole(0, 3), stream.whole(0, 24))).collect()
+}
+
+fn written(plan: &[(String, i64, i64)], seed: u64) -> String {
+    let mut writer = Writer { stream: Stream::new(seed), depth: 1 };
+    let mut parts: Vec<String> = plan.iter().map(|(c, m, family)| format!("({})", writer.term(c, *m, *family))).collect();
+    if writer.flip() {
+        parts.reverse();
+    }
+    parts.join("+")
+}
+
+/// Random profiles: the terms add up to f′, and another spelling has the same ones.
+#[test]
+fn random_spellings_have_one_form_and_the_value_of_the_slope() {
+    let mut stream = Stream::new(41);
+    let r = Symbol::new("r");
+    let mut failures = Vec::new();
+    for _ in 0..DRAWS {
+        let plan = plan(&mut stream);
+        let (first, second) = (written(&plan, stream.bits()), written(&plan, stream.bits()));
+        let (one, two) = (terms(&first), terms(&second));
+        if one != two {
+            failures.push(format!("{first}\n{second}\n    {one:?}\n    {two:?}"));
+        }
+        for (text, list) in [(&first, &one), (&second, &two)] {
+            let slope = derivative(&expression(text), &r).unwrap();
+            let parts: Vec<Expr> = list.iter().map(|((m, kernel), c)| c * Expr::from(r.clone()).pow(m) * kernel).collect();
+            for _ in 0..3 {
+                let mut draw = |low: f64, high: f64| stream.short(low, high);
+                let values = [
+                    ("r", draw(0.2, 2.9)),
+                    ("R", draw(3.1, 5.0)),
+                    ("w", draw(0.6, 2.0)),
+                    ("b", draw(0.4, 1.2)),
+                    ("c", draw(1.4, 3.0)),
+                    ("k", draw(0.4, 1.5)),
+                    ("h", draw(0.1, 2.0)),
+                    ("q", draw(0.2, 1.0)),
+                    ("p", draw(0.3, 1.7)),
+                ];
+                let found: Vec<f64> = parts.iter().map(|part| number(part, &values)).collect();
+                let (typed, total) = (number(&slope, &values), found.iter().sum::<f64>());
+                let size =
+                    slope.terms().iter().map(|part| number(part, &values).abs()).chain(found.iter().map(|part| part.abs())).sum::<f64>();
+                assert!((typed - total).abs() <= 1e-9 * size, "{text} at {values:?}: {typed} is not {total}: {list:?}");
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} of {DRAWS} spellings differ\n{}", failures.len(), failures.join("\n"));
 }

@@ -105,6 +105,11 @@ pub(super) fn depends(monomial: &Monomial, frame: &Frame) -> bool {
     monomial.iter().any(|(atom, power)| atom.contains(frame.variable()) || power.contains(frame.variable()))
 }
 
+/// True where a term depends on the variable.
+pub(super) fn any_depends(sum: &Polynomial) -> bool {
+    sum.terms().any(|(monomial, _)| depends(monomial, sum.frame()))
+}
+
 /// The call expanded, with its identities applied.
 fn call(name: &'static str, arguments: &[Expr], frame: &Frame) -> Result<Polynomial, ExprError> {
     Polynomial::expand(&Expr::call(name, arguments.to_vec()), frame)

@@ -132,7 +132,16 @@ fn number_logarithm(number: &Number, frame: &Frame) -> Result<Polynomial, ExprEr
         return Ok(atom(number));
     }
     let mut result = Polynomial::zero(frame);
+    for (prime, n) in primes(number) {
+        result.add(&atom(&prime).scaled(&Number::integer(n)))?;
+    }
+    Ok(result)
+}
+
+/// The small prime factors of a positive rational number with their powers, and what is left of both its parts.
+pub(super) fn primes(number: &Number) -> Vec<(Number, i64)> {
     let whole = |n: &num_bigint::BigInt| Number::from(num_rational::BigRational::from_integer(n.clone()));
+    let mut found = Vec::new();
     for (part, sign) in [(whole(number.value().numer()), 1), (whole(number.value().denom()), -1)] {
         let mut left = part;
         for prime in [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37] {
@@ -143,14 +152,14 @@ fn number_logarithm(number: &Number, frame: &Frame) -> Result<Polynomial, ExprEr
                 count += 1;
             }
             if count > 0 {
-                result.add(&atom(&Number::integer(prime)).scaled(&Number::integer(sign * count)))?;
+                found.push((Number::integer(prime), sign * count));
             }
         }
         if !left.is_one() {
-            result.add(&atom(&left).scaled(&Number::integer(sign)))?;
+            found.push((left, sign));
         }
     }
-    Ok(result)
+    found
 }
 
 /// ln(A + B/√q) with m² = B²/q − A² free of the variable: u = A/m gives ln m + asinh u.

@@ -1,7 +1,7 @@
 //! Powers in the recognition form: contents taken out, roots rationalised, degrees reduced.
 
 use super::polynomial::{Frame, Monomial, Polynomial};
-use super::{calls, content, factor, is_sum, waves};
+use super::{calls, content, factor, is_sum, logarithm, sparse, waves};
 use crate::expr::{Expr, ExprError, Node, Number, Sign, sign};
 
 /// `base`^`exponent`.
@@ -68,6 +68,11 @@ fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Expr, frame: 
     let mut coefficient = Number::integer(1);
     match (whole.and_then(|n| number.power(n)), number.is_positive()) {
         (Some(power), _) => coefficient = power,
+        (None, true) if frame.is_canonical() && exponent.as_number().is_none() => {
+            for (prime, n) in logarithm::primes(number) {
+                raised.insert(Expr::number(prime), Polynomial::expand(&(exponent * Expr::integer(n)), frame)?.to_expr());
+            }
+        }
         (None, true) => {
             let folded = Expr::number(number.clone()).pow(exponent);
             let (outside, rest) = folded.split_coefficient();
@@ -198,6 +203,17 @@ fn raise_primitive(primitive: &Polynomial, exponent: &Expr) -> Result<Polynomial
     {
         return Ok(result);
     }
+    if frame.is_canonical() && exponent.as_integer().is_some() && !calls::any_depends(primitive) {
+        let minus = Number::integer(-1);
+        let twice = exponent * Expr::integer(2);
+        if let Some(root) = sparse::square_root(primitive) {
+            return raise(&root, &twice);
+        }
+        if let Some(root) = sparse::square_root(&primitive.scaled(&minus)) {
+            let odd = exponent.as_integer().is_some_and(|n| n % 2 != 0);
+            return Ok(raise(&root, &twice)?.scaled(&if odd { minus } else { Number::integer(1) }));
+        }
+    }
     if exponent.as_integer().is_some_and(|n| n < 0)
         && let Some(rationalised) = rationalise(primitive)?
     {
@@ -276,7 +292,14 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
         return result.add(&reduced.scaled(number));
     }
     for (atom, power) in &monomial {
-        if let Node::Number(_) = atom.node() {
+        if let Node::Number(base) = atom.node() {
+            // 4^(p+1) = 4·4^p.
+            let whole = power.terms().iter().find_map(Expr::as_integer).filter(|_| power.as_number().is_none());
+            if let Some(outside) = whole.filter(|_| frame.is_canonical()).and_then(|n| base.power(n)) {
+                let mut others = monomial.clone();
+                others.insert(atom.clone(), power - Expr::integer(whole.unwrap_or(0)));
+                return settle(others, &(number * &outside), result);
+            }
             let folded = atom.pow(power);
             let (coefficient, rest) = folded.split_coefficient();
             if coefficient.is_one() && rest.split_power() == (atom.clone(), power.clone()) {

@@ -2,7 +2,7 @@
 
 use super::polynomial::{Frame, Monomial, Polynomial};
 use super::univariate::Univariate;
-use super::{calls, factor, is_sum, power};
+use super::{factor, is_sum, power};
 use crate::expr::{Expr, ExprError, Number};
 use std::collections::BTreeMap;
 
@@ -115,47 +115,33 @@ struct Divisor {
     power: u32,
 }
 
+/// Remainders over powers of irreducible polynomials, and a polynomial.
+struct Fractions {
+    over: BTreeMap<Expr, (Univariate, BTreeMap<u32, Univariate>)>,
+    polynomial: Univariate,
+}
+
 /// The partial fractions of a group; `None` where a factor is beyond the method.
+///
+/// They are unique, so that each term is taken apart by itself.
 fn fractions(cofactor: &Monomial, parts: &[Part], frame: &Frame) -> Result<Option<Polynomial>, ExprError> {
-    let Some((mut numerator, lowest, mut divisors)) = over_common_denominator(parts, frame)? else { return Ok(None) };
-    numerator = numerator.times(&Univariate::radius(frame).power(u32::try_from(lowest.clamp(0, 400)).unwrap_or(0))?)?;
-    let mut shift = lowest.min(0);
-    while shift < 0 && numerator.coefficients().first().is_some_and(Polynomial::is_zero) && !numerator.is_zero() {
-        numerator = numerator.divided_by(&Univariate::radius(frame))?.0;
-        shift += 1;
-    }
-    for divisor in &mut divisors {
-        while divisor.power > 0 {
-            let (quotient, remainder) = numerator.divided_by(&divisor.own)?;
-            if !vanishes(&remainder)? {
-                break;
-            }
-            numerator = quotient;
-            divisor.power -= 1;
+    let mut cache = BTreeMap::new();
+    let mut found = Fractions { over: BTreeMap::new(), polynomial: Univariate::zero(frame) };
+    for part in parts {
+        let Some((numerator, divisors)) = numerator_and_divisors(part, &mut cache, frame)? else { return Ok(None) };
+        if !found.take_apart(numerator, divisors)? {
+            return Ok(None);
         }
     }
-    divisors.retain(|divisor| divisor.power > 0);
-    join_mirrored(&mut divisors, &mut numerator)?;
-    if shift < 0 {
-        divisors.push(Divisor { own: Univariate::radius(frame), power: shift.unsigned_abs().min(4000) as u32 });
-    }
+    found.tidied()?;
+    found.join_mirrored(frame)?;
     let mut result = Polynomial::zero(frame);
-    for index in 0..divisors.len() {
-        let mut others = Univariate::constant(Polynomial::constant(Number::integer(1), frame));
-        for (_, other) in divisors.iter().enumerate().filter(|(i, _)| *i != index) {
-            // Factors that were dealt with are divided out of the numerator already.
-            others = others.times(&other.own.power(other.power)?)?;
-        }
-        let Some(divisor) = divisors.get_mut(index) else { break };
-        let Some(inverse) = inverse(&others.divided_by(&divisor.own)?.1, &divisor.own)? else { return Ok(None) };
-        while divisor.power > 0 {
-            let remainder = numerator.times(&inverse)?.divided_by(&divisor.own)?.1;
-            add_fraction(&mut result, cofactor, &remainder, &divisor.own, divisor.power)?;
-            numerator = numerator.minus(&remainder.times(&others)?)?.divided_by(&divisor.own)?.0;
-            divisor.power -= 1;
+    for (own, remainders) in found.over.values() {
+        for (power, remainder) in remainders {
+            add_fraction(&mut result, cofactor, remainder, own, *power)?;
         }
     }
-    for (k, coefficient) in numerator.coefficients().iter().enumerate() {
+    for (k, coefficient) in found.polynomial.coefficients().iter().enumerate() {
         let mut total = cofactor.clone();
         raise_by(&mut total, &Expr::from(frame.variable().clone()), k as i64);
         add_product(&mut result, coefficient, &total);
@@ -163,103 +149,123 @@ fn fractions(cofactor: &Monomial, parts: &[Part], frame: &Frame) -> Result<Optio
     Ok(Some(result))
 }
 
-/// True for a polynomial that is zero, whichever form its coefficients have.
-fn vanishes(polynomial: &Univariate) -> Result<bool, ExprError> {
-    for coefficient in polynomial.coefficients() {
-        if !super::content::over_one_denominator(coefficient)?.0.is_zero() {
-            return Ok(false);
+type Factors = Vec<(Univariate, i64)>;
+
+/// The numerator of a term and its irreducible denominators.
+fn numerator_and_divisors(
+    part: &Part,
+    cache: &mut BTreeMap<Expr, Factors>,
+    frame: &Frame,
+) -> Result<Option<(Univariate, Vec<Divisor>)>, ExprError> {
+    let mut powers: BTreeMap<Expr, (Univariate, i64)> = BTreeMap::new();
+    let radius = Univariate::radius(frame);
+    powers.insert(Expr::from(frame.variable().clone()), (radius, part.shift));
+    for (atom, n) in &part.sums {
+        if !cache.contains_key(atom) {
+            let list = factor::factors(&Polynomial::expand(atom, frame)?, true)?;
+            let list: Option<Factors> = list.into_iter().map(|(own, m)| Some((Univariate::read(&own)?, m))).collect();
+            let Some(list) = list else { return Ok(None) };
+            cache.insert(atom.clone(), list);
+        }
+        for (own, multiplicity) in cache.get(atom).into_iter().flatten() {
+            let name = own.to_polynomial()?.to_expr();
+            powers.entry(name).or_insert_with(|| (own.clone(), 0)).1 += n * multiplicity;
         }
     }
-    Ok(true)
+    let (mut numerator, mut divisors) = (Univariate::constant(part.free.clone()), Vec::new());
+    for (own, n) in powers.into_values() {
+        let Some(power) = u32::try_from(n.unsigned_abs()).ok().filter(|n| *n <= 400) else { return Ok(None) };
+        if n > 0 {
+            numerator = numerator.times(&own.power(power)?)?;
+        } else if n < 0 {
+            divisors.push(Divisor { own, power });
+        }
+    }
+    Ok(Some((numerator, divisors)))
 }
 
-/// Numerator, lowest power of r, and the irreducible denominators with their powers.
-fn over_common_denominator(parts: &[Part], frame: &Frame) -> Result<Option<(Univariate, i64, Vec<Divisor>)>, ExprError> {
-    let mut factors: BTreeMap<Expr, Vec<(Expr, i64)>> = BTreeMap::new();
-    let mut divisors: BTreeMap<Expr, (Univariate, i64)> = BTreeMap::new();
-    let mut split: Vec<BTreeMap<Expr, i64>> = Vec::new();
-    for part in parts {
-        let mut powers: BTreeMap<Expr, i64> = BTreeMap::new();
-        for (atom, n) in &part.sums {
-            if !factors.contains_key(atom) {
-                let mut list = Vec::new();
-                for (own, multiplicity) in factor::factors(&Polynomial::expand(atom, frame)?, true)? {
-                    let Some(univariate) = Univariate::read(&own) else { return Ok(None) };
-                    let name = own.to_expr();
-                    divisors.entry(name.clone()).or_insert((univariate, 0));
-                    list.push((name, multiplicity));
+impl Fractions {
+    /// Adds numerator/Π divisors; false where a factor is beyond the method.
+    fn take_apart(&mut self, mut numerator: Univariate, mut divisors: Vec<Divisor>) -> Result<bool, ExprError> {
+        let frame = numerator.frame().clone();
+        for index in 0..divisors.len() {
+            let mut others = Univariate::constant(Polynomial::constant(Number::integer(1), &frame));
+            for (_, other) in divisors.iter().enumerate().filter(|(i, _)| *i != index) {
+                // Factors that were dealt with are divided out of the numerator already.
+                others = others.times(&other.own.power(other.power)?)?;
+            }
+            let Some(divisor) = divisors.get_mut(index) else { break };
+            let Some(inverse) = inverse(&others.divided_by(&divisor.own)?.1, &divisor.own)? else { return Ok(false) };
+            while divisor.power > 0 {
+                let remainder = numerator.times(&inverse)?.divided_by(&divisor.own)?.1;
+                self.add(&divisor.own, divisor.power, &remainder)?;
+                numerator = numerator.minus(&remainder.times(&others)?)?.divided_by(&divisor.own)?.0;
+                divisor.power -= 1;
+            }
+        }
+        self.polynomial.add(&numerator)?;
+        Ok(true)
+    }
+
+    fn add(&mut self, own: &Univariate, power: u32, remainder: &Univariate) -> Result<(), ExprError> {
+        let name = own.to_polynomial()?.to_expr();
+        let (_, remainders) = self.over.entry(name).or_insert_with(|| (own.clone(), BTreeMap::new()));
+        remainders.entry(power).or_insert_with(|| Univariate::zero(own.frame())).add(remainder)
+    }
+
+    /// Every coefficient without common factors, and nothing that is zero.
+    fn tidied(&mut self) -> Result<(), ExprError> {
+        for (_, remainders) in self.over.values_mut() {
+            for remainder in remainders.values_mut() {
+                *remainder = tidy_all(remainder)?;
+            }
+            remainders.retain(|_, remainder| !remainder.is_zero());
+        }
+        self.over.retain(|_, (_, remainders)| !remainders.is_empty());
+        self.polynomial = tidy_all(&self.polynomial)?;
+        Ok(())
+    }
+
+    /// Fractions over R − r and over R + r become fractions over R² − r².
+    fn join_mirrored(&mut self, frame: &Frame) -> Result<(), ExprError> {
+        let linear: Vec<Expr> = self.over.iter().filter(|(_, (own, _))| own.degree() == 1).map(|(name, _)| name.clone()).collect();
+        for name in linear {
+            let Some((first, _)) = self.over.get(&name) else { continue };
+            if first.coefficient(0).is_zero() {
+                continue;
+            }
+            let mirrored = first.mirrored().to_polynomial()?;
+            let (plus, minus) = (mirrored.to_expr(), mirrored.scaled(&Number::integer(-1)).to_expr());
+            let Some(partner) = [plus, minus].into_iter().find(|other| self.over.contains_key(other)) else { continue };
+            let (Some((first, upper)), Some((second, lower))) = (self.over.remove(&name), self.over.remove(&partner)) else { continue };
+            let highest = upper.keys().chain(lower.keys()).copied().max().unwrap_or(0);
+            let mut numerator = Univariate::zero(frame);
+            for (own, other, remainders) in [(&first, &second, &upper), (&second, &first, &lower)] {
+                for (power, remainder) in remainders {
+                    numerator.add(&remainder.times(&own.power(highest - power)?)?.times(&other.power(highest)?)?)?;
                 }
-                factors.insert(atom.clone(), list);
             }
-            for (name, multiplicity) in factors.get(atom).into_iter().flatten() {
-                *powers.entry(name.clone()).or_insert(0) += n * multiplicity;
+            // The orientation of a denominator is that of every other one.
+            let product = first.times(&second)?.to_polynomial()?;
+            let (_, number, primitive) = power::split_content(&product, true);
+            let Some(own) = Univariate::read(&primitive) else { continue };
+            if number.is_negative() && highest % 2 == 1 {
+                numerator = Univariate::zero(frame).minus(&numerator)?;
+            }
+            for power in (1..=highest).rev() {
+                let (quotient, remainder) = numerator.divided_by(&own)?;
+                self.add(&own, power, &tidy_all(&remainder)?)?;
+                numerator = quotient;
             }
         }
-        for (name, n) in &powers {
-            if let Some((_, deepest)) = divisors.get_mut(name) {
-                *deepest = (*deepest).max(-n);
-            }
-        }
-        split.push(powers);
+        Ok(())
     }
-    let lowest = parts.iter().map(|part| part.shift).min().unwrap_or(0);
-    let mut numerator = Univariate::zero(frame);
-    for (part, powers) in parts.iter().zip(&split) {
-        let Ok(raised) = u32::try_from(part.shift - lowest) else { return Ok(None) };
-        if raised > 400 || lowest > 400 {
-            return Ok(None);
-        }
-        let mut own = Univariate::constant(part.free.clone()).times(&Univariate::radius(frame).power(raised)?)?;
-        for (name, (univariate, deepest)) in &divisors {
-            let n = powers.get(name).copied().unwrap_or(0) + deepest;
-            own = own.times(&univariate.power(u32::try_from(n).unwrap_or(0))?)?;
-        }
-        numerator.add(&own)?;
-    }
-    let list = divisors.into_values().filter(|(_, n)| *n > 0);
-    Ok(Some((numerator, lowest, list.map(|(own, n)| Divisor { own, power: n.unsigned_abs().min(4000) as u32 }).collect())))
 }
 
-/// R − r and R + r become R² − r².
-fn join_mirrored(divisors: &mut Vec<Divisor>, numerator: &mut Univariate) -> Result<(), ExprError> {
-    let mut index = 0;
-    while index < divisors.len() {
-        let Some(first) = divisors.get(index).filter(|d| d.own.degree() == 1) else {
-            index += 1;
-            continue;
-        };
-        let mirrored = first.own.mirrored().to_polynomial()?;
-        let mut partner = None;
-        for (j, other) in divisors.iter().enumerate().skip(index + 1).filter(|(_, other)| other.own.degree() == 1) {
-            let polynomial = other.own.to_polynomial()?;
-            let mut sum = polynomial.clone();
-            sum.add(&mirrored)?;
-            if sum.is_zero() || polynomial.minus(&mirrored)?.is_zero() {
-                partner = Some(j);
-                break;
-            }
-        }
-        if let Some(j) = partner {
-            let second = divisors.remove(j);
-            if let Some(first) = divisors.get_mut(index) {
-                let power = first.power.max(second.power);
-                *numerator = numerator.times(&first.own.power(power - first.power)?)?.times(&second.own.power(power - second.power)?)?;
-                *first = Divisor { own: first.own.times(&second.own)?, power };
-                // The orientation of a denominator is that of every other one.
-                let (_, number, primitive) = power::split_content(&first.own.to_polynomial()?, true);
-                if number.is_negative()
-                    && let Some(own) = Univariate::read(&primitive)
-                {
-                    first.own = own;
-                    if power % 2 == 1 {
-                        *numerator = Univariate::zero(primitive.frame()).minus(numerator)?;
-                    }
-                }
-            }
-        }
-        index += 1;
-    }
-    Ok(())
+/// The polynomial with every coefficient cancelled.
+fn tidy_all(own: &Univariate) -> Result<Univariate, ExprError> {
+    let coefficients = own.coefficients().iter().map(|c| tidy(c.clone())).collect::<Result<Vec<_>, _>>()?;
+    Ok(Univariate::new(coefficients, own.frame()))
 }
 
 /// The inverse of u modulo q, for q of degree 1 or 2, or u = 1, or u = c·r^k.
@@ -270,7 +276,8 @@ fn inverse(u: &Univariate, q: &Univariate) -> Result<Option<Univariate>, ExprErr
     }
     if u.degree() == 0 {
         let value = u.coefficient(0);
-        return Ok(if vanishes(u)? { None } else { Some(Univariate::constant(tidy(power::raise(&tidy(value)?, &minus_one)?)?)) });
+        let value = tidy(value)?;
+        return Ok(if value.is_zero() { None } else { Some(Univariate::constant(power::raise(&value, &minus_one)?)) });
     }
     if q.degree() != 2 {
         return Ok(None);
@@ -311,9 +318,7 @@ fn add_fraction(result: &mut Polynomial, cofactor: &Monomial, remainder: &Univar
         let mut total = cofactor.clone();
         raise_by(&mut total, &radius, m as i64);
         raise_by(&mut total, &atom, -i64::from(k));
-        add_product(result, &tidy(coefficient.clone())?.scaled(&Number::integer(sign)), &total);
+        add_product(result, &coefficient.scaled(&Number::integer(sign)), &total);
     }
-    // Free factors that remain are no part of the polynomial ring's variable.
-    debug_assert!(!remainder.coefficients().iter().any(|c| c.terms().any(|(m, _)| calls::depends(m, &frame))));
     Ok(())
 }
