@@ -29,10 +29,15 @@ fn half() -> Expr {
     Expr::ratio(1, 2)
 }
 
+fn positive(expr: &Expr) -> Option<&Expr> {
+    (sign(expr) == Sign::Positive).then_some(expr)
+}
+
 impl Series {
     /// The series of a kernel that is one function or one power; `None` where there is none in the table.
     pub(super) fn of(kernel: &Expr) -> Option<Self> {
         match kernel.node() {
+            Node::Function(function, arguments) if function.name() == "ln" => Self::logarithm(arguments.first()?),
             Node::Function(function, arguments) => Self::function(function.name(), arguments),
             Node::Power(base, exponent) => Self::binomial(base, exponent),
             Node::Sum(_) => Self::binomial(kernel, &Expr::one()),
@@ -62,6 +67,15 @@ impl Series {
         Some(series)
     }
 
+    /// ln(1 + u) = u 2F1(1, 1; 2; −u).
+    fn logarithm(argument: &Expr) -> Option<Self> {
+        let (k, alpha) = reading::monomial(&(argument - Expr::one()))?;
+        let mut series = Self::new(vec![Expr::one(), Expr::one()], vec![Expr::integer(2)], &-&k, &alpha)?;
+        series.factor = k;
+        series.offset = alpha;
+        Some(series)
+    }
+
     /// pFq(upper; lower; z r^step), k! added to the lower parameters.
     fn new(upper: Vec<Expr>, mut lower: Vec<Expr>, z: &Expr, step: &Expr) -> Option<Self> {
         let number = step.as_number()?.value();
@@ -76,38 +90,44 @@ impl Series {
         let (argument, orders) = arguments.split_last()?;
         let (k, alpha) = reading::monomial(argument)?;
         let one = Expr::one;
-        let minus = |list: &[(i64, i64)]| list.iter().map(|(p, q)| Expr::ratio(*p, *q)).collect::<Vec<_>>();
         let square = |scale: Expr| (scale * k.power(2), &alpha * Expr::integer(2));
-        // Upper and lower parameters, argument, its step, what stands in front, and the power of u there.
+        let ratio = Expr::ratio;
+        let fourth = |scale: Expr| (scale * k.power(4), &alpha * Expr::integer(4));
+        let plain = || (k.clone(), alpha.clone());
+        let (gauss, quarter) = (Expr::integer(2) / Expr::pi().sqrt(), Expr::pi() / Expr::integer(2));
+        let fresnel = -Expr::pi().power(2) / Expr::integer(16);
+        // Upper and lower parameters, argument with its step, what stands in front, and the power of u there.
         let (upper, lower, (z, step), front, leading) = match (name, orders) {
-            ("exp", []) => (vec![], vec![], (k.clone(), alpha.clone()), one(), Expr::zero()),
-            ("sin", []) => (vec![], minus(&[(3, 2)]), square(Expr::ratio(-1, 4)), one(), one()),
-            ("cos", []) => (vec![], minus(&[(1, 2)]), square(Expr::ratio(-1, 4)), one(), Expr::zero()),
-            ("sinh", []) => (vec![], minus(&[(3, 2)]), square(Expr::ratio(1, 4)), one(), one()),
-            ("cosh", []) => (vec![], minus(&[(1, 2)]), square(Expr::ratio(1, 4)), one(), Expr::zero()),
-            ("atan", []) => (vec![half(), one()], minus(&[(3, 2)]), square(Expr::integer(-1)), one(), one()),
-            ("atanh", []) => (vec![half(), one()], minus(&[(3, 2)]), square(one()), one(), one()),
-            ("asinh", []) => (vec![half(), half()], minus(&[(3, 2)]), square(Expr::integer(-1)), one(), one()),
-            ("asin", []) => (vec![half(), half()], minus(&[(3, 2)]), square(one()), one(), one()),
-            ("erf", []) => (vec![half()], minus(&[(3, 2)]), square(Expr::integer(-1)), Expr::integer(2) / Expr::pi().sqrt(), one()),
-            ("erfi", []) => (vec![half()], minus(&[(3, 2)]), square(one()), Expr::integer(2) / Expr::pi().sqrt(), one()),
-            ("dawson", []) => (vec![one()], minus(&[(3, 2)]), square(Expr::integer(-1)), one(), one()),
-            ("ellipk", []) => (vec![half(), half()], vec![one()], (k.clone(), alpha.clone()), Expr::pi() / Expr::integer(2), Expr::zero()),
-            ("ellipe", []) => (vec![-half(), half()], vec![one()], (k.clone(), alpha.clone()), Expr::pi() / Expr::integer(2), Expr::zero()),
+            ("exp", []) => (vec![], vec![], plain(), one(), Expr::zero()),
+            ("sin", []) => (vec![], vec![ratio(3, 2)], square(ratio(-1, 4)), one(), one()),
+            ("cos", []) => (vec![], vec![half()], square(ratio(-1, 4)), one(), Expr::zero()),
+            ("sinh", []) => (vec![], vec![ratio(3, 2)], square(ratio(1, 4)), one(), one()),
+            ("cosh", []) => (vec![], vec![half()], square(ratio(1, 4)), one(), Expr::zero()),
+            ("atan", []) => (vec![half(), one()], vec![ratio(3, 2)], square(-one()), one(), one()),
+            ("atanh", []) => (vec![half(), one()], vec![ratio(3, 2)], square(one()), one(), one()),
+            ("asinh", []) => (vec![half(), half()], vec![ratio(3, 2)], square(-one()), one(), one()),
+            ("asin", []) => (vec![half(), half()], vec![ratio(3, 2)], square(one()), one(), one()),
+            ("erf", []) => (vec![half()], vec![ratio(3, 2)], square(-one()), gauss, one()),
+            ("erfi", []) => (vec![half()], vec![ratio(3, 2)], square(one()), gauss, one()),
+            ("dawson", []) => (vec![one()], vec![ratio(3, 2)], square(-one()), one(), one()),
+            ("fresnelc", []) => (vec![ratio(1, 4)], vec![half(), ratio(5, 4)], fourth(fresnel), one(), one()),
+            ("fresnels", []) => {
+                (vec![ratio(3, 4)], vec![ratio(3, 2), ratio(7, 4)], fourth(fresnel), Expr::pi() / Expr::integer(6), Expr::integer(3))
+            }
+            ("ellipk", []) => (vec![half(), half()], vec![one()], plain(), quarter, Expr::zero()),
+            ("ellipe", []) => (vec![-half(), half()], vec![one()], plain(), quarter, Expr::zero()),
             ("besselj" | "besseli", [nu]) => {
-                let next = nu + one();
-                let front = Expr::integer(2).pow(&-nu) / Expr::call("gamma", [next.clone()]);
-                (vec![], vec![next], square(Expr::ratio(if name == "besselj" { -1 } else { 1 }, 4)), front, nu.clone())
+                let (next, sign) = (nu + one(), if name == "besselj" { -1 } else { 1 });
+                let front = half().pow(nu) / Expr::call("gamma", [positive(&next)?.clone()]);
+                (vec![], vec![next], square(ratio(sign, 4)), front, nu.clone())
             }
             ("struveh" | "struvel", [nu]) => {
-                let next = nu + Expr::ratio(3, 2);
-                let front =
-                    Expr::integer(2).pow(&(-nu - one())) / (Expr::call("gamma", [next.clone()]) * Expr::pi().sqrt() / Expr::integer(2));
-                let scale = Expr::ratio(if name == "struveh" { -1 } else { 1 }, 4);
-                (vec![one()], vec![Expr::ratio(3, 2), next], square(scale), front, nu + one())
+                let (next, sign) = (nu + ratio(3, 2), if name == "struveh" { -1 } else { 1 });
+                let front = half().pow(nu) / (Expr::pi().sqrt() * Expr::call("gamma", [positive(&next)?.clone()]));
+                (vec![one()], vec![ratio(3, 2), next], square(ratio(sign, 4)), front, nu + one())
             }
-            ("hyp1f1", [a, b]) => (vec![a.clone()], vec![b.clone()], (k.clone(), alpha.clone()), one(), Expr::zero()),
-            ("hyp2f1", [a, b, c]) => (vec![a.clone(), b.clone()], vec![c.clone()], (k.clone(), alpha.clone()), one(), Expr::zero()),
+            ("hyp1f1", [a, b]) => (vec![a.clone()], vec![b.clone()], plain(), one(), Expr::zero()),
+            ("hyp2f1", [a, b, c]) => (vec![a.clone(), b.clone()], vec![c.clone()], plain(), one(), Expr::zero()),
             _ => return None,
         };
         let mut series = Self::new(upper, lower, &z, &step)?;
