@@ -23,6 +23,8 @@ pub(super) enum Reach {
     Between,
 }
 
+/// Levels up to this one are evaluated without a common denominator.
+const GENTLE: i64 = 4;
 /// Functions in a basis.
 const LENGTH: usize = 4;
 
@@ -74,8 +76,8 @@ impl Pole {
     ///
     /// (κ−1) L_(κ−1) − (2κ−1) w L_κ − κ (x²−w²) L_(κ+1) = ∓√(x²−e²) u_e^(−κ), by parts; the basis is √(x²−e²) (times √u_e
     /// for half-odd κ), the integral of level 0 or what it needs besides that of level 1, and the latter.
-    /// What is shown are numerators over (x²−w²)^(n−1).
-    fn levels(&self, lowest: i64, highest: i64, e: &Expr, x: &Expr, reach: Reach, form: Form) -> Vec<(i64, Combination)> {
+    /// Lifted ones are numerators over (x²−w²)^(n−1).
+    fn levels(&self, lowest: i64, highest: i64, e: &Expr, x: &Expr, reach: Reach, lifted: bool) -> Vec<(i64, Combination)> {
         let unit = |i| Combination::unit(i, LENGTH);
         let (one, two, w, orientation, end) = (Expr::one(), Expr::integer(2), &self.w, self.orientation(), self.at(e));
         let difference = x.power(2) - w.power(2);
@@ -95,14 +97,18 @@ impl Pole {
             list.push((n, next.clone()));
             above = std::mem::replace(&mut here, next);
         }
-        let (lift, over) = if form == Form::Shown { (difference.clone(), one.clone()) } else { (one.clone(), difference.recip()) };
+        let (lift, over) = if lifted { (difference.clone(), one.clone()) } else { (one.clone(), difference.recip()) };
         let (mut below, mut here) = (zeroth, unit(2));
         for n in 2..=highest {
             let kappa = self.exponent(n - 1);
             let boundary = unit(0).times(&(&orientation * end.power(1 - n) * lift.power(n - 2)));
             let before = below.times(&((&kappa - &one) * lift.power((n - 2).min(1))));
             let sum = before.plus(&here.times(&((&one - &two * &kappa) * w))).plus(&boundary);
-            let next = if n == 2 && form == Form::Evaluated && self.has_second(e, reach) { unit(3) } else { sum.times(&(&over / kappa)) };
+            let next = match sum.times(&(&over / kappa)) {
+                _ if n == 2 && !lifted && self.has_second(e, reach) => unit(3),
+                next if lifted => next.tidied(),
+                next => next,
+            };
             list.push((n, next.clone()));
             below = std::mem::replace(&mut here, next);
         }
@@ -111,9 +117,11 @@ impl Pole {
 
     /// ∫ r^m u^(−κ)/√(x²−r²) dr with κ of level n, over [`Self::basis`].
     pub(super) fn moment(&self, m: i64, n: i64, e: &Expr, x: &Expr, reach: Reach, form: Form) -> Combination {
-        let levels = self.levels(n - m, n, e, x, reach, form);
+        // Without a common denominator the recurrence is gentler, but every level doubles what is written.
+        let lifted = form == Form::Shown || n > GENTLE;
+        let levels = self.levels(n - m, n, e, x, reach, lifted);
         let difference = x.power(2) - self.w.power(2);
-        let lift = if form == Form::Shown { difference } else { Expr::one() };
+        let lift = if lifted { difference } else { Expr::one() };
         // r = ±(u − w)
         let mut sum = Combination::zero(LENGTH);
         let mut binomial = self.orientation().power(m);
@@ -125,10 +133,7 @@ impl Pole {
             }
             binomial = binomial * Expr::ratio(m - j, j + 1);
         }
-        match form {
-            Form::Evaluated if n > 1 => sum,
-            _ => sum.tidied().times(&lift.power((1 - n).min(0))),
-        }
+        if lifted || n < 2 { sum.tidied().times(&lift.power((1 - n).min(0))) } else { sum }
     }
 
     /// From the axis the integral of level 2 has no removable singularity at x = w.
