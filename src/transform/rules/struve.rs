@@ -4,7 +4,7 @@ use super::laurent::{Combination, Law, member};
 use super::moments::{self, Moments};
 use super::reading;
 use crate::expr::{Expr, Node};
-use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
+use crate::transform::{Answer, Parameter, Rule, Term};
 
 const HEIGHT: Parameter = Parameter { name: "h", lowest: 0.1, highest: 2.0 };
 const WAVENUMBER: Parameter = Parameter { name: "k", lowest: 0.3, highest: 1.5 };
@@ -40,13 +40,13 @@ pub(super) static MODIFIED_STRUVE: Rule = Rule {
 
 pub(super) static BESSEL_SQUARE: Rule = Rule {
     id: "bessel-square",
-    title: "Square of the Bessel function of order 0",
+    title: "Square of a Bessel function",
     pattern: "h*(1-besselj(0,k*r)^2)",
     slope: "h*(1-besselj(0,2*k*x))",
     force: "pi*E*h*a*(besselj(1,2*k*a)*struveh(0,2*k*a)-besselj(0,2*k*a)*struveh(1,2*k*a))",
     pressure: None,
     parameters: &[HEIGHT, WAVENUMBER],
-    guard: "f′ = c J_0(kr) J_1(kr)",
+    guard: "f′ = c J_n(kr) J_(n+1)(kr), whole n ≥ 0",
     reference: GENERAL,
     specializes: None,
     apply: |term| square(term, &Kind::FIRST),
@@ -54,13 +54,13 @@ pub(super) static BESSEL_SQUARE: Rule = Rule {
 
 pub(super) static MODIFIED_BESSEL_SQUARE: Rule = Rule {
     id: "modified-bessel-square",
-    title: "Square of the modified Bessel function of order 0",
+    title: "Square of a modified Bessel function",
     pattern: "h*(besseli(0,k*r)^2-1)",
     slope: "h*(besseli(0,2*k*x)-1)",
     force: "pi*E*h*a*(besseli(1,2*k*a)*struvel(0,2*k*a)-besseli(0,2*k*a)*struvel(1,2*k*a))",
     pressure: None,
     parameters: &[HEIGHT, WAVENUMBER],
-    guard: "f′ = c I_0(kr) I_1(kr)",
+    guard: "f′ = c I_n(kr) I_(n+1)(kr), whole n ≥ 0",
     reference: GENERAL,
     specializes: None,
     apply: |term| square(term, &Kind::MODIFIED),
@@ -116,23 +116,49 @@ fn struve_moment(m: i64, kind: &Kind) -> Combination {
     moment.scaled(1, 1, m)
 }
 
-/// f′ = c·B_0(kr) B_1(kr): g = c (B_0(2kx) − 1)/(2εk), F/(2E*) = c πa/(4k) (B_1 S_0 − B_0 S_1)(2ka).
+/// f′ = c·B_n(kr) B_(n+1)(kr): B_n² has the transform B_2n(2kx).
 fn square(term: &Term, kind: &Kind) -> Option<Answer> {
-    let (part, m) = moments::whole(term)?;
+    let (part, m) = moments::whole(term).filter(|(_, m)| *m == 0)?;
     let Node::Product(factors) = part.kernel.node() else { return None };
     let [first, second] = factors.as_slice() else { return None };
-    let ([zero, u], [one, v]) = (reading::call(first, kind.bessel)?, reading::call(second, kind.bessel)?) else { return None };
-    if m != 0 || u != v || !(zero.is_zero() && one.is_one() || one.is_zero() && zero.is_one()) {
+    let ([one, u], [other, v]) = (reading::call(first, kind.bessel)?, reading::call(second, kind.bessel)?) else { return None };
+    let (one, other) = (one.as_integer()?, other.as_integer()?);
+    let n = one.min(other);
+    if u != v || (one - other).abs() != 1 || !(0..=moments::HIGHEST).contains(&n) {
         return None;
     }
-    let (k, negative) = moments::wavenumber(u)?;
+    let (scale, negative) = moments::wavenumber(u)?;
     let coefficient = if negative { -&part.coefficient } else { part.coefficient.clone() };
-    let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
-    let own = |name, order: i64, at: &Expr| Expr::call(name, [Expr::integer(order), Expr::integer(2) * &k * at]);
-    let rise = (own(kind.bessel, 0, &x) - Expr::one()) * Expr::integer(kind.epsilon);
-    let slope = &coefficient / (Expr::integer(2) * &k) * rise;
-    let cross = own(kind.bessel, 1, &a) * own(kind.struve, 0, &a) - own(kind.bessel, 0, &a) * own(kind.struve, 1, &a);
-    let force = coefficient * Expr::pi() * a / (Expr::integer(4) * k) * cross;
-    let same = |expr| Branches::endless(Pair::same(expr));
-    Some(Answer { slope: same(slope), force: same(force), pressure: None, conditions: Vec::new() })
+    let moment = |m: i64| if m == 0 { first_pair(n, kind) } else { second_pair(n, kind) };
+    let members = |m: i64, y: &Expr| {
+        let call = |name, order: i64| Expr::call(name, [Expr::integer(order), Expr::integer(2) * y]);
+        let cross = || call(kind.bessel, 1) * call(kind.struve, 0) - call(kind.bessel, 0) * call(kind.struve, 1);
+        let alone = if m == 0 { member(Expr::one(), Expr::one()) } else { member(Expr::pi() / Expr::integer(2), cross()) };
+        std::iter::once(alone).chain((0..=2 * n).map(|order| member(Expr::one(), call(kind.bessel, order)))).collect()
+    };
+    Some(moments::answer(&coefficient, m, &Moments { scale, moment: &moment, members: &members, shown: &members, apart: true }))
+}
+
+/// ∫₀^(π/2) B_n B_(n+1) dt at y sin t over 1, B_0(2y), B_1(2y), …: from n − 1 by B_n² ↦ B_2n(2y).
+fn first_pair(n: i64, kind: &Kind) -> Combination {
+    let (e, single) = (kind.epsilon, Combination::single);
+    let mut moment = single(1, e, 2, -1).plus(&single(0, -e, 2, -1));
+    for i in 1..=n {
+        moment = moment.minus(&single(1 + 2 * i as usize, 1, 1, -1)).scaled(-e, 1, 0);
+    }
+    moment
+}
+
+/// The same with y² sin² t, over (π/2)(B_1 S_0 − B_0 S_1)(2y), B_0(2y), B_1(2y), …, with the Struve function S:
+/// from n − 1 by ∫ t dB_2n = t B_2n − Λ_2n, Λ_2n = ∫₀^2y B_2n dt = ε(2 B_(2n−1) − Λ_(2n−2)).
+fn second_pair(n: i64, kind: &Kind) -> Combination {
+    let (e, single) = (kind.epsilon, Combination::single);
+    let bessel = |order: i64, p: i64, j: i64| single(1 + order as usize, p, 1, j);
+    let mut moment = single(0, 1, 2, 1);
+    let mut integral = bessel(0, 2, 1).plus(&single(0, -2 * e, 1, 1));
+    for i in 1..=n {
+        integral = bessel(2 * i - 1, 2, 0).minus(&integral).scaled(e, 1, 0);
+        moment = bessel(2 * i, 1, 1).minus(&integral.scaled(1, 2, 0)).minus(&moment).scaled(e, 1, 0);
+    }
+    moment
 }

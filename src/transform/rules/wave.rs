@@ -45,12 +45,18 @@ pub(super) static HYPERBOLIC: Rule = Rule {
 pub(super) static EXPONENTIAL: Rule = Rule {
     id: "exponential",
     title: "Exponential growth or decay times a power",
-    pattern: "A*(exp(k*r)-1)+C*(1-exp(-k*r))",
-    slope: "pi/2*k*x*(A*(besseli(0,k*x)+struvel(0,k*x))+C*(besseli(0,k*x)-struvel(0,k*x)))",
-    force: "pi*E*a*(A*(k*a*(besseli(0,k*a)+struvel(0,k*a))-besseli(1,k*a)-struvel(1,k*a))\
+    pattern: "A*(exp(q*r)-1)+C*(1-exp(-k*r))",
+    slope: "pi/2*x*(A*q*(besseli(0,q*x)+struvel(0,q*x))+C*k*(besseli(0,k*x)-struvel(0,k*x)))",
+    force: "pi*E*a*(A*(q*a*(besseli(0,q*a)+struvel(0,q*a))-besseli(1,q*a)-struvel(1,q*a))\
             +C*(k*a*(besseli(0,k*a)-struvel(0,k*a))-besseli(1,k*a)+struvel(1,k*a)))",
     pressure: None,
-    parameters: PARAMETERS,
+    // Of e^(kr) and e^(−kr) together the recognition form makes hyperbolic functions.
+    parameters: &[
+        Parameter { name: "A", lowest: 0.1, highest: 2.0 },
+        Parameter { name: "C", lowest: 0.1, highest: 2.0 },
+        Parameter { name: "q", lowest: 0.3, highest: 0.9 },
+        Parameter { name: "k", lowest: 1.0, highest: 2.0 },
+    ],
     guard: "f′ = c r^m exp(kr), k of either sign, whole m ≥ 0",
     reference: GENERAL,
     specializes: None,
