@@ -464,3 +464,20 @@ fn what_cannot_be_inverted() {
     refused(b"", &["invert"], &["required"]);
     refused(b"x^2+", &["invert", "-"], &["column 5"]);
 }
+
+#[test]
+fn the_series_way_tells_its_remainder() {
+    let sphere = ["eval", "R-sqrt(R^2-r^2)", "--quantity", "F", "--at", "0.5", "--set", "R=2", "--effective-modulus", "3", "--json"];
+    let exact = json(&sphere);
+    let series = json(&[&sphere[..], &["--method", "series", "--order", "12"]].concat());
+    assert_eq!(series["points"][0]["method"], "series");
+    let value = |found: &Value, key: &str| found["points"][0][key].as_f64().unwrap();
+    let off = (value(&series, "value") - value(&exact, "value")).abs();
+    assert!(off <= value(&series, "error_estimate") && off > 0.0);
+    let asked = ["eval", "r^2", "--quantity", "g", "--at", "1"];
+    refused(b"", &[&asked[..], &["--order", "5"]].concat(), &["--order", "--method series"]);
+    refused(b"", &[&asked[..], &["--method", "series", "--order", "0"]].concat(), &["--order 0", "| ^"]);
+    refused(b"", &["eval", "r^2*ln(r)", "--quantity", "g", "--at", "1", "--method", "series"], &["logarithm", "not analytic"]);
+    refused(b"", &["eval", "r^2", "--quantity", "U", "--at", "1", "--method", "series"], &["no series is known for U"]);
+    refused(b"", &["eval", "atan(r)", "--quantity", "g", "--at", "3", "--method", "series"], &["not proven to converge at x = 3"]);
+}

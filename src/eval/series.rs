@@ -14,7 +14,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum SeriesError {
     /// It is not r^s times an analytic function.
-    #[error("{what} is not a power of r times an analytic function at r = 0")]
+    #[error("{what} is not analytic")]
     NotAnalytic {
         /// The part that is not.
         what: &'static str,
