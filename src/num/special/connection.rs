@@ -95,7 +95,8 @@ impl Gauss {
             return best;
         }
         if z.hi() > 0.55 {
-            return best.better(self.direct(z)).better(euler.direct(z) * power);
+            // Thousands of terms: only where nothing else has a double's digits and some.
+            return if best.relative() < 1e-20 { best } else { best.better(self.direct(z)).better(euler.direct(z) * power) };
         }
         // z/(z-1) lies in (-1.3, 0): Pfaff's polynomials may be free of cancellation where Gauss's is not.
         let moved = -z / rest;

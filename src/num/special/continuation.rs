@@ -24,7 +24,16 @@ fn from_whole(x: Ball) -> f64 {
 
 /// `Σ f_n w^n`, with `f` from the differential equation: in `w` the operator `z d/dz` is `(1-w) w d/dw`.
 pub(super) fn pfaff_series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
-    let w = z / (z - 1.0);
+    transformed(upper, lower, z / (z - 1.0), false)
+}
+
+/// `qFq` for `z < 0` as `e^z Σ g_n z^n`, as Kummer does for `1F1`: in `g` the operator `z d/dz` is the same plus `z`.
+pub(super) fn kummer_series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
+    transformed(upper, lower, z, true) * z.exp()
+}
+
+/// The series in `w` that solves the transformed differential equation; exponential: `U = w V` with `θ + w` for `θ`.
+fn transformed(upper: &[Ball], lower: &[Ball], w: Ball, exponential: bool) -> Ball {
     // Left, U: the factors θ + β with β = 0 and b - 1; right, V: θ + a. Then (w-1) U = w V.
     let shifts: Vec<DoubleDouble> = std::iter::once(Ball::ZERO).chain(lower.iter().map(|b| *b - 1.0)).map(|b| b.value).collect();
     let nothing = DoubleDouble::from(0.0);
@@ -36,7 +45,7 @@ pub(super) fn pfaff_series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
     let operations = UNIT * 2.0 * (upper.len() + lower.len() + 2) as f64;
     for step in 0..MAX_TERMS {
         let n = f64::from(step);
-        let back = DoubleDouble::from(n - 1.0);
+        let back = DoubleDouble::from(if exponential { -1.0 } else { n - 1.0 });
         // U_n with f_n = 0, and the factor of f_n.
         let (mut known, mut factor) = (nothing, DoubleDouble::ONE);
         for (shift, previous) in shifts.iter().zip(&left) {
@@ -46,23 +55,28 @@ pub(super) fn pfaff_series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
         }
         let coefficient = if step == 0 { DoubleDouble::ONE } else { before.sub(known).div(factor) };
         if step > 0 {
-            local += operations * (before.hi.abs() + known.hi.abs()) / factor.hi.abs();
+            // Coefficients that fall like 1/n! keep their relative error, others pass on the absolute one.
+            let scale = if exponential { coefficient.hi.abs() } else { 1.0 };
+            local += operations * (before.hi.abs() + known.hi.abs()) / (factor.hi.abs() * scale);
         }
         descend(&mut left, coefficient, back, n, shifts.iter().copied());
         descend(&mut right, coefficient, back, n, upper.iter().map(|a| a.value));
         before = match (left.last(), right.last()) {
+            (Some(_), Some(v)) if exponential => *v,
             (Some(u), Some(v)) => u.sub(*v),
             _ => nothing,
         };
         let term = coefficient.mul(power);
         sum = sum.add(term);
         let size = term.hi.abs();
-        error += power.hi * local * (1.0 + n.sqrt()) + size * UNIT * (n + 4.0) + sum.hi.abs() * UNIT;
+        let reach = if exponential { size } else { power.hi.abs() };
+        error += reach * local * (1.0 + n.sqrt()) + size * UNIT * (n + 4.0) + sum.hi.abs() * UNIT;
         if !size.is_finite() {
             return Ball::NONE;
         }
-        if step > 20 && size < 0.01 * UNIT * sum.hi.abs() * (1.0 - w.hi()) {
-            return Ball { value: sum, error: error + 4.0 * size / (1.0 - w.hi()) };
+        let (least, room) = if exponential { (20.0 - 2.0 * w.hi(), 0.5) } else { (20.0, 1.0 - w.hi()) };
+        if n > least && size < 0.01 * UNIT * sum.hi.abs() * room {
+            return Ball { value: sum, error: error + 4.0 * size / room };
         }
         power = power.mul(w.value);
     }

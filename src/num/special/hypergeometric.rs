@@ -3,7 +3,7 @@
 use super::ball::Ball;
 use super::confluent::confluent;
 use super::connection::Gauss;
-use super::continuation::{asymptotic, continued};
+use super::continuation::{asymptotic, continued, kummer_series};
 use super::dilogarithm::{chi, tangent};
 use super::gamma::is_pole;
 use super::series::series;
@@ -46,8 +46,8 @@ pub fn hyp2f1_precise(arguments: [DoubleDouble; 4]) -> Precise {
 
 /// Generalised `pFq(a; b; z) = Σ Π (a_i)_k / Π (b_j)_k z^k / k!`.
 ///
-/// Domain: `p <= q + 1`; for `p = q + 1` also `z < 0.995` or a polynomial. Large negative `z` with `p <= q` only
-/// while the alternating series keeps a double (`1F1` everywhere). NaN elsewhere.
+/// Domain: `p <= q + 1`; for `p = q + 1` also `z < 0.995` or a polynomial. Large negative `z` with `p < q` only
+/// while the alternating series keeps a double. NaN elsewhere.
 ///
 /// Accuracy: within 2.5 ulp wherever it is not NaN, by its own bound; measured at most 0.51 ulp.
 ///
@@ -65,7 +65,8 @@ pub fn hyper(a: &[f64], b: &[f64], z: f64) -> f64 {
 /// [`hyper`] with about 30 digits and a bound that has everything that cancels.
 ///
 /// Method: equal upper and lower parameters cancel; `2F1` and `1F1` by their own methods; else the series, and for
-/// `p = q + 1` its continuation along the negative axis, for `p = q` its asymptotic expansion there.
+/// `p = q + 1` its continuation along the negative axis, for `p = q` the form
+/// with `e^z` taken out and the asymptotic expansion.
 ///
 /// Source: DLMF 16.2.1, 16.3.1, 16.8.8, 16.11.7.
 ///
@@ -125,8 +126,11 @@ fn general(mut upper: Vec<Ball>, mut lower: Vec<Ball>, z: Ball) -> Ball {
         _ if upper.len() == lower.len() + 1 && degree.is_infinite() && z.hi() < -0.4 => continued(&upper, &lower, z),
         _ => {
             let value = series(&upper, &lower, z);
-            let far = upper.len() == lower.len() && degree.is_infinite() && z.hi() < -20.0 && value.relative() > 1e-20;
-            if far { value.better(asymptotic(&upper, &lower, z)) } else { value }
+            if upper.len() != lower.len() || degree.is_finite() || z.hi() > -1.0 || value.relative() < 1e-24 {
+                return value;
+            }
+            let value = if z.hi() > -200.0 { value.better(kummer_series(&upper, &lower, z)) } else { value };
+            if value.relative() < 1e-20 { value } else { value.better(asymptotic(&upper, &lower, z)) }
         }
     }
 }
