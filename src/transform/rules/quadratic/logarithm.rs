@@ -71,7 +71,7 @@ pub(in crate::transform::rules) static WORN_BELOW: Rule = Rule {
     apply: |term| apply(term, -1, Reach::Segment),
 };
 
-/// c r^m ln(1 + βr²): every m ≥ 0 on the whole axis, odd m on segments.
+/// c r^m ln(1 + βr²): m ≥ 0 and m = −2 on the whole axis, odd m on segments.
 fn apply(term: &Term, sigma: i64, reach: Reach) -> Option<Answer> {
     kernel(term, Kernel::Logarithm, reach, |own| {
         let [argument] = reading::call(own, "ln")? else { return None };

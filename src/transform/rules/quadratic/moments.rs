@@ -217,6 +217,11 @@ impl Kernel {
 
     /// ∫ r^m K/√(x²−r²) dr by m I_m = (m−1)x² I_(m−2) + x² N_(m−1) − N_(m+1) + [e^(m−1) √(x²−e²) K(e)].
     pub(super) fn moment(self, sigma: i64, m: i64) -> Option<Form> {
+        // x² I_(−2) = x² N_(−1) − N_1, because ln(Q/ρ²) is of order r² at the axis.
+        if self == Self::Logarithm && m == -2 {
+            let far = self.derivative_moment(sigma, 1)?.times(X, -2).scaled(-1, 1);
+            return Some(self.derivative_moment(sigma, -1)?.plus(&far));
+        }
         if !(0..=HIGHEST).contains(&m) {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Pressures that close: g rational in x², and g = x times odd powers of √(ρ² + σx²).
+//! Pressures that close: under odd m and half exponents, and under g = x times odd powers of √(ρ² + σx²).
 
 use super::laurent::{Laurent, Values, Variable};
 use super::moments::{Form, Piece};
@@ -7,45 +7,116 @@ use crate::expr::{Expr, normal};
 use crate::transform::{Branches, Pair};
 use Variable::{AtEnd, Length, Square};
 
-/// ∫_r^a g′/√(x²−r²) dx for g = x·(moment), where g is a polynomial in 1/s², s² = ρ² + σx².
+/// ∫_r^a g′/√(x²−r²) dx for g = x·(moment) with the moment A(x²) K(x) + x B(x², 1/s²), K = atan(x/ρ) or artanh(x/ρ).
 ///
-/// With x² = r² + v²: 2k c² T_(k+1) = w/S^(2k) + (2k−1) T_k for T_k = ∫₀ʷ dv/(c²+σv²)^k, c² = Q(r), S² = Q(a), w = √(a²−r²).
-pub(super) fn rational(form: &Form, field: &Field) -> Option<Branches> {
-    if !form.at(Piece::First).is_zero() || !form.at(Piece::Second).is_zero() {
-        return None;
-    }
+/// Elementary where A is zero; else with the pressure under a hyperboloid or a sphere, which are dilogarithms.
+pub(super) fn rooted(form: &Form, field: &Field) -> Option<Branches> {
     let sigma = field.sigma;
+    let mut total = Rooted::default();
+    for (power, coefficient) in form.at(Piece::First).at_axis().in_x()? {
+        let power = i64::from(power);
+        // (x^(n+1) K)′ = (n+1) xⁿ K + x^(n+1) ρ/Q
+        total.add(&Rooted::with_kernel(power, sigma)?, &coefficient.scaled(power + 1, 1));
+        total.add(&Rooted::over_quadratic(power + 1, sigma), &coefficient.times(Length, 1));
+    }
     // The root at the axis is xρ; one x more makes g of it.
     let slope = form.at(Piece::Root).at_axis().times(Variable::X, 2).times(Length, 1);
-    let (mut with_root, mut with_arc) = (Laurent::default(), Laurent::default());
     for (power, coefficient) in slope.in_square(sigma)? {
-        if power == 0 {
-            continue;
-        }
-        let k = i64::from(-power);
-        if k < 0 {
-            return None;
-        }
         // (s^(−2k))′ = −2kσ x s^(−2k−2)
-        let (root, arc) = arc_moment(k + 1);
-        with_root = with_root.plus(&product(&root, &coefficient).scaled(-2 * k * sigma, 1));
-        with_arc = with_arc.plus(&product(&arc, &coefficient).scaled(-2 * k * sigma, 1));
+        let k = -i64::from(power);
+        total.add(&Rooted::over_power(k + 1), &coefficient.scaled(-2 * k * sigma, 1));
     }
-    let (w, c) = (leg(), (&field.square_length + Expr::integer(sigma) * Expr::symbol("r").power(2)).sqrt());
-    let name = if sigma > 0 { "atan" } else { "atanh" };
-    let terms = [expression(&with_root, field) * &w, expression(&with_arc, field) * Expr::call(name, [&w / &c]) / c];
+    let (r, a, length) = (Expr::symbol("r"), Expr::symbol("a"), field.square_length.sqrt());
+    let c = (&field.square_length + Expr::integer(sigma) * r.power(2)).sqrt();
+    let (name, known) = if sigma > 0 { ("atan", "hyperboloid_pressure") } else { ("atanh", "sphere_pressure") };
+    let terms = [
+        expression(&total.known, field) * Expr::call(known, [r, a.clone(), length.clone()]),
+        expression(&total.arc, field) * Expr::call(name, [leg() / &c]) / c,
+        expression(&total.root, field) * leg(),
+        expression(&total.end, field) * leg() * Expr::call(name, [a / length]),
+    ];
     Some(collected(&terms))
 }
 
-/// T_k as multiples of w and of T_1.
-fn arc_moment(k: i64) -> (Laurent, Laurent) {
-    let (mut root, mut arc) = (Laurent::default(), Laurent::one());
-    for own in 1..k {
-        let step = |part: &Laurent| part.times(AtEnd, -1).scaled(1, 2 * own);
-        root = step(&root.scaled(2 * own - 1, 1).plus(&Laurent::one().times(Square, -own as i32)));
-        arc = step(&arc.scaled(2 * own - 1, 1));
+/// Multiples of four pieces, with w = √(a²−r²), c² = Q(r), S² = Q(a).
+#[derive(Clone, Default)]
+struct Rooted {
+    /// The pressure under a hyperboloid or a sphere, ∫_r^a (xK)′/√(x²−r²) dx.
+    known: Laurent,
+    /// atan(w/c)/c or artanh(w/c)/c.
+    arc: Laurent,
+    /// w.
+    root: Laurent,
+    /// w K(a).
+    end: Laurent,
+}
+
+impl Rooted {
+    fn add(&mut self, other: &Self, factor: &Laurent) {
+        let sum = |own: &Laurent, more: &Laurent| own.plus(&product(more, factor));
+        *self = Self {
+            known: sum(&self.known, &other.known),
+            arc: sum(&self.arc, &other.arc),
+            root: sum(&self.root, &other.root),
+            end: sum(&self.end, &other.end),
+        };
     }
-    (root, arc)
+
+    /// T_k = ∫ x s^(−2k)/√(x²−r²) dx by 2k c² T_(k+1) = w/S^(2k) + (2k−1) T_k.
+    fn over_power(k: i64) -> Self {
+        let square = |own: i64| Laurent::one().times(Square, -own as i32);
+        let mut result = Self { arc: Laurent::one(), ..Self::default() };
+        for own in 1..k {
+            let step = |part: &Laurent| part.times(AtEnd, -1).scaled(1, 2 * own);
+            result.root = step(&result.root.scaled(2 * own - 1, 1).plus(&square(own)));
+            result.arc = step(&result.arc.scaled(2 * own - 1, 1));
+        }
+        for own in (k..=0).rev() {
+            let step = |part: &Laurent| part.times(AtEnd, 1).scaled(2 * own, 2 * own - 1);
+            result.root = step(&result.root).plus(&square(own).scaled(-1, 2 * own - 1));
+            result.arc = step(&result.arc);
+        }
+        result
+    }
+
+    /// The factor of w in S_n = ∫ xⁿ/√(x²−r²) dx for odd n: n S_n = a^(n−1) w + (n−1) r² S_(n−2).
+    fn power(n: i64) -> Laurent {
+        (3..=n).step_by(2).fold(Laurent::one(), |before, own| {
+            let first = Laurent::one().times(Variable::X, (own - 1) as i32);
+            first.plus(&before.times(Variable::End, 2).scaled(own - 1, 1)).scaled(1, own)
+        })
+    }
+
+    /// M_n = ∫ xⁿ/(Q√(x²−r²)) dx for odd n: M_(n+2) = σ(S_n − ρ² M_n).
+    fn over_quadratic(n: i64, sigma: i64) -> Self {
+        let mut result = Self { arc: Laurent::one(), ..Self::default() };
+        for own in (1..n).step_by(2) {
+            result.root = Self::power(own).plus(&result.root.times(Length, 2).scaled(-1, 1)).scaled(sigma, 1);
+            result.arc = result.arc.times(Length, 2).scaled(-sigma, 1);
+        }
+        result
+    }
+
+    /// D_n = ∫ xⁿ K/√(x²−r²) dx for even n ≥ 0: n D_n = (n−1) r² D_(n−2) + a^(n−1) w K(a) − σρ(S_(n−1) − c² M_(n−1)).
+    fn with_kernel(n: i64, sigma: i64) -> Option<Self> {
+        if n < 0 || n % 2 != 0 {
+            return None;
+        }
+        let mut result = Self { known: Laurent::one(), arc: Laurent::one().times(Length, 1).scaled(-1, 1), ..Self::default() };
+        for own in (2..=n).step_by(2) {
+            let before = |part: &Laurent| part.times(Variable::End, 2).scaled(own - 1, 1);
+            let below = Self::over_quadratic(own - 1, sigma);
+            let inner = |part: &Laurent| part.times(AtEnd, 1).times(Length, 1).scaled(sigma, 1);
+            let power = Self::power(own - 1).times(Length, 1).scaled(-sigma, 1);
+            result = Self {
+                known: before(&result.known).scaled(1, own),
+                arc: before(&result.arc).plus(&inner(&below.arc)).scaled(1, own),
+                root: before(&result.root).plus(&power).plus(&inner(&below.root)).scaled(1, own),
+                end: before(&result.end).plus(&Laurent::one().times(Variable::X, (own - 1) as i32)).scaled(1, own),
+            };
+        }
+        Some(result)
+    }
 }
 
 /// ∫_r^a g′/√(x²−r²) dx for g = x·(moment) with the moment A(x²) π/(2ρs) + B(x²) π/2: elliptic integrals and powers.

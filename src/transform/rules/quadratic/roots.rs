@@ -147,7 +147,7 @@ fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
     let (coefficient, field) = (reading.coefficient.clone(), reading.field.clone());
     let mut answer = Work { reading, segment: &term.segment, family, kernel: None }.answer(|m| family.moment(m, k))?;
     if odd && reach == Reach::Whole {
-        answer.pressure = family.moment(m, k).and_then(|form| pressure::rational(&form, &field)).map(|p| p.scaled(&coefficient));
+        answer.pressure = family.moment(m, k).and_then(|form| pressure::rooted(&form, &field)).map(|p| p.scaled(&coefficient));
     }
     Some(answer)
 }
