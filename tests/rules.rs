@@ -317,6 +317,8 @@ fn terms_without_a_solution_are_declined() {
         kernel((Expr::one() + &r).pow(&Expr::ratio(-1, 3)), 1),
         kernel(Expr::call("atan", [r.pow(&Expr::ratio(1, 2))]), 1),
         kernel(Expr::call("tanh", [r.clone()]), 1),
+        kernel((Expr::integer(3) - &r).pow(&r.power(2)), 1),
+        kernel(Expr::call("besselj", [r.clone(), r.power(4)]), 1),
     ] {
         let found = rules::answer(&term).map(|(rule, _)| rule.id);
         assert_eq!(found, None, "{term:?}");

@@ -49,6 +49,9 @@ impl Series {
     fn binomial(base: &Expr, p: &Expr) -> Option<Self> {
         let terms = normal::normal_terms(base, &Symbol::new("r")).ok()?;
         let [one, two] = terms.as_slice() else { return None };
+        if p.contains(&Symbol::new("r")) {
+            return None;
+        }
         let (constant, other) = if one.exponent.is_zero() { (one, two) } else { (two, one) };
         if !constant.exponent.is_zero() || !constant.kernel.is_one() || !other.kernel.is_one() {
             return None;
@@ -89,6 +92,9 @@ impl Series {
     fn function(name: &str, arguments: &[Expr]) -> Option<Self> {
         let (argument, orders) = arguments.split_last()?;
         let (k, alpha) = reading::monomial(argument)?;
+        if orders.iter().any(|order| order.contains(&Symbol::new("r"))) {
+            return None;
+        }
         let one = Expr::one;
         let square = |scale: Expr| (scale * k.power(2), &alpha * Expr::integer(2));
         let ratio = Expr::ratio;

@@ -32,9 +32,15 @@ fn apply(term: &Term) -> Option<Answer> {
     let m = part.exponent.as_integer().filter(|m| (0..=HIGHEST).contains(m))?;
     let (base, k) = reading::power(&part.kernel);
     let (alpha, beta) = reading::linear(&base)?;
-    let b = &term.segment.lower;
-    let distance = normal::is_proven_zero(&(alpha + &beta * b), &Symbol::new("r"));
-    if b.is_zero() || term.segment.upper.is_some() || !distance || sign(&beta) != Sign::Positive || k.as_integer().is_some() {
+    let (b, radius) = (&term.segment.lower, Symbol::new("r"));
+    let distance = normal::is_proven_zero(&(alpha + &beta * b), &radius);
+    if b.is_zero()
+        || term.segment.upper.is_some()
+        || !distance
+        || sign(&beta) != Sign::Positive
+        || k.as_integer().is_some()
+        || k.contains(&radius)
+    {
         return None;
     }
     let conditions = match sign(&(&k + Expr::one())) {
