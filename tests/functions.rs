@@ -38,6 +38,7 @@ fn arguments(function: Function, stream: &mut Stream) -> Vec<f64> {
             vec![between(0.1, 1.0), between(1.1, 2.0), between(2.1, 3.0)]
         }
         "pressure_power" => vec![between(-0.5, 6.0), between(0.1, 1.0), between(1.1, 2.0)],
+        "outside_power" => vec![between(0.5, 6.0), between(0.1, 1.0), between(1.1, 2.0)],
         "sphere_pressure" | "hyperboloid_pressure" => vec![between(0.1, 1.0), between(1.1, 2.0), between(2.1, 3.0)],
         "artanh_ratio" | "sphere_force" | "hyperboloid_force" => vec![between(0.2, 1.0), between(1.1, 3.0)],
         "elliptic_moment" => vec![between(0.0, 4.0).floor(), between(0.1, 1.0), between(0.1, 1.0), between(1.1, 2.0)],
