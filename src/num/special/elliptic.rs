@@ -40,7 +40,7 @@ pub fn ellipe(m: f64) -> f64 {
 
 /// `F(phi | m) = ∫_0^phi dt / sqrt(1 - m sin^2 t)`.
 ///
-/// Domain: `0 <= phi <= pi/2`, `m <= 1` finite; NaN elsewhere. Accuracy: measured at most 3.4 ulp for `m` from
+/// Domain: `0 <= phi <= pi/2`, `m <= 1` finite; NaN elsewhere. Accuracy: measured at most 4.0 ulp for `m` from
 /// -1e15 to 1. Source: DLMF 19.25.5.
 ///
 /// ```
@@ -56,7 +56,7 @@ pub fn ellipf(phi: f64, m: f64) -> f64 {
 
 /// `E(phi | m) = ∫_0^phi sqrt(1 - m sin^2 t) dt`.
 ///
-/// Domain: `0 <= phi <= pi/2`, `m <= 1` finite; NaN elsewhere. Accuracy: measured at most 3.3 ulp for `m`
+/// Domain: `0 <= phi <= pi/2`, `m <= 1` finite; NaN elsewhere. Accuracy: measured at most 4.5 ulp for `m`
 /// from -1e15 to 1. Source: DLMF 19.25.9 for `m <= 0`, 19.25.10 for `m > 0`: positive terms only.
 ///
 /// ```
