@@ -19,7 +19,6 @@ use super::term::{self, Segment};
 use super::{Branches, Chain, Derived, Pair, Profile, Status, Term, TransformError, kinks};
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Bindings, Condition, Expr, Formula, Sign, Symbol, sign};
-use statement::Statement;
 
 /// A profile f(r) that was found from an equivalent profile g(x).
 pub struct Inverse {
@@ -64,11 +63,10 @@ struct Share {
 /// [`TransformError`] where g jumps, has no finite value at the axis, or its pieces cannot be separated.
 pub fn invert(g: &Formula, read: Reader) -> Result<Inverse, TransformError> {
     let equivalent = Profile::new(&over_radius(g))?;
-    let statements = statement::statements(read);
     let mut conditions = equivalent.conditions.clone();
     let mut chains = Vec::new();
     for chain in &equivalent.chains {
-        chains.extend(solve_chain(chain, &statements, &mut conditions));
+        chains.extend(solve_chain(chain, read, &mut conditions));
     }
     conditions.sort();
     conditions.dedup();
@@ -88,7 +86,7 @@ fn over_radius(g: &Formula) -> Formula {
 }
 
 /// Splits a chain into terms; what every piece has in common acts on the whole axis and becomes a chain of its own.
-fn solve_chain(chain: &Chain, statements: &[Statement], conditions: &mut Vec<Condition>) -> Vec<InverseChain> {
+fn solve_chain(chain: &Chain, read: Reader, conditions: &mut Vec<Condition>) -> Vec<InverseChain> {
     let radius = Symbol::new("r");
     let mut parts: Vec<Option<Vec<NormalTerm>>> = chain.pieces.iter().map(|piece| normal::normal_terms(piece, &radius).ok()).collect();
     let mut common: Vec<NormalTerm> = Vec::new();
@@ -101,7 +99,7 @@ fn solve_chain(chain: &Chain, statements: &[Statement], conditions: &mut Vec<Con
     }
     let mut chains = Vec::new();
     if !common.is_empty() {
-        let mut own = whole(common.clone(), statements, conditions);
+        let mut own = whole(common.clone(), read, conditions);
         if let ([only], true) = (chain.pieces.as_slice(), own.closed.is_empty()) {
             // As it was typed, because the recognition form may cancel next to its zeros.
             own.open = only.clone();
@@ -127,7 +125,7 @@ fn solve_chain(chain: &Chain, statements: &[Statement], conditions: &mut Vec<Con
         };
         let mut closed = Vec::new();
         if let (Some(breakpoint), 1) = (worn, index) {
-            for found in statement::read_backwards(&mut list, Some(breakpoint), statements) {
+            for found in statement::read_backwards(&mut list, Some(breakpoint), read) {
                 conditions.extend(found.conditions);
                 closed.push(Share { id: found.id, reference: found.reference.to_vec(), f: Branches::endless(Pair::same(found.f)) });
             }
@@ -143,9 +141,9 @@ fn solve_chain(chain: &Chain, statements: &[Statement], conditions: &mut Vec<Con
 }
 
 /// The terms that act on the whole axis.
-fn whole(mut terms: Vec<NormalTerm>, statements: &[Statement], conditions: &mut Vec<Condition>) -> InverseInterval {
+fn whole(mut terms: Vec<NormalTerm>, read: Reader, conditions: &mut Vec<Condition>) -> InverseInterval {
     let mut closed = Vec::new();
-    for found in statement::read_backwards(&mut terms, None, statements) {
+    for found in statement::read_backwards(&mut terms, None, read) {
         conditions.extend(found.conditions);
         closed.push(Share { id: found.id, reference: found.reference.to_vec(), f: Branches::endless(Pair::same(found.f)) });
     }

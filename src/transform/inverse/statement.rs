@@ -6,6 +6,7 @@ use super::table::TABLE;
 use super::unify;
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Bindings, Condition, Expr, Formula, Sign, Symbol, sign};
+use std::sync::OnceLock;
 
 /// An exact pair of g(x) and f(r) that is found from g; the statement is all there is to it.
 pub struct InverseRule {
@@ -29,7 +30,7 @@ pub struct InverseRule {
 pub type Reader = fn(&str) -> Option<Formula>;
 
 /// A statement as expressions over r: g with its terms, and f.
-pub(super) struct Statement {
+struct Statement {
     id: &'static str,
     reference: &'static [&'static str],
     parameters: Vec<Symbol>,
@@ -49,7 +50,14 @@ pub(super) struct Found {
 }
 
 /// Every statement that can be read, the inverse table first because its results are the shorter ones.
-pub(super) fn statements(read: Reader) -> Vec<Statement> {
+///
+/// They are read once, when a kernel first asks for them: there is one grammar, so that one reader stands for all.
+fn statements(read: Reader) -> &'static [Statement] {
+    static READ: OnceLock<Vec<Statement>> = OnceLock::new();
+    READ.get_or_init(|| all(read))
+}
+
+fn all(read: Reader) -> Vec<Statement> {
     let table = TABLE.iter().map(|rule| (rule.id, rule.reference, rule.pattern, rule.result, rule.parameters));
     let rules = RULES.iter().map(|rule| (rule.id, rule.reference, rule.slope, rule.pattern, rule.parameters));
     let table = table.map(|own| (own, false));
@@ -67,13 +75,13 @@ pub(super) fn statements(read: Reader) -> Vec<Statement> {
 /// Takes terms out of g that some statement explains, as long as there are any.
 ///
 /// With a breakpoint the terms are those from there outward, and only worn shapes are looked for.
-pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Expr>, statements: &[Statement]) -> Vec<Found> {
+pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Expr>, read: Reader) -> Vec<Found> {
     let mut found = Vec::new();
     let open = |list: &[NormalTerm]| list.iter().filter(|term| !term.kernel.is_one()).count();
     while open(terms) > 0 {
         let targets = terms.iter().filter(|term| !term.kernel.is_one());
         let candidates = targets.flat_map(|target| {
-            let own = statements.iter().filter(|own| own.breakpoint.is_some() == breakpoint.is_some());
+            let own = statements(read).iter().filter(|own| own.breakpoint.is_some() == breakpoint.is_some());
             let terms: &[NormalTerm] = terms;
             own.filter_map(move |statement| statement.explains(target, terms, breakpoint))
         });
