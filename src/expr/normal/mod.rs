@@ -4,6 +4,7 @@
 
 mod calls;
 mod content;
+mod division;
 mod factor;
 mod gather;
 mod logarithm;
