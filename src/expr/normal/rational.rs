@@ -197,9 +197,9 @@ impl Fractions {
             let Some(divisor) = divisors.get_mut(index) else { break };
             let Some(inverse) = inverse(&others.divided_by(&divisor.own)?.1, &divisor.own)? else { return Ok(false) };
             while divisor.power > 0 {
-                let remainder = numerator.times(&inverse)?.divided_by(&divisor.own)?.1;
+                let remainder = tidy_all(&numerator.times(&inverse)?.divided_by(&divisor.own)?.1)?;
                 self.add(&divisor.own, divisor.power, &remainder)?;
-                numerator = numerator.minus(&remainder.times(&others)?)?.divided_by(&divisor.own)?.0;
+                numerator = tidy_all(&numerator.minus(&remainder.times(&others)?)?.divided_by(&divisor.own)?.0)?;
                 divisor.power -= 1;
             }
         }
