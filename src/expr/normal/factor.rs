@@ -72,7 +72,7 @@ fn two_factors(own: &Univariate, polynomial: &Polynomial, pure: bool) -> Result<
         step
     } else {
         return Ok(match sparse::square_root(polynomial).and_then(|root| Univariate::read(&root)) {
-            Some(root) if degree % 2 == 0 => vec![Found::Factor(root, 2)],
+            Some(root) if degree.is_multiple_of(2) => vec![Found::Factor(root, 2)],
             _ => vec![Found::Itself],
         });
     };

@@ -312,7 +312,7 @@ fn add_fraction(result: &mut Polynomial, cofactor: &Monomial, remainder: &Univar
     // A root keeps the sign that makes it real; its whole powers join it.
     let negated = polynomial.scaled(&Number::integer(-1)).to_expr();
     if cofactor.contains_key(&negated) {
-        (atom, sign) = (negated, if k % 2 == 0 { 1 } else { -1 });
+        (atom, sign) = (negated, if k.is_multiple_of(2) { 1 } else { -1 });
     }
     for (m, coefficient) in remainder.coefficients().iter().enumerate() {
         let mut total = cofactor.clone();

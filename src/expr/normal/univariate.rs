@@ -163,7 +163,7 @@ impl Univariate {
 
     /// The polynomial at −r.
     pub(super) fn mirrored(&self) -> Self {
-        let sign = |k: usize| Number::integer(if k % 2 == 0 { 1 } else { -1 });
+        let sign = |k: usize| Number::integer(if k.is_multiple_of(2) { 1 } else { -1 });
         let coefficients = self.coefficients.iter().enumerate().map(|(k, c)| c.scaled(&sign(k))).collect();
         Self { coefficients, frame: self.frame.clone() }
     }
