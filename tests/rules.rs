@@ -305,6 +305,8 @@ fn terms_without_a_solution_are_declined() {
         kernel((Expr::integer(-1) + r.power(2)).recip(), 1),
         kernel((Expr::one() + &r + r.power(2)).sqrt().recip(), 2),
         kernel(Expr::call("exp", [r.power(2) + &r]), 1),
+        kernel((Expr::one() + &r).pow(&r), 1),
+        kernel((Expr::one() + r.power(2)).pow(&(&r - Expr::one())), 2),
         kernel(Expr::call("exp", [-&r]) * Expr::call("cos", [r.clone()]), 1),
         kernel(Expr::call("sin", [&r + Expr::one()]), 1),
         kernel(Expr::call("cos", [r.clone()]), -1),

@@ -3,7 +3,7 @@
 use super::laurent::{Combination, Laurent, Law, Member, member};
 use super::moments::{self, Moments};
 use super::reading;
-use crate::expr::{Condition, Expr, Sign, sign};
+use crate::expr::{Condition, Expr, Sign, Symbol, sign};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 const PARAMETERS: &[Parameter] = &[
@@ -58,6 +58,9 @@ fn apply(term: &Term, kind: &Kind) -> Option<Answer> {
     let part = term.single().filter(|_| term.segment.is_whole())?;
     let [order, argument] = reading::call(&part.kernel, kind.name)? else { return None };
     let (m, whole) = (part.exponent.as_integer()?, order.as_integer());
+    if order.contains(&Symbol::new("r")) {
+        return None;
+    }
     if m == -1 || m == 0 && whole.is_none() {
         let (k, _) = moments::argument(argument, 1).filter(|(_, negative)| !negative)?;
         return any_order(&part.coefficient, m, order, &k, kind);
