@@ -46,9 +46,15 @@ fn depth_and_force_come_back() {
                 if text.starts_with("piecewise") && share < 0.01 {
                     continue;
                 }
-                assert!(relative(g, d) <= 4e-15, "{text}: g(a({d})) = {g:e} at {values:?}");
+                assert!(
+                    relative(g, d) <= if text.starts_with("piecewise") { 1e-11 } else { 4e-15 },
+                    "{text}: g(a({d})) = {g:e} at {values:?}"
+                );
                 let (one, two) = (2.0 * evaluator.force(a.value).unwrap().estimate.value, force.value(&[d, 1.0]));
-                assert!(relative(one, two.value) <= 1e-13, "{text}: F({d}) = {two:?}, {one:e} at {values:?}");
+                assert!(
+                    relative(one, two.value) <= if text.starts_with("piecewise") { 1e-11 } else { 1e-13 },
+                    "{text}: F({d}) = {two:?}, {one:e} at {values:?}"
+                );
             }
             if most.is_finite() {
                 assert!(!found.contact_radius_at(1.01 * most).unwrap().estimate.value.is_finite(), "{text}");
