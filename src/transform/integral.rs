@@ -3,7 +3,7 @@
 use super::TransformError;
 use super::term::Segment;
 use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
-use crate::expr::{Bindings, Expr, Symbol, derivative, normal};
+use crate::expr::{Bindings, Expr, Node, Symbol, derivative, normal};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, NumError, forms};
 use std::cell::OnceCell;
@@ -225,11 +225,38 @@ impl NumericSegment {
     }
 }
 
-/// Compiles an expression in r over δ with r = lower + δ; sums such as r − b collapse to δ before any rounding.
+/// Compiles an expression in r over δ with r = lower + δ.
 fn compile_shifted(expr: &Expr, lower: &Expr) -> Result<Tape, TransformError> {
     let delta = Symbol::new("δ");
-    let shifted = Bindings::one("r", lower + Expr::from(delta.clone())).apply(expr);
-    Ok(Tape::compile(&[shifted], &[delta])?)
+    Ok(Tape::compile(&[shifted(expr, lower, &Expr::from(delta.clone()))], &[delta])?)
+}
+
+/// The expression with lower + δ for r; polynomials that vanish at the lower end lose their constant term before any
+/// rounding, so that neither r − b nor 3r² − 3b² cancels.
+fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
+    const HIGHEST: usize = 6;
+    let again = |own: &Expr| shifted(own, lower, delta);
+    let radius = Symbol::new("r");
+    if !expr.contains(&radius) {
+        return expr.clone();
+    }
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) => expr.clone(),
+        Node::Symbol(_) => lower + delta,
+        Node::Power(base, exponent) => again(base).pow(&again(exponent)),
+        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(again).collect()),
+        Node::Product(factors) => Expr::product(factors.iter().map(again)),
+        Node::Sum(terms) => {
+            let vanishing = normal::polynomial_coefficients(expr, &radius)
+                .filter(|list| list.len() <= HIGHEST)
+                .and_then(|list| normal::shifted_coefficients(&list, lower, &radius))
+                .filter(|list| list.first().is_some_and(|(k, _)| *k > 0));
+            match vanishing {
+                Some(list) => Expr::sum(list.iter().map(|(k, c)| c * delta.power(*k))),
+                None => Expr::sum(terms.iter().map(again)),
+            }
+        }
+    }
 }
 
 /// True where the tape behaves like a fractional or negative power of δ near 0.

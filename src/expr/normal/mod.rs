@@ -11,6 +11,7 @@ mod logarithm;
 mod polynomial;
 mod power;
 mod rational;
+mod shift;
 mod sparse;
 mod univariate;
 mod waves;
@@ -22,6 +23,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::One;
 pub use polynomial::Polynomial;
+pub use shift::shifted_coefficients;
 use std::collections::BTreeMap;
 
 /// One term of the recognition form: coefficient · variable^exponent · kernel.

@@ -2,7 +2,7 @@
 
 use crate::expr::function::elliptic_moment_parts;
 use crate::expr::normal;
-use crate::expr::{Bindings, Expr, Symbol, derivative};
+use crate::expr::{Expr, Symbol, derivative};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 pub(super) static RULE: Rule = Rule {
@@ -33,7 +33,7 @@ fn apply(term: &Term) -> Option<Answer> {
     }
     let coefficients = term.polynomial()?;
     let lower = &term.segment.lower;
-    let shifted = shifted_coefficients(&coefficients, lower)?;
+    let shifted = normal::shifted_coefficients(&coefficients, lower, &Symbol::new("r"))?;
     let (content, reduced) = normal::common_content(&coefficients);
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     let upper = term.segment.upper.as_ref();
@@ -51,24 +51,6 @@ fn apply(term: &Term) -> Option<Answer> {
         pressure: pressure(&coefficients, lower, upper),
         conditions: Vec::new(),
     })
-}
-
-/// The coefficients of the same polynomial in powers of r − b, without zeros: (k, P^(k)(b)/k!).
-fn shifted_coefficients(coefficients: &[Expr], b: &Expr) -> Option<Vec<(i64, Expr)>> {
-    let radius = Symbol::new("r");
-    let r = Expr::from(radius.clone());
-    let mut polynomial = Expr::sum(coefficients.iter().enumerate().map(|(m, c)| c * r.power(m as i64)));
-    let place = Bindings::one("r", b.clone());
-    let (mut result, mut factorial) = (Vec::new(), Expr::one());
-    for k in 0..coefficients.len() as i64 {
-        let value = normal::expanded(&place.apply(&polynomial), &radius).ok()?;
-        if !value.is_zero() {
-            result.push((k, value / &factorial));
-        }
-        polynomial = normal::expanded(&derivative(&polynomial, &radius).ok()?, &radius).ok()?;
-        factorial = factorial * Expr::integer(k + 1);
-    }
-    Some(result)
 }
 
 /// Σ p_k K_k with the stable segment functions.
