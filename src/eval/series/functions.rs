@@ -162,7 +162,7 @@ impl Frame {
     /// e^u: n w_n = Σ k u_k w_{n−k}.
     pub(super) fn exp(&self, u: &Series) -> Result<Series, SeriesError> {
         let u = self.plain(u)?;
-        let start = u.first().apply(f64::exp, 2.0);
+        let start = applied(u.first(), 1.0, f64::exp, 2.0);
         let mut w = vec![start];
         for n in 1..u.coefficients.len() {
             let sum = Bounded::sum(weighted(&u, &w, n));
@@ -176,14 +176,14 @@ impl Frame {
     /// sin u and cos u.
     fn circular(&self, u: &Series) -> (Series, Series) {
         let first = u.first();
-        let pair = (first.apply(f64::sin, 2.0), first.apply(f64::cos, 2.0));
+        let pair = (applied(first, 0.0, f64::sin, 2.0), applied(first, 1.0, f64::cos, 2.0));
         self.coupled(u, pair, -1.0)
     }
 
     /// sinh u and cosh u.
     fn hyperbolic(&self, u: &Series) -> (Series, Series) {
         let first = u.first();
-        let pair = (first.apply(f64::sinh, 2.0), first.apply(f64::cosh, 2.0));
+        let pair = (applied(first, 0.0, f64::sinh, 2.0), applied(first, 1.0, f64::cosh, 2.0));
         self.coupled(u, pair, 1.0)
     }
 
@@ -235,7 +235,7 @@ impl Frame {
             }
         });
         let quotient = self.product(&self.slope(u), &slope);
-        Ok(Series { shift: 0.0, coefficients: integrated(first.apply(h, 4.0), &quotient), rest: rest.collect() })
+        Ok(Series { shift: 0.0, coefficients: integrated(applied(first, 0.0, h, 4.0), &quotient), rest: rest.collect() })
     }
 
     /// erf u: h′ = (2/√π) e^(−u²).
@@ -244,7 +244,7 @@ impl Frame {
         let scale = Bounded::rounded(std::f64::consts::FRAC_2_SQRT_PI);
         let slope = self.scaled(&self.exp(&square)?, scale);
         let first = u.first();
-        let value = first.apply(|z| (function.row().value)(&[z]), function.row().ulps);
+        let value = applied(first, 0.0, |z| (function.row().value)(&[z]), function.row().ulps);
         let rest = u.rest.iter().map(|delta| {
             let most = u.first_bound() + delta;
             widened(if *delta == 0.0 { 0.0 } else { std::f64::consts::FRAC_2_SQRT_PI * delta * (most * most).exp() })
@@ -276,6 +276,11 @@ impl Frame {
         let coefficients = u.coefficients.iter().enumerate().skip(1).map(|(n, a)| *a * Bounded::exact(n as f64)).collect();
         Series { shift: 0.0, coefficients, rest: vec![0.0; self.radii.len()] }
     }
+}
+
+/// h(u₀), exact at u₀ = 0, so that what vanishes there is known to vanish.
+fn applied(first: Bounded, at_zero: f64, h: impl Fn(f64) -> f64, ulps: f64) -> Bounded {
+    if first.value == 0.0 && first.error == 0.0 { Bounded::exact(at_zero) } else { first.apply(h, ulps) }
 }
 
 /// Σ k u_k w_{n−k} term by term.
