@@ -55,10 +55,20 @@ impl Sparse {
         self.terms.retain(|_, number| !number.is_zero());
     }
 
+    /// The lowest and the highest exponent of every atom.
+    fn ranges(&self) -> Vec<(i64, i64)> {
+        let of = |atom: usize| {
+            let exponents = || self.terms.keys().filter_map(|list| list.get(atom).copied());
+            (exponents().min().unwrap_or(0), exponents().max().unwrap_or(0))
+        };
+        (0..self.atoms.len()).map(of).collect()
+    }
+
     /// The quotient, where the division is exact.
     pub(super) fn divided_by(&self, divisor: &Self) -> Option<Self> {
         let (lead, lead_number) = divisor.terms.last_key_value()?;
         let inverse = lead_number.reciprocal()?;
+        let (whole, part) = (self.ranges(), divisor.ranges());
         let mut left = self.clone();
         let mut quotient = Self { atoms: self.atoms.clone(), terms: BTreeMap::new() };
         while let Some((exponents, number)) = left.terms.last_key_value() {
@@ -66,6 +76,11 @@ impl Sparse {
                 return None;
             }
             let (shift, factor) = (difference(exponents, lead), number * &inverse);
+            // The ranges of exponents add up in a product.
+            let mut ranges = shift.iter().zip(whole.iter().zip(&part));
+            if !ranges.all(|(e, ((low, high), (least, most)))| (low - least..=high - most).contains(e)) {
+                return None;
+            }
             for (own, own_number) in &divisor.terms {
                 left.add(own.iter().zip(&shift).map(|(a, b)| a + b).collect(), &-&(own_number * &factor));
             }
@@ -85,12 +100,16 @@ impl Sparse {
         let lead_number = number.root(2)?;
         let inverse = (&lead_number + &lead_number).reciprocal()?;
         let mut root = Self { atoms: self.atoms.clone(), terms: BTreeMap::from([(lead.clone(), lead_number.clone())]) };
+        let ranges = self.ranges();
         let mut left = self.clone();
         left.terms.pop_last();
         // left = self − root², whose leading term fixes the next term of the root.
         while let Some((exponents, number)) = left.terms.last_key_value() {
             let (next, factor) = (difference(exponents, &lead), number * &inverse);
             if root.terms.len() >= LONGEST || root.terms.first_key_value().is_none_or(|(lowest, _)| next >= *lowest) {
+                return None;
+            }
+            if !next.iter().zip(&ranges).all(|(e, (low, high))| (*low..=*high).contains(&(2 * e))) {
                 return None;
             }
             for (own, own_number) in &root.terms {

@@ -5,7 +5,8 @@ use super::super::{Parameter, domain};
 use super::table::TABLE;
 use super::unify;
 use crate::expr::normal::{self, NormalTerm};
-use crate::expr::{Bindings, Condition, Expr, Formula, Sign, Symbol, sign};
+use crate::expr::{Bindings, Condition, Expr, Formula, Node, Sign, Symbol, sign};
+use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 /// An exact pair of g(x) and f(r) that is found from g; the statement is all there is to it.
@@ -49,27 +50,62 @@ pub(super) struct Found {
     pub(super) conditions: Vec<Condition>,
 }
 
+/// A statement that was read, with the functions that only it and its like contain, and its terms once they are asked for.
+struct Entry {
+    id: &'static str,
+    reference: &'static [&'static str],
+    g: Formula,
+    f: Formula,
+    parameters: Vec<Symbol>,
+    /// True where f may start at another height, which the transform does not see.
+    shifted: bool,
+    functions: BTreeSet<&'static str>,
+    statement: OnceLock<Option<Statement>>,
+}
+
+impl Entry {
+    fn statement(&self) -> Option<&Statement> {
+        let build = || Statement::new(self.id, self.reference, &self.g, &self.f, self.parameters.clone(), self.shifted);
+        self.statement.get_or_init(build).as_ref()
+    }
+}
+
 /// Every statement that can be read, the inverse table first because its results are the shorter ones.
 ///
 /// They are read once, when a kernel first asks for them: there is one grammar, so that one reader stands for all.
-fn statements(read: Reader) -> &'static [Statement] {
-    static READ: OnceLock<Vec<Statement>> = OnceLock::new();
-    READ.get_or_init(|| all(read))
+fn entries(read: Reader) -> &'static [Entry] {
+    static READ: OnceLock<Vec<Entry>> = OnceLock::new();
+    READ.get_or_init(|| {
+        let table = TABLE.iter().map(|rule| (rule.id, rule.reference, rule.pattern, rule.result, rule.parameters, false));
+        let rules = RULES.iter().map(|rule| (rule.id, rule.reference, rule.slope, rule.pattern, rule.parameters, true));
+        table.chain(rules).filter_map(|own| entry(own, read)).collect()
+    })
 }
 
-fn all(read: Reader) -> Vec<Statement> {
-    let table = TABLE.iter().map(|rule| (rule.id, rule.reference, rule.pattern, rule.result, rule.parameters));
-    let rules = RULES.iter().map(|rule| (rule.id, rule.reference, rule.slope, rule.pattern, rule.parameters));
-    let table = table.map(|own| (own, false));
-    // A rule's f may start at another height; the transform does not see it.
-    let rules = rules.map(|own| (own, true));
-    table
-        .chain(rules)
-        .filter_map(|((id, reference, g, f, parameters), shifted)| {
-            let parameters = parameters.iter().map(|p| Symbol::new(p.name)).collect();
-            Statement::new(id, reference, &read(g)?, &read(f)?, parameters, shifted)
-        })
-        .collect()
+type Stated = (&'static str, &'static [&'static str], &'static str, &'static str, &'static [Parameter], bool);
+
+fn entry((id, reference, g, f, parameters, shifted): Stated, read: Reader) -> Option<Entry> {
+    let (g, f) = (read(g)?, read(f)?);
+    let mut functions = BTreeSet::new();
+    match &g {
+        Formula::Closed(g) => collect(g, &mut functions),
+        Formula::Piecewise { last, .. } => collect(last.as_closed()?, &mut functions),
+        _ => return None,
+    }
+    let parameters = parameters.iter().map(|p| Symbol::new(p.name)).collect();
+    Some(Entry { id, reference, g, f, parameters, shifted, functions, statement: OnceLock::new() })
+}
+
+/// The functions beyond the elementary ones, which no recognition form turns into others.
+fn collect(expr: &Expr, found: &mut BTreeSet<&'static str>) {
+    if let Node::Function(function, _) = expr.node()
+        && function.row().complex.is_none()
+    {
+        found.insert(function.name());
+    }
+    for child in expr.children() {
+        collect(child, found);
+    }
 }
 
 /// Takes terms out of g that some statement explains, as long as there are any.
@@ -79,11 +115,15 @@ pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Ex
     let mut found = Vec::new();
     let open = |list: &[NormalTerm]| list.iter().filter(|term| !term.kernel.is_one()).count();
     while open(terms) > 0 {
+        let mut present = BTreeSet::new();
+        terms.iter().for_each(|term| collect(&term.kernel, &mut present));
+        // What has a function that g lacks cannot explain any of its terms.
+        let possible = entries(read).iter().filter(|entry| entry.functions.is_subset(&present)).filter_map(Entry::statement);
+        let possible: Vec<&Statement> = possible.filter(|own| own.breakpoint.is_some() == breakpoint.is_some()).collect();
         let targets = terms.iter().filter(|term| !term.kernel.is_one());
         let candidates = targets.flat_map(|target| {
-            let own = statements(read).iter().filter(|own| own.breakpoint.is_some() == breakpoint.is_some());
             let terms: &[NormalTerm] = terms;
-            own.filter_map(move |statement| statement.explains(target, terms, breakpoint))
+            possible.iter().filter_map(move |statement| statement.explains(target, terms, breakpoint))
         });
         // The one that explains most; of equals the first.
         let best = candidates.reduce(|best, other| if open(&other.1) < open(&best.1) { other } else { best });
