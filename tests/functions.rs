@@ -38,6 +38,10 @@ fn arguments(function: Function, stream: &mut Stream) -> Vec<f64> {
             vec![between(0.1, 1.0), between(1.1, 2.0), between(2.1, 3.0)]
         }
         "pressure_power" => vec![between(-0.5, 6.0), between(0.1, 1.0), between(1.1, 2.0)],
+        "ln_near_one" => {
+            let u = between(-0.9, 2.0);
+            vec![u, 1.0 + u]
+        }
         "outside_power" => vec![between(0.5, 6.0), between(0.1, 1.0), between(1.1, 2.0)],
         "sphere_pressure" | "hyperboloid_pressure" => vec![between(0.1, 1.0), between(1.1, 2.0), between(2.1, 3.0)],
         "artanh_ratio" | "sphere_force" | "hyperboloid_force" => vec![between(0.2, 1.0), between(1.1, 3.0)],

@@ -1,7 +1,7 @@
 //! The walk over the tree: which operations stand for a node, in which order.
 
 use super::{Algebra, BoundedAlgebra, EvalError, PreciseAlgebra};
-use crate::expr::{Bindings, Constant, Expr, Node, Number, Symbol, shown_to_30_digits};
+use crate::expr::{Bindings, Constant, Expr, Function, Node, Number, Symbol, shown_to_30_digits};
 use crate::num::{Bounded, DoubleDouble, Precise, precise};
 
 /// Computes `expr` in the given algebra; `value_of` gives the value of a symbol.
@@ -60,6 +60,12 @@ pub(super) fn walk_with<A: Algebra>(
         Node::Constant(Constant::Euler) => Ok(algebra.constant(Precise { value: precise::E, error: 2.2e-33 })),
         Node::Symbol(symbol) => Err(EvalError::Unbound { name: symbol.name().to_owned() }),
         Node::Function(function, arguments) => {
+            if let Some((near_one, beside)) = logarithm_near_one(*function, arguments) {
+                let beside = walk_with(&beside, algebra, known)?;
+                let whole = arguments.iter().map(|a| walk_with(a, algebra, known)).collect::<Result<Vec<_>, _>>()?;
+                let pair: Vec<A::Value> = std::iter::once(beside).chain(whole).collect();
+                return Ok(algebra.call(near_one, &pair));
+            }
             let values = arguments.iter().map(|a| walk_with(a, algebra, known)).collect::<Result<Vec<_>, _>>()?;
             Ok(algebra.call(*function, &values))
         }
@@ -91,6 +97,17 @@ pub(super) fn walk_with<A: Algebra>(
         }
         Node::Product(_) | Node::Power(..) => quotient(expr, algebra, known),
     }
+}
+
+/// For ln(1 + u): the function of u and 1 + u that keeps the digits of u.
+fn logarithm_near_one(function: Function, arguments: &[Expr]) -> Option<(Function, Expr)> {
+    let ("ln", [argument]) = (function.name(), arguments) else { return None };
+    let Node::Sum(terms) = argument.node() else { return None };
+    let (one, others): (Vec<&Expr>, Vec<&Expr>) = terms.iter().partition(|term| term.is_one());
+    if one.is_empty() {
+        return None;
+    }
+    Some((Function::named("ln_near_one")?, Expr::sum(others.into_iter().cloned())))
 }
 
 /// A number of the tree as two doubles; the error is 0 where they hold it exactly.

@@ -6,6 +6,7 @@ use super::{Latex, PLAIN, Row, precise};
 use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
 use crate::num::{Precise, forms, kappa, precise as thirty};
+use num_complex::Complex64;
 
 /// aⁿ arcsin(a/r) − aⁿ⁺¹/((n+1) r) 2F1(1/2, (n+1)/2; (n+3)/2; a²/r²).
 fn outside_power(n: &Expr, a: &Expr, r: &Expr) -> Expr {
@@ -14,6 +15,9 @@ fn outside_power(n: &Expr, a: &Expr, r: &Expr) -> Expr {
     let hyper = Expr::call("hyp2f1", [half.clone(), &next * &half, lower, a.power(2) / r.power(2)]);
     a.pow(n) * Expr::call("asin", [a / r]) - a.pow(&next) / (next * r) * hyper
 }
+
+/// Up to here ln(1 + u) is taken from u.
+const NEAR_ONE: f64 = 0.5;
 
 /// What these rows have in common: positive values, no LaTeX of their own because the shown expression is set.
 const FORM: Row = Row { latex: Latex::Operator("\\operatorname{form}"), sign: Some(|_| Sign::Positive), ..PLAIN };
@@ -31,6 +35,48 @@ pub(super) static ROWS: &[Row] = &[
         shown: Some(|a| {
             with(a, |[n]| Expr::pi().sqrt() * gamma(n / Expr::integer(2) + Expr::one()) / gamma(n / Expr::integer(2) + Expr::ratio(1, 2)))
         }),
+        ..FORM
+    },
+    // ln v with v = 1 + u, from whichever of the two has more digits; the evaluation writes it, no tree contains it.
+    Row {
+        name: "ln_near_one",
+        ulps: 2.0,
+        arity: (2, 2),
+        value: |a| {
+            binary(a, |u, v| {
+                if u.is_nan() || v.is_nan() {
+                    f64::NAN
+                } else if u.abs() < NEAR_ONE {
+                    u.ln_1p()
+                } else {
+                    v.ln()
+                }
+            })
+        },
+        precise: Some(|a| match a {
+            [u, _] if u.hi.abs() < NEAR_ONE => precise::unary(&[*u], thirty::ln1p),
+            [_, v] => precise::unary(&[*v], thirty::ln),
+            _ => Precise::nan(),
+        }),
+        spread: Some(|a, by| match (a, by) {
+            ([u, _], [distance, _]) if u.hi.abs() < NEAR_ONE => precise::one(&[*u], &[*distance], |u, by| by / (1.0 + u.hi - 2.0 * by)),
+            ([_, v], [_, distance]) => precise::one(&[*v], &[*distance], |v, by| precise::to_pole(by, v.hi - 2.0 * by)),
+            _ => f64::INFINITY,
+        }),
+        complex: Some(|a| match a {
+            // The rounding of 1 + u is divided out again (Kahan).
+            [u, v] if u.norm() < NEAR_ONE => {
+                if *v == Complex64::ONE {
+                    *u
+                } else {
+                    v.ln() * u / (v - 1.0)
+                }
+            }
+            [_, v] => v.ln(),
+            _ => Complex64::new(f64::NAN, f64::NAN),
+        }),
+        sign: None,
+        shown: Some(|a| with(a, |[_, v]| Expr::call("ln", [v.clone()]))),
         ..FORM
     },
     // A number that is known to 32 ulps only: a kink that was located numerically.

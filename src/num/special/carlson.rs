@@ -129,7 +129,7 @@ pub fn rc(x: f64, y: f64) -> f64 {
 ///
 /// ```
 /// use sneddon::num::special::rf_precise;
-/// assert!(rf_precise([1.0, 2.0, 3.0].map(Into::into)).error < 1e-29);
+/// assert!(rf_precise([1.0, 2.0, 3.0].map(Into::into)).error < 1e-27);
 /// ```
 pub fn rf_precise(arguments: [DoubleDouble; 3]) -> Precise {
     let [x, y, z] = arguments.map(Ball::exact);
@@ -142,7 +142,7 @@ pub fn rf_precise(arguments: [DoubleDouble; 3]) -> Precise {
 ///
 /// ```
 /// use sneddon::num::special::rd_precise;
-/// assert!(rd_precise([1.0, 2.0, 3.0].map(Into::into)).error < 1e-29);
+/// assert!(rd_precise([1.0, 2.0, 3.0].map(Into::into)).error < 1e-27);
 /// ```
 pub fn rd_precise(arguments: [DoubleDouble; 3]) -> Precise {
     let [x, y, z] = arguments.map(Ball::exact);
@@ -153,7 +153,7 @@ pub fn rd_precise(arguments: [DoubleDouble; 3]) -> Precise {
 ///
 /// ```
 /// use sneddon::num::special::rc_precise;
-/// assert!(rc_precise([1.0, 2.0].map(Into::into)).error < 1e-29);
+/// assert!(rc_precise([1.0, 2.0].map(Into::into)).error < 1e-27);
 /// ```
 pub fn rc_precise([x, y]: [DoubleDouble; 2]) -> Precise {
     rf_ball(Ball::exact(x), Ball::exact(y), Ball::exact(y)).precise()

@@ -29,7 +29,7 @@ const HIGHEST: i64 = 60;
 /// use sneddon::{parse, print, transform::equivalent_of_pressure};
 /// let hertz = equivalent_of_pressure(&parse::pressure("p_0*sqrt(1-r^2/a^2)").unwrap()).unwrap();
 /// assert_eq!(print::text_expr(&hertz.equivalent), "pi*p_0*x^2/(2*E*a)");
-/// assert_eq!(print::text_expr(&hertz.depth), "pi/2*p_0*a/E");
+/// assert_eq!(print::text_expr(&hertz.depth), "pi*p_0*a/(2*E)");
 /// ```
 ///
 /// # Errors
