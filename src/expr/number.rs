@@ -172,10 +172,23 @@ impl Number {
         Self { value: self.value.abs(), decimal: self.decimal }
     }
 
+    /// Numerator and denominator where both are below 2^62, so that sums of their products stay below 2^127.
+    fn small(&self) -> Option<(i128, i128)> {
+        const LARGEST: i64 = 1 << 62;
+        let part = |own: &BigInt| own.to_i64().filter(|n| (-LARGEST..=LARGEST).contains(n)).map(i128::from);
+        Some((part(self.value.numer())?, part(self.value.denom())?))
+    }
+
     fn keep(value: BigRational, decimal: bool) -> Self {
         let decimal = decimal && !value.is_integer() && ends_in_decimals(&value);
         Self { value, decimal }
     }
+}
+
+/// p/q reduced, q > 0; most numbers of a derivation are small enough for this.
+fn fraction(p: i128, q: i128) -> BigRational {
+    let common = if q == 1 { 1 } else { p.gcd(&q) };
+    BigRational::new_raw(BigInt::from(p / common), BigInt::from(q / common))
 }
 
 /// True where the denominator has no prime factor besides 2 and 5 and few enough digits to print.
@@ -237,7 +250,8 @@ impl From<BigRational> for Number {
 
 impl PartialEq for Number {
     fn eq(&self, other: &Self) -> bool {
-        self.value == other.value
+        // Fractions are always reduced.
+        self.value.numer() == other.value.numer() && self.value.denom() == other.value.denom()
     }
 }
 
@@ -251,34 +265,41 @@ impl PartialOrd for Number {
 
 impl Ord for Number {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.value.cmp(&other.value)
+        match (self.small(), other.small()) {
+            (Some((p, q)), Some((n, m))) => (p * m).cmp(&(n * q)),
+            _ => self.value.cmp(&other.value),
+        }
     }
 }
 
 impl Hash for Number {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        self.value.hash(state);
+        self.value.numer().hash(state);
+        self.value.denom().hash(state);
     }
 }
 
 impl Add for &Number {
     type Output = Number;
     fn add(self, other: Self) -> Number {
-        Number::keep(&self.value + &other.value, self.decimal || other.decimal)
+        let small = self.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * m + n * q, q * m));
+        Number::keep(small.unwrap_or_else(|| &self.value + &other.value), self.decimal || other.decimal)
     }
 }
 
 impl Sub for &Number {
     type Output = Number;
     fn sub(self, other: Self) -> Number {
-        Number::keep(&self.value - &other.value, self.decimal || other.decimal)
+        let small = self.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * m - n * q, q * m));
+        Number::keep(small.unwrap_or_else(|| &self.value - &other.value), self.decimal || other.decimal)
     }
 }
 
 impl Mul for &Number {
     type Output = Number;
     fn mul(self, other: Self) -> Number {
-        Number::keep(&self.value * &other.value, self.decimal || other.decimal)
+        let small = self.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * n, q * m));
+        Number::keep(small.unwrap_or_else(|| &self.value * &other.value), self.decimal || other.decimal)
     }
 }
 
