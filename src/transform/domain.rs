@@ -24,6 +24,9 @@ pub(super) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
             Probe::Infinite => Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) }),
         };
     }
+    if let Some(value) = limit_of_regular_terms(piece, &radius) {
+        return Ok(value);
+    }
     // 0·ln 0, sin(r)/r and the like: look at the sequence r → 0.
     let settled = sample_bindings(piece, 3).iter().all(|set| {
         let near = |r: f64| value_at(piece, set, r);
@@ -76,6 +79,25 @@ fn finite_limit_of_terms(piece: &Expr, radius: &Symbol, conditions: &mut Vec<Con
     }
     conditions.extend(demands);
     Some(Ok(limit))
+}
+
+/// The limit from the recognition form, where every kernel is finite at the axis or a logarithm under a positive power.
+fn limit_of_regular_terms(piece: &Expr, radius: &Symbol) -> Option<Expr> {
+    let at_axis = Bindings::one("r", Expr::zero());
+    let mut limit = Expr::zero();
+    for term in normal::normal_terms(piece, radius).ok()? {
+        let positive = sign(&term.exponent) == Sign::Positive;
+        if positive && is_logarithmic(&term.kernel, radius) {
+            continue;
+        }
+        let here = is_regular(&term.kernel).then(|| at_axis.apply(&term.kernel)).filter(|value| matches!(probe(value, 0.0), Probe::Finite))?;
+        match sign(&term.exponent) {
+            Sign::Positive => {}
+            Sign::Zero => limit = limit + term.coefficient * here,
+            Sign::Negative | Sign::Unknown => return None,
+        }
+    }
+    Some(limit)
 }
 
 /// True for 1 and for powers of logarithms of r, which any positive power of r outweighs at the axis.

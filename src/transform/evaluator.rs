@@ -4,7 +4,7 @@ use super::closed::{ClosedForm, for_second_pass, precise_total, refined, total};
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
 use super::quantity::Quantity;
-use super::{Segment, Solution, TransformError};
+use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
 use crate::num::{Bounded, Estimate, Precise};
@@ -283,9 +283,7 @@ impl<'a> Evaluator<'a> {
         inputs: &[f64],
         integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
     ) -> Result<Option<Reading>, TransformError> {
-        let whole = || -> Result<Option<Reading>, TransformError> {
-            Ok(integrate(self.typed()?)?.map(|estimate| Reading { estimate, method: "quadrature" }))
-        };
+        let whole = || self.integrated(&integrate);
         if self.method == Method::Quadrature {
             return whole();
         }
@@ -337,20 +335,56 @@ impl<'a> Evaluator<'a> {
         if method == "quadrature" || self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
             return Ok(Some(own));
         }
-        // The closed form lost digits here, or left its domain: quadrature may have them, of f′ as typed or, where that
-        // cancels too, of its recognition form.
+        // The closed form lost digits here, or left its domain: quadrature may have them, and next to the axis the series.
         let mut other = whole();
-        if matches!(&other, Ok(Some(reading)) if reading.estimate.relative_error() > self.tolerance)
-            && let Ok(Some(estimate)) = self.recognised().and_then(&integrate)
-            && matches!(&other, Ok(Some(reading)) if estimate.error < reading.estimate.error)
+        let poor = |reading: &Result<Option<Reading>, TransformError>| match reading {
+            Ok(reading) => reading.is_some_and(|own| own.estimate.relative_error() > self.tolerance),
+            Err(_) => true,
+        };
+        if poor(&other)
+            && let Some(series) = self.by_series(quantity, contact)
+            && other.as_ref().map_or(true, |own| own.is_some_and(|own| series.estimate.error < own.estimate.error))
         {
-            other = Ok(Some(Reading { estimate, method: "quadrature" }));
+            other = Ok(Some(series));
         }
         match other {
             Ok(Some(other)) if own.estimate.error.is_nan() || own.estimate.error > other.estimate.error => Ok(Some(other)),
             Ok(None) if estimate.value.is_nan() => Ok(None),
             Err(error) if estimate.value.is_nan() => Err(error),
             _ => Ok(Some(own)),
+        }
+    }
+
+    /// The whole by quadrature of f′ as typed or, where that cancels or leaves the range of doubles, of its recognition form.
+    fn integrated(
+        &self,
+        integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
+    ) -> Result<Option<Reading>, TransformError> {
+        let by_quadrature = |estimate| Reading { estimate, method: "quadrature" };
+        let typed = self.typed().and_then(integrate);
+        let enough = match &typed {
+            Ok(Some(own)) => own.relative_error() <= self.tolerance,
+            Ok(None) => true,
+            Err(TransformError::NoDigits { .. } | TransformError::NotComputable { .. }) => false,
+            Err(_) => true,
+        };
+        if !enough
+            && let Ok(Some(other)) = self.recognised().and_then(integrate)
+            && typed.as_ref().map_or(true, |own| own.is_some_and(|own| other.error < own.error))
+        {
+            return Ok(Some(by_quadrature(other)));
+        }
+        Ok(typed?.map(by_quadrature))
+    }
+
+    /// g or F by the power series at the axis, with a proven remainder.
+    fn by_series(&self, quantity: Quantity, contact: f64) -> Option<Reading> {
+        const ORDER: usize = 24;
+        let series = SeriesEvaluator::with(&self.solution.profile, &self.bindings, ORDER).ok()?;
+        match quantity {
+            Quantity::Slope => series.slope(contact).ok(),
+            Quantity::Force => series.force(contact).ok(),
+            _ => None,
         }
     }
 

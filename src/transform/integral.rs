@@ -288,14 +288,23 @@ pub(super) fn with_ulps(value: f64, ulps: f64) -> Bounded {
 ///
 /// `scale` is the size of ∫|integrand|: an error beyond even that is no answer.
 pub(super) fn settle(result: Result<Estimate, NumError>, at: f64, scale: impl FnOnce() -> f64) -> Result<Estimate, TransformError> {
-    let found = match result {
-        Ok(found) => found,
+    settled(reached(result, at)?, at, scale)
+}
+
+/// What the quadrature reached, whatever its error is.
+pub(super) fn reached(result: Result<Estimate, NumError>, at: f64) -> Result<Estimate, TransformError> {
+    match result {
+        Ok(found) => Ok(found),
         Err(NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations }) => {
-            Estimate { value, error, evaluations }
+            Ok(Estimate { value, error, evaluations })
         }
-        Err(NumError::NotFinite { .. }) => return Err(TransformError::NotComputable { at }),
-        Err(other) => return Err(other.into()),
-    };
+        Err(NumError::NotFinite { .. }) => Err(TransformError::NotComputable { at }),
+        Err(other) => Err(other.into()),
+    }
+}
+
+/// The estimate, unless its error leaves no digit.
+pub(super) fn settled(found: Estimate, at: f64, scale: impl FnOnce() -> f64) -> Result<Estimate, TransformError> {
     let Estimate { value, error, .. } = found;
     let lost = !(value.is_finite() && error.is_finite()) || (error > LOST * value.abs() && error > BEYOND * scale());
     if lost { Err(TransformError::NoDigits { at, value, error }) } else { Ok(found) }
@@ -307,7 +316,7 @@ const LOST: f64 = 0.01;
 const BEYOND: f64 = 3.0;
 
 /// The integral of |f| over (0, width) by its values at 32 midpoints.
-pub(super) fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let step = width / 32.0;
     let total: f64 = (0..32).map(|i| f(step * (f64::from(i) + 0.5)).abs()).filter(|v| v.is_finite()).sum();
     total * step

@@ -89,11 +89,16 @@ impl SeriesEvaluator {
     /// # Errors
     /// [`SeriesFailure`] where a parameter has no value.
     pub fn new(profile: &Profile, order: usize) -> Result<Self, SeriesFailure> {
+        Self::with(profile, &Bindings::default(), order)
+    }
+
+    /// The same with numbers for parameters that have none yet.
+    pub(super) fn with(profile: &Profile, bindings: &Bindings, order: usize) -> Result<Self, SeriesFailure> {
         let (mut first, mut end) = (Vec::new(), f64::INFINITY);
         for chain in &profile.chains {
-            first.extend(chain.pieces.first().cloned());
+            first.extend(chain.pieces.first().map(|piece| bindings.apply(piece)));
             if let Some(breakpoint) = chain.breakpoints.first() {
-                let place = constant_value(breakpoint, &Bindings::default()).map_err(TransformError::from)?;
+                let place = constant_value(breakpoint, bindings).map_err(TransformError::from)?;
                 end = end.min(place.value - place.error);
             }
         }

@@ -1,7 +1,7 @@
 //! The pressure by one integral straight from f′ and f″, with its logarithmic singularity and its kinks.
 
 use super::TransformError;
-use super::integral::{NumericProfile, NumericSegment, magnitude, settle, with_ulps};
+use super::integral::{NumericProfile, NumericSegment, reached, settled, with_ulps};
 use crate::eval::{BoundedAlgebra, Tape};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, special};
@@ -33,12 +33,16 @@ impl NumericProfile {
         if s == 0.0 && self.starts_steeply() {
             return Ok(None);
         }
+        let mut size = total.value.abs();
         for segment in &self.segments {
-            let found = segment.pressure(s, a, tolerance)?;
-            total = total + found.bounded();
-            evaluations += found.evaluations;
+            for part in segment.pressure(s, a, tolerance)? {
+                total = total + part.bounded();
+                size += part.value.abs();
+                evaluations += part.evaluations;
+            }
         }
-        Ok(Some(Estimate::from_bounded(total, evaluations)))
+        let found = Estimate::from_bounded(total, evaluations);
+        settled(found, a, || size).map(Some)
     }
 
     /// The jumps of f′ below a: where segments begin, end or meet; a jump within its own error is none.
@@ -80,12 +84,14 @@ impl NumericSegment {
     }
 
     /// ∫ (r f′)′ K(r, s) dr over the interval below a, split at s.
-    fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+    ///
+    /// A part may have no digits of its own, as next to the axis: what counts is the whole.
+    fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Vec<Estimate>, TransformError> {
         let lower = self.lower.value;
         let end = self.upper.map_or(a, |u| u.value.min(a));
-        let mut total = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
+        let mut parts = Vec::new();
         if lower >= end {
-            return Ok(total);
+            return Ok(parts);
         }
         let bend = self.bend()?;
         let mut places = vec![lower];
@@ -95,10 +101,9 @@ impl NumericSegment {
         places.push(end);
         for pair in places.windows(2) {
             let [from, to] = pair else { continue };
-            let part = self.pressure_between(bend, *from, *to, s, a, tolerance)?;
-            total = Estimate::from_bounded(total.bounded() + part.bounded(), total.evaluations + part.evaluations);
+            parts.push(self.pressure_between(bend, *from, *to, s, a, tolerance)?);
         }
-        Ok(total)
+        Ok(parts)
     }
 
     fn pressure_between(&self, bend: &Tape, from: f64, to: f64, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
@@ -116,9 +121,7 @@ impl NumericSegment {
         };
         let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
         let result = integrate(&mut integrand, &[Panel::singular(from, to)], &options);
-        let width = to - from;
-        let inner = |v: f64| integrand(Point { x: from + v, from_lower: v, from_upper: width - v }).value;
-        settle(result, a, || magnitude(width, inner))
+        reached(result, a)
     }
 }
 
