@@ -90,7 +90,8 @@ fn limit_of_regular_terms(piece: &Expr, radius: &Symbol) -> Option<Expr> {
         if positive && is_logarithmic(&term.kernel, radius) {
             continue;
         }
-        let here = is_regular(&term.kernel).then(|| at_axis.apply(&term.kernel)).filter(|value| matches!(probe(value, 0.0), Probe::Finite))?;
+        let here =
+            is_regular(&term.kernel).then(|| at_axis.apply(&term.kernel)).filter(|value| matches!(probe(value, 0.0), Probe::Finite))?;
         match sign(&term.exponent) {
             Sign::Positive => {}
             Sign::Zero => limit = limit + term.coefficient * here,

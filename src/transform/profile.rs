@@ -1,6 +1,7 @@
 //! The profile as chains of smooth pieces, read from a formula and examined for jumps, kinks and poles.
 
 use super::{TransformError, domain, kinks};
+use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative, normal, sign};
 use crate::print;
 
@@ -87,7 +88,21 @@ impl Profile {
             return Err(TransformError::ConditionFails { condition: print::text_condition(failing) });
         }
         conditions.retain(|c| c.decided().is_none());
-        Ok(Self { typed: formula.clone(), chains: resolved, shift: Expr::sum(shift), conditions })
+        let mut profile = Self { typed: formula.clone(), chains: resolved, shift: Expr::sum(shift), conditions };
+        profile.end_at_limits();
+        Ok(profile)
+    }
+
+    /// Drops the pieces that begin where the profile has ended.
+    fn end_at_limits(&mut self) {
+        let limits: Vec<Expr> = self.limits().cloned().collect();
+        let unreached = |breakpoint: &Expr| limits.iter().any(|limit| is_proven_not_below(breakpoint, limit));
+        for chain in &mut self.chains {
+            while chain.breakpoints.last().is_some_and(unreached) {
+                chain.breakpoints.pop();
+                chain.pieces.pop();
+            }
+        }
     }
 
     /// The same profile with parameters replaced.
@@ -114,6 +129,12 @@ impl Profile {
         let radius = Expr::symbol("r");
         self.conditions.iter().filter(move |c| c.left == radius && c.relation != Relation::Equal).map(|c| &c.right)
     }
+}
+
+/// True where the two are numbers, and the first is not below the second beyond doubt.
+fn is_proven_not_below(one: &Expr, other: &Expr) -> bool {
+    let difference = constant_value(&(one - other), &Bindings::default());
+    one == other || difference.is_ok_and(|difference| difference.value > difference.error)
 }
 
 impl Chain {
