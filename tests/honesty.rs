@@ -73,6 +73,36 @@ fn second_derivatives_are_there_or_said_to_be_missing() {
     assert!(matches!(refused, Err(TransformError::Expression(_))));
 }
 
+/// Next to the axis: a pressure whose innermost part has no digits of its own, and a force that neither its closed form
+/// nor its integrand holds in doubles.
+#[test]
+fn the_neighbourhood_of_the_axis_is_answered() {
+    let steep = solution("r^5*sqrt(1+r^2)");
+    let pressure = contact(&steep).pressure(1e-6, 1.0).unwrap().unwrap().estimate;
+    let error = Decimal::read("1.6938141270509263888").distance(pressure.value).abs();
+    assert!(error <= pressure.error && pressure.relative_error() < 1e-12, "{pressure:?}");
+    let flat = solution("r^2*(1-besselj(0,r))");
+    let force = contact(&flat).force(1e-8).unwrap().estimate;
+    assert!(Decimal::read("1.06666666666666676968218922925661961540564e-40").relative(force.value) < 1e-15, "{force:?}");
+}
+
+/// Slopes that leave the range of doubles as typed are answered by their recognition form, and the check passes.
+#[test]
+fn typed_slopes_may_be_zero_by_zero() {
+    for text in ["r^2*ln(r^3)", "r^2*ln(r^2/w^2)/2", "acos(w/sqrt(w^2+r^2))"] {
+        let own = solution(text);
+        assert!(own.is_closed() && sneddon::transform::check(&own).unwrap().passed, "{text}");
+    }
+    assert!(solution("r^2*ln(r)+h/(R-r)").is_closed());
+}
+
+/// A kink beyond the profile's own end is none.
+#[test]
+fn unreachable_pieces_are_dropped() {
+    let own = solution("max(r/3,2)*(1-r^2/16)^(-3/2)");
+    assert!(own.profile.chains.iter().all(|chain| chain.breakpoints.is_empty()), "{:?}", own.profile.chains);
+}
+
 /// A kink that was located numerically leaves no formula exact.
 #[test]
 fn located_kinks_are_not_called_exact() {
