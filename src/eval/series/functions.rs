@@ -108,9 +108,9 @@ impl Frame {
         }
         let start = match p.value {
             _ if p.error > 0.0 => first.powf(p),
-            v if v == -1.0 => Bounded::exact(1.0) / first,
-            v if v == 0.5 => first.sqrt(),
-            v if v == -0.5 => Bounded::exact(1.0) / first.sqrt(),
+            -1.0 => Bounded::exact(1.0) / first,
+            0.5 => first.sqrt(),
+            -0.5 => Bounded::exact(1.0) / first.sqrt(),
             _ => first.powf(p),
         };
         let mut w = vec![start];

@@ -97,7 +97,7 @@ fn polygamma_ball(m: u32, x: Ball) -> Ball {
         return Ball::NONE;
     }
     let value = Ball { value: ldexp(value.value, back), error: ldexp(value.error.into(), back).hi };
-    if m % 2 == 0 { -value } else { value }
+    if m.is_multiple_of(2) { -value } else { value }
 }
 
 #[cfg(test)]
