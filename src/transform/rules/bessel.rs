@@ -3,7 +3,7 @@
 use super::laurent::{Combination, Laurent, Law, Member, member};
 use super::moments::{self, Moments};
 use super::reading;
-use crate::expr::{Condition, Expr, Sign, Symbol, sign};
+use crate::expr::{Expr, Symbol};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 const PARAMETERS: &[Parameter] = &[
@@ -155,12 +155,7 @@ fn law(n: i64, kind: &Kind) -> Law {
 /// W_(2,μ) = (π/4) [B_ν² + ε B_(ν+1)² + (2ν/z) B_ν B_(ν+1)], and with ν = (μ−1)/2
 /// W_(−1,μ) = (πz/2μ) [B_ν² − ε B_(ν+1)²], W_(1,μ) = (π/2) B_ν B_(ν+1).
 fn any_order(coefficient: &Expr, m: i64, order: &Expr, k: &Expr, kind: &Kind) -> Option<Answer> {
-    let above = order + Expr::integer(m + 1);
-    let conditions = match sign(&above) {
-        Sign::Positive => Vec::new(),
-        Sign::Unknown => vec![Condition::less(Expr::zero(), above)],
-        Sign::Zero | Sign::Negative => return None,
-    };
+    let conditions = reading::positive(&(order + Expr::integer(m + 1)))?;
     let (x, a, two) = (Expr::symbol("x"), Expr::symbol("a"), Expr::integer(2));
     let own = order + Expr::integer(if m == 0 { 0 } else { -1 });
     let pair = |at: &Expr| [&own, &(&own + &two)].map(|twice| Expr::call(kind.name, [twice / &two, k * at / &two]));

@@ -4,7 +4,7 @@ use super::gaussian;
 use super::laurent::{Combination, Laurent, Member, member};
 use super::moments::{self, Moments};
 use super::reading;
-use crate::expr::{Expr, Node};
+use crate::expr::Expr;
 use crate::transform::{Answer, Parameter, Rule, Term};
 
 const PARAMETERS: &[Parameter] = &[Parameter { name: "h", lowest: 0.1, highest: 2.0 }, Parameter { name: "w", lowest: 1.0, highest: 3.0 }];
@@ -82,10 +82,7 @@ fn dawson(term: &Term) -> Option<Answer> {
     let (scale, coefficient, decay) = if let Some((scale, sign)) = odd_argument(&part.kernel, "dawson") {
         (scale, &part.coefficient * sign, true)
     } else {
-        let Node::Product(factors) = part.kernel.node() else { return None };
-        let [first, second] = factors.as_slice() else { return None };
-        // The order of factors in a product is that of their contents.
-        let (gaussian, odd) = if reading::call(first, "exp").is_some() { (first, second) } else { (second, first) };
+        let (gaussian, odd) = reading::exponential_pair(&part.kernel)?;
         let (scale, decay) = gaussian::scale(gaussian)?;
         let (own, sign) = odd_argument(odd, if decay { "erfi" } else { "erf" })?;
         if own != scale {

@@ -3,7 +3,7 @@
 use super::laurent::{Combination, Member, member};
 use super::moments::{self, Moments};
 use super::reading;
-use crate::expr::{Expr, Node};
+use crate::expr::Expr;
 use crate::transform::{Answer, Parameter, Rule, Term};
 
 pub(super) static RULE: Rule = Rule {
@@ -23,9 +23,7 @@ pub(super) static RULE: Rule = Rule {
 /// f′ = c·r^m·e^(∓z) I_n(z), z = κ²r²/2, y = κr.
 fn apply(term: &Term) -> Option<Answer> {
     let (part, m) = moments::whole(term).filter(|(_, m)| m % 2 == 1)?;
-    let Node::Product(factors) = part.kernel.node() else { return None };
-    let [first, second] = factors.as_slice() else { return None };
-    let (exponential, bessel) = if reading::call(first, "exp").is_some() { (first, second) } else { (second, first) };
+    let (exponential, bessel) = reading::exponential_pair(&part.kernel)?;
     let ([u], [order, z]) = (reading::call(exponential, "exp")?, reading::call(bessel, "besseli")?) else { return None };
     let n = order.as_integer().filter(|n| (0..=1).contains(n))?;
     let ((own, decay), (half, false)) = (moments::argument(u, 2)?, moments::argument(z, 2)?) else { return None };

@@ -1,8 +1,8 @@
 //! The general rule: r^m times a kernel whose power series is hypergeometric, on the whole axis.
 
-use super::power;
 use super::series::Series;
-use crate::expr::{Condition, Expr, Sign, sign};
+use super::{power, reading};
+use crate::expr::Expr;
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 pub(super) static RULE: Rule = Rule {
@@ -32,11 +32,7 @@ fn apply(term: &Term) -> Option<Answer> {
     let exponent = &part.exponent + &series.offset;
     let n = &exponent + Expr::one();
     let mut conditions = series.conditions.clone();
-    match sign(&n) {
-        Sign::Positive => {}
-        Sign::Unknown => conditions.push(Condition::less(Expr::zero(), n)),
-        Sign::Zero | Sign::Negative => return None,
-    }
+    conditions.extend(reading::positive(&n)?);
     let c = &part.coefficient * &series.factor;
     let parts = series.with_even_step()?;
     let transformed = |shift: i64, at: &Expr, factor: &Expr| {

@@ -1,6 +1,7 @@
 //! Poles and roots of linear functions: r^m/(w ± r)^k and r^m (w ± r)^(±k/2), on the whole axis and on segments.
 
 use super::combination::Form;
+use super::moments::{self, HIGHEST};
 use super::pole::{Pole, Reach};
 use super::reading;
 use crate::expr::{Expr, Sign, sign};
@@ -34,12 +35,9 @@ pub(super) static ROOT: Rule = Rule {
     apply: |term| apply(term, true),
 };
 
-/// Exponents beyond this one fill pages.
-const HIGHEST: i64 = 40;
-
 fn apply(term: &Term, half: bool) -> Option<Answer> {
     let part = term.single()?;
-    let m = part.exponent.as_integer().filter(|m| (0..=HIGHEST).contains(m))?;
+    let m = moments::exponent(part)?;
     let (base, exponent) = reading::power(&part.kernel);
     let (alpha, beta) = reading::linear(&base)?;
     // (α + βr)^(−κ) with κ = n, or n − 1/2.

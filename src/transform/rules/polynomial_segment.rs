@@ -1,5 +1,6 @@
 //! Polynomials on a segment: worn and truncated tips, caps, rounded edges, and every piece between two breakpoints.
 
+use super::combination::tidy;
 use crate::expr::function::elliptic_moment_parts;
 use crate::expr::normal;
 use crate::expr::{Expr, Symbol, derivative};
@@ -70,7 +71,7 @@ fn moments(coefficients: &[Expr], shift: usize, b: &Expr, c: Option<&Expr>, x: &
     let angle_parts = angle_coefficients(highest, x);
     let combine = |list: &[Expr]| {
         let terms = coefficients.iter().enumerate().map(|(m, c)| c * list.get(m + shift).cloned().unwrap_or_else(Expr::zero));
-        tidy(Expr::sum(terms))
+        tidy(&Expr::sum(terms))
     };
     let angle = combine(&angle_parts);
     let root = |end: &Expr| (x.power(2) - end.power(2)).sqrt();
@@ -94,7 +95,7 @@ fn root_coefficients(highest: usize, end: &Expr, x: &Expr) -> Vec<Expr> {
     for m in 2..=highest as i64 {
         let before = list.get(m as usize - 2).cloned().unwrap_or_else(Expr::zero);
         let own = if end.is_zero() { Expr::zero() } else { end.power(m - 1) };
-        list.push(tidy((Expr::integer(m - 1) * x.power(2) * before + own) / Expr::integer(m)));
+        list.push(tidy(&((Expr::integer(m - 1) * x.power(2) * before + own) / Expr::integer(m))));
     }
     list
 }
@@ -107,12 +108,6 @@ fn angle_coefficients(highest: usize, x: &Expr) -> Vec<Expr> {
         list.push(Expr::ratio(m - 1, m) * x.power(2) * before);
     }
     list
-}
-
-/// Expanded, then over one whole denominator.
-fn tidy(expr: Expr) -> Expr {
-    let expanded = normal::expanded(&expr, &Symbol::new("x")).unwrap_or(expr);
-    normal::over_whole_denominator(&expanded)
 }
 
 /// The pressure of odd f′, by elliptic integrals: with g = x √(x²−b²) α(x²) the integrand g′ is even over √(x²−b²).

@@ -1,6 +1,7 @@
 //! Heß's rule: a power of r with any exponent n > 0, whole, real or symbolic.
 
-use crate::expr::{Condition, Expr, Sign, sign};
+use super::reading;
+use crate::expr::Expr;
 use crate::num::kappa::kappa_exact;
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
@@ -28,11 +29,7 @@ fn apply(term: &Term) -> Option<Answer> {
         return None;
     }
     let n = &part.exponent + Expr::one();
-    let conditions = match sign(&n) {
-        Sign::Positive => Vec::new(),
-        Sign::Unknown => vec![Condition::less(Expr::zero(), n.clone())],
-        Sign::Zero | Sign::Negative => return None,
-    };
+    let conditions = reading::positive(&n)?;
     let scaled = &part.coefficient * kappa(&n);
     let (x, a, r) = (Expr::symbol("x"), Expr::symbol("a"), Expr::symbol("r"));
     let slope = &scaled / &n * x.pow(&n);

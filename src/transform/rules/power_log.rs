@@ -1,8 +1,8 @@
 //! Powers of r times powers of ln r: on the whole axis with any exponent, on segments with whole ones.
 
-use super::combination::{Combination, Form};
+use super::combination::{Combination, Form, tidy};
 use super::{power, reading};
-use crate::expr::{Condition, Expr, Sign, sign};
+use crate::expr::Expr;
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 pub(super) static RULE: Rule = Rule {
@@ -54,11 +54,7 @@ fn whole_axis(term: &Term) -> Option<Answer> {
         return None;
     }
     let n = m + Expr::one();
-    let conditions = match sign(&n) {
-        Sign::Positive => Vec::new(),
-        Sign::Unknown => vec![Condition::less(Expr::zero(), n.clone())],
-        Sign::Zero | Sign::Negative => return None,
-    };
+    let conditions = reading::positive(&n)?;
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     let whole = m.as_integer().filter(|m| *m <= HIGHEST_EXPONENT);
     let next = &n + Expr::one();
@@ -115,7 +111,7 @@ fn binomial(n: i64, i: i64) -> Expr {
 /// The same for whole m, in powers of L = ln 2x for odd and ln(x/2) for even m, with rational constants, π and ζ(odd).
 fn whole_exponent(factor: &Expr, m: i64, k: i64, x: &Expr) -> Pair {
     let (logarithm, constants) = (Expr::call("ln", [doubled(m) * x]), constants(m, k));
-    let terms = (0..=k).map(|i| factor * binomial(k, i) * super::combination::tidy(&bell(i, &constants)) * logarithm.power(k - i));
+    let terms = (0..=k).map(|i| factor * binomial(k, i) * tidy(&bell(i, &constants)) * logarithm.power(k - i));
     let mut arguments = constants.clone();
     if let Some(first) = arguments.first_mut() {
         *first = &*first + &logarithm;
@@ -143,7 +139,7 @@ fn constants(m: i64, k: i64) -> Vec<Expr> {
             let constant = if j == 1 { rational } else { rational + zetas * zeta(j) };
             let factorial = Expr::product((1..j).map(Expr::integer));
             let sign = if j % 2 == 0 { Expr::one() } else { Expr::integer(-1) };
-            super::combination::tidy(&(sign * factorial * constant / Expr::integer(2).power(j)))
+            tidy(&(sign * factorial * constant / Expr::integer(2).power(j)))
         })
         .collect()
 }

@@ -1,6 +1,6 @@
-//! What rules read from a kernel: monomials, linear and quadratic polynomials in r, and powers of them.
+//! What rules read from a term: monomials, linear and quadratic polynomials in r, powers of them, calls, and what must be positive.
 
-use crate::expr::{Expr, Node, Symbol, normal};
+use crate::expr::{Condition, Expr, Node, Sign, Symbol, normal, sign};
 
 fn radius() -> Symbol {
     Symbol::new("r")
@@ -36,6 +36,37 @@ pub(super) fn power(expr: &Expr) -> (Expr, Expr) {
     match expr.node() {
         Node::Power(base, exponent) => (base.clone(), exponent.clone()),
         _ => (expr.clone(), Expr::one()),
+    }
+}
+
+/// The two factors of a product.
+pub(super) fn pair(expr: &Expr) -> Option<(&Expr, &Expr)> {
+    match expr.node() {
+        Node::Product(factors) => match factors.as_slice() {
+            [first, second] => Some((first, second)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The exponential and the other one of two factors, whose order is that of their contents.
+pub(super) fn exponential_pair(expr: &Expr) -> Option<(&Expr, &Expr)> {
+    let (first, second) = pair(expr)?;
+    Some(if call(first, "exp").is_some() { (first, second) } else { (second, first) })
+}
+
+/// What must hold for an expression to be positive; `None` where it is not.
+pub(super) fn positive(expr: &Expr) -> Option<Vec<Condition>> {
+    above(expr, 0)
+}
+
+/// What must hold for an expression to exceed a whole number; `None` where it does not.
+pub(super) fn above(expr: &Expr, bound: i64) -> Option<Vec<Condition>> {
+    match sign(&(expr - Expr::integer(bound))) {
+        Sign::Positive => Some(Vec::new()),
+        Sign::Unknown => Some(vec![Condition::less(Expr::integer(bound), expr.clone())]),
+        Sign::Zero | Sign::Negative => None,
     }
 }
 

@@ -137,11 +137,7 @@ fn recognise(term: &Term, branch: Sign) -> Option<Root> {
     if exponent != Expr::ratio(-1, 2) || sign(&beta) != branch {
         return None;
     }
-    let conditions = match sign(&alpha) {
-        Sign::Positive => Vec::new(),
-        Sign::Unknown => vec![Condition::less(Expr::zero(), alpha.clone())],
-        Sign::Zero | Sign::Negative => return None,
-    };
+    let conditions = reading::positive(&alpha)?;
     let magnitude = if branch == Sign::Negative { -beta } else { beta };
     Some(Root { coefficient: &part.coefficient / magnitude.sqrt(), radius: (alpha / magnitude).sqrt(), conditions })
 }

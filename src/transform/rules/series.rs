@@ -1,5 +1,6 @@
 //! Kernels as hypergeometric series: K(r) = factor · r^offset · pFq(upper; lower; z r^step).
 
+use super::combination::tidy;
 use super::reading;
 use crate::expr::{Condition, Expr, Node, Sign, Symbol, normal, sign};
 use num_integer::Integer;
@@ -56,16 +57,12 @@ impl Series {
         if !constant.exponent.is_zero() || !constant.kernel.is_one() || !other.kernel.is_one() {
             return None;
         }
-        let conditions = match sign(&constant.coefficient) {
-            Sign::Positive => Vec::new(),
-            Sign::Unknown => vec![Condition::less(Expr::zero(), constant.coefficient.clone())],
-            Sign::Zero | Sign::Negative => return None,
-        };
+        let conditions = reading::positive(&constant.coefficient)?;
         let z = -(&other.coefficient / &constant.coefficient);
         let mut series = Self::new(vec![-p], vec![], &z, &other.exponent)?;
         // Exponents written out, so that R^(4(p−1)) and what stands before it become one power.
         let (root, power) = constant.coefficient.split_power();
-        series.factor = root.pow(&super::combination::tidy(&(power * p)));
+        series.factor = root.pow(&tidy(&(power * p)));
         series.conditions = conditions;
         Some(series)
     }

@@ -1,7 +1,7 @@
 //! Powers of the distance to the segment's lower end: rounded edges of any order, without an upper end.
 
-use super::{power, reading};
-use crate::expr::{Condition, Expr, Sign, Symbol, normal, sign};
+use super::{moments, power, reading};
+use crate::expr::{Expr, Sign, Symbol, normal, sign};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 pub(super) static RULE: Rule = Rule {
@@ -24,12 +24,9 @@ pub(super) static RULE: Rule = Rule {
     apply,
 };
 
-/// Exponents beyond this one fill pages.
-const HIGHEST: i64 = 40;
-
 fn apply(term: &Term) -> Option<Answer> {
     let part = term.single()?;
-    let m = part.exponent.as_integer().filter(|m| (0..=HIGHEST).contains(m))?;
+    let m = moments::exponent(part)?;
     let (base, k) = reading::power(&part.kernel);
     let (alpha, beta) = reading::linear(&base)?;
     let (b, radius) = (&term.segment.lower, Symbol::new("r"));
@@ -43,11 +40,7 @@ fn apply(term: &Term) -> Option<Answer> {
     {
         return None;
     }
-    let conditions = match sign(&(&k + Expr::one())) {
-        Sign::Positive => Vec::new(),
-        Sign::Unknown => vec![Condition::less(Expr::integer(-1), k.clone())],
-        Sign::Zero | Sign::Negative => return None,
-    };
+    let conditions = reading::above(&k, -1)?;
     let c = &part.coefficient * beta.pow(&k);
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     // r^m = Σ binom(m, j) b^(m−j) (r−b)^j; written out, so that the terms of (r−b)^(5/2) = (r² − 2br + b²)(r−b)^(1/2) cancel.

@@ -3,7 +3,7 @@
 use super::laurent::{Combination, Law, member};
 use super::moments::{self, Moments};
 use super::reading;
-use crate::expr::{Expr, Node};
+use crate::expr::Expr;
 use crate::transform::{Answer, Parameter, Rule, Term};
 
 const HEIGHT: Parameter = Parameter { name: "h", lowest: 0.1, highest: 2.0 };
@@ -119,8 +119,7 @@ fn struve_moment(m: i64, kind: &Kind) -> Combination {
 /// f′ = c·B_n(kr) B_(n+1)(kr): B_n² has the transform B_2n(2kx).
 fn square(term: &Term, kind: &Kind) -> Option<Answer> {
     let (part, m) = moments::whole(term).filter(|(_, m)| *m == 0)?;
-    let Node::Product(factors) = part.kernel.node() else { return None };
-    let [first, second] = factors.as_slice() else { return None };
+    let (first, second) = reading::pair(&part.kernel)?;
     let ([one, u], [other, v]) = (reading::call(first, kind.bessel)?, reading::call(second, kind.bessel)?) else { return None };
     let (one, other) = (one.as_integer()?, other.as_integer()?);
     let n = one.min(other);

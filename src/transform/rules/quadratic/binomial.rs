@@ -105,11 +105,7 @@ fn apply(term: &Term, branch: Sign, reach: Reach) -> Option<Answer> {
     if reach == Reach::Segment {
         return binomial.worn(&term.segment, conditions);
     }
-    match sign(&(&m + Expr::one())) {
-        Sign::Positive => {}
-        Sign::Unknown => conditions.push(Condition::less(Expr::integer(-1), m)),
-        Sign::Zero | Sign::Negative => return None,
-    }
+    conditions.extend(reading::above(&m, -1)?);
     let pair = |expr: Expr| Branches::endless(Pair::same(expr));
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     let slope = &x * binomial.whole(&binomial.m, &x);

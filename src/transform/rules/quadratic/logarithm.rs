@@ -1,6 +1,6 @@
 //! Powers of r times ln(1 ± r²/ρ²).
 
-use super::{Field, Kernel, Reach, kernel};
+use super::{Kernel, Reach, kernel};
 use crate::expr::Expr;
 use crate::transform::rules::reading;
 use crate::transform::{Answer, Parameter, Rule, Term};
@@ -78,6 +78,6 @@ fn apply(term: &Term, sigma: i64, reach: Reach) -> Option<Answer> {
         let (field, magnitude, conditions) = super::field(argument)?;
         // The argument is 1 at the axis, so that its size is that of the length alone.
         let plain = (&field.square_length * magnitude).is_one() && conditions.is_empty();
-        (plain && field.sigma == sigma).then_some((Expr::one(), Field { ..field }))
+        (plain && field.sigma == sigma).then_some((Expr::one(), field))
     })
 }

@@ -51,11 +51,7 @@ fn field(base: &Expr) -> Option<(Field, Expr, Vec<Condition>)> {
         Sign::Negative => (-1, -beta),
         Sign::Zero | Sign::Unknown => return None,
     };
-    let conditions = match sign(&alpha) {
-        Sign::Positive => Vec::new(),
-        Sign::Unknown => vec![Condition::less(Expr::zero(), alpha.clone())],
-        Sign::Zero | Sign::Negative => return None,
-    };
+    let conditions = reading::positive(&alpha)?;
     Some((Field { sigma, square_length: alpha / &magnitude }, magnitude, conditions))
 }
 
