@@ -1,6 +1,6 @@
 //! What a rule is: one family of exact solutions, as data plus one function.
 
-use super::Term;
+use super::{Segment, Term};
 use crate::expr::{Condition, Expr};
 
 /// One family of exact solutions.
@@ -83,12 +83,24 @@ impl Pair {
     pub fn scaled(&self, factor: &Expr) -> Self {
         Self { shown: factor * &self.shown, evaluated: factor * &self.evaluated }
     }
+
+    /// The difference of two.
+    pub(super) fn minus(&self, other: &Self) -> Self {
+        Self { shown: &self.shown - &other.shown, evaluated: &self.evaluated - &other.evaluated }
+    }
 }
 
 impl Branches {
     /// Both multiplied by a factor.
     pub fn scaled(&self, factor: &Expr) -> Self {
         Self { within: self.within.scaled(factor), beyond: self.beyond.scaled(factor) }
+    }
+
+    /// The answer of a segment by its parts from either end outward: the lower end's, less the upper end's beyond that.
+    pub(super) fn from_ends(segment: &Segment, from: impl Fn(&Expr) -> Pair) -> Self {
+        let within = from(&segment.lower);
+        let beyond = segment.upper.as_ref().map_or_else(|| within.clone(), |upper| within.minus(&from(upper)));
+        Self { within, beyond }
     }
 
     /// The answer of a segment without upper end.

@@ -40,23 +40,24 @@ pub(super) static MODIFIED: Rule = Rule {
     apply: |term| apply(term, &Kind::MODIFIED),
 };
 
-/// Either kind: its name, the functions that it ends in, and the sign ε of B_0′ = ε B_1.
-struct Kind {
-    name: &'static str,
-    sine: &'static str,
-    cosine: &'static str,
-    epsilon: i64,
+/// Either kind: its functions, those that half orders end in, and the sign ε of B_0′ = ε B_1.
+pub(super) struct Kind {
+    pub(super) bessel: &'static str,
+    pub(super) struve: &'static str,
+    pub(super) sine: &'static str,
+    pub(super) cosine: &'static str,
+    pub(super) epsilon: i64,
 }
 
 impl Kind {
-    const FIRST: Self = Self { name: "besselj", sine: "sin", cosine: "cos", epsilon: -1 };
-    const MODIFIED: Self = Self { name: "besseli", sine: "sinh", cosine: "cosh", epsilon: 1 };
+    pub(super) const FIRST: Self = Self { bessel: "besselj", struve: "struveh", sine: "sin", cosine: "cos", epsilon: -1 };
+    pub(super) const MODIFIED: Self = Self { bessel: "besseli", struve: "struvel", sine: "sinh", cosine: "cosh", epsilon: 1 };
 }
 
 /// f′ = c·r^m·B_n(kr).
 fn apply(term: &Term, kind: &Kind) -> Option<Answer> {
     let part = term.single().filter(|_| term.segment.is_whole())?;
-    let [order, argument] = reading::call(&part.kernel, kind.name)? else { return None };
+    let [order, argument] = reading::call(&part.kernel, kind.bessel)? else { return None };
     let (m, whole) = (part.exponent.as_integer()?, order.as_integer());
     if order.contains(&Symbol::new("r")) {
         return None;
@@ -132,7 +133,7 @@ fn members(n: i64, kind: &Kind, y: &Expr) -> Vec<Member> {
             member(Expr::one(), Expr::one()),
         ];
     }
-    let [own, next] = [n / 2, n / 2 + 1].map(|order| Expr::call(kind.name, [Expr::integer(order), y / Expr::integer(2)]));
+    let [own, next] = [n / 2, n / 2 + 1].map(|order| Expr::call(kind.bessel, [Expr::integer(order), y / Expr::integer(2)]));
     let half_pi = Expr::pi() / Expr::integer(2);
     [own.power(2), &own * &next, next.power(2)].map(|function| member(half_pi.clone(), function)).into()
 }
@@ -158,7 +159,7 @@ fn any_order(coefficient: &Expr, m: i64, order: &Expr, k: &Expr, kind: &Kind) ->
     let conditions = reading::positive(&(order + Expr::integer(m + 1)))?;
     let (x, a, two) = (Expr::symbol("x"), Expr::symbol("a"), Expr::integer(2));
     let own = order + Expr::integer(if m == 0 { 0 } else { -1 });
-    let pair = |at: &Expr| [&own, &(&own + &two)].map(|twice| Expr::call(kind.name, [twice / &two, k * at / &two]));
+    let pair = |at: &Expr| [&own, &(&own + &two)].map(|twice| Expr::call(kind.bessel, [twice / &two, k * at / &two]));
     let epsilon = Expr::integer(kind.epsilon);
     let [first, second] = pair(&x);
     let slope = match m {

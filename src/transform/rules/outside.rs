@@ -13,9 +13,8 @@ use crate::transform::{Branches, Pair, Term, kinks};
 /// cones, worn and capped paraboloids.
 pub fn outside(term: &Term) -> Option<Branches> {
     let two_over_pi = Expr::integer(2) / Expr::pi();
-    let pair = |expr: Expr| Pair::same(&two_over_pi * expr);
     if term.segment.is_whole() {
-        return power(term).or_else(|| root(term)).map(|expr| Branches::endless(pair(expr)));
+        return power(term).or_else(|| root(term)).map(|expr| Branches::endless(Pair::same(two_over_pi * expr)));
     }
     if kinks::is_approximate(&term.segment.lower) || term.segment.upper.as_ref().is_some_and(kinks::is_approximate) {
         return None;
@@ -26,13 +25,7 @@ pub fn outside(term: &Term) -> Option<Branches> {
         [flat, rising] => (flat.clone(), rising.clone()),
         _ => return None,
     };
-    let from = |end: &Expr| worn(&flat, &rising, end);
-    let within = from(&term.segment.lower);
-    let beyond = match &term.segment.upper {
-        Some(upper) => &within - from(upper),
-        None => within.clone(),
-    };
-    Some(Branches { within: pair(within), beyond: pair(beyond) })
+    Some(Branches::from_ends(&term.segment, |end| Pair::same(worn(&flat, &rising, end))).scaled(&two_over_pi))
 }
 
 /// f′ = c r^(n−1): c κ_n/n ∫ n x^(n−1) asin(x/r) dx.

@@ -118,10 +118,7 @@ fn pressure(coefficients: &[Expr], lower: &Expr, upper: Option<&Expr>) -> Option
     let from = |end: &Expr| if end.is_zero() { Some(power_pressure(coefficients)) } else { worn_pressure(coefficients, end) };
     let within = from(lower)?;
     let beyond = match upper {
-        Some(upper) => {
-            let outer = from(upper)?;
-            Pair { shown: &within.shown - outer.shown, evaluated: &within.evaluated - outer.evaluated }
-        }
+        Some(upper) => within.minus(&from(upper)?),
         None => within.clone(),
     };
     Some(Branches { within, beyond })

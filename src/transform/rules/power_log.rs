@@ -231,17 +231,7 @@ fn on_segment(term: &Term) -> Option<Answer> {
         let form = |form: Form| sum.over(&segment_basis(m, end, at, form));
         Pair { shown: form(Form::Shown), evaluated: form(Form::Evaluated) }
     };
-    let branches = |m: i64, at: &Expr, factor: &Expr| {
-        let within = from(m, lower, at);
-        let beyond = match &term.segment.upper {
-            None => within.clone(),
-            Some(upper) => {
-                let rest = from(m, upper, at);
-                Pair { shown: &within.shown - rest.shown, evaluated: &within.evaluated - rest.evaluated }
-            }
-        };
-        Branches { within: within.scaled(factor), beyond: beyond.scaled(factor) }
-    };
+    let branches = |m: i64, at: &Expr, factor: &Expr| Branches::from_ends(&term.segment, |end| from(m, end, at)).scaled(factor);
     Some(Answer { slope: branches(m, &x, &(c * &x)), force: branches(m + 2, &a, c), pressure: None, conditions: Vec::new() })
 }
 

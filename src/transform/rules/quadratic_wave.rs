@@ -88,14 +88,8 @@ fn segment(term: &Term) -> Option<Answer> {
         let members: Vec<Member> = fresnel_members(&y, &v).into_iter().chain(edges).collect();
         moment(order, sine, true).written_apart(&factor, &y, &members)
     };
-    let branches = |order: i64, factor: &Expr, at: &Expr| {
-        let within = from(order, factor, at, &term.segment.lower);
-        let beyond = match &term.segment.upper {
-            Some(upper) => &within - from(order, factor, at, upper),
-            None => within.clone(),
-        };
-        Branches { within: Pair::same(within), beyond: Pair::same(beyond) }
-    };
+    let branches =
+        |order: i64, factor: &Expr, at: &Expr| Branches::from_ends(&term.segment, |end| Pair::same(from(order, factor, at, end)));
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     Some(Answer { slope: branches(m, &x, &x), force: branches(m + 2, &Expr::one(), &a), pressure: None, conditions: Vec::new() })
 }

@@ -1,8 +1,6 @@
 //! Powers of r on a segment that are no polynomial: negative whole exponents and real ones.
 
 use super::combination::{Combination, Form};
-use super::linear::branches;
-use super::pole::Reach;
 use super::power;
 use crate::expr::{Condition, Expr, Sign, sign};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
@@ -49,14 +47,14 @@ const LOWEST: i64 = -40;
 fn negative(term: &Term) -> Option<Answer> {
     let part = term.single()?;
     let m = part.exponent.as_integer().filter(|m| (LOWEST..0).contains(m))?;
-    let (lower, upper) = (&term.segment.lower, term.segment.upper.as_ref());
-    if !part.kernel.is_one() || lower.is_zero() {
+    if !part.kernel.is_one() || term.segment.lower.is_zero() {
         return None;
     }
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     let pieces = |m: i64, at: &Expr, factor: &Expr| {
-        let piece = |e: &Expr, _: Reach, form: Form| moment(m, e, at).over(&basis(m, e, at, form));
-        branches(lower, upper, factor, piece)
+        let piece = |e: &Expr, form: Form| moment(m, e, at).over(&basis(m, e, at, form));
+        let pair = |e: &Expr| Pair { shown: piece(e, Form::Shown), evaluated: piece(e, Form::Evaluated) };
+        Branches::from_ends(&term.segment, pair).scaled(factor)
     };
     let c = &part.coefficient;
     Some(Answer { slope: pieces(m, &x, &(c * &x)), force: pieces(m + 2, &a, c), pressure: None, conditions: Vec::new() })

@@ -1,5 +1,6 @@
 //! What the transform of sines and exponentials leads back to: Struve functions of kr, and Bessel functions of kr in pairs.
 
+use super::bessel::Kind;
 use super::laurent::{Combination, Law, member};
 use super::moments::{self, Moments};
 use super::reading;
@@ -65,20 +66,6 @@ pub(super) static MODIFIED_BESSEL_SQUARE: Rule = Rule {
     specializes: None,
     apply: |term| square(term, &Kind::MODIFIED),
 };
-
-/// Either kind: names, and the sign ε of B_0′ = ε B_1.
-struct Kind {
-    bessel: &'static str,
-    struve: &'static str,
-    sine: &'static str,
-    cosine: &'static str,
-    epsilon: i64,
-}
-
-impl Kind {
-    const FIRST: Self = Self { bessel: "besselj", struve: "struveh", sine: "sin", cosine: "cos", epsilon: -1 };
-    const MODIFIED: Self = Self { bessel: "besseli", struve: "struvel", sine: "sinh", cosine: "cosh", epsilon: 1 };
-}
 
 /// f′ = c·r^m·H_n(kr) with m + n odd, or L_n.
 fn struve(term: &Term, kind: &Kind) -> Option<Answer> {

@@ -1,14 +1,9 @@
 //! Powers of r times atan(r/w), atanh(r/R), asinh(r/w) and asin(r/R).
 
-use super::{Field, Kernel, Reach, kernel};
+use super::{B, BLANK, Field, H, Kernel, R, Reach, W, kernel};
 use crate::expr::{Expr, Sign, sign};
 use crate::transform::rules::reading;
 use crate::transform::{Answer, Parameter, Rule, Term};
-
-const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
-const W: Parameter = Parameter { name: "w", lowest: 0.5, highest: 4.0 };
-const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
-const B: Parameter = Parameter { name: "b", lowest: 0.2, highest: 2.0 };
 
 const PARTS: &str = "integration by parts of ∫ r^m K(r)/√(x²−r²) dr";
 const POSITIVE: &str = "w > 0";
@@ -17,19 +12,7 @@ const INSIDE: &str = "r < R";
 const WORN_INSIDE: &str = "b ≤ r < R";
 
 /// What the rules of this file have in common.
-const BASE: Rule = Rule {
-    id: "",
-    title: "",
-    pattern: "",
-    slope: "",
-    force: "",
-    pressure: None,
-    parameters: &[H, W],
-    guard: POSITIVE,
-    reference: &[PARTS],
-    specializes: None,
-    apply: |_| None,
-};
+const BASE: Rule = Rule { parameters: &[H, W], guard: POSITIVE, reference: &[PARTS], ..BLANK };
 
 pub(in crate::transform::rules) static ATAN_EVEN: Rule = Rule {
     id: "even-arctangent",

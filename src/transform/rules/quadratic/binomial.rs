@@ -1,32 +1,17 @@
 //! Real and symbolic powers of the quadratic, by Gauss's hypergeometric function.
 
-use super::{Reach, field};
+use super::{BLANK, C, H, R, Reach, field};
 use crate::expr::{Condition, Expr, Number, Sign, Symbol, normal, sign};
 use crate::transform::rules::{kappa, reading};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Segment, Term};
 
-const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
 const S: Parameter = Parameter { name: "b", lowest: 0.8, highest: 4.0 };
-const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
 const P: Parameter = Parameter { name: "p", lowest: 1.62, highest: 1.86 };
-const C: Parameter = Parameter { name: "c", lowest: 0.2, highest: 2.0 };
 
 const GAUSS: &str = "Euler's integral of the hypergeometric function, DLMF 15.6.1";
 
 /// What the rules of this file have in common.
-const BASE: Rule = Rule {
-    id: "",
-    title: "",
-    pattern: "",
-    slope: "",
-    force: "",
-    pressure: None,
-    parameters: &[H, S, P],
-    guard: "p neither whole nor half",
-    reference: &[GAUSS],
-    specializes: None,
-    apply: |_| None,
-};
+const BASE: Rule = Rule { parameters: &[H, S, P], guard: "p neither whole nor half", reference: &[GAUSS], ..BLANK };
 
 pub(in crate::transform::rules) static WHOLE: Rule = Rule {
     id: "binomial",
@@ -131,10 +116,7 @@ impl Binomial {
         let branches = |name: &str, m: i64, factor: i64| {
             let x = Expr::symbol(name);
             let outside = if factor == 1 { x.clone() } else { Expr::one() };
-            let from = |end: &Expr| self.from(end, m, &x);
-            let within = from(&segment.lower);
-            let beyond = segment.upper.as_ref().map_or_else(|| within.clone(), |upper| &within - from(upper));
-            Branches { within: Pair::same(&outside * within), beyond: Pair::same(outside * beyond) }
+            Branches::from_ends(segment, |end| Pair::same(self.from(end, m, &x))).scaled(&outside)
         };
         Some(Answer { slope: branches("x", m, 1), force: branches("a", m + 2, 0), pressure: None, conditions })
     }

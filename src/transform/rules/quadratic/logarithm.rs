@@ -1,14 +1,9 @@
 //! Powers of r times ln(1 ± r²/ρ²).
 
-use super::{Kernel, Reach, kernel};
+use super::{B, H, Kernel, R, Reach, W, kernel};
 use crate::expr::Expr;
 use crate::transform::rules::reading;
-use crate::transform::{Answer, Parameter, Rule, Term};
-
-const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
-const W: Parameter = Parameter { name: "w", lowest: 0.5, highest: 4.0 };
-const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
-const B: Parameter = Parameter { name: "b", lowest: 0.2, highest: 2.0 };
+use crate::transform::{Answer, Rule, Term};
 
 const PARTS: &str = "integration by parts of ∫ r^m ln(1 ± r²/ρ²)/√(x²−r²) dr";
 

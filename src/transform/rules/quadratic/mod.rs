@@ -13,10 +13,33 @@ pub(super) mod roots;
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Condition, Expr, Sign, sign};
 use crate::transform::rules::reading;
-use crate::transform::{Answer, Branches, Pair, Segment, Term};
+use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Segment, Term};
 use laurent::Values;
-use moments::{Family, Form, Kernel, Piece};
+use moments::{Family, Kernel, Moment, Piece};
 use pieces::{Field, Place};
+
+const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
+const W: Parameter = Parameter { name: "w", lowest: 0.5, highest: 4.0 };
+const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
+const B: Parameter = Parameter { name: "b", lowest: 0.2, highest: 2.0 };
+const C: Parameter = Parameter { name: "c", lowest: 0.2, highest: 2.0 };
+
+const RECURRENCE: &str = "recurrence in the exponent for ∫ r^m (ρ² ± r²)^p/√(x²−r²) dr";
+
+/// A rule that says nothing yet; files whose rules have much in common state that as a change of it.
+const BLANK: Rule = Rule {
+    id: "",
+    title: "",
+    pattern: "",
+    slope: "",
+    force: "",
+    pressure: None,
+    parameters: &[H],
+    guard: "",
+    reference: &[],
+    specializes: None,
+    apply: |_| None,
+};
 
 /// c·r^m·(kernel over Q), as a rule reads it from a term.
 struct Reading {
@@ -63,6 +86,9 @@ fn power(part: &NormalTerm) -> Option<(Reading, Expr)> {
     Some((Reading { coefficient, exponent: part.exponent.as_integer()?, field, conditions }, exponent))
 }
 
+/// How ∫_r^a g′/√(x²−r²) dx closes, for a coefficient of 1.
+type Pressure = fn(&Moment, &Field) -> Option<Branches>;
+
 /// One family at work: which moment is which combination, and of which pieces.
 struct Work<'a> {
     reading: Reading,
@@ -73,15 +99,18 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// x ∫ f′/√(x²−r²) dr and ∫ r² f′/√(a²−r²) dr from the moments of r^m and r^(m+2).
-    fn answer(self, moment: impl Fn(i64) -> Option<Form>) -> Option<Answer> {
+    /// x ∫ f′/√(x²−r²) dr and ∫ r² f′/√(a²−r²) dr from the moments of r^m and r^(m+2), and the pressure where it closes.
+    fn answer(self, moment: impl Fn(i64) -> Option<Moment>, pressure: Option<Pressure>) -> Option<Answer> {
         let m = self.reading.exponent;
-        let slope = self.branches("x", &moment(m)?.times(laurent::Variable::X, 1));
+        let own = moment(m)?;
+        let slope = self.branches("x", &own.times(laurent::Variable::X, 1));
         let force = self.branches("a", &moment(m + 2)?);
-        Some(Answer { slope, force, pressure: None, conditions: self.reading.conditions })
+        let Reading { coefficient, field, conditions, .. } = self.reading;
+        let pressure = pressure.and_then(|close| close(&own, &field)).map(|found| found.scaled(&coefficient));
+        Some(Answer { slope, force, pressure, conditions })
     }
 
-    fn branches(&self, name: &str, form: &Form) -> Branches {
+    fn branches(&self, name: &str, form: &Moment) -> Branches {
         let pair =
             |upper: Option<&Expr>| Pair { shown: self.value(name, form, upper, false), evaluated: self.value(name, form, upper, true) };
         let within = pair(None);
@@ -92,7 +121,7 @@ impl Work<'_> {
     }
 
     /// The sum over the pieces, their common factor taken out.
-    fn value(&self, name: &str, form: &Form, upper: Option<&Expr>, stable: bool) -> Expr {
+    fn value(&self, name: &str, form: &Moment, upper: Option<&Expr>, stable: bool) -> Expr {
         let lower = &self.segment.lower;
         let place = Place { field: &self.reading.field, x: Expr::symbol(name), lower, upper, stable };
         let values = |end: &Expr| Values {
@@ -150,11 +179,7 @@ fn kernel(term: &Term, kernel: Kernel, reach: Reach, read: impl Fn(&Expr) -> Opt
     }
     let sigma = field.sigma;
     let reading = Reading { coefficient: &part.coefficient * factor, exponent, field, conditions: Vec::new() };
-    let (coefficient, field) = (reading.coefficient.clone(), reading.field.clone());
     let work = Work { reading, segment: &term.segment, family: kernel.family(sigma), kernel: Some(kernel) };
-    let mut answer = work.answer(|m| kernel.moment(sigma, m))?;
-    if odd && kernel == Kernel::Arctangent && reach == Reach::Whole {
-        answer.pressure = kernel.moment(sigma, exponent).and_then(|form| pressure::elliptic(&form, &field)).map(|p| p.scaled(&coefficient));
-    }
-    Some(answer)
+    let closes = odd && kernel == Kernel::Arctangent && reach == Reach::Whole;
+    work.answer(|m| kernel.moment(sigma, m), closes.then_some(pressure::elliptic))
 }

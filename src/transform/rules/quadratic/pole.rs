@@ -1,14 +1,8 @@
 //! Whole negative powers of the quadratic: Lorentzian, log-quadratic, arctangent, and the same from a radius outward.
 
-use super::{Family, Reach, Work, power, pressure};
-use crate::transform::{Answer, Parameter, Rule, Term};
+use super::{B, Family, H, R, RECURRENCE, Reach, W, Work, power, pressure};
+use crate::transform::{Answer, Rule, Term};
 
-const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
-const W: Parameter = Parameter { name: "w", lowest: 0.5, highest: 4.0 };
-const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
-const B: Parameter = Parameter { name: "b", lowest: 0.2, highest: 2.0 };
-
-const RECURRENCE: &str = "recurrence in the exponent for ∫ r^m (ρ² ± r²)^p/√(x²−r²) dr";
 const WEAR: &str = "wear rule for even profiles";
 const OUTWARD: &str = "r ≥ b";
 const BELOW: &str = "r < R";
@@ -141,10 +135,6 @@ fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
         return None;
     }
     let family = Family { sigma, half: false };
-    let (m, coefficient, field) = (reading.exponent, reading.coefficient.clone(), reading.field.clone());
-    let mut answer = Work { reading, segment: &term.segment, family, kernel: None }.answer(|m| family.moment(m, k))?;
-    if !odd && reach == Reach::Whole {
-        answer.pressure = family.moment(m, k).and_then(|form| pressure::elliptic(&form, &field)).map(|p| p.scaled(&coefficient));
-    }
-    Some(answer)
+    let work = Work { reading, segment: &term.segment, family, kernel: None };
+    work.answer(|m| family.moment(m, k), (!odd && reach == Reach::Whole).then_some(pressure::elliptic))
 }

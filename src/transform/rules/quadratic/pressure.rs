@@ -1,7 +1,7 @@
 //! Pressures that close: under odd m and half exponents, and under g = x times odd powers of √(ρ² + σx²).
 
 use super::laurent::{Laurent, Values, Variable};
-use super::moments::{Form, Piece};
+use super::moments::{Moment, Piece};
 use super::pieces::Field;
 use crate::expr::{Expr, normal};
 use crate::transform::{Branches, Pair};
@@ -10,7 +10,7 @@ use Variable::{AtEnd, Length, Square};
 /// ∫_r^a g′/√(x²−r²) dx for g = x·(moment) with the moment A(x²) K(x) + x B(x², 1/s²), K = atan(x/ρ) or artanh(x/ρ).
 ///
 /// Elementary where A is zero; else with the pressure under a hyperboloid or a sphere, which are dilogarithms.
-pub(super) fn rooted(form: &Form, field: &Field) -> Option<Branches> {
+pub(super) fn rooted(form: &Moment, field: &Field) -> Option<Branches> {
     let sigma = field.sigma;
     let mut total = Rooted::default();
     for (power, coefficient) in form.at(Piece::First).at_axis().in_x()? {
@@ -120,7 +120,7 @@ impl Rooted {
 }
 
 /// ∫_r^a g′/√(x²−r²) dx for g = x·(moment) with the moment A(x²) π/(2ρs) + B(x²) π/2: elliptic integrals and powers.
-pub(super) fn elliptic(form: &Form, field: &Field) -> Option<Branches> {
+pub(super) fn elliptic(form: &Moment, field: &Field) -> Option<Branches> {
     let sigma = field.sigma;
     let mut total: [Laurent; 3] = std::array::from_fn(|_| Laurent::default());
     let mut add = |n: i64, coefficient: &Laurent| {

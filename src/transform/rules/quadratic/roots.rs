@@ -1,34 +1,18 @@
 //! Powers −1/2, −3/2, … of the quadratic beyond sphere and hyperboloid: elementary for odd m, elliptic for even m.
 
-use super::{Family, Reach, Work, power, pressure};
+use super::{BLANK, C, Family, H, R, RECURRENCE, Reach, Work, power, pressure};
 use crate::expr::Number;
 use crate::transform::{Answer, Parameter, Rule, Term};
 
-const H: Parameter = Parameter { name: "h", lowest: 0.1, highest: 4.0 };
 const S: Parameter = Parameter { name: "b", lowest: 0.5, highest: 4.0 };
-const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
-const C: Parameter = Parameter { name: "c", lowest: 0.2, highest: 2.0 };
 
-const RECURRENCE: &str = "recurrence in the exponent for ∫ r^m (ρ² ± r²)^p/√(x²−r²) dr";
 const ELLIPTIC: &str = "Legendre's normal form with r = x sin t";
 const WORN_ELLIPTIC: &str = "DLMF 19.7(iii), 19.29(i)";
 const POSITIVE: &str = "b > 0";
 const INSIDE: &str = "r < R";
 
 /// What the rules of this file have in common.
-const BASE: Rule = Rule {
-    id: "",
-    title: "",
-    pattern: "",
-    slope: "",
-    force: "",
-    pressure: None,
-    parameters: &[H, S],
-    guard: POSITIVE,
-    reference: &[RECURRENCE],
-    specializes: None,
-    apply: |_| None,
-};
+const BASE: Rule = Rule { parameters: &[H, S], guard: POSITIVE, reference: &[RECURRENCE], ..BLANK };
 
 pub(in crate::transform::rules) static ODD: Rule = Rule {
     id: "quadratic-root",
@@ -144,10 +128,6 @@ fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
         return None;
     }
     let family = Family { sigma, half: true };
-    let (coefficient, field) = (reading.coefficient.clone(), reading.field.clone());
-    let mut answer = Work { reading, segment: &term.segment, family, kernel: None }.answer(|m| family.moment(m, k))?;
-    if odd && reach == Reach::Whole {
-        answer.pressure = family.moment(m, k).and_then(|form| pressure::rooted(&form, &field)).map(|p| p.scaled(&coefficient));
-    }
-    Some(answer)
+    let work = Work { reading, segment: &term.segment, family, kernel: None };
+    work.answer(|m| family.moment(m, k), (odd && reach == Reach::Whole).then_some(pressure::rooted))
 }
