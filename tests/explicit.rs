@@ -9,8 +9,10 @@ use sneddon::contact::explicit;
 use sneddon::expr::{Bindings, Symbol};
 use sneddon::transform::{ClosedForm, Evaluator, Method, TransformError};
 
-/// Profiles with the largest depth, where there is one.
-fn cases(stream: &mut Stream) -> Vec<(&'static str, Vec<(&'static str, f64)>, f64)> {
+/// A profile with its parameters and the largest depth, infinite where there is none.
+type Case = (&'static str, Vec<(&'static str, f64)>, f64);
+
+fn cases(stream: &mut Stream) -> Vec<Case> {
     let (c, w, h, k, b) =
         (stream.short(0.1, 2.0), stream.short(0.5, 2.0), stream.short(0.1, 2.0), stream.short(0.5, 3.0), stream.short(0.5, 2.0));
     let free = f64::INFINITY;

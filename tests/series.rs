@@ -14,8 +14,10 @@ fn profile(text: &str, values: &[(&str, f64)]) -> Profile {
     Profile::new(&parse::profile(text).unwrap().substitute(&bindings(values))).unwrap()
 }
 
-/// Profiles with their parameters and how far out the series is asked for.
-const CASES: &[(&str, &[(&str, f64)], f64)] = &[
+/// A profile with its parameters and how far out the series is asked for.
+type Case = (&'static str, &'static [(&'static str, f64)], f64);
+
+const CASES: &[Case] = &[
     ("R-sqrt(R^2-r^2)", &[("R", 2.0)], 1.8),
     ("r^2/(R+sqrt(R^2-r^2))", &[("R", 2.0)], 1.5),
     ("h*(1-exp(-r^2/w^2))", &[("h", 0.5), ("w", 1.25)], 2.5),

@@ -66,22 +66,21 @@ fn values_and_their_bounds_are_honest() {
         let entry = worst.entry(name).or_default();
         entry.rows += 1;
         let size = scale(name, order, z, truth.to_f64());
-        let place = format!("{arguments}");
         if exact.iter().all(|word| word.lo == 0.0) {
             let point: Vec<f64> = exact.iter().map(|word| word.hi).collect();
             let value = (function.row().value)(&point);
             if z.abs() > REDUCED {
                 let off = if value.is_finite() { truth.distance(value).abs() } else { f64::INFINITY };
-                assert!(off <= 2.0 * f64::EPSILON * size, "{name} at {place}: {value:e}");
+                assert!(off <= 2.0 * f64::EPSILON * size, "{name} at {arguments}: {value:e}");
             } else {
-                raise(&mut entry.ulps, truth.ulps(value), &place);
+                raise(&mut entry.ulps, truth.ulps(value), arguments);
             }
         }
         let precise = function.row().precise.unwrap()(&exact);
         let distance = truth.distance_of(&[precise.value.hi, precise.value.lo]).abs();
-        raise(&mut entry.used, distance / precise.error, &place);
+        raise(&mut entry.used, distance / precise.error, arguments);
         if z.abs() <= REDUCED && size > 1e-290 {
-            raise(&mut entry.claimed, precise.error / size, &place);
+            raise(&mut entry.claimed, precise.error / size, arguments);
         }
     }
     let mut failed = String::new();

@@ -4,7 +4,7 @@ use super::Pair;
 use crate::eval::{BoundedAlgebra, EvalError, PreciseAlgebra, Tape};
 use crate::expr::{Expr, Symbol, has_30_digits, shown_to_30_digits};
 use crate::num::{Bounded, Precise};
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 /// A relative bound of this size is good enough: four units in the last place of a double.
 const GOOD: f64 = 4.0 * f64::EPSILON;
@@ -29,7 +29,7 @@ pub struct ClosedForm {
     /// What the second pass evaluates, before functions give way to what they equal.
     second: Expr,
     inputs: Vec<Symbol>,
-    precise: OnceCell<Option<Tape>>,
+    precise: OnceLock<Option<Tape>>,
 }
 
 impl ClosedForm {
@@ -44,7 +44,7 @@ impl ClosedForm {
     /// The same where the second pass has an expression of its own, which must be equal.
     pub(super) fn with_second(expr: &Expr, second: Expr, inputs: &[Symbol]) -> Result<Self, EvalError> {
         let tape = Tape::compile(std::slice::from_ref(expr), inputs)?;
-        Ok(Self { tape, second, inputs: inputs.to_vec(), precise: OnceCell::new() })
+        Ok(Self { tape, second, inputs: inputs.to_vec(), precise: OnceLock::new() })
     }
 
     /// The value at exact inputs, with a bound of its error; NaN where the number of inputs is wrong.

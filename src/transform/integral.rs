@@ -6,7 +6,7 @@ use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, derivative, normal};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, NumError, forms};
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 /// A profile as numbers: f′ on every interval, compiled over the distance to the interval's lower end.
 pub struct NumericProfile {
@@ -22,7 +22,7 @@ pub(super) struct NumericSegment {
     /// f′ and its interval's lower end as expressions in r, for what is compiled only on demand.
     pub(super) source: (Expr, Expr),
     /// (r f′)′ over δ, compiled at the first pressure.
-    pub(super) bend: OnceCell<Option<Tape>>,
+    pub(super) bend: OnceLock<Option<Tape>>,
     /// True where f′ behaves like a fractional power of δ at the lower end.
     pub(super) singular: bool,
 }
@@ -57,7 +57,7 @@ impl NumericProfile {
             let slope_expr = bindings.apply(slope);
             let slope = compile_shifted(&slope_expr, &lower_expr)?;
             let singular = is_singular(&slope, lower.value, upper.map(|u| u.value));
-            segments.push(NumericSegment { lower, upper, slope, source: (slope_expr, lower_expr), bend: OnceCell::new(), singular });
+            segments.push(NumericSegment { lower, upper, slope, source: (slope_expr, lower_expr), bend: OnceLock::new(), singular });
         }
         Ok(Self { segments })
     }

@@ -66,7 +66,7 @@ impl Writer<'_> {
     }
 
     fn pick(&mut self, list: &[&'static str]) -> &'static str {
-        *self.stream.pick(list)
+        self.stream.pick::<&str>(list)
     }
 
     /// A positive number in some spelling, or a parameter that has such a value.
@@ -286,7 +286,7 @@ pub(crate) fn compare(sample: &Sample, stream: &mut Stream) -> Outcome {
             let (difference, allowed) = ((one.estimate.value - two.estimate.value).abs(), one.estimate.error + two.estimate.error);
             let place = format!("{:?}: {name} at a = {a}, r = {r}", sample);
             outcome.compared += 1;
-            if !(difference <= allowed) {
+            if difference.is_nan() || allowed.is_nan() || difference > allowed {
                 outcome.faults.push(format!("{place}: {:?} against {:?}", one.estimate, two.estimate));
                 continue;
             }
@@ -334,7 +334,8 @@ fn read_back(derived: &Derived, values: &[(&str, f64)], name: &str, at: (f64, f6
     let (value, error) = (found.value * factor, found.error * factor);
     if error <= 1e-6 * two.estimate.value.abs() {
         outcome.printed += 1;
-        if !((value - two.estimate.value).abs() <= error + two.estimate.error + 1e-12 * value.abs()) {
+        let (difference, allowed) = ((value - two.estimate.value).abs(), error + two.estimate.error + 1e-12 * value.abs());
+        if difference.is_nan() || allowed.is_nan() || difference > allowed {
             let begin: String = text.chars().take(300).collect();
             outcome.faults.push(format!("{place}: printed {begin} is {value:e}, quadrature {:?}", two.estimate));
         }
