@@ -1,7 +1,7 @@
 //! What `invert` found, and how it is written: text, LaTeX and JSON.
 
-use super::json::{Check, Quantity, Readings, Typeset, finite, write};
-use super::text::{number, short, table};
+use super::json::{Check, Quantity, Readings, Typeset, write};
+use super::text::{number, outcome, short, sources, table};
 use crate::expr::{Expr, Formula};
 use crate::print;
 use crate::transform::{self, Derived, Reading};
@@ -72,12 +72,7 @@ pub fn text(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
     }
     writeln!(out, "g(x) = {}\n", print::text(record.equivalent))?;
     writeln!(out, "f(r) = {}", print::text(&record.profile.formula))?;
-    let rules = match record.profile.rules.as_slice() {
-        [] => String::new(),
-        [rule] => format!(" | rule {rule}"),
-        rules => format!(" | rules {}", rules.join(", ")),
-    };
-    writeln!(out, "       {}{rules} | {}", record.profile.status.name(), record.profile.reference.join("; "))?;
+    sources(&record.profile, out)?;
     if !record.conditions.is_empty() {
         writeln!(out, "\nConditions")?;
         record.conditions.iter().try_for_each(|condition| writeln!(out, "  {condition}"))?;
@@ -85,13 +80,7 @@ pub fn text(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\nNotes")?;
     record.notes().iter().try_for_each(|note| writeln!(out, "  {note}"))?;
     writeln!(out, "\nCheck against quadrature of g as typed")?;
-    match &record.check {
-        Ok(check) => {
-            let verdict = if check.passed { "passed" } else { "FAILED" };
-            writeln!(out, "  {} points, largest relative difference {}: {verdict}", check.points, short(check.max_relative_difference))?;
-        }
-        Err(reason) => writeln!(out, "  FAILED: {reason}")?,
-    }
+    outcome(&record.check, out)?;
     if record.at.is_empty() {
         return Ok(());
     }
@@ -144,12 +133,6 @@ pub fn json(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
         #[serde(skip_serializing_if = "Option::is_none")]
         points: Option<Readings<'a>>,
     }
-    let check = match &record.check {
-        Ok(check) => {
-            Check { points: check.points, max_relative_difference: finite(check.max_relative_difference), passed: check.passed, why: None }
-        }
-        Err(reason) => Check { points: 0, max_relative_difference: None, passed: false, why: Some(reason) },
-    };
     let wanted = record.pressure.as_ref();
     let document = Document {
         p: wanted.map(|own| Typeset::of_expr(own.pressure)),
@@ -160,7 +143,7 @@ pub fn json(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
         at_axis: Typeset::of_expr(record.at_axis),
         conditions: &record.conditions,
         notes: record.notes(),
-        check,
+        check: Check::of(&record.check),
         points: (!record.at.is_empty()).then_some(Readings { at: &record.at, readings: &record.readings }),
     };
     write(&document, out)

@@ -4,7 +4,7 @@ use super::{Compared, Derivation, Evaluation};
 use crate::contact::Measured;
 use crate::expr::{Expr, Formula};
 use crate::print;
-use crate::transform::{Derived, Reading, Rule};
+use crate::transform::{self, Derived, Reading, Rule};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::collections::BTreeMap;
@@ -25,19 +25,13 @@ pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()
         notes: Vec<&'static str>,
         check: Check<'a>,
     }
-    let check = match &record.check {
-        Ok(check) => {
-            Check { points: check.points, max_relative_difference: finite(check.max_relative_difference), passed: check.passed, why: None }
-        }
-        Err(reason) => Check { points: 0, max_relative_difference: None, passed: false, why: Some(reason) },
-    };
     let document = Document {
         profile: Typeset::of(record.formula()),
         shift: record.shift().map(Typeset::of_expr),
         conditions: &record.relations.conditions,
         entries: Entries(record),
         notes: record.notes(),
-        check,
+        check: Check::of(&record.check),
     };
     write(&document, out)
 }
@@ -142,7 +136,7 @@ pub(super) fn write(document: &impl Serialize, mut out: &mut dyn Write) -> io::R
 }
 
 /// JSON knows neither NaN nor infinities.
-pub(super) fn finite(value: f64) -> Option<f64> {
+fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
@@ -188,13 +182,26 @@ impl<'a> Quantity<'a> {
     }
 }
 
+/// How a check ended.
 #[derive(Serialize)]
 pub(super) struct Check<'a> {
-    pub(super) points: u32,
-    pub(super) max_relative_difference: Option<f64>,
-    pub(super) passed: bool,
+    points: u32,
+    max_relative_difference: Option<f64>,
+    passed: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) why: Option<&'a str>,
+    why: Option<&'a str>,
+}
+
+impl<'a> Check<'a> {
+    pub(super) fn of(outcome: &'a Result<transform::Check, String>) -> Self {
+        match outcome {
+            Ok(check) => {
+                let max_relative_difference = finite(check.max_relative_difference);
+                Self { points: check.points, max_relative_difference, passed: check.passed, why: None }
+            }
+            Err(reason) => Self { points: 0, max_relative_difference: None, passed: false, why: Some(reason) },
+        }
+    }
 }
 
 /// Readings that theory never makes infinite.

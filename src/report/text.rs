@@ -2,7 +2,7 @@
 
 use super::{Compared, Derivation, Evaluation};
 use crate::print;
-use crate::transform::Rule;
+use crate::transform::{Check, Derived, Rule};
 use std::io::{self, Write};
 
 /// Writes what was derived: one quantity after the other with its sources, then conditions, notes and the check.
@@ -22,13 +22,7 @@ pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()
             continue;
         };
         writeln!(out, "{} = {}", entry.left, print::text(&derived.formula))?;
-        let rules = match derived.rules.as_slice() {
-            [] => String::new(),
-            [rule] => format!(" | rule {rule}"),
-            rules => format!(" | rules {}", rules.join(", ")),
-        };
-        let reference = if derived.reference.is_empty() { String::new() } else { format!(" | {}", derived.reference.join("; ")) };
-        writeln!(out, "       {}{rules}{reference}", derived.status.name())?;
+        sources(derived, out)?;
     }
     writeln!(out, "\nConditions")?;
     for condition in &record.relations.conditions {
@@ -39,13 +33,7 @@ pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()
         writeln!(out, "  {note}")?;
     }
     writeln!(out, "\nCheck against quadrature of f as typed")?;
-    match &record.check {
-        Ok(check) => {
-            let verdict = if check.passed { "passed" } else { "FAILED" };
-            writeln!(out, "  {} points, largest relative difference {}: {verdict}", check.points, short(check.max_relative_difference))
-        }
-        Err(reason) => writeln!(out, "  FAILED: {reason}"),
-    }
+    outcome(&record.check, out)
 }
 
 /// Writes the numbers of one quantity as a table.
@@ -119,6 +107,28 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "  source {}", rule.reference.join("; "))?;
     }
     Ok(())
+}
+
+/// The line under a formula: its status, rules and references.
+pub(super) fn sources(derived: &Derived, out: &mut dyn Write) -> io::Result<()> {
+    let rules = match derived.rules.as_slice() {
+        [] => String::new(),
+        [rule] => format!(" | rule {rule}"),
+        rules => format!(" | rules {}", rules.join(", ")),
+    };
+    let reference = if derived.reference.is_empty() { String::new() } else { format!(" | {}", derived.reference.join("; ")) };
+    writeln!(out, "       {}{rules}{reference}", derived.status.name())
+}
+
+/// How a check ended.
+pub(super) fn outcome(check: &Result<Check, String>, out: &mut dyn Write) -> io::Result<()> {
+    match check {
+        Ok(check) => {
+            let verdict = if check.passed { "passed" } else { "FAILED" };
+            writeln!(out, "  {} points, largest relative difference {}: {verdict}", check.points, short(check.max_relative_difference))
+        }
+        Err(reason) => writeln!(out, "  FAILED: {reason}"),
+    }
 }
 
 /// Two digits of an error or a difference.
