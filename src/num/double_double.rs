@@ -50,6 +50,11 @@ pub fn two_prod(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo }
 }
 
+/// A constant by its two words.
+pub(crate) const fn words(hi: f64, lo: f64) -> DoubleDouble {
+    DoubleDouble { hi, lo }
+}
+
 // Operators would hide what an operation costs.
 #[allow(clippy::should_implement_trait)]
 impl DoubleDouble {

@@ -287,6 +287,13 @@ pub(super) fn binary(a: &[f64], f: fn(f64, f64) -> f64) -> f64 {
     }
 }
 
+pub(super) fn ternary(a: &[f64], f: fn(f64, f64, f64) -> f64) -> f64 {
+    match a {
+        [u, v, w] => f(*u, *v, *w),
+        _ => f64::NAN,
+    }
+}
+
 pub(super) fn first(a: &[Expr]) -> Expr {
     a.first().cloned().unwrap_or_else(Expr::zero)
 }

@@ -1,6 +1,6 @@
 //! Rows of the elliptic integrals, in the parameter m = k² as in mpmath.
 
-use super::elementary::{binary, first, unary};
+use super::elementary::{binary, first, ternary, unary};
 use super::{Latex, PLAIN, Row};
 use crate::expr::{Expr, Sign, sign};
 use crate::num::{DoubleDouble, Precise, special};
@@ -130,13 +130,6 @@ fn call(name: &'static str, arguments: &[&Expr]) -> Expr {
 
 fn elliprd(x: &Expr, y: &Expr, z: &Expr) -> Expr {
     call("elliprd", &[x, y, z])
-}
-
-fn ternary(a: &[f64], f: fn(f64, f64, f64) -> f64) -> f64 {
-    match a {
-        [u, v, w] => f(*u, *v, *w),
-        _ => f64::NAN,
-    }
 }
 
 /// √(1 − m sin²φ).

@@ -1,6 +1,6 @@
 //! Rows of functions that exist for stable evaluation; each states the expression that is shown in its place.
 
-use super::elementary::{binary, unary};
+use super::elementary::{binary, ternary, unary};
 use super::precise::order;
 use super::{Latex, PLAIN, Row, precise};
 use crate::expr::normal::{expanded, over_whole_denominator};
@@ -263,13 +263,6 @@ pub(super) static ROWS: &[Row] = &[
 /// Runs `shape` on exactly N arguments; a wrong number cannot be built and shows as 0.
 fn with<const N: usize>(arguments: &[Expr], shape: impl Fn(&[Expr; N]) -> Expr) -> Expr {
     <&[Expr; N]>::try_from(arguments).map_or_else(|_| Expr::zero(), shape)
-}
-
-fn ternary(a: &[f64], f: fn(f64, f64, f64) -> f64) -> f64 {
-    match a {
-        [u, v, w] => f(*u, *v, *w),
-        _ => f64::NAN,
-    }
 }
 
 /// Calls a segment form; without an upper end the segment reaches to x.

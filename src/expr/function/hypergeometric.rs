@@ -1,6 +1,7 @@
 //! Rows of the functions of hypergeometric type and of the dilogarithms, spelled as in mpmath.
 
 use super::elementary::{first, unary};
+use super::precise::single;
 use super::{Latex, PLAIN, Row};
 use crate::expr::{Expr, Sign, sign};
 use crate::num::{DoubleDouble, Precise, special};
@@ -214,13 +215,6 @@ pub(super) static ROWS: &[Row] = &[
 
 fn all_positive(list: &[&Expr]) -> bool {
     list.iter().all(|u| sign(u) == Sign::Positive)
-}
-
-fn single(a: &[DoubleDouble], f: fn(DoubleDouble) -> Precise) -> Precise {
-    match a {
-        [z] => f(*z),
-        _ => Precise::nan(),
-    }
 }
 
 fn quadruple(a: &[DoubleDouble], f: fn([DoubleDouble; 4]) -> Precise) -> Precise {

@@ -1,4 +1,4 @@
-//! What the rows of elementary functions know beyond double precision: 30-digit values, and how errors of arguments grow.
+//! What the rows know beyond double precision: 30-digit values, and how errors of arguments grow.
 
 use crate::num::{DoubleDouble, Precise, forms, precise};
 
@@ -9,6 +9,22 @@ const UNITS: f64 = 4.0;
 pub(super) fn unary(a: &[DoubleDouble], f: fn(DoubleDouble) -> DoubleDouble) -> Precise {
     match a {
         [z] => Precise::relative(f(*z), UNITS),
+        _ => Precise::nan(),
+    }
+}
+
+/// The value of a function of one number that knows its own error.
+pub(super) fn single(a: &[DoubleDouble], f: fn(DoubleDouble) -> Precise) -> Precise {
+    match a {
+        [z] => f(*z),
+        _ => Precise::nan(),
+    }
+}
+
+/// The same of two numbers.
+pub(super) fn pair(a: &[DoubleDouble], f: fn(DoubleDouble, DoubleDouble) -> Precise) -> Precise {
+    match a {
+        [n, z] => f(*n, *z),
         _ => Precise::nan(),
     }
 }

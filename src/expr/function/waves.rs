@@ -1,9 +1,10 @@
 //! Rows of the functions of exponential type: Bessel and Struve functions, error functions, Dawson's and Fresnel's integrals.
 
 use super::elementary::{binary, first, negated, odd, unary};
+use super::precise::{pair, single};
 use super::{Latex, PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
-use crate::num::{DoubleDouble, Precise, special};
+use crate::num::special;
 
 /// A 30-digit value rounded: half an ulp and a hair.
 const ROUNDED: f64 = 1.1;
@@ -14,7 +15,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\operatorname{erf}"),
         value: |a| unary(a, libm::erf),
         ulps: 2.0,
-        precise: Some(|a| one(a, special::erf_precise)),
+        precise: Some(|a| single(a, special::erf_precise)),
         derivative: Some(|a, _| Some(gaussian(a, -1))),
         fold: Some(|a| odd("erf", a)),
         sign: Some(|a| sign(&first(a))),
@@ -25,7 +26,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\operatorname{erfi}"),
         value: |a| unary(a, special::erfi),
         ulps: ROUNDED,
-        precise: Some(|a| one(a, special::erfi_precise)),
+        precise: Some(|a| single(a, special::erfi_precise)),
         derivative: Some(|a, _| Some(gaussian(a, 1))),
         fold: Some(|a| odd("erfi", a)),
         sign: Some(|a| sign(&first(a))),
@@ -37,7 +38,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\operatorname{D}"),
         value: |a| unary(a, special::dawson),
         ulps: ROUNDED,
-        precise: Some(|a| one(a, special::dawson_precise)),
+        precise: Some(|a| single(a, special::dawson_precise)),
         derivative: Some(|a, _| Some(Expr::one() - Expr::integer(2) * first(a) * Expr::call("dawson", a.to_vec()))),
         fold: Some(|a| odd("dawson", a)),
         sign: Some(|a| sign(&first(a))),
@@ -49,7 +50,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("C"),
         value: |a| unary(a, special::fresnelc),
         ulps: ROUNDED,
-        precise: Some(|a| one(a, special::fresnelc_precise)),
+        precise: Some(|a| single(a, special::fresnelc_precise)),
         derivative: Some(|a, _| Some(Expr::call("cos", [half_turns(a)]))),
         fold: Some(|a| odd("fresnelc", a)),
         sign: Some(|a| sign(&first(a))),
@@ -61,7 +62,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("S"),
         value: |a| unary(a, special::fresnels),
         ulps: ROUNDED,
-        precise: Some(|a| one(a, special::fresnels_precise)),
+        precise: Some(|a| single(a, special::fresnels_precise)),
         derivative: Some(|a, _| Some(Expr::call("sin", [half_turns(a)]))),
         fold: Some(|a| odd("fresnels", a)),
         sign: Some(|a| sign(&first(a))),
@@ -73,7 +74,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| order_and_argument("J", a)),
         value: |a| binary(a, special::besselj),
         ulps: ROUNDED,
-        precise: Some(|a| two(a, special::besselj_precise)),
+        precise: Some(|a| pair(a, special::besselj_precise)),
         derivative: Some(|a, i| bessel_derivative("besselj", a, i, -1)),
         fold: Some(|a| bessel_fold("besselj", a, -1)),
         ..PLAIN
@@ -84,7 +85,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| order_and_argument("I", a)),
         value: |a| binary(a, special::besseli),
         ulps: ROUNDED,
-        precise: Some(|a| two(a, special::besseli_precise)),
+        precise: Some(|a| pair(a, special::besseli_precise)),
         derivative: Some(|a, i| bessel_derivative("besseli", a, i, 1)),
         fold: Some(|a| bessel_fold("besseli", a, 1)),
         sign: Some(positive_order_and_argument),
@@ -97,7 +98,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\operatorname{form}"),
         value: |a| binary(a, special::besseli_scaled),
         ulps: ROUNDED,
-        precise: Some(|a| two(a, special::besseli_scaled_precise)),
+        precise: Some(|a| pair(a, special::besseli_scaled_precise)),
         sign: Some(positive_order_and_argument),
         shown: Some(|a| match a {
             [_, z] => Expr::call("exp", [-z]) * Expr::call("besseli", a.to_vec()),
@@ -111,7 +112,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| order_and_argument("\\mathbf{H}", a)),
         value: |a| binary(a, special::struveh),
         ulps: ROUNDED,
-        precise: Some(|a| two(a, special::struveh_precise)),
+        precise: Some(|a| pair(a, special::struveh_precise)),
         derivative: Some(|a, i| struve_derivative("struveh", a, i, -1)),
         fold: Some(|a| struve_fold("struveh", a)),
         ..PLAIN
@@ -122,7 +123,7 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Custom(|a| order_and_argument("\\mathbf{L}", a)),
         value: |a| binary(a, special::struvel),
         ulps: ROUNDED,
-        precise: Some(|a| two(a, special::struvel_precise)),
+        precise: Some(|a| pair(a, special::struvel_precise)),
         derivative: Some(|a, i| struve_derivative("struvel", a, i, 1)),
         fold: Some(|a| struve_fold("struvel", a)),
         sign: Some(positive_order_and_argument),
@@ -135,26 +136,12 @@ pub(super) static ROWS: &[Row] = &[
         latex: Latex::Operator("\\operatorname{form}"),
         value: |a| binary(a, special::bessel_struve),
         ulps: ROUNDED,
-        precise: Some(|a| two(a, special::bessel_struve_precise)),
+        precise: Some(|a| pair(a, special::bessel_struve_precise)),
         sign: Some(positive_order_and_argument),
         shown: Some(|a| Expr::call("besseli", a.to_vec()) - Expr::call("struvel", a.to_vec())),
         ..PLAIN
     },
 ];
-
-fn one(a: &[DoubleDouble], f: fn(DoubleDouble) -> Precise) -> Precise {
-    match a {
-        [z] => f(*z),
-        _ => Precise::nan(),
-    }
-}
-
-fn two(a: &[DoubleDouble], f: fn(DoubleDouble, DoubleDouble) -> Precise) -> Precise {
-    match a {
-        [n, z] => f(*n, *z),
-        _ => Precise::nan(),
-    }
-}
 
 /// (2/√π) e^(±z²).
 fn gaussian(a: &[Expr], sign: i64) -> Expr {

@@ -38,7 +38,7 @@ pub(super) fn factors(polynomial: &Polynomial, pure: bool) -> Result<Vec<(Polyno
 }
 
 fn split(own: &Univariate, pure: bool, multiplicity: i64, found: &mut Vec<(Polynomial, i64)>) -> Result<(), ExprError> {
-    let polynomial = own.to_polynomial()?;
+    let polynomial = own.to_polynomial();
     for factor in two_factors(own, &polynomial, pure)? {
         match factor {
             Found::Itself => match found.iter_mut().find(|(other, _)| other.to_expr() == polynomial.to_expr()) {
@@ -103,6 +103,6 @@ fn two_factors(own: &Univariate, polynomial: &Polynomial, pure: bool) -> Result<
 
 /// The polynomial without its content, oriented as denominators are.
 fn primitive(own: &Univariate, frame: &Frame) -> Result<Univariate, ExprError> {
-    let (_, _, rest) = power::split_content(&own.to_polynomial()?, true);
+    let (_, _, rest) = power::split_content(&own.to_polynomial(), true);
     Ok(Univariate::read(&rest).unwrap_or_else(|| Univariate::zero(frame)))
 }

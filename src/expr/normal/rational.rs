@@ -168,7 +168,7 @@ fn numerator_and_divisors(
             cache.insert(atom.clone(), list);
         }
         for (own, multiplicity) in cache.get(atom).into_iter().flatten() {
-            let name = own.to_polynomial()?.to_expr();
+            let name = own.to_polynomial().to_expr();
             powers.entry(name).or_insert_with(|| (own.clone(), 0)).1 += n * multiplicity;
         }
     }
@@ -208,7 +208,7 @@ impl Fractions {
     }
 
     fn add(&mut self, own: &Univariate, power: u32, remainder: &Univariate) -> Result<(), ExprError> {
-        let name = own.to_polynomial()?.to_expr();
+        let name = own.to_polynomial().to_expr();
         let (_, remainders) = self.over.entry(name).or_insert_with(|| (own.clone(), BTreeMap::new()));
         remainders.entry(power).or_insert_with(|| Univariate::zero(own.frame())).add(remainder)
     }
@@ -234,7 +234,7 @@ impl Fractions {
             if first.coefficient(0).is_zero() {
                 continue;
             }
-            let mirrored = first.mirrored().to_polynomial()?;
+            let mirrored = first.mirrored().to_polynomial();
             let (plus, minus) = (mirrored.to_expr(), mirrored.scaled(&Number::integer(-1)).to_expr());
             let Some(partner) = [plus, minus].into_iter().find(|other| self.over.contains_key(other)) else { continue };
             let (Some((first, upper)), Some((second, lower))) = (self.over.remove(&name), self.over.remove(&partner)) else { continue };
@@ -246,7 +246,7 @@ impl Fractions {
                 }
             }
             // The orientation of a denominator is that of every other one.
-            let product = first.times(&second)?.to_polynomial()?;
+            let product = first.times(&second)?.to_polynomial();
             let (_, number, primitive) = power::split_content(&product, true);
             let Some(own) = Univariate::read(&primitive) else { continue };
             if number.is_negative() && highest % 2 == 1 {
@@ -307,7 +307,7 @@ fn tidy(coefficient: Polynomial) -> Result<Polynomial, ExprError> {
 fn add_fraction(result: &mut Polynomial, cofactor: &Monomial, remainder: &Univariate, q: &Univariate, k: u32) -> Result<(), ExprError> {
     let frame = result.frame().clone();
     let radius = Expr::from(frame.variable().clone());
-    let polynomial = q.to_polynomial()?;
+    let polynomial = q.to_polynomial();
     let (mut atom, mut sign) = (polynomial.to_expr(), 1);
     // A root keeps the sign that makes it real; its whole powers join it.
     let negated = polynomial.scaled(&Number::integer(-1)).to_expr();

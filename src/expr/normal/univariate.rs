@@ -50,7 +50,7 @@ impl Univariate {
         Some(result.trimmed())
     }
 
-    pub(super) fn to_polynomial(&self) -> Result<Polynomial, ExprError> {
+    pub(super) fn to_polynomial(&self) -> Polynomial {
         let radius = Expr::from(self.frame.variable().clone());
         let mut result = Polynomial::zero(&self.frame);
         for (k, coefficient) in self.coefficients.iter().enumerate() {
@@ -62,7 +62,7 @@ impl Univariate {
                 result.add_term(total, number);
             }
         }
-        Ok(result)
+        result
     }
 
     /// Adds to the coefficient of the k-th power.

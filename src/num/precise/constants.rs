@@ -1,10 +1,6 @@
 //! Constants to 106 bits and more.
 
-use crate::num::DoubleDouble;
-
-const fn words(hi: f64, lo: f64) -> DoubleDouble {
-    DoubleDouble { hi, lo }
-}
+use crate::num::double_double::{DoubleDouble, words};
 
 /// π.
 pub const PI: DoubleDouble = words(std::f64::consts::PI, 1.224_646_799_147_353_2e-16);

@@ -1,7 +1,7 @@
 //! The first terms of the series of Bessel and Struve functions, and what they need of the gamma function.
 
 use super::carried::{TINY, TWO_OVER_PI, UNIT, exact, known, over, quotient, times};
-use crate::num::double_double::{DoubleDouble, Precise};
+use crate::num::double_double::{DoubleDouble, Precise, words};
 use crate::num::precise;
 
 /// (z/2)^n/Γ(n+1) for n > −1, half = z/2 > 0; 0 by underflow for n > 10^4, where z is below 1500 or n.
@@ -54,10 +54,6 @@ pub(super) fn reciprocal_gamma(f: DoubleDouble) -> Precise {
     let t = f.sub(0.5.into());
     let sum = RECIPROCAL_GAMMA.iter().rev().fold(DoubleDouble::from(0.0), |sum, c| sum.mul(t).add(*c));
     known(sum, 4.0)
-}
-
-const fn words(hi: f64, lo: f64) -> DoubleDouble {
-    DoubleDouble { hi, lo }
 }
 
 /// Taylor coefficients of 1/Γ(1+f) about f = 1/2, to 32 digits.

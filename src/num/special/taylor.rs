@@ -1,7 +1,7 @@
 //! Taylor series of I_0 − L_0 about tabulated points, between the reach of the difference and of the asymptotic series.
 
 use super::carried::{TWO_OVER_PI, UNIT, multiple, quotient};
-use crate::num::double_double::{DoubleDouble, Precise};
+use crate::num::double_double::{DoubleDouble, Precise, words};
 
 /// K = I_0 − L_0 and its derivative K′ = I_1 − L_(−1) = I_1 − L_1 − 2/π, for 4 <= z <= 82.
 ///
@@ -34,10 +34,6 @@ pub(super) fn difference_pair(z: DoubleDouble) -> (Precise, Precise) {
     // The roundings of the coefficients grow as I_0 does; measured below an eighth of this.
     let growth = UNIT * 64.0 * h.hi.abs().exp();
     (Precise { value: sum, error: growth * sum.hi.abs() }, Precise { value: derivative, error: growth * derivative.hi.abs() })
-}
-
-const fn words(hi: f64, lo: f64) -> DoubleDouble {
-    DoubleDouble { hi, lo }
 }
 
 /// z, (I_0 − L_0)(z) and its derivative, to 32 digits.
