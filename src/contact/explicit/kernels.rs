@@ -3,6 +3,7 @@
 use super::{Explicit, positive};
 use crate::expr::{Condition, Expr, Node, Sign, Symbol, normal, sign};
 use crate::transform::Term;
+use crate::transform::rules::reading;
 
 /// Where they come from.
 const REFERENCE: [&str; 1] = ["g(a) = d solved for a"];
@@ -12,7 +13,7 @@ pub(super) fn single_kernel(term: &Term) -> Option<Explicit> {
     let part = term.single().filter(|_| term.segment.is_whole())?;
     match part.kernel.node() {
         Node::Power(base, power) => {
-            let (alpha, beta) = quadratic(base)?;
+            let (alpha, beta) = reading::quadratic(base)?;
             if sign(&alpha) != Sign::Positive {
                 return None;
             }
@@ -36,14 +37,6 @@ pub(super) fn single_kernel(term: &Term) -> Option<Explicit> {
                 _ => None,
             }
         }
-        _ => None,
-    }
-}
-
-/// α and β of α + β r².
-fn quadratic(base: &Expr) -> Option<(Expr, Expr)> {
-    match normal::polynomial_coefficients(base, &Symbol::new("r"))?.as_slice() {
-        [alpha, middle, beta] if middle.is_zero() => Some((alpha.clone(), beta.clone())),
         _ => None,
     }
 }

@@ -19,6 +19,7 @@ use super::term::{self, Segment};
 use super::{Branches, Chain, Derived, Pair, Profile, Status, Term, TransformError, kinks};
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Bindings, Condition, Expr, Formula, Sign, Symbol, sign};
+use statement::Found;
 
 /// A profile f(r) that was found from an equivalent profile g(x).
 pub struct Inverse {
@@ -48,6 +49,13 @@ struct Share {
     reference: Vec<&'static str>,
     /// Over r.
     f: Branches,
+}
+
+impl Share {
+    fn from_statement(found: Found, conditions: &mut Vec<Condition>) -> Self {
+        conditions.extend(found.conditions);
+        Self { id: found.id, reference: found.reference.to_vec(), f: Branches::endless(Pair::same(found.f)) }
+    }
 }
 
 /// Finds f(r) from g(x), given over x; `read` turns the statements of rules into formulas.
@@ -126,8 +134,7 @@ fn solve_chain(chain: &Chain, read: Reader, conditions: &mut Vec<Condition>) -> 
         let mut closed = Vec::new();
         if let (Some(breakpoint), 1) = (worn, index) {
             for found in statement::read_backwards(&mut list, Some(breakpoint), read) {
-                conditions.extend(found.conditions);
-                closed.push(Share { id: found.id, reference: found.reference.to_vec(), f: Branches::endless(Pair::same(found.f)) });
+                closed.push(Share::from_statement(found, conditions));
             }
         }
         let mut own = by_rules(term::split(list, &segment), segment, closed, conditions);
@@ -144,8 +151,7 @@ fn solve_chain(chain: &Chain, read: Reader, conditions: &mut Vec<Condition>) -> 
 fn whole(mut terms: Vec<NormalTerm>, read: Reader, conditions: &mut Vec<Condition>) -> InverseInterval {
     let mut closed = Vec::new();
     for found in statement::read_backwards(&mut terms, None, read) {
-        conditions.extend(found.conditions);
-        closed.push(Share { id: found.id, reference: found.reference.to_vec(), f: Branches::endless(Pair::same(found.f)) });
+        closed.push(Share::from_statement(found, conditions));
     }
     let mut powers: Vec<(Expr, Expr)> = Vec::new();
     terms.retain(|term| {

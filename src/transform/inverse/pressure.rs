@@ -1,6 +1,7 @@
 //! A profile from a wanted pressure: q(x) = 2 ∫_x^a r p/√(r²−x²) dr, and g = d − q/E*.
 
 use super::super::TransformError;
+use super::super::rules::reading;
 use crate::expr::normal;
 use crate::expr::{Expr, Sign, Symbol, sign};
 use crate::print;
@@ -80,18 +81,11 @@ fn power_of_gap(kernel: &Expr, radius: &Symbol) -> Option<(Expr, Expr)> {
     if kernel.is_one() {
         return Some((Expr::one(), Expr::zero()));
     }
-    let (base, power) = match kernel.node() {
-        crate::expr::Node::Power(base, power) => (base.clone(), power.clone()),
-        _ => (kernel.clone(), Expr::one()),
-    };
-    match normal::polynomial_coefficients(&base, radius)?.as_slice() {
-        [constant, middle, last] if middle.is_zero() => {
-            let scale = -last;
-            let same = normal::is_proven_zero(&(constant - &scale * Expr::symbol("a").power(2)), radius);
-            (same && sign(&scale) == Sign::Positive).then(|| (scale.pow(&power), power))
-        }
-        _ => None,
-    }
+    let (base, power) = reading::power(kernel);
+    let (constant, last) = reading::quadratic(&base)?;
+    let scale = -last;
+    let same = normal::is_proven_zero(&(constant - &scale * Expr::symbol("a").power(2)), radius);
+    (same && sign(&scale) == Sign::Positive).then(|| (scale.pow(&power), power))
 }
 
 /// B(z, 1/2) = √π Γ(z)/Γ(z + 1/2).

@@ -65,8 +65,7 @@ struct Entry {
 
 impl Entry {
     fn statement(&self) -> Option<&Statement> {
-        let build = || Statement::new(self.id, self.reference, &self.g, &self.f, self.parameters.clone(), self.shifted);
-        self.statement.get_or_init(build).as_ref()
+        self.statement.get_or_init(|| Statement::new(self)).as_ref()
     }
 }
 
@@ -135,17 +134,10 @@ pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Ex
 }
 
 impl Statement {
-    fn new(
-        id: &'static str,
-        reference: &'static [&'static str],
-        g: &Formula,
-        f: &Formula,
-        parameters: Vec<Symbol>,
-        shifted: bool,
-    ) -> Option<Self> {
+    fn new(entry: &Entry) -> Option<Self> {
         let radius = Symbol::new("r");
         let over_radius = Bindings::one("x", Expr::symbol("r"));
-        let (breakpoint, g, f) = match (g, f) {
+        let (breakpoint, g, f) = match (&entry.g, &entry.f) {
             (Formula::Closed(g), Formula::Closed(f)) => (None, g, f),
             (Formula::Piecewise { pieces, last: g, .. }, Formula::Piecewise { pieces: others, last: f, .. }) => {
                 let ([(before, end)], [(also, same)]) = (pieces.as_slice(), others.as_slice()) else { return None };
@@ -161,9 +153,9 @@ impl Statement {
         terms.retain(|term| !term.kernel.is_one());
         // The term that says most comes first.
         terms.sort_by_key(|term| std::cmp::Reverse(term.kernel.size_up_to(1000)));
-        let begins = !shifted || breakpoint.is_some();
+        let begins = !entry.shifted || breakpoint.is_some();
         let shift = if begins { Expr::zero() } else { domain::value_at_axis(f, &mut Vec::new()).ok()? };
-        Some(Self { id, reference, parameters, breakpoint, g, terms, f: f - shift })
+        Some(Self { id: entry.id, reference: entry.reference, parameters: entry.parameters.clone(), breakpoint, g, terms, f: f - shift })
     }
 
     /// f and what is left of the terms, where this statement explains the target with all of its own terms.

@@ -17,7 +17,7 @@ mod power;
 mod power_log;
 mod quadratic;
 mod quadratic_wave;
-mod reading;
+pub(crate) mod reading;
 mod root;
 mod segment_power;
 mod series;

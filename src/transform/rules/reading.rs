@@ -24,7 +24,7 @@ pub(super) fn linear(expr: &Expr) -> Option<(Expr, Expr)> {
 }
 
 /// α and β of α + β r² with neither zero.
-pub(super) fn quadratic(expr: &Expr) -> Option<(Expr, Expr)> {
+pub(crate) fn quadratic(expr: &Expr) -> Option<(Expr, Expr)> {
     match normal::polynomial_coefficients(expr, &radius())?.as_slice() {
         [alpha, middle, beta] if middle.is_zero() && !alpha.is_zero() => Some((alpha.clone(), beta.clone())),
         _ => None,
@@ -32,7 +32,7 @@ pub(super) fn quadratic(expr: &Expr) -> Option<(Expr, Expr)> {
 }
 
 /// Base and exponent of a power; an expression that is none is its own first power.
-pub(super) fn power(expr: &Expr) -> (Expr, Expr) {
+pub(crate) fn power(expr: &Expr) -> (Expr, Expr) {
     match expr.node() {
         Node::Power(base, exponent) => (base.clone(), exponent.clone()),
         _ => (expr.clone(), Expr::one()),
