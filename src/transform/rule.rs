@@ -6,7 +6,7 @@ use crate::expr::{Condition, Expr};
 /// One family of exact solutions.
 ///
 /// `pattern`, `slope`, `force` and `pressure` are the rule's statement in the program's own grammar; tests hold them
-/// against the code and against quadrature, and the documentation prints them.
+/// against the code and against quadrature, the documentation prints them, and the inverse reads them from g to f.
 pub struct Rule {
     /// Short name, as reports cite it.
     pub id: &'static str,

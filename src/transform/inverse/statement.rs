@@ -1,6 +1,6 @@
 //! Statements that are read from g to f: the inverse table, and the statement of every rule from right to left.
 
-use super::super::rules::RULES;
+use super::super::rules::{RULES, reading};
 use super::super::{Parameter, domain};
 use super::table::TABLE;
 use super::unify;
@@ -185,11 +185,7 @@ impl Statement {
         let radius = Symbol::new("r");
         let mut conditions = Vec::new();
         for (_, value) in solved.iter() {
-            match sign(value) {
-                Sign::Positive => {}
-                Sign::Unknown => conditions.push(Condition::less(Expr::zero(), value.clone())),
-                Sign::Zero | Sign::Negative => return None,
-            }
+            conditions.extend(reading::positive(value)?);
         }
         let own = normal::normal_terms(&values.apply(&self.g), &radius).ok()?;
         let same = |one: &NormalTerm, other: &NormalTerm| one.exponent == other.exponent && one.kernel == other.kernel;

@@ -57,7 +57,7 @@ pub(super) fn exponential_pair(expr: &Expr) -> Option<(&Expr, &Expr)> {
 }
 
 /// What must hold for an expression to be positive; `None` where it is not.
-pub(super) fn positive(expr: &Expr) -> Option<Vec<Condition>> {
+pub(crate) fn positive(expr: &Expr) -> Option<Vec<Condition>> {
     above(expr, 0)
 }
 
@@ -75,5 +75,41 @@ pub(super) fn call<'a>(expr: &'a Expr, name: &str) -> Option<&'a [Expr]> {
     match expr.node() {
         Node::Function(function, arguments) if function.name() == name => Some(arguments),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn kernels_are_read_by_their_content() {
+        let (r, w) = (Expr::symbol("r"), Expr::symbol("w"));
+        let two = Expr::integer(2);
+        assert_eq!(monomial(&(&r * &two / &w)), Some((&two / &w, Expr::one())));
+        assert_eq!(linear(&(&w + &two * &r)), Some((w.clone(), two.clone())));
+        assert_eq!(quadratic(&(w.power(2) - r.power(2))), Some((w.power(2), Expr::integer(-1))));
+        for declined in [&r + &w, r.power(2), r.clone() + r.power(2)] {
+            assert_eq!(quadratic(&declined), None, "{declined:?}");
+        }
+        assert_eq!(power(&r.power(3)), (r.clone(), Expr::integer(3)));
+        assert_eq!(power(&w), (w.clone(), Expr::one()));
+        let [exponential, error] = ["exp", "erf"].map(|name| Expr::call(name, [r.clone()]));
+        let product = &exponential * &error;
+        assert_eq!(exponential_pair(&product), Some((&exponential, &error)));
+        assert_eq!(pair(&exponential), None);
+    }
+
+    #[test]
+    fn what_is_not_known_to_be_positive_becomes_a_condition() {
+        let (n, zero) = (Expr::symbol("n"), Expr::zero());
+        assert_eq!(positive(&n), Some(Vec::new()));
+        assert_eq!(positive(&-&n), None);
+        assert_eq!(positive(&zero), None);
+        assert_eq!(above(&zero, -1), Some(Vec::new()));
+        let open = &n - Expr::one();
+        assert_eq!(positive(&open), Some(vec![Condition::less(zero, open.clone())]));
+        assert_eq!(above(&open, -1), Some(Vec::new()));
+        assert_eq!(above(&(&n - Expr::integer(3)), -1), Some(vec![Condition::less(Expr::integer(-1), n - Expr::integer(3))]));
     }
 }

@@ -1,6 +1,6 @@
 //! Powers of r times atan(r/w), atanh(r/R), asinh(r/w) and asin(r/R).
 
-use super::{B, BLANK, Field, H, Kernel, R, Reach, W, kernel};
+use super::{B, BLANK, Extent, Field, H, Kernel, R, W, kernel};
 use crate::expr::{Expr, Sign, sign};
 use crate::transform::rules::reading;
 use crate::transform::{Answer, Parameter, Rule, Term};
@@ -21,7 +21,7 @@ pub(in crate::transform::rules) static ATAN_EVEN: Rule = Rule {
     slope: "2*h*x*(x/(w+sqrt(w^2+x^2)))*hyper([1/2,1/2,1],[3/2,3/2],(x/(w+sqrt(w^2+x^2)))^2)",
     force: "E*h*(2*a^2*(a/(w+sqrt(w^2+a^2)))*hyper([1/2,1/2,1],[3/2,3/2],(a/(w+sqrt(w^2+a^2)))^2)\
             +w*(sqrt(w^2+a^2)*asinh(a/w)-a))",
-    apply: |term| apply(term, Kernel::Arctangent, "atan", false, Reach::Whole),
+    apply: |term| apply(term, Kernel::Arctangent, "atan", false, Extent::Whole),
     ..BASE
 };
 
@@ -35,7 +35,7 @@ pub(in crate::transform::rules) static ATAN_ODD: Rule = Rule {
         "E*h*((w^2+2*r^2)/r*ellipf(atan(sqrt(a^2-r^2)/sqrt(w^2+r^2)),-w^2/r^2)\
          -2*r*ellipe(atan(sqrt(a^2-r^2)/sqrt(w^2+r^2)),-w^2/r^2)+2*a*sqrt(a^2-r^2)/sqrt(w^2+a^2)-w*acosh(a/r))",
     ),
-    apply: |term| apply(term, Kernel::Arctangent, "atan", true, Reach::Whole),
+    apply: |term| apply(term, Kernel::Arctangent, "atan", true, Extent::Whole),
     ..BASE
 };
 
@@ -48,7 +48,7 @@ pub(in crate::transform::rules) static ATANH_EVEN: Rule = Rule {
             +R*(a-sqrt(R^2-a^2)*asin(a/R)))",
     parameters: &[H, R],
     guard: INSIDE,
-    apply: |term| apply(term, Kernel::Arctangent, "atanh", false, Reach::Whole),
+    apply: |term| apply(term, Kernel::Arctangent, "atanh", false, Extent::Whole),
     ..BASE
 };
 
@@ -64,7 +64,7 @@ pub(in crate::transform::rules) static ATANH_ODD: Rule = Rule {
         "E*h*(R*acosh(a/r)-R^2/r*ellipf(atan(sqrt(a^2-r^2)/sqrt(R^2-a^2)),1-R^2/r^2)\
          +2*r*ellipe(atan(sqrt(a^2-r^2)/sqrt(R^2-a^2)),1-R^2/r^2))",
     ),
-    apply: |term| apply(term, Kernel::Arctangent, "atanh", true, Reach::Whole),
+    apply: |term| apply(term, Kernel::Arctangent, "atanh", true, Extent::Whole),
     ..BASE
 };
 
@@ -77,7 +77,7 @@ pub(in crate::transform::rules) static WORN_ATAN: Rule = Rule {
             +(w^3-3/2*w*a^2)*acos(b/a)+(2*a^2+b^2)*sqrt(a^2-b^2)*atan(b/w)-w*b*sqrt(a^2-b^2)/2))",
     parameters: &[H, W, B],
     guard: OUTWARD,
-    apply: |term| apply(term, Kernel::Arctangent, "atan", true, Reach::Segment),
+    apply: |term| apply(term, Kernel::Arctangent, "atan", true, Extent::Segment),
     ..BASE
 };
 
@@ -90,7 +90,7 @@ pub(in crate::transform::rules) static WORN_ATANH: Rule = Rule {
             -(2*a^2+R^2)*sqrt(R^2-a^2)*atan(R*sqrt(a^2-b^2)/(b*sqrt(R^2-a^2)))))",
     parameters: &[H, R, B],
     guard: WORN_INSIDE,
-    apply: |term| apply(term, Kernel::Arctangent, "atanh", true, Reach::Segment),
+    apply: |term| apply(term, Kernel::Arctangent, "atanh", true, Extent::Segment),
     ..BASE
 };
 
@@ -102,7 +102,7 @@ pub(in crate::transform::rules) static ASINH_EVEN: Rule = Rule {
     force: "E*h*(a^2*(a/w)*hyper([1/2,1/2,1],[3/2,3/2],-(a/w)^2)+((w^2+a^2)*atan(a/w)-w*a)/2)",
     // Below w, where the series of the statement converges.
     parameters: &[H, Parameter { name: "w", lowest: 3.2, highest: 6.0 }],
-    apply: |term| apply(term, Kernel::Arcsine, "asinh", false, Reach::Whole),
+    apply: |term| apply(term, Kernel::Arcsine, "asinh", false, Extent::Whole),
     ..BASE
 };
 
@@ -112,7 +112,7 @@ pub(in crate::transform::rules) static ASINH_ODD: Rule = Rule {
     pattern: "h*((w^2+2*r^2)*asinh(r/w)-r*sqrt(w^2+r^2))",
     slope: "4*h*x*((w^2+x^2)*ellipk(-x^2/w^2)-w^2*ellipe(-x^2/w^2))/w",
     force: "8/9*E*h/w*(2*(3*a^2-w^2)*(w^2+a^2)*ellipk(-a^2/w^2)+w^2*(2*w^2-5*a^2)*ellipe(-a^2/w^2))",
-    apply: |term| apply(term, Kernel::Arcsine, "asinh", true, Reach::Whole),
+    apply: |term| apply(term, Kernel::Arcsine, "asinh", true, Extent::Whole),
     ..BASE
 };
 
@@ -124,7 +124,7 @@ pub(in crate::transform::rules) static ASIN_EVEN: Rule = Rule {
     force: "E*h*(a^2*(a/R)*hyper([1/2,1/2,1],[3/2,3/2],(a/R)^2)+(R*a-(R^2-a^2)*atanh(a/R))/2)",
     parameters: &[H, R],
     guard: INSIDE,
-    apply: |term| apply(term, Kernel::Arcsine, "asin", false, Reach::Whole),
+    apply: |term| apply(term, Kernel::Arcsine, "asin", false, Extent::Whole),
     ..BASE
 };
 
@@ -136,7 +136,7 @@ pub(in crate::transform::rules) static ASIN_ODD: Rule = Rule {
     force: "8/9*E*h/R*(R^2*(2*R^2+5*a^2)*ellipe(a^2/R^2)-2*(3*a^2+R^2)*(R^2-a^2)*ellipk(a^2/R^2))",
     parameters: &[H, R],
     guard: INSIDE,
-    apply: |term| apply(term, Kernel::Arcsine, "asin", true, Reach::Whole),
+    apply: |term| apply(term, Kernel::Arcsine, "asin", true, Extent::Whole),
     ..BASE
 };
 
@@ -151,7 +151,7 @@ pub(in crate::transform::rules) static WORN_ASINH: Rule = Rule {
             -b*sqrt(a^2-b^2)*sqrt(w^2+b^2)+3*(2*a^2+b^2)*sqrt(a^2-b^2)*asinh(b/w)))",
     parameters: &[H, W, B],
     guard: OUTWARD,
-    apply: |term| apply(term, Kernel::Arcsine, "asinh", true, Reach::Segment),
+    apply: |term| apply(term, Kernel::Arcsine, "asinh", true, Extent::Segment),
     ..BASE
 };
 
@@ -166,17 +166,17 @@ pub(in crate::transform::rules) static WORN_ASIN: Rule = Rule {
             -2*(3*a^2+R^2)*(R^2-a^2)/R*ellipf(atan(R*sqrt(a^2-b^2)/(b*sqrt(R^2-a^2))),a^2/R^2)+3*(2*a^2+b^2)*sqrt(a^2-b^2)*asin(b/R)))",
     parameters: &[H, R, B],
     guard: WORN_INSIDE,
-    apply: |term| apply(term, Kernel::Arcsine, "asin", true, Reach::Segment),
+    apply: |term| apply(term, Kernel::Arcsine, "asin", true, Extent::Segment),
     ..BASE
 };
 
 /// c r^m K(k r): m ≥ 0 odd or even; odd on segments.
-fn apply(term: &Term, own: Kernel, name: &str, odd: bool, reach: Reach) -> Option<Answer> {
+fn apply(term: &Term, own: Kernel, name: &str, odd: bool, extent: Extent) -> Option<Answer> {
     if (term.single()?.exponent.as_integer()? % 2 != 0) != odd {
         return None;
     }
     let plus = matches!(name, "atan" | "asinh");
-    kernel(term, own, reach, |function| {
+    kernel(term, own, extent, |function| {
         let [argument] = reading::call(function, name)? else { return None };
         let (k, exponent) = reading::monomial(argument)?;
         // All four functions are odd.

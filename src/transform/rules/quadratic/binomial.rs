@@ -1,6 +1,6 @@
 //! Real and symbolic powers of the quadratic, by Gauss's hypergeometric function.
 
-use super::{BLANK, C, H, R, Reach, field};
+use super::{BLANK, C, Extent, H, R, field};
 use crate::expr::{Condition, Expr, Number, Sign, Symbol, normal, sign};
 use crate::transform::rules::{kappa, reading};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Segment, Term};
@@ -19,7 +19,7 @@ pub(in crate::transform::rules) static WHOLE: Rule = Rule {
     pattern: "h*((1+r^2/b^2)^p-1)",
     slope: "h*(hyp2f1(-p,1,1/2,-x^2/b^2)-1)",
     force: "2*E*h*a*(hyp2f1(-p,1,1/2,-a^2/b^2)-hyp2f1(-p,1,3/2,-a^2/b^2))",
-    apply: |term| apply(term, Sign::Positive, Reach::Whole),
+    apply: |term| apply(term, Sign::Positive, Extent::Whole),
     ..BASE
 };
 
@@ -31,7 +31,7 @@ pub(in crate::transform::rules) static WHOLE_BELOW: Rule = Rule {
     force: "2*E*h*a*(hyp2f1(-p,1,3/2,a^2/R^2)-hyp2f1(-p,1,1/2,a^2/R^2))",
     parameters: &[H, R, P],
     guard: "r < R; p neither whole nor half",
-    apply: |term| apply(term, Sign::Negative, Reach::Whole),
+    apply: |term| apply(term, Sign::Negative, Extent::Whole),
     ..BASE
 };
 
@@ -45,7 +45,7 @@ pub(in crate::transform::rules) static WORN: Rule = Rule {
     parameters: &[H, S, P, C],
     guard: "r ≥ c; p neither whole nor half",
     reference: &[GAUSS, "wear rule for even profiles"],
-    apply: |term| apply(term, Sign::Positive, Reach::Segment),
+    apply: |term| apply(term, Sign::Positive, Extent::Segment),
     ..BASE
 };
 
@@ -59,7 +59,7 @@ pub(in crate::transform::rules) static WORN_BELOW: Rule = Rule {
     parameters: &[H, R, P, C],
     guard: "c ≤ r < R; p neither whole nor half",
     reference: &[GAUSS, "wear rule for even profiles"],
-    apply: |term| apply(term, Sign::Negative, Reach::Segment),
+    apply: |term| apply(term, Sign::Negative, Extent::Segment),
     ..BASE
 };
 
@@ -73,9 +73,9 @@ struct Binomial {
 }
 
 /// Every real m > −1 on the whole axis, odd m ≥ 1 on segments.
-fn apply(term: &Term, branch: Sign, reach: Reach) -> Option<Answer> {
+fn apply(term: &Term, branch: Sign, extent: Extent) -> Option<Answer> {
     let part = term.single()?;
-    if !reach.fits(&term.segment) {
+    if !extent.fits(&term.segment) {
         return None;
     }
     let (base, p) = reading::power(&part.kernel);
@@ -87,7 +87,7 @@ fn apply(term: &Term, branch: Sign, reach: Reach) -> Option<Answer> {
     let (alpha, beta) = (&own.square_length * &magnitude, Expr::integer(own.sigma) * magnitude);
     let m = part.exponent.clone();
     let binomial = Binomial { coefficient: part.coefficient.clone(), m: m.clone(), alpha, beta, p };
-    if reach == Reach::Segment {
+    if extent == Extent::Segment {
         return binomial.worn(&term.segment, conditions);
     }
     conditions.extend(reading::above(&m, -1)?);

@@ -1,6 +1,6 @@
 //! Powers of r times ln(1 ± r²/ρ²).
 
-use super::{B, H, Kernel, R, Reach, W, kernel};
+use super::{B, Extent, H, Kernel, R, W, kernel};
 use crate::expr::Expr;
 use crate::transform::rules::reading;
 use crate::transform::{Answer, Rule, Term};
@@ -18,7 +18,7 @@ pub(in crate::transform::rules) static ABOVE: Rule = Rule {
     guard: "w > 0",
     reference: &[PARTS],
     specializes: None,
-    apply: |term| apply(term, 1, Reach::Whole),
+    apply: |term| apply(term, 1, Extent::Whole),
 };
 
 pub(in crate::transform::rules) static BELOW: Rule = Rule {
@@ -32,7 +32,7 @@ pub(in crate::transform::rules) static BELOW: Rule = Rule {
     guard: "r < R",
     reference: &[PARTS],
     specializes: None,
-    apply: |term| apply(term, -1, Reach::Whole),
+    apply: |term| apply(term, -1, Extent::Whole),
 };
 
 pub(in crate::transform::rules) static WORN_ABOVE: Rule = Rule {
@@ -48,7 +48,7 @@ pub(in crate::transform::rules) static WORN_ABOVE: Rule = Rule {
     guard: "r ≥ b",
     reference: &[PARTS],
     specializes: None,
-    apply: |term| apply(term, 1, Reach::Segment),
+    apply: |term| apply(term, 1, Extent::Segment),
 };
 
 pub(in crate::transform::rules) static WORN_BELOW: Rule = Rule {
@@ -63,12 +63,12 @@ pub(in crate::transform::rules) static WORN_BELOW: Rule = Rule {
     guard: "b ≤ r < R",
     reference: &[PARTS],
     specializes: None,
-    apply: |term| apply(term, -1, Reach::Segment),
+    apply: |term| apply(term, -1, Extent::Segment),
 };
 
 /// c r^m ln(1 + βr²): m ≥ 0 and m = −2 on the whole axis, odd m on segments.
-fn apply(term: &Term, sigma: i64, reach: Reach) -> Option<Answer> {
-    kernel(term, Kernel::Logarithm, reach, |own| {
+fn apply(term: &Term, sigma: i64, extent: Extent) -> Option<Answer> {
+    kernel(term, Kernel::Logarithm, extent, |own| {
         let [argument] = reading::call(own, "ln")? else { return None };
         let (field, magnitude, conditions) = super::field(argument)?;
         // The argument is 1 at the axis, so that its size is that of the length alone.

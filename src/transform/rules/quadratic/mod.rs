@@ -53,14 +53,14 @@ struct Reading {
 
 /// The two kinds of segment that a rule may be for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Reach {
+enum Extent {
     /// The whole axis.
     Whole,
     /// Anything else.
     Segment,
 }
 
-impl Reach {
+impl Extent {
     fn fits(self, segment: &Segment) -> bool {
         segment.is_whole() == (self == Self::Whole)
     }
@@ -166,20 +166,20 @@ impl Work<'_> {
 }
 
 /// The kernel rules: r^m K with K over α = 1.
-fn kernel(term: &Term, kernel: Kernel, reach: Reach, read: impl Fn(&Expr) -> Option<(Expr, Field)>) -> Option<Answer> {
+fn kernel(term: &Term, kernel: Kernel, extent: Extent, read: impl Fn(&Expr) -> Option<(Expr, Field)>) -> Option<Answer> {
     let part = term.single()?;
-    if !reach.fits(&term.segment) {
+    if !extent.fits(&term.segment) {
         return None;
     }
     let exponent = part.exponent.as_integer()?;
     let (factor, field) = read(&part.kernel)?;
     let odd = exponent % 2 != 0;
-    if reach == Reach::Segment && !odd {
+    if extent == Extent::Segment && !odd {
         return None;
     }
     let sigma = field.sigma;
     let reading = Reading { coefficient: &part.coefficient * factor, exponent, field, conditions: Vec::new() };
     let work = Work { reading, segment: &term.segment, family: kernel.family(sigma), kernel: Some(kernel) };
-    let closes = odd && kernel == Kernel::Arctangent && reach == Reach::Whole;
+    let closes = odd && kernel == Kernel::Arctangent && extent == Extent::Whole;
     work.answer(|m| kernel.moment(sigma, m), closes.then_some(pressure::elliptic))
 }

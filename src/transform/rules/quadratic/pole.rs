@@ -1,6 +1,6 @@
 //! Whole negative powers of the quadratic: Lorentzian, log-quadratic, arctangent, and the same from a radius outward.
 
-use super::{B, Family, H, R, RECURRENCE, Reach, W, Work, power, pressure};
+use super::{B, Extent, Family, H, R, RECURRENCE, W, Work, power, pressure};
 use crate::transform::{Answer, Rule, Term};
 
 const WEAR: &str = "wear rule for even profiles";
@@ -18,7 +18,7 @@ pub(in crate::transform::rules) static ODD: Rule = Rule {
     guard: "w > 0",
     reference: &[RECURRENCE],
     specializes: None,
-    apply: |term| apply(term, 1, true, Reach::Whole),
+    apply: |term| apply(term, 1, true, Extent::Whole),
 };
 
 pub(in crate::transform::rules) static ODD_BELOW: Rule = Rule {
@@ -32,7 +32,7 @@ pub(in crate::transform::rules) static ODD_BELOW: Rule = Rule {
     guard: BELOW,
     reference: &[RECURRENCE],
     specializes: None,
-    apply: |term| apply(term, -1, true, Reach::Whole),
+    apply: |term| apply(term, -1, true, Extent::Whole),
 };
 
 pub(in crate::transform::rules) static EVEN: Rule = Rule {
@@ -48,7 +48,7 @@ pub(in crate::transform::rules) static EVEN: Rule = Rule {
     guard: "w > 0",
     reference: &[RECURRENCE],
     specializes: None,
-    apply: |term| apply(term, 1, false, Reach::Whole),
+    apply: |term| apply(term, 1, false, Extent::Whole),
 };
 
 pub(in crate::transform::rules) static EVEN_BELOW: Rule = Rule {
@@ -65,7 +65,7 @@ pub(in crate::transform::rules) static EVEN_BELOW: Rule = Rule {
     guard: BELOW,
     reference: &[RECURRENCE],
     specializes: None,
-    apply: |term| apply(term, -1, false, Reach::Whole),
+    apply: |term| apply(term, -1, false, Extent::Whole),
 };
 
 pub(in crate::transform::rules) static WORN_ODD: Rule = Rule {
@@ -79,7 +79,7 @@ pub(in crate::transform::rules) static WORN_ODD: Rule = Rule {
     guard: OUTWARD,
     reference: &[RECURRENCE, WEAR],
     specializes: None,
-    apply: |term| apply(term, 1, true, Reach::Segment),
+    apply: |term| apply(term, 1, true, Extent::Segment),
 };
 
 pub(in crate::transform::rules) static WORN_ODD_BELOW: Rule = Rule {
@@ -93,7 +93,7 @@ pub(in crate::transform::rules) static WORN_ODD_BELOW: Rule = Rule {
     guard: "b ≤ r < R",
     reference: &[RECURRENCE, WEAR],
     specializes: None,
-    apply: |term| apply(term, -1, true, Reach::Segment),
+    apply: |term| apply(term, -1, true, Extent::Segment),
 };
 
 pub(in crate::transform::rules) static WORN_EVEN: Rule = Rule {
@@ -107,7 +107,7 @@ pub(in crate::transform::rules) static WORN_EVEN: Rule = Rule {
     guard: OUTWARD,
     reference: &[RECURRENCE],
     specializes: None,
-    apply: |term| apply(term, 1, false, Reach::Segment),
+    apply: |term| apply(term, 1, false, Extent::Segment),
 };
 
 pub(in crate::transform::rules) static WORN_EVEN_BELOW: Rule = Rule {
@@ -121,12 +121,12 @@ pub(in crate::transform::rules) static WORN_EVEN_BELOW: Rule = Rule {
     guard: "b ≤ r < R",
     reference: &[RECURRENCE],
     specializes: None,
-    apply: |term| apply(term, -1, false, Reach::Segment),
+    apply: |term| apply(term, -1, false, Extent::Segment),
 };
 
 /// c r^m Q^(−k) with whole k > 0 and m ≥ 0, odd or even.
-fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
-    if !reach.fits(&term.segment) {
+fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
+    if !extent.fits(&term.segment) {
         return None;
     }
     let (reading, exponent) = power(term.single()?)?;
@@ -136,5 +136,5 @@ fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
     }
     let family = Family { sigma, half: false };
     let work = Work { reading, segment: &term.segment, family, kernel: None };
-    work.answer(|m| family.moment(m, k), (!odd && reach == Reach::Whole).then_some(pressure::elliptic))
+    work.answer(|m| family.moment(m, k), (!odd && extent == Extent::Whole).then_some(pressure::elliptic))
 }

@@ -1,6 +1,6 @@
 //! Powers −1/2, −3/2, … of the quadratic beyond sphere and hyperboloid: elementary for odd m, elliptic for even m.
 
-use super::{BLANK, C, Family, H, R, RECURRENCE, Reach, Work, power, pressure};
+use super::{BLANK, C, Extent, Family, H, R, RECURRENCE, Work, power, pressure};
 use crate::expr::Number;
 use crate::transform::{Answer, Parameter, Rule, Term};
 
@@ -21,7 +21,7 @@ pub(in crate::transform::rules) static ODD: Rule = Rule {
     slope: "h*x^2/(b^2+x^2)",
     force: "2*E*h*(b*atan(a/b)-a*b^2/(a^2+b^2))",
     pressure: Some("E*h*b^2/pi*(sqrt(a^2-r^2)/((b^2+r^2)*(a^2+b^2))+atan(sqrt(a^2-r^2)/sqrt(b^2+r^2))/(b^2+r^2)^(3/2))"),
-    apply: |term| apply(term, 1, true, Reach::Whole),
+    apply: |term| apply(term, 1, true, Extent::Whole),
     ..BASE
 };
 
@@ -34,7 +34,7 @@ pub(in crate::transform::rules) static ODD_BELOW: Rule = Rule {
     pressure: Some("E*h*R^2/pi*(sqrt(a^2-r^2)/((R^2-r^2)*(R^2-a^2))+atanh(sqrt(a^2-r^2)/sqrt(R^2-r^2))/(R^2-r^2)^(3/2))"),
     parameters: &[H, R],
     guard: INSIDE,
-    apply: |term| apply(term, -1, true, Reach::Whole),
+    apply: |term| apply(term, -1, true, Extent::Whole),
     ..BASE
 };
 
@@ -46,7 +46,7 @@ pub(in crate::transform::rules) static WORN_ODD: Rule = Rule {
     force: "piecewise(0, a<c, 2*E*h*b*(atan(sqrt(a^2-c^2)/sqrt(b^2+c^2))-b^2*sqrt(a^2-c^2)/(sqrt(b^2+c^2)*(b^2+a^2))))",
     parameters: &[H, S, C],
     guard: "r ≥ c",
-    apply: |term| apply(term, 1, true, Reach::Segment),
+    apply: |term| apply(term, 1, true, Extent::Segment),
     ..BASE
 };
 
@@ -58,7 +58,7 @@ pub(in crate::transform::rules) static WORN_ODD_BELOW: Rule = Rule {
     force: "piecewise(0, a<c, 2*E*h*R*(R^2*sqrt(a^2-c^2)/(sqrt(R^2-c^2)*(R^2-a^2))-atanh(sqrt(a^2-c^2)/sqrt(R^2-c^2))))",
     parameters: &[H, R, C],
     guard: "c ≤ r < R",
-    apply: |term| apply(term, -1, true, Reach::Segment),
+    apply: |term| apply(term, -1, true, Extent::Segment),
     ..BASE
 };
 
@@ -69,7 +69,7 @@ pub(in crate::transform::rules) static EVEN: Rule = Rule {
     slope: "h*x/b*ellipk(-x^2/b^2)",
     force: "2*E*h*b*(ellipe(-a^2/b^2)-ellipk(-a^2/b^2))",
     reference: &[RECURRENCE, ELLIPTIC],
-    apply: |term| apply(term, 1, false, Reach::Whole),
+    apply: |term| apply(term, 1, false, Extent::Whole),
     ..BASE
 };
 
@@ -82,7 +82,7 @@ pub(in crate::transform::rules) static EVEN_BELOW: Rule = Rule {
     parameters: &[H, R],
     guard: INSIDE,
     reference: &[RECURRENCE, ELLIPTIC],
-    apply: |term| apply(term, -1, false, Reach::Whole),
+    apply: |term| apply(term, -1, false, Extent::Whole),
     ..BASE
 };
 
@@ -96,7 +96,7 @@ pub(in crate::transform::rules) static WORN_EVEN: Rule = Rule {
     parameters: &[H, S, C],
     guard: "r ≥ c",
     reference: &[RECURRENCE, WORN_ELLIPTIC],
-    apply: |term| apply(term, 1, false, Reach::Segment),
+    apply: |term| apply(term, 1, false, Extent::Segment),
     ..BASE
 };
 
@@ -110,13 +110,13 @@ pub(in crate::transform::rules) static WORN_EVEN_BELOW: Rule = Rule {
     parameters: &[H, R, C],
     guard: "c ≤ r < R",
     reference: &[RECURRENCE, WORN_ELLIPTIC],
-    apply: |term| apply(term, -1, false, Reach::Segment),
+    apply: |term| apply(term, -1, false, Extent::Segment),
     ..BASE
 };
 
 /// c r^m Q^(1/2−k) with whole k > 0; sphere and hyperboloid, whole and endless, have rules of their own.
-fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
-    if !reach.fits(&term.segment) {
+fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
+    if !extent.fits(&term.segment) {
         return None;
     }
     let (reading, exponent) = power(term.single()?)?;
@@ -129,5 +129,5 @@ fn apply(term: &Term, sigma: i64, odd: bool, reach: Reach) -> Option<Answer> {
     }
     let family = Family { sigma, half: true };
     let work = Work { reading, segment: &term.segment, family, kernel: None };
-    work.answer(|m| family.moment(m, k), (odd && reach == Reach::Whole).then_some(pressure::rooted))
+    work.answer(|m| family.moment(m, k), (odd && extent == Extent::Whole).then_some(pressure::rooted))
 }
