@@ -279,10 +279,15 @@ impl Hash for Number {
     }
 }
 
+/// p/q ± n/m in machine words, by the sign of the second.
+fn small_sum(one: &Number, other: &Number, sign: i128) -> Option<BigRational> {
+    one.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * m + sign * n * q, q * m))
+}
+
 impl Add for &Number {
     type Output = Number;
     fn add(self, other: Self) -> Number {
-        let small = self.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * m + n * q, q * m));
+        let small = small_sum(self, other, 1);
         Number::keep(small.unwrap_or_else(|| &self.value + &other.value), self.decimal || other.decimal)
     }
 }
@@ -290,7 +295,7 @@ impl Add for &Number {
 impl Sub for &Number {
     type Output = Number;
     fn sub(self, other: Self) -> Number {
-        let small = self.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * m - n * q, q * m));
+        let small = small_sum(self, other, -1);
         Number::keep(small.unwrap_or_else(|| &self.value - &other.value), self.decimal || other.decimal)
     }
 }
