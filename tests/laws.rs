@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::formulas::{contact, derived, derived_with, formula, number, relative, typed, value};
+use common::formulas::{bindings, contact, derived, derived_with, formula, number, relative, typed, value};
 use common::random::Stream;
 use sneddon::contact::{Contact, Edge, relations};
 use sneddon::expr::{Bindings, Symbol, derivative, normal};
@@ -292,4 +292,18 @@ fn rewriting_changes_nothing() {
 
 fn number_of(own: &Contact<'_>) -> f64 {
     own.evaluator().slope(2.5).unwrap().estimate.value
+}
+
+/// A solver may share one evaluator between its threads.
+#[test]
+fn evaluators_are_shared_between_threads() {
+    fn shared<T: Send + Sync>(_: &T) {}
+    let solution = derived("h*(1-cos(r))");
+    let evaluator = Evaluator::new(&solution, &bindings(&[("h", 2.0)]), Method::Auto, 1e-13).unwrap();
+    shared(&evaluator);
+    let values: Vec<f64> = std::thread::scope(|scope| {
+        let run = || evaluator.slope(0.5).unwrap().estimate.value;
+        [scope.spawn(run), scope.spawn(run)].map(|worker| worker.join().unwrap()).to_vec()
+    });
+    assert_eq!(values[0], values[1]);
 }

@@ -8,7 +8,7 @@ use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
 use crate::num::{Bounded, Estimate, Precise};
-use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 /// How a number may be computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,15 +30,15 @@ pub struct Reading {
     pub method: &'static str,
 }
 
-/// A solution with numbers for its parameters, compiled for many points.
+/// A solution with numbers for its parameters, compiled for many points; it may be shared between threads.
 pub struct Evaluator<'a> {
     solution: &'a Solution,
     bindings: Bindings,
     chains: Vec<NumericChain>,
     limits: Vec<f64>,
-    typed: OnceCell<NumericProfile>,
-    recognised: OnceCell<NumericProfile>,
-    heights: OnceCell<Heights>,
+    typed: OnceLock<NumericProfile>,
+    recognised: OnceLock<NumericProfile>,
+    heights: OnceLock<Heights>,
     tolerance: f64,
     method: Method,
 }
@@ -50,10 +50,10 @@ struct Heights {
 
 struct NumericChain {
     breakpoints: Vec<Bounded>,
-    slope: OnceCell<Part>,
-    force: OnceCell<Part>,
-    pressure: OnceCell<Part>,
-    outside: OnceCell<Part>,
+    slope: OnceLock<Part>,
+    force: OnceLock<Part>,
+    pressure: OnceLock<Part>,
+    outside: OnceLock<Part>,
 }
 
 /// The closed expressions of one quantity, one per interval of the contact, and what is left to integrate.
@@ -83,10 +83,10 @@ impl<'a> Evaluator<'a> {
             let breakpoints = chain.breakpoints.iter().map(|b| constant_value(b, bindings)).collect::<Result<_, _>>()?;
             chains.push(NumericChain {
                 breakpoints,
-                slope: OnceCell::new(),
-                force: OnceCell::new(),
-                pressure: OnceCell::new(),
-                outside: OnceCell::new(),
+                slope: OnceLock::new(),
+                force: OnceLock::new(),
+                pressure: OnceLock::new(),
+                outside: OnceLock::new(),
             });
         }
         let limits = solution.profile.limits().map(number).collect::<Result<_, _>>()?;
@@ -95,9 +95,9 @@ impl<'a> Evaluator<'a> {
             bindings: bindings.clone(),
             chains,
             limits,
-            typed: OnceCell::new(),
-            recognised: OnceCell::new(),
-            heights: OnceCell::new(),
+            typed: OnceLock::new(),
+            recognised: OnceLock::new(),
+            heights: OnceLock::new(),
             tolerance,
             method,
         })
