@@ -22,7 +22,7 @@ pub fn collected(expr: &Expr) -> Expr {
     if !matches!(expr.node(), Node::Sum(_)) {
         return expr.clone();
     }
-    let Some(terms) = multiplied_out(expr) else { return expr.clone() };
+    let Some(terms) = products(expr) else { return expr.clone() };
     let size = |own: &Expr| own.size_up_to(SIZE);
     let mut result = grouped(&terms);
     if let Some(other) = over_one_root(&terms).map(|terms| grouped(&terms)).filter(|other| size(other) < size(&result)) {
@@ -79,6 +79,17 @@ fn over_one_root(terms: &[Expr]) -> Option<Vec<Expr>> {
     changed.then_some(lowered)
 }
 
+/// The sum with every factor that is a sum distributed, or as it is where that would be too long.
+///
+/// ```
+/// use sneddon::expr::{Expr, multiplied_out};
+/// let r = Expr::symbol("r");
+/// assert_eq!(multiplied_out(&(&r * (Expr::one() + r.power(-1)))), Expr::one() + &r);
+/// ```
+pub fn multiplied_out(expr: &Expr) -> Expr {
+    products(expr).map_or_else(|| expr.clone(), Expr::sum)
+}
+
 /// Roots, functions, and what stands in a denominator: all that is not a plain monomial.
 fn is_kernel(factor: &Expr) -> bool {
     match factor.node() {
@@ -89,18 +100,18 @@ fn is_kernel(factor: &Expr) -> bool {
 }
 
 /// The terms of the sum with every factor that is a sum distributed; `None` where they would be too many.
-fn multiplied_out(expr: &Expr) -> Option<Vec<Expr>> {
+fn products(expr: &Expr) -> Option<Vec<Expr>> {
     let mut done = Vec::new();
     for term in expr.terms() {
-        let mut products = vec![Expr::one()];
+        let mut list = vec![Expr::one()];
         for factor in term.factors() {
-            let inner = if matches!(factor.node(), Node::Sum(_)) { multiplied_out(&factor)? } else { vec![factor] };
-            products = products.iter().flat_map(|left| inner.iter().map(move |right| left * right)).collect();
-            if products.len() + done.len() > TERMS {
+            let inner = if matches!(factor.node(), Node::Sum(_)) { products(&factor)? } else { vec![factor] };
+            list = list.iter().flat_map(|left| inner.iter().map(move |right| left * right)).collect();
+            if list.len() + done.len() > TERMS {
                 return None;
             }
         }
-        done.append(&mut products);
+        done.append(&mut list);
     }
     Some(done)
 }

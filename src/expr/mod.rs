@@ -17,7 +17,7 @@ mod shown;
 mod sign;
 mod substitute;
 
-pub use collected::collected;
+pub use collected::{collected, multiplied_out};
 pub use derivative::derivative;
 pub use error::ExprError;
 pub use formula::{Condition, Formula, Relation};

@@ -285,7 +285,13 @@ impl<'a> Evaluator<'a> {
     ) -> Result<Option<Reading>, TransformError> {
         let whole = || self.integrated(&integrate);
         if self.method == Method::Quadrature {
-            return whole();
+            return match whole() {
+                // An integrand that is 0/0 in doubles next to the axis may have a series.
+                Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
+                    self.by_series(quantity, contact).map(Some).ok_or(error)
+                }
+                other => other,
+            };
         }
         let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
         let (mut closed, mut open, mut evaluations, mut any_open) = (Bounded::exact(0.0), Bounded::exact(0.0), 0, false);

@@ -3,7 +3,7 @@
 use super::TransformError;
 use super::term::Segment;
 use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
-use crate::expr::{Bindings, Expr, Node, Symbol, derivative, normal};
+use crate::expr::{Bindings, Expr, Node, Symbol, derivative, multiplied_out, normal};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, NumError, forms};
 use std::sync::OnceLock;
@@ -217,9 +217,10 @@ impl NumericSegment {
             let radius = Symbol::new("r");
             let (slope, lower) = &self.source;
             let bend = derivative(&(Expr::symbol("r") * slope), &radius).ok()?;
-            // From the axis on, powers of r that would overflow apart are joined: r·r^(−3/2) = r^(−1/2).
-            let joined = if lower.is_zero() { normal::expanded(&bend, &radius).ok() } else { None };
-            compile_shifted(joined.as_ref().unwrap_or(&bend), lower).ok()
+            // From the axis on, powers of r that would overflow apart are joined: r·r^(−3/2) = r^(−1/2). Nothing is divided:
+            // r¹⁷/(R² − r²) as a polynomial and a rest would cancel.
+            let joined = if lower.is_zero() { multiplied_out(&bend) } else { bend };
+            compile_shifted(&joined, lower).ok()
         });
         tape.as_ref().ok_or(TransformError::NoClosedForm { quantity: "the derivative (r f′)′" })
     }

@@ -166,7 +166,8 @@ pub(super) static ROWS: &[Row] = &[
         precise: Some(|a| precise::unary(a, thirty::tanh)),
         spread: Some(|a, by| one(a, by, |z, by| by / (z.hi.abs() - by).max(0.0).cosh().powi(2))),
         complex: Some(|a| complex(a, Complex64::tanh)),
-        derivative: Some(|a, _| Some(call("cosh", a).power(-2))),
+        // Not 1/cosh², which overflows where it hardly counts.
+        derivative: Some(|a, _| Some(Expr::one() - call("tanh", a).power(2))),
         fold: Some(|a| odd("tanh", a)),
         sign: Some(sign_of_argument),
         ..PLAIN
