@@ -139,6 +139,10 @@ fn apply<const H: usize>(
     }
 }
 
+/// However fast the coefficients fall, no more is made of it: next to r⁵ the step of erf(r/w) with a narrow w shows in the
+/// last coefficients only, and those fall slowly from there on.
+const LEAST_FALL: f64 = 0.1;
+
 /// What the Kronrod rule leaves out, from the last three pairs of coefficients and the difference to
 /// the Gauss rule; and the rate at which the coefficients decay over two degrees.
 ///
@@ -154,7 +158,7 @@ fn truncation(levels: [f64; 3], gap: f64, floor: f64) -> (f64, f64) {
     };
     let rate = fall(second, first).max(fall(third, second));
     let seen = gap.max(third);
-    let left_out = 10.0 * seen * rate.clamp(1e-2, 1.0);
+    let left_out = 10.0 * seen * rate.clamp(LEAST_FALL, 1.0);
     // Coefficients in the rounding noise cannot fall further.
     (if seen <= floor { left_out.min(seen) } else { left_out }, rate)
 }
