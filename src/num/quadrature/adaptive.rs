@@ -93,7 +93,7 @@ pub fn integrate(integrand: &mut impl FnMut(Point) -> Bounded, panels: &[Panel],
         let piece = work.measure(order, map, whole, 0, options, integrand)?;
         if panels.len() == 1 {
             // The common case: one rule, done, nothing allocated.
-            let found = work.alone(&piece);
+            let found = work.alone(&piece, options);
             if found.error <= options.target(found.value) {
                 return Ok(found);
             }
