@@ -103,6 +103,16 @@ fn unreachable_pieces_are_dropped() {
     assert!(own.profile.chains.iter().all(|chain| chain.breakpoints.is_empty()), "{:?}", own.profile.chains);
 }
 
+/// The rounding of a kink's place counts where the slope is steep in it: 0.7432 b has no double for b = 0.3662.
+#[test]
+fn quadrature_knows_the_rounding_of_its_breakpoints() {
+    let own = solution("max(r/0.7432,0.366200000000000025490720645393594168126583099365234375)");
+    let found = Evaluator::new(&own, &Bindings::default(), Method::Quadrature, 1e-13).unwrap().slope(0.275390625).unwrap().estimate;
+    // mpmath, 40 digits: x/0.7432 acos(b/x) with b = 0.7432·0.3662000000000000254…
+    let error = Decimal::read("0.05681505090802348849778533084157651257375").distance(found.value).abs();
+    assert!(error <= found.error && found.error < 1e-13, "{found:?}");
+}
+
 /// A kink that was located numerically leaves no formula exact.
 #[test]
 fn located_kinks_are_not_called_exact() {

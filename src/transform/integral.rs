@@ -197,7 +197,8 @@ impl NumericSegment {
     /// What the integral may change by while the ends of the interval are known to their errors only.
     fn smear(&self, x: f64, weight: Weight) -> f64 {
         let arc = |end: Bounded| {
-            let (from, to) = ((end.value - end.error).max(0.0), end.value + end.error);
+            // Half a unit is lost when it is added to the end itself.
+            let (from, to) = ((end.value - end.error).next_down().max(0.0), (end.value + end.error).next_up());
             if end.error == 0.0 || from >= x { 0.0 } else { forms::angle_between(from, if to < x { to } else { f64::INFINITY }, x) }
         };
         let (lower, upper) = (arc(self.lower), self.upper.map_or(0.0, arc));

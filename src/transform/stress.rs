@@ -26,8 +26,9 @@ impl NumericProfile {
             }
             let distances = Distances { difference: (at - Bounded::exact(s)).value.abs(), below_edge: a - at.value };
             let kernel = kernel(at.value, s, a, &distances);
-            // Next to the kink the rounding of b itself moves the logarithm.
-            let widened = Bounded { value: kernel.value, error: kernel.error + at.error / distances.difference / a };
+            // Next to the kink the rounding of b itself moves the logarithm, and next to the edge the root.
+            let moved = at.error / distances.difference / a + kernel.value.abs() * at.error / distances.below_edge;
+            let widened = Bounded { value: kernel.value, error: kernel.error + moved };
             total = total + at * jump * widened;
         }
         if s == 0.0 && self.starts_steeply() {
