@@ -229,9 +229,9 @@ impl Work {
     }
 }
 
-/// Where the rules still leave out more than rounding noise, no more than a tenth of the tolerance is promised: what a
-/// slow part hides under a fast one is looked for down to the tolerance only.
+/// Where the rules still leave out more than rounding noise, no more than the tolerance is promised: what a slow part hides
+/// under a fast one is looked for down to there only.
 fn modest(found: Estimate, left_out: bool, options: &Options) -> Estimate {
-    let least = if left_out { 0.1 * options.target(found.value) } else { 0.0 };
+    let least = if left_out { 0.9 * options.target(found.value) } else { 0.0 };
     Estimate { error: found.error.max(least), ..found }
 }
