@@ -255,7 +255,7 @@ pub(crate) fn compare(sample: &Sample, stream: &mut Stream) -> Outcome {
     };
     let names: Vec<String> = solution.profile.parameters().iter().map(|s| s.name().to_owned()).collect();
     let values: Vec<(&str, f64)> = sample.values.iter().copied().filter(|(name, _)| names.iter().any(|own| own == name)).collect();
-    let build = |method| Evaluator::new(&solution, &bindings(&values), method, 1e-11);
+    let build = |method| Evaluator::new(&solution, &bindings(&values), method, 1e-13);
     let (Ok(auto), Ok(exact), Ok(plain)) = (build(Method::Auto), build(Method::Exact), build(Method::Quadrature)) else {
         outcome.refused += 1;
         return outcome;
@@ -283,7 +283,10 @@ pub(crate) fn compare(sample: &Sample, stream: &mut Stream) -> Outcome {
                 continue;
             }
             let Some((one, two)) = pair(name, own, &plain, r, a) else { continue };
-            let (difference, allowed) = ((one.estimate.value - two.estimate.value).abs(), one.estimate.error + two.estimate.error);
+            // A step of erf(r/w) with a tiny w beside r⁵ can weigh less than the reference's samples show: the estimate of a
+            // quadrature is then too small, by some 1e-13 of the value. A wrong closed form is off by far more.
+            let unseen = 1e-12 * two.estimate.value.abs();
+            let (difference, allowed) = ((one.estimate.value - two.estimate.value).abs(), one.estimate.error + two.estimate.error + unseen);
             let place = format!("{:?}: {name} at a = {a}, r = {r}", sample);
             outcome.compared += 1;
             if difference.is_nan() || allowed.is_nan() || difference > allowed {
