@@ -92,7 +92,8 @@ fn slashed(layout: &Layout) -> String {
 fn beside(left: String, right: String) -> String {
     if right.starts_with(|c: char| c.is_ascii_digit()) {
         format!("{left} \\cdot {right}")
-    } else if ends_with_root(&left) || right.starts_with("\\int") {
+    } else if ends_with_root(&left) || right.starts_with("\\int") || right.starts_with("{}_") {
+        // An index in front, as of ₂F₁, would cling to what stands before it.
         format!("{left}\\, {right}")
     } else {
         format!("{left} {right}")

@@ -10,17 +10,17 @@ use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 pub(super) static WHOLE: Rule = Rule {
     id: "quadratic-wave",
     title: "Sine or cosine of the squared radius times a power",
-    pattern: "A*sin(k*r^2)+C*(1-cos(k*r^2))",
+    pattern: "A*sin(k*r^2)+B*(1-cos(k*r^2))",
     slope: "sqrt(2*pi*k)*x*(A*(cos(k*x^2)*fresnelc(x*sqrt(2*k/pi))+sin(k*x^2)*fresnels(x*sqrt(2*k/pi)))\
-            +C*(sin(k*x^2)*fresnelc(x*sqrt(2*k/pi))-cos(k*x^2)*fresnels(x*sqrt(2*k/pi))))",
+            +B*(sin(k*x^2)*fresnelc(x*sqrt(2*k/pi))-cos(k*x^2)*fresnels(x*sqrt(2*k/pi))))",
     force: "2*E*(A*(sqrt(2*pi*k)*a^2*(cos(k*a^2)*fresnelc(a*sqrt(2*k/pi))+sin(k*a^2)*fresnels(a*sqrt(2*k/pi)))\
             -sqrt(pi/(2*k))*(sin(k*a^2)*fresnelc(a*sqrt(2*k/pi))-cos(k*a^2)*fresnels(a*sqrt(2*k/pi))))\
-            +C*(sqrt(2*pi*k)*a^2*(sin(k*a^2)*fresnelc(a*sqrt(2*k/pi))-cos(k*a^2)*fresnels(a*sqrt(2*k/pi)))\
+            +B*(sqrt(2*pi*k)*a^2*(sin(k*a^2)*fresnelc(a*sqrt(2*k/pi))-cos(k*a^2)*fresnels(a*sqrt(2*k/pi)))\
             +sqrt(pi/(2*k))*(cos(k*a^2)*fresnelc(a*sqrt(2*k/pi))+sin(k*a^2)*fresnels(a*sqrt(2*k/pi)))-a))",
     pressure: None,
     parameters: &[
         Parameter { name: "A", lowest: 0.1, highest: 2.0 },
-        Parameter { name: "C", lowest: 0.1, highest: 2.0 },
+        Parameter { name: "B", lowest: 0.1, highest: 2.0 },
         Parameter { name: "k", lowest: 0.2, highest: 1.0 },
     ],
     guard: "f′ = c r^m sin(kr²) or c r^m cos(kr²), whole m ≥ 0",

@@ -11,7 +11,7 @@ pub(in crate::transform::rules) static ABOVE: Rule = Rule {
     id: "log-quadratic",
     title: "Powers of r times ln(1 + r²/w²)",
     pattern: "h*((w^2+r^2)*ln(1+r^2/w^2)-r^2)",
-    slope: "2*h*x*(2*sqrt(w^2+x^2)*asinh(x/w)-2*x)",
+    slope: "4*h*x*(sqrt(w^2+x^2)*asinh(x/w)-x)",
     force: "8*E*h/3*((2*a^2-w^2)*sqrt(w^2+a^2)*asinh(a/w)-5/3*a^3+w^2*a)",
     pressure: None,
     parameters: &[H, W],
