@@ -1,7 +1,7 @@
-//! Writes `docs/accuracy.md`: `cargo run --release --example accuracy -- [STATEMENTS.csv] [RANDOM.txt] > docs/accuracy.md`.
+//! Writes `docs/accuracy.md`: `cargo run --release --example accuracy -- [STATEMENTS.csv] [PROFILES.txt] [ESTIMATES.txt] > docs/accuracy.md`.
 //!
 //! STATEMENTS.csv is what `tests/oracle/statements.py` wrote, with as many places per rule as one likes (the committed
-//! table unless told); RANDOM.txt is the output of `cargo run --release --example random_profiles`.
+//! table unless told); PROFILES.txt is the output of `cargo run --release --example random_profiles`, ESTIMATES.txt that of `random_estimates`.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -25,10 +25,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     if let Some(path) = paths.next() {
         println!("\n## Random profiles\n");
         println!("Profiles are drawn over the whole grammar: sums, products, nested kernels, segments, odd parameters.");
-        println!("Every formula that is closed, wholly or in part, is compared with quadrature of the profile as typed,");
-        println!("and what is printed is read back and compared too.\n");
+        println!(
+            "Every formula that is closed, wholly or in part, is compared with quadrature of the profile as typed, and what is printed is read back and compared too."
+        );
+        println!("They agree where the difference is within the sum of both estimates and 1e-12 of the value.\n");
         println!("```text\n{}\n```\n", fs::read_to_string(path)?.trim_end());
         println!("The command is `cargo run --release --example random_profiles -- 100000`; a sample runs with the tests.");
+    }
+    if let Some(path) = paths.next() {
+        println!("\n## Estimates of quadrature\n");
+        println!(
+            "The same random profiles, wherever they have a closed form: f, g, G, F, p and u at random places, by quadrature at random tolerances from 1e-2 to 1e-14."
+        );
+        println!("The places are ordinary ones, tiny ones, ones just beyond a breakpoint and ones next to the end of the profile.\n");
+        println!("```text\n{}\n```\n", fs::read_to_string(path)?.trim_end());
+        println!("The command is `cargo run --release --example random_estimates -- 45000`; a sample runs with the tests.");
     }
     Ok(())
 }

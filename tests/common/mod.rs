@@ -4,6 +4,7 @@
 
 pub(crate) mod accuracy;
 pub(crate) mod decimal;
+pub(crate) mod estimates;
 pub(crate) mod formulas;
 pub(crate) mod profiles;
 pub(crate) mod random;
