@@ -3,6 +3,7 @@
 //! The same walk that evaluates a tree also records the [`Tape`], so both do the same operations in the same order, bit for bit.
 
 mod algebra;
+mod blocks;
 mod error;
 mod second;
 mod series;
@@ -10,6 +11,7 @@ mod tape;
 mod walk;
 
 pub use algebra::{Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra};
+pub use blocks::{BlockInput, BlockScratch};
 pub use error::EvalError;
 pub use second::PreciseAlgebra;
 pub use series::{Series, SeriesError, power_series};

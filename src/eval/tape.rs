@@ -1,10 +1,12 @@
 //! A recorded walk: operations over numbered slots, with shared subterms computed once.
 
+use super::blocks::Program;
 use super::walk::walk_with;
 use super::{Algebra, EvalError};
 use crate::expr::{Expr, Function, Node, Symbol};
 use crate::num::Precise;
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 /// Expressions compiled for many evaluations.
 ///
@@ -17,15 +19,16 @@ use std::collections::HashMap;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Tape {
-    operations: Vec<Operation>,
+    pub(super) operations: Vec<Operation>,
     constants: Vec<Precise>,
-    arguments: Vec<u32>,
-    outputs: Vec<u32>,
-    inputs: usize,
+    pub(super) arguments: Vec<u32>,
+    pub(super) outputs: Vec<u32>,
+    pub(super) inputs: usize,
+    program: OnceLock<Option<Program>>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Operation {
+pub(super) enum Operation {
     Constant(u32),
     Input(u32),
     Add(u32, u32),
@@ -44,7 +47,14 @@ impl Tape {
     /// [`EvalError::Unbound`] for a symbol that is no input.
     pub fn compile(expressions: &[Expr], inputs: &[Symbol]) -> Result<Self, EvalError> {
         let mut recorder = Recorder {
-            tape: Self { operations: Vec::new(), constants: Vec::new(), arguments: Vec::new(), outputs: Vec::new(), inputs: inputs.len() },
+            tape: Self {
+                operations: Vec::new(),
+                constants: Vec::new(),
+                arguments: Vec::new(),
+                outputs: Vec::new(),
+                inputs: inputs.len(),
+                program: OnceLock::new(),
+            },
         };
         for index in 0..inputs.len() {
             recorder.push(Operation::Input(u32::try_from(index).unwrap_or(u32::MAX)));
@@ -89,27 +99,59 @@ impl Tape {
         slots.reserve(self.operations.len());
         let mut gathered = Vec::new();
         for operation in &self.operations {
-            let get = |slot: &u32| slots.get(*slot as usize).copied();
-            let value = match operation {
-                Operation::Constant(index) => algebra.constant(*self.constants.get(*index as usize)?),
-                Operation::Input(index) => *inputs.get(*index as usize)?,
-                Operation::Add(a, b) => algebra.add(get(a)?, get(b)?),
-                Operation::Subtract(a, b) => algebra.subtract(get(a)?, get(b)?),
-                Operation::Multiply(a, b) => algebra.multiply(get(a)?, get(b)?),
-                Operation::Divide(a, b) => algebra.divide(get(a)?, get(b)?),
-                Operation::SquareRoot(a) => algebra.square_root(get(a)?),
-                Operation::Power(a, b) => algebra.power(get(a)?, get(b)?),
-                Operation::Call(function, from, to) => {
-                    gathered.clear();
-                    for slot in self.arguments.get(*from as usize..*to as usize)? {
-                        gathered.push(get(slot)?);
-                    }
-                    algebra.call(*function, &gathered)
-                }
-            };
+            let value = self.step(operation, algebra, inputs, &|slot| slots.get(*slot as usize).copied(), &mut gathered)?;
             slots.push(value);
         }
         Some(())
+    }
+
+    /// One operation on values that are known.
+    #[inline]
+    pub(super) fn step<A: Algebra>(
+        &self,
+        operation: &Operation,
+        algebra: &mut A,
+        inputs: &[A::Value],
+        get: &impl Fn(&u32) -> Option<A::Value>,
+        gathered: &mut Vec<A::Value>,
+    ) -> Option<A::Value> {
+        Some(match operation {
+            Operation::Constant(index) => algebra.constant(*self.constants.get(*index as usize)?),
+            Operation::Input(index) => *inputs.get(*index as usize)?,
+            Operation::Add(a, b) => algebra.add(get(a)?, get(b)?),
+            Operation::Subtract(a, b) => algebra.subtract(get(a)?, get(b)?),
+            Operation::Multiply(a, b) => algebra.multiply(get(a)?, get(b)?),
+            Operation::Divide(a, b) => algebra.divide(get(a)?, get(b)?),
+            Operation::SquareRoot(a) => algebra.square_root(get(a)?),
+            Operation::Power(a, b) => algebra.power(get(a)?, get(b)?),
+            Operation::Call(function, from, to) => {
+                gathered.clear();
+                for slot in self.arguments.get(*from as usize..*to as usize)? {
+                    gathered.push(get(slot)?);
+                }
+                algebra.call(*function, gathered)
+            }
+        })
+    }
+
+    /// The slots that an operation reads.
+    pub(super) fn operands(&self, operation: &Operation) -> Option<Vec<usize>> {
+        let slots: &[u32] = match operation {
+            Operation::Constant(_) | Operation::Input(_) => &[],
+            Operation::Add(a, b)
+            | Operation::Subtract(a, b)
+            | Operation::Multiply(a, b)
+            | Operation::Divide(a, b)
+            | Operation::Power(a, b) => &[*a, *b],
+            Operation::SquareRoot(a) => &[*a],
+            Operation::Call(_, from, to) => self.arguments.get(*from as usize..*to as usize)?,
+        };
+        Some(slots.iter().map(|slot| *slot as usize).collect())
+    }
+
+    /// The tape as it runs over blocks, made ready at the first call.
+    pub(super) fn program(&self) -> Option<&Program> {
+        self.program.get_or_init(|| Program::new(self)).as_ref()
     }
 }
 

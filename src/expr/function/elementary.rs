@@ -1,7 +1,7 @@
 //! Rows of the elementary functions.
 
 use super::precise::{self, one, to_edge, to_one, to_pole};
-use super::{Function, Latex, PLAIN, Row};
+use super::{Function, Latex, PLAIN, Row, slices};
 use crate::expr::{Expr, Number, Sign, sign};
 use crate::num::{DoubleDouble, precise as thirty};
 use num_complex::Complex64;
@@ -17,6 +17,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(precise::exp),
         spread: Some(|a, by| one(a, by, |z, by| z.hi.exp() * by.exp_m1())),
+        slice: Some(slices::EXP),
         complex: Some(|a| complex(a, Complex64::exp)),
         derivative: Some(|a, _| Some(call("exp", a))),
         fold: Some(|a| match a {
@@ -36,6 +37,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::ln)),
         spread: Some(|a, by| one(a, by, |z, by| to_pole(by, z.hi - 2.0 * by))),
+        slice: Some(slices::LN),
         complex: Some(|a| complex(a, Complex64::ln)),
         derivative: Some(|a, _| Some(first(a).recip())),
         fold: Some(|a| match a {
@@ -55,6 +57,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::sin)),
         spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.cos().abs() + z.lo.abs() + by))),
+        slice: Some(slices::SIN),
         complex: Some(|a| complex(a, Complex64::sin)),
         derivative: Some(|a, _| Some(call("cos", a))),
         fold: Some(|a| odd("sin", a)),
@@ -67,6 +70,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::cos)),
         spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.sin().abs() + z.lo.abs() + by))),
+        slice: Some(slices::COS),
         complex: Some(|a| complex(a, Complex64::cos)),
         derivative: Some(|a, _| Some(-call("sin", a))),
         fold: Some(|a| even("cos", a)),
@@ -84,6 +88,7 @@ pub(super) static ROWS: &[Row] = &[
                 to_pole(by * (1.0 + t * t), (1.0 - 2.0 * t * (by + z.lo.abs()) - by).powi(2))
             })
         }),
+        slice: Some(slices::TAN),
         complex: Some(|a| complex(a, Complex64::tan)),
         derivative: Some(|a, _| Some(Expr::one() + call("tan", a).power(2))),
         fold: Some(|a| odd("tan", a)),
@@ -97,6 +102,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::asin)),
         spread: Some(|a, by| one(a, by, |z, by| to_edge(by, to_one(z, by), 1.0 + z.hi.abs() - by))),
+        slice: Some(slices::ASIN),
         complex: Some(|a| complex(a, Complex64::asin)),
         derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).sqrt().recip())),
         fold: Some(|a| odd("asin", a)),
@@ -112,6 +118,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::acos)),
         spread: Some(|a, by| one(a, by, |z, by| to_edge(by, to_one(z, by), 1.0 + z.hi.abs() - by))),
+        slice: Some(slices::ACOS),
         complex: Some(|a| complex(a, Complex64::acos)),
         derivative: Some(|a, _| Some(-(Expr::one() - first(a).power(2)).sqrt().recip())),
         fold: Some(|a| first(a).is_one().then(Expr::zero)),
@@ -126,6 +133,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::atan)),
         spread: Some(|a, by| one(a, by, |z, by| by / (1.0 + (z.hi.abs() - by).max(0.0).powi(2)))),
+        slice: Some(slices::ATAN),
         complex: Some(|a| complex(a, Complex64::atan)),
         derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).recip())),
         fold: Some(|a| odd("atan", a)),
@@ -139,6 +147,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::sinh)),
         spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.abs() + by).cosh())),
+        slice: Some(slices::SINH),
         complex: Some(|a| complex(a, Complex64::sinh)),
         derivative: Some(|a, _| Some(call("cosh", a))),
         fold: Some(|a| odd("sinh", a)),
@@ -152,6 +161,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::cosh)),
         spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.abs() + by).sinh())),
+        slice: Some(slices::COSH),
         complex: Some(|a| complex(a, Complex64::cosh)),
         derivative: Some(|a, _| Some(call("sinh", a))),
         fold: Some(|a| even("cosh", a)),
@@ -165,6 +175,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::tanh)),
         spread: Some(|a, by| one(a, by, |z, by| by / (z.hi.abs() - by).max(0.0).cosh().powi(2))),
+        slice: Some(slices::TANH),
         complex: Some(|a| complex(a, Complex64::tanh)),
         // Not 1/cosh², which overflows where it hardly counts.
         derivative: Some(|a, _| Some(Expr::one() - call("tanh", a).power(2))),
@@ -180,6 +191,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 4.0,
         precise: Some(|a| precise::unary(a, thirty::asinh)),
         spread: Some(|a, by| one(a, by, |z, by| by / 1.0_f64.hypot((z.hi.abs() - by).max(0.0)))),
+        slice: Some(slices::ASINH),
         complex: Some(|a| complex(a, Complex64::asinh)),
         derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).sqrt().recip())),
         fold: Some(|a| odd("asinh", a)),
@@ -194,6 +206,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 4.0,
         precise: Some(|a| precise::unary(a, thirty::acosh)),
         spread: Some(|a, by| one(a, by, |z, by| to_edge(by, z.sub(DoubleDouble::ONE).hi * (1.0 - f64::EPSILON) - by, z.hi + 1.0 - by))),
+        slice: Some(slices::ACOSH),
         complex: Some(|a| complex(a, Complex64::acosh)),
         derivative: Some(|a, _| Some((first(a).power(2) - Expr::one()).sqrt().recip())),
         sign: Some(|_| Sign::Positive),
@@ -208,6 +221,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 4.0,
         precise: Some(|a| precise::unary(a, thirty::atanh)),
         spread: Some(|a, by| one(a, by, |z, by| to_pole(by, to_one(z, by) * (1.0 + z.hi.abs() - by).max(0.0)))),
+        slice: Some(slices::ATANH),
         complex: Some(|a| complex(a, Complex64::atanh)),
         derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).recip())),
         fold: Some(|a| odd("atanh", a)),
@@ -222,6 +236,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 0.0,
         precise: Some(precise::abs),
         spread: Some(precise::largest),
+        slice: Some(slices::ABS),
         derivative: Some(|a, _| Some(first(a) / call("abs", a))),
         fold: Some(|a| match a {
             [u] => match sign(u) {
@@ -245,7 +260,7 @@ pub(super) static ROWS: &[Row] = &[
         value: |a| pick(a, |u, v| u >= v),
         ulps: 0.0,
         precise: Some(|a| precise::extreme(a, false)),
-        spread: Some(precise::largest),
+        spread: Some(|a, by| precise::winner(a, by, false)),
         fold: Some(|a| extreme(a, false)),
         sign: Some(|a| a.iter().map(sign).find(|s| *s == Sign::Positive).unwrap_or(Sign::Unknown)),
         ..PLAIN
@@ -257,7 +272,7 @@ pub(super) static ROWS: &[Row] = &[
         value: |a| pick(a, |u, v| u <= v),
         ulps: 0.0,
         precise: Some(|a| precise::extreme(a, true)),
-        spread: Some(precise::largest),
+        spread: Some(|a, by| precise::winner(a, by, true)),
         fold: Some(|a| extreme(a, true)),
         sign: Some(|a| if a.iter().all(|u| sign(u) == Sign::Positive) { Sign::Positive } else { Sign::Unknown }),
         ..PLAIN

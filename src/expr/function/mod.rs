@@ -5,10 +5,12 @@ mod elliptic;
 mod forms;
 mod hypergeometric;
 mod precise;
+mod slices;
 mod special;
 mod waves;
 
 pub(crate) use forms::elliptic_moment_parts;
+pub use slices::SliceLaw;
 
 use super::{Expr, Sign};
 use crate::num::{DoubleDouble, Precise};
@@ -34,6 +36,8 @@ pub struct Row {
     pub precise: Option<fn(&[DoubleDouble]) -> Precise>,
     /// Bound on how far the value moves while every argument moves by at most its distance; what has none is probed.
     pub spread: Option<Spread>,
+    /// Values and errors over slices, for elementary functions of one number.
+    pub slice: Option<SliceLaw>,
     /// The value at complex arguments, for elementary functions.
     pub complex: Option<fn(&[Complex64]) -> Complex64>,
     /// The derivative with respect to the argument at the given position.
@@ -78,6 +82,7 @@ pub(super) const PLAIN: Row = Row {
     ulps: 1.0,
     precise: None,
     spread: None,
+    slice: None,
     complex: None,
     derivative: None,
     fold: None,

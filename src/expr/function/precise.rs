@@ -79,6 +79,18 @@ pub(super) fn largest(_: &[DoubleDouble], by: &[f64]) -> f64 {
     by.iter().copied().fold(0.0, f64::max)
 }
 
+/// No more than the one that wins moves, or either where both may win.
+pub(super) fn winner(a: &[DoubleDouble], by: &[f64], smaller: bool) -> f64 {
+    let ([u, v], [along_u, along_v]) = (a, by) else { return f64::INFINITY };
+    let lead = if smaller { v.sub(*u).hi } else { u.sub(*v).hi };
+    let doubt = (along_u + along_v) * (1.0 + 4.0 * f64::EPSILON);
+    match lead {
+        lead if lead > doubt => *along_u,
+        lead if lead < -doubt => *along_v,
+        _ => along_u.max(*along_v),
+    }
+}
+
 /// change / √(room · factor), where room is what is left to the edge of the domain.
 pub(super) fn to_edge(change: f64, room: f64, factor: f64) -> f64 {
     if room > 0.0 { change / (room * factor).sqrt() } else { f64::INFINITY }
