@@ -1,8 +1,9 @@
 //! The fallback: every quantity as one integral straight from f′, by quadrature.
 
 use super::TransformError;
+use super::slope_source::{NO_BEND, Numbers};
 use super::term::Segment;
-use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
+use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, derivative, multiplied_out, normal};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, NumError, forms};
@@ -18,11 +19,11 @@ pub(super) struct NumericSegment {
     pub(super) lower: Bounded,
     pub(super) upper: Option<Bounded>,
     /// f′ over δ.
-    pub(super) slope: Tape,
+    pub(super) slope: Numbers,
     /// f′ and its interval's lower end as expressions in r, for what is compiled only on demand.
-    pub(super) source: (Expr, Expr),
+    pub(super) source: Option<(Expr, Expr)>,
     /// (r f′)′ over δ, compiled at the first pressure.
-    pub(super) bend: OnceLock<Option<Tape>>,
+    pub(super) bend: OnceLock<Option<Numbers>>,
     /// True where f′ behaves like a fractional power of δ at the lower end.
     pub(super) singular: bool,
 }
@@ -55,9 +56,10 @@ impl NumericProfile {
             let lower = constant_value(&lower_expr, &Bindings::default())?;
             let upper = segment.upper.as_ref().map(|upper| constant_value(upper, bindings)).transpose()?;
             let slope_expr = bindings.apply(slope);
-            let slope = compile_shifted(&slope_expr, &lower_expr)?;
+            let slope = Numbers::Tape(compile_shifted(&slope_expr, &lower_expr)?);
             let singular = is_singular(&slope, lower.value, upper.map(|u| u.value));
-            segments.push(NumericSegment { lower, upper, slope, source: (slope_expr, lower_expr), bend: OnceLock::new(), singular });
+            let source = Some((slope_expr, lower_expr));
+            segments.push(NumericSegment { lower, upper, slope, source, bend: OnceLock::new(), singular });
         }
         Ok(Self { segments })
     }
@@ -106,7 +108,7 @@ impl NumericProfile {
             let mut slots = Vec::new();
             let mut integrand = |point: Point| {
                 let delta = point.bounded_from_lower();
-                segment.slope.run(&mut BoundedAlgebra, &[delta], &mut slots).unwrap_or(Bounded::exact(f64::NAN))
+                segment.slope.at(delta, &mut slots)
             };
             let panel = if segment.singular { Panel::singular(0.0, length) } else { Panel::smooth(0.0, length) };
             let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
@@ -164,7 +166,7 @@ impl NumericSegment {
             if distance > 2.0 * self.lower.error {
                 delta.error += self.lower.error;
             }
-            let Some(slope) = self.slope.run(&mut BoundedAlgebra, &[delta], &mut slots) else { return Bounded::exact(f64::NAN) };
+            let slope = self.slope.at(delta, &mut slots);
             match weight {
                 Weight::Slope => slope,
                 Weight::Force => {
@@ -213,17 +215,17 @@ impl NumericSegment {
     }
 
     /// (r f′)′ over δ.
-    pub(super) fn bend(&self) -> Result<&Tape, TransformError> {
-        let tape = self.bend.get_or_init(|| {
+    pub(super) fn bend(&self) -> Result<&Numbers, TransformError> {
+        let bend = self.bend.get_or_init(|| {
             let radius = Symbol::new("r");
-            let (slope, lower) = &self.source;
+            let (slope, lower) = self.source.as_ref()?;
             let bend = derivative(&(Expr::symbol("r") * slope), &radius).ok()?;
             // From the axis on, powers of r that would overflow apart are joined: r·r^(−3/2) = r^(−1/2). Nothing is divided:
             // r¹⁷/(R² − r²) as a polynomial and a rest would cancel.
             let joined = if lower.is_zero() { multiplied_out(&bend) } else { bend };
-            compile_shifted(&joined, lower).ok()
+            compile_shifted(&joined, lower).ok().map(Numbers::Tape)
         });
-        tape.as_ref().ok_or(TransformError::NoClosedForm { quantity: "the derivative (r f′)′" })
+        bend.as_ref().ok_or(NO_BEND)
     }
 }
 
@@ -261,15 +263,14 @@ fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
     }
 }
 
-/// True where the tape behaves like a fractional or negative power of δ near 0.
-fn is_singular(slope: &Tape, lower: f64, upper: Option<f64>) -> bool {
+/// True where f′ behaves like a fractional or negative power of δ near 0.
+pub(super) fn is_singular(slope: &Numbers, lower: f64, upper: Option<f64>) -> bool {
     let scale = match upper {
         Some(upper) => upper - lower,
         None if lower > 0.0 => lower,
         None => 1.0,
     };
-    let mut slots = Vec::new();
-    let mut at = |factor: f64| slope.run(&mut FloatAlgebra, &[scale * factor], &mut slots).unwrap_or(f64::NAN);
+    let at = |factor: f64| slope.plain(scale * factor);
     let (u, v) = (at(1e-9), at(1e-12));
     if u == 0.0 && v == 0.0 {
         return false;

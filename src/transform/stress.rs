@@ -2,7 +2,7 @@
 
 use super::TransformError;
 use super::integral::{NumericProfile, NumericSegment, reached, settled, with_ulps};
-use crate::eval::{BoundedAlgebra, Tape};
+use super::slope_source::Numbers;
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, special};
 
@@ -80,8 +80,7 @@ impl NumericProfile {
 
 impl NumericSegment {
     pub(super) fn slope_at(&self, delta: f64) -> Bounded {
-        let mut slots = Vec::new();
-        self.slope.run(&mut BoundedAlgebra, &[Bounded::exact(delta)], &mut slots).unwrap_or(Bounded::exact(f64::NAN))
+        self.slope.at(Bounded::exact(delta), &mut Vec::new())
     }
 
     /// ∫ (r f′)′ K(r, s) dr over the interval below a, split at s.
@@ -107,7 +106,7 @@ impl NumericSegment {
         Ok(parts)
     }
 
-    fn pressure_between(&self, bend: &Tape, from: f64, to: f64, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+    fn pressure_between(&self, bend: &Numbers, from: f64, to: f64, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
         let mut slots = Vec::new();
         let mut integrand = |point: Point| -> Bounded {
@@ -117,8 +116,7 @@ impl NumericSegment {
             let difference = if s <= from { (from - s) + up } else { (s - to) + down };
             let below_edge = (a - to) + down;
             let r = if up < down { from + up } else { to - down };
-            let Some(bend) = bend.run(&mut BoundedAlgebra, &[with_ulps(delta, 8.0)], &mut slots) else { return Bounded::exact(f64::NAN) };
-            bend * kernel(r, s, a, &Distances { difference, below_edge })
+            bend.at(with_ulps(delta, 8.0), &mut slots) * kernel(r, s, a, &Distances { difference, below_edge })
         };
         let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
         let result = integrate(&mut integrand, &[Panel::singular(from, to)], &options);

@@ -1,0 +1,106 @@
+//! Where the numbers of f′ come from on one segment: a compiled expression, or anything else that can say f′ and (r f′)′.
+
+use super::TransformError;
+use super::integral::{NumericProfile, NumericSegment};
+use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape};
+use crate::num::Bounded;
+use std::sync::{Arc, OnceLock};
+
+/// f′ on one segment [lower, upper) as a function of δ = r − lower, with bounds on its errors.
+///
+/// Quadrature and the whole-curve path need no more of a profile than this. δ > 0 comes with the bound on its own
+/// rounding, which the answer's bound must include; δ = 0 and δ = upper − lower ask for the jumps at kinks. A value that
+/// does not exist is NaN.
+///
+/// ```
+/// use sneddon::num::Bounded;
+/// use sneddon::transform::{NumericProfile, SlopeSource};
+/// struct Cone;
+/// impl SlopeSource for Cone {
+///     fn slope(&self, _delta: Bounded) -> Bounded {
+///         Bounded::exact(1.0)
+///     }
+///     fn bend(&self, _delta: Bounded) -> Option<Bounded> {
+///         Some(Bounded::exact(1.0))
+///     }
+/// }
+/// let cone = NumericProfile::from_sources([(0.0, None, std::sync::Arc::new(Cone) as _)]);
+/// let g = cone.slope(2.0, 1e-12).unwrap();
+/// assert!((g.value - std::f64::consts::PI).abs() <= g.error);
+/// ```
+pub trait SlopeSource: Send + Sync {
+    /// f′(lower + δ).
+    fn slope(&self, delta: Bounded) -> Bounded;
+
+    /// (r f′)′ = f′ + r f″ at r = lower + δ, which only the pressure needs; `None` where it is not known.
+    fn bend(&self, delta: Bounded) -> Option<Bounded>;
+
+    /// f′ in plain doubles at many distances; worth overriding where a loop over them is faster.
+    fn slopes(&self, deltas: &[f64], values: &mut [f64]) {
+        for (delta, value) in deltas.iter().zip(values) {
+            *value = self.slope(Bounded::exact(*delta)).value;
+        }
+    }
+}
+
+/// One function of δ on a segment: a tape, or one of the two functions of a source.
+pub(super) enum Numbers {
+    Tape(Tape),
+    Slope(Arc<dyn SlopeSource>),
+    Bend(Arc<dyn SlopeSource>),
+}
+
+impl Numbers {
+    /// The value with its bound; NaN where there is none.
+    #[inline]
+    pub(super) fn at(&self, delta: Bounded, slots: &mut Vec<Bounded>) -> Bounded {
+        let nothing = Bounded { value: f64::NAN, error: f64::NAN };
+        match self {
+            Self::Tape(tape) => tape.run(&mut BoundedAlgebra, &[delta], slots).unwrap_or(nothing),
+            Self::Slope(source) => source.slope(delta),
+            Self::Bend(source) => source.bend(delta).unwrap_or(nothing),
+        }
+    }
+
+    /// The value alone.
+    pub(super) fn plain(&self, delta: f64) -> f64 {
+        match self {
+            Self::Tape(tape) => tape.run(&mut FloatAlgebra, &[delta], &mut Vec::new()).unwrap_or(f64::NAN),
+            _ => self.at(Bounded::exact(delta), &mut Vec::new()).value,
+        }
+    }
+}
+
+impl NumericProfile {
+    /// A profile from sources of f′: lower end, upper end (`None`: no end) and source of each segment.
+    ///
+    /// The ends are meant exactly; a jump of f′ where two segments meet is a kink. Behaviour like a fractional power
+    /// of δ at a lower end is found from samples.
+    pub fn from_sources(segments: impl IntoIterator<Item = (f64, Option<f64>, Arc<dyn SlopeSource>)>) -> Self {
+        let segments = segments.into_iter().map(|(lower, upper, source)| NumericSegment::from_source(lower, upper, source)).collect();
+        Self { segments }
+    }
+
+    /// True where (r f′)′ is known on every segment, so that pressures can be had.
+    pub fn has_bend(&self) -> bool {
+        self.segments.iter().all(|segment| segment.bend().is_ok())
+    }
+}
+
+impl NumericSegment {
+    fn from_source(lower: f64, upper: Option<f64>, source: Arc<dyn SlopeSource>) -> Self {
+        let scale = match upper {
+            Some(upper) => upper - lower,
+            None if lower > 0.0 => lower,
+            None => 1.0,
+        };
+        let has_bend = source.bend(Bounded::exact(0.5 * scale)).is_some();
+        let bend = OnceLock::from(has_bend.then(|| Numbers::Bend(Arc::clone(&source))));
+        let slope = Numbers::Slope(source);
+        let singular = super::integral::is_singular(&slope, lower, upper);
+        Self { lower: Bounded::exact(lower), upper: upper.map(Bounded::exact), slope, source: None, bend, singular }
+    }
+}
+
+/// What is missing where a source knows no second derivative.
+pub(super) const NO_BEND: TransformError = TransformError::NoClosedForm { quantity: "the derivative (r f′)′" };
