@@ -4,11 +4,15 @@ use super::ContactError;
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::roots::{RootOptions, bracketed, expand_bracket};
 use crate::num::{Bounded, Estimate, NumError};
-use crate::transform::{Evaluator, Reading, TransformError};
+use crate::transform::{Evaluator, Quantities, Reading, TransformError};
+use std::marker::PhantomData;
 
 /// A contact with numbers for everything: the evaluator of its profile, E*, and the depth of a rim if there is one.
-pub struct Contact<'a> {
-    evaluator: Evaluator<'a>,
+///
+/// The profile may be a formula, a closure or a table: whatever answers [`Quantities`].
+pub struct Contact<'a, P: Quantities = Evaluator<'a>> {
+    evaluator: P,
+    formula: PhantomData<&'a ()>,
     effective_modulus: f64,
     depth: Option<f64>,
     tolerance: f64,
@@ -44,7 +48,7 @@ impl Reason {
     }
 }
 
-impl<'a> Contact<'a> {
+impl<P: Quantities> Contact<'_, P> {
     /// A contact of the evaluated profile with the effective modulus E* and, for a punch with a rim, its depth.
     ///
     /// ```
@@ -56,12 +60,12 @@ impl<'a> Contact<'a> {
     /// // F = (4/3) E* a³/R with R = 2
     /// assert_eq!(contact.force(1.0).unwrap().estimate.value, 2.0);
     /// ```
-    pub fn new(evaluator: Evaluator<'a>, effective_modulus: f64, depth: Option<f64>, tolerance: f64) -> Self {
-        Self { evaluator, effective_modulus, depth, tolerance }
+    pub fn new(evaluator: P, effective_modulus: f64, depth: Option<f64>, tolerance: f64) -> Self {
+        Self { evaluator, formula: PhantomData, effective_modulus, depth, tolerance }
     }
 
     /// The profile's evaluator.
-    pub fn evaluator(&self) -> &Evaluator<'a> {
+    pub fn evaluator(&self) -> &P {
         &self.evaluator
     }
 
@@ -169,6 +173,11 @@ impl<'a> Contact<'a> {
     /// As the evaluator.
     pub fn energy(&self, a: f64) -> Result<Reading, ContactError> {
         let d = self.depth(a)?.estimate.bounded();
+        if let Some(own) = self.evaluator.squared_gap(a, d) {
+            let Reading { estimate, method } = own?;
+            let total = estimate.bounded() * Bounded::exact(self.effective_modulus);
+            return Ok(Reading { estimate: Estimate::from_bounded(total, estimate.evaluations), method });
+        }
         let mut failure = None;
         let mut inner = 0;
         // Nearer to the axis than this nothing adds to the energy, and g may have no digits left.
@@ -216,12 +225,7 @@ impl<'a> Contact<'a> {
             Ok(g.estimate.value - depth)
         };
         // The flat part of a worn tip carries no depth: the root lies beyond it.
-        let mut start = 0.0;
-        for b in self.evaluator.breakpoints_below(f64::INFINITY) {
-            if self.evaluator.slope(b)?.estimate.value == 0.0 {
-                start = b;
-            }
-        }
+        let start = self.evaluator.flat_radius()?;
         if depth == 0.0 {
             return Ok(exact(start));
         }
@@ -289,7 +293,7 @@ fn first_crossing(
     Ok((lower, first))
 }
 
-impl Contact<'_> {
+impl<P: Quantities> Contact<'_, P> {
     /// How far from `a` one must go on either side until g − d has its sign beyond doubt.
     fn certain(
         &self,
