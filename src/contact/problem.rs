@@ -6,12 +6,13 @@ use crate::num::roots::{RootOptions, bracketed, expand_bracket};
 use crate::num::{Bounded, Estimate, NumError};
 use crate::transform::{Evaluator, Quantities, Reading, TransformError};
 use std::marker::PhantomData;
+use std::sync::Arc;
 
 /// A contact with numbers for everything: the evaluator of its profile, E*, and the depth of a rim if there is one.
 ///
 /// The profile may be a formula, a closure or a table: whatever answers [`Quantities`].
 pub struct Contact<'a, P: Quantities = Evaluator<'a>> {
-    evaluator: P,
+    evaluator: Arc<P>,
     formula: PhantomData<&'a ()>,
     effective_modulus: f64,
     depth: Option<f64>,
@@ -61,7 +62,18 @@ impl<P: Quantities> Contact<'_, P> {
     /// assert_eq!(contact.force(1.0).unwrap().estimate.value, 2.0);
     /// ```
     pub fn new(evaluator: P, effective_modulus: f64, depth: Option<f64>, tolerance: f64) -> Self {
-        Self { evaluator, formula: PhantomData, effective_modulus, depth, tolerance }
+        Self { evaluator: Arc::new(evaluator), formula: PhantomData, effective_modulus, depth, tolerance }
+    }
+
+    /// The same contact at another depth of its rim, or with a smooth edge; what the evaluator has compiled is shared.
+    #[must_use]
+    pub fn with_depth(&self, depth: Option<f64>) -> Self {
+        Self { evaluator: Arc::clone(&self.evaluator), formula: PhantomData, depth, ..*self }
+    }
+
+    /// E*.
+    pub fn effective_modulus(&self) -> f64 {
+        self.effective_modulus
     }
 
     /// The profile's evaluator.

@@ -1,0 +1,319 @@
+//! An indentation: from the depth, the force or the contact radius to the other two, with the verdict whether the answer holds.
+
+mod curvature;
+mod landscape;
+mod root;
+mod verdict;
+
+pub use verdict::{Finding, Severity};
+
+use super::{Contact, ContactError, Explicit, explicit};
+use crate::expr::{Bindings, Symbol};
+use crate::transform::{ClosedForm, Evaluator, Method, Reading, Solution};
+use landscape::Landscape;
+use root::Follower;
+use verdict::Known;
+
+/// One load of an indentation; lengths, forces and moduli are numbers of one consistent system.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Load {
+    /// The displacement of the indenter at r = 0.
+    Depth(f64),
+    /// The normal force.
+    Force(f64),
+    /// The contact radius.
+    Radius(f64),
+}
+
+/// How the contact ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Boundary {
+    /// The bodies do not touch.
+    Apart,
+    /// The profile leaves the surface smoothly: d = g(a).
+    Smooth,
+    /// The contact reaches the vertical side of the indenter: a = c, and d is free.
+    Rim,
+}
+
+/// A solved load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// The displacement at r = 0.
+    pub depth: f64,
+    /// The normal force.
+    pub force: f64,
+    /// The contact radius.
+    pub radius: f64,
+    /// How the contact ends.
+    pub boundary: Boundary,
+}
+
+/// A state with everything that speaks against it, or nothing but the reason why there is none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Indented {
+    /// The state; `None` where no contact belongs to the load.
+    pub state: Option<State>,
+    /// What is wrong, or worth knowing.
+    pub findings: Vec<Finding>,
+}
+
+impl Indented {
+    /// True where the state is the solution: no finding is an error.
+    pub fn is_valid(&self) -> bool {
+        self.state.is_some() && self.findings.iter().all(|finding| finding.severity != Severity::Error)
+    }
+}
+
+/// What is indented: a profile with numbers for its parameters, an effective modulus and, for a cylinder, its radius.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup {
+    /// E* in units of pressure.
+    pub effective_modulus: f64,
+    /// The radius of a vertical side; without it the profile goes on.
+    pub rim: Option<f64>,
+    /// The relative tolerance of quadratures.
+    pub tolerance: f64,
+    /// How numbers may be computed.
+    pub method: Method,
+}
+
+/// A frictionless indentation of an elastic half-space, ready for many loads.
+///
+/// ```
+/// use sneddon::contact::{Indentation, Load, Setup};
+/// use sneddon::{parse, transform::{Method, Profile, derive}};
+/// let solution = derive(&Profile::new(&parse::profile("r^2/(2*10)").unwrap()).unwrap()).unwrap();
+/// let setup = Setup { effective_modulus: 3.0, rim: None, tolerance: 1e-12, method: Method::Auto };
+/// let indentation = Indentation::new(&solution, setup, Load::Depth(0.1)).unwrap();
+/// let state = indentation.solve(Load::Depth(0.1)).unwrap().state.unwrap();
+/// // a = √(R d), F = (4/3) E* √R d^(3/2)
+/// assert_eq!(state.radius, 1.0);
+/// assert!((state.force - 4.0 * 10f64.sqrt() * 0.1f64.powf(1.5)).abs() < 1e-15);
+/// ```
+pub struct Indentation<'a> {
+    contact: Contact<'a>,
+    setup: Setup,
+    landscape: Landscape,
+    explicit: Option<(ClosedForm, ClosedForm)>,
+    follower: Follower,
+    known: Known,
+    at_rim: Option<AtRim>,
+}
+
+/// What never changes at the rim.
+#[derive(Clone, Copy, Debug)]
+struct AtRim {
+    radius: f64,
+    /// g(c).
+    slope: f64,
+    /// F of a smooth contact of radius c.
+    force: f64,
+}
+
+impl<'a> Indentation<'a> {
+    /// Looks at the profile once; `largest` is the largest of the loads that will be asked for, as far as it is known.
+    ///
+    /// # Errors
+    /// [`ContactError`] where the profile cannot be evaluated, or needs a rim and has none.
+    pub fn new(solution: &'a Solution, setup: Setup, largest: Load) -> Result<Self, ContactError> {
+        let evaluator = Evaluator::new(solution, &Bindings::default(), setup.method, setup.tolerance)?;
+        if let Some(c) = setup.rim {
+            if c.is_nan() || c <= 0.0 {
+                return Err(ContactError::Missing { quantity: "a cylinder", needs: "a positive radius" });
+            }
+            evaluator.check_domain("radius", c)?;
+        } else if solution.profile.is_flat() {
+            return Err(ContactError::Missing { quantity: "a flat punch", needs: "a radius: the vertical side of the indenter" });
+        }
+        let contact = Contact::new(evaluator, setup.effective_modulus, None, setup.tolerance);
+        let scale = root::scale(&contact, setup.rim, largest);
+        let landscape = Landscape::new(contact.evaluator(), &solution.profile, setup.rim, scale)?;
+        if setup.rim.is_none() && !landscape.rising && landscape.samples.iter().all(|(_, g)| *g <= 0.0) {
+            return Err(ContactError::Missing { quantity: "a concave profile", needs: "a radius: the vertical side of the indenter" });
+        }
+        let at_rim = match setup.rim {
+            Some(radius) if solution.profile.is_flat() => Some(AtRim { radius, slope: 0.0, force: 0.0 }),
+            Some(radius) => {
+                let force = contact.force(radius)?.estimate.value;
+                Some(AtRim { radius, slope: contact.evaluator().slope(radius)?.estimate.value, force })
+            }
+            None => None,
+        };
+        let compiled = |own: Explicit| {
+            let inputs = [Symbol::new("d"), Symbol::new("E")];
+            Some((ClosedForm::new(&own.contact_radius, &inputs).ok()?, ClosedForm::new(&own.force, &inputs).ok()?))
+        };
+        let wanted = landscape.rising && setup.method != Method::Quadrature && matches!(largest, Load::Depth(_));
+        let explicit = wanted.then(|| explicit(solution)).flatten().and_then(compiled);
+        Ok(Self { contact, setup, landscape, explicit, follower: Follower::default(), known: Known::default(), at_rim })
+    }
+
+    /// Solves one load.
+    ///
+    /// # Errors
+    /// [`ContactError`] for a negative force or radius, or where numbers fail; a load that cannot be reached is a finding.
+    pub fn solve(&self, load: Load) -> Result<Indented, ContactError> {
+        match load {
+            Load::Depth(depth) => self.at_depth(depth),
+            Load::Force(force) => self.at_force(force),
+            Load::Radius(radius) => self.at_radius(radius),
+        }
+    }
+
+    /// The contact of a state, for pressure, displacement and energy.
+    pub fn contact(&self, state: &State) -> Contact<'a> {
+        // Next to the flat part of a worn tip the rounding of a changes g(a) by more than d's own; the edge term undoes that to first order.
+        let flat = self.landscape.flat;
+        let fixed = state.boundary == Boundary::Rim || (flat > 0.0 && state.radius - flat < 1e-6 * flat);
+        self.contact.with_depth(fixed.then_some(state.depth))
+    }
+
+    /// The contact with a smooth edge, for quantities of the shape.
+    pub fn shape(&self) -> &Contact<'a> {
+        &self.contact
+    }
+
+    /// The depth at which the bodies first touch, at most 0: the smallest f.
+    pub fn first_touch(&self) -> f64 {
+        self.landscape.lowest
+    }
+
+    /// The radius of the vertical side.
+    pub fn rim(&self) -> Option<f64> {
+        self.setup.rim
+    }
+
+    fn no_contact(depth: f64) -> Indented {
+        Indented { state: Some(State { depth, force: 0.0, radius: 0.0, boundary: Boundary::Apart }), findings: Vec::new() }
+    }
+
+    fn at_depth(&self, depth: f64) -> Result<Indented, ContactError> {
+        let touch = self.landscape.lowest;
+        if depth.is_nan() || depth < touch {
+            return Ok(Self::no_contact(depth));
+        }
+        if depth == touch && depth == 0.0 {
+            let radius = if self.contact.evaluator().breakpoints_below(f64::INFINITY).is_empty() { 0.0 } else { self.landscape.flat };
+            let (radius, boundary) = match self.at_rim {
+                Some(rim) if rim.slope == 0.0 && rim.force == 0.0 => (rim.radius, Boundary::Rim),
+                _ => (radius, Boundary::Smooth),
+            };
+            return Ok(Indented { state: Some(State { depth, force: 0.0, radius, boundary }), findings: Vec::new() });
+        }
+        let mut candidates = Vec::new();
+        if let Some(rim) = self.at_rim
+            && depth >= rim.slope
+        {
+            let excess = depth - rim.slope;
+            let force = rim.force + 2.0 * self.setup.effective_modulus * rim.radius * excess;
+            let state = State { depth, force, radius: rim.radius, boundary: Boundary::Rim };
+            if self.landscape.rising {
+                return Ok(self.judged(state));
+            }
+            candidates.push(state);
+        }
+        if let Some((radius, force)) = &self.explicit {
+            let (a, f) = (radius.value(&[depth, 1.0]), force.value(&[depth, self.setup.effective_modulus]));
+            if a.value.is_finite() && f.value.is_finite() && a.value <= self.landscape.reach {
+                return Ok(self.judged(State { depth, force: f.value, radius: a.value, boundary: Boundary::Smooth }));
+            }
+        }
+        let found = self.smooth_at_depth(depth)?;
+        let nothing = found.is_empty() && candidates.is_empty();
+        candidates.splice(0..0, found);
+        if nothing {
+            return Ok(unreachable(format!(
+                "no contact radius belongs to d = {depth:?}: g stays below this depth as far as the profile goes"
+            )));
+        }
+        Ok(self.chosen(&candidates))
+    }
+
+    fn at_force(&self, force: f64) -> Result<Indented, ContactError> {
+        if force.is_nan() || force < 0.0 {
+            return Err(ContactError::Missing {
+                quantity: "a negative force",
+                needs: "adhesion, which is not modelled; F >= 0 would be accepted",
+            });
+        }
+        if force == 0.0 {
+            return self.at_depth(self.landscape.lowest);
+        }
+        let mut candidates = Vec::new();
+        if let Some(rim) = self.at_rim
+            && force >= rim.force
+        {
+            let depth = rim.slope + (force - rim.force) / (2.0 * self.setup.effective_modulus * rim.radius);
+            let state = State { depth, force, radius: rim.radius, boundary: Boundary::Rim };
+            if self.landscape.rising {
+                return Ok(self.judged(state));
+            }
+            candidates.push(state);
+        }
+        let found = self.smooth_at_force(force)?;
+        let nothing = found.is_empty() && candidates.is_empty();
+        candidates.splice(0..0, found);
+        if nothing {
+            return Ok(unreachable(format!("no contact radius belongs to F = {force:?}: the profile ends before it is reached")));
+        }
+        Ok(self.chosen(&candidates))
+    }
+
+    fn at_radius(&self, radius: f64) -> Result<Indented, ContactError> {
+        if radius.is_nan() || radius < 0.0 {
+            return Err(ContactError::Missing {
+                quantity: "a negative contact radius",
+                needs: "a different sign; a >= 0 would be accepted",
+            });
+        }
+        if let Some(rim) = self.at_rim {
+            if radius == rim.radius {
+                return Err(ContactError::Missing {
+                    quantity: "a contact up to the rim",
+                    needs: "a load by depth or force: any depth beyond g(c) has this radius",
+                });
+            }
+            if radius > rim.radius {
+                return Ok(unreachable(format!("the indenter ends at r = {:?}", rim.radius)));
+            }
+        }
+        if radius == 0.0 && self.landscape.flat == 0.0 {
+            return self.at_depth(0.0);
+        }
+        if radius < self.landscape.flat {
+            return Ok(unreachable(format!("the tip is flat up to r = {:?}: a contact is at least as large", self.landscape.flat)));
+        }
+        if radius >= self.contact.evaluator().limit() {
+            return Ok(unreachable(format!("the profile ends at r = {:?}", self.contact.evaluator().limit())));
+        }
+        let depth = self.contact.depth(radius)?.estimate.value;
+        let force = self.contact.force(radius)?.estimate.value;
+        Ok(self.judged(State { depth, force, radius, boundary: Boundary::Smooth }))
+    }
+
+    /// The first candidate that stands the test, else the first one with what speaks against it.
+    fn chosen(&self, candidates: &[State]) -> Indented {
+        let mut first = None;
+        for state in candidates {
+            let judged = self.judged(*state);
+            if judged.is_valid() {
+                return judged;
+            }
+            first.get_or_insert(judged);
+        }
+        first.unwrap_or(Indented { state: None, findings: Vec::new() })
+    }
+
+    /// U = E* ∫₀^a (d − g)² dx of a state.
+    ///
+    /// # Errors
+    /// As [`Contact::energy`].
+    pub fn energy(&self, state: &State) -> Result<Reading, ContactError> {
+        self.contact(state).energy(state.radius)
+    }
+}
+
+fn unreachable(message: String) -> Indented {
+    Indented { state: None, findings: vec![Finding { rule: "unreachable", severity: Severity::Error, message, at: None }] }
+}

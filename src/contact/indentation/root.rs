@@ -1,0 +1,217 @@
+//! Contact radii of smooth edges: the roots of g(a) = d and of F(a) = F, followed from load to load.
+
+use super::{Boundary, Indentation, Load, State};
+use crate::contact::{Contact, ContactError};
+use crate::num::roots::{RootOptions, bracketed};
+use crate::transform::TransformError;
+use std::cell::Cell;
+
+/// The last root with the rise there: the next load is often a near one.
+#[derive(Default)]
+pub(super) struct Follower(Cell<Option<Last>>);
+
+#[derive(Clone, Copy)]
+struct Last {
+    target: f64,
+    root: f64,
+    rise: f64,
+}
+
+/// Most steps of the secant before bisection is asked.
+const STEPS: u32 = 12;
+/// Outermost radius that is tried, and the innermost one.
+const FARTHEST: f64 = 1e150;
+const NEAREST: f64 = 1e-290;
+
+/// About the contact radius of a load: the first power of ten at which g or F has reached it.
+pub(super) fn scale(contact: &Contact<'_>, rim: Option<f64>, largest: Load) -> f64 {
+    let limit = contact.evaluator().limit();
+    if let Some(end) = rim.or(limit.is_finite().then_some(limit)) {
+        return end;
+    }
+    let reached = |a: f64| match largest {
+        Load::Radius(radius) => a >= radius,
+        Load::Depth(depth) => contact.depth(a).is_ok_and(|g| g.estimate.value >= depth),
+        Load::Force(force) => contact.force(a).is_ok_and(|f| f.estimate.value >= force),
+    };
+    if let Load::Radius(radius) = largest
+        && radius > 0.0
+        && radius.is_finite()
+    {
+        return radius;
+    }
+    let outer = contact.evaluator().breakpoints_below(f64::INFINITY).last().copied();
+    let mut best = (outer.unwrap_or(1.0), f64::NEG_INFINITY);
+    for step in -60..=60 {
+        let a = outer.unwrap_or(1.0) * 10f64.powf(0.5 * f64::from(step));
+        if reached(a) {
+            return a.max(outer.unwrap_or(0.0));
+        }
+        // Without an end, the place of the largest g is what matters.
+        if let Ok(g) = contact.depth(a)
+            && g.estimate.value > best.1
+        {
+            best = (a, g.estimate.value);
+        }
+    }
+    best.0
+}
+
+impl Indentation<'_> {
+    /// Every smooth contact at a depth, from the axis outward.
+    pub(super) fn smooth_at_depth(&self, depth: f64) -> Result<Vec<State>, ContactError> {
+        let mut gap = |a: f64| match self.contact.evaluator().slope(a) {
+            Ok(g) => Ok(g.estimate.value - depth),
+            // An overflow lies beyond every root.
+            Err(TransformError::Overflow { .. }) => Ok(f64::INFINITY),
+            Err(other) => Err(other),
+        };
+        let mut states = Vec::new();
+        for radius in self.roots(&mut gap, depth, |own| own.landscape.rises_through(depth))? {
+            // F_smooth(a) + 2E* a (d − g(a)) is right to second order in the rounding of a.
+            let smooth = self.contact.force(radius)?.estimate.value;
+            let excess = -gap(radius)?;
+            let force = smooth + 2.0 * self.contact.effective_modulus() * radius * excess;
+            states.push(State { depth, force, radius, boundary: Boundary::Smooth });
+        }
+        Ok(states)
+    }
+
+    /// Every smooth contact under a force.
+    pub(super) fn smooth_at_force(&self, force: f64) -> Result<Vec<State>, ContactError> {
+        let mut lack = |a: f64| match self.contact.force(a) {
+            Ok(found) => Ok(found.estimate.value - force),
+            Err(ContactError::Transform(TransformError::Overflow { .. })) => Ok(f64::INFINITY),
+            Err(ContactError::Transform(error)) => Err(error),
+            Err(_) => Err(TransformError::NotComputable { at: a }),
+        };
+        let samples = |own: &Self| {
+            let mut found = Vec::new();
+            let mut before = (own.landscape.flat, -force);
+            for (x, _) in &own.landscape.samples {
+                let Ok(here) = own.contact.force(*x) else { continue };
+                let here = here.estimate.value - force;
+                if before.1 < 0.0 && here >= 0.0 {
+                    found.push((before.0, *x));
+                }
+                before = (*x, here);
+            }
+            found
+        };
+        let mut states = Vec::new();
+        for radius in self.roots(&mut lack, force, samples)? {
+            let depth = self.contact.depth(radius)?.estimate.value;
+            let depth = depth - lack(radius)? / (2.0 * self.contact.effective_modulus() * radius);
+            states.push(State { depth, force, radius, boundary: Boundary::Smooth });
+        }
+        Ok(states)
+    }
+
+    /// The roots of a function that rises with g: the only one where g rises everywhere, else one per bracket.
+    fn roots(
+        &self,
+        function: &mut impl FnMut(f64) -> Result<f64, TransformError>,
+        target: f64,
+        brackets: impl Fn(&Self) -> Vec<(f64, f64)>,
+    ) -> Result<Vec<f64>, ContactError> {
+        let mut found = Vec::new();
+        if !self.landscape.rising {
+            for (lower, upper) in brackets(self) {
+                let lower = if lower > 0.0 { lower } else { inward(function, upper)? };
+                found.push(bracketed(&mut *function, lower, upper, &RootOptions::default())?.x);
+            }
+            return Ok(found);
+        }
+        if let Some(root) = self.followed(function, target) {
+            return Ok(vec![root]);
+        }
+        let Some((lower, upper)) = self.bracket(function)? else { return Ok(found) };
+        let root = bracketed(&mut *function, lower, upper, &RootOptions::default())?.x;
+        let step = 1e-4 * (root - self.landscape.flat);
+        if step > 0.0
+            && let (Ok(here), Ok(before)) = (function(root), function(root - step))
+        {
+            self.follower.0.set(Some(Last { target, root, rise: (here - before) / step }));
+        }
+        found.push(root);
+        Ok(found)
+    }
+
+    /// Secant steps from the last root; `None` where they do not settle.
+    fn followed(&self, function: &mut impl FnMut(f64) -> Result<f64, TransformError>, target: f64) -> Option<f64> {
+        let last = self.follower.0.get()?;
+        let (flat, reach) = (self.landscape.flat, self.contact.evaluator().limit().min(self.setup.rim.unwrap_or(f64::INFINITY)));
+        let (mut rise, mut before) = (last.rise, (last.root, last.target - target));
+        let mut root = last.root - before.1 / rise;
+        // A far load needs a bracket, and so does the neighbourhood of a flat part, where g starts like a root.
+        if !(root - last.root).is_finite() || (root - last.root).abs() > 0.2 * (last.root - flat).min(last.root) {
+            return None;
+        }
+        let mut step = (root - last.root) / (last.root - flat);
+        for _ in 0..STEPS {
+            if root <= flat || root >= reach {
+                return None;
+            }
+            let here = function(root).ok()?;
+            if root != before.0 {
+                rise = (here - before.1) / (root - before.0);
+            }
+            if rise.is_nan() || rise <= 0.0 {
+                return None;
+            }
+            let next = here / rise;
+            let relative = next / (root - flat);
+            before = (root, here);
+            root -= next;
+            // The error of a secant step is about the product of the last two.
+            if relative == 0.0 || (relative * step).abs() < 1e-17 || relative.abs() < f64::EPSILON {
+                self.follower.0.set(Some(Last { target, root, rise }));
+                return Some(root);
+            }
+            step = relative;
+        }
+        None
+    }
+
+    /// Two radii between which a rising function changes its sign.
+    fn bracket(&self, function: &mut impl FnMut(f64) -> Result<f64, TransformError>) -> Result<Option<(f64, f64)>, ContactError> {
+        let (flat, limit) = (self.landscape.flat, self.contact.evaluator().limit());
+        let end = if limit.is_finite() { limit.next_down() } else { FARTHEST }.min(self.setup.rim.unwrap_or(f64::INFINITY));
+        let mut upper = self.follower.0.get().map_or(self.landscape.reach * 1e-3, |last| last.root).clamp(flat.max(NEAREST), end);
+        let mut lower = upper;
+        let mut factor = 2.0;
+        let mut above = |a: f64| function(a).map(|value| value >= 0.0);
+        if above(upper)? {
+            while above(lower)? {
+                if lower <= flat || lower <= NEAREST {
+                    return Ok(None);
+                }
+                upper = lower;
+                lower = (lower / factor).max(flat).max(NEAREST);
+                factor *= factor.min(1e30);
+            }
+        } else {
+            while !above(upper)? {
+                if upper >= end {
+                    return Ok(None);
+                }
+                lower = upper;
+                upper = (upper * factor).min(end);
+                factor *= factor.min(1e30);
+            }
+        }
+        Ok(Some((lower, upper)))
+    }
+}
+
+/// The first place inward of `upper` at which the function is negative.
+fn inward(function: &mut impl FnMut(f64) -> Result<f64, TransformError>, upper: f64) -> Result<f64, ContactError> {
+    let mut lower = upper;
+    while function(lower)? >= 0.0 {
+        lower *= 0.25;
+        if lower < NEAREST {
+            return Err(ContactError::Unreachable { depth: upper, reason: "the radius lies below the smallest number" });
+        }
+    }
+    Ok(lower)
+}

@@ -1,0 +1,311 @@
+//! Whether a state is the solution: pressure inside, no overlap outside, and d ≥ g(a); Signorini's problem has only one.
+
+use super::landscape::STEEP;
+use super::{Boundary, Indentation, Indented, State};
+use crate::num::Estimate;
+use std::cell::{Cell, OnceCell};
+
+/// How much a finding weighs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth knowing; the answer stands.
+    Warning,
+    /// The answer is not the solution of the contact problem.
+    Error,
+}
+
+impl Severity {
+    /// The word that reports use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+}
+
+/// One thing that is wrong with a state, or worth knowing about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// A short name: `outside_gap`, `tension_inside`, `edge_gap`, `unreachable`, `steep_slope`, `kink`, `not_computable`.
+    pub rule: &'static str,
+    /// How much it weighs.
+    pub severity: Severity,
+    /// A sentence.
+    pub message: String,
+    /// The first offending radius.
+    pub at: Option<f64>,
+}
+
+/// What earlier states have shown.
+#[derive(Default)]
+pub(super) struct Known {
+    /// Contacts with a smooth edge up to here close no gap outside.
+    valid_to: Cell<f64>,
+    /// From here on they do.
+    invalid_from: Cell<Option<f64>>,
+    /// The smallest depth of a complete contact, and where its pressure vanishes first.
+    complete: OnceCell<(f64, f64)>,
+}
+
+/// Radii at which a pressure or a gap is looked at, before its minima are refined.
+const LOOKS: u32 = 96;
+/// Steps of the golden section.
+const REFINEMENTS: u32 = 48;
+/// A pressure or gap is negative where it is so by more than this, relative to the mean pressure or the depth.
+const NOISE: f64 = 1e-11;
+
+impl Indentation<'_> {
+    /// The state with all findings about it.
+    pub(super) fn judged(&self, state: State) -> Indented {
+        let mut findings = Vec::new();
+        match state.boundary {
+            Boundary::Apart => {}
+            Boundary::Rim => findings.extend(self.tension_of_complete_contact(&state)),
+            Boundary::Smooth if !self.landscape.rising => {
+                findings.extend(self.tension_inside(&state));
+                findings.extend(self.overlap_outside(&state));
+            }
+            Boundary::Smooth => {}
+        }
+        findings.extend(self.steep_slope(&state));
+        Indented { state: Some(state), findings }
+    }
+
+    /// p ≥ 0 for all r < c, which is a limit of the depth: p rises with d as 1/√(c² − r²).
+    fn tension_of_complete_contact(&self, state: &State) -> Option<Finding> {
+        if self.landscape.rising {
+            return None;
+        }
+        let rim = self.at_rim?;
+        let (least, at) = *self.known.complete.get_or_init(|| self.least_depth(rim.radius, rim.slope));
+        if state.depth >= least * (1.0 - NOISE * least.signum()) {
+            return None;
+        }
+        let message = if least.is_infinite() {
+            "a complete contact is impossible: the pressure at the axis is negative at every depth".to_owned()
+        } else {
+            format!("a complete contact needs d >= {least:?} (the pressure vanishes first at r = {at:?}); below it is in tension there")
+        };
+        Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) })
+    }
+
+    /// max over r < c of g(c) − √(c² − r²) π p_smooth/E*, and its place.
+    fn least_depth(&self, c: f64, slope: f64) -> (f64, f64) {
+        let shape = self.contact.evaluator();
+        if self.landscape.flat == 0.0 && matches!(shape.pressure(0.0, c), Ok(None)) {
+            let near = shape.pressure(1e-9 * c, c);
+            if near.is_ok_and(|p| p.is_some_and(|p| p.estimate.value < 0.0)) {
+                return (f64::INFINITY, 0.0);
+            }
+        }
+        let mut needed = |r: f64| match shape.pressure(r, c) {
+            Ok(Some(p)) => p.estimate.value * ((c - r) * (c + r)).sqrt() - slope,
+            // A concave kink pulls without limit, a convex one presses.
+            Ok(None) => f64::INFINITY,
+            Err(_) => f64::NAN,
+        };
+        if let Some(kink) = self.landscape.kinks.iter().find(|kink| kink.jump < 0.0 && kink.at < c) {
+            return (f64::INFINITY, kink.at);
+        }
+        let (at, value) = lowest(&mut needed, &looks(0.0, c));
+        if -value > slope { (-value, at) } else { (slope, c) }
+    }
+
+    /// p ≥ 0 inside a contact with a smooth edge.
+    fn tension_inside(&self, state: &State) -> Option<Finding> {
+        let a = state.radius;
+        if let Some(kink) = self.landscape.kinks.iter().find(|kink| kink.jump < 0.0 && kink.at < a) {
+            let message = format!("the profile bends away at r = {:?}: the pressure there is minus infinity", kink.at);
+            return Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(kink.at) });
+        }
+        if a <= self.landscape.first_fall {
+            return None;
+        }
+        let shape = self.contact.evaluator();
+        let mean = state.force / (a * a * self.contact.effective_modulus());
+        let mut pressure = |r: f64| match shape.pressure(r, a) {
+            Ok(Some(p)) => surely(p.estimate, NOISE * mean.abs()),
+            _ => f64::NAN,
+        };
+        let at = first_negative(&mut pressure, &looks(0.0, a), 1e-3 * mean.abs())?;
+        let message = format!("the pressure is negative at r = {at:?}: the contact would open there");
+        Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) })
+    }
+
+    /// f − d + u ≥ 0 for every r > a within the profile.
+    ///
+    /// The gap is (2/π)∫_a^r (g − d)/√(r² − x²) dx. While g rises up to a, a larger contact that closes no gap vouches for a smaller one.
+    fn overlap_outside(&self, state: &State) -> Option<Finding> {
+        let a = state.radius;
+        let ordered = a < self.landscape.first_fall;
+        if ordered && a <= self.known.valid_to.get() {
+            return None;
+        }
+        if ordered && self.known.invalid_from.get().is_none_or(|from| a < from) {
+            // A larger contact first: what it shows holds for the loads to come.
+            let end = self.known.invalid_from.get().unwrap_or(self.landscape.first_fall).min(self.landscape.reach);
+            let ahead = a + 0.5 * (end - a);
+            if ahead > a && ahead < self.landscape.first_fall && self.first_overlap(ahead).is_none() {
+                self.known.valid_to.set(ahead.max(self.known.valid_to.get()));
+                return None;
+            }
+            if ahead > a && ahead < self.landscape.first_fall {
+                self.known.invalid_from.set(Some(ahead));
+            }
+        }
+        let overlap = self.first_overlap(a);
+        if ordered {
+            match overlap {
+                None => self.known.valid_to.set(a.max(self.known.valid_to.get())),
+                Some(_) => self.known.invalid_from.set(Some(self.known.invalid_from.get().map_or(a, |from| from.min(a)))),
+            }
+        }
+        let at = overlap?;
+        let message = format!("the deformed surface reaches the indenter again at r = {at:?}: the contact is not a disc");
+        Some(Finding { rule: "outside_gap", severity: Severity::Error, message, at: Some(at) })
+    }
+
+    /// The first radius beyond a at which the bodies overlap.
+    fn first_overlap(&self, a: f64) -> Option<f64> {
+        let (contact, reach) = (&self.contact, self.landscape.reach);
+        let depth = contact.evaluator().slope(a).ok()?.estimate.value;
+        if a >= self.landscape.first_fall
+            && let Ok(beyond) = contact.evaluator().slope((a * (1.0 + 1e-6)).min(reach))
+            && beyond.estimate.value + beyond.estimate.error < depth
+        {
+            return Some(a);
+        }
+        let mut gap = |r: f64| match (contact.evaluator().height(r), contact.evaluator().displacement(r, a)) {
+            (Ok(f), Ok(u)) => {
+                let value = f.estimate.value - depth + u.estimate.value;
+                surely(Estimate { value, error: f.estimate.error + u.estimate.error, evaluations: 0 }, NOISE * depth.abs())
+            }
+            _ => f64::NAN,
+        };
+        let mut places: Vec<f64> = looks(a, (8.0 * a).min(reach));
+        let mut far = 8.0 * a;
+        while far < reach {
+            places.push(far);
+            far *= 1.2;
+        }
+        places.push(reach);
+        places.extend(self.landscape.troughs.iter().copied().filter(|r| *r > a && *r < reach));
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        first_negative(&mut gap, &places, f64::INFINITY)
+    }
+
+    /// The slope of the profile inside the contact, where it is too large for a half-space.
+    fn steep_slope(&self, state: &State) -> Option<Finding> {
+        let at = self.landscape.steep.filter(|at| *at < state.radius)?;
+        let message = format!("the profile's slope exceeds {STEEP} from r = {at:?} on: a half-space is a poor model of the surface there");
+        Some(Finding { rule: "steep_slope", severity: Severity::Warning, message, at: Some(at) })
+    }
+}
+
+/// The value where its sign is beyond doubt, else 0.
+fn surely(estimate: Estimate, noise: f64) -> f64 {
+    if estimate.value.abs() <= estimate.error.max(noise) { 0.0 } else { estimate.value }
+}
+
+/// Radii between two ends, denser towards both.
+fn looks(lower: f64, upper: f64) -> Vec<f64> {
+    let count = f64::from(LOOKS);
+    (1..LOOKS)
+        .map(|step| {
+            let angle = std::f64::consts::PI * f64::from(step) / count;
+            lower + (upper - lower) * 0.5 * (1.0 - angle.cos())
+        })
+        .collect()
+}
+
+/// The first place of a sign change to negative values, or the bottom of a dip that goes below 0.
+fn first_negative(function: &mut impl FnMut(f64) -> f64, places: &[f64], shallow: f64) -> Option<f64> {
+    let mut seen: Vec<(f64, f64)> = Vec::new();
+    for place in places {
+        let value = function(*place);
+        if value.is_nan() {
+            continue;
+        }
+        let (mut at, mut low) = (*place, value);
+        // A dip between the looks: three values of which the middle one is the smallest.
+        if value >= 0.0
+            && let [.., (first, before), (middle, bottom)] = seen.as_slice()
+            && *bottom <= *before
+            && *bottom <= value
+            && *bottom > 0.0
+            && *bottom < shallow
+        {
+            let (dip, under) = golden(function, *first, *middle, *place);
+            if under < 0.0 {
+                (at, low) = (dip, under);
+            }
+        }
+        if low < 0.0 {
+            let before = seen.iter().rev().find(|(r, value)| *value > 0.0 && *r < at).map(|(r, _)| *r);
+            return Some(before.map_or(at, |from| sign_change(function, from, at)));
+        }
+        seen.push((*place, value));
+    }
+    None
+}
+
+/// Where a function that is positive at `from` becomes negative before `to`.
+fn sign_change(function: &mut impl FnMut(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
+    for _ in 0..REFINEMENTS {
+        let middle = 0.5 * (from + to);
+        if middle <= from || middle >= to {
+            break;
+        }
+        if function(middle) < 0.0 { to = middle } else { from = middle }
+    }
+    to
+}
+
+/// The place of the smallest value, refined.
+fn lowest(function: &mut impl FnMut(f64) -> f64, places: &[f64]) -> (f64, f64) {
+    let mut all: Vec<(f64, f64)> = vec![(0.0, function(0.0))];
+    all.extend(places.iter().map(|r| (*r, function(*r))));
+    all.retain(|(_, value)| !value.is_nan());
+    let mut best = all.iter().copied().min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or((0.0, 0.0));
+    for three in all.windows(3) {
+        if let [(first, before), (middle, bottom), (last, beyond)] = three
+            && bottom <= before
+            && bottom <= beyond
+        {
+            let dip = golden(function, *first, *middle, *last);
+            if dip.1 < best.1 {
+                best = dip;
+            }
+        }
+    }
+    best
+}
+
+/// Golden section for a minimum between two places, with one in between that is lower than both.
+fn golden(function: &mut impl FnMut(f64) -> f64, mut lower: f64, mut middle: f64, mut upper: f64) -> (f64, f64) {
+    const SHARE: f64 = 0.381_966_011_250_105_1;
+    let mut bottom = function(middle);
+    for _ in 0..REFINEMENTS {
+        let wide = upper - middle > middle - lower;
+        let next = if wide { middle + SHARE * (upper - middle) } else { middle - SHARE * (middle - lower) };
+        let value = function(next);
+        if value < bottom {
+            if wide {
+                lower = middle
+            } else {
+                upper = middle
+            }
+            (middle, bottom) = (next, value);
+        } else if wide {
+            upper = next;
+        } else {
+            lower = next;
+        }
+        if upper - lower <= 1e-9 * middle {
+            break;
+        }
+    }
+    (middle, bottom)
+}

@@ -1,0 +1,194 @@
+//! Indentations: every load against explicit relations, and the verdict against profiles whose validity is known.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use sneddon::contact::{Boundary, Indentation, Indented, Load, Setup, State};
+use sneddon::parse;
+use sneddon::transform::{Method, Profile, Solution, derive};
+
+fn solution(text: &str) -> Solution {
+    derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
+}
+
+fn setup(rim: Option<f64>) -> Setup {
+    Setup { effective_modulus: 1.0, rim, tolerance: 1e-12, method: Method::Auto }
+}
+
+fn solve(text: &str, rim: Option<f64>, load: Load) -> Indented {
+    let solution = solution(text);
+    Indentation::new(&solution, setup(rim), load).unwrap().solve(load).unwrap()
+}
+
+fn state(text: &str, rim: Option<f64>, load: Load) -> State {
+    let found = solve(text, rim, load);
+    assert!(found.is_valid(), "{text} {load:?}: {found:?}");
+    found.state.unwrap()
+}
+
+/// The rule of the first error.
+fn refused(text: &str, rim: Option<f64>, load: Load) -> (&'static str, Option<f64>) {
+    let found = solve(text, rim, load);
+    assert!(!found.is_valid(), "{text} {load:?}: {found:?}");
+    let first = found.findings.first().unwrap();
+    (first.rule, first.at)
+}
+
+fn near(value: f64, expected: f64, ulps: f64) {
+    assert!((value - expected).abs() <= ulps * f64::EPSILON * expected.abs(), "{value:?} is not {expected:?} to {ulps} ulp");
+}
+
+#[test]
+fn one_load_gives_the_other_two() {
+    for text in [
+        "r^2/4",
+        "r*tan(1/5)",
+        "2-sqrt(4-r^2)",
+        "sqrt(1+r^2)-1",
+        "piecewise(0, r<1/2, (r-1/2)/3)",
+        "r^2/5+r/9",
+        "ln(1+r^2/9)",
+        "1-exp(-r^2)",
+    ] {
+        let reference = state(text, None, Load::Radius(0.7));
+        for load in [Load::Depth(reference.depth), Load::Force(reference.force)] {
+            let found = state(text, None, load);
+            near(found.radius, 0.7, 16.0);
+            near(found.depth, reference.depth, 16.0);
+            near(found.force, reference.force, 16.0);
+            assert_eq!(found.boundary, Boundary::Smooth);
+        }
+    }
+}
+
+/// By roots of the other load and by the explicit form: the same numbers.
+#[test]
+fn roots_agree_with_explicit_forms() {
+    for text in ["r^2/4", "r*tan(1/5)", "r^(7/2)", "r^2/5+r/9", "piecewise(0, r<1/2, (r^2-1/4)/3)"] {
+        let solution = solution(text);
+        let by_form = Indentation::new(&solution, setup(None), Load::Depth(1.0)).unwrap();
+        // Without an explicit form for forces, both g and F are inverted by roots.
+        let by_root = Indentation::new(&solution, setup(None), Load::Force(1.0)).unwrap();
+        for step in 0..40 {
+            let depth = 10f64.powf(-12.0 + 0.3 * f64::from(step));
+            let (one, two) =
+                (by_form.solve(Load::Depth(depth)).unwrap().state.unwrap(), by_root.solve(Load::Depth(depth)).unwrap().state.unwrap());
+            near(two.force, one.force, 4.0);
+            near(two.radius, one.radius, 4.0);
+            let three = by_root.solve(Load::Force(one.force)).unwrap().state.unwrap();
+            near(three.depth, depth, 6.0);
+        }
+    }
+}
+
+/// A flat part of radius b = 1 under d = 1e-8: a rounds to b, and F = 2E* b d (1 + …) keeps its digits.
+#[test]
+fn a_worn_tip_at_a_tiny_depth() {
+    // g = x √(x² − 1), F = (2/3)(2a² + 1)√(a² − 1) with a² = (1 + √(1 + 4d²))/2.
+    let d = 1e-8f64;
+    let expected = |d: f64| {
+        let s = (1.0 + 4.0 * d * d).sqrt();
+        2.0 * 2f64.sqrt() / 3.0 * d * (2.0 + s) / (1.0 + s).sqrt()
+    };
+    near(state("piecewise(0, r<1, (r^2-1)/2)", None, Load::Depth(d)).force, expected(d), 4.0);
+    let back = state("piecewise(0, r<1, (r^2-1)/2)", None, Load::Force(expected(d)));
+    near(back.depth, d, 4.0);
+    // A truncated cone has no explicit form: a = 1/cos φ, d = φ/cos φ, F = φ/cos²φ + tan φ.
+    for phi in [1e-12f64, 1e-8, 1e-3, 0.1] {
+        let (d, force) = (phi / phi.cos(), phi / phi.cos().powi(2) + phi.tan());
+        near(state("piecewise(0, r<1, r-1)", None, Load::Depth(d)).force, force, 6.0);
+        near(state("piecewise(0, r<1, r-1)", None, Load::Force(force)).depth, d, 6.0);
+    }
+}
+
+#[test]
+fn the_ends_of_loading() {
+    let zero = state("r^2/4", None, Load::Depth(0.0));
+    assert_eq!((zero.radius, zero.force), (0.0, 0.0));
+    let flat = state("piecewise(0, r<1, (r^2-1)/2)", None, Load::Depth(0.0));
+    assert_eq!((flat.radius, flat.force), (1.0, 0.0));
+    let punch = state("0", Some(3.0), Load::Depth(0.0));
+    assert_eq!((punch.radius, punch.force), (3.0, 0.0));
+    let apart = state("r^2/4", None, Load::Depth(-1.0));
+    assert_eq!((apart.radius, apart.force, apart.boundary), (0.0, 0.0, Boundary::Apart));
+    let solution = solution("r^2/4");
+    let negative = Indentation::new(&solution, setup(None), Load::Force(1.0)).unwrap().solve(Load::Force(-1.0));
+    assert!(negative.unwrap_err().to_string().contains("negative force"));
+    assert_eq!(refused("2-sqrt(4-r^2)", None, Load::Depth(1e6)).0, "unreachable");
+    assert_eq!(refused("1-exp(-r^2)", None, Load::Depth(1.5)).0, "unreachable");
+}
+
+#[test]
+fn a_cylinder_with_a_cap() {
+    // g(c) = 2 at c = 2: below it the contact is Hertz's, above it the edge is free.
+    let smooth = state("r^2/4", Some(2.0), Load::Depth(0.5));
+    near(smooth.radius, 1.0, 1.0);
+    assert_eq!(smooth.boundary, Boundary::Smooth);
+    let rim = state("r^2/4", Some(2.0), Load::Depth(3.0));
+    assert_eq!((rim.radius, rim.boundary), (2.0, Boundary::Rim));
+    near(rim.force, 2.0 * (3.0 * 2.0 - 8.0 / 6.0), 4.0);
+    near(state("r^2/4", Some(2.0), Load::Force(rim.force)).depth, 3.0, 4.0);
+    near(state("0", Some(2.0), Load::Force(1.0)).depth, 0.25, 1.0);
+    let solution = solution("r^2/4");
+    let at_rim = Indentation::new(&solution, setup(Some(2.0)), Load::Radius(2.0)).unwrap().solve(Load::Radius(2.0));
+    assert!(at_rim.unwrap_err().to_string().contains("depth or force"));
+}
+
+/// −h (r/c)ⁿ with h = c = 1: complete contact from 2h (n = 2), 4h/3 (n = 4), 1.44 h (n = 3), never for n ≤ 1.
+#[test]
+fn concave_punches() {
+    for (text, least, at) in [("-r^2", 2.0, 0.0), ("-r^4", 4.0 / 3.0, 0.5)] {
+        assert!(solve(text, Some(1.0), Load::Depth(least * (1.0 + 1e-9))).is_valid());
+        let (rule, place) = refused(text, Some(1.0), Load::Depth(least * (1.0 - 1e-6)));
+        assert_eq!(rule, "tension_inside");
+        assert!((place.unwrap() - at).abs() < 1e-3, "{text} {place:?}");
+    }
+    assert!(solve("-r^3", Some(1.0), Load::Depth(1.45)).is_valid());
+    assert_eq!(refused("-r^3", Some(1.0), Load::Depth(1.43)).0, "tension_inside");
+    for text in ["-r", "-r^(1/2)"] {
+        assert_eq!(refused(text, Some(1.0), Load::Depth(1e6)), ("tension_inside", Some(0.0)));
+    }
+    let apart = state("-r^2", Some(1.0), Load::Depth(-1.0001));
+    assert_eq!(apart.boundary, Boundary::Apart);
+    // Between the first touch and complete contact only a ring touches.
+    assert_eq!(refused("-r^2", Some(1.0), Load::Depth(-0.5)).0, "tension_inside");
+}
+
+/// A Gaussian: the gap outside closes at a = 0.924 w, where d = h.
+#[test]
+fn a_gaussian_ends_where_its_depth_is_its_height() {
+    let text = "1-exp(-r^2)";
+    for d in [0.01, 0.3, 0.9, 0.999] {
+        assert!(solve(text, None, Load::Depth(d)).is_valid(), "{d}");
+    }
+    assert!(solve(text, None, Load::Radius(0.923)).is_valid());
+    for load in [Load::Depth(1.001), Load::Radius(0.925), Load::Radius(1.2)] {
+        assert_eq!(refused(text, None, load).0, "outside_gap");
+    }
+    // Beyond the largest g the pressure turns as well.
+    assert!(!solve(text, None, Load::Radius(1.6)).is_valid());
+}
+
+#[test]
+fn waves_end_where_the_next_crest_touches() {
+    assert!(solve("1-besselj(0,r)", None, Load::Radius(1.30)).is_valid());
+    assert_eq!(refused("1-besselj(0,r)", None, Load::Radius(1.35)).0, "outside_gap");
+    for a in [1e-3, 0.1, 1.0, 2.0] {
+        let (rule, at) = refused("1-cos(r)", None, Load::Radius(a));
+        assert_eq!(rule, "outside_gap");
+        assert!(at.unwrap() < 2.0 * std::f64::consts::PI, "{at:?}");
+    }
+}
+
+/// g falls on the way, and the contact is valid all the same.
+#[test]
+fn a_falling_g_alone_decides_nothing() {
+    let text = "r^2/2+(1-cos(8*r))/20";
+    for a in [1.0, 1.5, 2.0] {
+        let found = solve(text, None, Load::Radius(a));
+        assert!(found.is_valid(), "{a}: {found:?}");
+        // From the depth the same contact is found among several roots.
+        let back = state(text, None, Load::Depth(found.state.unwrap().depth));
+        near(back.radius, a, 64.0);
+    }
+    // Waves that are too high separate.
+    assert!(!solve("r^2/2+(1-cos(8*r))", None, Load::Radius(1.5)).is_valid());
+}
