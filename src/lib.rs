@@ -9,4 +9,6 @@ pub mod num;
 pub mod parse;
 pub mod print;
 pub mod report;
+#[cfg(feature = "cli")]
+pub mod tradeoff;
 pub mod transform;

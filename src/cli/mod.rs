@@ -5,12 +5,14 @@ mod completions;
 mod derive;
 mod eval;
 mod failure;
+mod file;
 mod input;
 mod invert;
 mod output;
 mod points;
 mod rules;
 mod series;
+mod tradeoff;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;
@@ -38,6 +40,7 @@ enum Command {
     Eval(eval::Arguments),
     Compare(compare::Arguments),
     Invert(invert::Arguments),
+    Tradeoff(tradeoff::Arguments),
     Rules(rules::Arguments),
     Completions(completions::Arguments),
 }
@@ -65,6 +68,7 @@ pub fn main() -> ExitCode {
         Command::Eval(own) => eval::run(&own),
         Command::Compare(own) => compare::run(&own),
         Command::Invert(own) => invert::run(&own),
+        Command::Tradeoff(own) => tradeoff::run(&own),
         Command::Rules(own) => rules::run(&own),
         Command::Completions(own) => completions::run(&own),
     };

@@ -9,8 +9,12 @@ pub mod markdown;
 mod record;
 mod statement;
 pub mod text;
+#[cfg(feature = "cli")]
+pub mod tradeoff;
 
 #[cfg(feature = "cli")]
 pub use inversion::{Inversion, Wanted};
 pub use record::{Compared, Derivation, Entry, Evaluation, Shift};
 pub use statement::Statement;
+#[cfg(feature = "cli")]
+pub use tradeoff::Tradeoff;

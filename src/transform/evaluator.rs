@@ -250,17 +250,27 @@ impl<'a> Evaluator<'a> {
 
     /// a g(a) − F/(2E*) with 30 digits, where nothing is left to integrate.
     fn precise_integral(&self, a: f64) -> Result<Precise, TransformError> {
-        let (mut slope, mut force) = (Vec::new(), Vec::new());
-        for (quantity, forms) in [(Quantity::Slope, &mut slope), (Quantity::Force, &mut force)] {
-            for index in 0..self.chains.len() {
-                let part = self.part(index, quantity)?;
-                if !part.open.is_empty() {
-                    return Ok(Precise::nan());
-                }
-                forms.extend(part.closed.get(self.interval(index, a)).and_then(Option::as_ref));
+        let (Some(slope), Some(force)) = (self.with_30_digits(Quantity::Slope, &[a])?, self.with_30_digits(Quantity::Force, &[a])?) else {
+            return Ok(Precise::nan());
+        };
+        Ok(Precise::exact(a).mul(slope).sub(force))
+    }
+
+    /// The closed form with 30 digits: g(x) at `[x]`, F/(2E*) at `[a]`, p π/E* at `[r, a]`, r < a; `None` where something is left to integrate.
+    ///
+    /// # Errors
+    /// [`TransformError`] where an answer cannot be compiled.
+    pub fn with_30_digits(&self, quantity: Quantity, inputs: &[f64]) -> Result<Option<Precise>, TransformError> {
+        let contact = inputs.last().copied().unwrap_or(0.0);
+        let mut forms = Vec::new();
+        for index in 0..self.chains.len() {
+            let part = self.part(index, quantity)?;
+            if !part.open.is_empty() {
+                return Ok(None);
             }
+            forms.extend(part.closed.get(self.interval(index, contact)).and_then(Option::as_ref));
         }
-        Ok(Precise::exact(a).mul(precise_total(&slope, &[a])).sub(precise_total(&force, &[a])))
+        Ok(Some(precise_total(&forms, inputs)))
     }
 
     /// u_z(r) outside a contact of radius a < r with a smooth edge.

@@ -230,7 +230,7 @@ impl NumericSegment {
 }
 
 /// Compiles an expression in r over δ with r = lower + δ.
-fn compile_shifted(expr: &Expr, lower: &Expr) -> Result<Tape, TransformError> {
+pub(super) fn compile_shifted(expr: &Expr, lower: &Expr) -> Result<Tape, TransformError> {
     let delta = Symbol::new("δ");
     Ok(Tape::compile(&[shifted(expr, lower, &Expr::from(delta.clone()))], &[delta])?)
 }

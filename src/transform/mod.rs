@@ -13,6 +13,7 @@ mod kinks;
 mod profile;
 mod quantities;
 mod quantity;
+mod reference;
 mod rule;
 pub mod rules;
 mod sample;
@@ -33,6 +34,7 @@ pub use inverse::{FromPressure, Inverse, InverseNumbers, InverseRule, Reader, TA
 pub use profile::{Chain, Profile};
 pub use quantities::Quantities;
 pub use quantity::Quantity;
+pub use reference::PreciseProfile;
 pub use rule::{Answer, Branches, Pair, Parameter, Rule};
 pub use sample::{Sampler, reach};
 pub use series::{HIGHEST_ORDER, SeriesEvaluator, SeriesFailure};

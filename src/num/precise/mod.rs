@@ -5,6 +5,7 @@
 
 mod circular;
 mod constants;
+mod double_exponential;
 mod exponential;
 mod inverse_circular;
 mod logarithm;
@@ -14,6 +15,7 @@ mod segment;
 
 pub use circular::{cos, sin, sin_cos, tan};
 pub use constants::{E, EULER_GAMMA, LN_2, PI, ROOT_PI};
+pub use double_exponential::DoubleExponential;
 pub use exponential::{cosh, exp, expm1, sinh, tanh};
 pub use inverse_circular::{acos, asin, atan, atan2};
 pub use logarithm::{acosh, asinh, atanh, ln, ln1p};

@@ -1,0 +1,132 @@
+//! `sneddon tradeoff`: what accuracy costs, method by method.
+
+use super::{Failure, Outcome, file, input, output, points};
+use crate::contact::ContactError;
+use crate::expr::Bindings;
+use crate::report::{self, Tradeoff};
+use crate::tradeoff::{self, Options, Problem, TradeoffError};
+use crate::transform::{self, Evaluator, Method, TransformError};
+use clap::ValueEnum;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Measures every method at its ladder of settings: true error, time per point, evaluations.
+///
+/// Errors are relative to a reference that is a thousand times better; a smaller error is shown as a bound.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
+    #[arg(value_name = "PROFILE", allow_hyphen_values = true)]
+    profile: String,
+    /// Gives a parameter a value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// What is computed; only forces have the spring foundation beside them.
+    #[arg(long, value_enum, default_value_t = Quantity::Force)]
+    quantity: Quantity,
+    /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count [default: 32 seeded points within the profile's reach].
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    at: Option<String>,
+    /// The contact radius, for p.
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    radius: Option<String>,
+    /// The relative error for which advice is wanted [default: 1e-3, 1e-6, 1e-9, 1e-12 and 1e-15].
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    tol: Option<String>,
+    /// The time that the measurement may take, in seconds.
+    #[arg(long, value_name = "SECONDS", default_value = "10", allow_hyphen_values = true)]
+    budget: String,
+    /// Writes JSON.
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// Writes comma-separated values.
+    #[arg(long)]
+    csv: bool,
+    /// Draws the plot into this file, which ends in .svg.
+    #[arg(short, long, value_name = "PLOT.svg")]
+    output: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon tradeoff 'r^2/(2*R)' --set R=2 --budget 1
+  sneddon tradeoff 'ln(cosh(r))' --quantity g --tol 1e-9 --budget 1 -o ln_cosh.svg
+  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --budget 1 --csv";
+
+/// The longest budget in seconds.
+const LONGEST: f64 = 86_400.0;
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Quantity {
+    /// The equivalent profile g(x).
+    #[value(name = "g")]
+    Equivalent,
+    /// The normal force F(a), E* = 1.
+    #[value(name = "F")]
+    Force,
+    /// The pressure p(r), E* = 1.
+    #[value(name = "p")]
+    Pressure,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let quantity = arguments.quantity.studied();
+    let at = arguments.at.as_deref().map(points::read).transpose()?;
+    let radius = arguments.radius.as_deref().map(|text| input::positive("--radius", text)).transpose()?;
+    if radius.is_some() && arguments.quantity != Quantity::Pressure {
+        return Err(Failure::new("--radius belongs to --quantity p").help("leave it out, or add --quantity p"));
+    }
+    let wanted = arguments.tol.as_deref().map(input::tolerance).transpose()?;
+    let budget = budget(&arguments.budget)?;
+    let file = arguments.output.as_deref().map(file::Target::svg).transpose()?;
+    let typed = input::profile(&arguments.profile)?;
+    let settings = input::Settings::read(&arguments.set, &typed)?;
+    settings.demand_all(&typed)?;
+    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let refused = |error: TransformError| failed(error.into());
+    let profile = settings.bound_profile(&typed)?;
+    if profile.is_flat() {
+        return Err(refused(TransformError::Flat));
+    }
+    let solution = transform::derive(&profile).map_err(refused)?;
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).map_err(refused)?;
+    let study = Problem::new(&solution, &evaluator, quantity, radius, at).and_then(|problem| {
+        let usual = Options::default();
+        let options = Options { budget, wanted: wanted.map_or(usual.wanted, |own| vec![own]) };
+        tradeoff::run(problem, &options)
+    });
+    let study = study.map_err(|error| match error {
+        TradeoffError::Transform(error) => refused(error),
+        other => Failure::new(other.to_string()),
+    })?;
+    let record = Tradeoff { profile: &typed.formula, parameters: settings.values(), study: &study };
+    if let Some(file) = file {
+        let plot = report::tradeoff::plot::svg(&record).map_err(Failure::new)?;
+        file.write(plot.as_bytes())?;
+    }
+    output::print(|out| match (arguments.json, arguments.csv) {
+        (true, _) => report::tradeoff::json::tradeoff(&record, out),
+        (_, true) => report::tradeoff::csv::tradeoff(&record, out),
+        _ => report::tradeoff::text::tradeoff(&record, out),
+    })?;
+    Ok(Outcome::Done)
+}
+
+fn budget(text: &str) -> Result<Duration, Failure> {
+    let seconds = input::positive("--budget", text)?;
+    if seconds <= LONGEST {
+        return Ok(Duration::from_secs_f64(seconds));
+    }
+    let help = format!("seconds up to {LONGEST} would be accepted");
+    Err(Failure::new(format!("--budget {} is too long", text.trim())).help(help).at("--budget", text, 0..text.len()))
+}
+
+impl Quantity {
+    fn studied(self) -> tradeoff::Quantity {
+        match self {
+            Self::Equivalent => tradeoff::Quantity::Equivalent,
+            Self::Force => tradeoff::Quantity::Force,
+            Self::Pressure => tradeoff::Quantity::Pressure,
+        }
+    }
+}

@@ -1,0 +1,18 @@
+//! Why nothing can be measured.
+
+use crate::transform::TransformError;
+use thiserror::Error;
+
+/// Errors of a study.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum TradeoffError {
+    /// The profile itself has no answer.
+    #[error(transparent)]
+    Transform(#[from] TransformError),
+    /// No point has a value that errors could be measured against.
+    #[error("no reference value could be found within the time at any point ({reason}); other points, or more time, would be accepted")]
+    NoReference {
+        /// What the last point said.
+        reason: String,
+    },
+}

@@ -1,0 +1,21 @@
+//! The trade of speed for accuracy, measured: every method at its ladder of settings, with true error, time and evaluations.
+
+mod candidate;
+mod clock;
+mod closed;
+mod error;
+mod foundation;
+mod front;
+mod measure;
+mod problem;
+mod quadrature;
+mod series;
+mod study;
+mod truth;
+
+pub use error::TradeoffError;
+pub use front::{Advice, WANTED};
+pub use measure::{Row, Skipped, Time};
+pub use problem::{Problem, Quantity};
+pub use study::{Options, Study, run};
+pub use truth::{MARGIN, Truth};

@@ -1,0 +1,131 @@
+//! What is computed: one quantity of one profile at a list of points.
+
+use super::TradeoffError;
+use crate::num::Estimate;
+use crate::transform::{self, Evaluator, Profile, Reading, Sampler, Solution, TransformError, reach};
+
+/// The quantities that can be studied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// The equivalent profile g(x).
+    Equivalent,
+    /// The force F(a) for E* = 1, smooth edge.
+    Force,
+    /// The pressure p(r) for E* = 1, smooth edge.
+    Pressure,
+}
+
+/// One quantity of one profile, without free parameters, at its points.
+pub struct Problem<'a> {
+    /// The profile with numbers for its parameters.
+    pub profile: &'a Profile,
+    /// Its formulas.
+    pub solution: &'a Solution,
+    /// What is computed.
+    pub quantity: Quantity,
+    /// The contact radius, for the pressure.
+    pub radius: Option<f64>,
+    /// The coordinates.
+    pub points: Vec<f64>,
+}
+
+/// Points where none are given.
+const POINTS: u32 = 32;
+/// The seed of the points and of the order of the measurements.
+pub(super) const SEED: u64 = 2026;
+/// The contact radius of a pressure as a part of the reach, where none is given.
+const SHARE: f64 = 0.75;
+
+impl Quantity {
+    /// The symbol that reports use.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::Equivalent => "g",
+            Self::Force => "F",
+            Self::Pressure => "p",
+        }
+    }
+
+    /// The symbol of the coordinate.
+    pub fn coordinate(self) -> &'static str {
+        match self {
+            Self::Equivalent => "x",
+            Self::Force => "a",
+            Self::Pressure => "r",
+        }
+    }
+
+    /// What the transform calls it.
+    pub(super) fn transformed(self) -> transform::Quantity {
+        match self {
+            Self::Equivalent => transform::Quantity::Slope,
+            Self::Force => transform::Quantity::Force,
+            Self::Pressure => transform::Quantity::Pressure,
+        }
+    }
+
+    /// What the transform's value is multiplied with: 1, 2 for F/(2E*), 1/π for p π/E*.
+    pub fn factor(self) -> f64 {
+        match self {
+            Self::Equivalent => 1.0,
+            Self::Force => 2.0,
+            Self::Pressure => std::f64::consts::FRAC_1_PI,
+        }
+    }
+}
+
+impl<'a> Problem<'a> {
+    /// The problem at the given points, or at 32 seeded ones within the profile's reach.
+    ///
+    /// # Errors
+    /// [`TradeoffError::Transform`] for points outside the domain of the profile.
+    pub fn new(
+        solution: &'a Solution,
+        evaluator: &Evaluator<'_>,
+        quantity: Quantity,
+        radius: Option<f64>,
+        points: Option<Vec<f64>>,
+    ) -> Result<Self, TradeoffError> {
+        let profile = &solution.profile;
+        let far = reach(evaluator);
+        let radius = (quantity == Quantity::Pressure).then(|| radius.unwrap_or(SHARE * far));
+        let points = points.unwrap_or_else(|| {
+            let seeded = Sampler::new(SEED).points(radius.unwrap_or(far), POINTS);
+            // Inside a flat tip everything is 0, and no method has anything to do.
+            let telling: Vec<f64> =
+                seeded.iter().copied().filter(|x| evaluator.slope(*x).map_or(true, |g| g.estimate.value != 0.0)).collect();
+            if quantity == Quantity::Pressure || telling.is_empty() { seeded } else { telling }
+        });
+        let outermost = radius.into_iter().chain(points.iter().copied()).fold(0.0, f64::max);
+        evaluator.check_domain(if radius.is_some() { "a" } else { quantity.coordinate() }, outermost)?;
+        Ok(Self { profile, solution, quantity, radius, points })
+    }
+
+    /// Where the transform's quantity is evaluated for one coordinate.
+    pub(super) fn inputs(&self, at: f64) -> Vec<f64> {
+        std::iter::once(at).chain(self.radius).collect()
+    }
+
+    /// The transform's own value by an evaluator.
+    pub(super) fn read(&self, evaluator: &Evaluator<'_>, at: f64) -> Result<Estimate, String> {
+        let reading = match (self.quantity, self.radius) {
+            (Quantity::Equivalent, _) => evaluator.slope(at).map(Some),
+            (Quantity::Force, _) => evaluator.force(at).map(Some),
+            (Quantity::Pressure, radius) => evaluator.pressure(at, radius.unwrap_or(at)),
+        };
+        estimate(reading)
+    }
+
+    /// The farthest place that any point needs.
+    pub(super) fn outermost(&self) -> f64 {
+        self.radius.into_iter().chain(self.points.iter().copied()).fold(0.0, f64::max)
+    }
+}
+
+fn estimate(reading: Result<Option<Reading>, TransformError>) -> Result<Estimate, String> {
+    match reading {
+        Ok(Some(reading)) => Ok(reading.estimate),
+        Ok(None) => Err("the value is infinite by theory".to_owned()),
+        Err(error) => Err(error.to_string()),
+    }
+}

@@ -1,0 +1,37 @@
+//! The power series at the axis, over its orders.
+
+use super::candidate::{Candidate, Ladder, Refused, Run};
+use super::problem::{Problem, Quantity};
+use crate::num::Estimate;
+use crate::transform::SeriesEvaluator;
+
+const METHOD: &str = "power series";
+const ORDERS: [usize; 7] = [2, 4, 8, 16, 32, 64, 128];
+
+pub(super) fn ladder<'a>(problem: &'a Problem<'a>) -> Ladder<'a> {
+    let refused = |why: String| Refused { method: METHOD, why };
+    let mut steps = Vec::new();
+    for order in ORDERS {
+        let series = SeriesEvaluator::new(problem.profile, order).map_err(|error| refused(error.to_string()))?;
+        if order == ORDERS[0] {
+            let last = problem.points.iter().copied().fold(0.0, f64::max);
+            read(problem, &series, last).map_err(refused)?;
+        }
+        steps.push(Candidate {
+            method: METHOD,
+            setting: format!("order {order}"),
+            run: Run::Point(Box::new(move |_, at| read(problem, &series, at))),
+            set_up: Box::new(move || SeriesEvaluator::new(problem.profile, order).map(|_| ()).map_err(|error| error.to_string())),
+        });
+    }
+    Ok(steps)
+}
+
+fn read(problem: &Problem<'_>, series: &SeriesEvaluator, at: f64) -> Result<Estimate, String> {
+    let reading = match (problem.quantity, problem.radius) {
+        (Quantity::Equivalent, _) => series.slope(at),
+        (Quantity::Force, _) => series.force(at),
+        (Quantity::Pressure, radius) => series.pressure(at, radius.unwrap_or(at)),
+    };
+    reading.map(|own| own.estimate).map_err(|error| error.to_string())
+}

@@ -1,0 +1,75 @@
+//! One study: the truth, every ladder, the measurement, the front and the advice.
+
+use super::candidate::{METHODS, Refused};
+use super::measure::{Row, Skipped, measure};
+use super::{Advice, Problem, TradeoffError, Truth, WANTED, clock, front, truth};
+use std::time::{Duration, Instant};
+
+/// What a study may cost and what it is asked.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The time that the measurement may take, by the clock on the wall; a single slow value may run beyond it.
+    pub budget: Duration,
+    /// The accuracies for which advice is wanted.
+    pub wanted: Vec<f64>,
+}
+
+/// What was found.
+pub struct Study<'a> {
+    /// What was computed.
+    pub problem: Problem<'a>,
+    /// The reference at every point.
+    pub truths: Vec<Truth>,
+    /// The clock.
+    pub clock: &'static str,
+    /// One row per method and setting.
+    pub rows: Vec<Row>,
+    /// What has no result, and why.
+    pub skipped: Vec<Skipped>,
+    /// What to take, one per wanted accuracy.
+    pub advice: Vec<Advice>,
+}
+
+impl Default for Options {
+    /// Ten seconds; accuracies from 1e-3 to 1e-15.
+    fn default() -> Self {
+        Self { budget: Duration::from_secs(10), wanted: WANTED.to_vec() }
+    }
+}
+
+/// Measures every method at its ladder of settings.
+///
+/// A true error is the largest |value − truth|/|truth| over the points; one that is not 10³ times larger than the error of the
+/// truth is given as a bound. Times are medians over rounds of batches, in an order that is shuffled with a fixed seed.
+///
+/// # Errors
+/// [`TradeoffError::NoReference`] where the truth is known nowhere.
+///
+/// ```
+/// use sneddon::{expr::Bindings, parse, tradeoff, transform::{Evaluator, Method, Profile, derive}};
+/// let profile = Profile::new(&parse::profile("r^2/4").unwrap()).unwrap();
+/// let solution = derive(&profile).unwrap();
+/// let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+/// let problem = tradeoff::Problem::new(&solution, &evaluator, tradeoff::Quantity::Force, None, None).unwrap();
+/// let options = tradeoff::Options { budget: std::time::Duration::from_millis(200), ..Default::default() };
+/// let study = tradeoff::run(problem, &options).unwrap();
+/// let closed = study.rows.iter().find(|row| row.method == "closed form").unwrap();
+/// assert!(closed.error < 5e-16 && closed.honest == Some(true));
+/// ```
+pub fn run<'a>(mut problem: Problem<'a>, options: &Options) -> Result<Study<'a>, TradeoffError> {
+    let start = Instant::now();
+    let truths = truth::find(&mut problem, start + options.budget / 4)?;
+    let (mut candidates, mut skipped) = (Vec::new(), Vec::new());
+    for method in METHODS {
+        match method(&problem) {
+            Ok(ladder) => candidates.extend(ladder),
+            Err(Refused { method, why }) => skipped.push(Skipped { method, setting: None, why }),
+        }
+    }
+    let left = options.budget.saturating_sub(start.elapsed());
+    let (mut rows, dropped) = measure(&problem, &truths, candidates, left);
+    skipped.extend(dropped);
+    front::mark(&mut rows);
+    let advice = options.wanted.iter().map(|wanted| front::advise(&rows, *wanted)).collect();
+    Ok(Study { problem, truths, clock: clock::NAME, rows, skipped, advice })
+}

@@ -1,0 +1,237 @@
+//! `sneddon tradeoff`: the form of what it writes, the truth of the errors that it reports, and its exit codes. No times are judged.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
+
+use serde_json::Value;
+use sneddon::expr::Bindings;
+use sneddon::parse;
+use sneddon::tradeoff::{Options, Problem, Quantity, run as study};
+use sneddon::transform::{Evaluator, Method, PreciseProfile, Profile, Solution, derive};
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+use std::time::Duration;
+
+fn program(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_sneddon")).arg("tradeoff").args(arguments).args(["--budget", "20"]).output().unwrap()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let done = program(&[arguments, &["--json"]].concat());
+    assert!(done.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&done.stderr));
+    serde_json::from_slice(&done.stdout).unwrap()
+}
+
+fn place(name: &str) -> PathBuf {
+    let directory = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("tradeoff");
+    fs::create_dir_all(&directory).unwrap();
+    directory.join(name)
+}
+
+fn rows<'a>(document: &'a Value, method: &str) -> Vec<&'a Value> {
+    document["rows"].as_array().unwrap().iter().filter(|row| row["method"] == method).collect()
+}
+
+#[test]
+fn json_has_every_method_and_its_keys() {
+    let document = json(&["R-sqrt(R^2-r^2)", "--set", "R=2"]);
+    assert_eq!(document["quantity"], "F");
+    assert_eq!(document["parameters"]["R"], 2.0);
+    for method in ["closed form", "quadrature", "power series", "spring foundation"] {
+        let missing = document["skipped"].as_array().unwrap().iter().any(|own| own["method"] == method && own["setting"].is_null());
+        assert!(missing || rows(&document, method).len() > 1, "{method}");
+    }
+    for row in document["rows"].as_array().unwrap() {
+        for key in ["true_relative_error", "median_relative_error", "ns_per_point", "ns_low", "ns_high", "set_up_ns", "evaluations"] {
+            assert!(row[key].as_f64().is_some_and(|own| own >= 0.0), "{key}: {row}");
+        }
+        for key in ["at_most", "front"] {
+            assert!(row[key].is_boolean(), "{key}: {row}");
+        }
+        let stated = row["stated_relative_error"].is_null() == row["honest"].is_null();
+        assert!(stated && row["setting"].is_string(), "{row}");
+    }
+    assert!(document["rows"].as_array().unwrap().iter().any(|row| row["front"] == true));
+    assert!(document["reference"]["relative_error"].as_f64().unwrap() < 1e-20);
+    assert!(document["advice"].as_array().unwrap().iter().all(|own| own["wanted"].is_f64()));
+    assert!(!document["sentences"].as_array().unwrap().is_empty());
+}
+
+/// F(a) of the sphere as its law has it, at 40 digits: E* [(R² + a²) artanh(a/R) − R a] (Segedin), E* = 1, R = 2, a = 1.
+#[test]
+fn points_carry_the_value_of_the_contact() {
+    let document = json(&["2-sqrt(4-r^2)", "--at", "1"]);
+    let value = document["points"][0]["value"].as_f64().unwrap();
+    let law = 5.0 * 0.5_f64.atanh() - 2.0;
+    assert!((value - law).abs() < 1e-15 * law, "{value} {law}");
+    let document = json(&["r^2/2", "--quantity", "p", "--radius", "1", "--at", "0.6"]);
+    // Hertz, R = 1: p = (2E*/π) √(a² − r²).
+    let value = document["points"][0]["value"].as_f64().unwrap();
+    assert!((value - 1.6 * std::f64::consts::FRAC_1_PI).abs() < 1e-15, "{value}");
+}
+
+#[test]
+fn csv_has_one_line_per_row_and_one_cell_per_column() {
+    let done = program(&["r^2.5", "--quantity", "g", "--csv"]);
+    assert!(done.status.success());
+    let text = String::from_utf8(done.stdout).unwrap();
+    let mut lines = text.lines();
+    let columns = lines.next().unwrap();
+    assert!(columns.starts_with("method,setting,true_relative_error,at_most,"));
+    let count = columns.split(',').count();
+    let rest: Vec<&str> = lines.collect();
+    assert!(rest.len() > 8 && rest.iter().all(|line| line.split(',').count() == count), "{text}");
+}
+
+#[test]
+fn text_names_the_reference_and_what_to_pick() {
+    let done = program(&["ln(cosh(r))", "--quantity", "g", "--tol", "1e-6"]);
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(text.contains("true errors against: double-exponential rule with 30 digits"), "{text}");
+    assert!(text.contains("For a relative error of 1e-6 take "), "{text}");
+    assert!(text.contains("closed form: no closed form is known"), "{text}");
+}
+
+#[test]
+fn the_plot_is_one_well_formed_svg() {
+    let path = place("sphere.svg");
+    let name = path.to_str().unwrap();
+    let done = program(&["2-sqrt(4-r^2)", "-o", name]);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(text.len() < 60_000, "{} bytes", text.len());
+    balanced(&text);
+    for part in ["<svg ", "Pareto front", "closed form", "quadrature", "time per point, ns", "largest relative error"] {
+        assert!(text.contains(part), "{part}");
+    }
+    assert!(!text.contains("NaN") && !text.contains("inf"));
+}
+
+/// Tags open and close in order, and nothing stands outside the root.
+fn balanced(text: &str) {
+    let mut open: Vec<&str> = Vec::new();
+    let mut roots = 0;
+    for part in text.split('<').skip(1) {
+        let (tag, rest) = part.split_once('>').expect("a tag that ends");
+        assert!(!open.is_empty() || rest.trim().is_empty() || !tag.starts_with('/'), "text outside the root");
+        let name = tag.trim_start_matches('/').split_whitespace().next().unwrap().trim_end_matches('/');
+        if tag.starts_with('/') {
+            assert_eq!(open.pop(), Some(name));
+        } else if !tag.ends_with('/') {
+            roots += usize::from(open.is_empty());
+            open.push(name);
+        }
+        assert!(!rest.contains('&') || rest.contains("&amp;") || rest.contains("&lt;") || rest.contains("&gt;"), "{rest}");
+    }
+    assert!(open.is_empty() && roots == 1, "{open:?}, {roots} roots");
+}
+
+#[test]
+fn bad_input_says_what_is_wrong_and_writes_nothing() {
+    let path = place("untouched.svg");
+    fs::write(&path, "as it was").unwrap();
+    let name = path.to_str().unwrap();
+    let nowhere = place("missing").join("plot.svg");
+    let cases: &[(&[&str], &str)] = &[
+        (&["r^"], "column 3"),
+        (&["r^2/R"], "the parameter R has no value"),
+        (&["1"], "flat profile"),
+        (&["2-sqrt(4-r^2)", "--at", "2"], "outside the domain"),
+        (&["r^2", "--at", "-1"], "negative"),
+        (&["r^2", "--radius", "1"], "--radius belongs to --quantity p"),
+        (&["r^2", "--quantity", "k"], "invalid value"),
+        (&["r^2", "--tol", "0"], "not positive"),
+        (&["r^2", "--json", "--csv"], "cannot be used with"),
+        (&["r^2", "--at", "0"], "no reference value"),
+        (&["r^2", "-o", "plot.png"], ".svg would be accepted"),
+        (&["r^2", "-o", nowhere.to_str().unwrap()], "no directory"),
+    ];
+    for (arguments, part) in cases {
+        let with_file = if arguments.contains(&"-o") { Vec::new() } else { vec!["-o", name] };
+        let done = program(&[arguments, with_file.as_slice()].concat());
+        let message = String::from_utf8_lossy(&done.stderr);
+        assert_eq!(done.status.code(), Some(2), "{arguments:?}: {message}");
+        assert!(done.stdout.is_empty() && message.contains(part), "{arguments:?}: {message}");
+        assert_eq!(fs::read_to_string(&path).unwrap(), "as it was", "{arguments:?}");
+    }
+}
+
+fn solved(text: &str) -> Solution {
+    derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
+}
+
+/// Laws that a wrong reference would break: dF/dd = 2E*a, hence F(a) = 2E*(a g(a) − ∫₀^a g), and powers by their κ.
+#[test]
+fn the_slow_integral_agrees_with_the_closed_form() {
+    for (text, points) in [
+        ("r", vec![0.3, 2.0]),
+        ("r^2.7", vec![0.1, 3.0]),
+        ("0.7*sqrt(r)", vec![0.01, 0.5]),
+        ("2-sqrt(4-r^2)", vec![1e-6, 0.5, 1.9, 1.999999]),
+        ("0.4*(1-cos(2.2*r))", vec![0.5, 3.0, 40.0]),
+        ("piecewise(0, r<0.6, (r^2-0.36)/4)", vec![0.600_001, 0.7, 3.0]),
+        ("0.3*max(0, r-0.6)", vec![0.61, 3.0]),
+        ("ln(1+r^2)", vec![0.5, 20.0]),
+        ("r^2*ln(r)", vec![0.5, 2.0]),
+    ] {
+        let solution = solved(text);
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Exact, 1e-13).unwrap();
+        let slow = PreciseProfile::new(&solution.profile).unwrap();
+        for x in points {
+            use sneddon::transform::Quantity::{Force, Pressure, Slope};
+            for (quantity, inputs) in [(Slope, vec![x]), (Force, vec![x]), (Pressure, vec![0.3 * x, x]), (Pressure, vec![0.95 * x, x])] {
+                let Some(closed) = evaluator.with_30_digits(quantity, &inputs).unwrap().filter(|own| own.is_finite()) else { continue };
+                let Some(own) = slow.value(quantity, &inputs) else { panic!("{text}: {quantity:?} at {inputs:?}") };
+                let difference = own.sub(closed);
+                assert!(difference.value.hi.abs() <= difference.error, "{text}: {quantity:?} at {inputs:?}: {own:?} {closed:?}");
+                assert!(own.error < 1e-20 * own.value.hi.abs(), "{text}: {quantity:?} at {inputs:?}: {own:?}");
+            }
+        }
+    }
+}
+
+/// The error of n springs under the paraboloid is known: F is a midpoint sum of (d − x²/R), and everything else is exact.
+#[test]
+fn reported_errors_are_the_true_ones() {
+    let solution = solved("r^2/2");
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let problem = Problem::new(&solution, &evaluator, Quantity::Force, None, Some(vec![1.0])).unwrap();
+    let options = Options { budget: Duration::from_secs(10), ..Options::default() };
+    let found = study(problem, &options).unwrap();
+    let mut springs = 0;
+    for row in found.rows.iter().filter(|row| row.method == "spring foundation") {
+        let n: f64 = row.setting.rsplit('/').next().unwrap().parse().unwrap();
+        // 2Δx Σ (1 − x_i²) = 4/3 + 1/(6n²)·… : the midpoint rule of −x² over [0, 1] is high by 1/(12 n²).
+        let law = (2.0 / (12.0 * n * n)) / (4.0 / 3.0);
+        assert!((row.error / law - 1.0).abs() < 1e-4 + 1e-14 / law, "n = {n}: {:e} for {law:e}", row.error);
+        springs += 1;
+    }
+    assert!(springs >= 5);
+    let closed: Vec<_> = found.rows.iter().filter(|row| row.method == "closed form").collect();
+    assert!(!closed.is_empty() && closed.iter().all(|row| row.error < 2e-16 && row.honest == Some(true)));
+    for row in &found.rows {
+        assert!(row.honest != Some(false), "{} {}", row.method, row.setting);
+    }
+}
+
+/// Nothing on the front is beaten, everything else is.
+#[test]
+fn the_front_is_a_front() {
+    let solution = solved("ln(1+r^2)");
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let problem = Problem::new(&solution, &evaluator, Quantity::Equivalent, None, None).unwrap();
+    let found = study(problem, &Options { budget: Duration::from_secs(10), wanted: vec![1e-6] }).unwrap();
+    for (index, row) in found.rows.iter().enumerate() {
+        let floor = |error: f64| error.max(0.5 * f64::EPSILON);
+        let beaten = found
+            .rows
+            .iter()
+            .enumerate()
+            .any(|(other, own)| other != index && own.time.median < row.time.median && floor(own.error) <= floor(row.error));
+        assert!(!(row.front && beaten), "{} {}", row.method, row.setting);
+    }
+    let best = found.rows.iter().map(|row| row.error).fold(f64::INFINITY, f64::min);
+    assert!(found.rows.iter().any(|row| row.front && row.error <= best.max(0.5 * f64::EPSILON)));
+    let pick = found.advice[0].pick.unwrap();
+    assert!(found.rows[pick].error <= 1e-6 && found.rows[pick].front);
+}
