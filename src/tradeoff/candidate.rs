@@ -2,6 +2,7 @@
 
 use super::Problem;
 use crate::num::Estimate;
+use crate::transform::Evaluator;
 
 /// A method at one step of its ladder.
 pub(super) struct Candidate<'a> {
@@ -36,6 +37,8 @@ pub(super) struct Refused {
 /// The candidates of one method.
 pub(super) type Ladder<'a> = Result<Vec<Candidate<'a>>, Refused>;
 
+/// The ladder of a method for a problem; the evaluator integrates the profile as typed, for methods that start from its f′.
+type Method = for<'a> fn(&'a Problem<'a>, &'a Evaluator<'a>) -> Ladder<'a>;
+
 /// Every method, one row each.
-pub(super) const METHODS: &[for<'a> fn(&'a Problem<'a>) -> Ladder<'a>] =
-    &[super::closed::ladder, super::quadrature::ladder, super::series::ladder, super::foundation::ladder];
+pub(super) const METHODS: &[Method] = &[super::closed::ladder, super::quadrature::ladder, super::series::ladder, super::foundation::ladder];

@@ -8,7 +8,7 @@ use crate::transform::{Evaluator, Method, derive};
 
 pub(super) const METHOD: &str = "closed form";
 
-pub(super) fn ladder<'a>(problem: &'a Problem<'a>) -> Ladder<'a> {
+pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladder<'a> {
     let refused = |why: String| Refused { method: METHOD, why };
     let new = || Evaluator::new(problem.solution, &Bindings::default(), Method::Exact, 1e-13).map_err(|error| refused(error.to_string()));
     let (doubles, digits) = (new()?, new()?);

@@ -10,7 +10,7 @@ use crate::transform::{Evaluator, Method};
 const METHOD: &str = "spring foundation";
 const SPRINGS: [usize; 7] = [10, 32, 100, 320, 1_000, 10_000, 100_000];
 
-pub(super) fn ladder<'a>(problem: &'a Problem<'a>) -> Ladder<'a> {
+pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladder<'a> {
     let refused = |why: &str| Refused { method: METHOD, why: why.to_owned() };
     if problem.quantity != Quantity::Force {
         return Err(refused("it answers forces: --quantity F"));

@@ -8,7 +8,7 @@ use crate::transform::{Evaluator, Method};
 const METHOD: &str = "quadrature";
 const TOLERANCES: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
 
-pub(super) fn ladder<'a>(problem: &'a Problem<'a>) -> Ladder<'a> {
+pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladder<'a> {
     let new = |tolerance| Evaluator::new(problem.solution, &Bindings::default(), Method::Quadrature, tolerance);
     let first = problem.points.first().copied().unwrap_or(1.0);
     let mut steps = Vec::new();

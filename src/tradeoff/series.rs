@@ -3,12 +3,12 @@
 use super::candidate::{Candidate, Ladder, Refused, Run};
 use super::problem::{Problem, Quantity};
 use crate::num::Estimate;
-use crate::transform::SeriesEvaluator;
+use crate::transform::{Evaluator, SeriesEvaluator};
 
 const METHOD: &str = "power series";
 const ORDERS: [usize; 7] = [2, 4, 8, 16, 32, 64, 128];
 
-pub(super) fn ladder<'a>(problem: &'a Problem<'a>) -> Ladder<'a> {
+pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladder<'a> {
     let refused = |why: String| Refused { method: METHOD, why };
     let mut steps = Vec::new();
     for order in ORDERS {

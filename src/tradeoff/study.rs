@@ -3,7 +3,12 @@
 use super::candidate::{METHODS, Refused};
 use super::measure::{Row, Skipped, measure};
 use super::{Advice, Problem, TradeoffError, Truth, WANTED, clock, front, truth};
+use crate::expr::Bindings;
+use crate::transform::{Evaluator, Method};
 use std::time::{Duration, Instant};
+
+/// The tolerance of the evaluator that methods start from.
+const SHARP: f64 = 1e-14;
 
 /// What a study may cost and what it is asked.
 #[derive(Clone, Debug)]
@@ -59,9 +64,10 @@ impl Default for Options {
 pub fn run<'a>(mut problem: Problem<'a>, options: &Options) -> Result<Study<'a>, TradeoffError> {
     let start = Instant::now();
     let truths = truth::find(&mut problem, start + options.budget / 4)?;
+    let evaluator = Evaluator::new(problem.solution, &Bindings::default(), Method::Quadrature, SHARP)?;
     let (mut candidates, mut skipped) = (Vec::new(), Vec::new());
     for method in METHODS {
-        match method(&problem) {
+        match method(&problem, &evaluator) {
             Ok(ladder) => candidates.extend(ladder),
             Err(Refused { method, why }) => skipped.push(Skipped { method, setting: None, why }),
         }
