@@ -9,6 +9,7 @@ pub mod num;
 pub mod parse;
 pub mod print;
 pub mod report;
+pub mod scene;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
 pub mod transform;

@@ -27,12 +27,14 @@ const ROOMS: &[Room] = &[
     Room { name: "transform", may_use: &["num", "expr", "eval", "print"] },
     // print for the texts of conditions, as in transform.
     Room { name: "contact", may_use: &["num", "expr", "eval", "print", "transform"] },
+    // A scene file holds expressions: with cli the only room that reads text.
+    Room { name: "scene", may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact"] },
     // Measures what stands below it; text and formats are no concern of it.
     Room { name: "tradeoff", may_use: &["num", "expr", "transform", "contact"] },
-    // A report turns records into formats; text is read only in cli.
-    Room { name: "report", may_use: &["num", "expr", "print", "transform", "contact", "tradeoff"] },
-    // The only room with input and output, and the only one that reads text.
-    Room { name: "cli", may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact", "tradeoff", "report"] },
+    // A report turns records into formats.
+    Room { name: "report", may_use: &["num", "expr", "print", "transform", "contact", "scene", "tradeoff"] },
+    // The only room with input and output.
+    Room { name: "cli", may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact", "scene", "tradeoff", "report"] },
 ];
 
 /// Files beside the rooms: the façade, which re-exports, and the program, which calls `cli`.

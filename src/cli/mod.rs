@@ -11,7 +11,9 @@ mod invert;
 mod output;
 mod points;
 mod rules;
+mod scene;
 mod series;
+mod solve;
 mod tradeoff;
 
 use clap::{Parser, Subcommand};
@@ -32,7 +34,7 @@ const EXAMPLES: &str = "Examples:
   sneddon derive 'r^2/(2*R)'
   sneddon eval 'R-sqrt(R^2-r^2)' --quantity F --at 0.1,0.5 --set R=2
 
-Exit codes: 0 done, 1 a comparison failed, 2 bad input (the reason is on stderr).";
+Exit codes: 0 done, 1 a comparison or validation failed, 2 bad input (the reason is on stderr).";
 
 #[derive(Subcommand)]
 enum Command {
@@ -42,6 +44,8 @@ enum Command {
     Invert(invert::Arguments),
     Tradeoff(tradeoff::Arguments),
     Rules(rules::Arguments),
+    Solve(solve::Arguments),
+    Scene(scene::Arguments),
     Completions(completions::Arguments),
 }
 
@@ -70,6 +74,8 @@ pub fn main() -> ExitCode {
         Command::Invert(own) => invert::run(&own),
         Command::Tradeoff(own) => tradeoff::run(&own),
         Command::Rules(own) => rules::run(&own),
+        Command::Solve(own) => solve::run(&own),
+        Command::Scene(own) => scene::run(&own),
         Command::Completions(own) => completions::run(&own),
     };
     match outcome {

@@ -7,6 +7,10 @@ pub mod json;
 pub mod latex;
 pub mod markdown;
 mod record;
+mod solved;
+#[cfg(feature = "cli")]
+pub mod solved_json;
+pub mod solved_text;
 mod statement;
 pub mod text;
 #[cfg(feature = "cli")]
@@ -15,6 +19,7 @@ pub mod tradeoff;
 #[cfg(feature = "cli")]
 pub use inversion::{Inversion, Wanted};
 pub use record::{Compared, Derivation, Entry, Evaluation, Shift};
+pub use solved::{ASSUMPTIONS, Verdict};
 pub use statement::Statement;
 #[cfg(feature = "cli")]
 pub use tradeoff::Tradeoff;

@@ -179,6 +179,11 @@ impl<'a> Indentation<'a> {
         self.landscape.lowest
     }
 
+    /// The places where f′ jumps, with the jumps, rising.
+    pub fn kinks(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        self.landscape.kinks.iter().map(|kink| (kink.at, kink.jump))
+    }
+
     /// The radius of the vertical side.
     pub fn rim(&self) -> Option<f64> {
         self.setup.rim
@@ -207,7 +212,9 @@ impl<'a> Indentation<'a> {
         {
             let excess = depth - rim.slope;
             let force = rim.force + 2.0 * self.setup.effective_modulus * rim.radius * excess;
-            let state = State { depth, force, radius: rim.radius, boundary: Boundary::Rim };
+            // At d = g(c) itself the edge is still smooth.
+            let boundary = if excess == 0.0 && rim.slope > 0.0 { Boundary::Smooth } else { Boundary::Rim };
+            let state = State { depth, force, radius: rim.radius, boundary };
             if self.landscape.rising {
                 return Ok(self.judged(state));
             }

@@ -1,0 +1,45 @@
+//! `sneddon scene`: scenes to start from.
+
+use super::{Failure, Outcome, output};
+use crate::scene::{SHAPES, shape, template};
+use clap::Subcommand;
+
+/// Writes scene files to start from.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Writes a commented scene of a named shape.
+    #[command(after_help = EXAMPLES)]
+    New {
+        /// The shape, such as sphere; without it the shapes are listed.
+        #[arg(value_name = "SHAPE")]
+        shape: Option<String>,
+    },
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon scene new
+  sneddon scene new cone > cone.toml";
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let Command::New { shape: name } = &arguments.command;
+    let Some(name) = name else {
+        output::print(|out| {
+            SHAPES.iter().try_for_each(|shape| {
+                let f = shape.ways.first().map_or("", |way| way.f);
+                writeln!(out, "{:<30} {}\n{:<30} f(r) = {f}\n{:<30} {}", shape.name, shape.title, "", "", shape.source)
+            })
+        })?;
+        return Ok(Outcome::Done);
+    };
+    let names = SHAPES.iter().map(|shape| shape.name).collect::<Vec<_>>().join(", ");
+    let shape = shape(name).ok_or_else(|| Failure::new(format!("there is no shape {name:?}")).help(format!("known are {names}")))?;
+    output::print(|out| out.write_all(template(shape).as_bytes()))?;
+    Ok(Outcome::Done)
+}

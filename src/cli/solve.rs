@@ -1,0 +1,110 @@
+//! `sneddon solve`: from a scene file to every quantity that it asks for.
+
+use super::failure::warn;
+use super::{Failure, Outcome, output};
+use crate::report::{Verdict, solved_json, solved_text};
+use crate::scene::{self, Run, SceneError};
+use std::fs::File;
+use std::io::{self, BufWriter, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// Solves a contact scene: loads in, depth, force, contact radius and curves out.
+///
+/// The scene file says the shape, the materials, the loads and what is wanted; `sneddon scene new SHAPE` writes one.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The scene file; - reads it from stdin.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Writes JSON.
+    #[arg(long)]
+    json: bool,
+    /// Writes CSV: the rows, or the points where the scene asks for curves.
+    #[arg(long, conflicts_with = "json")]
+    csv: bool,
+    /// Writes into this file instead of stdout; it appears when it is complete.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Shows the numbers of invalid rows beside what is wrong with them.
+    #[arg(long)]
+    force: bool,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon scene new sphere > sphere.toml
+  sneddon solve sphere.toml
+  sneddon solve sphere.toml --json -o sphere.json
+
+Exit codes: 0 done, 1 a row is not valid, 2 bad input (the reason is on stderr).";
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let text = read(&arguments.scene)?;
+    let name = arguments.scene.display().to_string();
+    let failed = |error: SceneError| failure(&name, &text, &error);
+    let scene = scene::scene(&text).map_err(failed)?;
+    let solution = scene.solution().map_err(failed)?;
+    let run = Run::new(&scene, &solution).map_err(failed)?;
+    let mut verdict = Verdict::default();
+    let mut write = |out: &mut dyn Write| -> io::Result<()> {
+        verdict = match (arguments.json, arguments.csv) {
+            (true, _) => solved_json::solved(&run, arguments.force, out)?,
+            (_, true) => solved_text::csv(&run, arguments.force, out)?,
+            _ => solved_text::table(&run, arguments.force, out)?,
+        };
+        Ok(())
+    };
+    match &arguments.output {
+        Some(path) => whole_file(path, &mut write)?,
+        None => output::print(&mut write)?,
+    }
+    if verdict.is_valid() {
+        return Ok(Outcome::Done);
+    }
+    let (invalid, rows) = verdict.counts();
+    let first = verdict.findings().iter().find(|(own, _)| own.severity == crate::contact::Severity::Error);
+    warn(&format!("{invalid} of {rows} rows are not valid{}", first.map_or_else(String::new, |(own, _)| format!(": {}", own.message))));
+    Ok(Outcome::Failed)
+}
+
+fn read(path: &Path) -> Result<String, Failure> {
+    let name = path.display();
+    let limit = scene::LONGEST as u64;
+    let mut bytes = Vec::new();
+    let done = if path.as_os_str() == "-" {
+        io::stdin().lock().take(limit + 1).read_to_end(&mut bytes)
+    } else {
+        File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes))
+    };
+    done.map_err(|error| {
+        Failure::new(format!("the scene {name} cannot be read: {error}")).help("`sneddon scene new sphere` writes a scene to start from")
+    })?;
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Failure::new(format!("{name} is no text: byte {} is not valid UTF-8", at + 1)).help("a scene file in UTF-8 would be accepted")
+    })
+}
+
+fn failure(name: &str, text: &str, error: &SceneError) -> Failure {
+    let mut failure = Failure::new(error.to_string());
+    if let Some(help) = error.accepted() {
+        failure = failure.help(help);
+    }
+    match error.span() {
+        Some(span) => failure.at(name, text, span),
+        None => failure,
+    }
+}
+
+/// Writes beside the file and puts the whole in its place at once.
+fn whole_file(path: &Path, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let failed = |error: &io::Error| Failure::new(format!("{} cannot be written: {error}", path.display()));
+    let place = path.parent().filter(|own| !own.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let beside = tempfile::Builder::new().prefix(".sneddon-").tempfile_in(place).map_err(|error| failed(&error))?;
+    {
+        let mut out = BufWriter::new(beside.as_file());
+        write(&mut out).and_then(|()| out.flush()).map_err(|error| failed(&error))?;
+    }
+    beside.persist(path).map_err(|error| failed(&error.error))?;
+    Ok(())
+}

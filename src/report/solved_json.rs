@@ -1,0 +1,203 @@
+//! A solved scene as JSON, written row by row: nothing is kept, and the verdict stands last.
+
+use super::solved::{ASSUMPTIONS, Verdict};
+use crate::contact::{Boundary, Finding};
+use crate::scene::{Dimension, Point, Row, Run};
+use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
+use std::cell::RefCell;
+use std::io::{self, Write};
+
+/// Writes the answer to a scene; with `formally` also the numbers of invalid rows.
+///
+/// # Errors
+/// As the writer.
+pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
+    let verdict = RefCell::new(Verdict::default());
+    #[derive(Serialize)]
+    struct Document<'a, 'r> {
+        units: Option<Units<'a>>,
+        effective_modulus: f64,
+        rows: Rows<'a, 'r>,
+        curves: Curves<'a, 'r>,
+        validity: Validity<'a, 'r>,
+    }
+    #[derive(Serialize)]
+    struct Units<'a> {
+        length: &'a str,
+        force: &'a str,
+        pressure: &'a str,
+    }
+    let scene = run.scene();
+    let units = scene.system.names().map(|own| Units { length: &own.length, force: &own.force, pressure: &own.pressure });
+    let document = Document {
+        units,
+        effective_modulus: scene.effective_modulus * scene.system.out(Dimension::PRESSURE),
+        rows: Rows { run, formally, verdict: &verdict },
+        curves: Curves { run, formally },
+        validity: Validity { run, verdict: &verdict },
+    };
+    super::json::write(&document, out)?;
+    Ok(verdict.into_inner())
+}
+
+struct Rows<'a, 'r> {
+    run: &'a Run<'r>,
+    formally: bool,
+    verdict: &'a RefCell<Verdict>,
+}
+
+impl Serialize for Rows<'_, '_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let rows = (0..self.run.scene().loads.len()).filter_map(|index| self.run.row(index));
+        serializer.collect_seq(rows.map(|row| {
+            self.verdict.borrow_mut().take(&row);
+            RowEntry { run: self.run, row, formally: self.formally }
+        }))
+    }
+}
+
+struct RowEntry<'a, 'r> {
+    run: &'a Run<'r>,
+    row: Row,
+    formally: bool,
+}
+
+impl Serialize for RowEntry<'_, '_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (row, scene) = (&self.row, self.run.scene());
+        let mut map = serializer.serialize_map(None)?;
+        let shown = self.formally || row.is_valid();
+        let control = scene.control.datum();
+        let mut why = None;
+        for (datum, value) in &row.values {
+            // The load stays where its row is invalid: it says which row this is.
+            let own = match value {
+                _ if *datum == control && !scene.counts_from_touch() => Some(row.load),
+                Ok(value) if shown => Some(*value),
+                Ok(_) => None,
+                Err(reason) => {
+                    why = why.or(Some(*reason));
+                    None
+                }
+            };
+            map.serialize_entry(datum.name(), &own)?;
+        }
+        if scene.counts_from_touch() {
+            map.serialize_entry("d_first_touch", &row.load)?;
+        } else if let Some(depth) = row.depth_from_touch {
+            map.serialize_entry("d_first_touch", &depth)?;
+        }
+        let edge = row.indented.state.filter(|_| shown).map(|state| if state.boundary == Boundary::Rim { "rim" } else { "smooth" });
+        map.serialize_entry("edge", &edge)?;
+        map.serialize_entry("valid", &row.is_valid())?;
+        if let Some(why) = row.why().or(why) {
+            map.serialize_entry("why", why)?;
+        }
+        let findings: Vec<FindingEntry<'_>> = row.indented.findings.iter().map(|own| FindingEntry::of(own, None, self.run)).collect();
+        map.serialize_entry("findings", &findings)?;
+        map.end()
+    }
+}
+
+#[derive(Serialize)]
+struct FindingEntry<'a> {
+    rule: &'static str,
+    severity: &'static str,
+    message: &'a str,
+    at: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rows: Option<u64>,
+}
+
+impl<'a> FindingEntry<'a> {
+    fn of(finding: &'a Finding, rows: Option<u64>, run: &Run<'_>) -> Self {
+        let Finding { rule, severity, message, at } = finding;
+        let at = at.map(|at| at * run.scene().system.out(Dimension::LENGTH)).filter(|at| at.is_finite());
+        Self { rule, severity: severity.name(), message, at, rows }
+    }
+}
+
+struct Curves<'a, 'r> {
+    run: &'a Run<'r>,
+    formally: bool,
+}
+
+impl Serialize for Curves<'_, '_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let scene = self.run.scene();
+        let shapes = scene.outputs.curves.iter().filter(|own| !own.needs_load()).map(|curve| (*curve, None));
+        let loaded = (0..scene.loads.len()).flat_map(|index| {
+            let wanted = scene.outputs.curves.iter().filter(|own| own.needs_load());
+            wanted.map(move |curve| (*curve, Some(index)))
+        });
+        serializer.collect_seq(shapes.chain(loaded).map(|(curve, index)| {
+            let state = index.and_then(|index| self.run.state(index, self.formally));
+            CurveEntry {
+                d: state.map(|state| state.depth * scene.system.out(Dimension::LENGTH)),
+                row: index,
+                quantity: curve.name(),
+                points: Points { run: self.run, curve, state },
+            }
+        }))
+    }
+}
+
+#[derive(Serialize)]
+struct CurveEntry<'a, 'r> {
+    d: Option<f64>,
+    row: Option<usize>,
+    quantity: &'static str,
+    points: Points<'a, 'r>,
+}
+
+struct Points<'a, 'r> {
+    run: &'a Run<'r>,
+    curve: crate::scene::Curve,
+    state: Option<crate::contact::State>,
+}
+
+impl Serialize for Points<'_, '_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Entry {
+            at: f64,
+            value: Option<f64>,
+            error_estimate: Option<f64>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            why: Option<&'static str>,
+        }
+        serializer.collect_seq(self.run.scene().outputs.at.iter().map(|at| {
+            let Point { at, value } = self.run.point(self.curve, self.state.as_ref(), at);
+            match value {
+                Ok((value, error)) => Entry { at, value: Some(value), error_estimate: Some(error), why: None },
+                Err(why) => Entry { at, value: None, error_estimate: None, why: Some(why) },
+            }
+        }))
+    }
+}
+
+struct Validity<'a, 'r> {
+    run: &'a Run<'r>,
+    verdict: &'a RefCell<Verdict>,
+}
+
+impl Serialize for Validity<'_, '_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut verdict = self.verdict.borrow_mut();
+        verdict.close(self.run);
+        let list = verdict.findings().iter();
+        // What is true of the profile as a whole has its place in the units of the answers already.
+        let findings: Vec<FindingEntry<'_>> = list
+            .map(|(own, rows)| FindingEntry {
+                at: own.at.filter(|_| *rows == 0).or(FindingEntry::of(own, None, self.run).at),
+                ..FindingEntry::of(own, Some(*rows), self.run)
+            })
+            .collect();
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("valid", &verdict.is_valid())?;
+        map.serialize_entry("assumptions", ASSUMPTIONS)?;
+        map.serialize_entry("findings", &findings)?;
+        map.end()
+    }
+}

@@ -1,0 +1,164 @@
+//! A solved scene as a table for the terminal, and as CSV.
+
+use super::solved::{ASSUMPTIONS, Verdict};
+use crate::contact::{Boundary, Severity};
+use crate::scene::{Curve, Dimension, Row, Run};
+use std::io::{self, Write};
+
+/// Writes a table of rows, then one of points per curve, then the verdict.
+///
+/// # Errors
+/// As the writer.
+pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
+    let scene = run.scene();
+    let modulus = scene.effective_modulus * scene.system.out(Dimension::PRESSURE);
+    writeln!(out, "E* = {modulus:?} {}", scene.system.unit_name(Dimension::PRESSURE))?;
+    writeln!(out)?;
+    for (name, unit) in columns(run) {
+        let title = if unit.is_empty() { name } else { format!("{name} / {unit}") };
+        write!(out, "{title:>24}")?;
+    }
+    writeln!(out, "  edge")?;
+    let mut verdict = Verdict::default();
+    for row in (0..scene.loads.len()).filter_map(|index| run.row(index)) {
+        verdict.take(&row);
+        for cell in cells(run, &row, formally) {
+            write!(out, "{:>24}", cell.map_or_else(|| "-".to_owned(), |value| format!("{value:?}")))?;
+        }
+        write!(out, "  {}", edge(&row))?;
+        if let Some(first) = row.indented.findings.iter().find(|own| own.severity == Severity::Error) {
+            write!(out, "  invalid: {}", first.rule)?;
+        }
+        writeln!(out)?;
+    }
+    for curve in scene.outputs.curves.iter().copied() {
+        curve_table(run, curve, formally, out)?;
+    }
+    verdict.close(run);
+    writeln!(out)?;
+    let (invalid, rows) = verdict.counts();
+    if verdict.is_valid() {
+        writeln!(out, "valid: {ASSUMPTIONS}")?;
+    } else {
+        writeln!(out, "not valid in {invalid} of {rows} rows: {ASSUMPTIONS}")?;
+    }
+    for (finding, _) in verdict.findings() {
+        writeln!(out, "{}: {}: {}", finding.severity.name(), finding.rule, finding.message)?;
+    }
+    Ok(verdict)
+}
+
+fn edge(row: &Row) -> &'static str {
+    match row.indented.state.map(|state| state.boundary) {
+        Some(Boundary::Rim) => "rim",
+        Some(Boundary::Smooth) => "smooth",
+        Some(Boundary::Apart) => "apart",
+        None => "-",
+    }
+}
+
+/// Names and units of the columns.
+fn columns(run: &Run<'_>) -> Vec<(String, String)> {
+    let scene = run.scene();
+    let mut list: Vec<_> = scene.outputs.data.iter().map(|own| (own.name().to_owned(), scene.system.unit_name(own.dimension()))).collect();
+    if scene.counts_from_touch() {
+        list.insert(0, ("d_first_touch".to_owned(), scene.system.unit_name(Dimension::LENGTH)));
+    }
+    list
+}
+
+/// The numbers of a row; the load stands there even where the row is invalid.
+fn cells(run: &Run<'_>, row: &Row, formally: bool) -> Vec<Option<f64>> {
+    let scene = run.scene();
+    let touch = scene.counts_from_touch();
+    let mut list = if touch { vec![Some(row.load)] } else { Vec::new() };
+    let shown = formally || row.is_valid();
+    list.extend(row.values.iter().map(|(datum, value)| match value {
+        _ if !touch && *datum == scene.control.datum() => Some(row.load),
+        Ok(value) if shown => Some(*value),
+        _ => None,
+    }));
+    list
+}
+
+fn curve_table(run: &Run<'_>, curve: Curve, formally: bool, out: &mut dyn Write) -> io::Result<()> {
+    let scene = run.scene();
+    let indices: Vec<Option<usize>> = if curve.needs_load() { (0..scene.loads.len()).map(Some).collect() } else { vec![None] };
+    let (length, unit) = (scene.system.unit_name(Dimension::LENGTH), scene.system.unit_name(curve.dimension()));
+    for index in indices {
+        let state = index.and_then(|index| run.state(index, formally));
+        writeln!(out)?;
+        match index.and_then(|index| scene.loads.get(index)) {
+            Some(_) => writeln!(out, "{} at d = {}", curve.name(), depth(run, state.as_ref()))?,
+            None => writeln!(out, "{}", curve.name())?,
+        }
+        let with = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") };
+        writeln!(out, "{:>24}{:>24}{:>16}", with("at", &length), with(curve.name(), &unit), "error")?;
+        for at in scene.outputs.at.iter() {
+            let point = run.point(curve, state.as_ref(), at);
+            match point.value {
+                Ok((value, error)) => writeln!(out, "{:>24}{value:>24?}{error:>16.1e}", format!("{:?}", point.at))?,
+                Err(why) => writeln!(out, "{:>24}{:>24}  {why}", format!("{:?}", point.at), "-")?,
+            }
+        }
+    }
+    Ok(())
+}
+
+fn depth(run: &Run<'_>, state: Option<&crate::contact::State>) -> String {
+    state.map_or_else(|| "-".to_owned(), |state| format!("{:?}", state.depth * run.scene().system.out(Dimension::LENGTH)))
+}
+
+/// Writes the rows as CSV; or the points, where the scene asks for curves.
+///
+/// Columns are named quantity_unit, as in `d_um,F_mN`; where there is no number the field is empty.
+///
+/// # Errors
+/// As the writer.
+pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
+    let scene = run.scene();
+    let named = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") };
+    let mut verdict = Verdict::default();
+    let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
+    let curves = &scene.outputs.curves;
+    if curves.is_empty() {
+        let mut header: Vec<String> = columns(run).iter().map(|(name, unit)| named(name, unit)).collect();
+        header.extend(["edge".to_owned(), "valid".to_owned(), "rule".to_owned()]);
+        writeln!(out, "{}", header.join(","))?;
+    } else {
+        let length = scene.system.unit_name(Dimension::LENGTH);
+        let unit = scene.system.unit_name(Dimension::PRESSURE);
+        writeln!(out, "quantity,{},{},value,error,unit", named("d", &length), named("at", &length))?;
+        for curve in curves.iter().filter(|own| !own.needs_load()) {
+            points(run, *curve, None, formally, &length, out)?;
+        }
+        for index in 0..scene.loads.len() {
+            for curve in curves.iter().filter(|own| own.needs_load()) {
+                let own = if *curve == Curve::Pressure { &unit } else { &length };
+                points(run, *curve, Some(index), formally, own, out)?;
+            }
+        }
+    }
+    for row in (0..scene.loads.len()).filter_map(|index| run.row(index)) {
+        verdict.take(&row);
+        if curves.is_empty() {
+            let numbers: Vec<String> = cells(run, &row, formally).into_iter().map(number).collect();
+            let rule = row.indented.findings.iter().find(|own| own.severity == Severity::Error).map_or("", |own| own.rule);
+            writeln!(out, "{},{},{},{rule}", numbers.join(","), edge(&row), row.is_valid())?;
+        }
+    }
+    verdict.close(run);
+    Ok(verdict)
+}
+
+fn points(run: &Run<'_>, curve: Curve, index: Option<usize>, formally: bool, unit: &str, out: &mut dyn Write) -> io::Result<()> {
+    let state = index.and_then(|index| run.state(index, formally));
+    let depth = state.map_or_else(String::new, |own| format!("{:?}", own.depth * run.scene().system.out(Dimension::LENGTH)));
+    for at in run.scene().outputs.at.iter() {
+        let point = run.point(curve, state.as_ref(), at);
+        let (value, error) =
+            point.value.map_or((String::new(), String::new()), |(value, error)| (format!("{value:?}"), format!("{error:?}")));
+        writeln!(out, "{},{depth},{:?},{value},{error},{unit}", curve.name(), point.at)?;
+    }
+    Ok(())
+}

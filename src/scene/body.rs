@@ -1,0 +1,122 @@
+//! Materials of a scene: isotropic, transversely isotropic, known by E* alone, or rigid.
+
+use super::document::Table;
+use super::system::System;
+use super::{Dimension, Quantity, SceneError};
+use crate::contact::{self, ElasticBody, TransverselyIsotropic};
+use std::ops::Range;
+
+/// The keys of a material.
+pub(super) const KEYS: [&str; 9] = ["E", "nu", "effective_modulus", "C11", "C12", "C13", "C33", "C44", "rigid"];
+
+/// A number with its key and place.
+pub(super) struct Typed {
+    key: &'static str,
+    quantity: Quantity,
+    span: Range<usize>,
+}
+
+/// The material of one body as it was typed.
+pub(super) struct Body {
+    pub(super) numbers: Vec<Typed>,
+    rigid: bool,
+    span: Range<usize>,
+    name: String,
+}
+
+impl Body {
+    /// A body that does not deform.
+    pub(super) fn rigid() -> Self {
+        Self { numbers: Vec::new(), rigid: true, span: 0..0, name: String::new() }
+    }
+
+    /// Reads the keys of a material from a table.
+    pub(super) fn read(table: &Table<'_>, rigid_unless_given: bool) -> Result<Self, SceneError> {
+        let rigid = table.get("rigid").map(|entry| entry.boolean()).transpose()?.unwrap_or(false);
+        let mut numbers = Vec::new();
+        for key in KEYS.into_iter().filter(|key| *key != "rigid") {
+            if let Some(entry) = table.get(key) {
+                numbers.push(Typed { key, quantity: entry.quantity()?, span: entry.span() });
+            }
+        }
+        let name = table.name().to_owned();
+        let has = |key: &str| numbers.iter().any(|own: &Typed| own.key == key);
+        let ways = [rigid, has("E") || has("nu"), has("effective_modulus"), numbers.iter().any(|own| own.key.starts_with('C'))];
+        let help = "E and nu, or effective_modulus, or C11, C12, C13, C33 and C44, or rigid = true would be accepted";
+        match ways.iter().filter(|way| **way).count() {
+            0 if rigid_unless_given => return Ok(Self { numbers, rigid: true, span: table.span(), name }),
+            0 => return Err(SceneError::missing(format!("{name} has no elastic constants")).help(help).at(table.span())),
+            1 => {}
+            _ => return Err(SceneError::value(format!("{name} gives its elastic constants in two ways")).help(help).at(table.span())),
+        }
+        let wanted: &[&str] = if ways[1] {
+            &["E", "nu"]
+        } else if ways[3] {
+            &["C11", "C12", "C13", "C33", "C44"]
+        } else {
+            &[]
+        };
+        if let Some(missing) = wanted.iter().find(|key| !has(key)) {
+            return Err(SceneError::missing(format!("{name} has no {missing}")).help(help).at(table.span()));
+        }
+        Ok(Self { numbers, rigid, span: table.span(), name })
+    }
+
+    /// What the body alone would give for E*; infinite where it is rigid.
+    pub(super) fn modulus(&self, system: &System) -> Result<f64, SceneError> {
+        let number = |key: &str| -> Result<f64, SceneError> {
+            let Some(own) = self.numbers.iter().find(|own| own.key == key) else { return Ok(f64::NAN) };
+            let dimension = if key == "nu" { Dimension::NONE } else { Dimension::PRESSURE };
+            system.number(&own.quantity, dimension, key).map_err(|error| error.at(own.span.clone()))
+        };
+        let failed = |error: contact::ContactError| SceneError::value(format!("{}: {error}", self.name)).at(self.blamed(&error));
+        if self.rigid {
+            return Ok(f64::INFINITY);
+        }
+        match self.numbers.first().map(|own| own.key) {
+            Some("E") => {
+                let body = ElasticBody { young_modulus: number("E")?, poisson_ratio: number("nu")? };
+                contact::effective_modulus(body, ElasticBody::RIGID).map_err(failed)
+            }
+            Some("effective_modulus") => {
+                let own = number("effective_modulus")?;
+                if own > 0.0 {
+                    return Ok(own);
+                }
+                Err(SceneError::value(format!("effective_modulus = {own:?} is not positive"))
+                    .help("a pressure above 0 would be accepted")
+                    .at(self.span_of("effective_modulus")))
+            }
+            _ => {
+                let (c11, c12, c13, c33, c44) = (number("C11")?, number("C12")?, number("C13")?, number("C33")?, number("C44")?);
+                TransverselyIsotropic { c11, c12, c13, c33, c44 }.effective_modulus().map_err(failed)
+            }
+        }
+    }
+
+    fn span_of(&self, key: &str) -> Range<usize> {
+        self.numbers.iter().find(|own| own.key == key).map_or(self.span.clone(), |own| own.span.clone())
+    }
+
+    fn blamed(&self, error: &contact::ContactError) -> Range<usize> {
+        match error {
+            contact::ContactError::Material { name, .. } => self.span_of(name.rsplit(' ').next().unwrap_or(name)),
+            _ => self.span.clone(),
+        }
+    }
+
+    /// Every number with its unit.
+    pub(super) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+        self.numbers.iter().map(|own| &own.quantity)
+    }
+}
+
+/// E* of two bodies: compliances add up.
+pub(super) fn together(one: f64, other: f64, place: Range<usize>) -> Result<f64, SceneError> {
+    match (one.is_finite(), other.is_finite()) {
+        (true, true) => Ok(1.0 / (1.0 / one + 1.0 / other)),
+        (true, false) => Ok(one),
+        (false, true) => Ok(other),
+        (false, false) => Err(SceneError::value("both bodies are rigid").help("at least one of the two bodies must be elastic").at(place)),
+    }
+}

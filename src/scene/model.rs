@@ -1,0 +1,182 @@
+//! The scene itself: everything that is known about a contact before it is solved, as numbers of one system.
+
+use super::{Control, Loads, SceneError, System};
+use crate::contact::ContactError;
+use crate::transform::{Method, Profile, Solution, derive};
+
+/// A number per load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Datum {
+    /// d, the displacement at r = 0.
+    Depth,
+    /// F, the normal force.
+    Force,
+    /// a, the contact radius.
+    Radius,
+    /// k = dF/dd = 2E*a.
+    Stiffness,
+    /// F/(π a²).
+    MeanPressure,
+    /// The strain energy.
+    Energy,
+}
+
+/// A function of a coordinate, per load.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Curve {
+    /// g(x).
+    Equivalent,
+    /// f(r).
+    Profile,
+    /// p(r).
+    Pressure,
+    /// u(r), the displacement of the surface.
+    Displacement,
+}
+
+/// From where a depth is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DepthFrom {
+    /// The displacement at r = 0.
+    Apex,
+    /// The displacement since the bodies first touched; it differs for concave shapes.
+    FirstTouch,
+}
+
+/// What is wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outputs {
+    /// Numbers per load.
+    pub data: Vec<Datum>,
+    /// Functions per load.
+    pub curves: Vec<Curve>,
+    /// Where the functions are wanted.
+    pub at: Loads,
+}
+
+/// A contact: the profile of both bodies together, E*, loads and what is wanted of them.
+///
+/// ```
+/// use sneddon::scene::{Control, Loads, Run, Scene};
+/// use sneddon::{parse, transform::Profile};
+/// let scene = Scene {
+///     effective_modulus: 3.0,
+///     loads: Loads::List(vec![0.1]),
+///     ..Scene::of(Profile::new(&parse::profile("r^2/(2*10)").unwrap()).unwrap())
+/// };
+/// let solution = scene.solution().unwrap();
+/// let row = Run::new(&scene, &solution).unwrap().row(0).unwrap();
+/// assert_eq!(row.indented.state.unwrap().radius, 1.0);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// f, with numbers for its parameters.
+    pub profile: Profile,
+    /// The radius of a vertical side.
+    pub rim: Option<f64>,
+    /// E*.
+    pub effective_modulus: f64,
+    /// What is controlled.
+    pub control: Control,
+    /// Its values.
+    pub loads: Loads,
+    /// From where depths are measured.
+    pub depth_from: DepthFrom,
+    /// What is wanted.
+    pub outputs: Outputs,
+    /// The units of the answers.
+    pub system: System,
+    /// How numbers may be computed.
+    pub method: Method,
+    /// The relative tolerance of quadratures.
+    pub tolerance: f64,
+}
+
+impl Scene {
+    /// A scene with E* = 1, no loads, and the four numbers d, F, a, k wanted.
+    pub fn of(profile: Profile) -> Self {
+        Self {
+            profile,
+            rim: None,
+            effective_modulus: 1.0,
+            control: Control::Depth,
+            loads: Loads::List(Vec::new()),
+            depth_from: DepthFrom::Apex,
+            outputs: Outputs {
+                data: vec![Datum::Depth, Datum::Force, Datum::Radius, Datum::Stiffness],
+                curves: Vec::new(),
+                at: Loads::List(Vec::new()),
+            },
+            system: System::bare(),
+            method: Method::Auto,
+            tolerance: 1e-12,
+        }
+    }
+
+    /// True where the loads are depths since the first touch.
+    pub fn counts_from_touch(&self) -> bool {
+        self.control == Control::Depth && self.depth_from == DepthFrom::FirstTouch
+    }
+
+    /// The exact transform of the profile.
+    ///
+    /// # Errors
+    /// [`SceneError`] where the profile has none.
+    pub fn solution(&self) -> Result<Solution, SceneError> {
+        Ok(derive(&self.profile).map_err(ContactError::from)?)
+    }
+}
+
+impl Datum {
+    /// Every one, in the order of reading.
+    pub const ALL: [Self; 6] = [Self::Depth, Self::Force, Self::Radius, Self::Stiffness, Self::MeanPressure, Self::Energy];
+
+    /// The name in scene files and answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Depth => "d",
+            Self::Force => "F",
+            Self::Radius => "a",
+            Self::Stiffness => "k",
+            Self::MeanPressure => "p_mean",
+            Self::Energy => "U",
+        }
+    }
+
+    /// Its dimension.
+    pub fn dimension(self) -> super::Dimension {
+        use super::Dimension;
+        match self {
+            Self::Depth | Self::Radius => Dimension::LENGTH,
+            Self::Force => Dimension::FORCE,
+            Self::Stiffness => Dimension::STIFFNESS,
+            Self::MeanPressure => Dimension::PRESSURE,
+            Self::Energy => Dimension::ENERGY,
+        }
+    }
+}
+
+impl Curve {
+    /// Every one, in the order of reading.
+    pub const ALL: [Self; 4] = [Self::Equivalent, Self::Profile, Self::Pressure, Self::Displacement];
+
+    /// The name in scene files and answers.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Equivalent => "g",
+            Self::Profile => "f",
+            Self::Pressure => "p",
+            Self::Displacement => "u",
+        }
+    }
+
+    /// Its dimension.
+    pub fn dimension(self) -> super::Dimension {
+        if self == Self::Pressure { super::Dimension::PRESSURE } else { super::Dimension::LENGTH }
+    }
+
+    /// True where the curve depends on the load.
+    pub fn needs_load(self) -> bool {
+        matches!(self, Self::Pressure | Self::Displacement)
+    }
+}

@@ -1,0 +1,254 @@
+//! A scene from the text of its file.
+
+use super::body::{self, Body};
+use super::check::{self, Dimensions};
+use super::document::{Entry, Table, nearest, parsed};
+use super::error::Reason;
+use super::quantity::to_f64;
+use super::reading::Asked;
+use super::shape::{SHAPES, Shape, Way, shape};
+use super::{Dimension, Quantity, Scene, SceneError, System, Unit};
+use crate::contact::ContactError;
+use crate::expr::{Bindings, Expr, Formula, Symbol};
+use crate::parse;
+use crate::transform::Profile;
+use std::ops::Range;
+
+/// Reads a scene.
+///
+/// ```
+/// let text = r#"
+/// [profile]
+/// shape = "paraboloid"
+/// parameters = { R = "10 um" }
+/// [material]
+/// effective_modulus = "3 GPa"
+/// [load]
+/// depth = "0.1 um"
+/// "#;
+/// assert_eq!(sneddon::scene::scene(text).unwrap().effective_modulus, 3e9);
+/// assert_eq!(sneddon::scene::scene("[profil]").unwrap_err().accepted(), Some("did you mean profile? known are profile, material, counterbody, load, outputs, method, data"));
+/// ```
+///
+/// # Errors
+/// [`SceneError`] with the place in the text.
+pub fn scene(text: &str) -> Result<Scene, SceneError> {
+    let document = parsed(text)?;
+    let root = Table::root(&document, text);
+    root.allow(&["profile", "material", "counterbody", "load", "outputs", "method", "data"])?;
+    let complete = "[profile], [material] and [load] make a scene; `sneddon scene new sphere` writes one";
+    root.demand("profile", complete)?;
+    root.demand("material", complete)?;
+    root.demand("load", complete)?;
+    let tables = (root.table("profile")?, root.table("material")?, root.table("load")?);
+    let (Some(profile), Some(material), Some(load)) = tables else { return Err(SceneError::missing(complete)) };
+    let counterbody = root.table("counterbody")?;
+    let outputs = root.table("outputs")?;
+
+    let mut keys = vec!["f", "shape", "points", "parameters", "radius", "length_unit", "interpolation", "line_scan"];
+    profile.allow(&keys)?;
+    material.allow(&body::KEYS)?;
+    let tip = Tip::read(&profile)?.ok_or_else(|| {
+        SceneError::missing("[profile] has no shape").help("f = \"r^2/(2*R)\" or shape = \"sphere\" would be accepted").at(profile.span())
+    })?;
+    let first = Body::read(&material, false)?;
+    let (mut second, mut other) = (Body::rigid(), None);
+    if let Some(table) = &counterbody {
+        keys = vec!["f", "shape", "parameters", "socket"];
+        keys.extend(body::KEYS);
+        table.allow(&keys)?;
+        second = Body::read(table, true)?;
+        other = Tip::read(table)?;
+    }
+    let asked = Asked::read(&load, outputs.as_ref(), root.table("method")?.as_ref(), root.table("data")?.as_ref())?;
+    let mut named = asked.units.clone();
+    if let Some(entry) = profile.get("length_unit") {
+        named.profile_length = Some(length_unit(&entry)?);
+    }
+    let radius = profile.get("radius").map(|entry| Ok::<_, SceneError>((entry.quantity()?, entry.span()))).transpose()?;
+
+    let tips = std::iter::once(&tip).chain(other.iter());
+    let typed = tips.flat_map(|tip| tip.parameters.iter().map(|own| &own.quantity));
+    let mut typed =
+        typed.chain(first.quantities()).chain(second.quantities()).chain(asked.quantities()).chain(radius.iter().map(|own| &own.0));
+    let has_units = named.profile_length.is_some() || typed.any(|own| own.dimension().is_some_and(|own| !own.is_none()));
+    drop(typed);
+    let system = System::new(has_units, &named)?;
+
+    let strict = has_units && named.profile_length.is_none();
+    let mut formula = tip.formula(&system, strict)?;
+    if let Some(other) = &other {
+        let own = other.formula(&system, strict)?;
+        let own = if counter_is_socket(counterbody.as_ref())? { own.scaled(&Expr::integer(-1)) } else { own };
+        formula = Formula::sum([formula, own]);
+    }
+    let rim = match (&radius, &tip.rim) {
+        (Some((_, span)), Some((name, _))) if tip.parameters.iter().any(|own| own.symbol.name() == *name) => {
+            let message = format!("the radius of the indenter is given twice: radius, and the parameter {name}");
+            return Err(SceneError::value(message).help("one of the two would be accepted").at(span.clone()));
+        }
+        (Some((quantity, span)), _) => Some(positive(system.number(quantity, Dimension::LENGTH, "radius"), "radius", span)?),
+        (None, Some((_, quantity))) => Some(system.number(quantity, Dimension::LENGTH, "the radius of the indenter")?),
+        (None, None) => None,
+    };
+    let bound = Profile::new(&formula).map_err(|error| SceneError::from(ContactError::from(error)).at(tip.span.clone()))?;
+    if rim.is_none() && bound.is_flat() {
+        return Err(SceneError::missing("a flat punch needs the radius of its vertical side")
+            .help("radius = \"2 um\" in [profile] would be accepted")
+            .at(tip.span));
+    }
+    let effective_modulus = body::together(first.modulus(&system)?, second.modulus(&system)?, material.span())?;
+    asked.scene(Scene { rim, effective_modulus, system, ..Scene::of(bound) })
+}
+
+fn counter_is_socket(table: Option<&Table<'_>>) -> Result<bool, SceneError> {
+    table.and_then(|table| table.get("socket")).map_or(Ok(false), |entry| entry.boolean())
+}
+
+fn length_unit(entry: &Entry<'_>) -> Result<Unit, SceneError> {
+    let unit = Unit::parse(entry.string()?).map_err(|error| error.at(entry.span()))?;
+    if unit.dimension() == Dimension::LENGTH {
+        return Ok(unit);
+    }
+    Err(SceneError::unit(format!("{} is {}, not a length", unit.name(), unit.dimension())).at(entry.span()))
+}
+
+fn positive(value: Result<f64, SceneError>, what: &str, span: &Range<usize>) -> Result<f64, SceneError> {
+    match value {
+        Ok(value) if value > 0.0 => Ok(value),
+        Ok(value) => Err(SceneError::value(format!("{what} = {value:?} is not positive"))
+            .help("a number above 0 would be accepted")
+            .at(span.clone())),
+        Err(error) => Err(error.at(span.clone())),
+    }
+}
+
+/// The shape of one body: a formula with its parameters, as typed.
+struct Tip {
+    formula: Formula,
+    parameters: Vec<Parameter>,
+    rim: Option<(&'static str, Quantity)>,
+    span: Range<usize>,
+}
+
+struct Parameter {
+    symbol: Symbol,
+    quantity: Quantity,
+    span: Range<usize>,
+}
+
+impl Tip {
+    /// Reads f or shape with their parameters; `None` where a table has neither.
+    fn read(table: &Table<'_>) -> Result<Option<Self>, SceneError> {
+        let ways = ["f", "shape", "points"].map(|key| table.get(key));
+        if ways.iter().flatten().count() > 1 {
+            let second = ways.iter().flatten().nth(1).map_or(table.span(), |entry| table.key_span(entry.key()));
+            return Err(SceneError::value(format!("{} has more than one of f, shape and points", table.name()))
+                .help("one of them would be accepted")
+                .at(second));
+        }
+        let [f, shape, points] = ways;
+        if let Some(points) = points {
+            points.string()?;
+            return Err(SceneError::value("measured tips are not read yet")
+                .help("an expression f or a named shape would be accepted")
+                .at(points.span()));
+        }
+        let mut parameters = Self::parameters(table)?;
+        let (formula, rim, span) = match (f, shape) {
+            (Some(f), _) => {
+                let text = f.string()?;
+                let formula = parse::profile(text).map_err(|error| {
+                    let part = f.part(error.span());
+                    SceneError::from(error).at(part)
+                })?;
+                (formula, None, f.span())
+            }
+            (None, Some(entry)) => {
+                let (shape, way) = Self::named(&entry, &mut parameters, table)?;
+                let rim = shape
+                    .rim
+                    .and_then(|name| parameters.iter().find(|own| own.symbol.name() == name).map(|own| (name, own.quantity.clone())));
+                (parse::profile(way.f).map_err(SceneError::from)?, rim, entry.span())
+            }
+            (None, None) => return Ok(None),
+        };
+        let wanted: Vec<Symbol> = formula.symbols().into_iter().filter(|own| own.name() != "r").collect();
+        // The radius of a flat cylinder is no part of f = 0.
+        let known = |own: &Symbol| wanted.contains(own) || rim.as_ref().is_some_and(|(name, _)| *name == own.name());
+        let names: Vec<&str> = wanted.iter().map(Symbol::name).collect();
+        if let Some(unknown) = parameters.iter().find(|own| !known(&own.symbol)) {
+            let near = nearest(unknown.symbol.name(), &names).map_or(String::new(), |near| format!("did you mean {near}? "));
+            let own = if names.is_empty() { "it has no parameters".to_owned() } else { format!("its parameters are {}", names.join(", ")) };
+            return Err(SceneError::value(format!("f has no parameter {}", unknown.symbol))
+                .help(format!("{near}{own}"))
+                .at(unknown.span.clone()));
+        }
+        if let Some(missing) = wanted.iter().find(|own| parameters.iter().all(|known| known.symbol != **own)) {
+            let help = format!("parameters = {{ {missing} = … }} in {} would be accepted", table.name());
+            return Err(SceneError::missing(format!("the parameter {missing} of f has no value")).help(help).at(span));
+        }
+        Ok(Some(Self { formula, parameters, rim, span }))
+    }
+
+    fn parameters(table: &Table<'_>) -> Result<Vec<Parameter>, SceneError> {
+        let Some(entry) = table.get("parameters") else { return Ok(Vec::new()) };
+        let own = entry.table("parameters".to_owned())?;
+        let mut list = Vec::new();
+        for entry in own.entries() {
+            // Read as an expression, so that theta and its letter are one name here as well.
+            let symbol =
+                parse::formula(entry.key()).ok().and_then(|formula| formula.as_closed().and_then(|expr| expr.as_symbol().cloned()));
+            let symbol =
+                symbol.ok_or_else(|| SceneError::value(format!("{:?} is no name of a parameter", entry.key())).at(entry.span()))?;
+            let quantity = entry.quantity()?;
+            positive(to_f64(&quantity.in_base()), symbol.name(), &entry.span())?;
+            list.push(Parameter { symbol, quantity, span: entry.span() });
+        }
+        Ok(list)
+    }
+
+    /// The named shape, and the way that fits the parameters that were given.
+    fn named(entry: &Entry<'_>, parameters: &mut Vec<Parameter>, table: &Table<'_>) -> Result<(&'static Shape, &'static Way), SceneError> {
+        let text = entry.string()?;
+        let Some(found) = shape(text) else {
+            let names: Vec<&str> = SHAPES.iter().map(|shape| shape.name).collect();
+            let near = nearest(text, &names).map_or(String::new(), |near| format!("did you mean {near}? "));
+            let shown: String = text.chars().take(60).collect();
+            return Err(SceneError::value(format!("there is no shape {shown:?}"))
+                .help(format!("{near}known are {}", names.join(", ")))
+                .at(entry.span()));
+        };
+        // The radius of the cylinder may stand as the parameter or as [profile] radius.
+        if let (Some(rim), Some(radius)) = (found.rim, table.get("radius"))
+            && parameters.iter().all(|own| own.symbol.name() != rim)
+            && found.ways.first().is_some_and(|way| way.f.contains(rim))
+        {
+            parameters.push(Parameter { symbol: Symbol::new(rim), quantity: radius.quantity()?, span: radius.span() });
+        }
+        let fits = |way: &&Way| parameters.iter().all(|own| way.parameters.iter().any(|known| known.name == own.symbol.name()));
+        let way = found.ways.iter().find(fits).or(found.ways.first());
+        way.map(|way| (found, way)).ok_or_else(|| SceneError::missing(format!("{} has no formula", found.name)))
+    }
+
+    /// f with its parameters as numbers of the system.
+    fn formula(&self, system: &System, strict: bool) -> Result<Formula, SceneError> {
+        let (mut numbers, mut values, mut known) = (Bindings::default(), Bindings::default(), Dimensions::new());
+        for own in &self.parameters {
+            let dimension = own.quantity.dimension().unwrap_or(Dimension::NONE);
+            let value = if own.quantity.unit().is_some() { system.own(own.quantity.in_base(), dimension) } else { own.quantity.in_base() };
+            if dimension.is_none() {
+                numbers.insert(own.symbol.clone(), value.clone());
+            }
+            known.insert(own.symbol.clone(), dimension);
+            values.insert(own.symbol.clone(), value);
+        }
+        if strict {
+            check::refuse_other_than_length(&self.formula.substitute(&numbers), &known).map_err(|error| match error.reason() {
+                Reason::Dimension(_) => error.at(self.span.clone()),
+                _ => error,
+            })?;
+        }
+        Ok(self.formula.substitute(&values))
+    }
+}

@@ -1,0 +1,246 @@
+//! Loads, outputs and method of a scene, as typed, and as numbers of its system.
+
+use super::document::{Entry, Table};
+use super::system::Named;
+use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, Quantity, Scene, SceneError, System, Unit};
+use crate::transform::Method;
+use std::ops::Range;
+
+/// The most loads of a scene, and the most radii of its curves.
+const MOST: usize = 100_000_000;
+
+/// Numbers as typed.
+enum Typed {
+    List(Vec<(Quantity, Range<usize>)>),
+    Range { start: (Quantity, Range<usize>), stop: (Quantity, Range<usize>), count: usize, logarithmic: bool },
+}
+
+/// What is loaded, wanted and demanded.
+pub(super) struct Asked {
+    control: Control,
+    loads: Typed,
+    depth_from: DepthFrom,
+    data: Vec<Datum>,
+    curves: Vec<Curve>,
+    at: Option<Typed>,
+    pub(super) units: Named,
+    method: Method,
+    tolerance: Option<f64>,
+}
+
+impl Asked {
+    pub(super) fn read(
+        load: &Table<'_>,
+        outputs: Option<&Table<'_>>,
+        method: Option<&Table<'_>>,
+        data: Option<&Table<'_>>,
+    ) -> Result<Self, SceneError> {
+        load.allow(&["depth", "force", "contact_radius", "depth_from"])?;
+        let controls = [Control::Depth, Control::Force, Control::ContactRadius];
+        let given: Vec<(Control, Entry<'_>)> = controls.into_iter().filter_map(|own| Some((own, load.get(own.name())?))).collect();
+        let help = "one of depth, force and contact_radius would be accepted: a number, a list, or { start, stop, count }";
+        let (control, entry) = match given.as_slice() {
+            [only] => only,
+            [] => return Err(SceneError::missing("[load] has no load").help(help).at(load.span())),
+            [_, second, ..] => {
+                return Err(SceneError::value("[load] has more than one load").help(help).at(load.key_span(second.0.name())));
+            }
+        };
+        let depth_from = match load.get("depth_from") {
+            None => DepthFrom::Apex,
+            Some(entry) if entry.word(&["apex", "first_touch"])? == "apex" => DepthFrom::Apex,
+            Some(entry) if *control != Control::Depth => {
+                return Err(SceneError::value("depth_from has a meaning for loads by depth only").at(entry.span()));
+            }
+            Some(_) => DepthFrom::FirstTouch,
+        };
+        let mut own = Self {
+            control: *control,
+            loads: numbers(entry)?,
+            depth_from,
+            data: vec![Datum::Depth, Datum::Force, Datum::Radius, Datum::Stiffness],
+            curves: Vec::new(),
+            at: None,
+            units: Named::default(),
+            method: Method::Auto,
+            tolerance: None,
+        };
+        if let Some(outputs) = outputs {
+            own.read_outputs(outputs)?;
+        }
+        if let Some(table) = method {
+            table.allow(&["name", "tolerance"])?;
+            own.method = match table.get("name").map(|entry| entry.word(&["auto", "exact", "quadrature"])).transpose()? {
+                Some("exact") => Method::Exact,
+                Some("quadrature") => Method::Quadrature,
+                _ => Method::Auto,
+            };
+            own.tolerance = table.get("tolerance").map(|entry| tolerance(&entry)).transpose()?;
+        }
+        if let Some(table) = data {
+            table.allow(&["box", "grid", "boundary", "control", "pressure", "sign"])?;
+        }
+        Ok(own)
+    }
+
+    fn read_outputs(&mut self, outputs: &Table<'_>) -> Result<(), SceneError> {
+        outputs.allow(&["quantities", "at", "units"])?;
+        if let Some(entry) = outputs.get("quantities") {
+            (self.data, self.curves) = quantities(&entry)?;
+        }
+        self.at = outputs.get("at").map(|entry| numbers(&entry)).transpose()?;
+        if self.at.is_none() && !self.curves.is_empty() {
+            let names: Vec<&str> = self.curves.iter().map(|own| own.name()).collect();
+            let message = format!("[outputs] has no at: radii where {} are wanted", names.join(", "));
+            return Err(SceneError::missing(message)
+                .help("at = { start = \"0 um\", stop = \"2 um\", count = 101 } would be accepted")
+                .at(outputs.span()));
+        }
+        let Some(entry) = outputs.get("units") else { return Ok(()) };
+        let table = entry.table("units".to_owned())?;
+        table.allow(&["length", "force", "pressure"])?;
+        for (key, dimension, place) in [
+            ("length", Dimension::LENGTH, &mut self.units.length),
+            ("force", Dimension::FORCE, &mut self.units.force),
+            ("pressure", Dimension::PRESSURE, &mut self.units.pressure),
+        ] {
+            let Some(entry) = table.get(key) else { continue };
+            let unit = Unit::parse(entry.string()?).map_err(|error| error.at(entry.span()))?;
+            if unit.dimension() != dimension {
+                return Err(SceneError::unit(format!("{} is {}, not {dimension}", unit.name(), unit.dimension())).at(entry.span()));
+            }
+            *place = Some((unit, entry.span()));
+        }
+        Ok(())
+    }
+
+    /// Every number with its unit.
+    pub(super) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+        std::iter::once(&self.loads).chain(self.at.as_ref()).flat_map(|typed| match typed {
+            Typed::List(list) => list.iter().map(|own| &own.0).collect::<Vec<_>>(),
+            Typed::Range { start, stop, .. } => vec![&start.0, &stop.0],
+        })
+    }
+
+    /// Completes a scene.
+    pub(super) fn scene(self, scene: Scene) -> Result<Scene, SceneError> {
+        let dimension = if self.control == Control::Force { Dimension::FORCE } else { Dimension::LENGTH };
+        let loads = self.loads.numbers(&scene.system, dimension, self.control.name())?;
+        if self.control != Control::Depth
+            && let Some((low, _)) = loads.extremes()
+            && low < 0.0
+        {
+            let message = format!(
+                "{} = {low:?} is negative{}",
+                self.control.name(),
+                if self.control == Control::Force { ": there is no adhesion" } else { "" }
+            );
+            return Err(SceneError::value(message).help("numbers from 0 on would be accepted").at(self.loads.span()));
+        }
+        let at = match self.at {
+            None => Loads::List(Vec::new()),
+            Some(typed) => {
+                let at = typed.numbers(&scene.system, Dimension::LENGTH, "at")?;
+                if at.extremes().is_some_and(|(low, _)| low < 0.0) {
+                    return Err(SceneError::value("at has a negative radius").help("radii from 0 on would be accepted").at(typed.span()));
+                }
+                at
+            }
+        };
+        let mut data = self.data;
+        // The load itself always stands in its row.
+        let own = self.control.datum();
+        if !data.contains(&own) {
+            data.push(own);
+        }
+        data.sort_by_key(|own| Datum::ALL.iter().position(|other| other == own));
+        let outputs = super::Outputs { data, curves: self.curves, at };
+        let tolerance = self.tolerance.unwrap_or(scene.tolerance);
+        Ok(Scene { control: self.control, loads, depth_from: self.depth_from, outputs, method: self.method, tolerance, ..scene })
+    }
+}
+
+impl Typed {
+    fn numbers(&self, system: &System, dimension: Dimension, what: &str) -> Result<Loads, SceneError> {
+        let number = |own: &(Quantity, Range<usize>)| system.number(&own.0, dimension, what).map_err(|error| error.at(own.1.clone()));
+        Ok(match self {
+            Self::List(list) => Loads::List(list.iter().map(number).collect::<Result<_, _>>()?),
+            Self::Range { start, stop, count, logarithmic } => {
+                let (first, last) = (number(start)?, number(stop)?);
+                if *logarithmic && (first <= 0.0 || last <= 0.0) {
+                    let bad = if first <= 0.0 { start } else { stop };
+                    return Err(SceneError::value("a logarithmic range starts and stops above 0").at(bad.1.clone()));
+                }
+                Loads::Range { start: first, stop: last, count: *count, logarithmic: *logarithmic }
+            }
+        })
+    }
+
+    fn span(&self) -> Range<usize> {
+        match self {
+            Self::List(list) => list.first().map_or(0..0, |own| own.1.clone()),
+            Self::Range { start, .. } => start.1.clone(),
+        }
+    }
+}
+
+/// A number, a list of numbers, or a range.
+fn numbers(entry: &Entry<'_>) -> Result<Typed, SceneError> {
+    if entry.is_table() {
+        let table = entry.table(entry.key().to_owned())?;
+        table.allow(&["start", "stop", "count", "spacing"])?;
+        let help = "{ start = \"0.05 um\", stop = \"0.4 um\", count = 8 } would be accepted";
+        let end = |key: &str| -> Result<_, SceneError> {
+            let own = table.demand(key, help)?;
+            Ok((own.quantity()?, own.span()))
+        };
+        let (start, stop, count) = (end("start")?, end("stop")?, table.demand("count", help)?.count(MOST)?);
+        let spacing = table.get("spacing").map(|entry| entry.word(&["linear", "log"])).transpose()?;
+        return Ok(Typed::Range { start, stop, count, logarithmic: spacing == Some("log") });
+    }
+    let Some(list) = entry.list() else { return Ok(Typed::List(vec![(entry.quantity()?, entry.span())])) };
+    if list.len() == 0 {
+        return Err(SceneError::value(format!("{} is an empty list", entry.key()))
+            .help("at least one number would be accepted")
+            .at(entry.span()));
+    }
+    Ok(Typed::List(list.map(|own| Ok((own.quantity()?, own.span()))).collect::<Result<_, SceneError>>()?))
+}
+
+/// The names of what is wanted, each once.
+fn quantities(entry: &Entry<'_>) -> Result<(Vec<Datum>, Vec<Curve>), SceneError> {
+    const WORDS: [&str; 10] = ["d", "F", "a", "k", "p_mean", "U", "g", "f", "p", "u"];
+    let help = format!("a list of {} would be accepted", WORDS.join(", "));
+    let list = entry.list().ok_or_else(|| SceneError::value("quantities is no list").help(&help).at(entry.span()))?;
+    let (mut data, mut curves) = (Vec::new(), Vec::new());
+    let mut any = false;
+    for own in list {
+        any = true;
+        let word = own.word(&WORDS)?;
+        let seen = match (Datum::ALL.into_iter().find(|own| own.name() == word), Curve::ALL.into_iter().find(|own| own.name() == word)) {
+            (Some(datum), _) if !data.contains(&datum) => {
+                data.push(datum);
+                false
+            }
+            (None, Some(curve)) if !curves.contains(&curve) => {
+                curves.push(curve);
+                false
+            }
+            _ => true,
+        };
+        if seen {
+            return Err(SceneError::value(format!("{word} is asked for twice")).at(own.span()));
+        }
+    }
+    if any { Ok((data, curves)) } else { Err(SceneError::value("quantities is an empty list").help(help).at(entry.span())) }
+}
+
+fn tolerance(entry: &Entry<'_>) -> Result<f64, SceneError> {
+    let value = super::quantity::to_f64(&entry.quantity()?.in_base()).map_err(|error| error.at(entry.span()))?;
+    if value > 0.0 && value < 1.0 {
+        return Ok(value);
+    }
+    Err(SceneError::value(format!("tolerance = {value:?} does not lie between 0 and 1"))
+        .help("a relative tolerance such as 1e-12 would be accepted")
+        .at(entry.span()))
+}

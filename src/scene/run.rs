@@ -1,0 +1,196 @@
+//! A scene being solved: row by row, curve by curve, nothing before it is asked for and nothing kept.
+
+use super::{Curve, Datum, DepthFrom, Dimension, Row, Scene, SceneError, Work};
+use crate::contact::{Boundary, ContactError, Finding, Indentation, Indented, Load, Setup, Severity, State};
+use crate::transform::{Reading, Solution};
+use std::cell::Cell;
+use std::f64::consts::PI;
+
+/// A scene with its transform, ready for its loads.
+pub struct Run<'a> {
+    scene: &'a Scene,
+    indentation: Indentation<'a>,
+    work: Cell<Work>,
+}
+
+/// A value of a curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// The coordinate, in the units of the answers.
+    pub at: f64,
+    /// Value and error in the units of the answers, or why there is none.
+    pub value: Result<(f64, f64), &'static str>,
+}
+
+impl<'a> Run<'a> {
+    /// Looks at the profile; no load is solved yet.
+    ///
+    /// # Errors
+    /// [`SceneError`] where the profile cannot be evaluated or needs a rim, or a force or a contact radius is not possible.
+    pub fn new(scene: &'a Scene, solution: &'a Solution) -> Result<Self, SceneError> {
+        let Scene { rim, effective_modulus, tolerance, method, .. } = *scene;
+        let (smallest, largest) = scene.loads.extremes().unwrap_or((0.0, 0.0));
+        let largest = scene.control.load(largest);
+        let indentation = Indentation::new(solution, Setup { effective_modulus, rim, tolerance, method }, largest)?;
+        let own = Self { scene, indentation, work: Cell::default() };
+        // Bad input is found before anything is written.
+        for load in [scene.control.load(smallest), largest] {
+            if !matches!(load, Load::Depth(_)) && !scene.loads.is_empty() {
+                own.refuse(load)?;
+            }
+        }
+        Ok(own)
+    }
+
+    /// An impossible load, which is bad input and no invalid row.
+    fn refuse(&self, load: Load) -> Result<(), SceneError> {
+        match load {
+            Load::Depth(_) => Ok(()),
+            Load::Force(force) if force < 0.0 => Err(SceneError::value(format!("the force {force:?} is negative: there is no adhesion"))
+                .help("forces from 0 on would be accepted")),
+            Load::Radius(radius) if radius < 0.0 => {
+                Err(SceneError::value(format!("the contact radius {radius:?} is negative")).help("radii from 0 on would be accepted"))
+            }
+            Load::Radius(radius) if self.scene.rim == Some(radius) => Err(SceneError::value(format!(
+                "contact_radius = {radius:?} is the radius of the indenter: every depth beyond g(c) = {:?} has it",
+                self.indentation.shape().depth(radius)?.estimate.value
+            ))
+            .help("a load by depth or force would be accepted")),
+            _ => Ok(()),
+        }
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
+    }
+
+    /// How much was computed so far.
+    pub fn work(&self) -> Work {
+        self.work.get()
+    }
+
+    fn count(&self, add: impl FnOnce(&mut Work)) {
+        let mut work = self.work.get();
+        add(&mut work);
+        self.work.set(work);
+    }
+
+    /// The places where f′ jumps, in the units of the answers, and by how much.
+    pub fn kinks(&self) -> Vec<(f64, f64)> {
+        self.indentation.kinks().map(|(at, jump)| (at * self.scene.system.out(Dimension::LENGTH), jump)).collect()
+    }
+
+    fn load(&self, index: usize) -> Option<(f64, Load)> {
+        let value = self.scene.loads.get(index)?;
+        let load = match (self.scene.control.load(value), self.scene.depth_from) {
+            (Load::Depth(depth), DepthFrom::FirstTouch) => Load::Depth(depth + self.indentation.first_touch()),
+            (load, _) => load,
+        };
+        Some((value, load))
+    }
+
+    fn solved(&self, index: usize) -> Option<(f64, Indented)> {
+        let (value, load) = self.load(index)?;
+        self.count(|work| work.loads += 1);
+        let indented = self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error));
+        Some((value, indented))
+    }
+
+    /// The row of a load; `None` beyond the last one.
+    pub fn row(&self, index: usize) -> Option<Row> {
+        let (load, mut indented) = self.solved(index)?;
+        let system = &self.scene.system;
+        let mut values = Vec::with_capacity(self.scene.outputs.data.len());
+        for datum in &self.scene.outputs.data {
+            let own = match indented.state {
+                None => Err("no contact belongs to this load"),
+                Some(state) => match self.datum(*datum, &state) {
+                    Ok(own) => own.map(|own| own * system.out(datum.dimension())),
+                    Err(error) => {
+                        indented.findings.extend(not_computable(&error).findings);
+                        Err("it cannot be computed")
+                    }
+                },
+            };
+            values.push((*datum, own.and_then(|own| if own.is_finite() { Ok(own) } else { Err("it is too large for a 64-bit float") })));
+        }
+        let touch = self.indentation.first_touch();
+        let length = system.out(Dimension::LENGTH);
+        let depth_from_touch = indented.state.filter(|_| touch != 0.0).map(|state| (state.depth - touch) * length);
+        let dimension = match self.scene.control.load(0.0) {
+            Load::Force(_) => Dimension::FORCE,
+            _ => Dimension::LENGTH,
+        };
+        Some(Row { load: load * system.out(dimension), indented, depth_from_touch, values })
+    }
+
+    fn datum(&self, datum: Datum, state: &State) -> Result<Result<f64, &'static str>, ContactError> {
+        let a = state.radius;
+        Ok(match datum {
+            Datum::Depth => Ok(state.depth),
+            Datum::Force => Ok(state.force),
+            Datum::Radius => Ok(a),
+            Datum::Stiffness => Ok(2.0 * self.scene.effective_modulus * a),
+            Datum::MeanPressure if a == 0.0 => Err("the contact has no area"),
+            Datum::MeanPressure => Ok(state.force / a / a / PI),
+            Datum::Energy if state.force == 0.0 => Ok(0.0),
+            Datum::Energy => {
+                self.count(|work| work.energies += 1);
+                Ok(self.indentation.energy(state)?.estimate.value)
+            }
+        })
+    }
+
+    /// The state of a load for curves; `None` where there is none that stands, or no such load.
+    pub fn state(&self, index: usize, formally: bool) -> Option<State> {
+        let (_, indented) = self.solved(index)?;
+        indented.state.filter(|_| formally || indented.is_valid())
+    }
+
+    /// A curve at one coordinate, counted in computed units; the state is needed for p and u.
+    pub fn point(&self, curve: Curve, state: Option<&State>, at: f64) -> Point {
+        let system = &self.scene.system;
+        let found = self.curve(curve, state, at);
+        let factor = system.out(curve.dimension());
+        let value = found.and_then(|own| {
+            let (value, error) = (own.estimate.value * factor, own.estimate.error * factor.abs());
+            if value.is_finite() && error.is_finite() { Ok((value, error)) } else { Err("no finite value was found") }
+        });
+        Point { at: at * system.out(Dimension::LENGTH), value }
+    }
+
+    fn curve(&self, curve: Curve, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
+        let zero = || Reading { estimate: crate::num::Estimate { value: 0.0, error: 0.0, evaluations: 0 }, method: "exact" };
+        let outside = "the profile ends before this radius";
+        if !curve.needs_load() {
+            self.count(|work| work.shapes += 1);
+            if self.indentation.rim().is_some_and(|c| at > c) {
+                return Err(outside);
+            }
+            if at == 0.0 {
+                return Ok(zero());
+            }
+            let shape = self.indentation.shape();
+            let found = if curve == Curve::Profile { shape.profile(at) } else { shape.depth(at) };
+            return found.map_err(|_| outside);
+        }
+        let Some(state) = state else { return Err("the load has no valid contact") };
+        if state.boundary == Boundary::Apart || state.radius == 0.0 {
+            return Ok(zero());
+        }
+        let contact = self.indentation.contact(state);
+        let failed = "it cannot be computed to any digit";
+        if curve == Curve::Pressure {
+            self.count(|work| work.pressures += 1);
+            return contact.pressure(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.text());
+        }
+        self.count(|work| work.displacements += 1);
+        contact.displacement(at, state.radius).map_err(|_| failed)
+    }
+}
+
+fn not_computable(error: &ContactError) -> Indented {
+    let finding = Finding { rule: "not_computable", severity: Severity::Error, message: error.to_string(), at: None };
+    Indented { state: None, findings: vec![finding] }
+}

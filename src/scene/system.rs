@@ -1,0 +1,180 @@
+//! The system of units that a scene computes in, and the one that it answers in.
+
+use super::{Dimension, Quantity, SceneError, Unit, quantity::to_f64};
+use crate::expr::Expr;
+use std::ops::Range;
+
+/// The units of the answers; names are empty where the system has none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Names {
+    /// The unit of length.
+    pub length: String,
+    /// The unit of force.
+    pub force: String,
+    /// The unit of pressure.
+    pub pressure: String,
+}
+
+/// Units of input and output. Lengths and pressures are computed in `length` and `pressure`, forces in their product.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// False where all numbers are bare.
+    has_units: bool,
+    /// The factors of the units in which the scene computes.
+    length: Expr,
+    pressure: Expr,
+    /// The numbers by which computed lengths, pressures and forces become those of the answers.
+    out_length: f64,
+    out_pressure: f64,
+    out_force: f64,
+    names: Option<Names>,
+}
+
+/// The units that `[outputs]` and `[profile]` name.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Named {
+    pub(super) length: Option<(Unit, Range<usize>)>,
+    pub(super) force: Option<(Unit, Range<usize>)>,
+    pub(super) pressure: Option<(Unit, Range<usize>)>,
+    pub(super) profile_length: Option<Unit>,
+}
+
+impl System {
+    /// Bare numbers of one consistent system that has no name.
+    pub fn bare() -> Self {
+        Self {
+            has_units: false,
+            length: Expr::one(),
+            pressure: Expr::one(),
+            out_length: 1.0,
+            out_pressure: 1.0,
+            out_force: 1.0,
+            names: None,
+        }
+    }
+
+    /// The system of a scene in which some number carries a unit, or none does.
+    ///
+    /// # Errors
+    /// [`SceneError`] where bare numbers are said to be of units that do not fit together.
+    pub(super) fn new(has_units: bool, named: &Named) -> Result<Self, SceneError> {
+        let name = |own: &Option<(Unit, Range<usize>)>| own.as_ref().map(|(unit, _)| unit.name().to_owned());
+        let (length, force, pressure) = (name(&named.length), name(&named.force), name(&named.pressure));
+        if !has_units {
+            let mut own = Self::bare();
+            if let (Some((l, _)), Some((f, at)), Some((p, _))) = (&named.length, &named.force, &named.pressure)
+                && *f.factor() != p.factor() * l.factor().power(2)
+            {
+                let message = format!("{} is not {}*{}^2", f.name(), p.name(), l.name());
+                return Err(SceneError::unit(message)
+                    .help("bare numbers are of one consistent system, in which force = pressure * length^2; give the inputs their units, or change one of the three")
+                    .at(at.clone()));
+            }
+            if length.is_some() || force.is_some() || pressure.is_some() {
+                let length = length.unwrap_or_default();
+                let force = force.unwrap_or_else(|| pressure.as_ref().map_or(String::new(), |p| format!("{p}*{length}^2")));
+                let pressure = pressure.unwrap_or_else(|| if force.is_empty() { String::new() } else { format!("{force}/{length}^2") });
+                own.names = Some(Names { length, force, pressure });
+            }
+            return Ok(own);
+        }
+        let factor = |own: &Option<(Unit, Range<usize>)>| own.as_ref().map_or_else(Expr::one, |(unit, _)| unit.factor().clone());
+        let (wanted_length, out_pressure, wanted_force) = (factor(&named.length), factor(&named.pressure), factor(&named.force));
+        // Bare numbers in f fix the unit of length; else the answers do, so that what was typed in it stays exact.
+        let own_length = named.profile_length.as_ref().map_or_else(|| wanted_length.clone(), |unit| unit.factor().clone());
+        let out_force = to_f64(&(&out_pressure * own_length.power(2) / wanted_force))?;
+        Ok(Self {
+            has_units: true,
+            out_length: to_f64(&(&own_length / wanted_length))?,
+            out_pressure: 1.0,
+            out_force,
+            length: own_length,
+            pressure: out_pressure,
+            names: Some(Names {
+                length: length.unwrap_or_else(|| "m".to_owned()),
+                force: force.unwrap_or_else(|| "N".to_owned()),
+                pressure: pressure.unwrap_or_else(|| "Pa".to_owned()),
+            }),
+        })
+    }
+
+    /// True where numbers carry units.
+    pub fn has_units(&self) -> bool {
+        self.has_units
+    }
+
+    /// The names of the units of the answers.
+    pub fn names(&self) -> Option<&Names> {
+        self.names.as_ref()
+    }
+
+    /// The exact number of a quantity that must have the given dimension.
+    pub(super) fn exact(&self, quantity: &Quantity, wanted: Dimension, what: &str) -> Result<Expr, SceneError> {
+        match quantity.dimension() {
+            Some(own) if own != wanted => {
+                let unit = quantity.unit().map_or("", Unit::name);
+                Err(SceneError::unit(format!("{what} is given in {unit}, which is {own}, not {wanted}"))
+                    .help(format!("a number with the unit of {wanted} would be accepted")))
+            }
+            None if self.has_units && !wanted.is_none() && !quantity.is_zero() => {
+                Err(SceneError::unit(format!("{what} has no unit, but other numbers of the scene have one"))
+                    .help(format!("give it the unit of {wanted}, as in {}", example(wanted))))
+            }
+            Some(_) => Ok(self.own(quantity.in_base(), wanted)),
+            None => Ok(quantity.in_base()),
+        }
+    }
+
+    /// A number in m and N in the units in which the scene computes.
+    pub(super) fn own(&self, base: Expr, dimension: Dimension) -> Expr {
+        let force = &self.pressure * self.length.power(2);
+        match dimension {
+            own if own == Dimension::LENGTH => base / &self.length,
+            own if own == Dimension::PRESSURE => base / &self.pressure,
+            own if own == Dimension::FORCE => base / force,
+            other => {
+                let (length, force_power) = other.exponents();
+                base / (self.length.pow(&length) * force.pow(&force_power))
+            }
+        }
+    }
+
+    /// The same as the nearest `f64`.
+    pub(super) fn number(&self, quantity: &Quantity, wanted: Dimension, what: &str) -> Result<f64, SceneError> {
+        to_f64(&self.exact(quantity, wanted, what)?)
+    }
+
+    /// The factor from computed numbers of a dimension to those of the answers.
+    pub fn out(&self, dimension: Dimension) -> f64 {
+        match dimension {
+            own if own == Dimension::LENGTH => self.out_length,
+            own if own == Dimension::FORCE => self.out_force,
+            own if own == Dimension::PRESSURE => self.out_pressure,
+            own if own == Dimension::STIFFNESS => self.out_force / self.out_length,
+            own if own == Dimension::ENERGY => self.out_force * self.out_length,
+            _ => 1.0,
+        }
+    }
+
+    /// The name of the unit of a dimension in the answers; empty where there is none.
+    pub fn unit_name(&self, dimension: Dimension) -> String {
+        let Some(Names { length, force, pressure }) = &self.names else { return String::new() };
+        match dimension {
+            own if own == Dimension::LENGTH => length.clone(),
+            own if own == Dimension::FORCE => force.clone(),
+            own if own == Dimension::PRESSURE => pressure.clone(),
+            own if own == Dimension::STIFFNESS && !force.is_empty() => format!("{force}/{length}"),
+            own if own == Dimension::ENERGY && !force.is_empty() => format!("{force}*{length}"),
+            _ => String::new(),
+        }
+    }
+}
+
+fn example(dimension: Dimension) -> &'static str {
+    match dimension {
+        own if own == Dimension::LENGTH => "\"250 nm\"",
+        own if own == Dimension::FORCE => "\"3 uN\"",
+        own if own == Dimension::PRESSURE => "\"72 GPa\"",
+        _ => "\"0.1 um^-0.5\"",
+    }
+}
