@@ -150,7 +150,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let readings = if by_series {
         series::readings(quantity.symbol(), &profile, order, &at, radius, effective_modulus)?
     } else {
-        at.iter().map(|point| quantity.read(&asked, *point).map_err(failed)).collect::<Result<Vec<_>, _>>()?
+        quantity.read_all(&asked, &at).map_err(failed)?
     };
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
@@ -238,6 +238,18 @@ impl Way {
 }
 
 impl Quantity {
+    /// The readings of a list, block by block where closed forms answer.
+    fn read_all(self, asked: &Asked<'_>, at: &[f64]) -> Result<Vec<Measured>, ContactError> {
+        match (self, asked.radius) {
+            (Self::Profile, _) => asked.contact.profiles(at),
+            (Self::Equivalent, _) => asked.contact.slopes(at),
+            (Self::Depth, _) => asked.contact.depths(at),
+            (Self::Force, _) => asked.contact.forces(at),
+            (Self::Pressure, Some(a)) => asked.contact.pressures(at, a),
+            _ => at.iter().map(|point| self.read(asked, *point)).collect(),
+        }
+    }
+
     fn read(self, asked: &Asked<'_>, at: f64) -> Result<Measured, ContactError> {
         let contact = &asked.contact;
         let a = asked.radius.unwrap_or(at);

@@ -8,6 +8,7 @@ mod indentation;
 mod material;
 mod problem;
 mod report;
+mod slices;
 
 pub use comparison::{Comparison, Setting, compare};
 pub use error::ContactError;

@@ -1,7 +1,7 @@
 //! The kinds of value that an expression can be walked with.
 
 use crate::expr::Function;
-use crate::num::{Bounded, Precise};
+use crate::num::{Bounded, Precise, real_power};
 use num_complex::Complex64;
 
 /// Arithmetic over one kind of value; values outside a domain become NaN, which callers turn into errors.
@@ -22,6 +22,12 @@ pub trait Algebra {
     fn square_root(&mut self, a: Self::Value) -> Self::Value;
     /// a^b.
     fn power(&mut self, a: Self::Value, b: Self::Value) -> Self::Value;
+    /// a^(nearest + rest), where the rest is what a double leaves of the exponent.
+    fn real_power(&mut self, a: Self::Value, nearest: f64, rest: Precise) -> Self::Value {
+        let (nearest, rest) = (self.constant(Precise::exact(nearest)), self.constant(rest));
+        let (power, correction) = (self.power(a, nearest), self.power(a, rest));
+        self.multiply(power, correction)
+    }
     /// A function of the table.
     fn call(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value;
 }
@@ -52,6 +58,9 @@ impl Algebra for FloatAlgebra {
     }
     fn power(&mut self, a: f64, b: f64) -> f64 {
         a.powf(b)
+    }
+    fn real_power(&mut self, a: f64, nearest: f64, rest: Precise) -> f64 {
+        real_power(a, nearest, rest.value.hi)
     }
     fn call(&mut self, function: Function, arguments: &[f64]) -> f64 {
         (function.row().value)(arguments)
@@ -85,6 +94,10 @@ impl Algebra for BoundedAlgebra {
     }
     fn power(&mut self, a: Bounded, b: Bounded) -> Bounded {
         a.powf(b)
+    }
+    fn real_power(&mut self, a: Bounded, nearest: f64, rest: Precise) -> Bounded {
+        let rest = self.constant(rest);
+        a.real_power(nearest, rest)
     }
     fn call(&mut self, function: Function, arguments: &[Bounded]) -> Bounded {
         let row = function.row();

@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 #[derive(Clone, Debug)]
 pub struct Tape {
     pub(super) operations: Vec<Operation>,
-    constants: Vec<Precise>,
+    pub(super) constants: Vec<Precise>,
     pub(super) arguments: Vec<u32>,
     pub(super) outputs: Vec<u32>,
     pub(super) inputs: usize,
@@ -37,6 +37,8 @@ pub(super) enum Operation {
     Divide(u32, u32),
     SquareRoot(u32),
     Power(u32, u32),
+    /// Base, and the places of the exponent's double and of its rest among the constants.
+    RealPower(u32, u32, u32),
     Call(Function, u32, u32),
 }
 
@@ -124,6 +126,10 @@ impl Tape {
             Operation::Divide(a, b) => algebra.divide(get(a)?, get(b)?),
             Operation::SquareRoot(a) => algebra.square_root(get(a)?),
             Operation::Power(a, b) => algebra.power(get(a)?, get(b)?),
+            Operation::RealPower(a, nearest, rest) => {
+                let constant = |index: &u32| self.constants.get(*index as usize).copied();
+                algebra.real_power(get(a)?, constant(nearest)?.value.hi, constant(rest)?)
+            }
             Operation::Call(function, from, to) => {
                 gathered.clear();
                 for slot in self.arguments.get(*from as usize..*to as usize)? {
@@ -143,7 +149,7 @@ impl Tape {
             | Operation::Multiply(a, b)
             | Operation::Divide(a, b)
             | Operation::Power(a, b) => &[*a, *b],
-            Operation::SquareRoot(a) => &[*a],
+            Operation::SquareRoot(a) | Operation::RealPower(a, ..) => &[*a],
             Operation::Call(_, from, to) => self.arguments.get(*from as usize..*to as usize)?,
         };
         Some(slots.iter().map(|slot| *slot as usize).collect())
@@ -180,6 +186,11 @@ struct Recorder {
 }
 
 impl Recorder {
+    fn keep(&mut self, number: Precise) -> u32 {
+        self.tape.constants.push(number);
+        u32::try_from(self.tape.constants.len() - 1).unwrap_or(u32::MAX)
+    }
+
     fn push(&mut self, operation: Operation) -> u32 {
         self.tape.operations.push(operation);
         u32::try_from(self.tape.operations.len() - 1).unwrap_or(u32::MAX)
@@ -189,8 +200,7 @@ impl Recorder {
 impl Algebra for Recorder {
     type Value = u32;
     fn constant(&mut self, number: Precise) -> u32 {
-        let index = u32::try_from(self.tape.constants.len()).unwrap_or(u32::MAX);
-        self.tape.constants.push(number);
+        let index = self.keep(number);
         self.push(Operation::Constant(index))
     }
     fn add(&mut self, a: u32, b: u32) -> u32 {
@@ -210,6 +220,10 @@ impl Algebra for Recorder {
     }
     fn power(&mut self, a: u32, b: u32) -> u32 {
         self.push(Operation::Power(a, b))
+    }
+    fn real_power(&mut self, a: u32, nearest: f64, rest: Precise) -> u32 {
+        let (nearest, rest) = (self.keep(Precise::exact(nearest)), self.keep(rest));
+        self.push(Operation::RealPower(a, nearest, rest))
     }
     fn call(&mut self, function: Function, arguments: &[u32]) -> u32 {
         let from = u32::try_from(self.tape.arguments.len()).unwrap_or(u32::MAX);

@@ -197,14 +197,16 @@ fn raise<A: Algebra>(
             into.push(algebra.square_root(value));
         }
         _ => {
-            // The exponent's own rounding would count ln(base) times: what f64 leaves of it is a second, small power.
+            // The exponent's own rounding would count ln(base) times.
             let nearest = power.to_f64();
-            let exponent = algebra.constant(Precise::exact(nearest));
-            into.push(algebra.power(value, exponent));
-            if let Some(rest) = Number::from_f64(nearest).map(|nearest| power - &nearest).filter(|rest| !rest.is_zero()) {
-                let exponent = algebra.constant(literal(&rest));
-                into.push(algebra.power(value, exponent));
-            }
+            let rest = Number::from_f64(nearest).map(|nearest| power - &nearest).filter(|rest| !rest.is_zero());
+            into.push(match rest {
+                Some(rest) => algebra.real_power(value, nearest, literal(&rest)),
+                None => {
+                    let exponent = algebra.constant(Precise::exact(nearest));
+                    algebra.power(value, exponent)
+                }
+            });
         }
     }
     Ok(())

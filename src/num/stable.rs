@@ -1,6 +1,6 @@
 //! Elementary pieces that keep every digit: scaling by powers of two, legs of right triangles, inverse hyperbolics.
 
-use super::double_double::{DoubleDouble, two_sum};
+use super::double_double::{two_prod, two_sum};
 
 /// The binary exponent `e` of `x = m 2^e`, `1 <= |m| < 2`; 0 for zero, infinities and NaN.
 pub(crate) fn exponent(x: f64) -> i32 {
@@ -30,14 +30,26 @@ pub(crate) fn artanh_quotient(x: f64, r: f64) -> f64 {
     if x >= r {
         return if x == r { f64::INFINITY } else { f64::NAN };
     }
-    // One power of two brings both into a range where quotients in double-double are safe.
-    let e = -i64::from(exponent(r));
-    let (x, r) = (ldexp(x, e), ldexp(r, e));
-    if x < 1e-9 {
+    if x < 1e-9 * r {
         return x / r; // the cubic term is below 2^-54
     }
-    let z = DoubleDouble::from(2.0 * x).div(two_sum(r, -x));
-    0.5 * (z.hi.ln_1p() + z.lo / (1.0 + z.hi))
+    if (1e-100..1e100).contains(&r) {
+        return artanh_near(x, r);
+    }
+    // One power of two brings both into a range where the parts of a product are exact.
+    let e = -i64::from(exponent(r));
+    artanh_near(ldexp(x, e), ldexp(r, e))
+}
+
+/// The same as ln(1 + z)/2, z = 2x/(r − x), with what the nearest double leaves of z.
+#[inline]
+fn artanh_near(x: f64, r: f64) -> f64 {
+    let (top, below) = (2.0 * x, two_sum(r, -x));
+    let z = top / below.hi;
+    let product = two_prod(z, below.hi);
+    let rest = (top - product.hi - product.lo) - z * below.lo;
+    // (r − x)(1 + z) = r + x
+    0.5 * (z.ln_1p() + rest / (r + x))
 }
 
 /// Sum of many positive numbers with one rounding at the end.

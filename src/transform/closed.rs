@@ -6,8 +6,15 @@ use crate::expr::{Expr, Symbol, has_30_digits, shown_to_30_digits};
 use crate::num::{Bounded, Precise};
 use std::sync::OnceLock;
 
-/// A relative bound of this size is good enough: four units in the last place of a double.
+/// A relative bound of this size is good enough for every digit: four units in the last place of a double.
 const GOOD: f64 = 4.0 * f64::EPSILON;
+/// From this tolerance on down every digit is wanted that the form has.
+const EVERY_DIGIT: f64 = 1e-13;
+
+/// The relative bound with which a closed form in doubles is handed on: the tolerance, or four ulps where that is 1e-13 or sharper.
+pub(super) fn good_enough(tolerance: f64) -> f64 {
+    if tolerance > EVERY_DIGIT { tolerance } else { GOOD }
+}
 
 /// An expression over a few inputs, compiled for many points.
 ///
@@ -49,12 +56,17 @@ impl ClosedForm {
 
     /// The value at exact inputs, with a bound of its error; NaN where the number of inputs is wrong.
     pub fn value(&self, inputs: &[f64]) -> Bounded {
-        total(&[self], inputs)
+        total(&[self], inputs, GOOD)
     }
 
     /// In double precision.
     pub(super) fn in_doubles(&self, inputs: &[Bounded], slots: &mut Vec<Bounded>) -> Bounded {
         self.tape.run(&mut BoundedAlgebra, inputs, slots).unwrap_or(Bounded::exact(f64::NAN))
+    }
+
+    /// The tape in double precision.
+    pub(super) fn tape(&self) -> &Tape {
+        &self.tape
     }
 
     /// With 30 digits; the tape is compiled when it is first needed.
@@ -65,12 +77,12 @@ impl ClosedForm {
     }
 }
 
-/// The sum of closed forms at exact inputs.
-pub(super) fn total(forms: &[&ClosedForm], inputs: &[f64]) -> Bounded {
+/// The sum of closed forms at exact inputs; see [`refined`].
+pub(super) fn total(forms: &[&ClosedForm], inputs: &[f64], good: f64) -> Bounded {
     let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
     let mut slots = Vec::new();
     let sum = forms.iter().fold(Bounded::exact(0.0), |sum, form| sum + form.in_doubles(&exact, &mut slots));
-    refined(sum, sum.value, || precise_total(forms, inputs))
+    refined(sum, sum.value, good, || precise_total(forms, inputs))
 }
 
 /// The sum with 30 digits, which survives what cancels between the forms.
@@ -81,8 +93,8 @@ pub(super) fn precise_total(forms: &[&ClosedForm], inputs: &[f64]) -> Precise {
 }
 
 /// The first value where its bound is good next to the whole of which it is a part, else the better of both.
-pub(super) fn refined(first: Bounded, whole: f64, second: impl FnOnce() -> Precise) -> Bounded {
-    if first.error <= GOOD * whole.abs() {
+pub(super) fn refined(first: Bounded, whole: f64, good: f64, second: impl FnOnce() -> Precise) -> Bounded {
+    if first.error <= good * whole.abs() {
         return first;
     }
     let exact = second();

@@ -103,6 +103,14 @@ pub enum TransformError {
         /// The condition.
         condition: String,
     },
+    /// A buffer of a slice that is not as long as the slice.
+    #[error("a buffer of {buffer} numbers was given for {points} points; one as long as the points would be accepted")]
+    Buffer {
+        /// The number of points.
+        points: usize,
+        /// The length of the buffer.
+        buffer: usize,
+    },
     /// An expression could not be rewritten.
     #[error(transparent)]
     Expression(#[from] ExprError),

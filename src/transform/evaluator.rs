@@ -1,6 +1,6 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
-use super::closed::{ClosedForm, for_second_pass, precise_total, refined, total};
+use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, total};
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
 use super::quantity::Quantity;
@@ -34,22 +34,22 @@ pub struct Reading {
 pub struct Evaluator<'a> {
     solution: &'a Solution,
     bindings: Bindings,
-    chains: Vec<NumericChain>,
+    pub(super) chains: Vec<NumericChain>,
     limits: Vec<f64>,
     typed: OnceLock<NumericProfile>,
     recognised: OnceLock<NumericProfile>,
     heights: OnceLock<Heights>,
-    tolerance: f64,
-    method: Method,
+    pub(super) tolerance: f64,
+    pub(super) method: Method,
 }
 
 /// f as it was typed, less its value at the axis: per chain its breakpoints and pieces.
-struct Heights {
-    chains: Vec<(Vec<f64>, Vec<ClosedForm>)>,
+pub(super) struct Heights {
+    pub(super) chains: Vec<(Vec<f64>, Vec<ClosedForm>)>,
 }
 
-struct NumericChain {
-    breakpoints: Vec<Bounded>,
+pub(super) struct NumericChain {
+    pub(super) breakpoints: Vec<Bounded>,
     slope: OnceLock<Part>,
     force: OnceLock<Part>,
     pressure: OnceLock<Part>,
@@ -57,9 +57,9 @@ struct NumericChain {
 }
 
 /// The closed expressions of one quantity, one per interval of the contact, and what is left to integrate.
-struct Part {
-    closed: Vec<Option<ClosedForm>>,
-    open: NumericProfile,
+pub(super) struct Part {
+    pub(super) closed: Vec<Option<ClosedForm>>,
+    pub(super) open: NumericProfile,
 }
 
 impl<'a> Evaluator<'a> {
@@ -178,7 +178,7 @@ impl<'a> Evaluator<'a> {
         self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance))
     }
 
-    fn heights(&self) -> Result<&Heights, TransformError> {
+    pub(super) fn height_forms(&self) -> Result<&Heights, TransformError> {
         if let Some(ready) = self.heights.get() {
             return Ok(ready);
         }
@@ -202,7 +202,7 @@ impl<'a> Evaluator<'a> {
     /// As [`Self::slope`].
     pub fn height(&self, r: f64) -> Result<Reading, TransformError> {
         self.check_domain("r", r)?;
-        let heights = self.heights()?;
+        let heights = self.height_forms()?;
         let mut forms = Vec::new();
         for (breakpoints, pieces) in &heights.chains {
             let Some(piece) = pieces.get(breakpoints.iter().filter(|b| **b <= r).count()) else {
@@ -210,7 +210,7 @@ impl<'a> Evaluator<'a> {
             };
             forms.push(piece);
         }
-        let estimate = Estimate::from_bounded(total(&forms, &[r]), 0);
+        let estimate = Estimate::from_bounded(total(&forms, &[r], good_enough(self.tolerance)), 0);
         let plain = Reading { estimate, method: "exact" };
         if self.method != Method::Quadrature && (self.method == Method::Exact || estimate.relative_error() <= self.tolerance) {
             return finite(Some(plain), "r", r);
@@ -230,7 +230,7 @@ impl<'a> Evaluator<'a> {
             let (slope, force) = (self.slope(a)?, self.force(a)?);
             let closed = Bounded::exact(a) * slope.estimate.bounded() - force.estimate.bounded();
             let evaluations = slope.estimate.evaluations + force.estimate.evaluations;
-            let closed = refined(closed, closed.value, || self.precise_integral(a).unwrap_or(Precise::nan()));
+            let closed = refined(closed, closed.value, good_enough(self.tolerance), || self.precise_integral(a).unwrap_or(Precise::nan()));
             let estimate = Estimate::from_bounded(closed, evaluations);
             let own = Reading { estimate, method: slope.method };
             if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
@@ -332,7 +332,7 @@ impl<'a> Evaluator<'a> {
                 any_open = true;
             }
         }
-        let closed = refined(closed, (closed + open).value, || precise_total(&forms, inputs));
+        let closed = refined(closed, (closed + open).value, good_enough(self.tolerance), || precise_total(&forms, inputs));
         let total = if any_open { closed + open } else { closed };
         let estimate = Estimate::from_bounded(total, evaluations);
         let method = match (!forms.is_empty(), any_open) {
@@ -419,12 +419,10 @@ impl<'a> Evaluator<'a> {
     /// The number of breakpoints of the chain below the contact's end; one that may be below it counts, because the
     /// formula beyond it carries the doubt in its error.
     fn interval(&self, chain: usize, contact: f64) -> usize {
-        self.chains
-            .get(chain)
-            .map_or(0, |c| c.breakpoints.iter().filter(|b| b.value < contact || (b.error > 0.0 && b.value - b.error < contact)).count())
+        self.chains.get(chain).map_or(0, |c| c.breakpoints.iter().filter(|b| is_below(**b, contact)).count())
     }
 
-    fn part(&self, index: usize, quantity: Quantity) -> Result<&Part, TransformError> {
+    pub(super) fn part(&self, index: usize, quantity: Quantity) -> Result<&Part, TransformError> {
         let (Some(numeric), Some(chain)) = (self.chains.get(index), self.solution.chains.get(index)) else {
             return Err(TransformError::NoClosedForm { quantity: quantity.name() });
         };
@@ -454,6 +452,11 @@ impl<'a> Evaluator<'a> {
         let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
         Ok(cell.get_or_init(|| part))
     }
+}
+
+/// True where the breakpoint is, or may be, below the contact's end.
+pub(super) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
+    breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
 }
 
 /// A value that theory makes infinite, or that left the domain, is an error where a number is needed.

@@ -5,7 +5,7 @@
 use super::program::{Action, Known, Operand, Program};
 use super::{BLOCK, BlockInput, BlockScratch, Register};
 use crate::expr::Function;
-use crate::num::{Bounded, DoubleDouble};
+use crate::num::{Bounded, DoubleDouble, real_power, real_power_part};
 
 /// Most arguments of a function.
 const MOST_ARGUMENTS: usize = 8;
@@ -96,6 +96,10 @@ impl Program {
                 one(values(a)?, to, |a| power(a, *exponent), |a| a.powf(*exponent));
             }
             Action::Power(a, b) => two(values(a)?, values(b)?, to, |_, _| UNKNOWN, Bounded::powf),
+            Action::RealPower(a, nearest, rest) => {
+                let rest = rest.bounded;
+                one(values(a)?, to, |a| split_power(a, *nearest, rest), |a| a.real_power(*nearest, rest));
+            }
             Action::Slice(law, function, a) => {
                 let row = function.row();
                 let slow = |a: Bounded| a.apply(|z| (row.value)(&[z]), row.ulps);
@@ -211,6 +215,17 @@ fn power(a: Bounded, exponent: Bounded) -> Quick {
     let shift = exponent.value.abs() * stretch + exponent.error * (LARGEST_LN + stretch);
     let error = ((value + own) * shift * (1.0 + shift) + own) * WIDEN;
     let inside = (a.value >= COMFORTABLE) & (a.error <= 0.5 * a.value) & (shift <= 1.0) & (exponent.error <= NEARLY_EXACT);
+    Quick { value, error, comfortable: inside & (half_ulp(value) >= COMFORTABLE) & (error <= f64::MAX) }
+}
+
+/// The same with what a double leaves of the exponent.
+#[inline(always)]
+fn split_power(a: Bounded, nearest: f64, rest: Bounded) -> Quick {
+    let value = real_power(a.value, nearest, rest.value);
+    let own = value * (f64::EPSILON + real_power_part(rest.value, rest.error));
+    let shift = (nearest.abs() + rest.value.abs()) * (a.error / (a.value - a.error));
+    let error = ((value + own) * shift * (1.0 + shift) + own) * (1.0 + 1e-9);
+    let inside = (a.value >= COMFORTABLE) & (a.error <= 0.5 * a.value) & (shift <= 1.0);
     Quick { value, error, comfortable: inside & (half_ulp(value) >= COMFORTABLE) & (error <= f64::MAX) }
 }
 

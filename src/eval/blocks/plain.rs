@@ -3,6 +3,7 @@
 use super::program::{Action, Operand, Program};
 use super::{BLOCK, Register};
 use crate::expr::Function;
+use crate::num::{corrected_power, real_power};
 
 /// Most arguments of a function.
 const MOST_ARGUMENTS: usize = 8;
@@ -60,6 +61,13 @@ impl Program {
             Action::Divide(a, b) => two(values(a)?, values(b)?, to, |a, b| a / b),
             Action::SquareRoot(a) => one(values(a)?, to, f64::sqrt),
             Action::Power(a, b) => two(values(a)?, values(b)?, to, f64::powf),
+            Action::RealPower(a, nearest, rest) => match values(a)? {
+                Values::One(a) => to.fill(real_power(a, *nearest, rest.plain)),
+                Values::Each(a) => {
+                    one(Values::Each(a), to, |a| a.powf(*nearest));
+                    to.iter_mut().zip(a).for_each(|(to, a)| *to = corrected_power(*to, *a, rest.plain));
+                }
+            },
             Action::Slice(law, function, a) => match values(a)? {
                 Values::Each(a) => (law.values)(a, to),
                 Values::One(a) => to.fill((function.row().value)(&[a])),
@@ -95,13 +103,21 @@ fn two(a: Values<'_>, b: Values<'_>, to: &mut [f64], f: impl Fn(f64, f64) -> f64
 }
 
 fn many(function: Function, arguments: &[Values<'_>], to: &mut [f64]) {
-    let value = function.row().value;
+    let row = function.row();
+    let value = row.value;
     let mut point = [0.0; MOST_ARGUMENTS];
     let Some(point) = point.get_mut(..arguments.len()) else { return to.fill(f64::NAN) };
     for (slot, argument) in point.iter_mut().zip(arguments) {
         if let Values::One(known) = argument {
             *slot = *known;
         }
+    }
+    let mut running = arguments.iter().enumerate().filter_map(|(place, argument)| match argument {
+        Values::Each(values) => Some((place, *values)),
+        Values::One(_) => None,
+    });
+    if let (Some((place, values)), None, Some(sweep)) = (running.next(), running.next(), row.sweep) {
+        return sweep(point, place, values, to);
     }
     for (index, to) in to.iter_mut().enumerate() {
         for (slot, argument) in point.iter_mut().zip(arguments) {

@@ -1,9 +1,9 @@
 //! A tape made ready for blocks: constants computed once, dead operations dropped, registers shared.
 
 use super::super::tape::Operation;
-use super::super::{BoundedAlgebra, FloatAlgebra, Tape};
+use super::super::{Algebra, BoundedAlgebra, FloatAlgebra, Tape};
 use crate::expr::{Function, SliceLaw};
-use crate::num::Bounded;
+use crate::num::{Bounded, Precise};
 
 /// The operations that are left, in order; the last one writes the output.
 #[derive(Clone, Debug)]
@@ -47,6 +47,8 @@ pub(super) enum Action {
     Divide(Operand, Operand),
     SquareRoot(Operand),
     Power(Operand, Operand),
+    /// With the exponent's double and its rest.
+    RealPower(Operand, f64, Known),
     /// A function of one number with a law for slices.
     Slice(&'static SliceLaw, Function, Operand),
     /// Any other function, with its arguments' places in `arguments`.
@@ -113,6 +115,10 @@ impl Program {
             },
             Operation::SquareRoot(a) => Action::SquareRoot(at(a)?),
             Operation::Power(a, b) => Action::Power(at(a)?, at(b)?),
+            Operation::RealPower(a, nearest, rest) => {
+                let constant = |index: &u32| tape.constants.get(*index as usize).copied();
+                Action::RealPower(at(a)?, constant(nearest)?.value.hi, Known::of(constant(rest)?))
+            }
             Operation::Call(function, from, to) => {
                 let slots = tape.arguments.get(*from as usize..*to as usize)?;
                 match (slots, &function.row().slice) {
@@ -137,6 +143,10 @@ impl Program {
 }
 
 impl Known {
+    fn of(number: Precise) -> Self {
+        Self { plain: FloatAlgebra.constant(number), bounded: BoundedAlgebra.constant(number) }
+    }
+
     /// True where multiplying by it only shifts the exponent, and so does multiplying by its inverse.
     fn is_scale(self) -> bool {
         let power_of_two = self.plain.to_bits() & 0x000f_ffff_ffff_ffff == 0 && self.plain.is_normal() && self.plain.recip().is_normal();

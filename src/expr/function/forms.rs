@@ -2,7 +2,7 @@
 
 use super::elementary::{binary, ternary, unary};
 use super::precise::order;
-use super::{Latex, PLAIN, Row, precise};
+use super::{Latex, PLAIN, Row, precise, slices};
 use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
 use crate::num::{Precise, forms, kappa, precise as thirty};
@@ -14,6 +14,11 @@ fn outside_power(n: &Expr, a: &Expr, r: &Expr) -> Expr {
     let lower = (n + Expr::integer(3)) * &half;
     let hyper = Expr::call("hyp2f1", [half.clone(), &next * &half, lower, a.power(2) / r.power(2)]);
     a.pow(n) * Expr::call("asin", [a / r]) - a.pow(&next) / (next * r) * hyper
+}
+
+/// The angle whose cosine is b/x, 0 ≤ b ≤ x.
+fn angle_from(b: f64, x: f64) -> f64 {
+    forms::angle_between(b, f64::INFINITY, x)
 }
 
 /// Up to here ln(1 + u) is taken from u.
@@ -132,11 +137,30 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| precise::segment_spread(a, by, true)),
         ..FORM
     },
+    // ∫_b^x dr/√(x²−r²)
+    Row {
+        name: "angle_from",
+        ulps: 3.0,
+        arity: (2, 2),
+        value: |a| binary(a, angle_from),
+        sweep: Some(|a, place, z, out| slices::sweep(a, place, z, out, |a| binary(a, angle_from))),
+        precise: Some(|a| match a {
+            [b, x] => precise::segment(&[0.0.into(), *b, *x], thirty::shifted_power),
+            _ => Precise::nan(),
+        }),
+        spread: Some(|a, by| match (a, by) {
+            ([b, x], [by_b, by_x]) => precise::segment_spread(&[0.0.into(), *b, *x], &[0.0, *by_b, *by_x], false),
+            _ => f64::INFINITY,
+        }),
+        shown: Some(|a| with(a, |[b, x]| Expr::call("acos", [b / x]))),
+        ..FORM
+    },
     Row {
         name: "artanh_ratio",
         ulps: 2.0,
         arity: (2, 2),
         value: |a| binary(a, forms::artanh_ratio),
+        sweep: Some(|a, place, z, out| slices::sweep(a, place, z, out, |a| binary(a, forms::artanh_ratio))),
         shown: Some(|a| with(a, |[x, big]| Expr::call("atanh", [x / big]))),
         ..FORM
     },
@@ -145,6 +169,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 9.0,
         arity: (2, 2),
         value: |a| binary(a, forms::sphere_force),
+        sweep: Some(|a, place, z, out| slices::sweep(a, place, z, out, |a| binary(a, forms::sphere_force))),
         shown: Some(|a| with(a, |[a, big]| ((big.power(2) + a.power(2)) * Expr::call("atanh", [a / big]) - a * big) / Expr::integer(2))),
         ..FORM
     },

@@ -38,6 +38,8 @@ pub struct Row {
     pub spread: Option<Spread>,
     /// Values and errors over slices, for elementary functions of one number.
     pub slice: Option<SliceLaw>,
+    /// The values while one argument runs over a slice and the others stay, for functions of several numbers.
+    pub sweep: Option<Sweep>,
     /// The value at complex arguments, for elementary functions.
     pub complex: Option<fn(&[Complex64]) -> Complex64>,
     /// The derivative with respect to the argument at the given position.
@@ -54,6 +56,8 @@ pub struct Row {
     pub in_latex: bool,
 }
 
+/// Values of f while the argument at a place runs over a slice; the other ones stand in the list.
+pub type Sweep = fn(&mut [f64], usize, &[f64], &mut [f64]);
 /// How far f(arguments) moves while every argument moves by at most its distance.
 pub type Spread = fn(&[DoubleDouble], &[f64]) -> f64;
 /// The derivative of f(arguments) with respect to the argument at a position.
@@ -83,6 +87,7 @@ pub(super) const PLAIN: Row = Row {
     precise: None,
     spread: None,
     slice: None,
+    sweep: None,
     complex: None,
     derivative: None,
     fold: None,

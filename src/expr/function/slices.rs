@@ -9,6 +9,17 @@ pub struct SliceLaw {
     pub growth: fn(&[f64], &[f64], &[f64], &mut [f64]),
 }
 
+/// The values of `f` while the argument at `place` runs over a slice: one loop around the function itself.
+#[inline(always)]
+pub(super) fn sweep(arguments: &mut [f64], place: usize, values: &[f64], out: &mut [f64], f: impl Fn(&[f64]) -> f64) {
+    for (out, value) in out.iter_mut().zip(values) {
+        if let Some(argument) = arguments.get_mut(place) {
+            *argument = *value;
+        }
+        *out = f(arguments);
+    }
+}
+
 /// What doubles lose in computing a bound.
 const MARGIN: f64 = 1.001;
 /// Below this the bounds of functions that grow exponentially are short.

@@ -1,6 +1,6 @@
 //! Numbers of an inverse: closed shares with their error bounds, quadrature for the rest, and the check of one by the other.
 
-use super::super::closed::{ClosedForm, for_second_pass, total};
+use super::super::closed::{ClosedForm, for_second_pass, good_enough, total};
 use super::super::term::Segment;
 use super::super::{Check, Method, NumericProfile, Reading, Sampler, Solution, TransformError};
 use super::Inverse;
@@ -91,7 +91,7 @@ impl InverseNumbers {
                 any_open = true;
             }
         }
-        let closed = total(&forms, &[r]);
+        let closed = total(&forms, &[r], good_enough(self.tolerance));
         let estimate = Estimate::from_bounded(if any_open { closed + open } else { closed }, evaluations);
         let method = match (!forms.is_empty(), any_open) {
             (true, true) => "mixed",

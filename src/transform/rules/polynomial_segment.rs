@@ -3,7 +3,7 @@
 use super::combination::tidy;
 use crate::expr::function::elliptic_moment_parts;
 use crate::expr::normal;
-use crate::expr::{Expr, Symbol, derivative};
+use crate::expr::{Expr, Sign, Symbol, derivative, sign};
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 pub(super) static RULE: Rule = Rule {
@@ -38,13 +38,22 @@ fn apply(term: &Term) -> Option<Answer> {
     let (content, reduced) = normal::common_content(&coefficients);
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     let upper = term.segment.upper.as_ref();
+    // Coefficients of one sign make all parts of the open moments positive: nothing cancels, and no integral is summed.
+    let plain = coefficients.len() <= SHORT && [Sign::Positive, Sign::Negative].iter().any(|sign| have_sign(&coefficients, *sign));
+    let open = |shift: usize, at: &Expr| &content * moments(&reduced, shift, lower, None, at, &stable_arc(lower, at));
     let slope = |end: Option<&Expr>| Pair {
-        shown: &content * &x * moments(&reduced, 0, lower, end, &x),
-        evaluated: &x * evaluated("shifted_power", "shifted_power_between", &shifted, lower, end, &x),
+        shown: &content * &x * moments(&reduced, 0, lower, end, &x, &shown_arc(lower, end, &x)),
+        evaluated: match end {
+            None if plain => &x * open(0, &x),
+            _ => &x * evaluated("shifted_power", "shifted_power_between", &shifted, lower, end, &x),
+        },
     };
     let force = |end: Option<&Expr>| Pair {
-        shown: &content * moments(&reduced, 2, lower, end, &a),
-        evaluated: evaluated("shifted_power_force", "shifted_power_force_between", &shifted, lower, end, &a),
+        shown: &content * moments(&reduced, 2, lower, end, &a, &shown_arc(lower, end, &a)),
+        evaluated: match end {
+            None if plain => open(2, &a),
+            _ => evaluated("shifted_power_force", "shifted_power_force_between", &shifted, lower, end, &a),
+        },
     };
     Some(Answer {
         slope: Branches { within: slope(None), beyond: slope(upper) },
@@ -65,8 +74,30 @@ fn evaluated(open: &'static str, closed: &'static str, shifted: &[(i64, Expr)], 
     }))
 }
 
+/// Up to this many coefficients the moments are short.
+const SHORT: usize = 4;
+
+fn have_sign(coefficients: &[Expr], wanted: Sign) -> bool {
+    coefficients.iter().all(|c| c.is_zero() || sign(c) == wanted)
+}
+
+/// ∫_b^x dr/√(x²−r²) without loss next to b.
+fn stable_arc(b: &Expr, x: &Expr) -> Expr {
+    if b.is_zero() { Expr::pi() / Expr::integer(2) } else { Expr::call("angle_from", [b.clone(), x.clone()]) }
+}
+
+/// ∫_b^c dr/√(x²−r²), or up to x.
+fn shown_arc(b: &Expr, c: Option<&Expr>, x: &Expr) -> Expr {
+    match (b.is_zero(), c) {
+        (true, None) => Expr::pi() / Expr::integer(2),
+        (true, Some(c)) => Expr::call("asin", [c / x]),
+        (false, None) => Expr::call("acos", [b / x]),
+        (false, Some(c)) => Expr::call("acos", [b / x]) - Expr::call("acos", [c / x]),
+    }
+}
+
 /// Σ c_m J_(m+shift)(b, c; x) as √(x²−b²)·A − √(x²−c²)·B + angle·D.
-fn moments(coefficients: &[Expr], shift: usize, b: &Expr, c: Option<&Expr>, x: &Expr) -> Expr {
+fn moments(coefficients: &[Expr], shift: usize, b: &Expr, c: Option<&Expr>, x: &Expr, arc: &Expr) -> Expr {
     let highest = coefficients.len() + shift;
     let angle_parts = angle_coefficients(highest, x);
     let combine = |list: &[Expr]| {
@@ -79,12 +110,6 @@ fn moments(coefficients: &[Expr], shift: usize, b: &Expr, c: Option<&Expr>, x: &
     if let Some(c) = c {
         terms.push(-(root(c) * combine(&root_coefficients(highest, c, x))));
     }
-    let arc = match (b.is_zero(), c) {
-        (true, None) => Expr::pi() / Expr::integer(2),
-        (true, Some(c)) => Expr::call("asin", [c / x]),
-        (false, None) => Expr::call("acos", [b / x]),
-        (false, Some(c)) => Expr::call("acos", [b / x]) - Expr::call("acos", [c / x]),
-    };
     terms.push(angle * arc);
     Expr::sum(terms)
 }

@@ -1,0 +1,95 @@
+//! The numbers of a contact over long lists of points, block by block where closed forms answer.
+
+use super::{Contact, ContactError, Measured, Reason};
+use crate::num::{Bounded, Estimate};
+use crate::transform::{Reading, Slice, TransformError};
+
+/// Points that are computed before their readings are written down: what they need beside the readings stays small.
+const PART: usize = 1 << 16;
+
+impl Contact<'_> {
+    /// f(r) at every r; as [`Contact::profile`] point by point, and so for the others.
+    ///
+    /// # Errors
+    /// That of the first point that has one.
+    pub fn profiles(&self, r: &[f64]) -> Result<Vec<Measured>, ContactError> {
+        readings(r, |r, out| self.evaluator().heights(r, out), |_, reading| Ok(reading))
+    }
+
+    /// g(x) at every x.
+    ///
+    /// # Errors
+    /// As [`Contact::profiles`].
+    pub fn slopes(&self, x: &[f64]) -> Result<Vec<Measured>, ContactError> {
+        readings(x, |x, out| self.evaluator().slopes(x, out), |_, reading| Ok(reading))
+    }
+
+    /// d(a) at every a.
+    ///
+    /// # Errors
+    /// As [`Contact::profiles`].
+    pub fn depths(&self, a: &[f64]) -> Result<Vec<Measured>, ContactError> {
+        if self.has_rim() { a.iter().map(|a| Ok(Ok(self.depth(*a)?))).collect() } else { self.slopes(a) }
+    }
+
+    /// F(a) at every a.
+    ///
+    /// # Errors
+    /// As [`Contact::profiles`].
+    pub fn forces(&self, a: &[f64]) -> Result<Vec<Measured>, ContactError> {
+        if self.has_rim() {
+            return a.iter().map(|a| Ok(Ok(self.force(*a)?))).collect();
+        }
+        let twice = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus());
+        readings(a, |a, out| self.evaluator().forces(a, out), |_, smooth| Ok(scaled(smooth, twice)))
+    }
+
+    /// p(r) at every r under a contact of radius a.
+    ///
+    /// # Errors
+    /// As [`Contact::profiles`].
+    pub fn pressures(&self, r: &[f64], a: f64) -> Result<Vec<Measured>, ContactError> {
+        if self.has_rim() || r.iter().any(|r| *r >= a) {
+            return r.iter().map(|r| self.pressure(*r, a)).collect();
+        }
+        let factor = Bounded::exact(self.effective_modulus()) / Bounded::rounded(std::f64::consts::PI);
+        let infinite = |r: f64| if r == 0.0 { Reason::Apex } else { Reason::Kink };
+        readings(
+            r,
+            |r, out| self.evaluator().pressures(r, a, out),
+            |r, smooth| if smooth.estimate.value.is_infinite() { Err(infinite(r)) } else { Ok(scaled(smooth, factor)) },
+        )
+    }
+}
+
+fn scaled(reading: Reading, factor: Bounded) -> Reading {
+    let total = reading.estimate.bounded() * factor;
+    Reading { estimate: Estimate::from_bounded(total, reading.estimate.evaluations), method: reading.method }
+}
+
+/// The readings of a list, in parts.
+fn readings(
+    points: &[f64],
+    run: impl Fn(&[f64], Slice<'_>) -> Result<(), TransformError>,
+    measured: impl Fn(f64, Reading) -> Measured,
+) -> Result<Vec<Measured>, ContactError> {
+    let part = points.len().min(PART);
+    let (mut values, mut errors) = (vec![0.0; part], vec![0.0; part]);
+    let (mut methods, mut counts) = (vec!["exact"; part], vec![0; part]);
+    let mut list = Vec::with_capacity(points.len());
+    for points in points.chunks(PART) {
+        for buffer in [&mut values, &mut errors] {
+            buffer.resize(points.len(), 0.0);
+        }
+        methods.resize(points.len(), "exact");
+        counts.resize(points.len(), 0);
+        let out = Slice { values: &mut values, errors: Some(&mut errors), methods: Some(&mut methods), evaluations: Some(&mut counts) };
+        run(points, out)?;
+        let numbers = points.iter().zip(&values).zip(&errors).zip(methods.iter().zip(&counts));
+        list.extend(numbers.map(|(((point, value), error), (method, evaluations))| {
+            let estimate = Estimate { value: *value, error: *error, evaluations: *evaluations };
+            measured(*point, Reading { estimate, method })
+        }));
+    }
+    Ok(list)
+}

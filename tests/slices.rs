@@ -1,0 +1,146 @@
+//! Closed forms over slices: the numbers of the scalar way, whatever the order of the points and the number of threads.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
+
+mod common;
+
+use common::random::Stream;
+use sneddon::expr::Bindings;
+use sneddon::parse;
+use sneddon::transform::{Evaluator, Method, Profile, Reading, Slice, Solution, TransformError, derive};
+
+/// Whole, kinked, worn, capped, cancelling, half open, and with an end.
+const PROFILES: &[&str] = &[
+    "r^2/4",
+    "r^2.7",
+    "0.7*sqrt(r)",
+    "2-sqrt(4-r^2)",
+    "piecewise(0, r<0.6, (r^2-0.36)/4)",
+    "piecewise(0, r<0.6, 0.3*(r-0.6))",
+    "piecewise(r^2/2, r<0.5, r-0.375)",
+    "piecewise(r, r<0.5, r^2+0.25, r<1.25, 3*r-1.9375)",
+    "0.4*(1-cos(2.2*r))",
+    "ln(cosh(r))",
+    "r-atan(r)",
+    "exp(-r^2)-1+r^3",
+    "abs(r-0.7)+r^2",
+];
+
+fn solution(text: &str) -> Solution {
+    derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
+}
+
+fn evaluator(solution: &Solution, tolerance: f64) -> Evaluator<'_> {
+    Evaluator::new(solution, &Bindings::default(), Method::Auto, tolerance).unwrap()
+}
+
+fn points(stream: &mut Stream, count: usize) -> Vec<f64> {
+    let near = |stream: &mut Stream| *stream.pick(&[0.5, 0.6, 0.7, 1.25]) * (1.0 + stream.log_uniform(1e-12, 1e-3));
+    (0..count).map(|_| if stream.whole(0, 5) == 0 { near(stream) } else { stream.uniform(1e-6, 1.99) }).collect()
+}
+
+fn agrees(text: &str, at: f64, value: f64, error: f64, scalar: Reading) {
+    let own = scalar.estimate;
+    // Where one bound is just good enough and the other is not, only one value has taken the second pass.
+    assert!(value == own.value || (value - own.value).abs() <= error + own.error, "{text} at {at}: {value} and {own:?}");
+    let floor = 8.0 * f64::EPSILON * value.abs();
+    assert!(error <= own.error.max(floor) && own.error <= error.max(floor), "{text} at {at}: {error} and {own:?}");
+}
+
+#[test]
+fn slices_have_the_numbers_of_the_scalar_way() {
+    let mut stream = Stream::new(44);
+    let (mut same, mut all) = (0, 0);
+    for text in PROFILES {
+        let solution = solution(text);
+        let evaluator = evaluator(&solution, 1e-13);
+        let count = if text.contains("ln") { 20 } else { 2500 };
+        let x = points(&mut stream, count);
+        let (mut values, mut errors) = (vec![0.0; count], vec![0.0; count]);
+        let mut check = |values: &[f64], errors: &[f64], scalar: &dyn Fn(f64) -> Reading| {
+            for place in (0..count).step_by(3) {
+                let reading = scalar(x[place]);
+                agrees(text, x[place], values[place], errors[place], reading);
+                same += usize::from(values[place] == reading.estimate.value);
+                all += 1;
+            }
+        };
+        evaluator.slopes(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
+        check(&values, &errors, &|x| evaluator.slope(x).unwrap());
+        evaluator.forces(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
+        check(&values, &errors, &|a| evaluator.force(a).unwrap());
+        evaluator.heights(&x, Slice::bounded(&mut values, &mut errors)).unwrap();
+        check(&values, &errors, &|r| evaluator.height(r).unwrap());
+        if count > 20 {
+            let r: Vec<f64> = x.iter().take(200).copied().collect();
+            evaluator.pressures(&r, 1.995, Slice::bounded(&mut values[..200], &mut errors[..200])).unwrap();
+            for place in (0..200).step_by(5) {
+                agrees(text, r[place], values[place], errors[place], evaluator.pressure(r[place], 1.995).unwrap().unwrap());
+            }
+        }
+    }
+    println!("{same} of {all} values are the same bit for bit");
+    assert!(f64::from(same as u32) > 0.999 * f64::from(all));
+}
+
+#[test]
+#[cfg(feature = "parallel")]
+fn the_number_of_threads_changes_nothing() {
+    let solution = solution("piecewise(r, r<0.5, r^2+0.25, r<1.25, 3*r-1.9375)");
+    let evaluator = evaluator(&solution, 1e-13);
+    let x = points(&mut Stream::new(45), 100_000);
+    let run = |threads: usize| {
+        let (mut values, mut errors) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| evaluator.slopes(&x, Slice::bounded(&mut values, &mut errors))).unwrap();
+        (values, errors)
+    };
+    assert!(run(1) == run(3));
+    // The first error by place, too.
+    let mut far = x.clone();
+    (far[70_000], far[90_000]) = (f64::INFINITY, f64::NAN);
+    let mut values = vec![0.0; far.len()];
+    for _ in 0..4 {
+        let error = evaluator.slopes(&far, Slice::values(&mut values)).unwrap_err();
+        assert!(!format!("{error}").contains("NaN"), "{error}");
+    }
+}
+
+#[test]
+fn what_cannot_be_answered_is_an_error() {
+    let sphere = solution("2-sqrt(4-r^2)");
+    let evaluator = evaluator(&sphere, 1e-13);
+    let mut values = [0.0; 3];
+    let short = evaluator.slopes(&[1.0, 1.5], Slice::values(&mut values));
+    assert!(matches!(short, Err(TransformError::Buffer { points: 2, buffer: 3 })));
+    let outside = evaluator.slopes(&[1.0, 2.5, 1.5], Slice::values(&mut values));
+    assert!(matches!(outside, Err(TransformError::OutOfDomain { at: 2.5, .. })), "{outside:?}");
+    evaluator.slopes(&[], Slice::values(&mut [])).unwrap();
+    let cone = solution("r");
+    let (mut values, mut errors, mut methods) = ([0.0; 2], [0.0; 2], [""; 2]);
+    let out = Slice { methods: Some(&mut methods), ..Slice::bounded(&mut values, &mut errors) };
+    self::evaluator(&cone, 1e-13).pressures(&[0.0, 0.5], 1.0, out).unwrap();
+    assert_eq!((values[0], errors[0], methods), (f64::INFINITY, f64::INFINITY, ["infinite", "exact"]));
+}
+
+/// The second pass is taken for digits that are wanted, and a looser tolerance never costs more evaluations.
+#[test]
+fn a_loose_tolerance_is_not_dearer_than_a_sharp_one() {
+    let cancelling = solution("r-atan(r)");
+    let at = |tolerance: f64| evaluator(&cancelling, tolerance).force(0.05).unwrap();
+    let (sharp, loose) = (at(1e-13), at(1e-6));
+    assert!(sharp.estimate.relative_error() < 2e-16 && sharp.method == "exact");
+    // The bound of the first pass, which meets the tolerance, and no evaluation of f′.
+    assert!(loose.estimate.relative_error() > 1e-15 && loose.estimate.relative_error() <= 1e-6, "{loose:?}");
+    assert!(loose.method == "exact" && loose.estimate.evaluations == 0);
+    for text in PROFILES.iter().chain(&["cosh(r^2)-1", "sin(r)^2*exp(r)", "ln(1+r^3)"]) {
+        let solution = solution(text);
+        let mut before = 0;
+        for tolerance in [1e-3, 1e-6, 1e-9, 1e-11, 1e-12, 1e-13] {
+            let evaluator = evaluator(&solution, tolerance);
+            let readings = [0.3, 0.9, 1.7].map(|x| [evaluator.slope(x).unwrap(), evaluator.force(x).unwrap()]);
+            let own: u64 = readings.as_flattened().iter().map(|reading| reading.estimate.evaluations).sum();
+            assert!(own >= before, "{text}: {own} evaluations at {tolerance:e}, {before} at a looser one");
+            before = own;
+        }
+    }
+}
