@@ -1,7 +1,7 @@
 //! `sneddon eval`: the numbers of one quantity.
 
 use super::failure::warn;
-use super::{Failure, Outcome, input, output, points, series};
+use super::{Failure, Outcome, curve, input, output, points, series};
 use crate::contact::{self, Contact, ContactError, Explicit, Measured};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
@@ -54,7 +54,8 @@ pub(super) struct Arguments {
 const EXAMPLES: &str = "Examples:
   sneddon eval 'r^2/(2*R)' --quantity F --at 0.1,0.5 --set R=2
   sneddon eval 'R-sqrt(R^2-r^2)' --quantity p --at 0:0.5:6 --radius 0.5 --set R=2 --json
-  sneddon eval 'h*ln(1+r/w)' --quantity g --at log:0.01:1:5 --set h=0.4 --set w=1.3";
+  sneddon eval 'h*ln(1+r/w)' --quantity g --at log:0.01:1:5 --set h=0.4 --set w=1.3
+  sneddon eval 'ln(cosh(r))' --quantity p --at 0:2.9:30 --radius 3 --method curve";
 
 /// The relative tolerance where none was given.
 const TOLERANCE: f64 = 1e-13;
@@ -105,6 +106,8 @@ enum Way {
     Quadrature,
     /// The power series at r = 0, term by term.
     Series,
+    /// One piecewise expansion of f′ for all points, checked against quadrature: for many points.
+    Curve,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -149,6 +152,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let asked = Asked { contact, inverse, radius, method, tolerance };
     let readings = if by_series {
         series::readings(quantity.symbol(), &profile, order, &at, radius, effective_modulus)?
+    } else if matches!(arguments.method, Way::Curve) {
+        let symbol = quantity.symbol();
+        let radius = radius.filter(|_| quantity.needs_radius());
+        let own = curve::Asked { symbol, at: &at, radius, depth, effective_modulus, tolerance: demanded };
+        curve::readings(&asked.contact, &own, failed)?
     } else {
         quantity.read_all(&asked, &at).map_err(failed)?
     };
@@ -231,8 +239,8 @@ impl Way {
         match self {
             Self::Auto => Method::Auto,
             Self::Exact => Method::Exact,
-            // The series has its own way; what it shares with the others is cheap.
-            Self::Quadrature | Self::Series => Method::Quadrature,
+            // Series and curve have their own ways; what they share with the others is cheap.
+            Self::Quadrature | Self::Series | Self::Curve => Method::Quadrature,
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod compare;
 mod completions;
+mod curve;
 mod derive;
 mod eval;
 mod failure;

@@ -12,6 +12,7 @@ pub mod quadrature;
 mod real_power;
 pub mod roots;
 pub mod special;
+pub(crate) mod spectral;
 pub(crate) mod stable;
 
 pub use bounded::Bounded;

@@ -85,6 +85,18 @@ pub enum TransformError {
         /// Its error bound.
         error: f64,
     },
+    /// A whole curve that misses its tolerance.
+    #[error(
+        "the curve of {quantity} reaches a relative error of {achieved:e} only, where {requested:e} was asked for; that tolerance, a smaller range, or --method quadrature would be accepted"
+    )]
+    CurveTooRough {
+        /// The quantity.
+        quantity: &'static str,
+        /// Its error relative to its largest value.
+        achieved: f64,
+        /// The tolerance.
+        requested: f64,
+    },
     /// No closed form where one was demanded.
     #[error("no closed form is known for {quantity} of this profile; --method auto or --method quadrature gives its value")]
     NoClosedForm {

@@ -3,6 +3,7 @@
 mod assemble;
 mod check;
 mod closed;
+mod curve;
 mod domain;
 mod engine;
 mod error;
@@ -27,6 +28,7 @@ mod term;
 pub use assemble::{Derived, Status};
 pub use check::{Check, check};
 pub use closed::ClosedForm;
+pub use curve::{Curve, PressureCurve};
 pub use engine::{Solution, derive};
 pub use error::TransformError;
 pub use evaluator::{Evaluator, Method, Reading};

@@ -47,7 +47,7 @@ impl NumericProfile {
     }
 
     /// The jumps of f′ below a: where segments begin, end or meet; a jump within its own error is none.
-    fn jumps(&self, a: f64) -> Vec<(Bounded, Bounded)> {
+    pub(super) fn jumps(&self, a: f64) -> Vec<(Bounded, Bounded)> {
         let mut ends: Vec<(Bounded, Bounded)> = Vec::new();
         let mut add = |at: Bounded, jump: Bounded| match ends.iter_mut().find(|(own, _)| own.value == at.value) {
             Some((_, own)) => *own = *own + jump,
@@ -70,7 +70,7 @@ impl NumericProfile {
     }
 
     /// True where f′ does not vanish at the axis, so that the pressure is infinite there.
-    fn starts_steeply(&self) -> bool {
+    pub(super) fn starts_steeply(&self) -> bool {
         let Some(first) = self.segments.iter().find(|segment| segment.lower.value == 0.0) else { return false };
         let (near, nearer) = (first.slope_at(1e-12).value.abs(), first.slope_at(1e-15).value.abs());
         // f′ ~ r^m with m > 0 falls by 10^(3m); everything slower is steep.
@@ -125,15 +125,15 @@ impl NumericSegment {
 }
 
 /// |r − s| and a − r, without cancellation.
-struct Distances {
-    difference: f64,
-    below_edge: f64,
+pub(super) struct Distances {
+    pub(super) difference: f64,
+    pub(super) below_edge: f64,
 }
 
 /// K(r, s) = ∫_M^a dx/√((x²−r²)(x²−s²)), M = max(r, s), m = min(r, s), D = M² − m².
 ///
 /// It is √((a−M)(a+M)) R_F(M²D, a²D, M²(a−m)(a+m)); in units of a, and with 1/M taken out of R_F, nothing underflows.
-fn kernel(r: f64, s: f64, a: f64, distances: &Distances) -> Bounded {
+pub(super) fn kernel(r: f64, s: f64, a: f64, distances: &Distances) -> Bounded {
     let (big, small) = if r > s { (r / a, s / a) } else { (s / a, r / a) };
     // The edge distance of the larger one: of r itself, or of s.
     let (edge, rest) = if r > s { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };

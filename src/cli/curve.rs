@@ -1,0 +1,78 @@
+//! `eval --method curve`: one expansion of f′ for all points.
+
+use super::Failure;
+use crate::contact::{Contact, ContactError, Measured, Reason};
+use crate::num::{Bounded, Estimate};
+use crate::transform::{Curve, PressureCurve, Reading, TransformError};
+
+/// The tolerance of the curve where none was given: every value tells its error.
+const TOLERANCE: f64 = 1e-9;
+
+/// What a call with `--method curve` asks for.
+pub(super) struct Asked<'a> {
+    pub(super) symbol: &'static str,
+    pub(super) at: &'a [f64],
+    pub(super) radius: Option<f64>,
+    pub(super) depth: Option<f64>,
+    pub(super) effective_modulus: f64,
+    pub(super) tolerance: Option<f64>,
+}
+
+/// The values of the quantity at every point.
+pub(super) fn readings(
+    contact: &Contact<'_>,
+    asked: &Asked<'_>,
+    failed: impl Fn(ContactError) -> Failure,
+) -> Result<Vec<Measured>, Failure> {
+    if !["g", "d", "F", "G", "p", "k"].contains(&asked.symbol) {
+        let message = format!("--method curve does not answer {}", asked.symbol);
+        return Err(Failure::new(message).help("ask for g, d, F, G, p or k, or take another method"));
+    }
+    let refused = |error: TransformError| failed(error.into());
+    let furthest = asked.radius.map_or_else(|| asked.at.iter().copied().fold(0.0, f64::max), |a| a);
+    // A curve has a length, even where only the axis is asked for.
+    let limit = contact.evaluator().limit();
+    let reach = if furthest > 0.0 { furthest } else { (0.5 * limit).min(1.0) };
+    let profile = contact.evaluator().typed().map_err(refused)?;
+    let curve = Curve::new(profile, reach, asked.tolerance.unwrap_or(TOLERANCE)).map_err(refused)?;
+    let pressures = match asked.radius {
+        Some(a) => Some(curve.pressures(a).map_err(refused)?),
+        None => None,
+    };
+    asked.at.iter().map(|at| reading(&curve, pressures.as_ref(), asked, *at).map_err(refused)).collect()
+}
+
+fn reading(curve: &Curve<'_>, pressures: Option<&PressureCurve<'_>>, asked: &Asked<'_>, at: f64) -> Result<Measured, TransformError> {
+    let modulus = Bounded::exact(asked.effective_modulus);
+    let twice = Bounded::exact(2.0) * modulus;
+    let place = Bounded::exact(at);
+    // By how much a rim is pressed deeper than a smooth edge.
+    let excess = |a: f64| -> Result<Bounded, TransformError> {
+        Ok(match asked.depth {
+            Some(depth) => Bounded::exact(depth) - curve.slope(a)?.bounded(),
+            None => Bounded::exact(0.0),
+        })
+    };
+    let value = match (asked.symbol, pressures) {
+        ("g", _) => curve.slope(at)?.bounded(),
+        ("d", _) => asked.depth.map_or_else(|| curve.slope(at).map(Estimate::bounded), |depth| Ok(Bounded::exact(depth)))?,
+        ("G", _) => curve.integral(at)?.bounded(),
+        ("F", _) => curve.force(at)?.bounded() * twice + excess(at)? * place * twice,
+        ("p", Some(pressures)) => {
+            let a = pressures.radius();
+            let excess = excess(a)?;
+            if at == a && excess.value != 0.0 {
+                return Ok(Err(Reason::Rim));
+            }
+            let Some(smooth) = pressures.at(at)? else {
+                return Ok(Err(if at == 0.0 { Reason::Apex } else { Reason::Kink }));
+            };
+            let edge = Bounded::exact(a);
+            let root = ((edge - place) * (edge + place)).sqrt();
+            let rim = if excess.value == 0.0 || at >= a { Bounded::exact(0.0) } else { excess / root };
+            (smooth.bounded() + rim) * modulus / Bounded::rounded(std::f64::consts::PI)
+        }
+        _ => twice * place,
+    };
+    Ok(Ok(Reading { estimate: Estimate::from_bounded(value, 0), method: "curve" }))
+}

@@ -1,0 +1,114 @@
+//! Short polynomials over a small interval, for values by the million.
+
+use std::sync::OnceLock;
+
+/// Coefficients of a short polynomial: degree 11.
+pub(crate) const LOCAL: usize = 12;
+
+/// The Chebyshev nodes of [−1, 1], rising.
+pub(crate) fn local_nodes() -> &'static [f64; LOCAL] {
+    static NODES: OnceLock<[f64; LOCAL]> = OnceLock::new();
+    NODES.get_or_init(|| std::array::from_fn(|j| -cosine(2 * j + 1)))
+}
+
+/// cos(π m/(2·LOCAL)) with the angle reduced as an integer.
+fn cosine(m: usize) -> f64 {
+    let (quarter, full) = (LOCAL, 4 * LOCAL);
+    let m = m % full;
+    let m = if m > full / 2 { full - m } else { m };
+    let angle = |m: usize| std::f64::consts::FRAC_PI_2 * m as f64 / quarter as f64;
+    // Below an eighth of the circle cos, above it sin: both from the nearer axis.
+    let positive = |m: usize| if 2 * m <= quarter { angle(m).cos() } else { angle(quarter - m).sin() };
+    if m <= quarter { positive(m) } else { -positive(2 * quarter - m) }
+}
+
+/// A polynomial through the values at the nodes, as monomials of the local variable.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Local {
+    coefficients: [f64; LOCAL],
+}
+
+impl Local {
+    /// The interpolant, with a bound on what lies beyond its degree, and the largest coefficient over Chebyshev polynomials.
+    ///
+    /// The bound takes the last coefficients of the expansion for the size of those that follow.
+    pub(crate) fn fit(values: &[f64; LOCAL]) -> (Self, f64, f64) {
+        let mut chebyshev = [0.0; LOCAL];
+        for (k, slot) in chebyshev.iter_mut().enumerate() {
+            let factor = if k == 0 { 1.0 } else { 2.0 } / LOCAL as f64;
+            // T_k(−cos θ) = (−1)^k cos kθ.
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            *slot = values.iter().enumerate().map(|(j, v)| v * cosine(k * (2 * j + 1))).sum::<f64>() * factor * sign;
+        }
+        let size = |from: usize, to: usize| chebyshev.iter().skip(from).take(to - from).fold(0.0_f64, |m, c| m.max(c.abs()));
+        let (last, before, largest) = (size(LOCAL - 2, LOCAL), size(LOCAL - 4, LOCAL - 2), size(0, LOCAL));
+        // The expansion falls geometrically: the next pair of coefficients is smaller by the same ratio.
+        let ratio = if before > 0.0 { (last / before).min(0.9) } else { 0.0 };
+        let tail = 2.0 * last * (ratio / (1.0 - ratio)).max(0.05) + 2.0 * last.min(f64::EPSILON * largest);
+        (Self { coefficients: monomials(&chebyshev) }, tail, largest)
+    }
+
+    /// The value at u in [−1, 1].
+    #[inline]
+    pub(crate) fn at(&self, u: f64) -> f64 {
+        let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9, c10, c11] = self.coefficients;
+        // Estrin's scheme: short chains, so that neighbouring points overlap.
+        let (v, w) = (u * u, (u * u) * (u * u));
+        let low = (c0 + c1 * u) + (c2 + c3 * u) * v;
+        let middle = (c4 + c5 * u) + (c6 + c7 * u) * v;
+        let high = (c8 + c9 * u) + (c10 + c11 * u) * v;
+        low + (middle + high * w) * w
+    }
+
+    /// The derivative by u.
+    #[inline]
+    pub(crate) fn slope(&self, u: f64) -> f64 {
+        self.coefficients.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, c)| sum * u + c * k as f64)
+    }
+}
+
+/// From Chebyshev polynomials to monomials.
+fn monomials(chebyshev: &[f64; LOCAL]) -> [f64; LOCAL] {
+    // Rows of T_k by T_{k+1} = 2u T_k − T_{k−1}; all entries are whole numbers.
+    let (mut before, mut current) = ([0.0; LOCAL], [0.0; LOCAL]);
+    before[0] = 1.0;
+    current[1] = 1.0;
+    let mut out = [0.0; LOCAL];
+    for c in chebyshev {
+        for (slot, t) in out.iter_mut().zip(&before) {
+            *slot += c * t;
+        }
+        let mut next = [0.0; LOCAL];
+        for (index, slot) in next.iter_mut().enumerate() {
+            let up = index.checked_sub(1).and_then(|i| current.get(i)).copied().unwrap_or(0.0);
+            *slot = 2.0 * up - before.get(index).copied().unwrap_or(0.0);
+        }
+        before = current;
+        current = next;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_polynomial_has_nearly_all_digits() {
+        let values: [f64; LOCAL] = std::array::from_fn(|j| (0.3 * local_nodes()[j]).exp());
+        let (local, tail, _) = Local::fit(&values);
+        assert!(tail < 1e-15, "{tail}");
+        for u in [-1.0, -0.3, 0.0, 0.9, 1.0_f64] {
+            let (value, slope) = (local.at(u) - (0.3 * u).exp(), local.slope(u) - 0.3 * (0.3 * u).exp());
+            assert!(value.abs() < 9e-16 && slope.abs() < 3e-14, "{u}: {value} {slope}");
+        }
+    }
+
+    #[test]
+    fn the_tail_tells_what_is_missing() {
+        let values: [f64; LOCAL] = std::array::from_fn(|j| 1.0 / (1.5 - local_nodes()[j]));
+        let (local, tail, _) = Local::fit(&values);
+        let worst = (0..=200).map(|i| f64::from(i) / 100.0 - 1.0).map(|u| (local.at(u) - 1.0 / (1.5 - u)).abs()).fold(0.0, f64::max);
+        assert!(worst < tail && tail < 20.0 * worst, "{worst} {tail}");
+    }
+}
