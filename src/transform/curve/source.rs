@@ -1,7 +1,7 @@
 //! Where a whole curve takes f′ from: one segment, or one class of powers of it, with its behaviour at the lower end.
 
-use super::super::integral::NumericSegment;
-use super::super::integral::with_ulps;
+use super::super::integral::{NumericSegment, with_ulps};
+use super::super::slope_source::Numbers;
 use crate::eval::{BoundedAlgebra, Tape};
 use crate::expr::{Expr, Number, Symbol, derivative, normal};
 use crate::num::Bounded;
@@ -19,7 +19,7 @@ pub(super) struct Source<'a> {
 
 enum Values<'a> {
     Slope(&'a NumericSegment),
-    Bend(&'a Tape),
+    Bend(&'a Numbers),
     Own(Tape),
 }
 
@@ -37,14 +37,17 @@ pub(super) enum Parity {
 impl<'a> Source<'a> {
     /// The sources of f′ on a segment: one, or one per class of fractional powers at the axis.
     pub(super) fn of_slope(segment: &'a NumericSegment) -> Vec<Self> {
-        Self::of(segment, Values::Slope(segment), || Some(segment.source.0.clone()))
+        Self::of(segment, Values::Slope(segment), || segment.source.as_ref().map(|(slope, _)| slope.clone()))
     }
 
     /// The sources of (r f′)′, in the place of f′; none where it is not known.
     pub(super) fn of_bend(segment: &'a NumericSegment) -> Vec<Self> {
-        let Ok(tape) = segment.bend() else { return Vec::new() };
-        let r = Symbol::new("r");
-        Self::of(segment, Values::Bend(tape), || derivative(&(Expr::symbol("r") * &segment.source.0), &r).ok())
+        let Ok(bend) = segment.bend() else { return Vec::new() };
+        let derived = || {
+            let (slope, _) = segment.source.as_ref()?;
+            derivative(&(Expr::symbol("r") * slope), &Symbol::new("r")).ok()
+        };
+        Self::of(segment, Values::Bend(bend), derived)
     }
 
     fn of(segment: &'a NumericSegment, values: Values<'a>, expr: impl Fn() -> Option<Expr>) -> Vec<Self> {
@@ -108,8 +111,8 @@ impl<'a> Source<'a> {
 impl Values<'_> {
     fn at(&self, delta: Bounded) -> Bounded {
         match self {
-            Self::Slope(segment) => run(&segment.slope, delta),
-            Self::Bend(tape) => run(tape, delta),
+            Self::Slope(segment) => segment.slope.at(delta, &mut Vec::new()),
+            Self::Bend(bend) => bend.at(delta, &mut Vec::new()),
             Self::Own(tape) => run(tape, delta),
         }
     }
