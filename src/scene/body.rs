@@ -69,7 +69,14 @@ impl Body {
             let dimension = if key == "nu" { Dimension::NONE } else { Dimension::PRESSURE };
             system.number(&own.quantity, dimension, key).map_err(|error| error.at(own.span.clone()))
         };
-        let failed = |error: contact::ContactError| SceneError::value(format!("{}: {error}", self.name)).at(self.blamed(&error));
+        let failed = |error: contact::ContactError| match &error {
+            contact::ContactError::Material { name, accepted, .. } => {
+                let key = name.rsplit(' ').next().unwrap_or(name);
+                let typed = self.numbers.iter().find(|own| own.key == key).map_or("", |own| own.quantity.text());
+                SceneError::value(format!("{key} = {typed} is not possible")).help(*accepted).at(self.span_of(key))
+            }
+            _ => SceneError::value(format!("{}: {error}", self.name)).at(self.span.clone()),
+        };
         if self.rigid {
             return Ok(f64::INFINITY);
         }
@@ -83,9 +90,12 @@ impl Body {
                 if own > 0.0 {
                     return Ok(own);
                 }
-                Err(SceneError::value(format!("effective_modulus = {own:?} is not positive"))
-                    .help("a pressure above 0 would be accepted")
-                    .at(self.span_of("effective_modulus")))
+                Err(SceneError::value(format!(
+                    "effective_modulus = {} is not positive",
+                    self.numbers.first().map_or("", |own| own.quantity.text())
+                ))
+                .help("a pressure above 0 would be accepted")
+                .at(self.span_of("effective_modulus")))
             }
             _ => {
                 let (c11, c12, c13, c33, c44) = (number("C11")?, number("C12")?, number("C13")?, number("C33")?, number("C44")?);
@@ -96,13 +106,6 @@ impl Body {
 
     fn span_of(&self, key: &str) -> Range<usize> {
         self.numbers.iter().find(|own| own.key == key).map_or(self.span.clone(), |own| own.span.clone())
-    }
-
-    fn blamed(&self, error: &contact::ContactError) -> Range<usize> {
-        match error {
-            contact::ContactError::Material { name, .. } => self.span_of(name.rsplit(' ').next().unwrap_or(name)),
-            _ => self.span.clone(),
-        }
     }
 
     /// Every number with its unit.

@@ -103,11 +103,17 @@ impl<'t> Table<'t> {
     }
 }
 
-/// The known word that is most like the given one, if any is.
+/// The known word that is most like the given one, if any is: one slip away, or alike for the most part.
 pub(super) fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
     let word: String = word.chars().take(60).collect::<String>().to_lowercase();
-    let like = |own: &&str| strsim::jaro_winkler(&word, &own.to_lowercase());
-    known.iter().copied().filter(|own| like(own) > 0.75).max_by(|one, other| like(one).total_cmp(&like(other)))
+    let likeness = |own: &str| {
+        let own = own.to_lowercase();
+        let slips = strsim::damerau_levenshtein(&word, &own);
+        let alike = strsim::jaro_winkler(&word, &own);
+        if slips <= 1 && word.len().max(own.len()) > 1 { 1.0 + alike } else { alike }
+    };
+    let rated = known.iter().map(|own| (*own, likeness(own))).filter(|(_, own)| *own > 0.75);
+    rated.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(own, _)| own)
 }
 
 impl<'t> Entry<'t> {

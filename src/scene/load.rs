@@ -100,6 +100,14 @@ impl Loads {
         (0..self.len()).filter_map(|index| self.get(index))
     }
 
+    /// The numbers of a list, or the two ends of a range.
+    pub(super) fn ends(&self) -> Vec<f64> {
+        match self {
+            Self::List(list) => list.clone(),
+            Self::Range { start, stop, .. } => vec![*start, *stop],
+        }
+    }
+
     /// The smallest and the largest one.
     pub fn extremes(&self) -> Option<(f64, f64)> {
         match self {

@@ -3,6 +3,7 @@
 use super::{Control, Loads, SceneError, System};
 use crate::contact::ContactError;
 use crate::transform::{Method, Profile, Solution, derive};
+use std::ops::Range;
 
 /// A number per load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,6 +91,8 @@ pub struct Scene {
     pub method: Method,
     /// The relative tolerance of quadratures.
     pub tolerance: f64,
+    /// The bytes of the scene file in which the profile stands, for errors.
+    pub place: Option<Range<usize>>,
 }
 
 impl Scene {
@@ -110,6 +113,7 @@ impl Scene {
             system: System::bare(),
             method: Method::Auto,
             tolerance: 1e-12,
+            place: None,
         }
     }
 
@@ -123,7 +127,15 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] where the profile has none.
     pub fn solution(&self) -> Result<Solution, SceneError> {
-        Ok(derive(&self.profile).map_err(ContactError::from)?)
+        derive(&self.profile).map_err(|error| self.placed(ContactError::from(error).into()))
+    }
+
+    /// An error about the profile, with its place.
+    pub(super) fn placed(&self, error: SceneError) -> SceneError {
+        match &self.place {
+            Some(place) => error.at(place.clone()),
+            None => error,
+        }
     }
 }
 

@@ -8,6 +8,7 @@ use crate::parse;
 /// A number, exactly, with its unit if it has one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
+    text: String,
     number: Expr,
     unit: Option<Unit>,
 }
@@ -34,7 +35,7 @@ impl Quantity {
         }
         let number = constant(number)?;
         match Unit::parse(unit) {
-            Ok(unit) => Ok(Self { number, unit: Some(unit) }),
+            Ok(unit) => Ok(Self { text: trimmed.to_owned(), number, unit: Some(unit) }),
             // 2*pi is no unit but a constant.
             Err(error) => Self::plain(trimmed).map_err(|_| error),
         }
@@ -45,7 +46,12 @@ impl Quantity {
     /// # Errors
     /// [`SceneError`] where it is none.
     pub fn plain(text: &str) -> Result<Self, SceneError> {
-        Ok(Self { number: constant(text.trim())?, unit: None })
+        Ok(Self { text: text.trim().to_owned(), number: constant(text.trim())?, unit: None })
+    }
+
+    /// As it was typed.
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// The dimension of its unit; `None` for a bare number.

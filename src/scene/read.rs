@@ -87,7 +87,7 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
             let message = format!("the radius of the indenter is given twice: radius, and the parameter {name}");
             return Err(SceneError::value(message).help("one of the two would be accepted").at(span.clone()));
         }
-        (Some((quantity, span)), _) => Some(positive(system.number(quantity, Dimension::LENGTH, "radius"), "radius", span)?),
+        (Some((quantity, span)), _) => Some(positive(system.number(quantity, Dimension::LENGTH, "radius"), "radius", quantity, span)?),
         (None, Some((_, quantity))) => Some(system.number(quantity, Dimension::LENGTH, "the radius of the indenter")?),
         (None, None) => None,
     };
@@ -95,10 +95,10 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
     if rim.is_none() && bound.is_flat() {
         return Err(SceneError::missing("a flat punch needs the radius of its vertical side")
             .help("radius = \"2 um\" in [profile] would be accepted")
-            .at(tip.span));
+            .at(tip.span.clone()));
     }
     let effective_modulus = body::together(first.modulus(&system)?, second.modulus(&system)?, material.span())?;
-    asked.scene(Scene { rim, effective_modulus, system, ..Scene::of(bound) })
+    asked.scene(Scene { rim, effective_modulus, system, place: Some(tip.span), ..Scene::of(bound) })
 }
 
 fn counter_is_socket(table: Option<&Table<'_>>) -> Result<bool, SceneError> {
@@ -113,10 +113,11 @@ fn length_unit(entry: &Entry<'_>) -> Result<Unit, SceneError> {
     Err(SceneError::unit(format!("{} is {}, not a length", unit.name(), unit.dimension())).at(entry.span()))
 }
 
-fn positive(value: Result<f64, SceneError>, what: &str, span: &Range<usize>) -> Result<f64, SceneError> {
+/// A value that must be above 0, with the text that was typed.
+fn positive(value: Result<f64, SceneError>, what: &str, typed: &Quantity, span: &Range<usize>) -> Result<f64, SceneError> {
     match value {
         Ok(value) if value > 0.0 => Ok(value),
-        Ok(value) => Err(SceneError::value(format!("{what} = {value:?} is not positive"))
+        Ok(_) => Err(SceneError::value(format!("{what} = {} is not positive", typed.text()))
             .help("a number above 0 would be accepted")
             .at(span.clone())),
         Err(error) => Err(error.at(span.clone())),
@@ -202,7 +203,7 @@ impl Tip {
             let symbol =
                 symbol.ok_or_else(|| SceneError::value(format!("{:?} is no name of a parameter", entry.key())).at(entry.span()))?;
             let quantity = entry.quantity()?;
-            positive(to_f64(&quantity.in_base()), symbol.name(), &entry.span())?;
+            positive(to_f64(&quantity.in_base()), symbol.name(), &quantity, &entry.span())?;
             list.push(Parameter { symbol, quantity, span: entry.span() });
         }
         Ok(list)

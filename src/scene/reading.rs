@@ -116,27 +116,35 @@ impl Asked {
 
     /// Every number with its unit.
     pub(super) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
-        std::iter::once(&self.loads).chain(self.at.as_ref()).flat_map(|typed| match typed {
-            Typed::List(list) => list.iter().map(|own| &own.0).collect::<Vec<_>>(),
-            Typed::Range { start, stop, .. } => vec![&start.0, &stop.0],
-        })
+        std::iter::once(&self.loads).chain(self.at.as_ref()).flat_map(|typed| typed.typed().into_iter().map(|own| &own.0))
+    }
+
+    /// Refuses loads that no contact has: negative forces and radii, and the radius of the indenter itself.
+    fn refuse(&self, loads: &Loads, rim: Option<f64>) -> Result<(), SceneError> {
+        if self.control == Control::Depth {
+            return Ok(());
+        }
+        let name = self.control.name();
+        for (typed, value) in self.loads.typed().into_iter().zip(loads.ends()) {
+            let fault = |message: String, help: &str| Err(SceneError::value(message).help(help).at(typed.1.clone()));
+            let text = typed.0.text();
+            if value < 0.0 {
+                let reason = if self.control == Control::Force { ": there is no adhesion" } else { "" };
+                return fault(format!("{name} = {text} is negative{reason}"), "numbers from 0 on would be accepted");
+            }
+            if self.control == Control::ContactRadius && rim == Some(value) {
+                let message = format!("{name} = {text} is the radius of the indenter: every depth from g(c) on has it");
+                return fault(message, "a load by depth or force would be accepted");
+            }
+        }
+        Ok(())
     }
 
     /// Completes a scene.
     pub(super) fn scene(self, scene: Scene) -> Result<Scene, SceneError> {
         let dimension = if self.control == Control::Force { Dimension::FORCE } else { Dimension::LENGTH };
         let loads = self.loads.numbers(&scene.system, dimension, self.control.name())?;
-        if self.control != Control::Depth
-            && let Some((low, _)) = loads.extremes()
-            && low < 0.0
-        {
-            let message = format!(
-                "{} = {low:?} is negative{}",
-                self.control.name(),
-                if self.control == Control::Force { ": there is no adhesion" } else { "" }
-            );
-            return Err(SceneError::value(message).help("numbers from 0 on would be accepted").at(self.loads.span()));
-        }
+        self.refuse(&loads, scene.rim)?;
         let at = match self.at {
             None => Loads::List(Vec::new()),
             Some(typed) => {
@@ -174,6 +182,14 @@ impl Typed {
                 Loads::Range { start: first, stop: last, count: *count, logarithmic: *logarithmic }
             }
         })
+    }
+
+    /// The numbers of a list, or the two ends of a range.
+    fn typed(&self) -> Vec<&(Quantity, Range<usize>)> {
+        match self {
+            Self::List(list) => list.iter().collect(),
+            Self::Range { start, stop, .. } => vec![start, stop],
+        }
     }
 
     fn span(&self) -> Range<usize> {

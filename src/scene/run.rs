@@ -31,7 +31,8 @@ impl<'a> Run<'a> {
         let Scene { rim, effective_modulus, tolerance, method, .. } = *scene;
         let (smallest, largest) = scene.loads.extremes().unwrap_or((0.0, 0.0));
         let largest = scene.control.load(largest);
-        let indentation = Indentation::new(solution, Setup { effective_modulus, rim, tolerance, method }, largest)?;
+        let indentation = Indentation::new(solution, Setup { effective_modulus, rim, tolerance, method }, largest);
+        let indentation = indentation.map_err(|error| scene.placed(error.into()))?;
         let own = Self { scene, indentation, work: Cell::default() };
         // Bad input is found before anything is written.
         for load in [scene.control.load(smallest), largest] {
@@ -51,11 +52,6 @@ impl<'a> Run<'a> {
             Load::Radius(radius) if radius < 0.0 => {
                 Err(SceneError::value(format!("the contact radius {radius:?} is negative")).help("radii from 0 on would be accepted"))
             }
-            Load::Radius(radius) if self.scene.rim == Some(radius) => Err(SceneError::value(format!(
-                "contact_radius = {radius:?} is the radius of the indenter: every depth beyond g(c) = {:?} has it",
-                self.indentation.shape().depth(radius)?.estimate.value
-            ))
-            .help("a load by depth or force would be accepted")),
             _ => Ok(()),
         }
     }

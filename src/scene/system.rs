@@ -113,8 +113,11 @@ impl System {
         match quantity.dimension() {
             Some(own) if own != wanted => {
                 let unit = quantity.unit().map_or("", Unit::name);
-                Err(SceneError::unit(format!("{what} is given in {unit}, which is {own}, not {wanted}"))
-                    .help(format!("a number with the unit of {wanted} would be accepted")))
+                Err(SceneError::unit(format!("{what} is given in {unit}, which is {own}, not {wanted}")).help(if wanted.is_none() {
+                    "a number without a unit would be accepted".to_owned()
+                } else {
+                    format!("a number with the unit of {wanted} would be accepted")
+                }))
             }
             None if self.has_units && !wanted.is_none() && !quantity.is_zero() => {
                 Err(SceneError::unit(format!("{what} has no unit, but other numbers of the scene have one"))

@@ -83,7 +83,7 @@ impl Unit {
             return Err(bad());
         }
         loop {
-            let end = rest.find(['*', '·', '/', ' ']).unwrap_or(rest.len());
+            let end = separator(rest);
             let (one, behind) = rest.split_at(end);
             let (own, power) = factor_of(one.trim()).ok_or_else(bad)?;
             let power = if divide { -power } else { power };
@@ -112,6 +112,16 @@ impl Unit {
     pub fn dimension(&self) -> Dimension {
         self.dimension
     }
+}
+
+/// The bytes up to the first separator outside parentheses.
+fn separator(text: &str) -> usize {
+    let mut inside = false;
+    let end = text.char_indices().find(|(_, c)| {
+        inside = (inside || *c == '(') && *c != ')';
+        !inside && matches!(c, '*' | '·' | '/' | ' ')
+    });
+    end.map_or(text.len(), |(at, _)| at)
 }
 
 /// `um^-0.5`: the unit and its power; `1` stands for no unit, as in `1/m`.

@@ -1,0 +1,197 @@
+//! `sneddon solve` and `sneddon scene` as their users meet them: answers, exit codes, files, and what is said about bad scenes.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_sneddon");
+
+/// Runs the program in a directory, with a scene on stdin.
+fn run_in(place: &Path, stdin: &str, arguments: &[&str]) -> Output {
+    let mut command = Command::new(PROGRAM);
+    command.current_dir(place).args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    // The program may refuse before it reads.
+    let _ = child.stdin.take().unwrap().write_all(stdin.as_bytes());
+    child.wait_with_output().unwrap()
+}
+
+fn room(name: &str) -> PathBuf {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("solve").join(name);
+    let _ = fs::remove_dir_all(&place);
+    fs::create_dir_all(&place).unwrap();
+    place
+}
+
+fn json(scene: &str, code: i32, more: &[&str]) -> Value {
+    let mut arguments = vec!["solve", "-", "--json"];
+    arguments.extend(more);
+    let done = run_in(Path::new("."), scene, &arguments);
+    assert_eq!(done.status.code(), Some(code), "{}", String::from_utf8_lossy(&done.stderr));
+    serde_json::from_slice(&done.stdout).unwrap()
+}
+
+const EXAMPLE: &str = r#"
+[profile]
+f = "r^2/(2*R)"
+parameters = { R = "10 um" }
+radius = "2 um"
+[material]
+E = "72 GPa"
+nu = 0.17
+[load]
+depth = { start = "0.05 um", stop = "0.5 um", count = 10 }
+[outputs]
+quantities = ["F", "a", "k", "p_mean", "U", "p", "u", "g", "f"]
+at = { start = "0 um", stop = "2 um", count = 5 }
+units = { length = "um", force = "mN", pressure = "GPa" }
+"#;
+
+fn close(value: &Value, expected: f64) {
+    let value = value.as_f64().unwrap();
+    assert!((value - expected).abs() <= 4e-15 * expected.abs(), "{value:?} is not {expected:?}");
+}
+
+#[test]
+fn json_has_its_keys() {
+    let found = json(EXAMPLE, 0, &[]);
+    assert_eq!(found["units"]["force"], "mN");
+    let modulus = 72.0 / (1.0 - 0.17f64 * 0.17);
+    close(&found["effective_modulus"], modulus);
+    assert_eq!(found["validity"]["valid"], true);
+    assert!(found["validity"]["assumptions"].as_str().unwrap().contains("frictionless"));
+    let rows = found["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 10);
+    // Hertz below g(c) = 0.4 um.
+    let second = &rows[1];
+    assert_eq!((second["d"].as_f64(), second["a"].as_f64(), &second["edge"]), (Some(0.1), Some(1.0), &Value::from("smooth")));
+    close(&second["F"], 4.0 / 3.0 * modulus * 0.1);
+    close(&second["U"], 2.0 / 5.0 * 4.0 / 3.0 * modulus * 0.01);
+    // The rim above it: F = 2E*(c d − c³/(3R)).
+    let last = &rows[9];
+    assert_eq!((&last["edge"], last["a"].as_f64()), (&Value::from("rim"), Some(2.0)));
+    close(&last["F"], 2.0 * modulus * (2.0 * 0.5 - 8.0 / 30.0));
+    let curves = found["curves"].as_array().unwrap();
+    assert_eq!(curves.len(), 2 + 2 * 10);
+    let of_last: Vec<&Value> = curves.iter().filter(|own| own["d"] == 0.5).collect();
+    let pressure = of_last.iter().find(|own| own["quantity"] == "p").unwrap();
+    let at_rim = pressure["points"].as_array().unwrap().last().unwrap();
+    assert!(at_rim["value"].is_null() && at_rim["why"].as_str().unwrap().contains("rim"));
+}
+
+/// Invalid rows are null and the exit code is 1; `--force` shows their numbers.
+#[test]
+fn invalid_rows_are_null() {
+    let scene = "[profile]\nf = '1-exp(-r^2)'\n[material]\neffective_modulus = 1\n[load]\ndepth = [0.5, 1.1]\n";
+    let found = json(scene, 1, &[]);
+    let rows = &found["rows"];
+    assert_eq!((&rows[0]["valid"], &rows[1]["valid"]), (&Value::from(true), &Value::from(false)));
+    assert!(rows[1]["F"].is_null() && rows[1]["a"].is_null() && rows[0]["F"].is_number());
+    assert_eq!(rows[1]["d"], 1.1);
+    let finding = &rows[1]["findings"][0];
+    assert_eq!((&finding["rule"], &finding["severity"]), (&Value::from("outside_gap"), &Value::from("error")));
+    assert!(finding["at"].as_f64().unwrap() > 1.0 && rows[1]["why"].is_string());
+    let shown = json(scene, 1, &["--force"]);
+    assert!(shown["rows"][1]["F"].is_number() && shown["rows"][1]["valid"] == false);
+}
+
+#[test]
+fn steep_slopes_and_kinks_are_warnings() {
+    let scene = "[profile]\nshape = 'truncated-cone'\nparameters = { b = 1, theta = 0.5 }\n[material]\neffective_modulus = 1\n[load]\ndepth = 0.5\n";
+    let found = json(scene, 0, &[]);
+    let rules: Vec<&str> = found["validity"]["findings"].as_array().unwrap().iter().map(|own| own["rule"].as_str().unwrap()).collect();
+    assert_eq!(rules, ["steep_slope", "kink"]);
+    assert_eq!(found["validity"]["valid"], true);
+}
+
+#[test]
+fn csv_names_units() {
+    let place = room("csv");
+    let scene = EXAMPLE.replace(", \"p\", \"u\", \"g\", \"f\"", "");
+    let done = run_in(&place, &scene, &["solve", "-", "--csv", "-o", "rows.csv"]);
+    assert!(done.status.success() && done.stdout.is_empty());
+    let text = fs::read_to_string(place.join("rows.csv")).unwrap();
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("d_um,F_mN,a_um,k_mN/um,p_mean_GPa,U_mN*um,edge,valid,rule"));
+    assert!(lines.next().unwrap().starts_with("0.05,") && text.lines().count() == 11);
+}
+
+/// What is there stays when the scene is bad, and nothing is left beside it.
+#[test]
+fn files_appear_whole_or_not_at_all() {
+    let place = room("whole");
+    fs::write(place.join("out.json"), "old").unwrap();
+    let done = run_in(&place, "[profile]", &["solve", "-", "--json", "-o", "out.json"]);
+    assert_eq!(done.status.code(), Some(2));
+    assert_eq!(fs::read_to_string(place.join("out.json")).unwrap(), "old");
+    let done = run_in(&place, EXAMPLE, &["solve", "-", "--json", "-o", "out.json"]);
+    assert!(done.status.success());
+    assert!(fs::read_to_string(place.join("out.json")).unwrap().starts_with("{\"units\""));
+    assert_eq!(fs::read_dir(&place).unwrap().count(), 1);
+    assert_eq!(run_in(&place, EXAMPLE, &["solve", "-", "-o", "no/such/place"]).status.code(), Some(2));
+}
+
+#[test]
+fn bare_numbers_are_one_system() {
+    let scene = "[profile]\nf = 'r^2/20'\n[material]\neffective_modulus = 3\n[load]\nforce = 0.4\n[outputs]\nquantities = ['d', 'F']\n";
+    let found = json(scene, 0, &[]);
+    assert!(found["units"].is_null());
+    // F = 4/3 E* √(R d³) with R = 10: d³ = (0.4/4)²/10 = 1e-3.
+    close(&found["rows"][0]["d"], 0.1);
+    let named = json(&format!("{scene}units = {{ length = 'um', force = 'mN', pressure = 'GPa' }}\n"), 0, &[]);
+    assert_eq!(named["rows"], found["rows"]);
+    assert_eq!(named["units"]["length"], "um");
+}
+
+#[test]
+fn length_unit_fixes_bare_numbers_of_f() {
+    let scene = "[profile]\nf = 'r^2/20'\nlength_unit = 'um'\n[material]\neffective_modulus = '3 GPa'\n[load]\ndepth = '100 nm'\n[outputs]\nquantities = ['F', 'a']\nunits = { length = 'nm', force = 'uN' }\n";
+    let found = json(scene, 0, &[]);
+    close(&found["rows"][0]["a"], 1000.0);
+    close(&found["rows"][0]["F"], 400.0);
+}
+
+/// One file per malformed scene, beside the message that is expected.
+#[test]
+fn bad_scenes_are_refused_with_their_messages() {
+    let place = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/bad");
+    let mut names: Vec<PathBuf> = fs::read_dir(&place).unwrap().map(|entry| entry.unwrap().path()).collect();
+    names.retain(|path| path.extension().is_some_and(|own| own == "toml"));
+    names.sort();
+    assert!(names.len() >= 40, "{}", names.len());
+    for path in names {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let done = run_in(&place, "", &["solve", name]);
+        let said = String::from_utf8(done.stderr).unwrap();
+        assert_eq!(done.status.code(), Some(2), "{name}: {said}");
+        assert!(done.stdout.is_empty(), "{name}");
+        assert_eq!(said, fs::read_to_string(path.with_extension("txt")).unwrap(), "{name}");
+        assert!(said.contains(", column "), "{name} has no place");
+    }
+}
+
+#[test]
+fn missing_files_and_binary_ones() {
+    let place = room("missing");
+    let done = run_in(&place, "", &["solve", "none.toml"]);
+    assert_eq!(done.status.code(), Some(2));
+    fs::write(place.join("binary.toml"), [0xffu8, 0x00]).unwrap();
+    let done = run_in(&place, "", &["solve", "binary.toml"]);
+    assert!(String::from_utf8_lossy(&done.stderr).contains("UTF-8") && done.status.code() == Some(2));
+}
+
+/// The complete example of the document is a scene, and answers as the document says.
+#[test]
+fn the_document_has_a_scene() {
+    let text = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scene.md")).unwrap();
+    let scenes: Vec<&str> = text.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+    assert!(scenes.len() >= 2);
+    for scene in scenes {
+        let found = json(scene, 0, &[]);
+        assert_eq!(found["validity"]["valid"], true);
+    }
+}
