@@ -81,11 +81,6 @@ impl<P: Quantities> Contact<'_, P> {
         &self.evaluator
     }
 
-    /// E*.
-    pub(super) fn effective_modulus(&self) -> f64 {
-        self.effective_modulus
-    }
-
     /// True for a punch with a rim at the contact radius.
     pub(super) fn has_rim(&self) -> bool {
         self.depth.is_some()
