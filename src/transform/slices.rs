@@ -325,12 +325,13 @@ fn ends(points: &[f64]) -> (f64, f64) {
 
 /// Whether no point of a chunk needs a second look.
 fn all_enough(values: &[f64], errors: Option<&[f64]>, good: f64) -> bool {
-    let mut odd = false;
+    // Without a branch, so that the compiler takes several points at once.
+    let mut enough = true;
     match errors {
-        Some(errors) => values.iter().zip(errors).for_each(|(value, error)| odd |= !(*error <= good * value.abs())),
-        None => values.iter().for_each(|value| odd |= !(value.abs() <= f64::MAX)),
+        Some(errors) => values.iter().zip(errors).for_each(|(value, error)| enough &= *error <= good * value.abs()),
+        None => values.iter().for_each(|value| enough &= value.abs() <= f64::MAX),
     }
-    !odd
+    enough
 }
 
 /// One form over points of one interval.

@@ -6,8 +6,11 @@ pub struct SliceLaw {
     /// The values, bit for bit those of the row.
     pub values: fn(&[f64], &mut [f64]),
     /// From arguments, their distances and the values: how far each value may move; infinite where a cheap bound does not know.
-    pub growth: fn(&[f64], &[f64], &[f64], &mut [f64]),
+    pub growth: Growth,
 }
+
+/// From arguments, distances and values to bounds.
+pub type Growth = fn(&[f64], &[f64], &[f64], &mut [f64]);
 
 /// The values of `f` while the argument at `place` runs over a slice: one loop around the function itself.
 #[inline(always)]
