@@ -16,7 +16,7 @@ fn a_million_points_take_less_than_64_megabytes() {
     const COUNT: usize = 1_000_000;
     let profile = Profile::new(&sneddon::parse::profile("piecewise(r^2/2, r<0.5, r-0.375)").unwrap()).unwrap();
     let solution = derive(&profile).unwrap();
-    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
     let x: Vec<f64> = (0..COUNT).map(|i| 0.01 + 1.9 * i as f64 / COUNT as f64).collect();
     let Some(before) = peak() else { return };
     let (mut values, mut errors, mut methods) = (vec![0.0; COUNT], vec![0.0; COUNT], vec![""; COUNT]);

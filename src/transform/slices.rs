@@ -188,7 +188,7 @@ impl Evaluator<'_> {
             for (place, (point, value)) in points.iter().zip(values).enumerate() {
                 let error = errors.as_deref_mut().and_then(|errors| errors.get_mut(place));
                 let enough = match &error {
-                    Some(error) => **error <= good * value.abs(),
+                    Some(error) => **error <= good * value.abs() && error.is_finite(),
                     None => value.is_finite(),
                 };
                 if done && enough {
@@ -328,7 +328,9 @@ fn all_enough(values: &[f64], errors: Option<&[f64]>, good: f64) -> bool {
     // Without a branch, so that the compiler takes several points at once.
     let mut enough = true;
     match errors {
-        Some(errors) => values.iter().zip(errors).for_each(|(value, error)| enough &= *error <= good * value.abs()),
+        Some(errors) => {
+            values.iter().zip(errors).for_each(|(value, error)| enough &= (*error <= good * value.abs()) & (*error <= f64::MAX))
+        }
         None => values.iter().for_each(|value| enough &= value.abs() <= f64::MAX),
     }
     enough
