@@ -21,7 +21,7 @@ pub use collected::{collected, multiplied_out};
 pub use derivative::derivative;
 pub use error::ExprError;
 pub use formula::{Condition, Formula, Relation};
-pub use function::{Function, Row, SliceLaw};
+pub use function::{Function, Growth, Row, SliceLaw};
 pub use node::{Constant, Expr, Node, Symbol};
 pub use number::Number;
 pub use shown::{has_30_digits, shown, shown_in_latex, shown_to_30_digits};

@@ -10,7 +10,7 @@ mod special;
 mod waves;
 
 pub(crate) use forms::elliptic_moment_parts;
-pub use slices::SliceLaw;
+pub use slices::{Growth, SliceLaw};
 
 use super::{Expr, Sign};
 use crate::num::{DoubleDouble, Precise};
