@@ -1,4 +1,8 @@
 //! Exact and numeric transforms of contact mechanics by the method of dimensionality reduction.
+//!
+//! A profile is a formula ([`transform::Profile::new`], [`transform::derive`], [`transform::Evaluator`]), a Rust closure
+//! ([`transform::Profile::from_fn`], [`transform::Closure`]) or a table of points ([`transform::Profile::from_points`]);
+//! [`contact::Contact`] takes any of them.
 
 #[cfg(feature = "cli")]
 pub mod cli;

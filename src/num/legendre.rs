@@ -36,10 +36,15 @@ pub(crate) fn integrate(mut f: impl FnMut(f64, f64) -> f64) -> f64 {
     total.value()
 }
 
-/// `P_N(x)` and `P_{N-1}(x)`.
-fn legendre(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
+/// The rule with `count` nodes in increasing order; it integrates polynomials up to degree `2 count - 1`.
+pub(crate) fn rule_of(count: usize) -> Vec<Node> {
+    (0..count).map(|index| node_of(count, index)).collect()
+}
+
+/// `P_n(x)` and `P_{n-1}(x)`.
+fn legendre(count: usize, x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let (mut previous, mut current) = (DoubleDouble::ONE, x);
-    for degree in 2..=NODES {
+    for degree in 2..=count {
         let k = degree as f64;
         let next = x.mul(current).mul((2.0 * k - 1.0).into()).sub(previous.mul((k - 1.0).into())).div(k.into());
         previous = current;
@@ -48,18 +53,22 @@ fn legendre(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     (current, previous)
 }
 
-/// The node number `index`, counted from `t = 0`.
 fn node(index: usize) -> Node {
-    let n = NODES as f64;
+    node_of(NODES, index)
+}
+
+/// The node number `index`, counted from `t = 0`.
+fn node_of(count: usize, index: usize) -> Node {
+    let n = count as f64;
     // x = 1 - 2t decreases from 1 as t grows; Tricomi's guess is good to three digits, Newton doubles them.
     let mut x = DoubleDouble::from((std::f64::consts::PI * (index as f64 + 0.75) / (n + 0.5)).cos());
     for _ in 0..6 {
-        let (value, previous) = legendre(x);
+        let (value, previous) = legendre(count, x);
         let one_minus_square = DoubleDouble::ONE.sub(x.mul(x));
         let slope = previous.sub(x.mul(value)).mul(n.into()).div(one_minus_square);
         x = x.sub(value.div(slope));
     }
-    let (_, previous) = legendre(x);
+    let (_, previous) = legendre(count, x);
     let one_minus_square = DoubleDouble::ONE.sub(x.mul(x));
     let scaled = previous.mul(n.into());
     Node {

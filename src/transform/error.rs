@@ -1,5 +1,6 @@
 //! What can go wrong between a profile and its answers.
 
+use super::TableError;
 use crate::eval::EvalError;
 use crate::expr::ExprError;
 use crate::num::NumError;
@@ -123,6 +124,47 @@ pub enum TransformError {
         /// The length of the buffer.
         buffer: usize,
     },
+    /// A closure without a value.
+    #[error(
+        "the function of the profile has no finite value at r = {radius:?}; a limit or breakpoints that leave this radius out would be accepted"
+    )]
+    Undefined {
+        /// The radius.
+        radius: f64,
+    },
+    /// A closure that is not smooth where no breakpoint was stated.
+    #[error(
+        "the second derivative cannot be had: the function of the profile is not smooth near r = {radius:?}; a breakpoint or a limit there, or f with f′ and f″, would be accepted"
+    )]
+    Seam {
+        /// The radius.
+        radius: f64,
+    },
+    /// A closure whose complex step is not its slope.
+    #[error(
+        "at r = {radius:?} the function of a complex radius has the slope {step:?} by a complex step, but {difference:?} by a difference: it is not analytic there, or forgets small imaginary parts, as asin, acos, atan and abs do; f with its slope f′ would be accepted"
+    )]
+    NotAnalytic {
+        /// The radius.
+        radius: f64,
+        /// Im f(r + ih)/h.
+        step: f64,
+        /// The difference quotient along the real axis.
+        difference: f64,
+    },
+    /// A statement about a closure that cannot hold.
+    #[error("{what} is {got:?}; {accepted} would be accepted")]
+    Statement {
+        /// What was stated.
+        what: &'static str,
+        /// Its value.
+        got: f64,
+        /// What would be accepted.
+        accepted: &'static str,
+    },
+    /// A table of points that makes no profile.
+    #[error(transparent)]
+    Table(#[from] TableError),
     /// An expression could not be rewritten.
     #[error(transparent)]
     Expression(#[from] ExprError),

@@ -3,6 +3,7 @@
 mod assemble;
 mod check;
 mod closed;
+mod closure;
 mod curve;
 mod domain;
 mod engine;
@@ -23,11 +24,13 @@ mod slices;
 mod slope_source;
 mod stream;
 mod stress;
+mod table;
 mod term;
 
 pub use assemble::{Derived, Status};
 pub use check::{Check, check};
 pub use closed::ClosedForm;
+pub use closure::{Closure, ClosureProfile, Parity};
 pub use curve::{Curve, PressureCurve};
 pub use engine::{Solution, derive};
 pub use error::TransformError;
@@ -43,4 +46,5 @@ pub use sample::{Sampler, reach};
 pub use series::{HIGHEST_ORDER, SeriesEvaluator, SeriesFailure};
 pub use slices::Slice;
 pub use slope_source::SlopeSource;
+pub use table::{Cubic, Interpolation, Penalty, TableError, TableProfile};
 pub use term::{Segment, Term};

@@ -81,6 +81,13 @@ impl NumericProfile {
         Self { segments }
     }
 
+    /// States that f ~ C rⁿ at the axis, instead of what samples tell.
+    pub(super) fn state_exponent(&mut self, n: f64) {
+        for segment in self.segments.iter_mut().filter(|segment| segment.lower.value == 0.0) {
+            segment.singular = n.fract() != 0.0;
+        }
+    }
+
     /// True where (r f′)′ is known on every segment, so that pressures can be had.
     pub fn has_bend(&self) -> bool {
         self.segments.iter().all(|segment| segment.bend().is_ok())

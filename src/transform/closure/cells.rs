@@ -1,0 +1,247 @@
+//! Derivatives of a function that is known by its values: Chebyshev interpolation on cells, doubled outward, halved where needed.
+
+use crate::num::Bounded;
+use std::f64::consts::PI;
+use std::sync::OnceLock;
+
+/// Nodes of a cell.
+const NODES: usize = 20;
+/// Halvings of a cell before it is given up: towards an end with a root that leaves nothing of it.
+const DEEPEST: i32 = 50;
+/// Halvings that a function without a kink may take inside its segment.
+const SMOOTH: i32 = 34;
+/// Cells that one doubling may be cut into.
+const MOST: usize = 400;
+/// Binary exponents of doubles: from the smallest to the largest.
+const EXPONENTS: usize = 2100;
+
+/// The interpolant of one function φ on part of a segment.
+///
+/// It is fitted to an interval that exceeds what it answers for, since derivatives are worst at the ends of a fit.
+struct Cell {
+    /// It answers below this radius.
+    to: f64,
+    middle: f64,
+    half: f64,
+    /// Chebyshev coefficients of φ, φ′ and φ″ over the fit; those of the derivatives in units of the half width.
+    orders: [[f64; NODES]; 3],
+    /// What the interpolant leaves out, and the error of the values it was made of.
+    doubt: f64,
+    resolved: bool,
+    /// The largest of the last coefficients, and the largest |φ|.
+    tail: f64,
+    size: f64,
+    /// The largest |φ′| at the nodes.
+    steepest: f64,
+}
+
+/// The interpolants of one function on one segment, made where they are asked for.
+pub(super) struct Cells {
+    lower: f64,
+    upper: f64,
+    doublings: Box<[OnceLock<Doubling>]>,
+}
+
+/// The cells between one power of two and the next.
+struct Doubling {
+    cells: Vec<Cell>,
+    /// Where, inside the segment, no cell is small enough: a kink, a jump or the end of the function's domain.
+    seam: Option<f64>,
+}
+
+impl Cells {
+    pub(super) fn new(lower: f64, upper: f64) -> Self {
+        Self { lower, upper, doublings: (0..EXPONENTS).map(|_| OnceLock::new()).collect() }
+    }
+
+    /// The derivative of φ of order 1 or 2 at r with the bound of its error; NaN where φ is not smooth enough.
+    pub(super) fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Bounded {
+        self.cell(r, phi).map_or(NOTHING, |cell| cell.derivative(order, r))
+    }
+
+    /// A place near r at which φ is not smooth, if there is one: derivatives do not show what happens there.
+    pub(super) fn seam(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<f64> {
+        self.doubling(r, phi)?.seam
+    }
+
+    /// About the largest |φ′| around r; 0 where nothing is known.
+    pub(super) fn steepness(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
+        self.cell(r, phi).map_or(0.0, |cell| cell.steepest)
+    }
+
+    fn doubling(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Doubling> {
+        let exponent = if r > 0.0 && r.is_finite() { libm::ilogb(r) } else { return None };
+        let place = usize::try_from(exponent + 1075).ok()?;
+        Some(self.doublings.get(place)?.get_or_init(|| self.build(exponent, phi)))
+    }
+
+    fn cell(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Cell> {
+        let list = &self.doubling(r, phi)?.cells;
+        list.get(list.partition_point(|cell| cell.to <= r)).or_else(|| list.last())
+    }
+
+    /// The cells of radii from 2^exponent to twice that, within the segment.
+    fn build(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Doubling {
+        let scale = libm::scalbn(1.0, exponent);
+        let mut cells: Vec<Cell> = Vec::new();
+        let mut seam = None;
+        let mut waiting = vec![(scale.max(self.lower), (2.0 * scale).min(self.upper), 0, f64::INFINITY)];
+        while let Some((from, to, depth, wider)) = waiting.pop() {
+            let margin = 0.25 * libm::scalbn(scale, -depth);
+            let ends = ((from - margin).max(self.lower), (to + margin).min(self.upper));
+            let mut cell = Cell::fit(ends, to, phi);
+            cell.accept_noise(wider);
+            let middle = from + 0.5 * (to - from);
+            let can_halve = depth < DEEPEST && cells.len() + waiting.len() < MOST && middle > from && middle < to;
+            if cell.resolved || !can_halve {
+                // Roots at the ends of the segment itself are followed by cells as wide as they are far from them. A kink inside
+                // it looks resolved only where it has sunk below the rounding of r.
+                let apart = (from - self.lower).min(self.upper - to) > 1e3 * (to - from);
+                if apart && (!cell.resolved || depth > SMOOTH) {
+                    seam.get_or_insert(to);
+                }
+                cells.push(cell);
+            } else {
+                waiting.push((middle, to, depth + 1, cell.tail));
+                waiting.push((from, middle, depth + 1, cell.tail));
+            }
+        }
+        Doubling { cells, seam }
+    }
+}
+
+const NOTHING: Bounded = Bounded { value: f64::NAN, error: f64::NAN };
+
+/// cos(π i/(2 NODES)) for every whole i, from the first quarter of a turn.
+fn cosine(index: usize) -> f64 {
+    static TABLE: OnceLock<[f64; 4 * NODES]> = OnceLock::new();
+    let table = TABLE.get_or_init(|| {
+        std::array::from_fn(|i| {
+            let quarter = if i <= 2 * NODES { i } else { 4 * NODES - i };
+            let turn = |i: usize| PI * i as f64 / (2 * NODES) as f64;
+            match quarter {
+                // Small angles by the sine, so that the table is symmetric to the last bit.
+                q if q < NODES => turn(NODES - q).sin(),
+                q if q == NODES => 0.0,
+                q => -turn(q - NODES).sin(),
+            }
+        })
+    });
+    table.get(index % (4 * NODES)).copied().unwrap_or(f64::NAN)
+}
+
+impl Cell {
+    fn fit((from, end): (f64, f64), to: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
+        let (middle, half) = (from + 0.5 * (end - from), 0.5 * (end - from));
+        let samples: [Bounded; NODES] = std::array::from_fn(|j| phi(middle + half * cosine(2 * j + 1)));
+        let size = samples.iter().fold(0.0, |size: f64, s| size.max(s.value.abs()));
+        // A node is off by the rounding of r: half an ulp of the largest radius, times what φ changes per unit of r.
+        let noise = samples.iter().fold(0.0, |noise: f64, s| noise.max(s.error)) + f64::EPSILON * size;
+        let mut values: [f64; NODES] = std::array::from_fn(|k| {
+            let sum: f64 = samples.iter().enumerate().map(|(j, s)| s.value * cosine(k * (2 * j + 1))).sum();
+            sum * 2.0 / NODES as f64
+        });
+        values[0] *= 0.5;
+        let slopes = differentiated(&values, half);
+        let bends = differentiated(&slopes, half);
+        let tail = values[NODES - 3..].iter().fold(0.0, |tail: f64, c| tail.max(c.abs()));
+        let steepest = (0..NODES).map(|j| clenshaw(&slopes, cosine(2 * j + 1)).abs()).fold(0.0, f64::max);
+        let moved = 0.5 * f64::EPSILON * end * steepest;
+        let finite = samples.iter().all(|s| s.value.is_finite());
+        // Sums of many roundings at random stay well below their number.
+        let resolved = finite && tail <= (noise + moved).max(4.0 * f64::EPSILON * size);
+        Self { to, middle, half, orders: [values, slopes, bends], doubt: tail + noise + moved, resolved, tail, size, steepest }
+    }
+
+    /// Coefficients that do not fall when a cell is halved are noise beyond what was stated, as of ln(cosh(r)) near the axis.
+    fn accept_noise(&mut self, wider: f64) {
+        const STILL: f64 = 0.7;
+        const NOISE: f64 = 1e-6;
+        if !self.resolved && self.tail > STILL * wider && self.tail < NOISE * self.size {
+            self.resolved = true;
+            self.doubt += 4.0 * self.tail;
+        }
+    }
+
+    fn derivative(&self, order: usize, r: f64) -> Bounded {
+        if !self.resolved {
+            return NOTHING;
+        }
+        let Some(list) = self.orders.get(order) else { return NOTHING };
+        let x = ((r - self.middle) / self.half).clamp(-1.0, 1.0);
+        let value = clenshaw(list, x);
+        // Bernstein: a polynomial of degree n below ε has |p′| ≤ nε/√(1−x²), and Markov: |p′| ≤ n²ε.
+        let n = NODES as f64;
+        let bound = (n / (1.0 - x * x).sqrt()).min(n * n) / self.half;
+        let error = match order {
+            0 => 3.0 * self.doubt,
+            1 => 3.0 * self.doubt * bound,
+            _ => 3.0 * self.doubt * bound * bound.max(n / self.half),
+        };
+        Bounded::checked(value, error)
+    }
+}
+
+/// The coefficients of the derivative: d_(k−1) = d_(k+1) + 2k c_k.
+fn differentiated(list: &[f64; NODES], half: f64) -> [f64; NODES] {
+    let mut out = [0.0; NODES];
+    let (mut last, mut before) = (0.0, 0.0);
+    for k in (1..NODES).rev() {
+        let own = before + 2.0 * k as f64 * list[k] / half;
+        out[k - 1] = own;
+        before = last;
+        last = own;
+    }
+    out[0] *= 0.5;
+    out
+}
+
+/// Σ c_k T_k(x).
+fn clenshaw(list: &[f64; NODES], x: f64) -> f64 {
+    let (mut last, mut before) = (0.0, 0.0);
+    for c in list[1..].iter().rev() {
+        (last, before) = (c + 2.0 * x * last - before, last);
+    }
+    list[0] + x * last - before
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_of_powers_and_waves_keep_within_their_bounds() {
+        let cells = Cells::new(0.0, f64::INFINITY);
+        let power = |r: f64| Bounded::rounded(r.powf(1.7));
+        let other = Cells::new(0.0, f64::INFINITY);
+        let wave = |r: f64| Bounded { value: (22.0 * r).sin(), error: f64::EPSILON };
+        for i in 1..400 {
+            let r = 1e-5 * 1.04f64.powi(i);
+            let slope = cells.derivative(1, r, &power);
+            let truth = 1.7 * r.powf(0.7);
+            assert!((slope.value - truth).abs() <= slope.error && slope.error < 3e-11 * truth, "{r:?} {slope:?} {truth:?}");
+            let bend = cells.derivative(2, r, &power);
+            let truth = 1.7 * 0.7 * r.powf(-0.3);
+            assert!((bend.value - truth).abs() <= bend.error && bend.error < 1e-7 * truth, "{r:?} {bend:?} {truth:?}");
+            let r = r.min(50.0);
+            let slope = other.derivative(1, r, &wave);
+            assert!((slope.value - 22.0 * (22.0 * r).cos()).abs() <= slope.error, "{r:?} {slope:?}");
+        }
+    }
+
+    #[test]
+    fn a_root_at_the_end_is_followed_and_a_kink_is_refused() {
+        let cells = Cells::new(0.5, 2.0);
+        let sphere = |r: f64| Bounded::rounded(r / ((2.0 - r) * (2.0 + r)).sqrt());
+        for gap in [1.0, 0.1, 1e-3, 1e-6] {
+            let slope = cells.derivative(1, 2.0 - gap, &sphere);
+            let r = 2.0 - gap;
+            let truth = 4.0 / ((2.0 - r) * (2.0 + r)).powf(1.5);
+            assert!((slope.value - truth).abs() <= slope.error && slope.error < 1e-6 * truth, "{gap} {slope:?} {truth}");
+        }
+        let cells = Cells::new(0.0, f64::INFINITY);
+        let kink = |r: f64| Bounded::rounded((r - 0.6).abs());
+        assert!(cells.derivative(1, 0.6, &kink).value.is_nan());
+        assert!((cells.derivative(1, 0.9, &kink).value - 1.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,189 @@
+//! The quantities of a profile that is given as Rust code.
+
+use super::Closure;
+use super::cells::Cells;
+use super::source::{Faults, Function, Piece, STEP, complex_step};
+use crate::num::{Bounded, Estimate};
+use crate::transform::{NumericProfile, Quantities, Reading, SlopeSource, TransformError};
+use std::sync::Arc;
+
+/// A profile made of a [`Closure`]; its quantities are integrals over f′ and, for the pressure, f″.
+///
+/// Errors are what the quadrature promises plus what the closure's own stated error and the rounding of r make of it.
+pub struct ClosureProfile {
+    closure: Closure,
+    numeric: NumericProfile,
+    at_axis: f64,
+    faults: Arc<Faults>,
+}
+
+impl ClosureProfile {
+    pub(super) fn new(closure: Closure) -> Result<Self, TransformError> {
+        let faults = Arc::new(Faults::new());
+        let ends: Vec<f64> = [0.0].into_iter().chain(closure.breakpoints.iter().copied()).chain([closure.limit]).collect();
+        let mut segments = Vec::new();
+        for pair in ends.windows(2) {
+            let [lower, upper] = *pair else { continue };
+            examine(&closure.function, lower, upper)?;
+            let cells = Cells::new(lower, upper);
+            let (function, faults) = (closure.function.clone(), Arc::clone(&faults));
+            let piece: Arc<dyn SlopeSource> = Arc::new(Piece { function, lower, upper, ulps: closure.ulps, cells, faults });
+            segments.push((lower, upper.is_finite().then_some(upper), piece));
+        }
+        for b in &closure.breakpoints {
+            refuse_jump(&closure.function, *b)?;
+        }
+        let at_axis = match closure.function.height(0.0) {
+            value if value.is_finite() => value,
+            // A form like sin(r)/r has a limit.
+            _ => closure.function.height(f64::MIN_POSITIVE.sqrt()),
+        };
+        if !at_axis.is_finite() {
+            return Err(TransformError::Undefined { radius: 0.0 });
+        }
+        let mut numeric = NumericProfile::from_sources(segments);
+        if let Some(n) = closure.exponent {
+            numeric.state_exponent(n);
+        }
+        // What sampling found undefined next to the axis is found again where it matters.
+        faults.take();
+        Ok(Self { closure, numeric, at_axis, faults })
+    }
+
+    /// f′ on its segments, for what integrates it by itself.
+    pub fn numeric(&self) -> &NumericProfile {
+        &self.numeric
+    }
+
+    /// Names the radius at which the closure had no value, if it was that.
+    fn named(&self, error: TransformError) -> TransformError {
+        let (undefined, seam) = self.faults.take();
+        match (error, undefined, seam) {
+            (TransformError::NotComputable { .. } | TransformError::NoDigits { .. }, Some(radius), _) => {
+                TransformError::Undefined { radius }
+            }
+            (TransformError::NotComputable { .. }, None, Some(radius)) => TransformError::Seam { radius },
+            (other, ..) => other,
+        }
+    }
+
+    fn reading(&self, found: Result<Estimate, TransformError>) -> Result<Reading, TransformError> {
+        let estimate = found.map_err(|error| self.named(error))?;
+        Ok(Reading { estimate, method: "quadrature" })
+    }
+}
+
+/// Finds the closure's value and slope at a few radii of a piece.
+fn examine(function: &Function, lower: f64, upper: f64) -> Result<(), TransformError> {
+    let scale = if upper.is_finite() { upper - lower } else { lower.max(1.0) };
+    for part in [0.127, 0.489, 0.831] {
+        let r = lower + part * scale;
+        if !function.height(r).is_finite() || function.slope(r).is_some_and(|slope| !slope.is_finite()) {
+            return Err(TransformError::Undefined { radius: r });
+        }
+        if let Function::Complex(f) = function {
+            // A larger step is as good, unless f forgets small imaginary parts; real parts must agree with f on the axis.
+            let (small, large) = (complex_step(f.as_ref(), r, STEP), complex_step(f.as_ref(), r, LARGE_STEP));
+            let h = 1e-6 * r;
+            let difference = (function.height(r + h) - function.height(r - h)) / (2.0 * h);
+            let rounding = 1e-8 * function.height(r).abs() / r;
+            let size = small.abs().max(large.abs()).max(difference.abs());
+            if (small - large).abs() > 1e-4 * size || (small - difference).abs() > 1e-3 * size + rounding {
+                return Err(TransformError::NotAnalytic { radius: r, step: small, difference });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A step of the complex-step derivative whose imaginary parts no function forgets.
+const LARGE_STEP: f64 = 1.0 / (1_u64 << 17) as f64;
+
+/// f must be continuous at its breakpoints.
+fn refuse_jump(function: &Function, b: f64) -> Result<(), TransformError> {
+    let (below, beyond) = (function.height(b * (1.0 - NEAR)), function.height(b * (1.0 + NEAR)));
+    let (inner, outer) = (function.height(b * (1.0 - 2.0 * NEAR)), function.height(b * (1.0 + 2.0 * NEAR)));
+    // What f changes by over such a distance anyway, ten times over.
+    let usual = 10.0 * ((below - inner).abs() + (outer - beyond).abs()) + 1e-9 * below.abs().max(beyond.abs());
+    let jump = beyond - below;
+    if jump.abs() > usual { Err(TransformError::Jump { at: format!("{b:?}"), jump: format!("{jump:?}") }) } else { Ok(()) }
+}
+
+const NEAR: f64 = 1e-7;
+
+impl Quantities for ClosureProfile {
+    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+        self.check_domain("x", x)?;
+        self.reading(self.numeric.slope(x, self.closure.tolerance))
+    }
+
+    fn force(&self, a: f64) -> Result<Reading, TransformError> {
+        self.check_domain("a", a)?;
+        self.reading(self.numeric.force(a, self.closure.tolerance))
+    }
+
+    fn integral(&self, a: f64) -> Result<Reading, TransformError> {
+        self.check_domain("a", a)?;
+        self.reading(self.numeric.integral(a, self.closure.tolerance))
+    }
+
+    fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
+        self.check_domain("r", r)?;
+        self.check_domain("a", a)?;
+        if r >= a {
+            return Ok(Some(Reading { estimate: Estimate { value: 0.0, error: 0.0, evaluations: 0 }, method: "exact" }));
+        }
+        match self.numeric.pressure(r, a, self.closure.tolerance) {
+            Ok(None) => Ok(None),
+            Ok(Some(found)) => self.reading(Ok(found)).map(Some),
+            Err(error) => Err(self.named(error)),
+        }
+    }
+
+    fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
+        self.check_domain("a", a)?;
+        if r.is_nan() || r <= a {
+            return Err(TransformError::OutOfDomain { symbol: "r", at: r, limit: format!(", which begins at a = {a:?} here") });
+        }
+        self.reading(self.numeric.displacement(r, a, self.closure.tolerance))
+    }
+
+    /// The closure less its value at the axis or, where that cancels, the integral of f′.
+    fn height(&self, r: f64) -> Result<Reading, TransformError> {
+        self.check_domain("r", r)?;
+        let own = self.closure.function.height(r);
+        if !own.is_finite() {
+            return Err(TransformError::Undefined { radius: r });
+        }
+        let unit = self.closure.ulps * 0.5 * f64::EPSILON;
+        let exact = self.at_axis == 0.0;
+        let shift = Bounded::checked(self.at_axis, if exact { 0.0 } else { unit * self.at_axis.abs() });
+        let found = Bounded::checked(own, unit * own.abs()) - shift;
+        let plain = Reading { estimate: Estimate::from_bounded(found, 1), method: "exact" };
+        if plain.estimate.relative_error() <= self.closure.tolerance {
+            return Ok(plain);
+        }
+        match self.reading(self.numeric.height(r, self.closure.tolerance)) {
+            Ok(other) if other.estimate.error < plain.estimate.error => Ok(other),
+            _ => Ok(plain),
+        }
+    }
+
+    fn limit(&self) -> f64 {
+        self.closure.limit
+    }
+
+    fn breakpoints_below(&self, end: f64) -> Vec<f64> {
+        self.closure.breakpoints.iter().copied().filter(|b| *b < end).collect()
+    }
+
+    fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
+        if at.is_nan() || at < 0.0 || at.is_infinite() {
+            return Err(TransformError::OutOfDomain { symbol, at, limit: ", which begins at r = 0".to_owned() });
+        }
+        if at >= self.closure.limit {
+            return Err(TransformError::OutOfDomain { symbol, at, limit: format!(", which ends at r = {:?}", self.closure.limit) });
+        }
+        Ok(())
+    }
+}
