@@ -129,7 +129,7 @@ impl Work<'_, '_> {
                 return Ok(Expansion { coefficients, noise: 1.5 * noise + 2.0 * dropped + rounding, scale, converged: true });
             }
             let tail: f64 = coefficients.iter().skip(count / 2).map(|c| c.abs()).sum();
-            best = Some(Expansion { coefficients, noise: 1.5 * noise + 4.0 * tail, scale, converged: false });
+            best = Some(Expansion { coefficients, noise: 1.5 * noise + 16.0 * tail, scale, converged: false });
         }
         best.ok_or(TransformError::NotComputable { at: upper })
     }

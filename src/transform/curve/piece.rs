@@ -10,6 +10,8 @@ pub(super) struct Piece {
     pub(super) exponent: f64,
     /// A bound on the error of the sum Σ c_k P_k.
     pub(super) noise: f64,
+    /// The error at the lower end, in units of `noise`.
+    peak: f64,
     length: f64,
     coefficients: Vec<f64>,
     root: Power,
@@ -84,7 +86,8 @@ impl Piece {
         let raised = Power::raised(&coefficients, exponent);
         let area = Power::integral(&coefficients, exponent);
         let far = ends_inside.then(|| Far::new(lower, length, exponent, &coefficients));
-        Self { lower, upper, exponent, noise, length, coefficients, root, raised, area, far }
+        let peak = peak(coefficients.len(), exponent);
+        Self { lower, upper, exponent, noise, peak, length, coefficients, root, raised, area, far }
     }
 
     /// The number of coefficients.
@@ -146,8 +149,17 @@ impl Piece {
                 }
             }
         };
-        let noise = self.noise * self.root.unit * divided(self.root.exponent()) * self.lever(kind, place.x, u);
+        let noise = self.noise * self.growth(u) * self.root.unit * divided(self.root.exponent()) * self.lever(kind, place.x, u);
         Share { value, size, noise }
+    }
+
+    /// How much larger the error is next to the lower end, where |P_k^{(0,B)}| grows to (k+B over k).
+    ///
+    /// The coefficients have errors of about √((2k+1)/n) of one value's; away from the end P_k falls like (k²u/S)^(−B/2 − 1/4).
+    fn growth(&self, u: f64) -> f64 {
+        let n = self.coefficients.len() as f64;
+        let away = (n * n * u / self.length).max(1.0);
+        (self.peak * away.powf(-0.5 * self.exponent.max(0.0) - 0.25)).max(1.0)
     }
 
     /// What the kinds multiply φ with at most, beside the root.
@@ -216,6 +228,17 @@ impl Far {
         }
         (value, size)
     }
+}
+
+/// Twice √(Σ (2k+1)/n (k+B over k)²) over n coefficients.
+fn peak(count: usize, exponent: f64) -> f64 {
+    let (mut own, mut total) = (1.0, 0.0);
+    for k in 0..count {
+        let k = k as f64;
+        total += (2.0 * k + 1.0) / count as f64 * own * own;
+        own *= (k + 1.0 + exponent) / (k + 1.0);
+    }
+    2.0 * total.sqrt()
 }
 
 fn combine(first: (f64, f64), factor: f64, second: (f64, f64), other: f64) -> (f64, f64) {
