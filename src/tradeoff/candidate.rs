@@ -21,7 +21,6 @@ pub(super) enum Run<'a> {
     /// Point by point; the index counts the points of the problem.
     Point(Box<dyn FnMut(usize, f64) -> Result<Estimate, String> + 'a>),
     /// A slice of points at once, without error estimates.
-    #[expect(dead_code, reason = "no method over slices has a ladder yet")]
     Slice(Slices<'a>),
 }
 
@@ -41,4 +40,5 @@ pub(super) type Ladder<'a> = Result<Vec<Candidate<'a>>, Refused>;
 type Method = for<'a> fn(&'a Problem<'a>, &'a Evaluator<'a>) -> Ladder<'a>;
 
 /// Every method, one row each.
-pub(super) const METHODS: &[Method] = &[super::closed::ladder, super::quadrature::ladder, super::series::ladder, super::foundation::ladder];
+pub(super) const METHODS: &[Method] =
+    &[super::closed::ladder, super::quadrature::ladder, super::curve::ladder, super::series::ladder, super::foundation::ladder];

@@ -1,10 +1,10 @@
-//! The closed form: in doubles with bounds, and with 30 digits.
+//! The closed form: over a slice without bounds, in doubles with bounds, and with 30 digits.
 
-use super::Problem;
 use super::candidate::{Candidate, Ladder, Refused, Run};
+use super::problem::{Problem, Quantity};
 use crate::expr::Bindings;
 use crate::num::Estimate;
-use crate::transform::{Evaluator, Method, derive};
+use crate::transform::{Evaluator, Method, Slice, derive};
 
 pub(super) const METHOD: &str = "closed form";
 
@@ -25,7 +25,24 @@ pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladd
         let value = digits.with_30_digits(quantity, &problem.inputs(at)).map_err(|error| error.to_string())?;
         value.map(|value| Estimate::from_bounded(value.bounded(), 0)).ok_or_else(|| "an open term".to_owned())
     };
+    let slices = new()?;
+    let radius = problem.radius;
+    let by_slices = move |at: &[f64], out: &mut [f64]| {
+        let out = Slice { values: out, errors: None, methods: None, evaluations: None };
+        let done = match (problem.quantity, radius) {
+            (Quantity::Equivalent, _) => slices.slopes(at, out),
+            (Quantity::Force, _) => slices.forces(at, out),
+            (Quantity::Pressure, radius) => slices.pressures(at, radius.unwrap_or(1.0), out),
+        };
+        done.map_err(|error| error.to_string())
+    };
     Ok(vec![
+        Candidate {
+            method: METHOD,
+            setting: "slice of doubles".to_owned(),
+            run: Run::Slice(Box::new(by_slices)),
+            set_up: Box::new(set_up),
+        },
         Candidate {
             method: METHOD,
             setting: "doubles with bounds".to_owned(),

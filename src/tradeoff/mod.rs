@@ -3,6 +3,7 @@
 mod candidate;
 mod clock;
 mod closed;
+mod curve;
 mod error;
 mod foundation;
 mod front;
