@@ -28,6 +28,14 @@ docs:
 bench filter='':
     cargo bench -- {{filter}}
 
+# What accuracy costs, for eight profiles: docs/speed-and-accuracy.md with its plots.
+tradeoff:
+    cargo run --release --example speed_and_accuracy
+
+# This crate and its peers at the same places, as one table.
+peers:
+    benches/peers/run | tee benches/peers/table.txt
+
 # The catalogue of profiles with reference values of 40 digits, with its output.
 catalogue:
     cargo test --test catalogue -- --nocapture
