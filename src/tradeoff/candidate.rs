@@ -40,5 +40,11 @@ pub(super) type Ladder<'a> = Result<Vec<Candidate<'a>>, Refused>;
 type Method = for<'a> fn(&'a Problem<'a>, &'a Evaluator<'a>) -> Ladder<'a>;
 
 /// Every method, one row each.
-pub(super) const METHODS: &[Method] =
-    &[super::closed::ladder, super::quadrature::ladder, super::curve::ladder, super::series::ladder, super::foundation::ladder];
+pub(super) const METHODS: &[Method] = &[
+    super::closed::ladder,
+    super::quadrature::ladder,
+    super::curve::ladder,
+    super::series::ladder,
+    super::table::ladder,
+    super::foundation::ladder,
+];

@@ -12,6 +12,7 @@ mod problem;
 mod quadrature;
 mod series;
 mod study;
+mod table;
 mod truth;
 
 pub use error::TradeoffError;
