@@ -14,7 +14,9 @@ pub(super) fn ladder<'a>(problem: &'a Problem<'a>, evaluator: &'a Evaluator<'a>)
     let mut steps = Vec::new();
     for points in POINTS {
         // The last point lies beyond the farthest place, because a table ends where its points do.
-        let radii: Vec<f64> = (0..=points).map(|i| reach * i as f64 / (points - 1) as f64).filter(|r| *r < evaluator.limit()).collect();
+        // The farthest place is one of the points exactly; a quotient could fall short of it.
+        let radius = |i: usize| if i + 1 == points { reach } else { reach * i as f64 / (points - 1) as f64 };
+        let radii: Vec<f64> = (0..=points).map(radius).filter(|r| *r < evaluator.limit()).collect();
         let heights: Vec<f64> = radii.iter().map(|r| height(evaluator, *r)).collect::<Result<_, _>>().map_err(refused)?;
         let build = move || Profile::from_points(&radii, &heights, Interpolation::MonotoneCubic);
         let table = build().map_err(refused)?;
