@@ -86,9 +86,12 @@ fn the_catalogue_agrees_with_its_digits() {
 
 /// Compares a curve with the other paths at random places; returns the largest share of the estimate that was used.
 fn compared(text: &str, reach: f64, tolerance: f64, count: usize) -> Result<f64, String> {
-    let solution = solved(text);
-    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
-    let curve = Curve::new(evaluator.typed().unwrap(), reach, tolerance).map_err(|error| error.to_string())?;
+    examined(text, &solved(text), reach, tolerance, count)
+}
+
+fn examined(text: &str, solution: &Solution, reach: f64, tolerance: f64, count: usize) -> Result<f64, String> {
+    let evaluator = Evaluator::new(solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let curve = Curve::new(evaluator.typed().map_err(|error| error.to_string())?, reach, tolerance).map_err(|error| error.to_string())?;
     let mut stream = Stream::new(7);
     let mut used = 0.0_f64;
     for index in 0..count {
@@ -137,4 +140,27 @@ fn every_kind_of_profile_has_an_honest_curve() {
             Err(fault) => panic!("{fault}"),
         }
     }
+}
+
+/// Over random profiles the estimates cover the truth; what has no curve says so.
+#[test]
+fn random_profiles_have_honest_curves() {
+    let mut stream = Stream::new(20_261);
+    let (mut curves, mut refused, mut faults) = (0, 0, Vec::new());
+    for _ in 0..150 {
+        let sample = common::profiles::sample(&mut stream);
+        let Ok(formula) = parse::profile(&sample.text) else { continue };
+        let bound = formula.substitute(&common::formulas::bindings(&sample.values));
+        let Ok(solution) = Profile::new(&bound).and_then(|profile| derive(&profile)) else { continue };
+        let Ok(evaluator) = Evaluator::new(&solution, &Bindings::default(), Method::Quadrature, 1e-12) else { continue };
+        let reach = (0.98 * evaluator.limit()).min(3.0);
+        match examined(&sample.text, &solution, reach, 1e-6, 24) {
+            Ok(_) => curves += 1,
+            Err(fault) if fault.starts_with(&sample.text) => faults.push(fault),
+            Err(_) => refused += 1,
+        }
+    }
+    println!("{curves} curves, {refused} refused");
+    assert!(faults.is_empty(), "{} of {curves}: {}", faults.len(), faults.join("\n"));
+    assert!(curves > 3 * refused, "{curves} {refused}");
 }

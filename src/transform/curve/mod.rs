@@ -51,7 +51,7 @@ pub struct Curve<'a> {
 }
 
 impl<'a> Curve<'a> {
-    /// Expands f′ up to `reach` and checks the curve against quadrature at a few random places.
+    /// Expands f′ up to `reach` and compares every polynomial with quadrature at a random place.
     ///
     /// `tolerance` is the error of g relative to the largest |g|.
     ///
@@ -89,33 +89,13 @@ impl<'a> Curve<'a> {
         let evaluations = budget.evaluations;
         let (force, integral) = (OnceLock::new(), OnceLock::new());
         let mut curve = Self { profile, reach, pieces, breakpoints, smears, evaluations, slope, force, integral, bound: 0.0 };
-        let factor = curve.doubt(&curve.slope, |x| profile.slope(x, CHECK));
-        if factor > 1.0 {
-            curve.slope.widen(factor);
-        }
+        curve.slope.examine(&mut Stream::new(reach.to_bits()), |x| profile.slope(x, CHECK));
         let (largest, error) = curve.slope.extremes();
         curve.bound = error + curve.smears.iter().map(|smeared| smear(*smeared, reach, Integral::Root)).sum::<f64>();
         if error.is_nan() || error > tolerance * largest {
             return Err(TransformError::CurveTooRough { quantity: "g", achieved: error / largest, requested: tolerance });
         }
         Ok(curve)
-    }
-
-    /// How much errors must grow so that the quadrature at a few random places agrees; 1 where they are fine.
-    fn doubt(&self, table: &Table, exact: impl Fn(f64) -> Result<Estimate, TransformError>) -> f64 {
-        let mut stream = Stream::new(self.reach.to_bits());
-        let mut factor = 1.0_f64;
-        for _ in 0..CHECKS {
-            let x = self.reach * stream.uniform();
-            // Where quadrature has no value there is nothing to compare with.
-            let Ok(reference) = exact(x) else { continue };
-            let (value, error) = table.at(x);
-            let beyond = (value - reference.value).abs() - reference.error;
-            if beyond > error && error > 0.0 {
-                factor = factor.max(3.0 * beyond / error);
-            }
-        }
-        factor
     }
 
     /// g(x).
@@ -226,10 +206,7 @@ impl<'a> Curve<'a> {
             return Ok(ready);
         }
         let mut built = Table::new(&self.pieces, kind, &self.breakpoints, self.reach)?;
-        let factor = self.doubt(&built, exact);
-        if factor > 1.0 {
-            built.widen(factor);
-        }
+        built.examine(&mut Stream::new(self.reach.to_bits()), exact);
         Ok(cell.get_or_init(|| built))
     }
 
@@ -289,7 +266,5 @@ impl Curve<'_> {
     }
 }
 
-/// Random places at which a curve is compared with quadrature.
-const CHECKS: usize = 4;
-/// The tolerance of that quadrature.
+/// The tolerance of the quadrature that a curve is compared with.
 const CHECK: f64 = 1e-13;

@@ -3,7 +3,9 @@
 use super::piece::{Integral, Piece, Place, Share};
 use super::source::power;
 use crate::num::spectral::{LOCAL, Local, local_nodes};
+use crate::num::Estimate;
 use crate::transform::TransformError;
+use crate::transform::stream::Stream;
 
 /// One quantity over [0, reach].
 pub(super) struct Table {
@@ -48,6 +50,8 @@ const DEEPEST: u32 = 44;
 const CELLS: u32 = 9;
 /// A curve with more leaves is no curve.
 const MOST_LEAVES: usize = 20_000;
+/// Polynomials that are compared with another computation.
+const MOST_COMPARED: usize = 256;
 /// Places that are worked on together.
 const CHUNK: usize = 128;
 
@@ -123,9 +127,20 @@ impl Table {
         (value, error)
     }
 
-    /// Multiplies every error.
-    pub(super) fn widen(&mut self, factor: f64) {
-        self.spans.iter_mut().flat_map(|span| &mut span.leaves).for_each(|leaf| leaf.error *= factor);
+    /// Compares every polynomial with another computation at a random place of it, the first one after a breakpoint also
+    /// close to that; where they disagree, the errors there and beside grow until they cover it three times.
+    ///
+    /// Of very many polynomials an even selection is compared, and the largest growth counts for all.
+    pub(super) fn examine(&mut self, stream: &mut Stream, exact: impl Fn(f64) -> Result<Estimate, TransformError>) {
+        let stride = self.len().div_ceil(MOST_COMPARED).max(1);
+        for span in &mut self.spans {
+            let growths = span.growths(stride, stream, &exact);
+            let largest = growths.iter().copied().fold(1.0, f64::max);
+            for (index, leaf) in span.leaves.iter_mut().enumerate() {
+                let near = growths.iter().skip(index.saturating_sub(1)).take(if index == 0 { 2 } else { 3 });
+                leaf.error *= if stride > 1 { largest } else { near.copied().fold(1.0, f64::max) };
+            }
+        }
     }
 
     /// The number of polynomials.
@@ -184,6 +199,33 @@ impl Span {
         }
         self.cover(sum, from, middle, depth + 1)?;
         self.cover(sum, middle, to, depth + 1)
+    }
+
+    /// By how much the error of each polynomial must grow, 1 where it agrees or is not compared.
+    fn growths(&self, stride: usize, stream: &mut Stream, exact: &impl Fn(f64) -> Result<Estimate, TransformError>) -> Vec<f64> {
+        let (mut growths, mut from) = (Vec::with_capacity(self.leaves.len()), 0.0);
+        for (index, leaf) in self.leaves.iter().enumerate() {
+            let mut growth = 1.0_f64;
+            let within = [stream.uniform(), 10f64.powf(-12.0 * stream.uniform())];
+            let places = within.iter().take(if index == 0 { 2 } else { 1 });
+            for share in places.map(|part| from + (leaf.to - from) * part) {
+                let w = if self.square { share } else { share * share } / self.scale;
+                let x = Place::new(self.anchor, w).x.min(self.to);
+                let w = (x - self.anchor) * (x + self.anchor);
+                // Where the other has no value there is nothing to compare with.
+                let (true, Some((own, u)), Ok(other)) = (index % stride == 0, self.locate(w), exact(x)) else { continue };
+                let front = self.front.at(x, w);
+                let value = own.local.at(u) * front;
+                let error = own.error * front.abs();
+                let beyond = (value - other.value).abs() - other.error - 6.0 * f64::EPSILON * value.abs();
+                if beyond > error && error > 0.0 {
+                    growth = growth.max(3.0 * beyond / error);
+                }
+            }
+            growths.push(growth);
+            from = leaf.to;
+        }
+        growths
     }
 
     fn index(&mut self) {
