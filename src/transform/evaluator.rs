@@ -117,7 +117,12 @@ impl<'a> Evaluator<'a> {
             pieces
                 .extend(chain.intervals().zip(slopes).map(|((lower, upper, _), slope)| (Segment { lower, upper: upper.cloned() }, slope)));
         }
-        let built = NumericProfile::new(&pieces, &self.bindings)?;
+        let mut built = NumericProfile::new(&pieces, &self.bindings)?;
+        // The nearest of several limits is where f′ ends.
+        let nearest = self.limit();
+        if let Some((limit, _)) = self.solution.profile.limits().zip(&self.limits).find(|(_, own)| **own == nearest) {
+            built = built.ending_at(limit, &self.bindings)?;
+        }
         Ok(self.typed.get_or_init(|| built))
     }
 

@@ -1,11 +1,12 @@
 //! The fallback: every quantity as one integral straight from f′, by quadrature.
 
 use super::TransformError;
-use super::slope_source::{NO_BEND, Numbers};
+use super::parity::{Parity, parity};
+use super::slope_source::{NO_BEND, Numbers, Scratch};
 use super::term::Segment;
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, derivative, multiplied_out, normal};
-use crate::num::quadrature::{Options, Panel, Point, integrate};
+use crate::num::quadrature::{Options, Panel, Point, integrate, integrate_blocks};
 use crate::num::{Bounded, Estimate, NumError, forms};
 use std::sync::OnceLock;
 
@@ -26,6 +27,17 @@ pub(super) struct NumericSegment {
     pub(super) bend: OnceLock<Option<Numbers>>,
     /// True where f′ behaves like a fractional power of δ at the lower end.
     pub(super) singular: bool,
+    /// True where f′ continues to an odd function of r.
+    pub(super) odd: bool,
+    /// Where f′ ends, if that is known.
+    pub(super) limit: Option<Limit>,
+}
+
+/// The end of f′, as the equator of a sphere.
+pub(super) struct Limit {
+    pub(super) value: Bounded,
+    /// f′ over the distance to the limit.
+    pub(super) slope: Numbers,
 }
 
 /// What multiplies f′ under the integral over t, r = x sin t.
@@ -58,10 +70,28 @@ impl NumericProfile {
             let slope_expr = bindings.apply(slope);
             let slope = Numbers::Tape(compile_shifted(&slope_expr, &lower_expr)?);
             let singular = is_singular(&slope, lower.value, upper.map(|u| u.value));
+            let odd = parity(&slope_expr, &Symbol::new("r")) == Some(Parity::Odd);
             let source = Some((slope_expr, lower_expr));
-            segments.push(NumericSegment { lower, upper, slope, source, bend: OnceLock::new(), singular });
+            segments.push(NumericSegment { lower, upper, slope, source, bend: OnceLock::new(), singular, odd, limit: None });
         }
         Ok(Self { segments })
+    }
+
+    /// The same profile, told where it ends: next to that place f′ is taken from the distance to it.
+    ///
+    /// # Errors
+    /// [`TransformError::Evaluation`] where a parameter has no value.
+    pub fn ending_at(mut self, limit: &Expr, bindings: &Bindings) -> Result<Self, TransformError> {
+        let limit = bindings.apply(limit);
+        let value = constant_value(&limit, &Bindings::default())?;
+        for segment in self.segments.iter_mut().filter(|segment| segment.upper.is_none()) {
+            let Some((slope, _)) = &segment.source else { continue };
+            let rest = Symbol::new("δ");
+            let below = shifted(slope, &limit, &-Expr::from(rest.clone()));
+            let slope = Numbers::Tape(Tape::compile(&[below], &[rest])?);
+            segment.limit = Some(Limit { value, slope });
+        }
+        Ok(self)
     }
 
     /// True where nothing is left to integrate.
@@ -144,6 +174,9 @@ impl NumericProfile {
     }
 }
 
+/// Most points of a rule.
+pub(super) const MOST: usize = 61;
+
 impl NumericSegment {
     /// The part of the integral on this interval; 0 where it begins beyond x.
     fn over_angle(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Estimate, TransformError> {
@@ -152,44 +185,57 @@ impl NumericSegment {
         if lower >= x {
             return Ok(Estimate { value: 0.0, error: smear, evaluations: 0 });
         }
+        if let Some(found) = self.by_nested_rules(x, weight, tolerance)? {
+            return Ok(Estimate { error: found.error + smear, ..found });
+        }
         let end = self.upper.map_or(f64::INFINITY, |u| u.value);
         let width = forms::angle_between(lower, end, x);
         let beyond = if end < x { ((x - end) * (x + end)).sqrt().atan2(end) } else { 0.0 };
-        let mut slots = Vec::new();
-        let mut integrand = |point: Point| -> Bounded {
-            let (v, rest) = (point.from_lower, beyond + point.from_upper);
-            // r − lower = 2x sin(v/2) sin(π/2 − t_lower − v/2): every factor is positive.
-            // Below the smallest normal number f′ has no digits; the panel's tail is bounded from its last values.
-            let distance = (2.0 * x * (0.5 * v).sin() * (rest + 0.5 * v).sin()).max(f64::MIN_POSITIVE);
-            let mut delta = with_ulps(distance, 12.0);
-            // The distance counts from an end that is known to its error only; next to that end `smear` has it.
-            if distance > 2.0 * self.lower.error {
-                delta.error += self.lower.error;
+        let mut scratch = Scratch::take();
+        let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
+            let count = points.len().min(MOST);
+            let (mut distances, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
+            for ((point, distance), doubt) in points.iter().zip(&mut distances).zip(&mut doubts) {
+                let (v, rest) = (point.from_lower, beyond + point.from_upper);
+                // r − lower = 2x sin(v/2) sin(π/2 − t_lower − v/2): every factor is positive.
+                // Below the smallest normal number f′ has no digits; the panel's tail is bounded from its last values.
+                *distance = (2.0 * x * (0.5 * v).sin() * (rest + 0.5 * v).sin()).max(f64::MIN_POSITIVE);
+                // The distance counts from an end that is known to its error only; next to that end `smear` has it.
+                let own = if *distance > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
+                *doubt = with_ulps(*distance, 12.0).error + own;
             }
-            let slope = self.slope.at(delta, &mut slots);
-            match weight {
-                Weight::Slope => slope,
-                Weight::Force => {
-                    let r = self.lower + delta;
-                    slope * r * r
-                }
-                Weight::Integral => {
-                    let cosine = with_ulps(rest.sin(), 8.0);
-                    slope * cosine * cosine
-                }
-                Weight::Outside(r) => {
-                    let ratio = x / ((r - x) * (r + x)).sqrt();
-                    let (q, s) = (rest.sin(), (lower + distance) / x);
-                    let short = s * s / (1.0 + q);
-                    let angle = (q * ratio).atan();
-                    slope * with_ulps((short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle, 24.0)
-                }
+            self.slope.block(&distances[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
+            for (i, height) in heights.iter_mut().enumerate().take(count) {
+                let slope = Bounded { value: values[i], error: errors[i] };
+                let rest = beyond + points[i].from_upper;
+                *height = match weight {
+                    Weight::Slope => slope,
+                    Weight::Force => {
+                        let r = self.lower + Bounded { value: distances[i], error: doubts[i] };
+                        slope * r * r
+                    }
+                    Weight::Integral => {
+                        let cosine = with_ulps(rest.sin(), 8.0);
+                        slope * cosine * cosine
+                    }
+                    Weight::Outside(r) => {
+                        let ratio = x / ((r - x) * (r + x)).sqrt();
+                        let (q, s) = (rest.sin(), (lower + distances[i]) / x);
+                        let short = s * s / (1.0 + q);
+                        let angle = (q * ratio).atan();
+                        slope * with_ulps((short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle, 24.0)
+                    }
+                };
             }
         };
         let panel = if self.singular { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };
         let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
-        let result = integrate(&mut integrand, &[panel], &options);
-        let inner = |v: f64| integrand(Point { x: v, from_lower: v, from_upper: width - v }).value;
+        let result = integrate_blocks(&mut integrand, &[panel], &options);
+        let inner = |v: f64| {
+            let mut found = [Bounded::exact(0.0)];
+            integrand(&[Point { x: v, from_lower: v, from_upper: width - v }], &mut found);
+            found[0].value
+        };
         let mut found = settle(result, x, || magnitude(width, inner))?;
         // The rounding of the angle, and of the interval's ends.
         found.error += 8.0 * f64::EPSILON * found.value.abs() + smear;

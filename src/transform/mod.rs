@@ -1,5 +1,6 @@
 //! The heart: from a profile to its terms, from terms to exact answers or integrals, and from both to numbers.
 
+mod angle;
 mod assemble;
 mod check;
 mod closed;
@@ -12,6 +13,7 @@ mod evaluator;
 mod integral;
 mod inverse;
 mod kinks;
+mod parity;
 mod profile;
 mod quantities;
 mod quantity;
@@ -25,6 +27,7 @@ mod slope_source;
 mod stream;
 mod stress;
 mod table;
+mod stress_slopes;
 mod term;
 
 pub use assemble::{Derived, Status};

@@ -2,8 +2,9 @@
 
 use super::TransformError;
 use super::integral::{NumericProfile, NumericSegment};
-use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape};
+use crate::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, Tape};
 use crate::num::Bounded;
+use std::cell::Cell;
 use std::sync::{Arc, OnceLock};
 
 /// f′ on one segment [lower, upper) as a function of δ = r − lower, with bounds on its errors.
@@ -62,12 +63,47 @@ impl Numbers {
         }
     }
 
+    /// Values with their bounds at many distances; NaN where there is none.
+    pub(super) fn block(&self, deltas: &[f64], doubts: &[f64], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
+        if let Self::Tape(tape) = self {
+            let input = BlockInput { values: deltas, errors: doubts };
+            if tape.run_block_bounded(&[input], values, errors, &mut scratch.0).is_some() {
+                return;
+            }
+        }
+        let mut slots = Vec::new();
+        for ((value, error), (delta, doubt)) in values.iter_mut().zip(errors).zip(deltas.iter().zip(doubts)) {
+            let own = self.at(Bounded { value: *delta, error: *doubt }, &mut slots);
+            (*value, *error) = (own.value, own.error);
+        }
+    }
+
     /// The value alone.
     pub(super) fn plain(&self, delta: f64) -> f64 {
         match self {
             Self::Tape(tape) => tape.run(&mut FloatAlgebra, &[delta], &mut Vec::new()).unwrap_or(f64::NAN),
             _ => self.at(Bounded::exact(delta), &mut Vec::new()).value,
         }
+    }
+}
+
+/// Room for the intermediate values of blocks: each thread keeps one, so that a short integral asks for no memory.
+pub(super) struct Scratch(BlockScratch);
+
+thread_local! {
+    static KEPT: Cell<Option<BlockScratch>> = const { Cell::new(None) };
+}
+
+impl Scratch {
+    /// The thread's own, or a new one while that is in use.
+    pub(super) fn take() -> Self {
+        Self(KEPT.take().unwrap_or_default())
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        KEPT.set(Some(std::mem::take(&mut self.0)));
     }
 }
 
@@ -105,7 +141,16 @@ impl NumericSegment {
         let bend = OnceLock::from(has_bend.then(|| Numbers::Bend(Arc::clone(&source))));
         let slope = Numbers::Slope(source);
         let singular = super::integral::is_singular(&slope, lower, upper);
-        Self { lower: Bounded::exact(lower), upper: upper.map(Bounded::exact), slope, source: None, bend, singular }
+        Self {
+            lower: Bounded::exact(lower),
+            upper: upper.map(Bounded::exact),
+            slope,
+            source: None,
+            bend,
+            singular,
+            odd: false,
+            limit: None,
+        }
     }
 }
 

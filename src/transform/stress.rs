@@ -1,20 +1,33 @@
 //! The pressure by one integral straight from f′ and f″, with its logarithmic singularity and its kinks.
 
 use super::TransformError;
-use super::integral::{NumericProfile, NumericSegment, reached, settled, with_ulps};
-use super::slope_source::Numbers;
-use crate::num::quadrature::{Options, Panel, Point, integrate};
+use super::integral::{MOST, NumericProfile, NumericSegment, reached, settled, with_ulps};
+use super::slope_source::{Numbers, Scratch};
+use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::{Bounded, Estimate, special};
 
 impl NumericProfile {
-    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge, as
-    /// ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s), δ the jump of f′ at b; K by Carlson's R_F.
+    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by values of g′ where one smooth piece reaches up to a,
+    /// else by [`Self::stress_direct`].
     ///
     /// `None` where the value is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
     ///
     /// # Errors
     /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
     pub fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        match self.pressure_by_slopes(s, a, tolerance) {
+            Some(found) => Ok(Some(found)),
+            None => self.stress_direct(s, a, tolerance),
+        }
+    }
+
+    /// The same as one integral, ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s), δ the jump of f′ at b; K by Carlson's R_F.
+    ///
+    /// `None` where the value is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
+    ///
+    /// # Errors
+    /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
+    pub fn stress_direct(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let mut total = Bounded::exact(0.0);
         let mut evaluations = 0;
         for (at, jump) in self.jumps(a) {
@@ -108,18 +121,26 @@ impl NumericSegment {
 
     fn pressure_between(&self, bend: &Numbers, from: f64, to: f64, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
-        let mut slots = Vec::new();
-        let mut integrand = |point: Point| -> Bounded {
-            let (up, down) = (point.from_lower, point.from_upper);
-            // Every distance is a sum of parts of one sign.
-            let delta = ((from - lower) + up).max(f64::MIN_POSITIVE);
-            let difference = if s <= from { (from - s) + up } else { (s - to) + down };
-            let below_edge = (a - to) + down;
-            let r = if up < down { from + up } else { to - down };
-            bend.at(with_ulps(delta, 8.0), &mut slots) * kernel(r, s, a, &Distances { difference, below_edge })
+        let mut scratch = Scratch::take();
+        let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
+            let (mut deltas, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
+            let count = points.len().min(MOST);
+            for ((point, delta), doubt) in points.iter().zip(&mut deltas).zip(&mut doubts) {
+                // Every distance is a sum of parts of one sign.
+                *delta = ((from - lower) + point.from_lower).max(f64::MIN_POSITIVE);
+                *doubt = with_ulps(*delta, 8.0).error;
+            }
+            bend.block(&deltas[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
+            for (((point, height), value), error) in points.iter().zip(heights).zip(values).zip(errors) {
+                let (up, down) = (point.from_lower, point.from_upper);
+                let difference = if s <= from { (from - s) + up } else { (s - to) + down };
+                let below_edge = (a - to) + down;
+                let r = if up < down { from + up } else { to - down };
+                *height = Bounded { value, error } * kernel(r, s, a, &Distances { difference, below_edge });
+            }
         };
         let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
-        let result = integrate(&mut integrand, &[Panel::singular(from, to)], &options);
+        let result = integrate_blocks(&mut integrand, &[Panel::singular(from, to)], &options);
         reached(result, a)
     }
 }

@@ -1,4 +1,4 @@
-"""Gauss-Kronrod rules of 15, 21 and 31 points with their decay rules, as Rust source.
+"""Gauss-Kronrod rules of 15, 21, 31 and 61 points with their decay rules, as Rust source.
 
 Run with mpmath; prints the body of src/num/quadrature/rules.rs from its first `pub(super) static`.
 Nodes: Gauss nodes are the roots of P_n, the others those of the Stieltjes polynomial E_(n+1), which
@@ -131,5 +131,5 @@ def rule(n):
 
 
 if __name__ == "__main__":
-    for n in (7, 10, 15):
+    for n in (7, 10, 15, 30):
         rule(n)

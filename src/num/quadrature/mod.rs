@@ -1,6 +1,8 @@
 //! Adaptive quadrature: panels with singular ends, integrands that carry their rounding error.
 
+mod abel;
 mod adaptive;
+mod even;
 mod refine;
 mod rules;
 mod sample;
@@ -8,5 +10,8 @@ mod sample;
 mod tests;
 mod transform;
 
-pub use adaptive::{Options, integrate};
+pub use abel::{AbelOptions, Radii, Start, abel, abel_force};
+pub(crate) use abel::{CHUNK, Extent, Form, Placed, Room, Wish, from_the_axis};
+pub use adaptive::{Options, Rule, integrate, integrate_blocks};
+pub(crate) use even::{EvenIntegrand, Mean, Nodes, Stage, mean};
 pub use transform::{EndBehaviour, Panel, Point};

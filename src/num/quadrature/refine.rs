@@ -8,7 +8,7 @@ use super::super::error::NumError;
 use super::super::estimate::Estimate;
 use super::sample::{Order, Place, Sample, sample};
 use super::transform::Map;
-use super::{Options, Point};
+use super::{Options, Point, Rule};
 
 /// Deepest bisection: positions stay exact integers.
 const DEEPEST: u32 = 50;
@@ -117,7 +117,7 @@ impl Work {
         place: Place,
         stalls: u8,
         options: &Options,
-        integrand: &mut impl FnMut(Point) -> Bounded,
+        integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
     ) -> Result<Piece, NumError> {
         let mut found = sample(order, &map, place, options.charge_x, integrand)?;
         self.evaluations += order.points();
@@ -132,7 +132,7 @@ impl Work {
         mut self,
         order: Order,
         options: &Options,
-        integrand: &mut impl FnMut(Point) -> Bounded,
+        integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
     ) -> Result<Estimate, NumError> {
         loop {
             if !self.totals.value.is_finite() {
@@ -157,7 +157,7 @@ impl Work {
                 self.closed.push(worst);
                 continue;
             }
-            if self.evaluations + 2 * Order::Points31.points() > options.max_evaluations {
+            if self.evaluations + 2 * order.points().max(Order::Points31.points()) > options.max_evaluations {
                 self.open.push(worst);
                 let Estimate { value, error, evaluations } = self.answer();
                 return Err(NumError::EvaluationLimit { value, error, evaluations });
@@ -173,13 +173,13 @@ impl Work {
         order: Order,
         requested: f64,
         options: &Options,
-        integrand: &mut impl FnMut(Point) -> Bounded,
+        integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
     ) -> Result<(), NumError> {
         let Piece { map, place, stalls, found: before, .. } = worst;
         let steps = worst.order.steps_to_the_largest();
         let predicted = before.quadrature * before.rate.powi(steps);
         let mut after = Totals::default();
-        if steps > 0 && 4.0 * predicted <= requested {
+        if steps > 0 && options.rule == Rule::Cheapest && 4.0 * predicted <= requested {
             // A failed prediction counts as a stall through the order: next time it is bisected.
             let piece = self.measure(Order::Points31, map, place, stalls, options, integrand)?;
             after.add(&piece.found);

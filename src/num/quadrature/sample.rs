@@ -3,7 +3,7 @@
 use super::super::bounded::{Bounded, UNIT};
 use super::super::error::NumError;
 use super::Point;
-use super::rules::{KRONROD_15, KRONROD_21, KRONROD_31, Rule};
+use super::rules::{KRONROD_15, KRONROD_21, KRONROD_31, KRONROD_61, Rule};
 use super::transform::Map;
 
 /// Which rule: in order of cost.
@@ -12,6 +12,7 @@ pub(super) enum Order {
     Points15,
     Points21,
     Points31,
+    Points61,
 }
 
 impl Order {
@@ -20,6 +21,7 @@ impl Order {
             Self::Points15 => 15,
             Self::Points21 => 21,
             Self::Points31 => 31,
+            Self::Points61 => 61,
         }
     }
 
@@ -28,7 +30,7 @@ impl Order {
         match self {
             Self::Points15 => 8,
             Self::Points21 => 5,
-            Self::Points31 => 0,
+            Self::Points31 | Self::Points61 => 0,
         }
     }
 }
@@ -61,32 +63,46 @@ pub(super) fn sample(
     map: &Map,
     place: Place,
     charge_x: bool,
-    integrand: &mut impl FnMut(Point) -> Bounded,
+    integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
 ) -> Result<Sample, NumError> {
     match order {
         Order::Points15 => apply(&KRONROD_15, map, place, charge_x, integrand),
         Order::Points21 => apply(&KRONROD_21, map, place, charge_x, integrand),
         Order::Points31 => apply(&KRONROD_31, map, place, charge_x, integrand),
+        Order::Points61 => apply(&KRONROD_61, map, place, charge_x, integrand),
     }
 }
+
+/// Most points of a rule.
+const MOST: usize = 61;
 
 fn apply<const H: usize>(
     rule: &Rule<H>,
     map: &Map,
     place: Place,
     charge_x: bool,
-    integrand: &mut impl FnMut(Point) -> Bounded,
+    integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
 ) -> Result<Sample, NumError> {
     // Integer positions: the fractions 0 … 1 of the panel keep full relative accuracy at both ends.
     let width = 0.5f64.powi(place.level as i32);
     let before = place.index as f64;
     let after = ((1u64 << place.level) - 1 - place.index) as f64;
+    // All points first, so that the integrand sees them as one block: the lower half, the upper half, the centre.
+    let nowhere = Point { x: 0.0, from_lower: 0.0, from_upper: 0.0 };
+    let (mut points, mut slopes, mut heights) = ([nowhere; MOST], [0.0; MOST], [Bounded::exact(0.0); MOST]);
+    let count = 2 * H - 1;
+    for (i, &near) in rule.distance.iter().enumerate().take(H - 1) {
+        let far = 1.0 - near;
+        (points[i], slopes[i]) = map.point((before + near) * width, (after + far) * width);
+        (points[H - 1 + i], slopes[H - 1 + i]) = map.point((before + far) * width, (after + near) * width);
+    }
+    (points[count - 1], slopes[count - 1]) = map.point((before + 0.5) * width, (after + 0.5) * width);
+    integrand(&points[..count], &mut heights[..count]);
     let mut noise = 0.0;
-    let mut at = |near: f64, far: f64, weight: f64| -> Result<f64, NumError> {
-        let (point, slope) = map.point((before + near) * width, (after + far) * width);
-        let height = integrand(point);
+    let mut at = |index: usize, weight: f64| -> Result<f64, NumError> {
+        let (height, slope) = (heights[index], slopes[index]);
         if !height.value.is_finite() {
-            return Err(NumError::NotFinite { at: point.x });
+            return Err(NumError::NotFinite { at: points[index].x });
         }
         let carried = weight * slope * height.error;
         // An unknown error is an unbounded one.
@@ -94,11 +110,11 @@ fn apply<const H: usize>(
         Ok(height.value * slope)
     };
     let (mut low, mut high) = ([0.0; H], [0.0; H]);
-    for (i, (&near, &weight)) in rule.distance.iter().zip(&rule.kronrod).enumerate().take(H - 1) {
-        low[i] = at(near, 1.0 - near, weight)?;
-        high[i] = at(1.0 - near, near, weight)?;
+    for (i, &weight) in rule.kronrod.iter().enumerate().take(H - 1) {
+        low[i] = at(i, weight)?;
+        high[i] = at(H - 1 + i, weight)?;
     }
-    let centre = at(0.5, 0.5, rule.kronrod[H - 1])?;
+    let centre = at(count - 1, rule.kronrod[H - 1])?;
     // The centre counts once: as a sum with nothing, and as no difference.
     (low[H - 1], high[H - 1]) = (centre, 0.0);
 

@@ -172,7 +172,7 @@ impl Map {
 
     /// Bound on what the substitution leaves out at both ends, from the local exponent of the
     /// integrand there; and the number of evaluations used. Infinite where the exponent is ≤ −1.
-    pub(super) fn cut_tails(&self, integrand: &mut impl FnMut(Point) -> Bounded) -> Result<(f64, u64), NumError> {
+    pub(super) fn cut_tails(&self, integrand: &mut impl FnMut(&[Point], &mut [Bounded])) -> Result<(f64, u64), NumError> {
         if self.is_smooth() {
             return Ok((0.0, 0));
         }
@@ -181,7 +181,9 @@ impl Map {
             let mut near = [(0.0, 0.0); 2];
             for (slot, t) in near.iter_mut().zip([0.0, 0.01]) {
                 let (point, _) = if lower_end { self.point(t, 1.0 - t) } else { self.point(1.0 - t, t) };
-                let height = integrand(point).value;
+                let mut found = [Bounded::exact(0.0)];
+                integrand(&[point], &mut found);
+                let height = found[0].value;
                 if !height.is_finite() {
                     return Err(NumError::NotFinite { at: point.x });
                 }

@@ -1,0 +1,103 @@
+//! A rule for even integrands, and what it says about its own error.
+
+/// A symmetric rule on [−1, 1] of 2·H − 1 points for even integrands: only the half from the centre outwards is kept.
+pub(super) struct EvenRule<const H: usize> {
+    /// Weights over the half, with sum 1: the mean of an even function.
+    pub(super) weights: [f64; H],
+    /// Coefficients of the three highest even degrees that the points can tell apart, lowest first.
+    pub(super) decay: [[f64; H]; 3],
+}
+
+/// The same without its length in the type.
+#[derive(Clone, Copy)]
+pub(super) struct Rule {
+    pub(super) weights: &'static [f64],
+    pub(super) decay: [&'static [f64]; 3],
+}
+
+impl<const H: usize> EvenRule<H> {
+    pub(super) const fn plain(&'static self) -> Rule {
+        let [first, second, third] = &self.decay;
+        Rule { weights: &self.weights, decay: [first, second, third] }
+    }
+}
+
+/// What one rule found.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Sums {
+    pub(super) value: f64,
+    /// The mean of |f|.
+    pub(super) size: f64,
+    /// Sizes of the three highest coefficients.
+    pub(super) levels: [f64; 3],
+    /// The mean of the error bounds.
+    pub(super) noise: f64,
+}
+
+impl Rule {
+    /// Every sum over the values in one pass.
+    #[inline(always)]
+    pub(super) fn apply(&self, values: &[f64], errors: Option<&[f64]>) -> Sums {
+        const LANES: usize = 4;
+        let mut lanes = [[0.0; LANES]; 5];
+        let [first, second, third] = self.decay;
+        let chunks = values.chunks_exact(LANES).zip(self.weights.chunks_exact(LANES));
+        let rows = first.chunks_exact(LANES).zip(second.chunks_exact(LANES)).zip(third.chunks_exact(LANES));
+        for ((v, w), ((a, b), c)) in chunks.zip(rows) {
+            for i in 0..LANES {
+                let weighted = w[i] * v[i];
+                lanes[0][i] += weighted;
+                // Weights are positive.
+                lanes[1][i] += weighted.abs();
+                lanes[2][i] += a[i] * v[i];
+                lanes[3][i] += b[i] * v[i];
+                lanes[4][i] += c[i] * v[i];
+            }
+        }
+        let [value, size, first, second, third] = lanes.map(|l| (l[0] + l[1]) + (l[2] + l[3]));
+        let noise = errors.map_or(0.0, |errors| dot(self.weights, errors));
+        Sums { value, size, levels: [first.abs(), second.abs(), third.abs()], noise }
+    }
+}
+
+/// Σ a·b in four lanes, for lengths that are multiples of four.
+#[inline(always)]
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut lanes = [0.0; 4];
+    for (a, b) in a.chunks_exact(4).zip(b.chunks_exact(4)) {
+        for i in 0..4 {
+            lanes[i] += a[i] * b[i];
+        }
+    }
+    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3])
+}
+
+/// However fast the coefficients fall, no more than this is made of it: a narrow feature beside a steep power shows in the
+/// last coefficients only, and those fall slowly from there on.
+const LEAST_FALL: f64 = 0.1;
+
+/// What the rule leaves out, and the rate at which the coefficients fall over two degrees.
+///
+/// The rule is exact to degrees that are `ahead` steps beyond its highest coefficient. Ten times that coefficient is left over
+/// where the fall is not seen, and less by the fall over one step where it is; over a third of all steps where the last one is
+/// as steep as the one before, so that nothing slow has come to light, and no less than `least`.
+/// `gap` is the difference to the rule before, which says how wrong that one was.
+#[inline]
+pub(super) fn truncation(levels: [f64; 3], gap: f64, floor: f64, size: f64, ahead: i32, least: f64) -> (f64, f64) {
+    let [first, second, third] = levels;
+    let fall = |now: f64, before: f64| {
+        if now <= floor { 0.0 } else { now / if before > floor { before } else { floor } }
+    };
+    let (one, two) = (fall(second, first), fall(third, second));
+    let rate = if one > two { one } else { two };
+    // By chance an oscillation that is not resolved may seem to fall, but not to be small.
+    let steady = two <= 2.0 * one && rate < 0.5 && gap.max(third) <= 1e-3 * size;
+    let counted = if steady { rate.powi(ahead / 3).clamp(least, 1.0) } else { rate.clamp(LEAST_FALL, 1.0) };
+    let passed = gap * rate.clamp(LEAST_FALL, 1.0);
+    let seen = if third > passed { third } else { passed };
+    // A slow fall leaves a long tail: all of its terms add up where the integrand is almost singular.
+    let tail = if rate < 0.5 { 1.0 } else { 0.5 / (1.0 - rate).max(0.005) };
+    let left_out = 10.0 * seen * counted * tail;
+    // Coefficients in the rounding noise cannot fall further.
+    (if seen <= floor && seen < left_out { seen } else { left_out }, rate)
+}

@@ -1,0 +1,162 @@
+//! The integral over the angle on the segment below x, by nested rules: f′ in blocks, and half of the points by symmetry.
+
+use super::TransformError;
+use super::integral::{NumericSegment, Weight};
+use super::slope_source::{Numbers, Scratch};
+use crate::num::Estimate;
+use crate::num::bounded::UNIT;
+use crate::num::quadrature::{CHUNK, EvenIntegrand, Extent, Form, Mean, Nodes, Placed, Radii, Room, Wish, from_the_axis, mean};
+
+/// Most evaluations before the range is bisected instead.
+const MOST: u64 = 400;
+/// Beyond this share of the way to its limit f′ is taken from the distance to the limit.
+const NEAR_THE_LIMIT: f64 = 0.7;
+
+impl NumericSegment {
+    /// The integral, where this segment reaches up to x and the rules meet the tolerance.
+    ///
+    /// # Errors
+    /// [`TransformError::NotComputable`] where f′ is not finite.
+    pub(super) fn by_nested_rules(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        self.nested(&self.slope, x, weight, tolerance, 0.0)
+    }
+
+    /// The same for f′ or (r f′)′; errors are held against `scale` where that exceeds the value.
+    pub(super) fn nested(
+        &self,
+        numbers: &Numbers,
+        x: f64,
+        weight: Weight,
+        tolerance: f64,
+        scale: f64,
+    ) -> Result<Option<Estimate>, TransformError> {
+        let lower = self.lower.value;
+        let largest = move |value: f64| if value.abs() > scale { value.abs() } else { scale };
+        if self.upper.is_some_and(|upper| upper.value < x) || (self.singular && lower > 0.0) {
+            return Ok(None);
+        }
+        let limit = self.limit.as_ref().map(|limit| limit.value.value).filter(|limit| *limit > x);
+        let mut source = Source { numbers, doubt: self.lower.error, weight, x, from_limit: None, scratch: Scratch::take() };
+        let refused = |_| TransformError::NotComputable { at: x };
+        if self.singular {
+            let extent = Extent::new(lower, x, None);
+            let mut ask = |at: Radii<'_>, values: &mut [f64], errors: &mut [f64]| source.ask(at, None, values, errors);
+            let wish = Wish { accepted: |value: f64| tolerance * largest(value), charge_r: false };
+            let (found, _) = from_the_axis(&mut ask, &extent, &wish).map_err(refused)?;
+            return Ok(found.map(with_rounding));
+        }
+        // Weights are functions of x − r: those of g and F are none, and may have the distance to the limit instead.
+        let by_limit = matches!(weight, Weight::Slope | Weight::Force);
+        if let (Some(own), Some(limit)) = (&self.limit, limit)
+            && by_limit
+            && std::ptr::eq(numbers, &self.slope)
+            && x > NEAR_THE_LIMIT * limit
+        {
+            source.from_limit = Some((&own.slope, own.value.error));
+        }
+        let extent = Extent::new(lower, x, limit.filter(|_| by_limit));
+        let form = Form::choose(&extent, self.odd, limit.filter(|_| by_limit));
+        let scale_of = form.scale(&extent);
+        let mut integrand = Even { source, form, extent, room: Room::new() };
+        let Mean { value, left_out, noise, evaluations, reached, .. } =
+            mean(&mut integrand, MOST, |mean| 0.98 * tolerance * largest(scale_of * mean) / scale_of).map_err(refused)?;
+        if !reached {
+            return Ok(None);
+        }
+        let value = scale_of * value;
+        let (left_out, noise) = (scale_of * left_out, scale_of * noise);
+        // No more is promised than was asked for where the rules leave out more than rounding noise.
+        let least = if left_out > noise { 0.97 * tolerance * largest(value) } else { 0.0 };
+        Ok(Some(with_rounding(Estimate { value, error: least.max(left_out + noise), evaluations })))
+    }
+}
+
+/// Adds the rounding of the factor in front.
+fn with_rounding(found: Estimate) -> Estimate {
+    Estimate { error: found.error + 8.0 * UNIT * found.value.abs(), ..found }
+}
+
+/// f′ times the weight of a quantity.
+struct Source<'a> {
+    numbers: &'a Numbers,
+    /// How well the lower end is known.
+    doubt: f64,
+    weight: Weight,
+    x: f64,
+    /// f′ over the distance to the limit, and how well the limit is known.
+    from_limit: Option<(&'a Numbers, f64)>,
+    scratch: Scratch,
+}
+
+impl Source<'_> {
+    /// Values and bounds at a few places, times the factor of the variable.
+    fn ask(&mut self, at: Radii<'_>, factor: Option<&[f64]>, values: &mut [f64], errors: &mut [f64]) {
+        let own = self.doubt;
+        let (mut distances, mut doubts) = ([0.0; CHUNK], [0.0; CHUNK]);
+        let (distances, doubts) = (&mut distances[..values.len()], &mut doubts[..values.len()]);
+        let (numbers, end, from) = match self.from_limit {
+            Some((numbers, error)) => (numbers, error, at.below_limit),
+            None => (self.numbers, own, at.past_start),
+        };
+        for ((distance, doubt), given) in distances.iter_mut().zip(&mut *doubts).zip(from) {
+            // Below the smallest normal number f′ has no digits; what is cut there is bounded from the last values.
+            *distance = given.max(f64::MIN_POSITIVE);
+            // The distance counts from an end that is known to its error only; next to that end the caller has it.
+            *doubt = 12.0 * UNIT * *distance + if *distance > 2.0 * end { end } else { 0.0 };
+        }
+        numbers.block(distances, doubts, values, errors, &mut self.scratch);
+        let x = self.x;
+        for (i, (value, error)) in values.iter_mut().zip(&mut *errors).enumerate() {
+            let (Some(&r), Some(&below)) = (at.r.get(i), at.below_limit.get(i)) else { continue };
+            let (mut by, mut doubt) = (factor.and_then(|list| list.get(i)).copied().unwrap_or(1.0), 8.0 * UNIT);
+            match self.weight {
+                Weight::Slope => {}
+                Weight::Force => {
+                    by *= r * r;
+                    doubt += 24.0 * UNIT + 4.0 * own / r;
+                }
+                // Here below_limit is x − r: sin²τ = (x − r)(x + r)/x².
+                Weight::Integral => {
+                    by *= below * (2.0 * x - below) / (x * x);
+                    doubt += 16.0 * UNIT;
+                }
+                Weight::Outside(outer) => {
+                    let ratio = x / ((outer - x) * (outer + x)).sqrt();
+                    let (q, s) = ((below * (2.0 * x - below)).sqrt() / x, r / x);
+                    let short = s * s / (1.0 + q);
+                    let angle = (q * ratio).atan();
+                    by *= (short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle;
+                    doubt += 32.0 * UNIT;
+                }
+            }
+            *value *= by;
+            *error = *error * by.abs() * (1.0 + f64::EPSILON) + doubt * value.abs();
+        }
+    }
+}
+
+struct Even<'a> {
+    source: Source<'a>,
+    form: Form,
+    extent: Extent,
+    room: Room,
+}
+
+impl EvenIntegrand for Even<'_> {
+    const BOUNDED: bool = true;
+
+    fn fill(&mut self, nodes: &Nodes, values: &mut [f64], errors: &mut [f64]) {
+        let exact = matches!(self.source.weight, Weight::Integral | Weight::Outside(_));
+        let mut from = 0;
+        for (values, errors) in values.chunks_mut(CHUNK).zip(errors.chunks_mut(CHUNK)) {
+            let to = from + values.len();
+            let Some(Placed { at, factor }) = self.form.place(&self.extent, nodes, (from, to), exact, &mut self.room) else { return };
+            self.source.ask(at, factor, values, errors);
+            from = to;
+        }
+    }
+
+    fn radii<'n>(&self, nodes: &'n Nodes) -> Option<&'n [f64]> {
+        self.form.radii(nodes)
+    }
+}

@@ -1,0 +1,73 @@
+//! Whether an expression continues to an even or an odd function of r: read from its tree.
+
+use crate::expr::{Expr, Node, Symbol};
+
+/// What becomes of a function when r changes its sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Parity {
+    /// Nothing.
+    Even,
+    /// Its sign changes.
+    Odd,
+}
+
+/// Functions of one argument that are odd in it …
+const ODD: [&str; 11] = ["sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "erf", "erfi", "dawson"];
+/// … and even in it.
+const EVEN: [&str; 2] = ["cos", "cosh"];
+
+/// The parity in `radius`; `None` where it is neither, or not seen.
+pub(super) fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
+    if !expr.contains(radius) {
+        return Some(Parity::Even);
+    }
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) => Some(Parity::Even),
+        Node::Symbol(_) => Some(Parity::Odd),
+        Node::Sum(terms) => {
+            let mut all = terms.iter().map(|term| parity(term, radius));
+            let first = all.next()??;
+            all.all(|own| own == Some(first)).then_some(first)
+        }
+        Node::Product(factors) => factors.iter().try_fold(Parity::Even, |so_far, factor| {
+            let own = parity(factor, radius)?;
+            Some(if own == so_far { Parity::Even } else { Parity::Odd })
+        }),
+        Node::Power(base, exponent) => match (parity(base, radius)?, exponent.as_number()) {
+            (Parity::Even, _) => (parity(exponent, radius)? == Parity::Even).then_some(Parity::Even),
+            (Parity::Odd, Some(power)) if power.is_integer() => {
+                Some(if (power.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
+            }
+            (Parity::Odd, _) => None,
+        },
+        Node::Function(function, arguments) => {
+            let own: Vec<Parity> = arguments.iter().map(|a| parity(a, radius)).collect::<Option<_>>()?;
+            match own.as_slice() {
+                [Parity::Odd] if ODD.contains(&function.name()) => Some(Parity::Odd),
+                [Parity::Odd] if EVEN.contains(&function.name()) => Some(Parity::Even),
+                all => all.iter().all(|p| *p == Parity::Even).then_some(Parity::Even),
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_of_profiles() {
+        let r = Expr::symbol("r");
+        let radius = Symbol::new("r");
+        let of = |expr: &Expr| parity(expr, &radius);
+        assert_eq!(of(&(&r / (Expr::integer(4) - r.power(2)).sqrt())), Some(Parity::Odd));
+        assert_eq!(of(&Expr::call("tanh", [r.clone()])), Some(Parity::Odd));
+        assert_eq!(of(&(Expr::call("cos", [r.clone()]) * &r + r.power(3))), Some(Parity::Odd));
+        assert_eq!(of(&Expr::integer(3)), Some(Parity::Even));
+        assert_eq!(of(&(&r + Expr::one())), None);
+        assert_eq!(of(&r.pow(&Expr::ratio(17, 10))), None);
+        assert_eq!(of(&Expr::call("exp", [r.clone()])), None);
+        assert_eq!(of(&(Expr::call("exp", [-r.power(2)]) * &r)), Some(Parity::Odd));
+        assert_eq!(of(&r.pow(&Expr::symbol("n"))), None);
+    }
+}
