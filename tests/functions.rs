@@ -37,6 +37,7 @@ fn arguments(function: Function, stream: &mut Stream) -> Vec<f64> {
         "worn_sphere_slope" | "worn_sphere_force" | "worn_hyperboloid_slope" | "worn_hyperboloid_force" => {
             vec![between(0.1, 1.0), between(1.1, 2.0), between(2.1, 3.0)]
         }
+        "angle_from" => vec![between(0.1, 1.0), between(1.1, 3.0)],
         "pressure_power" => vec![between(-0.5, 6.0), between(0.1, 1.0), between(1.1, 2.0)],
         "ln_near_one" => {
             let u = between(-0.9, 2.0);
