@@ -155,6 +155,44 @@ fn length_unit_fixes_bare_numbers_of_f() {
     close(&found["rows"][0]["F"], 400.0);
 }
 
+/// k = D E* with D = 2β√(A/π); nothing is known of the pressure.
+#[test]
+fn punches_of_other_cross_sections() {
+    let scene = |punch: &str| {
+        format!(
+            "[profile]\n{punch}\narea = '4 um^2'\n[material]\neffective_modulus = '3 GPa'\n[load]\ndepth = '10 nm'\n[outputs]\nquantities = ['F', 'k']\nunits = {{ length = 'um', force = 'mN', pressure = 'GPa' }}\n"
+        )
+    };
+    let round = 2.0 * (4.0 / std::f64::consts::PI).sqrt() * 3.0;
+    for (punch, beta) in [
+        ("cross_section = 'circle'", 1.0),
+        ("cross_section = 'square'", 1.012),
+        ("cross_section = 'triangle'", 1.034),
+        ("beta = 1.06", 1.06),
+    ] {
+        let found = json(&scene(punch), 0, &[]);
+        close(&found["rows"][0]["k"], beta * round);
+        close(&found["rows"][0]["F"], beta * round * 0.01);
+    }
+}
+
+/// d/R, F/(E* R²): the numbers of another size and material are the same.
+#[test]
+fn dimensionless_answers() {
+    let scene = |radius: &str, modulus: &str, depth: &str| {
+        format!(
+            "[profile]\nshape = 'sphere'\nparameters = {{ R = '{radius}' }}\n[material]\neffective_modulus = '{modulus}'\n[load]\ndepth = '{depth}'\n"
+        )
+    };
+    let (one, other) =
+        (json(&scene("10 um", "3 GPa", "0.1 um"), 0, &["--dimensionless"]), json(&scene("2 m", "7 kPa", "2 cm"), 0, &["--dimensionless"]));
+    for key in ["d", "F", "a", "k"] {
+        close(&one["rows"][0][key], other["rows"][0][key].as_f64().unwrap());
+    }
+    close(&one["rows"][0]["d"], 0.01);
+    assert_eq!(one["units"]["length"], "R");
+}
+
 /// One file per malformed scene, beside the message that is expected.
 #[test]
 fn bad_scenes_are_refused_with_their_messages() {

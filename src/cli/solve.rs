@@ -29,6 +29,9 @@ pub(super) struct Arguments {
     /// Shows the numbers of invalid rows beside what is wrong with them.
     #[arg(long)]
     force: bool,
+    /// Answers as d/R, F/(E* R^2) and p/E*, where R is that of the profile, or the radius of its vertical side.
+    #[arg(long)]
+    dimensionless: bool,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -42,7 +45,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let text = read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let failed = |error: SceneError| failure(&name, &text, &error);
-    let scene = scene::scene(&text).map_err(failed)?;
+    let mut scene = scene::scene(&text).map_err(failed)?;
+    if arguments.dimensionless {
+        scene = scene.dimensionless().map_err(failed)?;
+    }
     let solution = scene.solution().map_err(failed)?;
     let run = Run::new(&scene, &solution).map_err(failed)?;
     let mut verdict = Verdict::default();

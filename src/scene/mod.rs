@@ -10,6 +10,8 @@ mod document;
 mod error;
 mod load;
 mod model;
+#[cfg(feature = "scene")]
+mod punch;
 mod quantity;
 #[cfg(feature = "scene")]
 mod read;

@@ -93,6 +93,8 @@ pub struct Scene {
     pub tolerance: f64,
     /// The bytes of the scene file in which the profile stands, for errors.
     pub place: Option<Range<usize>>,
+    /// A length of the profile with its name, in which dimensionless answers count: R where there is one, else the radius of a vertical side.
+    pub length: Option<(String, f64)>,
 }
 
 impl Scene {
@@ -114,7 +116,23 @@ impl Scene {
             method: Method::Auto,
             tolerance: 1e-12,
             place: None,
+            length: None,
         }
+    }
+
+    /// The same scene with answers as d/R, F/(E* R²), p/E*.
+    ///
+    /// # Errors
+    /// [`SceneError`] where the profile has no length to count in.
+    pub fn dimensionless(self) -> Result<Self, SceneError> {
+        let rim = self.rim.map(|c| ("c".to_owned(), c));
+        let Some((name, length)) = self.length.clone().or(rim) else {
+            let missing =
+                SceneError::missing("the profile has no length to count in").help("a parameter R, or a radius, would be accepted");
+            return Err(self.placed(missing));
+        };
+        let system = self.system.dimensionless(&name, length, self.effective_modulus);
+        Ok(Self { system, ..self })
     }
 
     /// True where the loads are depths since the first touch.

@@ -4,10 +4,11 @@ use super::body::{self, Body};
 use super::check::{self, Dimensions};
 use super::document::{Entry, Table, nearest, parsed};
 use super::error::Reason;
+use super::punch::Punch;
 use super::quantity::to_f64;
 use super::reading::Asked;
 use super::shape::{SHAPES, Shape, Way, shape};
-use super::{Dimension, Quantity, Scene, SceneError, System, Unit};
+use super::{Control, Datum, Dimension, Quantity, Scene, SceneError, System, Unit};
 use crate::contact::ContactError;
 use crate::expr::{Bindings, Expr, Formula, Symbol};
 use crate::parse;
@@ -45,10 +46,16 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
     let counterbody = root.table("counterbody")?;
     let outputs = root.table("outputs")?;
 
-    let mut keys = vec!["f", "shape", "points", "parameters", "radius", "length_unit", "interpolation", "line_scan"];
+    let mut keys =
+        vec!["f", "shape", "points", "parameters", "radius", "length_unit", "interpolation", "line_scan", "cross_section", "beta", "area"];
     profile.allow(&keys)?;
+    let punch = Punch::read(&profile)?;
+    if let (None, Some(area)) = (&punch, profile.get("area")) {
+        return Err(SceneError::missing("area has no cross_section").help("cross_section = \"square\" would be accepted").at(area.span()));
+    }
     material.allow(&body::KEYS)?;
-    let tip = Tip::read(&profile)?.ok_or_else(|| {
+    let flat = || punch.as_ref().map(|_| Tip::flat(profile.span()));
+    let tip = Tip::read(&profile)?.or_else(flat).ok_or_else(|| {
         SceneError::missing("[profile] has no shape").help("f = \"r^2/(2*R)\" or shape = \"sphere\" would be accepted").at(profile.span())
     })?;
     let first = Body::read(&material, false)?;
@@ -69,8 +76,8 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
 
     let tips = std::iter::once(&tip).chain(other.iter());
     let typed = tips.flat_map(|tip| tip.parameters.iter().map(|own| &own.quantity));
-    let mut typed =
-        typed.chain(first.quantities()).chain(second.quantities()).chain(asked.quantities()).chain(radius.iter().map(|own| &own.0));
+    let typed = typed.chain(first.quantities()).chain(second.quantities()).chain(asked.quantities()).chain(radius.iter().map(|own| &own.0));
+    let mut typed = typed.chain(punch.iter().map(|own| &own.area));
     let has_units = named.profile_length.is_some() || typed.any(|own| own.dimension().is_some_and(|own| !own.is_none()));
     drop(typed);
     let system = System::new(has_units, &named)?;
@@ -91,6 +98,10 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
         (None, Some((_, quantity))) => Some(system.number(quantity, Dimension::LENGTH, "the radius of the indenter")?),
         (None, None) => None,
     };
+    let rim = match &punch {
+        Some(punch) => Some(punch.radius(&system)?),
+        None => rim,
+    };
     let bound = Profile::new(&formula).map_err(|error| SceneError::from(ContactError::from(error)).at(tip.span.clone()))?;
     if rim.is_none() && bound.is_flat() {
         return Err(SceneError::missing("a flat punch needs the radius of its vertical side")
@@ -98,7 +109,16 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
             .at(tip.span.clone()));
     }
     let effective_modulus = body::together(first.modulus(&system)?, second.modulus(&system)?, material.span())?;
-    asked.scene(Scene { rim, effective_modulus, system, place: Some(tip.span), ..Scene::of(bound) })
+    let length = tip.length(&system);
+    let scene = Scene { rim, effective_modulus, system, place: Some(tip.span), length, ..Scene::of(bound) };
+    let mut scene = asked.scene(scene)?;
+    if punch.is_some() {
+        if outputs.as_ref().is_none_or(|table| table.get("quantities").is_none()) {
+            scene.outputs.data.retain(|own| *own != Datum::Radius || scene.control == Control::ContactRadius);
+        }
+        Punch::refuse(&scene, outputs.as_ref())?;
+    }
+    Ok(scene)
 }
 
 fn counter_is_socket(table: Option<&Table<'_>>) -> Result<bool, SceneError> {
@@ -139,6 +159,21 @@ struct Parameter {
 }
 
 impl Tip {
+    /// f = 0.
+    fn flat(span: Range<usize>) -> Self {
+        Self { formula: Formula::zero(), parameters: Vec::new(), rim: None, span }
+    }
+
+    /// The parameter R, or c of a cylinder, with its number.
+    fn length(&self, system: &System) -> Option<(String, f64)> {
+        let own = self.parameters.iter().find(|own| own.symbol.name() == "R").or_else(|| {
+            let rim = self.rim.as_ref()?.0;
+            self.parameters.iter().find(|own| own.symbol.name() == rim)
+        })?;
+        let exact = system.exact(&own.quantity, Dimension::LENGTH, own.symbol.name()).ok()?;
+        Some((own.symbol.name().to_owned(), to_f64(&exact).ok()?))
+    }
+
     /// Reads f or shape with their parameters; `None` where a table has neither.
     fn read(table: &Table<'_>) -> Result<Option<Self>, SceneError> {
         let ways = ["f", "shape", "points"].map(|key| table.get(key));

@@ -109,7 +109,8 @@ impl<'a> Run<'a> {
                     }
                 },
             };
-            values.push((*datum, own.and_then(|own| if own.is_finite() { Ok(own) } else { Err("it is too large for a 64-bit float") })));
+            let pressed = indented.state.is_some_and(|state| state.boundary != Boundary::Apart && state.depth > 0.0);
+            values.push((*datum, own.and_then(|own| representable(own, pressed))));
         }
         let touch = self.indentation.first_touch();
         let length = system.out(Dimension::LENGTH);
@@ -184,6 +185,17 @@ impl<'a> Run<'a> {
         self.count(|work| work.displacements += 1);
         contact.displacement(at, state.radius).map_err(|_| failed)
     }
+}
+
+/// Refuses what overflowed, and in a contact under load what lost its digits by underflow.
+fn representable(value: f64, pressed: bool) -> Result<f64, &'static str> {
+    if !value.is_finite() {
+        return Err("it is too large for a 64-bit float; other units would be accepted");
+    }
+    if pressed && value.abs() < f64::MIN_POSITIVE {
+        return Err("it is too small for a 64-bit float; other units would be accepted");
+    }
+    Ok(value)
 }
 
 fn not_computable(error: &ContactError) -> Indented {

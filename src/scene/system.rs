@@ -98,6 +98,14 @@ impl System {
         })
     }
 
+    /// The same system with answers in a length of the scene and its effective modulus: d/R, F/(E* R²), p/E*.
+    #[must_use]
+    pub fn dimensionless(&self, name: &str, length: f64, effective_modulus: f64) -> Self {
+        let names = Names { length: name.to_owned(), force: format!("(E* {name}^2)"), pressure: "E*".to_owned() };
+        let (out_length, out_pressure) = (1.0 / length, 1.0 / effective_modulus);
+        Self { out_length, out_pressure, out_force: out_pressure * out_length * out_length, names: Some(names), ..self.clone() }
+    }
+
     /// True where numbers carry units.
     pub fn has_units(&self) -> bool {
         self.has_units

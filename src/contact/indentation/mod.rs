@@ -222,7 +222,8 @@ impl<'a> Indentation<'a> {
         }
         if let Some((radius, force)) = &self.explicit {
             let (a, f) = (radius.value(&[depth, 1.0]), force.value(&[depth, self.setup.effective_modulus]));
-            if a.value.is_finite() && f.value.is_finite() && a.value <= self.landscape.reach {
+            let reached = a.value < self.contact.evaluator().limit() && self.setup.rim.is_none_or(|c| a.value <= c);
+            if a.value.is_finite() && f.value.is_finite() && reached {
                 return Ok(self.judged(State { depth, force: f.value, radius: a.value, boundary: Boundary::Smooth }));
             }
         }

@@ -71,17 +71,23 @@ fn open(k: u32, b: DoubleDouble, x: DoubleDouble) -> Precise {
     power.mul(height.div(across).sqrt()).mul(beta).mul(series)
 }
 
-/// ₂F₁(1/2, 1/2; k + 3/2; z) for 0 <= z <= 1/2.
+/// ₂F₁(1/2, 1/2; k + 3/2; z) for 0 <= z <= 1/2; terms below 2^-60 of the sum, whose own rounding counts no more, in single words.
 fn series(k: u32, z: DoubleDouble) -> DoubleDouble {
+    let ratio = |n: f64| ((n + 0.5) * (n + 0.5), (f64::from(k) + 1.5 + n) * (n + 1.0));
     let (mut sum, mut term) = (DoubleDouble::ONE, DoubleDouble::ONE);
-    for n in 0..120_u32 {
-        let n = f64::from(n);
-        let ratio = (n + 0.5) * (n + 0.5);
-        term = term.mul(z).mul(ratio.into()).div(((f64::from(k) + 1.5 + n) * (n + 1.0)).into());
+    let mut n = 0.0;
+    while term.hi >= sum.hi * 2.0_f64.powi(-60) && n < 120.0 {
+        let (above, below) = ratio(n);
+        term = term.mul(z).mul(above.into()).over(below);
         sum = sum.add(term);
-        if term.hi < sum.hi * 2.0_f64.powi(-110) {
-            break;
-        }
+        n += 1.0;
     }
-    sum
+    let (mut tail, mut last) = (0.0, term.hi);
+    while last >= sum.hi * 2.0_f64.powi(-110) && n < 120.0 {
+        let (above, below) = ratio(n);
+        last *= z.hi * above / below;
+        tail += last;
+        n += 1.0;
+    }
+    sum.add(tail.into())
 }

@@ -1,0 +1,74 @@
+//! Flat punches that are not round: their stiffness is that of a round one with an effective diameter.
+
+use super::document::Table;
+use super::quantity::to_f64;
+use super::system::System;
+use super::{Datum, Dimension, Quantity, Scene, SceneError};
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// Cross-sections with the β of Popov & Heß (3.41), which is approximate: finer computations give about 1.02 for the square and 1.06 for the triangle.
+const SECTIONS: [(&str, f64); 3] = [("circle", 1.0), ("square", 1.012), ("triangle", 1.034)];
+
+/// A flat punch of any convex cross-section: D = 2β√(A/π), k = D E* (3.40), (3.42).
+pub(super) struct Punch {
+    beta: f64,
+    pub(super) area: Quantity,
+    span: Range<usize>,
+}
+
+impl Punch {
+    /// Reads `cross_section` or `beta`, with `area`; `None` where neither is given.
+    pub(super) fn read(table: &Table<'_>) -> Result<Option<Self>, SceneError> {
+        let help = "cross_section = \"square\" and area = \"4 um^2\", or beta and area would be accepted";
+        let (section, beta) = (table.get("cross_section"), table.get("beta"));
+        let beta = match (section, beta) {
+            (None, None) => return Ok(None),
+            (Some(entry), None) => {
+                let word = entry.word(&SECTIONS.map(|own| own.0))?;
+                SECTIONS.iter().find(|own| own.0 == word).map_or(1.0, |own| own.1)
+            }
+            (None, Some(entry)) => {
+                let beta = to_f64(&entry.quantity()?.in_base()).map_err(|error| error.at(entry.span()))?;
+                // No cross-section is softer than the circle of its area.
+                if !(1.0..=10.0).contains(&beta) {
+                    return Err(SceneError::value(format!("beta = {beta:?} is not possible"))
+                        .help("a number from 1 (the circle) on would be accepted")
+                        .at(entry.span()));
+                }
+                beta
+            }
+            (Some(_), Some(entry)) => {
+                return Err(SceneError::value("the punch has a cross_section and a beta").help(help).at(entry.span()));
+            }
+        };
+        if let Some(other) = ["f", "shape", "points", "radius", "parameters"].into_iter().find(|key| table.get(key).is_some()) {
+            let message = format!("a punch with a cross-section is flat: it has no {other}");
+            return Err(SceneError::value(message).help(help).at(table.key_span(other)));
+        }
+        let entry = table.demand("area", help)?;
+        Ok(Some(Self { beta, area: entry.quantity()?, span: entry.span() }))
+    }
+
+    /// Half the effective diameter, β√(A/π).
+    pub(super) fn radius(&self, system: &System) -> Result<f64, SceneError> {
+        let square = Dimension::LENGTH.times(Dimension::LENGTH).unwrap_or(Dimension::NONE);
+        let area = system.number(&self.area, square, "area").map_err(|error| error.at(self.span.clone()))?;
+        if area > 0.0 {
+            return Ok(self.beta * (area / PI).sqrt());
+        }
+        Err(SceneError::value(format!("area = {} is not positive", self.area.text())).at(self.span.clone()))
+    }
+
+    /// Refuses what is not known of a punch that is not round: everything but d, F and k.
+    pub(super) fn refuse(scene: &Scene, outputs: Option<&Table<'_>>) -> Result<(), SceneError> {
+        let known = [Datum::Depth, Datum::Force, Datum::Stiffness];
+        let data = scene.outputs.data.iter().find(|own| !known.contains(own)).map(|own| own.name());
+        let Some(name) = data.or(scene.outputs.curves.first().map(|own| own.name())) else { return Ok(()) };
+        let error = SceneError::value(format!("{name} is not known for a punch with a cross-section")).help("d, F and k would be accepted");
+        Err(match outputs.and_then(|table| table.get("quantities")) {
+            Some(entry) => error.at(entry.span()),
+            None => error,
+        })
+    }
+}
