@@ -9,10 +9,10 @@ use std::ops::Range;
 /// The most loads of a scene, and the most radii of its curves.
 const MOST: usize = 100_000_000;
 
-/// Numbers as typed.
+/// Numbers as typed; the ends of a range are start and stop.
 enum Typed {
     List(Vec<(Quantity, Range<usize>)>),
-    Range { start: (Quantity, Range<usize>), stop: (Quantity, Range<usize>), count: usize, logarithmic: bool },
+    Range { ends: Box<[(Quantity, Range<usize>); 2]>, count: usize, logarithmic: bool },
 }
 
 /// What is loaded, wanted and demanded.
@@ -173,7 +173,8 @@ impl Typed {
         let number = |own: &(Quantity, Range<usize>)| system.number(&own.0, dimension, what).map_err(|error| error.at(own.1.clone()));
         Ok(match self {
             Self::List(list) => Loads::List(list.iter().map(number).collect::<Result<_, _>>()?),
-            Self::Range { start, stop, count, logarithmic } => {
+            Self::Range { ends, count, logarithmic } => {
+                let [start, stop] = ends.as_ref();
                 let (first, last) = (number(start)?, number(stop)?);
                 if *logarithmic && (first <= 0.0 || last <= 0.0) {
                     let bad = if first <= 0.0 { start } else { stop };
@@ -188,14 +189,14 @@ impl Typed {
     fn typed(&self) -> Vec<&(Quantity, Range<usize>)> {
         match self {
             Self::List(list) => list.iter().collect(),
-            Self::Range { start, stop, .. } => vec![start, stop],
+            Self::Range { ends, .. } => ends.iter().collect(),
         }
     }
 
     fn span(&self) -> Range<usize> {
         match self {
             Self::List(list) => list.first().map_or(0..0, |own| own.1.clone()),
-            Self::Range { start, .. } => start.1.clone(),
+            Self::Range { ends, .. } => ends[0].1.clone(),
         }
     }
 }
@@ -212,7 +213,7 @@ fn numbers(entry: &Entry<'_>) -> Result<Typed, SceneError> {
         };
         let (start, stop, count) = (end("start")?, end("stop")?, table.demand("count", help)?.count(MOST)?);
         let spacing = table.get("spacing").map(|entry| entry.word(&["linear", "log"])).transpose()?;
-        return Ok(Typed::Range { start, stop, count, logarithmic: spacing == Some("log") });
+        return Ok(Typed::Range { ends: Box::new([start, stop]), count, logarithmic: spacing == Some("log") });
     }
     let Some(list) = entry.list() else { return Ok(Typed::List(vec![(entry.quantity()?, entry.span())])) };
     if list.len() == 0 {
