@@ -148,6 +148,10 @@ fn concave_punches() {
     }
     let apart = state("-r^2", Some(1.0), Load::Depth(-1.0001));
     assert_eq!(apart.boundary, Boundary::Apart);
+    // At the first touch there is no force yet, and no force is the first touch.
+    let touch = state("-r^2", Some(1.0), Load::Depth(-1.0));
+    assert_eq!((touch.boundary, touch.force), (Boundary::Apart, 0.0));
+    assert_eq!(state("-r^2", Some(1.0), Load::Force(0.0)).depth, -1.0);
     // Between the first touch and complete contact only a ring touches.
     assert_eq!(refused("-r^2", Some(1.0), Load::Depth(-0.5)).0, "tension_inside");
 }

@@ -195,7 +195,8 @@ impl<'a> Indentation<'a> {
 
     fn at_depth(&self, depth: f64) -> Result<Indented, ContactError> {
         let touch = self.landscape.lowest;
-        if depth.is_nan() || depth < touch {
+        // A concave shape that only just touches carries nothing yet.
+        if depth.is_nan() || depth < touch || (depth == touch && touch < 0.0) {
             return Ok(Self::no_contact(depth));
         }
         if depth == touch && depth == 0.0 {

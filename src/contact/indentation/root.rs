@@ -88,9 +88,8 @@ impl Indentation<'_> {
         let samples = |own: &Self| {
             let mut found = Vec::new();
             let mut before = (own.landscape.flat, -force);
-            for (x, _) in &own.landscape.samples {
-                let Ok(here) = own.contact.force(*x) else { continue };
-                let here = here.estimate.value - force;
+            for (x, carried) in own.carried() {
+                let here = carried - force;
                 if before.1 < 0.0 && here >= 0.0 {
                     found.push((before.0, *x));
                 }
@@ -105,6 +104,14 @@ impl Indentation<'_> {
             states.push(State { depth, force, radius, boundary: Boundary::Smooth });
         }
         Ok(states)
+    }
+
+    /// F at the places where g was sampled; computed when the first force is asked for.
+    fn carried(&self) -> &[(f64, f64)] {
+        self.known.forces.get_or_init(|| {
+            let places = self.landscape.samples.iter().map(|(x, _)| *x);
+            places.filter_map(|x| Some((x, self.contact.force(x).ok()?.estimate.value))).collect()
+        })
     }
 
     /// The roots of a function that rises with g: the only one where g rises everywhere, else one per bracket.

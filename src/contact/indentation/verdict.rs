@@ -44,6 +44,8 @@ pub(super) struct Known {
     valid_to: Cell<f64>,
     /// From here on they do.
     invalid_from: Cell<Option<f64>>,
+    /// Radii with F there, for profiles whose g falls somewhere.
+    pub(super) forces: OnceCell<Vec<(f64, f64)>>,
     /// The smallest depth of a complete contact, and where its pressure vanishes first.
     complete: OnceCell<(f64, f64)>,
 }
