@@ -149,7 +149,7 @@ fn what_cannot_be_is_refused_with_its_radius() {
     let own = Closure::with_slope(|r| 3.0 - (9.0 - r * r).sqrt(), |r| r / (9.0 - r * r).sqrt()).profile().unwrap();
     assert!(own.slope(2.5).is_ok());
     match own.slope(5.0) {
-        Err(TransformError::Undefined { radius }) => assert!((3.0..5.0).contains(&radius), "{radius}"),
+        Err(TransformError::Undefined { radius }) => assert!((3.0..=5.0).contains(&radius), "{radius}"),
         other => panic!("{other:?}"),
     }
     let own = hertz().limit(2.0).profile().unwrap();

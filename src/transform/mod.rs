@@ -26,8 +26,8 @@ mod slices;
 mod slope_source;
 mod stream;
 mod stress;
-mod table;
 mod stress_slopes;
+mod table;
 mod term;
 
 pub use assemble::{Derived, Status};

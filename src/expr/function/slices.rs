@@ -128,15 +128,10 @@ pub(super) const TANH: SliceLaw = SliceLaw {
     },
 };
 
-/// δ/√(1 + ζ²) at the end nearer to 0.
+/// δ/√(1 + ζ²) ≤ δ/max(1, ζ) at the end nearer to 0; squares would overflow.
 pub(super) const ASINH: SliceLaw = SliceLaw {
     values: |z, out| values(z, out, libm::asinh),
-    growth: |z, by, v, out| {
-        growth(z, by, v, out, |z, by, _| {
-            let near = larger(z.abs() - by, 0.0);
-            by / (1.0 + near * near).sqrt()
-        })
-    },
+    growth: |z, by, v, out| growth(z, by, v, out, |z, by, _| by / larger(z.abs() - by, 1.0)),
 };
 
 /// δ/√(ζ² − 1) at the end nearer to the edge.
@@ -145,7 +140,8 @@ pub(super) const ACOSH: SliceLaw = SliceLaw {
     growth: |z, by, v, out| {
         growth(z, by, v, out, |z, by, _| {
             let room = z - 1.0;
-            known(by <= 0.5 * room, by / ((room - by) * (1.0 + z - by)).sqrt())
+            // Two roots, because the product overflows.
+            known(by <= 0.5 * room, by / ((room - by).sqrt() * (1.0 + z - by).sqrt()))
         })
     },
 };

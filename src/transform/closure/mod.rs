@@ -50,7 +50,7 @@ impl Profile {
     /// let tip = Profile::from_fn(|r| r.cosh().ln()).profile().unwrap();
     /// let contact = Contact::new(tip, 1.0, None, 1e-12);
     /// let d = contact.depth(1.0).unwrap().estimate;
-    /// assert!((d.value - 0.759_604_3).abs() < 1e-7 && d.error < 1e-12);
+    /// assert!((d.value - 0.830_719_5).abs() < 1e-7 && d.error < 1e-12);
     /// ```
     ///
     /// [`Closure`] has the other constructors and what may be stated.

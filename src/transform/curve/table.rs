@@ -2,8 +2,8 @@
 
 use super::piece::{Integral, Piece, Place, Share};
 use super::source::power;
-use crate::num::spectral::{LOCAL, Local, local_nodes};
 use crate::num::Estimate;
+use crate::num::spectral::{LOCAL, Local, local_nodes};
 use crate::transform::TransformError;
 use crate::transform::stream::Stream;
 
