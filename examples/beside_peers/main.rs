@@ -3,6 +3,8 @@
 //! `benches/peers/run` calls it beside the peers; alone it is `cargo run --release --example beside_peers benches/peers/points.csv`.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout)]
 
+mod closures;
+
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::parse;
 use sneddon::transform::{Curve, Evaluator, Method, Profile, Slice, Solution, derive};
@@ -46,6 +48,9 @@ fn main() {
     for place in &places {
         let solution = solution(&place.profile);
         pointwise(place, &evaluator(&solution, Method::Quadrature));
+        if place.work.starts_with(place.profile.as_str()) {
+            closures::pointwise(place);
+        }
     }
     curve(&places);
     for (work, profile, low, high) in [
@@ -92,18 +97,22 @@ fn evaluator(solution: &Solution, method: Method) -> Evaluator<'_> {
 fn pointwise(place: &Place, evaluator: &Evaluator<'_>) {
     let x = place.x;
     match place.work.split('@').next() {
-        Some("force") => show(place, || evaluator.force(x).ok().map(|own| (2.0 * own.estimate.value, own.estimate.evaluations))),
+        Some("force") => typed_call(place, || evaluator.force(x).ok().map(|own| (2.0 * own.estimate.value, own.estimate.evaluations))),
         Some("pressure") => {
-            show(place, || evaluator.pressure(x, RADIUS).ok().flatten().map(|own| (own.estimate.value, own.estimate.evaluations)));
+            typed_call(place, || evaluator.pressure(x, RADIUS).ok().flatten().map(|own| (own.estimate.value, own.estimate.evaluations)));
             pressures(place, evaluator);
         }
-        _ => show(place, || evaluator.slope(x).ok().map(|own| (own.estimate.value, own.estimate.evaluations))),
+        _ => typed_call(place, || evaluator.slope(x).ok().map(|own| (own.estimate.value, own.estimate.evaluations))),
     }
 }
 
-fn show(place: &Place, call: impl Fn() -> Option<(f64, u64)>) {
+fn typed_call(place: &Place, call: impl Fn() -> Option<(f64, u64)>) {
     let Some((value, evaluations)) = call() else { return };
-    line(&place.work, "typed", median_ns(&call), place.error(value), evaluations);
+    show(place, "typed", median_ns(&call), value, evaluations);
+}
+
+fn show(place: &Place, form: &str, ns: f64, value: f64, evaluations: u64) {
+    line(&place.work, form, ns, place.error(value), evaluations);
 }
 
 /// The pressure curve of one contact, its set-up included.
