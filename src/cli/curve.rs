@@ -29,7 +29,7 @@ pub(super) fn readings(
         return Err(Failure::new(message).help("ask for g, d, F, G, p or k, or take another method"));
     }
     let refused = |error: TransformError| failed(error.into());
-    let furthest = asked.radius.map_or_else(|| asked.at.iter().copied().fold(0.0, f64::max), |a| a);
+    let furthest = asked.radius.unwrap_or_else(|| asked.at.iter().copied().fold(0.0, f64::max));
     // A curve has a length, even where only the axis is asked for.
     let limit = contact.evaluator().limit();
     let reach = if furthest > 0.0 { furthest } else { (0.5 * limit).min(1.0) };

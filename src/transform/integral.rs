@@ -145,7 +145,11 @@ impl NumericProfile {
             let result = integrate(&mut integrand, &[panel], &options);
             let inner = |v: f64| integrand(Point { x: v, from_lower: v, from_upper: length - v }).value;
             let found = settle(result, r, || magnitude(length, inner))?;
-            total = total + found.bounded();
+            // f may begin or end anywhere within the error of a breakpoint.
+            let moved = |end: Bounded, at: f64| if end.error > 0.0 { 4.0 * end.error * segment.slope_at(at).value.abs() } else { 0.0 };
+            let ends = segment.upper.filter(|u| u.value < r).map_or(0.0, |upper| moved(upper, length));
+            let smear = moved(segment.lower, segment.lower.error) + ends;
+            total = total + Bounded { value: found.value, error: found.error + smear };
             evaluations += found.evaluations;
         }
         Ok(Estimate::from_bounded(total, evaluations))

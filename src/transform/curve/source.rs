@@ -184,10 +184,13 @@ impl Class {
     }
 }
 
+/// A term of f′: its power of r, what stands beside that, and the whole.
+type Member = (f64, Expr, Expr);
+
 /// Groups the terms of f′ by the fractional part of their powers; `None` where a power is no number.
 fn classes(slope: &Expr) -> Option<Vec<Class>> {
     let r = Symbol::new("r");
-    let mut found: Vec<(f64, Vec<(f64, Expr, Expr)>)> = Vec::new();
+    let mut found: Vec<(f64, Vec<Member>)> = Vec::new();
     for term in normal::normal_terms(slope, &r).ok()? {
         let exponent = term.exponent.as_number().map(Number::to_f64)?;
         let part = &term.coefficient * &term.kernel;
@@ -197,7 +200,7 @@ fn classes(slope: &Expr) -> Option<Vec<Class>> {
             None => found.push((exponent, vec![(exponent, part, whole)])),
         }
     }
-    let class = |(_, list): (f64, Vec<(f64, Expr, Expr)>)| {
+    let class = |(_, list): (f64, Vec<Member>)| {
         let power = list.iter().map(|(own, _, _)| *own).fold(f64::INFINITY, f64::min);
         let whole = Expr::sum(list.iter().map(|(_, _, whole)| whole.clone()));
         let parts = list.into_iter().map(|(own, part, _)| ((own - power).round() as i32, part)).collect();

@@ -22,6 +22,9 @@ struct Ladder {
     weight: Vec<f64>,
 }
 
+/// cos(π i/16).
+static COSINES: LazyLock<[f64; 32]> = LazyLock::new(|| std::array::from_fn(|i| (PI * i as f64 / 16.0).cos()));
+
 /// τ = (π/2) tanh((π/2) sinh v): the integrand is even in τ, so v ≥ 0 suffices, and the only end is the axis.
 static LADDER: LazyLock<Ladder> = LazyLock::new(|| {
     let mut ladder = Ladder { sine: Vec::new(), versine: Vec::new(), tangent: Vec::new(), weight: Vec::new() };
@@ -66,9 +69,14 @@ pub(crate) fn from_the_axis(
         let moved = if wish.charge_r { 2.0 * work.moved(ladder, step) } else { 0.0 };
         let noise = h * work.noise + UNIT * (8.0 * size + moved) + h * work.tail;
         let gap = (value - before[0]).abs();
-        let left_out = if gap <= noise { gap } else { 10.0 * gap * squared(gap / size, (before[0] - before[1]).abs() / size) };
+        let last = (before[0] - before[1]).abs() / size;
+        let seen = if gap <= noise { gap } else { 10.0 * gap * squared(gap / size, last) };
+        let left_out = seen.max(10.0 * size * last.powf(2.5));
         let accepted = (wish.accepted)(value);
-        if level > 0 && left_out + noise <= accepted {
+        let seems_enough = level > 1 && left_out + noise <= accepted;
+        // Rules may agree by chance, as on an oscillation that none of them resolves.
+        let left_out = if seems_enough { left_out.max(10.0 * size * work.unresolved(ladder, step, h / size)) } else { left_out };
+        if seems_enough && left_out + noise <= accepted {
             let least = if left_out > noise { 0.999 * accepted } else { 0.0 };
             let found = Estimate { value, error: least.max(left_out + noise), evaluations: work.evaluations };
             return Ok((Some(found), work.evaluations));
@@ -149,6 +157,25 @@ impl Trapezium {
             }
         }
         Ok(())
+    }
+
+    /// The relative error that the terms' spectrum foretells: twice the highest frequency that the step can tell is what the rule
+    /// mistakes for the mean, and resolved terms fall like an exponential of the frequency.
+    fn unresolved(&self, ladder: &Ladder, step: usize, unit: f64) -> f64 {
+        let mut terms = [0.0; NODES];
+        let mut count = 0;
+        for (slot, k) in terms.iter_mut().zip((0..self.deepest).step_by(step)) {
+            *slot = if k == 0 { 0.5 } else { 1.0 } * ladder.weight[k] * self.values[k];
+            count += 1;
+        }
+        let cosines = &*COSINES;
+        let content = |sixteenth: usize| {
+            let sum: f64 = terms[..count].iter().enumerate().map(|(j, term)| term * cosines[(sixteenth * j) & 31]).sum();
+            (sum * unit).abs()
+        };
+        let (low, high) = (content(7).max(content(9)), content(13).max(content(15)));
+        // From 7/8 of that frequency to twice it there are three times as many steps as from 1/2 to 7/8.
+        if high >= low { high } else { high * (high / low).powi(3) }
     }
 
     /// ∫ |r df′/dr| dτ = ∫ tan t |df′|, t from the axis.

@@ -80,7 +80,7 @@ pub(crate) fn mean<I: EvenIntegrand>(integrand: &mut I, most: u64, accepted: imp
     let mut many = State::<MOST>::new();
     many.values[..FEW].copy_from_slice(&few.values);
     many.errors[..FEW].copy_from_slice(&few.errors);
-    many.mean = few.mean;
+    (many.mean, many.gap) = (few.mean, few.gap);
     many.climb(integrand, 2..LEVELS.len(), most, &accepted)?;
     Ok(many.mean)
 }
@@ -90,6 +90,8 @@ struct State<const N: usize> {
     values: [f64; N],
     errors: [f64; N],
     mean: Mean,
+    /// The difference between the last two rules.
+    gap: f64,
 }
 
 /// What one rule has shown.
@@ -104,7 +106,7 @@ enum Verdict {
 
 impl<const N: usize> State<N> {
     fn new() -> Self {
-        Self { values: [0.0; N], errors: [0.0; N], mean: Mean::default() }
+        Self { values: [0.0; N], errors: [0.0; N], mean: Mean::default(), gap: f64::INFINITY }
     }
 
     /// The first rule, its guards asked in the same block; true where the end is reached.
@@ -189,7 +191,9 @@ impl<const N: usize> State<N> {
         let floor = if floor.is_nan() { f64::INFINITY } else { floor };
         // Steps of two degrees from the highest coefficient to the degree of exactness; and the least that is made of them.
         let (ahead, least) = if level == 0 { (6, 1e-2) } else { (3 * count as i32 / 4, 1e-4) };
-        let (left_out, rate) = truncation(sums.levels, (sums.value - self.mean.value).abs(), floor, sums.size, ahead, least);
+        let gap = (sums.value - self.mean.value).abs();
+        let (left_out, rate) = truncation(sums.levels, (gap, self.gap), floor, sums.size, ahead, least);
+        self.gap = gap;
         let evaluations = self.mean.evaluations;
         self.mean = Mean { value: sums.value, left_out, noise: floor, evaluations, reached: false };
         let target = accepted(sums.value);
