@@ -13,6 +13,7 @@ pub mod num;
 pub mod parse;
 pub mod print;
 pub mod report;
+#[cfg(feature = "scene")]
 pub mod scene;
 #[cfg(feature = "cli")]
 pub mod tradeoff;

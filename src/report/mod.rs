@@ -7,9 +7,11 @@ pub mod json;
 pub mod latex;
 pub mod markdown;
 mod record;
+#[cfg(feature = "scene")]
 mod solved;
 #[cfg(feature = "cli")]
 pub mod solved_json;
+#[cfg(feature = "scene")]
 pub mod solved_text;
 mod statement;
 pub mod text;
@@ -19,6 +21,7 @@ pub mod tradeoff;
 #[cfg(feature = "cli")]
 pub use inversion::{Inversion, Wanted};
 pub use record::{Compared, Derivation, Entry, Evaluation, Shift};
+#[cfg(feature = "scene")]
 pub use solved::{ASSUMPTIONS, Verdict};
 pub use statement::Statement;
 #[cfg(feature = "cli")]

@@ -1,21 +1,15 @@
 //! Contact scenes: a tip, two materials, loads and the quantities wanted, with units; read from TOML and solved row by row.
 
-#[cfg(feature = "scene")]
 mod body;
-#[cfg(feature = "scene")]
 mod check;
 mod dimension;
-#[cfg(feature = "scene")]
 mod document;
 mod error;
 mod load;
 mod model;
-#[cfg(feature = "scene")]
 mod punch;
 mod quantity;
-#[cfg(feature = "scene")]
 mod read;
-#[cfg(feature = "scene")]
 mod reading;
 mod row;
 mod run;
@@ -25,13 +19,11 @@ mod template;
 mod unit;
 
 pub use dimension::Dimension;
-#[cfg(feature = "scene")]
 pub use document::LONGEST;
 pub use error::{Reason, SceneError};
 pub use load::{Control, Loads};
 pub use model::{Curve, Datum, DepthFrom, Outputs, Scene};
 pub use quantity::Quantity;
-#[cfg(feature = "scene")]
 pub use read::scene;
 pub use row::{Row, Work};
 pub use run::{Point, Run};
