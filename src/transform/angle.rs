@@ -47,6 +47,10 @@ impl NumericSegment {
         }
         // Weights are functions of x − r: those of g and F are none, and may have the distance to the limit instead.
         let by_limit = matches!(weight, Weight::Slope | Weight::Force);
+        if !by_limit && limit.is_some_and(|limit| x > NEAR_THE_LIMIT * limit) {
+            // What happens within limit − x of the end is narrower than nodes can see.
+            return Ok(None);
+        }
         if let (Some(own), Some(limit)) = (&self.limit, limit)
             && by_limit
             && std::ptr::eq(numbers, &self.slope)

@@ -178,6 +178,8 @@ impl NumericProfile {
     }
 }
 
+/// The loosest tolerance next to the end of f′.
+const SHARP: f64 = 1e-10;
 /// Most points of a rule.
 pub(super) const MOST: usize = 61;
 
@@ -233,7 +235,10 @@ impl NumericSegment {
             }
         };
         let panel = if self.singular { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };
-        let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
+        // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
+        let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
+        let rel_tol = if near_the_end { tolerance.min(SHARP) } else { tolerance };
+        let options = Options { rel_tol, charge_x: false, ..Options::default() };
         let result = integrate_blocks(&mut integrand, &[panel], &options);
         let inner = |v: f64| {
             let mut found = [Bounded::exact(0.0)];
