@@ -9,39 +9,20 @@ mod common;
 use common::estimates::{Honesty, examine};
 use common::profiles::sample;
 use common::random::Stream;
+use common::seeds::{asked, over_seeds};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 fn main() -> ExitCode {
-    let mut numbers = std::env::args().skip(1).map(|text| text.parse::<u64>());
-    let count = numbers.next().and_then(Result::ok).unwrap_or(5_000);
-    let first = numbers.next().and_then(Result::ok).unwrap_or(0);
-    let (next, threads) = (AtomicU64::new(first), std::thread::available_parallelism().map_or(1, usize::from));
-    let run = || {
-        let mut total = Honesty::default();
-        loop {
-            let seed = next.fetch_add(1, Ordering::Relaxed);
-            if seed >= first + count {
-                return total;
-            }
-            let mut stream = Stream::new(seed);
-            let own = examine(&sample(&mut stream), &mut stream);
-            for fault in &own.faults {
-                println!("seed {seed}: {fault}");
-            }
-            total.add(own);
+    let (count, first) = asked(5_000);
+    let run = |seed| {
+        let mut stream = Stream::new(seed);
+        let own = examine(&sample(&mut stream), &mut stream);
+        for fault in &own.faults {
+            println!("seed {seed}: {fault}");
         }
+        own
     };
-    let mut total = Honesty::default();
-    std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(run)).collect();
-        for worker in workers {
-            match worker.join() {
-                Ok(own) => total.add(own),
-                Err(_) => total.faults.push("a worker stopped".to_owned()),
-            }
-        }
-    });
+    let total = over_seeds((count, first), run, Honesty::add);
     println!("profiles                                  {count}");
     println!("numbers judged                            {}", total.numbers);
     println!("of these within the tolerance             {}", total.met);

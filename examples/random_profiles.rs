@@ -8,45 +8,25 @@ mod common;
 
 use common::profiles::{Outcome, compare, sample};
 use common::random::Stream;
+use common::seeds::{asked, over_seeds};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 fn main() -> ExitCode {
-    let mut numbers = std::env::args().skip(1).map(|text| text.parse::<u64>());
-    let count = numbers.next().and_then(Result::ok).unwrap_or(10_000);
-    let first = numbers.next().and_then(Result::ok).unwrap_or(0);
-    let (next, threads) = (AtomicU64::new(first), std::thread::available_parallelism().map_or(1, usize::from));
-    let run = || {
-        let mut total = Outcome::default();
-        loop {
-            let seed = next.fetch_add(1, Ordering::Relaxed);
-            if seed >= first + count {
-                return total;
-            }
-            let mut stream = Stream::new(seed);
-            let profile = sample(&mut stream);
-            let begin = Instant::now();
-            let own = compare(&profile, &mut stream);
-            for fault in &own.faults {
-                println!("seed {seed}: {fault}");
-            }
-            if begin.elapsed().as_secs() >= 5 {
-                println!("seed {seed}: {:.0} s for {profile:?}", begin.elapsed().as_secs_f64());
-            }
-            total.add(own);
+    let run = |seed| {
+        let mut stream = Stream::new(seed);
+        let profile = sample(&mut stream);
+        let begin = Instant::now();
+        let own = compare(&profile, &mut stream);
+        for fault in &own.faults {
+            println!("seed {seed}: {fault}");
         }
+        if begin.elapsed().as_secs() >= 5 {
+            println!("seed {seed}: {:.0} s for {profile:?}", begin.elapsed().as_secs_f64());
+        }
+        own
     };
-    let mut total = Outcome::default();
-    std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(run)).collect();
-        for worker in workers {
-            match worker.join() {
-                Ok(own) => total.add(own),
-                Err(_) => total.faults.push("a worker stopped".to_owned()),
-            }
-        }
-    });
+    let total = over_seeds(asked(10_000), run, Outcome::add);
     println!("profiles                      {}", total.profiles);
     println!("refused with a reason         {}", total.refused);
     println!("formulas exact                {}", total.exact);

@@ -3,11 +3,11 @@
 
 mod common;
 
+use common::quantities::quantity;
 use common::rows::rows;
 use num_complex::Complex64;
 use sneddon::contact::Contact;
-use sneddon::num::Estimate;
-use sneddon::transform::{Closure, ClosureProfile, Parity, Profile, Quantities, TransformError};
+use sneddon::transform::{Closure, Parity, Profile, Quantities, TransformError};
 
 /// The profiles of `oracle/closures.py`: f of a complex radius, f, f′ and f″ of a real one, and what is stated.
 struct Given {
@@ -74,17 +74,6 @@ const KINDS: [Kind; 4] = [
     ("complex f", |own| Closure::complex(own.complex), 1e-12, 5e-12),
     ("f alone", |own| Closure::real(own.real), 4e-12, 3e-10),
 ];
-
-fn quantity(own: &ClosureProfile, name: &str, r: f64, a: f64) -> Estimate {
-    let found = match name {
-        "g" => own.slope(a),
-        "F" => own.force(a),
-        "G" => own.integral(a),
-        "u" => own.displacement(r, a),
-        _ => own.pressure(r, a).map(Option::unwrap),
-    };
-    found.unwrap_or_else(|error| panic!("{name} at {r:?}, {a:?}: {error}")).estimate
-}
 
 #[test]
 fn values_are_right_and_their_errors_honest() {

@@ -1,6 +1,9 @@
 //! What quadrature costs in evaluations of f′, without a clock, and that its estimates hold where other programs' do not.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+mod common;
+
+use common::random::Stream;
 use sneddon::num::kappa::kappa;
 use sneddon::num::quadrature::{AbelOptions, Radii, Start, abel, abel_force};
 use sneddon::num::{Estimate, NumError, special};
@@ -143,37 +146,21 @@ fn limits_of_evaluations_and_domains_are_typed() {
     assert!(matches!(abel(&mut blocks(|r, _| r), 1.0, &tight), Err(NumError::ToleranceNotReached { .. })));
 }
 
-/// A reproducible stream of numbers in [0, 1).
-struct Stream(u64);
-
-impl Stream {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / 9_007_199_254_740_992.0
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    fn log(&mut self, low: f64, high: f64) -> f64 {
-        10f64.powf(self.between(low, high))
-    }
+/// Evenly over the orders of magnitude, given as exponents of ten.
+fn log(stream: &mut Stream, low: f64, high: f64) -> f64 {
+    10f64.powf(stream.uniform(low, high))
 }
 
 type Slope = Box<dyn Fn(f64, f64) -> f64>;
 
 /// f′, x, what is told of it, g, and the relative error that g itself may have.
 fn case(family: u32, stream: &mut Stream) -> (Slope, f64, AbelOptions<'static>, f64, f64) {
-    let hint = if stream.next() < 0.5 { ODD } else { PLAIN };
+    let hint = if stream.unit() < 0.5 { ODD } else { PLAIN };
     match family {
         0 => {
-            let x = 1.0 - stream.log(-7.0, -0.01);
+            let x = 1.0 - log(stream, -7.0, -0.01);
             let g = 0.5 * x * (2.0 * x / (1.0 - x)).ln_1p();
-            let told = stream.next() < 0.5;
+            let told = stream.unit() < 0.5;
             let f: Slope = if told {
                 Box::new(|r, below| r / (below * (1.0 + r)).sqrt())
             } else {
@@ -182,32 +169,32 @@ fn case(family: u32, stream: &mut Stream) -> (Slope, f64, AbelOptions<'static>, 
             (f, x, AbelOptions { limit: told.then_some(1.0), ..hint }, g, 4e-15)
         }
         1 => {
-            let (n, x) = (stream.between(0.1, 7.0), stream.log(-3.0, 3.0));
+            let (n, x) = (stream.uniform(0.1, 7.0), log(stream, -3.0, 3.0));
             (
                 Box::new(move |r, _| n * r.powf(n - 1.0)),
                 x,
-                if n < 2.0 || stream.next() < 0.5 { ALGEBRAIC } else { PLAIN },
+                if n < 2.0 || stream.unit() < 0.5 { ALGEBRAIC } else { PLAIN },
                 kappa(n) * x.powf(n),
                 2e-14,
             )
         }
         2 => {
-            let (w, x) = (stream.log(-2.5, 1.0), 1.0);
+            let (w, x) = (log(stream, -2.5, 1.0), 1.0);
             let z: f64 = x / w;
             (Box::new(move |r, _| 2.0 * r / (w * w) * (-r * r / (w * w)).exp()), x, hint, 2.0 * z * special::dawson(z), 4e-15)
         }
         3 => {
-            let x = stream.log(-2.0, 4.0);
+            let x = log(stream, -2.0, 4.0);
             (Box::new(|r: f64, _| r / 1f64.hypot(r)), x, hint, x * x.atan(), 2e-15)
         }
         4 => {
-            let k = stream.log(-1.0, 2.6);
+            let k = log(stream, -1.0, 2.6);
             // r is rounded: the waves are known to no more than their phase, and so is the value.
             (Box::new(move |r, _| k * (k * r).sin()), 1.0, hint, 0.5 * PI * k * special::struveh(0.0, k), 1e-15 * (4.0 + k))
         }
         5 => {
             // A steep power beside a narrow step: rᵏ(1 − exp(−r²/w²)), by moments of the step.
-            let (k, w) = (f64::from(3 + 2 * (stream.next() * 3.0) as i32), stream.log(-3.5, -1.2));
+            let (k, w) = (f64::from(3 + 2 * (stream.unit() * 3.0) as i32), log(stream, -3.5, -1.2));
             let power = kappa(k + 1.0) / (k + 1.0);
             let (mut step, mut term) = (0.0, 0.5 * (1..=((k as i32 - 1) / 2)).map(f64::from).product::<f64>() * w.powf(k + 1.0));
             for j in 0..7 {
@@ -218,12 +205,12 @@ fn case(family: u32, stream: &mut Stream) -> (Slope, f64, AbelOptions<'static>, 
             (Box::new(move |r, _| -r.powf(k) * (-r * r / (w * w)).exp_m1()), 1.0, hint, power - step, 4e-15)
         }
         6 => {
-            let (b, x) = (0.6, 0.6 + stream.log(-6.0, 1.0));
+            let (b, x) = (0.6, 0.6 + log(stream, -6.0, 1.0));
             let angle = ((x - b) * (x + b)).sqrt().atan2(b);
             (Box::new(|_, _| 1.0), x, AbelOptions { from: b, ..hint }, x * angle, 2e-15)
         }
         _ => {
-            let (k, x) = (stream.log(-2.0, 1.3), 1.0);
+            let (k, x) = (log(stream, -2.0, 1.3), 1.0);
             // f = ln(1 + k²r²): g = 2 x asinh(kx)·k/√(1 + k²x²)
             let z: f64 = k * x;
             (Box::new(move |r, _| 2.0 * k * k * r / (1.0 + k * k * r * r)), x, hint, 2.0 * z * z.asinh() / 1f64.hypot(z), 4e-15)
@@ -233,13 +220,13 @@ fn case(family: u32, stream: &mut Stream) -> (Slope, f64, AbelOptions<'static>, 
 
 #[test]
 fn the_estimate_is_never_below_the_true_error() {
-    let mut stream = Stream(20_261_121);
+    let mut stream = Stream::new(20_261_121);
     let (mut violations, mut reached) = (Vec::new(), 0);
     const CASES: usize = 4000;
     for _ in 0..CASES {
-        let family = (stream.next() * 8.0) as u32;
+        let family = (stream.unit() * 8.0) as u32;
         let (f, x, options, truth, doubt) = case(family, &mut stream);
-        let options = AbelOptions { rel_tol: stream.log(-13.5, -2.0), max_evaluations: 20_000, roundings: 16.0, ..options };
+        let options = AbelOptions { rel_tol: log(&mut stream, -13.5, -2.0), max_evaluations: 20_000, roundings: 16.0, ..options };
         let found = abel(&mut blocks(f), x, &options);
         reached += usize::from(found.is_ok());
         let found = best(found);

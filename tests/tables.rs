@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::quantities::quantity;
 use common::rows::rows;
 use sneddon::contact::Contact;
 use sneddon::num::Estimate;
@@ -26,17 +27,6 @@ fn made(count: usize, fine: i32, kink: Option<usize>) -> TableProfile {
         slope += rise;
     }
     TableProfile::from_cubics(pieces).unwrap()
-}
-
-fn quantity(own: &TableProfile, name: &str, r: f64, a: f64) -> Estimate {
-    let found = match name {
-        "g" => own.slope(a),
-        "F" => own.force(a),
-        "G" => own.integral(a),
-        "u" => own.displacement(r, a),
-        _ => own.pressure(r, a).map(Option::unwrap),
-    };
-    found.unwrap_or_else(|error| panic!("{name} at {r:?}, {a:?}: {error}")).estimate
 }
 
 #[test]

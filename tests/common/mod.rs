@@ -7,5 +7,7 @@ pub(crate) mod decimal;
 pub(crate) mod estimates;
 pub(crate) mod formulas;
 pub(crate) mod profiles;
+pub(crate) mod quantities;
 pub(crate) mod random;
 pub(crate) mod rows;
+pub(crate) mod seeds;
