@@ -14,7 +14,7 @@ pub use comparison::{Comparison, Setting, compare};
 pub use error::ContactError;
 pub use explicit::{Explicit, explicit};
 pub use foundation::{FoundationState, SpringFoundation};
-pub use indentation::{Boundary, Finding, Indentation, Indented, Load, Setup, Severity, State};
+pub use indentation::{Boundary, Finding, Indentation, Indented, Load, Part, Setup, Severity, State};
 pub use material::{ElasticBody, TransverselyIsotropic, effective_modulus};
 pub use problem::{Contact, Measured, Reason};
 pub use report::{Edge, Relations, relations};

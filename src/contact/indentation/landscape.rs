@@ -1,12 +1,12 @@
 //! What a profile looks like to every load of a scene: where g rises, where f has troughs, how far both were looked at.
 
 use super::curvature::{Curvature, Kink};
-use crate::transform::{Evaluator, Profile, TransformError};
+use crate::transform::{Quantities, Superposition, TransformError};
 
 /// The shape beyond single loads, looked at once.
-pub(super) struct Landscape {
+pub(super) struct Landscape<'a> {
     /// Slope and bend of the profile.
-    pub(super) curvature: Curvature,
+    pub(super) curvature: Curvature<'a>,
     /// Places where f′ jumps.
     pub(super) kinks: Vec<Kink>,
     /// The end of what was looked at: the rim, the end of the profile, or far beyond the largest load.
@@ -38,23 +38,22 @@ const OUTWARD: i32 = 5;
 /// Evenly spaced radii up to twice the largest load.
 const EVEN: i32 = 512;
 
-impl Landscape {
+impl<'a> Landscape<'a> {
     /// Looks at a profile up to `rim` or its end; `scale` is about the largest contact radius of an endless one.
     ///
     /// # Errors
     /// [`TransformError`] where the profile cannot be evaluated.
-    pub(super) fn new(evaluator: &Evaluator<'_>, profile: &Profile, rim: Option<f64>, scale: f64) -> Result<Self, TransformError> {
-        let curvature = Curvature::new(profile)?;
+    pub(super) fn new(
+        evaluator: &Superposition<'a>,
+        curvature: Curvature<'a>,
+        rim: Option<f64>,
+        scale: f64,
+    ) -> Result<Self, TransformError> {
         let kinks = curvature.kinks();
         let limit = evaluator.limit();
         let end = rim.map_or_else(|| if limit.is_finite() { limit.next_down() } else { f64::INFINITY }, |c| c.min(limit.next_down()));
         let (scale, reach) = if end.is_finite() { (end, end) } else { (scale, scale * 10f64.powi(OUTWARD)) };
-        let mut flat = 0.0;
-        for b in evaluator.breakpoints_below(end) {
-            if evaluator.slope(b)?.estimate.value == 0.0 {
-                flat = b;
-            }
-        }
+        let flat = Some(evaluator.flat_radius()?).filter(|flat| *flat < end).unwrap_or(0.0);
         let places = places(evaluator, flat, scale, reach);
         let mut own = Self {
             curvature,
@@ -99,7 +98,7 @@ impl Landscape {
     }
 
     /// g, f and its troughs at every place.
-    fn sample(&mut self, evaluator: &Evaluator<'_>, places: &[f64]) -> Result<(), TransformError> {
+    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64]) -> Result<(), TransformError> {
         let mut before = (self.flat, 0.0, 0.0);
         let mut fallen = None;
         for x in places {
@@ -151,7 +150,7 @@ impl Landscape {
 }
 
 /// Rising radii: evenly spaced ones about the largest load, geometric ones towards the axis and outward, breakpoints from both sides.
-fn places(evaluator: &Evaluator<'_>, flat: f64, scale: f64, reach: f64) -> Vec<f64> {
+fn places(evaluator: &Superposition<'_>, flat: f64, scale: f64, reach: f64) -> Vec<f64> {
     let ratio = 10f64.powf(1.0 / f64::from(PER_DECADE));
     let mut list: Vec<f64> = (-INWARD * PER_DECADE..=OUTWARD * PER_DECADE).map(|step| scale * ratio.powi(step)).collect();
     let wide = (2.0 * scale).min(reach);

@@ -9,9 +9,11 @@ pub use verdict::{Finding, Severity};
 
 use super::{Contact, ContactError, Explicit, explicit};
 use crate::expr::{Bindings, Symbol};
-use crate::transform::{ClosedForm, Evaluator, Method, Reading, Solution};
+use crate::transform::{ClosedForm, Evaluator, Method, Quantities, Reading, Slopes, Solution, Superposition};
+use curvature::Curvature;
 use landscape::Landscape;
 use root::Follower;
+use std::sync::Arc;
 use verdict::Known;
 
 /// One load of an indentation; lengths, forces and moduli are numbers of one consistent system.
@@ -92,13 +94,27 @@ pub struct Setup {
 /// assert!((state.force - 4.0 * 10f64.sqrt() * 0.1f64.powf(1.5)).abs() < 1e-15);
 /// ```
 pub struct Indentation<'a> {
-    contact: Contact<'a>,
+    contact: Contact<'a, Superposition<'a>>,
     setup: Setup,
-    landscape: Landscape,
+    landscape: Landscape<'a>,
     explicit: Option<(ClosedForm, ClosedForm)>,
     follower: Follower,
     known: Known,
     at_rim: Option<AtRim>,
+}
+
+/// A profile that is no formula, with its transforms and its derivatives.
+#[derive(Clone)]
+pub struct Part<'a> {
+    quantities: Arc<dyn Quantities + 'a>,
+    slopes: Arc<dyn Slopes + 'a>,
+}
+
+impl<'a> Part<'a> {
+    /// A profile that may be shared between several indentations.
+    pub fn new(shape: Arc<impl Quantities + Slopes + 'a>) -> Self {
+        Self { quantities: shape.clone(), slopes: shape }
+    }
 }
 
 /// What never changes at the rim.
@@ -117,23 +133,62 @@ impl<'a> Indentation<'a> {
     /// # Errors
     /// [`ContactError`] where the profile cannot be evaluated, or needs a rim and has none.
     pub fn new(solution: &'a Solution, setup: Setup, largest: Load) -> Result<Self, ContactError> {
-        let evaluator = Evaluator::new(solution, &Bindings::default(), setup.method, setup.tolerance)?;
+        Self::beside(Some(solution), Vec::new(), setup, largest)
+    }
+
+    /// A profile that is no formula: a table of points, a closure, or whatever answers both traits.
+    ///
+    /// ```
+    /// use sneddon::contact::{Indentation, Load, Setup};
+    /// use sneddon::transform::{Interpolation, Method, Profile};
+    /// let r: Vec<f64> = (0..=40).map(|i| 0.05 * f64::from(i)).collect();
+    /// let z: Vec<f64> = r.iter().map(|r| r * r / 4.0).collect();
+    /// let tip = Profile::from_points(&r, &z, Interpolation::MonotoneCubic).unwrap();
+    /// let setup = Setup { effective_modulus: 3.0, rim: None, tolerance: 1e-12, method: Method::Auto };
+    /// let indentation = Indentation::of(tip, setup, Load::Depth(0.5)).unwrap();
+    /// // a = √(R d) with R = 2
+    /// let found = indentation.solve(Load::Depth(0.5)).unwrap();
+    /// assert!(found.is_valid() && (found.state.unwrap().radius - 1.0).abs() < 1e-14);
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Indentation::new`].
+    pub fn of(shape: impl Quantities + Slopes + 'a, setup: Setup, largest: Load) -> Result<Self, ContactError> {
+        Self::beside(None, vec![Part::new(Arc::new(shape))], setup, largest)
+    }
+
+    /// A formula, if there is one, and what is added to it.
+    ///
+    /// # Errors
+    /// As [`Indentation::new`].
+    pub fn beside(solution: Option<&'a Solution>, others: Vec<Part<'a>>, setup: Setup, largest: Load) -> Result<Self, ContactError> {
+        // A flat formula adds nothing to a table, not even a limit.
+        let formula = solution.filter(|own| others.is_empty() || !own.profile.is_flat());
+        let is_flat = formula.is_none_or(|own| own.profile.is_flat()) && others.iter().all(|part| part.slopes.is_flat());
+        let (mut parts, slopes): (Vec<_>, Vec<_>) = others.into_iter().map(|part| (part.quantities, part.slopes)).unzip();
+        let alone = parts.is_empty();
+        let mut curvature = Curvature::of(slopes);
+        if let Some(own) = formula {
+            parts.insert(0, Arc::new(Evaluator::new(own, &Bindings::default(), setup.method, setup.tolerance)?));
+            curvature = curvature.with(&own.profile)?;
+        }
+        let evaluator = Superposition::new(parts);
         if let Some(c) = setup.rim {
             if c.is_nan() || c <= 0.0 {
                 return Err(ContactError::Missing { quantity: "a cylinder", needs: "a positive radius" });
             }
             evaluator.check_domain("radius", c)?;
-        } else if solution.profile.is_flat() {
+        } else if is_flat {
             return Err(ContactError::Missing { quantity: "a flat punch", needs: "a radius: the vertical side of the indenter" });
         }
         let contact = Contact::new(evaluator, setup.effective_modulus, None, setup.tolerance);
         let scale = root::scale(&contact, setup.rim, largest);
-        let landscape = Landscape::new(contact.evaluator(), &solution.profile, setup.rim, scale)?;
+        let landscape = Landscape::new(contact.evaluator(), curvature, setup.rim, scale)?;
         if setup.rim.is_none() && !landscape.rising && landscape.samples.iter().all(|(_, g)| *g <= 0.0) {
             return Err(ContactError::Missing { quantity: "a concave profile", needs: "a radius: the vertical side of the indenter" });
         }
         let at_rim = match setup.rim {
-            Some(radius) if solution.profile.is_flat() => Some(AtRim { radius, slope: 0.0, force: 0.0 }),
+            Some(radius) if is_flat => Some(AtRim { radius, slope: 0.0, force: 0.0 }),
             Some(radius) => {
                 let force = contact.force(radius)?.estimate.value;
                 Some(AtRim { radius, slope: contact.evaluator().slope(radius)?.estimate.value, force })
@@ -145,7 +200,7 @@ impl<'a> Indentation<'a> {
             Some((ClosedForm::new(&own.contact_radius, &inputs).ok()?, ClosedForm::new(&own.force, &inputs).ok()?))
         };
         let wanted = landscape.rising && setup.method != Method::Quadrature && matches!(largest, Load::Depth(_));
-        let explicit = wanted.then(|| explicit(solution)).flatten().and_then(compiled);
+        let explicit = formula.filter(|_| wanted && alone).and_then(explicit).and_then(compiled);
         Ok(Self { contact, setup, landscape, explicit, follower: Follower::default(), known: Known::default(), at_rim })
     }
 
@@ -162,7 +217,7 @@ impl<'a> Indentation<'a> {
     }
 
     /// The contact of a state, for pressure, displacement and energy.
-    pub fn contact(&self, state: &State) -> Contact<'a> {
+    pub fn contact(&self, state: &State) -> Contact<'a, Superposition<'a>> {
         // Next to the flat part of a worn tip the rounding of a changes g(a) by more than d's own; the edge term undoes that to first order.
         let flat = self.landscape.flat;
         let fixed = state.boundary == Boundary::Rim || (flat > 0.0 && state.radius - flat < 1e-6 * flat);
@@ -170,7 +225,7 @@ impl<'a> Indentation<'a> {
     }
 
     /// The contact with a smooth edge, for quantities of the shape.
-    pub fn shape(&self) -> &Contact<'a> {
+    pub fn shape(&self) -> &Contact<'a, Superposition<'a>> {
         &self.contact
     }
 

@@ -3,7 +3,7 @@
 use super::{Boundary, Indentation, Load, State};
 use crate::contact::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
-use crate::transform::TransformError;
+use crate::transform::{Quantities, Superposition, TransformError};
 use std::cell::Cell;
 
 /// The last root with the rise there: the next load is often a near one.
@@ -24,7 +24,7 @@ const FARTHEST: f64 = 1e150;
 const NEAREST: f64 = 1e-290;
 
 /// About the contact radius of a load: the first power of ten at which g or F has reached it.
-pub(super) fn scale(contact: &Contact<'_>, rim: Option<f64>, largest: Load) -> f64 {
+pub(super) fn scale(contact: &Contact<'_, Superposition<'_>>, rim: Option<f64>, largest: Load) -> f64 {
     let limit = contact.evaluator().limit();
     if let Some(end) = rim.or(limit.is_finite().then_some(limit)) {
         return end;

@@ -3,6 +3,7 @@
 use super::landscape::STEEP;
 use super::{Boundary, Indentation, Indented, State};
 use crate::num::Estimate;
+use crate::transform::Quantities;
 use std::cell::{Cell, OnceCell};
 
 /// How much a finding weighs.

@@ -42,12 +42,12 @@ impl Cubic {
     }
 
     /// The sum of the magnitudes in f′, of which its rounding is a share.
-    fn slope_size(&self, delta: f64) -> f64 {
+    pub(super) fn slope_size(&self, delta: f64) -> f64 {
         let [_, c1, c2, c3] = self.coefficients;
         c1.abs() + delta * (2.0 * c2.abs() + 3.0 * c3.abs() * delta)
     }
 
-    fn second_size(&self, delta: f64) -> f64 {
+    pub(super) fn second_size(&self, delta: f64) -> f64 {
         let [_, _, c2, c3] = self.coefficients;
         2.0 * c2.abs() + 6.0 * c3.abs() * delta
     }
@@ -136,6 +136,22 @@ impl TableProfile {
     pub fn numeric(&self) -> NumericProfile {
         let source = |piece: &Cubic| (piece.lower, Some(piece.upper), Arc::new(*piece) as Arc<dyn SlopeSource>);
         NumericProfile::from_sources(self.pieces.iter().map(source))
+    }
+
+    /// A value with its size on the piece that has r, as a number with the rounding of its terms.
+    pub(super) fn at(&self, r: f64, value: impl Fn(&Cubic, f64) -> (f64, f64)) -> Bounded {
+        let Some(piece) = self.piece(r).and_then(|index| self.pieces.get(index)) else { return Bounded::exact(0.0) };
+        let (value, size) = value(piece, r - piece.lower);
+        Bounded { value, error: 8.0 * f64::EPSILON * size }
+    }
+
+    /// The places where f′ jumps by more than rounding, and by how much.
+    pub(super) fn jumps(&self) -> Vec<(f64, f64)> {
+        let own = (1..self.pieces.len()).filter_map(|index| {
+            let (at, kink) = (self.pieces.get(index)?.lower, pressure::kink(&self.pieces, index));
+            (kink != 0.0).then_some((at, kink / at))
+        });
+        own.collect()
     }
 
     /// The piece that has r, the later one where two meet.

@@ -33,7 +33,7 @@ impl Bends {
 }
 
 /// b times the jump of f′ where the piece begins.
-fn kink(pieces: &[Cubic], index: usize) -> f64 {
+pub(super) fn kink(pieces: &[Cubic], index: usize) -> f64 {
     let Some((before, own)) = index.checked_sub(1).and_then(|i| Some((pieces.get(i)?, pieces.get(index)?))) else { return 0.0 };
     let length = before.upper - before.lower;
     let jump = own.slope(0.0) - before.slope(length);
