@@ -15,6 +15,7 @@ mod rules;
 mod scene;
 mod series;
 mod solve;
+mod tip;
 mod tradeoff;
 
 use clap::{Parser, Subcommand};

@@ -1,7 +1,7 @@
 //! `sneddon solve`: from a scene file to every quantity that it asks for.
 
 use super::failure::warn;
-use super::{Failure, Outcome, output};
+use super::{Failure, Outcome, output, tip};
 use crate::report::{Verdict, solved_json, solved_text};
 use crate::scene::{self, Run, SceneError};
 use std::fs::File;
@@ -49,6 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.dimensionless {
         scene = scene.dimensionless().map_err(failed)?;
     }
+    let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
     let run = Run::new(&scene, &solution).map_err(failed)?;
     let mut verdict = Verdict::default();
@@ -91,7 +92,7 @@ fn read(path: &Path) -> Result<String, Failure> {
     })
 }
 
-fn failure(name: &str, text: &str, error: &SceneError) -> Failure {
+pub(super) fn failure(name: &str, text: &str, error: &SceneError) -> Failure {
     let mut failure = Failure::new(error.to_string());
     if let Some(help) = error.accepted() {
         failure = failure.help(help);

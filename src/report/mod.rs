@@ -13,6 +13,10 @@ mod solved;
 pub mod solved_json;
 #[cfg(feature = "scene")]
 pub mod solved_text;
+#[cfg(feature = "scene")]
+mod solved_tip;
+#[cfg(feature = "cli")]
+mod solved_tip_json;
 mod statement;
 pub mod text;
 #[cfg(feature = "cli")]

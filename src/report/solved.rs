@@ -33,6 +33,7 @@ impl Verdict {
 
     /// Adds what is true of the profile wherever the contact reached.
     pub fn close(&mut self, run: &Run<'_>) {
+        self.findings.extend(super::solved_tip::findings(run).into_iter().map(|own| (own, 0)));
         let length = run.scene().system.out(Dimension::LENGTH);
         for (at, jump) in run.kinks().into_iter().filter(|(at, jump)| *at < self.largest * length && *jump > 0.0) {
             let message = format!("the slope of the profile jumps by {jump:.3} at r = {at:?}: the pressure is infinite there");

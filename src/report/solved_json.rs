@@ -1,11 +1,13 @@
 //! A solved scene as JSON, written row by row: nothing is kept, and the verdict stands last.
 
 use super::solved::{ASSUMPTIONS, Verdict};
+use super::solved_tip_json::{self, TipEntry};
 use crate::contact::{Boundary, Finding};
 use crate::scene::{Dimension, Point, Row, Run};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 /// Writes the answer to a scene; with `formally` also the numbers of invalid rows.
@@ -18,6 +20,8 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
     struct Document<'a, 'r> {
         units: Option<Units<'a>>,
         effective_modulus: f64,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        tip: Option<TipEntry<'a>>,
         rows: Rows<'a, 'r>,
         curves: Curves<'a, 'r>,
         validity: Validity<'a, 'r>,
@@ -33,6 +37,7 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
     let document = Document {
         units,
         effective_modulus: scene.effective_modulus * scene.system.out(Dimension::PRESSURE),
+        tip: solved_tip_json::entry(run),
         rows: Rows { run, formally, verdict: &verdict },
         curves: Curves { run, formally },
         validity: Validity { run, verdict: &verdict },
@@ -49,10 +54,10 @@ struct Rows<'a, 'r> {
 
 impl Serialize for Rows<'_, '_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let rows = (0..self.run.scene().loads.len()).filter_map(|index| self.run.row(index));
-        serializer.collect_seq(rows.map(|row| {
+        let rows = (0..self.run.scene().loads.len()).filter_map(|index| Some((index, self.run.row(index)?)));
+        serializer.collect_seq(rows.map(|(index, row)| {
             self.verdict.borrow_mut().take(&row);
-            RowEntry { run: self.run, row, formally: self.formally }
+            RowEntry { run: self.run, row, index, formally: self.formally }
         }))
     }
 }
@@ -60,6 +65,7 @@ impl Serialize for Rows<'_, '_> {
 struct RowEntry<'a, 'r> {
     run: &'a Run<'r>,
     row: Row,
+    index: usize,
     formally: bool,
 }
 
@@ -87,6 +93,11 @@ impl Serialize for RowEntry<'_, '_> {
             map.serialize_entry("d_first_touch", &row.load)?;
         } else if let Some(depth) = row.depth_from_touch {
             map.serialize_entry("d_first_touch", &depth)?;
+        }
+        let state = row.indented.state.filter(|_| shown);
+        if let Some(changes) = self.run.row_model_errors(self.index, state.as_ref()) {
+            let changes: BTreeMap<&str, Option<f64>> = changes.into_iter().map(|(datum, own)| (datum.name(), own)).collect();
+            map.serialize_entry("model_error", &changes)?;
         }
         let edge = row.indented.state.filter(|_| shown).map(|state| if state.boundary == Boundary::Rim { "rim" } else { "smooth" });
         map.serialize_entry("edge", &edge)?;
@@ -137,7 +148,7 @@ impl Serialize for Curves<'_, '_> {
                 d: state.map(|state| state.depth * scene.system.out(Dimension::LENGTH)),
                 row: index,
                 quantity: curve.name(),
-                points: Points { run: self.run, curve, state },
+                points: Points { run: self.run, curve, state, second: index.and_then(|index| self.run.second_state(index)) },
             }
         }))
     }
@@ -155,6 +166,8 @@ struct Points<'a, 'r> {
     run: &'a Run<'r>,
     curve: crate::scene::Curve,
     state: Option<crate::contact::State>,
+    /// The state with the points of a measured tip joined in the second way.
+    second: Option<crate::contact::State>,
 }
 
 impl Serialize for Points<'_, '_> {
@@ -165,13 +178,21 @@ impl Serialize for Points<'_, '_> {
             value: Option<f64>,
             error_estimate: Option<f64>,
             #[serde(skip_serializing_if = "Option::is_none")]
+            model_error: Option<Option<f64>>,
+            #[serde(skip_serializing_if = "Option::is_none")]
             why: Option<&'static str>,
         }
         serializer.collect_seq(self.run.scene().outputs.at.iter().map(|at| {
+            let model_error = self
+                .run
+                .scene()
+                .tip
+                .as_ref()
+                .map(|_| self.run.point_model_error(self.curve, self.state.as_ref().zip(self.second.as_ref()), at));
             let Point { at, value } = self.run.point(self.curve, self.state.as_ref(), at);
             match value {
-                Ok((value, error)) => Entry { at, value: Some(value), error_estimate: Some(error), why: None },
-                Err(why) => Entry { at, value: None, error_estimate: None, why: Some(why) },
+                Ok((value, error)) => Entry { at, value: Some(value), error_estimate: Some(error), model_error, why: None },
+                Err(why) => Entry { at, value: None, error_estimate: None, model_error, why: Some(why) },
             }
         }))
     }

@@ -1,6 +1,7 @@
 //! A solved scene as a table for the terminal, and as CSV.
 
 use super::solved::{ASSUMPTIONS, Verdict};
+use super::solved_tip::{self, Changes};
 use crate::contact::{Boundary, Severity};
 use crate::scene::{Curve, Dimension, Row, Run};
 use std::io::{self, Write};
@@ -13,6 +14,7 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     let scene = run.scene();
     let modulus = scene.effective_modulus * scene.system.out(Dimension::PRESSURE);
     writeln!(out, "E* = {modulus:?} {}", scene.system.unit_name(Dimension::PRESSURE))?;
+    solved_tip::introduction(run, out)?;
     writeln!(out)?;
     for (name, unit) in columns(run) {
         let title = if unit.is_empty() { name } else { format!("{name} / {unit}") };
@@ -20,8 +22,11 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     }
     writeln!(out, "  edge")?;
     let mut verdict = Verdict::default();
-    for row in (0..scene.loads.len()).filter_map(|index| run.row(index)) {
+    let mut changes = Changes::default();
+    for (index, row) in (0..scene.loads.len()).filter_map(|index| Some((index, run.row(index)?))) {
         verdict.take(&row);
+        let state = row.indented.state.filter(|_| row.is_valid());
+        changes.take(run.row_model_errors(index, state.as_ref()), |datum| row.value(datum));
         for cell in cells(run, &row, formally) {
             write!(out, "{:>24}", cell.map_or_else(|| "-".to_owned(), |value| format!("{value:?}")))?;
         }
@@ -36,6 +41,7 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     }
     verdict.close(run);
     writeln!(out)?;
+    changes.write(run, out)?;
     let (invalid, rows) = verdict.counts();
     if verdict.is_valid() {
         writeln!(out, "valid: {ASSUMPTIONS}")?;
@@ -93,11 +99,20 @@ fn curve_table(run: &Run<'_>, curve: Curve, formally: bool, out: &mut dyn Write)
             None => writeln!(out, "{}", curve.name())?,
         }
         let with = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") };
-        writeln!(out, "{:>24}{:>24}{:>16}", with("at", &length), with(curve.name(), &unit), "error")?;
+        let measured = scene.tip.is_some();
+        let more = if measured { format!("{:>16}", "model error") } else { String::new() };
+        writeln!(out, "{:>24}{:>24}{:>16}{more}", with("at", &length), with(curve.name(), &unit), "error")?;
+        let second = index.and_then(|index| run.second_state(index));
         for at in scene.outputs.at.iter() {
             let point = run.point(curve, state.as_ref(), at);
+            let change = run.point_model_error(curve, state.as_ref().zip(second.as_ref()), at);
+            let more = match change {
+                _ if !measured => String::new(),
+                Some(own) => format!("{own:>16.1e}"),
+                None => format!("{:>16}", "-"),
+            };
             match point.value {
-                Ok((value, error)) => writeln!(out, "{:>24}{value:>24?}{error:>16.1e}", format!("{:?}", point.at))?,
+                Ok((value, error)) => writeln!(out, "{:>24}{value:>24?}{error:>16.1e}{more}", format!("{:?}", point.at))?,
                 Err(why) => writeln!(out, "{:>24}{:>24}  {why}", format!("{:?}", point.at), "-")?,
             }
         }

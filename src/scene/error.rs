@@ -94,7 +94,8 @@ impl SceneError {
         self.span.clone()
     }
 
-    pub(super) fn value(message: impl Into<String>) -> Self {
+    /// A value that is not possible.
+    pub fn value(message: impl Into<String>) -> Self {
         Self::new(Reason::Value(message.into()))
     }
 

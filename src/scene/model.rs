@@ -1,6 +1,6 @@
 //! The scene itself: everything that is known about a contact before it is solved, as numbers of one system.
 
-use super::{Control, Loads, SceneError, System};
+use super::{Control, Loads, Measured, MeasuredTip, SceneError, System};
 use crate::contact::ContactError;
 use crate::transform::{Method, Profile, Solution, derive};
 use std::ops::Range;
@@ -73,6 +73,10 @@ pub struct Outputs {
 pub struct Scene {
     /// f, with numbers for its parameters.
     pub profile: Profile,
+    /// A measured tip that is added to f, before its file is read.
+    pub measured: Option<Measured>,
+    /// The same, read.
+    pub tip: Option<MeasuredTip>,
     /// The radius of a vertical side.
     pub rim: Option<f64>,
     /// E*.
@@ -102,6 +106,8 @@ impl Scene {
     pub fn of(profile: Profile) -> Self {
         Self {
             profile,
+            measured: None,
+            tip: None,
             rim: None,
             effective_modulus: 1.0,
             control: Control::Depth,
@@ -133,6 +139,17 @@ impl Scene {
         };
         let system = self.system.dimensionless(&name, length, self.effective_modulus);
         Ok(Self { system, ..self })
+    }
+
+    /// The same scene with the text of its tip's file, as [`super::decoded`] gives it; a scene without points stays as it is.
+    ///
+    /// # Errors
+    /// [`SceneError`] whose place is one in that text.
+    pub fn with_points(mut self, text: &(String, bool)) -> Result<Self, SceneError> {
+        if let Some(measured) = &self.measured {
+            self.tip = Some(measured.tip(text, &self.system)?);
+        }
+        Ok(self)
     }
 
     /// True where the loads are depths since the first touch.

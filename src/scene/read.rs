@@ -4,6 +4,7 @@ use super::body::{self, Body};
 use super::check::{self, Dimensions};
 use super::document::{Entry, Table, nearest, parsed};
 use super::error::Reason;
+use super::measured::{self, Measured};
 use super::punch::Punch;
 use super::quantity::to_f64;
 use super::reading::Asked;
@@ -46,9 +47,10 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
     let counterbody = root.table("counterbody")?;
     let outputs = root.table("outputs")?;
 
-    let mut keys =
-        vec!["f", "shape", "points", "parameters", "radius", "length_unit", "interpolation", "line_scan", "cross_section", "beta", "area"];
+    let mut keys = vec!["f", "shape", "points", "parameters", "radius", "length_unit", "cross_section", "beta", "area"];
+    keys.extend(measured::KEYS);
     profile.allow(&keys)?;
+    let measured = Measured::read(&profile)?;
     let punch = Punch::read(&profile)?;
     if let (None, Some(area)) = (&punch, profile.get("area")) {
         return Err(SceneError::missing("area has no cross_section").help("cross_section = \"square\" would be accepted").at(area.span()));
@@ -56,7 +58,9 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
     material.allow(&body::KEYS)?;
     let flat = || punch.as_ref().map(|_| Tip::flat(profile.span()));
     let tip = Tip::read(&profile)?.or_else(flat).ok_or_else(|| {
-        SceneError::missing("[profile] has no shape").help("f = \"r^2/(2*R)\" or shape = \"sphere\" would be accepted").at(profile.span())
+        SceneError::missing("[profile] has no shape")
+            .help("f = \"r^2/(2*R)\", shape = \"sphere\" or points = \"tip.csv\" would be accepted")
+            .at(profile.span())
     })?;
     let first = Body::read(&material, false)?;
     let (mut second, mut other) = (Body::rigid(), None);
@@ -77,11 +81,13 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
     let tips = std::iter::once(&tip).chain(other.iter());
     let typed = tips.flat_map(|tip| tip.parameters.iter().map(|own| &own.quantity));
     let typed = typed.chain(first.quantities()).chain(second.quantities()).chain(asked.quantities()).chain(radius.iter().map(|own| &own.0));
-    let mut typed = typed.chain(punch.iter().map(|own| &own.area));
-    let has_units = named.profile_length.is_some() || typed.any(|own| own.dimension().is_some_and(|own| !own.is_none()));
+    let mut typed = typed.chain(punch.iter().map(|own| &own.area)).chain(measured.iter().flat_map(Measured::quantities));
+    let names_units = named.profile_length.is_some() || measured.as_ref().is_some_and(Measured::names_units);
+    let has_units = names_units || typed.any(|own| own.dimension().is_some_and(|own| !own.is_none()));
     drop(typed);
     let system = System::new(has_units, &named)?;
 
+    measured.iter().try_for_each(|own| own.check(&system))?;
     let strict = has_units && named.profile_length.is_none();
     let mut formula = tip.formula(&system, strict)?;
     if let Some(other) = &other {
@@ -103,14 +109,14 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
         None => rim,
     };
     let bound = Profile::new(&formula).map_err(|error| SceneError::from(ContactError::from(error)).at(tip.span.clone()))?;
-    if rim.is_none() && bound.is_flat() {
+    if rim.is_none() && bound.is_flat() && measured.is_none() {
         return Err(SceneError::missing("a flat punch needs the radius of its vertical side")
             .help("radius = \"2 um\" in [profile] would be accepted")
             .at(tip.span.clone()));
     }
     let effective_modulus = body::together(first.modulus(&system)?, second.modulus(&system)?, material.span())?;
     let length = tip.length(&system);
-    let scene = Scene { rim, effective_modulus, system, place: Some(tip.span), length, ..Scene::of(bound) };
+    let scene = Scene { measured, rim, effective_modulus, system, place: Some(tip.span), length, ..Scene::of(bound) };
     let mut scene = asked.scene(scene)?;
     if punch.is_some() {
         if outputs.as_ref().is_none_or(|table| table.get("quantities").is_none()) {
@@ -184,12 +190,6 @@ impl Tip {
                 .at(second));
         }
         let [f, shape, points] = ways;
-        if let Some(points) = points {
-            points.string()?;
-            return Err(SceneError::value("measured tips are not read yet")
-                .help("an expression f or a named shape would be accepted")
-                .at(points.span()));
-        }
         let mut parameters = Self::parameters(table)?;
         let (formula, rim, span) = match (f, shape) {
             (Some(f), _) => {
@@ -207,7 +207,11 @@ impl Tip {
                     .and_then(|name| parameters.iter().find(|own| own.symbol.name() == name).map(|own| (name, own.quantity.clone())));
                 (parse::profile(way.f).map_err(SceneError::from)?, rim, entry.span())
             }
-            (None, None) => return Ok(None),
+            // The numbers of a measured tip come later, and are added to this.
+            (None, None) => match points {
+                Some(points) => (Formula::zero(), None, points.span()),
+                None => return Ok(None),
+            },
         };
         let wanted: Vec<Symbol> = formula.symbols().into_iter().filter(|own| own.name() != "r").collect();
         // The radius of a flat cylinder is no part of f = 0.

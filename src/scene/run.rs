@@ -1,15 +1,18 @@
 //! A scene being solved: row by row, curve by curve, nothing before it is asked for and nothing kept.
 
-use super::{Curve, Datum, DepthFrom, Dimension, Row, Scene, SceneError, Work};
-use crate::contact::{Boundary, ContactError, Finding, Indentation, Indented, Load, Setup, Severity, State};
-use crate::transform::{Reading, Solution};
+use super::{Curve, Datum, DepthFrom, Dimension, MeasuredTip, Row, Scene, SceneError, Work};
+use crate::contact::{Boundary, ContactError, Finding, Indentation, Indented, Load, Part, Setup, Severity, State};
+use crate::transform::{Reading, Solution, TableProfile};
 use std::cell::Cell;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// A scene with its transform, ready for its loads.
 pub struct Run<'a> {
     scene: &'a Scene,
-    indentation: Indentation<'a>,
+    pub(super) indentation: Indentation<'a>,
+    /// The same contact with a measured tip's points joined in another way.
+    pub(super) second: Option<Indentation<'a>>,
     work: Cell<Work>,
 }
 
@@ -31,9 +34,16 @@ impl<'a> Run<'a> {
         let Scene { rim, effective_modulus, tolerance, method, .. } = *scene;
         let (smallest, largest) = scene.loads.extremes().unwrap_or((0.0, 0.0));
         let largest = scene.control.load(largest);
-        let indentation = Indentation::new(solution, Setup { effective_modulus, rim, tolerance, method }, largest);
+        if scene.measured.is_some() && scene.tip.is_none() {
+            return Err(scene.placed(SceneError::missing("the points of the tip were not read").help("Scene::with_points reads them")));
+        }
+        let setup = Setup { effective_modulus, rim, tolerance, method };
+        let others = |tip: Option<&Arc<TableProfile>>| tip.map(|own| Part::new(Arc::clone(own))).into_iter().collect();
+        let tip = scene.tip.as_ref();
+        let indentation = Indentation::beside(Some(solution), others(tip.map(MeasuredTip::profile)), setup, largest);
         let indentation = indentation.map_err(|error| scene.placed(error.into()))?;
-        let own = Self { scene, indentation, work: Cell::default() };
+        let second = tip.and_then(|own| Indentation::beside(Some(solution), others(Some(own.second())), setup, largest).ok());
+        let own = Self { scene, indentation, second, work: Cell::default() };
         // Bad input is found before anything is written.
         for load in [scene.control.load(smallest), largest] {
             if !matches!(load, Load::Depth(_)) && !scene.loads.is_empty() {
@@ -77,7 +87,7 @@ impl<'a> Run<'a> {
         self.indentation.kinks().map(|(at, jump)| (at * self.scene.system.out(Dimension::LENGTH), jump)).collect()
     }
 
-    fn load(&self, index: usize) -> Option<(f64, Load)> {
+    pub(super) fn load(&self, index: usize) -> Option<(f64, Load)> {
         let value = self.scene.loads.get(index)?;
         let load = match (self.scene.control.load(value), self.scene.depth_from) {
             (Load::Depth(depth), DepthFrom::FirstTouch) => Load::Depth(depth + self.indentation.first_touch()),
@@ -89,7 +99,16 @@ impl<'a> Run<'a> {
     fn solved(&self, index: usize) -> Option<(f64, Indented)> {
         let (value, load) = self.load(index)?;
         self.count(|work| work.loads += 1);
-        let indented = self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error));
+        let mut indented = self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error));
+        let within = |last: f64| matches!(load, Load::Radius(own) if own <= last) || self.scene.rim.is_some();
+        if let (Some(end), Some(tip)) = (self.tip_ends_at(), self.scene.tip.as_ref().filter(|tip| !within(tip.last_radius()))) {
+            let unit = self.scene.system.unit_name(Dimension::LENGTH);
+            for finding in indented.findings.iter_mut().filter(|own| own.rule == "unreachable") {
+                let message = format!("no contact within the measured tip belongs to this load: its last point is at r = {end:?} {unit}");
+                finding.message = message.trim_end().to_owned();
+                finding.at = Some(tip.last_radius());
+            }
+        }
         Some((value, indented))
     }
 

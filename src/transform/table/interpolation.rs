@@ -14,6 +14,8 @@ pub enum Interpolation {
     /// [0, 3 min(Δ₋, Δ₊)], Δ the rises on either side: the sufficient condition of Fritsch and Carlson (1980), with the
     /// better slopes of Hyman (1983). The error falls as the fourth power of the spacing, next to an extremum as the second.
     MonotoneCubic,
+    /// The same for an even f, f′(0) = 0: slopes near the axis know the mirror images of the points. For smooth tips, not for cones.
+    EvenMonotoneCubic,
     /// The natural cubic spline that minimises Σ (z − f)² + λ ∫ f″² dr (Reinsch 1967), for points with noise.
     SmoothingSpline(Penalty),
     /// The same for an even f, f′(0) = 0: the points are mirrored at the axis. For smooth tips, not for cones.
@@ -47,9 +49,10 @@ pub(super) fn check(r: &[f64], z: &[f64], needed: usize) -> Result<(), TableErro
 
 /// The cubic pieces from the axis to the last radius.
 pub(super) fn interpolate(r: &[f64], z: &[f64], how: Interpolation) -> Result<Vec<Cubic>, TableError> {
-    check(r, z, if how == Interpolation::MonotoneCubic { 2 } else { 3 })?;
+    check(r, z, if matches!(how, Interpolation::MonotoneCubic | Interpolation::EvenMonotoneCubic) { 2 } else { 3 })?;
     let mut pieces = match how {
         Interpolation::MonotoneCubic => hermite(r, z, &monotone_slopes(r, z)),
+        Interpolation::EvenMonotoneCubic => hermite(r, z, &even_slopes(r, z)),
         Interpolation::SmoothingSpline(penalty) => {
             let (values, slopes) = smoothing_spline(r, z, penalty)?;
             hermite(r, &values, &slopes)
@@ -76,13 +79,26 @@ fn extend_to_axis(pieces: &mut Vec<Cubic>) {
     }
 }
 
+/// The mirror images of what stands beyond the axis, and the list itself.
+fn beyond_axis(list: &[f64], sign: f64, at_axis: bool) -> Vec<f64> {
+    list.iter().skip(usize::from(at_axis)).rev().map(|v| sign * v).chain(list.iter().copied()).collect()
+}
+
+/// Monotone slopes of the points with their mirror images.
+fn even_slopes(r: &[f64], z: &[f64]) -> Vec<f64> {
+    let at_axis = r.first() == Some(&0.0);
+    if !at_axis {
+        // Between the first point and its image the chord is level: it would cut the slope to 0.
+        return monotone_slopes(r, z);
+    }
+    let mut slopes = monotone_slopes(&beyond_axis(r, -1.0, true), &beyond_axis(z, 1.0, true));
+    slopes.split_off(slopes.len() - r.len())
+}
+
 /// The right half of the spline through the points and their mirror images. The piece across the axis is the even parabola.
 fn mirrored(r: &[f64], z: &[f64], penalty: Penalty) -> Result<(Vec<f64>, Vec<f64>), TableError> {
     let at_axis = r.first() == Some(&0.0);
-    let beyond = |list: &[f64], sign: f64| -> Vec<f64> {
-        list.iter().skip(usize::from(at_axis)).rev().map(|v| sign * v).chain(list.iter().copied()).collect()
-    };
-    let (mut values, mut slopes) = smoothing_spline(&beyond(r, -1.0), &beyond(z, 1.0), penalty)?;
+    let (mut values, mut slopes) = smoothing_spline(&beyond_axis(r, -1.0, at_axis), &beyond_axis(z, 1.0, at_axis), penalty)?;
     let left = values.len() - r.len();
     let (values, mut slopes) = (values.split_off(left), slopes.split_off(left));
     if let Some(first) = slopes.first_mut().filter(|_| at_axis) {

@@ -1,0 +1,256 @@
+//! The text of a file of points: comments, delimiter, header and numbers, each with its place.
+
+use super::header::{Column, chosen};
+use crate::scene::SceneError;
+use std::ops::Range;
+
+/// The text of a file: UTF-8 with or without its mark, else Latin-1, which has every byte.
+///
+/// True where it is not UTF-8.
+pub fn decoded(bytes: Vec<u8>) -> (String, bool) {
+    match String::from_utf8(bytes) {
+        Ok(text) => (text, false),
+        Err(error) => (error.into_bytes().into_iter().map(char::from).collect(), true),
+    }
+}
+
+/// What stands between two columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Delimiter {
+    One(char),
+    Blanks,
+}
+
+/// A field without quotes and blanks around it, and its bytes.
+pub(super) type Field<'t> = (&'t str, Range<usize>);
+
+/// One row of numbers with the place of its radius.
+#[derive(Clone, Debug)]
+pub(super) struct Row {
+    pub(super) r: f64,
+    pub(super) z: f64,
+    pub(super) place: Range<usize>,
+}
+
+/// The rows of a file and the two columns that they come from.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    pub(super) radius: Column,
+    pub(super) height: Column,
+    pub(super) rows: Vec<Row>,
+    /// True where some number has a decimal comma.
+    pub(super) decimal_comma: bool,
+}
+
+const HEADER: &str = "a header such as r_um,z_nm or r [um];z [um] would be accepted, with # before comments";
+
+/// Reads radius and height of every row.
+///
+/// # Errors
+/// [`SceneError`] whose place is one in the text of the file.
+pub(super) fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
+    let begin = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+    if text.contains('\0') {
+        let at = text.find('\0').unwrap_or(0);
+        return Err(SceneError::value("this is no text: it has a byte 0").help("a text file in UTF-8 would be accepted").at(at..at + 1));
+    }
+    let mut lines = lines(text, begin).filter(|line| !text.get(line.clone()).unwrap_or_default().trim().is_empty()).peekable();
+    let mut comment = None;
+    let first = loop {
+        let Some(line) = lines.peek().cloned() else {
+            let message = if comment.is_some() { "the file has comments only" } else { "the file is empty" };
+            return Err(SceneError::missing(message).help(HEADER).at(0..0));
+        };
+        match body(text, &line) {
+            Some(_) => break line,
+            None => comment = lines.next(),
+        }
+    };
+    let slice = |line: &Range<usize>| text.get(line.clone()).unwrap_or_default();
+    let mut fields = Vec::new();
+    let mut delimiter = sniffed(slice(&first));
+    split(slice(&first), first.start, delimiter, &mut fields);
+    let numbers = fields.iter().all(|(field, _)| number(field, delimiter).is_some());
+    let columns = if numbers {
+        // A header behind a comment sign, as NumPy writes it.
+        let behind = comment.map(|line| {
+            let skipped = slice(&line).find('#').map_or(0, |at| at + 1);
+            line.start + skipped..line.end
+        });
+        let named = behind.filter(|line| {
+            delimiter = sniffed(slice(line));
+            split(slice(line), line.start, delimiter, &mut fields);
+            fields.iter().any(|(field, _)| number(field, delimiter).is_none())
+        });
+        if named.is_none() {
+            return Err(SceneError::missing("the first row has numbers, not the names of columns").help(HEADER).at(first));
+        }
+        chosen(&fields, line_scan)?
+    } else {
+        lines.next();
+        chosen(&fields, line_scan)?
+    };
+    let count = fields.len();
+    let (radius, height) = columns;
+    let mut own = Sheet { radius, height, rows: Vec::new(), decimal_comma: false };
+    for line in lines {
+        if body(text, &line).is_none() {
+            continue;
+        }
+        split(slice(&line), line.start, delimiter, &mut fields);
+        if fields.len() == count + 1 && fields.last().is_some_and(|(field, _)| field.is_empty()) {
+            fields.pop();
+        }
+        if fields.len() != count {
+            let message = format!("this row has {}, the header {count}", counted(fields.len()));
+            let help = if delimiter == Delimiter::One(',') {
+                "as many fields as the header has would be accepted; decimal commas need ; between the columns"
+            } else {
+                "as many fields as the header has would be accepted"
+            };
+            return Err(SceneError::value(message).help(help).at(line));
+        }
+        let mut read = |column: &Column| -> Result<(f64, Range<usize>), SceneError> {
+            let (field, place) = fields.get(column.index).cloned().unwrap_or(("", line.clone()));
+            let fault = |message: String| {
+                Err(SceneError::value(message).help("a finite decimal number such as 0.25 or 1e-3 would be accepted").at(place.clone()))
+            };
+            let shown: String = field.chars().take(40).collect();
+            match number(field, delimiter) {
+                Some((value, comma)) if value.is_finite() => {
+                    own.decimal_comma |= comma;
+                    Ok((value, place))
+                }
+                Some(_) => fault(format!("{} = {shown} is no finite number", column.name)),
+                None if field.is_empty() => fault(format!("{} is empty here", column.name)),
+                None => fault(format!("{} = {shown:?} is no number", column.name)),
+            }
+        };
+        let ((r, place), (z, _)) = (read(&own.radius)?, read(&own.height)?);
+        own.rows.push(Row { r, z, place });
+    }
+    if own.rows.is_empty() {
+        return Err(SceneError::missing("the file has a header but no rows").help("at least 4 rows would be accepted").at(first));
+    }
+    Ok(own)
+}
+
+fn counted(fields: usize) -> String {
+    if fields == 1 { "1 field".to_owned() } else { format!("{fields} fields") }
+}
+
+/// The bytes of every line without its end.
+fn lines(text: &str, begin: usize) -> impl Iterator<Item = Range<usize>> + '_ {
+    // Files of old Macintoshes have no other ends.
+    let end = if text.contains('\n') { '\n' } else { '\r' };
+    let mut start = begin;
+    text.get(begin..).unwrap_or_default().split(end).map(move |line| {
+        let own = start..start + line.trim_end_matches('\r').len();
+        start += line.len() + 1;
+        own
+    })
+}
+
+/// The line, unless it is a comment.
+fn body<'t>(text: &'t str, line: &Range<usize>) -> Option<&'t str> {
+    text.get(line.clone()).filter(|own| !own.trim_start().starts_with('#'))
+}
+
+/// The delimiter of a header: `;`, a tab or `,` where there is one, else blanks.
+fn sniffed(line: &str) -> Delimiter {
+    let mut quoted = false;
+    let outside: String = line
+        .chars()
+        .filter(|c| {
+            quoted ^= *c == '"';
+            !quoted
+        })
+        .collect();
+    [';', '\t', ','].into_iter().find(|c| outside.trim().contains(*c)).map_or(Delimiter::Blanks, Delimiter::One)
+}
+
+/// The fields of a line; quotes and blanks around them fall away.
+fn split<'t>(line: &'t str, start: usize, delimiter: Delimiter, fields: &mut Vec<Field<'t>>) {
+    fields.clear();
+    let mut push = |from: usize, to: usize| {
+        let raw = line.get(from..to).unwrap_or_default();
+        let inner = raw.trim();
+        let bare = inner.strip_prefix('"').and_then(|own| own.strip_suffix('"')).unwrap_or(inner).trim();
+        let offset = start + from + raw.find(bare).unwrap_or(0);
+        fields.push((bare, offset..offset + bare.len()));
+    };
+    let (mut from, mut quoted, mut bracket) = (0, false, false);
+    for (at, c) in line.char_indices() {
+        match c {
+            '"' => quoted = !quoted,
+            '[' | '(' => bracket = true,
+            ']' | ')' => bracket = false,
+            _ => {}
+        }
+        match delimiter {
+            Delimiter::One(own) if c == own && !quoted => {
+                push(from, at);
+                from = at + c.len_utf8();
+            }
+            Delimiter::Blanks if c.is_whitespace() && !quoted && !bracket => {
+                // A unit in brackets belongs to the name before it.
+                let unit = line.get(at..).unwrap_or_default().trim_start().starts_with(['[', '(']);
+                if !unit {
+                    if line.get(from..at).is_some_and(|own| !own.trim().is_empty()) {
+                        push(from, at);
+                    }
+                    from = at + c.len_utf8();
+                }
+            }
+            _ => {}
+        }
+    }
+    if delimiter != Delimiter::Blanks || line.get(from..).is_some_and(|own| !own.trim().is_empty()) {
+        push(from, line.len());
+    }
+}
+
+/// The number of a field, and whether it has a decimal comma.
+fn number(field: &str, delimiter: Delimiter) -> Option<(f64, bool)> {
+    if let Ok(value) = field.parse() {
+        return Some((value, false));
+    }
+    let one_comma = delimiter != Delimiter::One(',') && field.matches(',').count() == 1 && !field.contains('.');
+    one_comma.then(|| field.replace(',', ".").parse().ok()).flatten().map(|value| (value, true))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Vec<(f64, f64)> {
+        sheet(text, false).unwrap().rows.iter().map(|row| (row.r, row.z)).collect()
+    }
+
+    #[test]
+    fn delimiters_quotes_and_comments() {
+        let expected = vec![(0.0, 0.5), (1.0, 1.5)];
+        for text in [
+            "r_um,z_nm\n0,0.5\n1,1.5\n",
+            "\u{feff}# from a microscope\r\nr [um];z [nm]\r\n0;0,5\r\n\r\n1;1,5\r\n",
+            "r (um)\tz (nm)\n0\t0.5\n1\t1.5",
+            "r [um]  z [nm]\n  0   0.5\n  1   1.5\n",
+            "# r_um z_nm\n0 0.5\n# half way\n1 1.5\n",
+            "\"r_um\",\"z_nm\"\n\"0\",\"0.5\"\n1,1.5,\n",
+            "name,z_nm,r_um\nfirst,0.5,0\n\"second, last\",1.5,1\n",
+            "r_um,z_nm\r0,0.5\r1,1.5\r",
+        ] {
+            assert_eq!(read(text), expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn places_are_those_of_the_fields() {
+        for (text, marked) in
+            [("r_um,z_nm\n0,1\n1, x7 \n", "x7"), ("r;z\n0;\"nan\"\n", "nan"), ("# a\nr z\n1 2 3\n", "1 2 3"), ("r,z\n1,2e999\n", "2e999")]
+        {
+            let span = sheet(text, false).unwrap_err().span().unwrap();
+            assert_eq!(&text[span], marked, "{text:?}");
+        }
+    }
+}

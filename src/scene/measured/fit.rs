@@ -1,0 +1,199 @@
+//! The named shapes that come nearest to a measured tip, by least squares.
+
+use crate::scene::Dimension;
+
+/// A named shape with the parameters that fit best.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// The name of the shape in scene files.
+    pub shape: &'static str,
+    /// Its parameters.
+    pub parameters: Vec<FitParameter>,
+    /// The root mean square of the deviations in height.
+    pub rms: f64,
+    /// The largest deviation.
+    pub largest: f64,
+}
+
+/// A parameter of a fit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FitParameter {
+    /// Its name.
+    pub name: &'static str,
+    /// Its value in computed units.
+    pub value: f64,
+    /// Its dimension; angles are in radians.
+    pub dimension: Dimension,
+}
+
+/// Places at which a shape's own length is tried before it is refined.
+const TRIES: i32 = 96;
+
+/// A shape with one nonlinear parameter q in units of the last radius; height and slope of the fit are linear.
+struct Model {
+    shape: &'static str,
+    /// f at s = r/r_last.
+    value: fn(f64, f64) -> f64,
+    /// The range of ln q; one place where there is no q.
+    range: (f64, f64),
+    /// From q, the linear factor, and r_last.
+    parameters: fn(f64, f64, f64) -> Vec<FitParameter>,
+    /// Free parameters, for the choice of the best.
+    count: f64,
+}
+
+fn length(name: &'static str, value: f64) -> FitParameter {
+    FitParameter { name, value, dimension: Dimension::LENGTH }
+}
+
+fn angle(value: f64) -> FitParameter {
+    FitParameter { name: "theta", value, dimension: Dimension::NONE }
+}
+
+const MODELS: [Model; 5] = [
+    Model {
+        shape: "paraboloid",
+        value: |s, _| 0.5 * s * s,
+        range: (0.0, 0.0),
+        parameters: |_, c, end| vec![length("R", end * end / c)],
+        count: 1.0,
+    },
+    Model { shape: "cone", value: |s, _| s, range: (0.0, 0.0), parameters: |_, c, end| vec![angle((c / end).atan())], count: 1.0 },
+    // q = R/r_last from 1 on; R itself is no linear factor, so that c is one that comes out near q.
+    Model {
+        shape: "sphere",
+        value: |s, q| s * s / (q + ((q - s) * (q + s)).max(0.0).sqrt()),
+        range: (0.0, 16.0),
+        parameters: |q, _, end| vec![length("R", q * end)],
+        count: 1.0,
+    },
+    // c (√(b² + r²) − b): the slope c far out, the radius b/c at the apex.
+    Model {
+        shape: "hyperboloid",
+        value: |s, q| s * s / (q + s.hypot(q)),
+        range: (-7.0, 4.0),
+        parameters: |q, c, end| vec![length("h", c * q), length("b", q * end), angle((c / end).atan()), length("R", q * end * end / c)],
+        count: 2.0,
+    },
+    Model {
+        shape: "power",
+        value: |s, q| s.powf(q),
+        range: (-1.2, 3.0),
+        parameters: |q, c, end| {
+            let n = FitParameter { name: "n", value: q, dimension: Dimension::NONE };
+            vec![n, FitParameter { name: "C", value: c / end.powf(q), dimension: Dimension::NONE }]
+        },
+        count: 2.0,
+    },
+];
+
+/// Every shape that fits at all, the best one first.
+pub(super) fn fits(points: &[(f64, f64)]) -> Vec<Fit> {
+    let Some(end) = points.last().map(|own| own.0).filter(|end| *end > 0.0) else { return Vec::new() };
+    let count = points.len() as f64;
+    let mean = points.iter().map(|own| own.1).sum::<f64>() / count;
+    let scaled: Vec<(f64, f64)> = points.iter().map(|(r, z)| (r / end, z - mean)).collect();
+    let size = scaled.iter().fold(0.0f64, |most, own| most.max(own.1.abs()));
+    let mut found: Vec<(f64, Fit)> = MODELS.iter().filter_map(|model| fitted(model, &scaled, end, size)).collect();
+    found.sort_by(|one, other| one.0.total_cmp(&other.0));
+    found.into_iter().map(|(_, fit)| fit).collect()
+}
+
+/// The fit with what rates it: the smaller, the better.
+fn fitted(model: &Model, points: &[(f64, f64)], end: f64, size: f64) -> Option<(f64, Fit)> {
+    let deviation = |log: f64| linear(model, points, log.exp(), end).map_or(f64::INFINITY, |own| own.2);
+    let (low, high) = model.range;
+    let mut best = (deviation(low), low);
+    let step = (high - low) / f64::from(TRIES);
+    if step > 0.0 {
+        for index in 1..=TRIES {
+            let log = low + step * f64::from(index);
+            let own = deviation(log);
+            if own < best.0 {
+                best = (own, log);
+            }
+        }
+        let (mut from, mut to) = ((best.1 - step).max(low), (best.1 + step).min(high));
+        let golden = 0.5 * (5f64.sqrt() - 1.0);
+        for _ in 0..70 {
+            let (one, two) = (to - golden * (to - from), from + golden * (to - from));
+            if deviation(one) < deviation(two) { to = two } else { from = one }
+        }
+        let refined = 0.5 * (from + to);
+        if deviation(refined) <= best.0 {
+            best = (deviation(refined), refined);
+        }
+    }
+    // At an end of its range a shape has become a simpler one; only a sphere may be a whole half.
+    let at_end = step > 0.0 && (best.1 >= high - 1e-6 || (best.1 <= low + 1e-6 && model.shape != "sphere"));
+    if at_end {
+        return None;
+    }
+    let q = best.1.exp();
+    let (factor, constant, rms) = linear(model, points, q, end)?;
+    let largest = points.iter().fold(0.0f64, |most, (s, z)| most.max((z - constant - factor * (model.value)(*s, q)).abs()));
+    let parameters = (model.parameters)(q, factor, end);
+    // A shape that is convex the other way is none of these tips.
+    let possible = factor > 0.0 && parameters.iter().all(|own| own.value.is_finite());
+    let count = points.len() as f64;
+    // The information criterion of Bayes: a further parameter must pay.
+    let rating = 2.0 * count * rms.max(1e-14 * size).max(f64::MIN_POSITIVE).ln() + model.count * count.ln();
+    possible.then_some((rating, Fit { shape: model.shape, parameters, rms, largest }))
+}
+
+/// Factor, constant and root mean square of the best fit with this q. A sphere's factor is its radius and not free.
+fn linear(model: &Model, points: &[(f64, f64)], q: f64, end: f64) -> Option<(f64, f64, f64)> {
+    let count = points.len() as f64;
+    let value = |s: f64| (model.value)(s, q);
+    let mean = points.iter().map(|own| value(own.0)).sum::<f64>() / count;
+    let factor = if model.shape == "sphere" {
+        end
+    } else {
+        let (product, square) = points.iter().fold((0.0, 0.0), |(p, v), (s, z)| {
+            let own = value(*s) - mean;
+            (p + own * z, v + own * own)
+        });
+        if square > 0.0 { product / square } else { return None }
+    };
+    let middle = points.iter().map(|(s, z)| z - factor * value(*s)).sum::<f64>() / count;
+    let rest: f64 = points.iter().map(|(s, z)| (z - middle - factor * value(*s)).powi(2)).sum();
+    let rms = (rest / count).sqrt();
+    rms.is_finite().then_some((factor, middle, rms))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn best(f: impl Fn(f64) -> f64) -> Fit {
+        let points: Vec<(f64, f64)> = (0..=200).map(|i| 0.01 * f64::from(i)).map(|r| (r, 7.0 + f(r))).collect();
+        fits(&points).remove(0)
+    }
+
+    #[test]
+    fn shapes_are_recognised_with_their_parameters() {
+        let near = |fit: &Fit, name: &str, expected: f64| {
+            let own = fit.parameters.iter().find(|own| own.name == name).unwrap().value;
+            assert!((own / expected - 1.0).abs() < 1e-6, "{name} = {own:?} is not {expected:?}: {fit:?}");
+        };
+        let found = best(|r| r * r / 20.0);
+        assert_eq!(found.shape, "paraboloid");
+        near(&found, "R", 10.0);
+        let found = best(|r| 3.0 - (9.0 - r * r).sqrt());
+        assert_eq!(found.shape, "sphere");
+        near(&found, "R", 3.0);
+        let found = best(|r| 0.2f64.tan() * r);
+        assert_eq!(found.shape, "cone");
+        near(&found, "theta", 0.2);
+        let found = best(|r| 0.3 * ((0.25 + r * r).sqrt() - 0.5));
+        assert_eq!(found.shape, "hyperboloid");
+        near(&found, "b", 0.5);
+        near(&found, "h", 0.15);
+        near(&found, "theta", 0.3f64.atan());
+        near(&found, "R", 0.5 / 0.3);
+        let found = best(|r| 0.1 * r.powf(2.5));
+        assert_eq!(found.shape, "power");
+        near(&found, "n", 2.5);
+        near(&found, "C", 0.1);
+    }
+}

@@ -1,0 +1,256 @@
+//! A tip that was read: its profile, a second one that judges the first, and what is worth knowing about it.
+
+use super::columns::{Sheet, sheet};
+use super::fit::{self, Fit};
+use super::header::Column;
+use super::keys::{Apex, Join, Measured, Smoothing};
+use super::points::{Points, extended, note_falls, ordered};
+use super::scan::{Scan, folded};
+use crate::contact::ContactError;
+use crate::expr::Expr;
+use crate::scene::quantity::to_f64;
+use crate::scene::{Dimension, SceneError, System, Unit};
+use crate::transform::{Interpolation, Penalty, Profile, TableProfile};
+use std::sync::Arc;
+
+/// Something that was done to the points, or is worth knowing about them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Note {
+    /// A short name: `tip_sorted`, `tip_merged`, `tip_averaged`, `tip_not_monotone`, `tip_extrapolated`, `tip_centred`, …
+    pub rule: &'static str,
+    /// A sentence.
+    pub message: String,
+    /// The radius that is meant, in computed units.
+    pub at: Option<f64>,
+}
+
+impl Note {
+    pub(super) fn new(rule: &'static str, message: String, at: Option<f64>) -> Self {
+        Self { rule, message, at }
+    }
+}
+
+/// A measured tip with numbers in the units in which its scene computes.
+#[derive(Clone)]
+pub struct MeasuredTip {
+    profile: Arc<TableProfile>,
+    second: Arc<TableProfile>,
+    points: Points,
+    rows: usize,
+    rounded: bool,
+    joined: [&'static str; 2],
+    scan: Option<Scan>,
+    notes: Vec<Note>,
+}
+
+impl std::fmt::Debug for MeasuredTip {
+    fn fmt(&self, out: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(out, "MeasuredTip({} points, {})", self.points.len(), self.joined[0])
+    }
+}
+
+impl Measured {
+    /// Makes a tip of the text of its file, as [`super::decoded`] gives it; places in errors are bytes of that text.
+    ///
+    /// # Errors
+    /// [`SceneError`] for a file that is no profile.
+    pub fn tip(&self, (text, foreign): &(String, bool), system: &System) -> Result<MeasuredTip, SceneError> {
+        let own = sheet(text, self.line_scan)?;
+        let scales = self.scales(&own, system)?;
+        let mut notes = Vec::new();
+        if *foreign {
+            notes.push(Note::new("tip_encoding", "the file is not UTF-8 and was read as Latin-1".to_owned(), None));
+        }
+        if own.decimal_comma {
+            notes.push(Note::new("tip_decimal_comma", "commas in numbers were read as decimal points".to_owned(), None));
+        }
+        let mut points = ordered(&own, scales, self.line_scan, system, &mut notes)?;
+        if self.invert {
+            points.iter_mut().for_each(|point| point.1 = -point.1);
+        }
+        let header = own.radius.place.clone();
+        let mut scan = None;
+        if self.line_scan {
+            let (folded, found) = folded(&points, system, &mut notes).map_err(|error| error.at(header.clone()))?;
+            (points, scan) = (folded, Some(found));
+        }
+        note_falls(&points, self.join == Join::MonotoneCubic, system, &mut notes);
+        let measured = points.clone();
+        let rounded = match self.apex {
+            Apex::Rounded => true,
+            Apex::Pointed => false,
+            Apex::Auto => !is_pointed(&points),
+        };
+        extended(&mut points, rounded, system, &mut notes);
+        let number = self.penalty_number(system)?;
+        let table = |points: &[(f64, f64)], how: Interpolation| {
+            let (r, z): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
+            Profile::from_points(&r, &z, how).map_err(|error| SceneError::from(ContactError::from(error)).at(header.clone()))
+        };
+        let (profile, second, joined) = match &self.join {
+            Join::MonotoneCubic => {
+                let own = if rounded { Interpolation::EvenMonotoneCubic } else { Interpolation::MonotoneCubic };
+                let other = spline(rounded, Penalty::Weight(0.0));
+                (table(&points, own)?, table(&points, other)?, ["monotone-cubic", "natural cubic spline through the points"])
+            }
+            Join::SmoothingSpline(smoothing) => {
+                let value = number.unwrap_or(0.0);
+                let (own, other) = match smoothing {
+                    Smoothing::CrossValidation => (Penalty::CrossValidation, Penalty::CrossValidation),
+                    Smoothing::Noise(_) => (Penalty::Noise(value), Penalty::Noise(value)),
+                    Smoothing::Weight(_) => (Penalty::Weight(value), Penalty::Weight(0.5 * value)),
+                };
+                let fewer = every_other(&points);
+                let names = ["smoothing-spline", "smoothing spline of every other point"];
+                (table(&points, spline(rounded, own))?, table(&fewer, spline(rounded, other))?, names)
+            }
+        };
+        let rows = own.rows.len();
+        Ok(MeasuredTip { profile: Arc::new(profile), second: Arc::new(second), points: measured, rows, rounded, joined, scan, notes })
+    }
+
+    /// The factors from both columns to computed lengths.
+    fn scales(&self, sheet: &Sheet, system: &System) -> Result<[f64; 2], SceneError> {
+        let scale = |column: &Column, named: &Option<Unit>| -> Result<f64, SceneError> {
+            let unit = column.unit.as_ref().or(named.as_ref()).or(self.length_unit.as_ref());
+            let factor = match (unit, system.has_units()) {
+                (Some(unit), true) => system.own(unit.factor().clone(), Dimension::LENGTH),
+                (None, false) => Expr::one(),
+                (None, true) => {
+                    let message = format!("the column {} has no unit, but other numbers of the scene have one", column.name);
+                    let help = format!("{}_um in the header, or length_unit = \"um\" in [profile], would be accepted", column.name);
+                    return Err(SceneError::unit(message).help(help).at(column.place.clone()));
+                }
+                // Bare numbers of a scene are of the unit that its answers name.
+                (Some(unit), false) => match system.names().and_then(|names| Unit::parse(&names.length).ok()) {
+                    Some(bare) => unit.factor() / bare.factor(),
+                    None => {
+                        let message = format!("the column {} has a unit, but the numbers of the scene have none", column.name);
+                        let help =
+                            "numbers with units in the scene, such as depth = \"50 nm\", or columns without units, would be accepted";
+                        return Err(SceneError::unit(message).help(help).at(column.place.clone()));
+                    }
+                },
+            };
+            to_f64(&factor).map_err(|error| error.at(column.place.clone()))
+        };
+        let [r, z] = &self.units;
+        Ok([scale(&sheet.radius, r)?, scale(&sheet.height, z)?])
+    }
+}
+
+fn spline(rounded: bool, penalty: Penalty) -> Interpolation {
+    if rounded { Interpolation::EvenSmoothingSpline(penalty) } else { Interpolation::SmoothingSpline(penalty) }
+}
+
+/// Every other point, and the last one: the profile ends where it ended.
+fn every_other(points: &[(f64, f64)]) -> Points {
+    let mut fewer: Points = points.iter().step_by(2).copied().collect();
+    if let Some(last) = points.last().filter(|_| points.len().is_multiple_of(2)) {
+        fewer.push(*last);
+    }
+    fewer
+}
+
+/// Whether the first points point at an edge on the axis, rather than at a level place: by the polynomial through five of them, and
+/// beyond doubt by a parabola through an eighth of all, since points may be noisy.
+fn is_pointed(points: &[(f64, f64)]) -> bool {
+    let first = |count: usize| points.get(..count.min(points.len())).unwrap_or_default();
+    let (few, more) = (first(5), first((points.len() / 8).max(8)));
+    let rise = |list: &[(f64, f64)]| match list {
+        [one, other, ..] => (other.1 - one.1) / (other.0 - one.0),
+        _ => 0.0,
+    };
+    let ends = |list: &[(f64, f64)]| match (list.first(), list.last()) {
+        (Some(one), Some(other)) if other.0 > one.0 => (other.1 - one.1) / (other.0 - one.0),
+        _ => 0.0,
+    };
+    // Slopes count in the direction in which the first points lead.
+    let chord = ends(more);
+    let (slope, doubt) = slope_of_parabola(more);
+    let sign = chord.signum();
+    sign * slope_of_polynomial(few) > 0.5 * rise(few).abs() && sign * slope > (0.5 * chord.abs()).max(3.0 * doubt)
+}
+
+/// The slope at the axis of the polynomial through all of a few points.
+fn slope_of_polynomial(points: &[(f64, f64)]) -> f64 {
+    let base = points.first().map_or(0.0, |own| own.1);
+    let weight = |j: usize, own: f64| -> f64 {
+        let others = || points.iter().enumerate().filter(move |(i, _)| *i != j);
+        let product = |i: usize| -> f64 { others().filter(|(k, _)| *k != i).map(|(_, (r, _))| -r / (own - r)).product() };
+        others().map(|(i, (r, _))| product(i) / (own - r)).sum()
+    };
+    points.iter().enumerate().map(|(j, (r, z))| (z - base) * weight(j, *r)).sum()
+}
+
+/// The slope at the axis of the parabola that fits best, and its standard error.
+fn slope_of_parabola(points: &[(f64, f64)]) -> (f64, f64) {
+    let count = points.len() as f64;
+    let mean = |value: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(value).sum::<f64>() / count;
+    let (middle, height) = (mean(&|own| own.0), mean(&|own| own.1));
+    let spread = mean(&|own| (own.0 - middle).powi(2));
+    if points.len() < 4 || spread <= 0.0 {
+        return (0.0, f64::INFINITY);
+    }
+    // Orthogonal polynomials in t = r − mean: 1, t, t² − c t − spread.
+    let c = mean(&|own| (own.0 - middle).powi(3)) / spread;
+    let second = |own: &(f64, f64)| (own.0 - middle).powi(2) - c * (own.0 - middle) - spread;
+    let norm = mean(&|own| second(own).powi(2));
+    let one = mean(&|own| (own.0 - middle) * (own.1 - height)) / spread;
+    let two = mean(&|own| second(own) * (own.1 - height)) / norm;
+    let rest = mean(&|own| (own.1 - height - one * (own.0 - middle) - two * second(own)).powi(2)) / (count - 3.0);
+    let lever = -2.0 * middle - c;
+    (one + two * lever, (rest * (1.0 / spread + lever * lever / norm)).sqrt())
+}
+
+impl MeasuredTip {
+    /// The profile.
+    pub fn profile(&self) -> &Arc<TableProfile> {
+        &self.profile
+    }
+
+    /// The same points joined in another way: what changes with it is no more certain than that.
+    pub fn second(&self) -> &Arc<TableProfile> {
+        &self.second
+    }
+
+    /// How the points are joined, and how the second profile joins them.
+    pub fn joined(&self) -> [&'static str; 2] {
+        self.joined
+    }
+
+    /// The rows of the file.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Radius and height of every point that is left of them.
+    pub fn points(&self) -> &[(f64, f64)] {
+        &self.points
+    }
+
+    /// True where f′(0) = 0.
+    pub fn is_rounded(&self) -> bool {
+        self.rounded
+    }
+
+    /// The last radius: the profile ends there.
+    pub fn last_radius(&self) -> f64 {
+        self.points.last().map_or(0.0, |own| own.0)
+    }
+
+    /// What a line scan showed.
+    pub fn scan(&self) -> Option<Scan> {
+        self.scan
+    }
+
+    /// What was done to the points, and what is worth knowing about them.
+    pub fn notes(&self) -> &[Note] {
+        &self.notes
+    }
+
+    /// The named shapes by least squares, the best one first; computed when it is asked for.
+    pub fn fits(&self) -> Vec<Fit> {
+        fit::fits(&self.points)
+    }
+}
