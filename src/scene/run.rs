@@ -37,11 +37,20 @@ impl<'a> Run<'a> {
         if scene.measured.is_some() && scene.tip.is_none() {
             return Err(scene.placed(SceneError::missing("the points of the tip were not read").help("Scene::with_points reads them")));
         }
+        if let (Some(c), Some(tip)) = (rim, &scene.tip)
+            && c > tip.last_radius()
+        {
+            let length =
+                |own: f64| format!("{:?} {}", own * scene.system.out(Dimension::LENGTH), scene.system.unit_name(Dimension::LENGTH));
+            let message = format!("radius = {} lies beyond the last point of the tip", length(c).trim_end());
+            let help = format!("a radius up to {} would be accepted", length(tip.last_radius()).trim_end());
+            return Err(scene.placed(SceneError::value(message).help(help)));
+        }
         let setup = Setup { effective_modulus, rim, tolerance, method };
         let others = |tip: Option<&Arc<TableProfile>>| tip.map(|own| Part::new(Arc::clone(own))).into_iter().collect();
         let tip = scene.tip.as_ref();
         let indentation = Indentation::beside(Some(solution), others(tip.map(MeasuredTip::profile)), setup, largest);
-        let indentation = indentation.map_err(|error| scene.placed(error.into()))?;
+        let indentation = indentation.map_err(|error| scene.placed(tip.map_or_else(|| error.clone().into(), |_| of_tip(&error))))?;
         let second = tip.and_then(|own| Indentation::beside(Some(solution), others(Some(own.second())), setup, largest).ok());
         let own = Self { scene, indentation, second, work: Cell::default() };
         // Bad input is found before anything is written.
@@ -215,6 +224,14 @@ fn representable(value: f64, pressed: bool) -> Result<f64, &'static str> {
         return Err("it is too small for a 64-bit float; other units would be accepted");
     }
     Ok(value)
+}
+
+/// An error about a profile of points that lacks a vertical side.
+fn of_tip(error: &ContactError) -> SceneError {
+    let help = "radius = \"2 um\" in [profile] would be accepted for a flat or concave end; \
+                invert = true for heights that fall from the apex outward";
+    let own = SceneError::from(error.clone());
+    if matches!(error, ContactError::Missing { .. }) { own.help(help) } else { own }
 }
 
 fn not_computable(error: &ContactError) -> Indented {

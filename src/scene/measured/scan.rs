@@ -20,12 +20,16 @@ pub struct Scan {
 const SHORTEST: f64 = 0.2;
 /// Places that are tried before the best one is refined.
 const TRIES: usize = 400;
-/// A tilt is believed where it leaves less than this share of the asymmetry.
+/// A tilt is believed where it leaves less than this share of the asymmetry, among many radii.
 const BELIEVED: f64 = 0.5;
+/// Among so few radii chance does as much again.
+const FEW_BELIEVED: f64 = 10.0;
 /// An asymmetry below this share of the height is rounding.
 const ROUNDING: f64 = 1e-11;
 /// A scan is a straight line where its even part has less than this share of the height.
 const STRAIGHT: f64 = 1e-9;
+/// The fewest radii at which both sides can be compared.
+const FEWEST: usize = 3;
 
 /// Centres a scan and averages its sides; heights count from the lowest radius on.
 ///
@@ -41,11 +45,13 @@ pub(super) fn folded(scan: &[(f64, f64)], system: &System, notes: &mut Vec<Note>
     // Without a tilt first: a tilted paraboloid is a paraboloid elsewhere, and nothing tells the one from the other.
     let (level, level_rest) = best(scan, (middle - reach, middle + reach), false);
     let (tilted, tilted_rest) = best(scan, (middle - reach, middle + reach), true);
-    let believed = tilted_rest < BELIEVED * level_rest && level_rest > ROUNDING * height;
+    let compared = Sides::new(scan, tilted).folds().len().max(1) as f64;
+    let demanded = BELIEVED / (1.0 + FEW_BELIEVED / compared).sqrt();
+    let believed = tilted_rest < demanded * level_rest && level_rest > ROUNDING * height;
     let apex_offset = snapped(scan, if believed { tilted } else { level });
     let sides = Sides::new(scan, apex_offset);
     let folds = sides.folds();
-    let inside = folds.len() >= 4 && (apex_offset - middle).abs() < 0.999 * reach;
+    let inside = folds.len() >= FEWEST && (apex_offset - middle).abs() < 0.999 * reach;
     if !inside {
         return Err(SceneError::value("the scan has no axis of symmetry well within it")
             .help("a scan that has the apex between its ends would be accepted, or line_scan = false for radii from 0 on"));
@@ -155,7 +161,7 @@ fn odd_part(folds: &[Fold]) -> (f64, f64) {
 /// What two sides differ by about a centre, with or without a tilt.
 fn rest(scan: &[(f64, f64)], centre: f64, with_tilt: bool) -> f64 {
     let folds = Sides::new(scan, centre).folds();
-    if folds.len() < 4 {
+    if folds.len() < FEWEST {
         return f64::INFINITY;
     }
     if with_tilt {
