@@ -9,6 +9,7 @@ mod material;
 mod problem;
 mod report;
 mod slices;
+mod stress;
 
 pub use comparison::{Comparison, Setting, compare};
 pub use error::ContactError;

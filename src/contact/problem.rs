@@ -86,6 +86,11 @@ impl<P: Quantities> Contact<'_, P> {
         self.depth.is_some()
     }
 
+    /// The depth that a rim leaves free.
+    pub(super) fn depth_of_rim(&self) -> Option<f64> {
+        self.depth
+    }
+
     /// f(r), shifted so that f(0) = 0.
     ///
     /// # Errors

@@ -288,6 +288,26 @@ impl<'a> Evaluator<'a> {
         found.and_then(|reading| finite(reading, "r", r))
     }
 
+    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz(z)·π/E* on the axis under a smooth edge; always by quadrature.
+    ///
+    /// # Errors
+    /// As [`Self::slope`]; [`TransformError::NoClosedForm`] where a closed form is demanded.
+    pub fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        self.check_domain("a", a)?;
+        if self.method == Method::Exact {
+            return Err(TransformError::NoClosedForm { quantity: "the stress below the surface" });
+        }
+        let estimate = self.typed()?.axial(z, a, self.tolerance);
+        let poor = |own: &Estimate| own.relative_error() > self.tolerance;
+        if estimate.as_ref().map_or(true, poor)
+            && let Ok(other) = self.recognised().and_then(|own| own.axial(z, a, self.tolerance))
+            && estimate.as_ref().map_or(true, |own| other.error < own.error)
+        {
+            return Ok(Reading { estimate: other, method: "quadrature" });
+        }
+        Ok(Reading { estimate: estimate?, method: "quadrature" })
+    }
+
     /// Closed terms plus the integrals of the others; or the whole by quadrature where that is demanded or has more digits.
     ///
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.

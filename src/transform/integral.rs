@@ -252,7 +252,7 @@ impl NumericSegment {
     }
 
     /// What the integral may change by while the ends of the interval are known to their errors only.
-    fn smear(&self, x: f64, weight: Weight) -> f64 {
+    pub(super) fn smear(&self, x: f64, weight: Weight) -> f64 {
         let arc = |end: Bounded| {
             // Half a unit is lost when it is added to the end itself.
             let (from, to) = ((end.value - end.error).next_down().max(0.0), (end.value + end.error).next_up());
@@ -374,7 +374,7 @@ const LOST: f64 = 0.01;
 const BEYOND: f64 = 3.0;
 
 /// The integral of |f| over (0, width) by its values at 32 midpoints.
-fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub(super) fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let step = width / 32.0;
     let total: f64 = (0..32).map(|i| f(step * (f64::from(i) + 0.5)).abs()).filter(|v| v.is_finite()).sum();
     total * step

@@ -2,6 +2,7 @@
 
 mod angle;
 mod assemble;
+mod axial;
 mod check;
 mod closed;
 mod closure;

@@ -31,6 +31,12 @@ pub trait Quantities: Send + Sync {
     /// As [`Self::slope`].
     fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError>;
 
+    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz·π/E* at the depth z > 0 on the axis.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError>;
+
     /// u_z(r) outside a contact of radius a < r.
     ///
     /// # Errors
@@ -90,6 +96,10 @@ impl Quantities for Evaluator<'_> {
 
     fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
         Self::pressure(self, r, a)
+    }
+
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        Self::axial(self, z, a)
     }
 
     fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {

@@ -140,6 +140,11 @@ impl Quantities for ClosureProfile {
         }
     }
 
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        self.check_domain("a", a)?;
+        self.reading(self.numeric.axial(z, a, self.closure.tolerance))
+    }
+
     fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
         if r.is_nan() || r <= a {

@@ -1,0 +1,111 @@
+//! The stress on the axis below the surface, as one integral straight from f′ whose weight is positive.
+
+use super::TransformError;
+use super::integral::{MOST, NumericProfile, NumericSegment, Weight, magnitude, settle, with_ulps};
+use super::slope_source::Scratch;
+use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
+use crate::num::{Bounded, Estimate, forms};
+
+impl NumericProfile {
+    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz(z)·π/E* at the depth z > 0 on the axis under a smooth edge.
+    ///
+    /// With g′ by (r f′)′ the inner integral is
+    /// K(r) = ∫_r^a W(x)/√(x²−r²) dx = (1/Q)(1 + z²/Q²) arctan(w/Q) + z² w/(Q² H), Q² = r² + z², w² = a² − r², H = a² + z²;
+    /// by parts −r K′ stands with f′, a sum of positive terms, so that nothing cancels at any z, and kinks need no care.
+    ///
+    /// # Errors
+    /// [`TransformError`] where f′ is not finite below a, or no digits can be promised.
+    pub fn axial(&self, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        let mut total = Bounded::exact(0.0);
+        let mut evaluations = 0;
+        for segment in &self.segments {
+            let part = segment.axial(z, a, tolerance)?;
+            total = total + part.bounded();
+            evaluations += part.evaluations;
+        }
+        Ok(Estimate::from_bounded(total, evaluations))
+    }
+}
+
+/// √(a² − r²)·(−r K′(r)) in units in which the larger of a and z is 1; r = a sin t with the cosine given apart.
+fn weight(r: f64, cosine: f64, z: f64, a: f64) -> f64 {
+    let scale = a.max(z);
+    let (r, w, z, a) = (r / scale, a / scale * cosine, z / scale, a / scale);
+    // The hypotenuse does not underflow where the squares would.
+    let q = r.hypot(z);
+    let (share, below, reach) = ((r / q) * (r / q), (z / q) * (z / q), w / q);
+    // r²[(1 + wA/Q)/Q² + z²(1 + 3wA/Q)/Q⁴ + z²(1 + 2w²/Q²)/(Q² H)], A = arctan(w/Q).
+    let angle = reach * reach.atan();
+    share * (1.0 + angle + below * (1.0 + 3.0 * angle) + z * z / (a * a + z * z) * (1.0 + 2.0 * reach * reach))
+}
+
+impl NumericSegment {
+    fn axial(&self, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        let lower = self.lower.value;
+        let end = self.upper.map_or(a, |upper| upper.value.min(a));
+        let zero = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
+        let heaviest = |r: f64| weight(r, ((a - r) * (a + r)).max(0.0).sqrt() / a, z, a);
+        let smear = self.smear(a, Weight::Slope);
+        let smear = if smear > 0.0 { smear * heaviest(lower.min(a)).max(heaviest(end)) } else { 0.0 };
+        if lower >= end {
+            return Ok(Estimate { error: smear, ..zero });
+        }
+        // The weight turns from r² to a constant about r = z: both sides are smooth in their own scale.
+        let mut places = vec![lower];
+        let mut at = z;
+        while at < end {
+            if at > lower {
+                places.push(at);
+            }
+            at *= WIDER;
+        }
+        places.push(end);
+        let mut total = Bounded { value: 0.0, error: smear };
+        let mut evaluations = 0;
+        for pair in places.windows(2) {
+            let [from, to] = pair else { continue };
+            let part = self.axial_between(*from, *to, z, a, tolerance)?;
+            total = total + part.bounded();
+            evaluations += part.evaluations;
+        }
+        Ok(Estimate::from_bounded(total, evaluations))
+    }
+
+    fn axial_between(&self, from: f64, to: f64, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        let lower = self.lower.value;
+        let width = forms::angle_between(from, if to < a { to } else { f64::INFINITY }, a);
+        let beyond = if to < a { ((a - to) * (a + to)).sqrt().atan2(to) } else { 0.0 };
+        let mut scratch = Scratch::take();
+        let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
+            let count = points.len().min(MOST);
+            let (mut distances, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
+            for ((point, distance), doubt) in points.iter().zip(&mut distances).zip(&mut doubts) {
+                let (v, rest) = (point.from_lower, beyond + point.from_upper);
+                // r − from = 2a sin(v/2) sin(π/2 − t_from − v/2), as everywhere over the angle.
+                *distance = ((from - lower) + 2.0 * a * (0.5 * v).sin() * (rest + 0.5 * v).sin()).max(f64::MIN_POSITIVE);
+                let own = if *distance > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
+                *doubt = with_ulps(*distance, 12.0).error + own;
+            }
+            self.slope.block(&distances[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
+            for (i, (height, point)) in heights.iter_mut().zip(points).enumerate().take(count) {
+                let factor = weight(lower + distances[i], (beyond + point.from_upper).sin(), z, a);
+                let factor = Bounded { value: factor, error: 64.0 * f64::EPSILON * factor + f64::MIN_POSITIVE };
+                *height = Bounded { value: values[i], error: errors[i] } * factor;
+            }
+        };
+        let panel = if self.singular && from == lower { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };
+        let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
+        let result = integrate_blocks(&mut integrand, &[panel], &options);
+        let inner = |v: f64| {
+            let mut found = [Bounded::exact(0.0)];
+            integrand(&[Point { x: v, from_lower: v, from_upper: width - v }], &mut found);
+            found[0].value
+        };
+        let mut found = settle(result, a, || magnitude(width, inner))?;
+        found.error += 8.0 * f64::EPSILON * found.value.abs();
+        Ok(found)
+    }
+}
+
+/// The ratio of the radii between which the weight is smooth in its own scale.
+const WIDER: f64 = 8.0;
