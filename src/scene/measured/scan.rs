@@ -26,8 +26,6 @@ const BELIEVED: f64 = 0.5;
 const FEW_BELIEVED: f64 = 10.0;
 /// An asymmetry below this share of the height is rounding.
 const ROUNDING: f64 = 1e-11;
-/// A scan is a straight line where its even part has less than this share of the height.
-const STRAIGHT: f64 = 1e-9;
 /// The fewest radii at which both sides can be compared.
 const FEWEST: usize = 3;
 
@@ -40,11 +38,18 @@ pub(super) fn folded(scan: &[(f64, f64)], system: &System, notes: &mut Vec<Note>
     let half = 0.5 * (last.0 - first.0);
     let middle = 0.5 * (last.0 + first.0);
     let reach = (1.0 - SHORTEST) * half;
-    let height = scan.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), own| (low.min(own.1), high.max(own.1)));
-    let height = height.1 - height.0;
+    let lowest = scan.iter().min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or(first);
+    let highest = scan.iter().max_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or(last);
+    let height = highest.1 - lowest.1;
+    let help = "a scan that has the apex between its ends would be accepted, or line_scan = false for radii from 0 on";
+    let at_end = |own: &(f64, f64)| own.0 == first.0 || own.0 == last.0;
+    if height > 0.0 && at_end(lowest) && at_end(highest) {
+        let message = "the lowest and the highest point are the ends of the scan: it has no apex between them";
+        return Err(SceneError::value(message).help(help));
+    }
     // Without a tilt first: a tilted paraboloid is a paraboloid elsewhere, and nothing tells the one from the other.
-    let (level, level_rest) = best(scan, (middle - reach, middle + reach), false);
-    let (tilted, tilted_rest) = best(scan, (middle - reach, middle + reach), true);
+    let (level, level_rest) = best(scan, (middle - reach, middle + reach), height, false);
+    let (tilted, tilted_rest) = best(scan, (middle - reach, middle + reach), height, true);
     let compared = Sides::new(scan, tilted).folds().len().max(1) as f64;
     let demanded = BELIEVED / (1.0 + FEW_BELIEVED / compared).sqrt();
     let believed = tilted_rest < demanded * level_rest && level_rest > ROUNDING * height;
@@ -53,16 +58,9 @@ pub(super) fn folded(scan: &[(f64, f64)], system: &System, notes: &mut Vec<Note>
     let folds = sides.folds();
     let inside = folds.len() >= FEWEST && (apex_offset - middle).abs() < 0.999 * reach;
     if !inside {
-        return Err(SceneError::value("the scan has no axis of symmetry well within it")
-            .help("a scan that has the apex between its ends would be accepted, or line_scan = false for radii from 0 on"));
+        return Err(SceneError::value("the scan has no axis of symmetry well within it").help(help));
     }
     let (tilt, asymmetry) = odd_part(&folds);
-    let even = |pick: fn(f64, f64) -> f64, start: f64| folds.iter().fold(start, |own, fold| pick(own, fold.near + fold.far));
-    let rise = 0.5 * (even(f64::max, f64::NEG_INFINITY) - even(f64::min, f64::INFINITY));
-    if height > 0.0 && rise < STRAIGHT * height {
-        return Err(SceneError::value("the scan is a straight line without an apex")
-            .help("a scan across the apex would be accepted, or line_scan = false for radii from 0 on"));
-    }
     let mut points: Points = folds.iter().map(|fold| (fold.r, 0.5 * (fold.near + fold.far))).collect();
     if let Some(own) = scan.iter().find(|own| own.0 == apex_offset)
         && points.first().is_some_and(|first| first.0 > 0.0)
@@ -172,7 +170,7 @@ fn rest(scan: &[(f64, f64)], centre: f64, with_tilt: bool) -> f64 {
 }
 
 /// The centre of least asymmetry, relative to how much the sides rise.
-fn best(scan: &[(f64, f64)], (from, to): (f64, f64), with_tilt: bool) -> (f64, f64) {
+fn best(scan: &[(f64, f64)], (from, to): (f64, f64), height: f64, with_tilt: bool) -> (f64, f64) {
     // Long scans are thinned for the search.
     let step = (scan.len() / (2 * TRIES)).max(1);
     let thin: Points = scan.iter().step_by(step).copied().collect();
@@ -181,7 +179,9 @@ fn best(scan: &[(f64, f64)], (from, to): (f64, f64), with_tilt: bool) -> (f64, f
         let mean = folds.iter().map(|own| own.near + own.far).sum::<f64>() / folds.len().max(1) as f64;
         let rise: f64 = folds.iter().map(|own| (own.near + own.far - mean).powi(2)).sum();
         let own = rest(points, centre, with_tilt);
-        if rise > 0.0 { own / (rise / folds.len().max(1) as f64).sqrt() } else { own }
+        let rise = (rise / folds.len().max(1) as f64).sqrt();
+        // On a flank, a straight line for itself, both sides agree about nothing.
+        if rise > ROUNDING * height { own / rise } else { f64::INFINITY }
     };
     let place = |step: f64| from + (to - from) * step / TRIES as f64;
     let mut found = (f64::INFINITY, 0.5 * (from + to));
