@@ -80,6 +80,10 @@ impl Quantities for Superposition<'_> {
         }
     }
 
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        self.added(|part| part.axial(z, a))
+    }
+
     fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
         self.added(|part| part.displacement(r, a))
     }

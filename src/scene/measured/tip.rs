@@ -92,7 +92,9 @@ impl Measured {
                 let own = if rounded { Interpolation::EvenMonotoneCubic } else { Interpolation::MonotoneCubic };
                 // Through the same points two good cubics share their leading error; with half of them it is sixteen times as large.
                 let (fewer, other) = (every_other(&points), spline(rounded, Penalty::Weight(0.0)));
-                (table(&points, own)?, table(&fewer, other)?, ["monotone-cubic", "natural cubic spline through every other point"])
+                let name =
+                    if fewer.len() < points.len() { "natural cubic spline through every other point" } else { "natural cubic spline" };
+                (table(&points, own)?, table(&fewer, other)?, ["monotone-cubic", name])
             }
             Join::SmoothingSpline(smoothing) => {
                 let value = number.unwrap_or(0.0);
