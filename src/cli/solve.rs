@@ -20,7 +20,7 @@ pub(super) struct Arguments {
     /// Writes JSON.
     #[arg(long)]
     json: bool,
-    /// Writes CSV: the rows, or the points where the scene asks for curves.
+    /// Writes CSV: the rows, then behind an empty line the points of curves; the points alone where nothing else is asked for.
     #[arg(long, conflicts_with = "json")]
     csv: bool,
     /// Writes into this file instead of stdout; it appears when it is complete.

@@ -145,7 +145,7 @@ impl Serialize for Curves<'_, '_> {
         serializer.collect_seq(shapes.chain(loaded).map(|(curve, index)| {
             let state = index.and_then(|index| self.run.state(index, self.formally));
             CurveEntry {
-                d: state.map(|state| state.depth * scene.system.out(Dimension::LENGTH)),
+                d: state.zip(index).map(|(state, index)| self.run.shown_depth(index, &state)),
                 row: index,
                 quantity: curve.name(),
                 points: Points { run: self.run, curve, state, second: index.and_then(|index| self.run.second_state(index)) },
@@ -182,17 +182,16 @@ impl Serialize for Points<'_, '_> {
             #[serde(skip_serializing_if = "Option::is_none")]
             why: Option<&'static str>,
         }
-        serializer.collect_seq(self.run.scene().outputs.at.iter().map(|at| {
+        serializer.collect_seq(self.run.points(self.curve, self.state).map(|(at, Point { at: shown, value })| {
             let model_error = self
                 .run
                 .scene()
                 .tip
                 .as_ref()
                 .map(|_| self.run.point_model_error(self.curve, self.state.as_ref().zip(self.second.as_ref()), at));
-            let Point { at, value } = self.run.point(self.curve, self.state.as_ref(), at);
             match value {
-                Ok((value, error)) => Entry { at, value: Some(value), error_estimate: Some(error), model_error, why: None },
-                Err(why) => Entry { at, value: None, error_estimate: None, model_error, why: Some(why) },
+                Ok((value, error)) => Entry { at: shown, value: Some(value), error_estimate: Some(error), model_error, why: None },
+                Err(why) => Entry { at: shown, value: None, error_estimate: None, model_error, why: Some(why) },
             }
         }))
     }

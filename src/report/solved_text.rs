@@ -94,17 +94,17 @@ fn curve_table(run: &Run<'_>, curve: Curve, formally: bool, out: &mut dyn Write)
     for index in indices {
         let state = index.and_then(|index| run.state(index, formally));
         writeln!(out)?;
-        match index.and_then(|index| scene.loads.get(index)) {
-            Some(_) => writeln!(out, "{} at d = {}", curve.name(), depth(run, state.as_ref()))?,
+        match index {
+            Some(index) => writeln!(out, "{} at d = {}", curve.name(), depth(run, index, state.as_ref()))?,
             None => writeln!(out, "{}", curve.name())?,
         }
         let with = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") };
         let measured = scene.tip.is_some();
         let more = if measured { format!("{:>16}", "model error") } else { String::new() };
-        writeln!(out, "{:>24}{:>24}{:>16}{more}", with("at", &length), with(curve.name(), &unit), "error")?;
+        let place = if curve == Curve::AxialStress { "z" } else { "at" };
+        writeln!(out, "{:>24}{:>24}{:>16}{more}", with(place, &length), with(curve.name(), &unit), "error")?;
         let second = index.and_then(|index| run.second_state(index));
-        for at in scene.outputs.at.iter() {
-            let point = run.point(curve, state.as_ref(), at);
+        for (at, point) in run.points(curve, state) {
             let change = run.point_model_error(curve, state.as_ref().zip(second.as_ref()), at);
             let more = match change {
                 _ if !measured => String::new(),
@@ -120,57 +120,65 @@ fn curve_table(run: &Run<'_>, curve: Curve, formally: bool, out: &mut dyn Write)
     Ok(())
 }
 
-fn depth(run: &Run<'_>, state: Option<&crate::contact::State>) -> String {
-    state.map_or_else(|| "-".to_owned(), |state| format!("{:?}", state.depth * run.scene().system.out(Dimension::LENGTH)))
+fn depth(run: &Run<'_>, index: usize, state: Option<&crate::contact::State>) -> String {
+    state.map_or_else(|| "-".to_owned(), |state| format!("{:?}", run.shown_depth(index, state)))
 }
 
-/// Writes the rows as CSV; or the points, where the scene asks for curves.
+/// Writes the rows as CSV, and the points where the scene asks for curves.
 ///
-/// Columns are named quantity_unit, as in `d_um,F_mN`; where there is no number the field is empty.
+/// Columns are named quantity_unit, as in `d_um,F_mN`; where there is no number the field is empty. Where rows are asked
+/// for as well as curves, an empty line separates the two tables.
 ///
 /// # Errors
 /// As the writer.
 pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
     let scene = run.scene();
-    let named = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") };
-    let mut verdict = Verdict::default();
-    let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
     let curves = &scene.outputs.curves;
-    if curves.is_empty() {
+    // A load stands in every point; whatever else is known of it needs rows.
+    let rows = curves.is_empty() || scene.outputs.data.iter().any(|own| *own != scene.control.datum());
+    let mut verdict = Verdict::default();
+    if rows {
         let mut header: Vec<String> = columns(run).iter().map(|(name, unit)| named(name, unit)).collect();
         header.extend(["edge".to_owned(), "valid".to_owned(), "rule".to_owned()]);
         writeln!(out, "{}", header.join(","))?;
-    } else {
-        let length = scene.system.unit_name(Dimension::LENGTH);
-        let unit = scene.system.unit_name(Dimension::PRESSURE);
-        writeln!(out, "quantity,{},{},value,error,unit", named("d", &length), named("at", &length))?;
-        for curve in curves.iter().filter(|own| !own.needs_load()) {
-            points(run, *curve, None, formally, &length, out)?;
-        }
-        for index in 0..scene.loads.len() {
-            for curve in curves.iter().filter(|own| own.needs_load()) {
-                let own = if *curve == Curve::Pressure { &unit } else { &length };
-                points(run, *curve, Some(index), formally, own, out)?;
-            }
-        }
     }
+    let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
     for row in (0..scene.loads.len()).filter_map(|index| run.row(index)) {
         verdict.take(&row);
-        if curves.is_empty() {
+        if rows {
             let numbers: Vec<String> = cells(run, &row, formally).into_iter().map(number).collect();
             let rule = row.indented.findings.iter().find(|own| own.severity == Severity::Error).map_or("", |own| own.rule);
             writeln!(out, "{},{},{},{rule}", numbers.join(","), edge(&row), row.is_valid())?;
+        }
+    }
+    if !curves.is_empty() {
+        let length = scene.system.unit_name(Dimension::LENGTH);
+        if rows {
+            writeln!(out)?;
+        }
+        writeln!(out, "quantity,{},{},value,error,unit", named("d", &length), named("at", &length))?;
+        for curve in curves.iter().filter(|own| !own.needs_load()) {
+            points(run, *curve, None, formally, out)?;
+        }
+        for index in 0..scene.loads.len() {
+            for curve in curves.iter().filter(|own| own.needs_load()) {
+                points(run, *curve, Some(index), formally, out)?;
+            }
         }
     }
     verdict.close(run);
     Ok(verdict)
 }
 
-fn points(run: &Run<'_>, curve: Curve, index: Option<usize>, formally: bool, unit: &str, out: &mut dyn Write) -> io::Result<()> {
+fn named(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") }
+}
+
+fn points(run: &Run<'_>, curve: Curve, index: Option<usize>, formally: bool, out: &mut dyn Write) -> io::Result<()> {
     let state = index.and_then(|index| run.state(index, formally));
-    let depth = state.map_or_else(String::new, |own| format!("{:?}", own.depth * run.scene().system.out(Dimension::LENGTH)));
-    for at in run.scene().outputs.at.iter() {
-        let point = run.point(curve, state.as_ref(), at);
+    let depth = state.zip(index).map_or_else(String::new, |(own, index)| format!("{:?}", run.shown_depth(index, &own)));
+    let unit = run.scene().system.unit_name(curve.dimension());
+    for (_, point) in run.points(curve, state) {
         let (value, error) =
             point.value.map_or((String::new(), String::new()), |(value, error)| (format!("{value:?}"), format!("{error:?}")));
         writeln!(out, "{},{depth},{:?},{value},{error},{unit}", curve.name(), point.at)?;

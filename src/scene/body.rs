@@ -104,6 +104,16 @@ impl Body {
         }
     }
 
+    /// True unless the body was given by the constants of transverse isotropy.
+    pub(super) fn is_isotropic(&self) -> bool {
+        self.numbers.iter().all(|own| !own.key.starts_with('C'))
+    }
+
+    /// The place of the material, or of the first of its constants.
+    pub(super) fn span(&self) -> Range<usize> {
+        self.numbers.first().map_or(self.span.clone(), |own| own.span.clone())
+    }
+
     fn span_of(&self, key: &str) -> Range<usize> {
         self.numbers.iter().find(|own| own.key == key).map_or(self.span.clone(), |own| own.span.clone())
     }

@@ -2,6 +2,8 @@
 
 use super::Datum;
 use crate::contact;
+use crate::num::DoubleDouble;
+use crate::num::precise::{exp, ln};
 
 /// What is controlled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,8 +48,8 @@ impl Control {
 /// Many numbers, of which a range needs no memory.
 ///
 /// ```
-/// use sneddon::scene::Loads;
-/// let range = Loads::Range { start: 0.0, stop: 1.0, count: 5, logarithmic: false };
+/// use sneddon::scene::{Loads, Steps};
+/// let range = Loads::Range(Steps::new(0.0.into(), 1.0.into(), 5, false));
 /// assert_eq!(range.iter().collect::<Vec<_>>(), [0.0, 0.25, 0.5, 0.75, 1.0]);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -55,16 +57,54 @@ pub enum Loads {
     /// Numbers one by one.
     List(Vec<f64>),
     /// Evenly or logarithmically spaced numbers.
-    Range {
-        /// The first one.
-        start: f64,
-        /// The last one.
-        stop: f64,
-        /// How many.
-        count: usize,
-        /// Whether their logarithms are evenly spaced.
-        logarithmic: bool,
-    },
+    Range(Steps),
+}
+
+/// A range whose numbers are rounded once: its ends have 31 digits, so that 0.05 and two steps of 0.05 make 0.15.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steps {
+    ends: (f64, f64),
+    /// The ends, or their logarithms.
+    from: DoubleDouble,
+    to: DoubleDouble,
+    count: usize,
+    logarithmic: bool,
+}
+
+impl Steps {
+    /// The range of `count` numbers from one end to the other; a logarithmic one has both ends above 0.
+    pub fn new(start: DoubleDouble, stop: DoubleDouble, count: usize, logarithmic: bool) -> Self {
+        let (from, to) = if logarithmic { (ln(start), ln(stop)) } else { (start, stop) };
+        Self { ends: (start.value(), stop.value()), from, to, count, logarithmic }
+    }
+
+    fn get(&self, index: usize) -> Option<f64> {
+        if index >= self.count {
+            return None;
+        }
+        if index == 0 {
+            return Some(self.ends.0);
+        }
+        let last = self.count - 1;
+        if index == last {
+            return Some(self.ends.1);
+        }
+        // Both ends with their shares, so that a range from −x to x has 0 in its middle.
+        let share = |end: DoubleDouble, steps: usize| end.mul((steps as f64).into());
+        let between = share(self.from, last - index).add(share(self.to, index)).over(last as f64);
+        let value = if self.logarithmic { exp(between).value() } else { between.value() };
+        if value.is_finite() {
+            let nothing = 1e-30 * self.ends.0.abs().max(self.ends.1.abs());
+            return Some(if !self.logarithmic && value.abs() < nothing { 0.0 } else { value });
+        }
+        // Near the largest numbers 31 digits have no room.
+        let t = index as f64 / last as f64;
+        Some(if self.logarithmic {
+            (self.ends.0.ln() * (1.0 - t) + t * self.ends.1.ln()).exp()
+        } else {
+            self.ends.0 * (1.0 - t) + t * self.ends.1
+        })
+    }
 }
 
 impl Loads {
@@ -72,7 +112,7 @@ impl Loads {
     pub fn len(&self) -> usize {
         match self {
             Self::List(list) => list.len(),
-            Self::Range { count, .. } => *count,
+            Self::Range(steps) => steps.count,
         }
     }
 
@@ -85,13 +125,7 @@ impl Loads {
     pub fn get(&self, index: usize) -> Option<f64> {
         match self {
             Self::List(list) => list.get(index).copied(),
-            Self::Range { count, .. } if index >= *count => None,
-            Self::Range { start, .. } if index == 0 => Some(*start),
-            Self::Range { stop, count, .. } if index + 1 == *count => Some(*stop),
-            Self::Range { start, stop, count, logarithmic } => {
-                let t = index as f64 / (*count - 1) as f64;
-                Some(if *logarithmic { (start.ln() + t * (stop.ln() - start.ln())).exp() } else { start + t * (stop - start) })
-            }
+            Self::Range(steps) => steps.get(index),
         }
     }
 
@@ -104,7 +138,7 @@ impl Loads {
     pub(super) fn ends(&self) -> Vec<f64> {
         match self {
             Self::List(list) => list.clone(),
-            Self::Range { start, stop, .. } => vec![*start, *stop],
+            Self::Range(steps) => vec![steps.ends.0, steps.ends.1],
         }
     }
 
@@ -115,8 +149,8 @@ impl Loads {
                 let low = list.iter().copied().min_by(f64::total_cmp)?;
                 Some((low, list.iter().copied().max_by(f64::total_cmp)?))
             }
-            Self::Range { start, stop, count, .. } if *count > 1 => Some((start.min(*stop), start.max(*stop))),
-            Self::Range { start, .. } => Some((*start, *start)),
+            Self::Range(steps) if steps.count > 1 => Some((steps.ends.0.min(steps.ends.1), steps.ends.0.max(steps.ends.1))),
+            Self::Range(steps) => Some((steps.ends.0, steps.ends.0)),
         }
     }
 }

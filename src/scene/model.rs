@@ -33,6 +33,8 @@ pub enum Curve {
     Pressure,
     /// u(r), the displacement of the surface.
     Displacement,
+    /// σ_zz(z) on the axis below the surface.
+    AxialStress,
 }
 
 /// From where a depth is measured.
@@ -51,8 +53,21 @@ pub struct Outputs {
     pub data: Vec<Datum>,
     /// Functions per load.
     pub curves: Vec<Curve>,
-    /// Where the functions are wanted.
+    /// The radii at which functions of r or x are wanted.
     pub at: Loads,
+    /// The depths below the surface at which the stress on the axis is wanted.
+    pub depths: Loads,
+}
+
+/// Loads and grids in the units of the answers, each rounded once from what was typed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// The loads.
+    pub loads: Loads,
+    /// The radii of the curves.
+    pub at: Loads,
+    /// The depths of the curves.
+    pub depths: Loads,
 }
 
 /// A contact: the profile of both bodies together, E*, loads and what is wanted of them.
@@ -89,6 +104,8 @@ pub struct Scene {
     pub depth_from: DepthFrom,
     /// What is wanted.
     pub outputs: Outputs,
+    /// Loads and grids as the answers show them; without it they are converted.
+    pub shown: Option<Shown>,
     /// The units of the answers.
     pub system: System,
     /// How numbers may be computed.
@@ -117,7 +134,9 @@ impl Scene {
                 data: vec![Datum::Depth, Datum::Force, Datum::Radius, Datum::Stiffness],
                 curves: Vec::new(),
                 at: Loads::List(Vec::new()),
+                depths: Loads::List(Vec::new()),
             },
+            shown: None,
             system: System::bare(),
             method: Method::Auto,
             tolerance: 1e-12,
@@ -138,7 +157,7 @@ impl Scene {
             return Err(self.placed(missing));
         };
         let system = self.system.dimensionless(&name, length, self.effective_modulus);
-        Ok(Self { system, ..self })
+        Ok(Self { system, shown: None, ..self })
     }
 
     /// The same scene with the text of its tip's file, as [`super::decoded`] gives it; a scene without points stays as it is.
@@ -205,7 +224,7 @@ impl Datum {
 
 impl Curve {
     /// Every one, in the order of reading.
-    pub const ALL: [Self; 4] = [Self::Equivalent, Self::Profile, Self::Pressure, Self::Displacement];
+    pub const ALL: [Self; 5] = [Self::Equivalent, Self::Profile, Self::Pressure, Self::Displacement, Self::AxialStress];
 
     /// The name in scene files and answers.
     pub fn name(self) -> &'static str {
@@ -214,16 +233,20 @@ impl Curve {
             Self::Profile => "f",
             Self::Pressure => "p",
             Self::Displacement => "u",
+            Self::AxialStress => "sigma_zz",
         }
     }
 
     /// Its dimension.
     pub fn dimension(self) -> super::Dimension {
-        if self == Self::Pressure { super::Dimension::PRESSURE } else { super::Dimension::LENGTH }
+        match self {
+            Self::Pressure | Self::AxialStress => super::Dimension::PRESSURE,
+            _ => super::Dimension::LENGTH,
+        }
     }
 
     /// True where the curve depends on the load.
     pub fn needs_load(self) -> bool {
-        matches!(self, Self::Pressure | Self::Displacement)
+        matches!(self, Self::Pressure | Self::Displacement | Self::AxialStress)
     }
 }

@@ -3,7 +3,10 @@
 use super::{Dimension, SceneError, Unit};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr};
+use crate::num::DoubleDouble;
 use crate::parse;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 /// A number, exactly, with its unit if it has one.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,6 +96,16 @@ pub(super) fn to_f64(number: &Expr) -> Result<f64, SceneError> {
         );
     }
     Ok(value)
+}
+
+/// The same with 31 digits where the number is a fraction.
+///
+/// # Errors
+/// As [`to_f64`].
+pub(super) fn to_double_double(number: &Expr) -> Result<DoubleDouble, SceneError> {
+    let nearest = to_f64(number)?;
+    let rest = number.as_number().zip(BigRational::from_float(nearest)).and_then(|(exact, near)| (exact.value() - near).to_f64());
+    Ok(DoubleDouble { hi: nearest, lo: rest.unwrap_or(0.0) })
 }
 
 fn constant(text: &str) -> Result<Expr, SceneError> {

@@ -9,7 +9,7 @@ use super::punch::Punch;
 use super::quantity::to_f64;
 use super::reading::Asked;
 use super::shape::{SHAPES, Shape, Way, shape};
-use super::{Control, Datum, Dimension, Quantity, Scene, SceneError, System, Unit};
+use super::{Control, Curve, Datum, Dimension, Quantity, Scene, SceneError, System, Unit};
 use crate::contact::ContactError;
 use crate::expr::{Bindings, Expr, Formula, Symbol};
 use crate::parse;
@@ -118,6 +118,13 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
     let length = tip.length(&system);
     let scene = Scene { measured, rim, effective_modulus, system, place: Some(tip.span), length, ..Scene::of(bound) };
     let mut scene = asked.scene(scene)?;
+    if scene.outputs.curves.contains(&Curve::AxialStress)
+        && let Some(body) = [&first, &second].into_iter().find(|own| !own.is_isotropic())
+    {
+        return Err(SceneError::value("sigma_zz is known in isotropic bodies only, and this one is transversely isotropic")
+            .help("a material by E and nu, or quantities without sigma_zz, would be accepted")
+            .at(body.span()));
+    }
     if punch.is_some() {
         if outputs.as_ref().is_none_or(|table| table.get("quantities").is_none()) {
             scene.outputs.data.retain(|own| *own != Datum::Radius || scene.control == Control::ContactRadius);

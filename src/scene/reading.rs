@@ -1,6 +1,8 @@
 //! Loads, outputs and method of a scene, as typed, and as numbers of its system.
 
 use super::document::{Entry, Table};
+use super::load::Steps;
+use super::quantity::to_double_double;
 use super::system::Named;
 use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, Quantity, Scene, SceneError, System, Unit};
 use crate::transform::Method;
@@ -23,6 +25,7 @@ pub(super) struct Asked {
     data: Vec<Datum>,
     curves: Vec<Curve>,
     at: Option<Typed>,
+    depths: Option<Typed>,
     pub(super) units: Named,
     method: Method,
     tolerance: Option<f64>,
@@ -61,6 +64,7 @@ impl Asked {
             data: vec![Datum::Depth, Datum::Force, Datum::Radius, Datum::Stiffness],
             curves: Vec::new(),
             at: None,
+            depths: None,
             units: Named::default(),
             method: Method::Auto,
             tolerance: None,
@@ -84,13 +88,19 @@ impl Asked {
     }
 
     fn read_outputs(&mut self, outputs: &Table<'_>) -> Result<(), SceneError> {
-        outputs.allow(&["quantities", "at", "units"])?;
+        outputs.allow(&["quantities", "at", "depths", "units"])?;
         if let Some(entry) = outputs.get("quantities") {
             (self.data, self.curves) = quantities(&entry)?;
         }
         self.at = outputs.get("at").map(|entry| numbers(&entry)).transpose()?;
-        if self.at.is_none() && !self.curves.is_empty() {
-            let names: Vec<&str> = self.curves.iter().map(|own| own.name()).collect();
+        self.depths = outputs.get("depths").map(|entry| numbers(&entry)).transpose()?;
+        if self.depths.is_none() && self.curves.contains(&Curve::AxialStress) {
+            return Err(SceneError::missing("[outputs] has no depths: places below the surface where sigma_zz is wanted")
+                .help("depths = { start = \"0 um\", stop = \"5 um\", count = 101 } would be accepted")
+                .at(outputs.span()));
+        }
+        let names: Vec<&str> = self.curves.iter().filter(|own| **own != Curve::AxialStress).map(|own| own.name()).collect();
+        if self.at.is_none() && !names.is_empty() {
             let message = format!("[outputs] has no at: radii where {} are wanted", names.join(", "));
             return Err(SceneError::missing(message)
                 .help("at = { start = \"0 um\", stop = \"2 um\", count = 101 } would be accepted")
@@ -116,7 +126,10 @@ impl Asked {
 
     /// Every number with its unit.
     pub(super) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
-        std::iter::once(&self.loads).chain(self.at.as_ref()).flat_map(|typed| typed.typed().into_iter().map(|own| &own.0))
+        std::iter::once(&self.loads)
+            .chain(self.at.as_ref())
+            .chain(self.depths.as_ref())
+            .flat_map(|typed| typed.typed().into_iter().map(|own| &own.0))
     }
 
     /// Refuses loads that no contact has: negative forces and radii, and the radius of the indenter itself.
@@ -145,16 +158,19 @@ impl Asked {
         let dimension = if self.control == Control::Force { Dimension::FORCE } else { Dimension::LENGTH };
         let loads = self.loads.numbers(&scene.system, dimension, self.control.name())?;
         self.refuse(&loads, scene.rim)?;
-        let at = match self.at {
-            None => Loads::List(Vec::new()),
+        let grid = |typed: &Option<Typed>, key: &str, place: &str| match typed {
+            None => Ok((Loads::List(Vec::new()), Loads::List(Vec::new()))),
             Some(typed) => {
-                let at = typed.numbers(&scene.system, Dimension::LENGTH, "at")?;
+                let at = typed.numbers(&scene.system, Dimension::LENGTH, key)?;
                 if at.extremes().is_some_and(|(low, _)| low < 0.0) {
-                    return Err(SceneError::value("at has a negative radius").help("radii from 0 on would be accepted").at(typed.span()));
+                    let message = format!("{key} has a negative {place}");
+                    return Err(SceneError::value(message).help("numbers from 0 on would be accepted").at(typed.span()));
                 }
-                at
+                Ok((at, typed.shown(&scene.system, Dimension::LENGTH)?))
             }
         };
+        let ((at, shown_at), (depths, shown_depths)) = (grid(&self.at, "at", "radius")?, grid(&self.depths, "depths", "depth")?);
+        let shown = super::Shown { loads: self.loads.shown(&scene.system, dimension)?, at: shown_at, depths: shown_depths };
         let mut data = self.data;
         // The load itself always stands in its row.
         let own = self.control.datum();
@@ -162,9 +178,18 @@ impl Asked {
             data.push(own);
         }
         data.sort_by_key(|own| Datum::ALL.iter().position(|other| other == own));
-        let outputs = super::Outputs { data, curves: self.curves, at };
+        let outputs = super::Outputs { data, curves: self.curves, at, depths };
         let tolerance = self.tolerance.unwrap_or(scene.tolerance);
-        Ok(Scene { control: self.control, loads, depth_from: self.depth_from, outputs, method: self.method, tolerance, ..scene })
+        Ok(Scene {
+            control: self.control,
+            loads,
+            depth_from: self.depth_from,
+            outputs,
+            shown: Some(shown),
+            method: self.method,
+            tolerance,
+            ..scene
+        })
     }
 }
 
@@ -180,7 +205,21 @@ impl Typed {
                     let bad = if first <= 0.0 { start } else { stop };
                     return Err(SceneError::value("a logarithmic range starts and stops above 0").at(bad.1.clone()));
                 }
-                Loads::Range { start: first, stop: last, count: *count, logarithmic: *logarithmic }
+                let end = |own: &(Quantity, Range<usize>)| to_double_double(&system.exact(&own.0, dimension, what)?);
+                Loads::Range(Steps::new(end(start)?, end(stop)?, *count, *logarithmic))
+            }
+        })
+    }
+
+    /// The same in the units of the answers.
+    fn shown(&self, system: &System, dimension: Dimension) -> Result<Loads, SceneError> {
+        let number =
+            |own: &(Quantity, Range<usize>)| to_double_double(&system.shown(&own.0, dimension)).map_err(|error| error.at(own.1.clone()));
+        Ok(match self {
+            Self::List(list) => Loads::List(list.iter().map(|own| Ok(number(own)?.value())).collect::<Result<_, SceneError>>()?),
+            Self::Range { ends, count, logarithmic } => {
+                let [start, stop] = ends.as_ref();
+                Loads::Range(Steps::new(number(start)?, number(stop)?, *count, *logarithmic))
             }
         })
     }
@@ -226,7 +265,7 @@ fn numbers(entry: &Entry<'_>) -> Result<Typed, SceneError> {
 
 /// The names of what is wanted, each once.
 fn quantities(entry: &Entry<'_>) -> Result<(Vec<Datum>, Vec<Curve>), SceneError> {
-    const WORDS: [&str; 10] = ["d", "F", "a", "k", "p_mean", "U", "g", "f", "p", "u"];
+    const WORDS: [&str; 11] = ["d", "F", "a", "k", "p_mean", "U", "g", "f", "p", "u", "sigma_zz"];
     let help = format!("a list of {} would be accepted", WORDS.join(", "));
     let list = entry.list().ok_or_else(|| SceneError::value("quantities is no list").help(&help).at(entry.span()))?;
     let (mut data, mut curves) = (Vec::new(), Vec::new());

@@ -42,6 +42,8 @@ pub struct Work {
     pub pressures: u64,
     /// Values of u.
     pub displacements: u64,
+    /// Values of the stress on the axis.
+    pub stresses: u64,
     /// Values of f and g for curves.
     pub shapes: u64,
     /// Strain energies.

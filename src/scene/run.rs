@@ -1,6 +1,6 @@
 //! A scene being solved: row by row, curve by curve, nothing before it is asked for and nothing kept.
 
-use super::{Curve, Datum, DepthFrom, Dimension, MeasuredTip, Row, Scene, SceneError, Work};
+use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, MeasuredTip, Row, Scene, SceneError, Work};
 use crate::contact::{Boundary, ContactError, Finding, Indentation, Indented, Load, Part, Setup, Severity, State};
 use crate::transform::{Reading, Solution, TableProfile};
 use std::cell::Cell;
@@ -143,11 +143,7 @@ impl<'a> Run<'a> {
         let touch = self.indentation.first_touch();
         let length = system.out(Dimension::LENGTH);
         let depth_from_touch = indented.state.filter(|_| touch != 0.0).map(|state| (state.depth - touch) * length);
-        let dimension = match self.scene.control.load(0.0) {
-            Load::Force(_) => Dimension::FORCE,
-            _ => Dimension::LENGTH,
-        };
-        Some(Row { load: load * system.out(dimension), indented, depth_from_touch, values })
+        Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values })
     }
 
     fn datum(&self, datum: Datum, state: &State) -> Result<Result<f64, &'static str>, ContactError> {
@@ -173,7 +169,37 @@ impl<'a> Run<'a> {
         indented.state.filter(|_| formally || indented.is_valid())
     }
 
-    /// A curve at one coordinate, counted in computed units; the state is needed for p and u.
+    /// A load as the answers show it.
+    fn shown_load(&self, index: usize, own: f64) -> f64 {
+        let dimension = if self.scene.control == Control::Force { Dimension::FORCE } else { Dimension::LENGTH };
+        let exact = self.scene.shown.as_ref().and_then(|shown| shown.loads.get(index));
+        exact.unwrap_or_else(|| own * self.scene.system.out(dimension))
+    }
+
+    /// The depth of a load's state as the answers show it.
+    pub fn shown_depth(&self, index: usize, state: &State) -> f64 {
+        let given = self.scene.control == Control::Depth && self.scene.depth_from == DepthFrom::Apex;
+        let load = given.then(|| self.scene.loads.get(index)).flatten();
+        load.map_or_else(|| state.depth * self.scene.system.out(Dimension::LENGTH), |own| self.shown_load(index, own))
+    }
+
+    /// Where a curve is wanted: radii, or depths below the surface.
+    pub fn grid(&self, curve: Curve) -> &'a Loads {
+        if curve == Curve::AxialStress { &self.scene.outputs.depths } else { &self.scene.outputs.at }
+    }
+
+    /// A curve on its grid, each point behind its coordinate in computed units.
+    pub fn points(&self, curve: Curve, state: Option<State>) -> impl Iterator<Item = (f64, Point)> + '_ {
+        let grid = self.grid(curve);
+        let shown = self.scene.shown.as_ref().map(|own| if curve == Curve::AxialStress { &own.depths } else { &own.at });
+        (0..grid.len()).filter_map(move |index| {
+            let own = grid.get(index)?;
+            let point = self.point(curve, state.as_ref(), own);
+            Some((own, Point { at: shown.and_then(|own| own.get(index)).unwrap_or(point.at), ..point }))
+        })
+    }
+
+    /// A curve at one coordinate, counted in computed units; the state is needed for p, u and the stress.
     pub fn point(&self, curve: Curve, state: Option<&State>, at: f64) -> Point {
         let system = &self.scene.system;
         let found = self.curve(curve, state, at);
@@ -209,6 +235,10 @@ impl<'a> Run<'a> {
         if curve == Curve::Pressure {
             self.count(|work| work.pressures += 1);
             return contact.pressure(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.text());
+        }
+        if curve == Curve::AxialStress {
+            self.count(|work| work.stresses += 1);
+            return contact.axial_stress(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.text());
         }
         self.count(|work| work.displacements += 1);
         contact.displacement(at, state.radius).map_err(|_| failed)

@@ -27,6 +27,9 @@ pub struct System {
     out_length: f64,
     out_pressure: f64,
     out_force: f64,
+    /// The factors of the units of the answers.
+    shown_length: Expr,
+    shown_force: Expr,
     names: Option<Names>,
 }
 
@@ -49,6 +52,8 @@ impl System {
             out_length: 1.0,
             out_pressure: 1.0,
             out_force: 1.0,
+            shown_length: Expr::one(),
+            shown_force: Expr::one(),
             names: None,
         }
     }
@@ -82,10 +87,12 @@ impl System {
         let (wanted_length, out_pressure, wanted_force) = (factor(&named.length), factor(&named.pressure), factor(&named.force));
         // Bare numbers in f fix the unit of length; else the answers do, so that what was typed in it stays exact.
         let own_length = named.profile_length.as_ref().map_or_else(|| wanted_length.clone(), |unit| unit.factor().clone());
-        let out_force = to_f64(&(&out_pressure * own_length.power(2) / wanted_force))?;
+        let out_force = to_f64(&(&out_pressure * own_length.power(2) / &wanted_force))?;
         Ok(Self {
             has_units: true,
-            out_length: to_f64(&(&own_length / wanted_length))?,
+            out_length: to_f64(&(&own_length / &wanted_length))?,
+            shown_length: wanted_length,
+            shown_force: wanted_force,
             out_pressure: 1.0,
             out_force,
             length: own_length,
@@ -153,6 +160,15 @@ impl System {
     /// The same as the nearest `f64`.
     pub(super) fn number(&self, quantity: &Quantity, wanted: Dimension, what: &str) -> Result<f64, SceneError> {
         to_f64(&self.exact(quantity, wanted, what)?)
+    }
+
+    /// A length or a force in the units of the answers.
+    pub(super) fn shown(&self, quantity: &Quantity, dimension: Dimension) -> Expr {
+        match quantity.dimension() {
+            None => quantity.in_base(),
+            Some(_) if dimension == Dimension::FORCE => quantity.in_base() / &self.shown_force,
+            Some(_) => quantity.in_base() / &self.shown_length,
+        }
     }
 
     /// The factor from computed numbers of a dimension to those of the answers.

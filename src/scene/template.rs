@@ -63,10 +63,11 @@ nu = 0.17
     writeln!(out, "depth = {{ start = \"{}\", stop = \"{}\", count = 8 }}   # spacing = \"log\"", depths.0, depths.1)?;
     writeln!(out, "# depth_from = \"first_touch\"   # instead of the displacement at r = 0; they differ for concave shapes\n")?;
     out.push_str(
-        "# Numbers per load: d F a k p_mean U. Curves per load: g f p u, where at says.
+        "# Numbers per load: d F a k p_mean U. Curves per load: g f p u, where at says, and sigma_zz on the axis, where depths says.
 [outputs]
 quantities = [\"F\", \"a\", \"k\"]
 # at = { start = \"0 um\", stop = \"2 um\", count = 101 }
+# depths = { start = \"0 um\", stop = \"5 um\", count = 101 }
 units = { length = \"um\", force = \"mN\", pressure = \"GPa\" }
 
 # [method]

@@ -35,7 +35,10 @@ pub trait Quantities: Send + Sync {
     ///
     /// # Errors
     /// As [`Self::slope`].
-    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError>;
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        let _ = (z, a);
+        Err(TransformError::NoClosedForm { quantity: "the stress below the surface" })
+    }
 
     /// u_z(r) outside a contact of radius a < r.
     ///
