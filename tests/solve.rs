@@ -120,6 +120,129 @@ fn csv_names_units() {
     assert!(lines.next().unwrap().starts_with("0.05,") && text.lines().count() == 11);
 }
 
+/// Rows are not lost where curves are asked for; curves alone stand alone.
+#[test]
+fn csv_has_rows_and_points() {
+    let done = run_in(Path::new("."), EXAMPLE, &["solve", "-", "--csv"]);
+    let text = String::from_utf8(done.stdout).unwrap();
+    let (rows, points) = text.split_once("\n\n").unwrap();
+    assert_eq!(rows.lines().count(), 11);
+    assert_eq!(points.lines().next(), Some("quantity,d_um,at_um,value,error,unit"));
+    assert_eq!(points.lines().count(), 1 + 2 * 5 + 2 * 10 * 5);
+    let alone = EXAMPLE.replace("\"F\", \"a\", \"k\", \"p_mean\", \"U\", ", "");
+    let done = run_in(Path::new("."), &alone, &["solve", "-", "--csv"]);
+    assert_eq!(String::from_utf8(done.stdout).unwrap().trim_end(), points.trim_end());
+}
+
+/// 0.15 is 0.15, in whatever unit it is computed.
+#[test]
+fn ranges_are_rounded_once() {
+    let load = |load: &str, units: &str| {
+        let scene = format!(
+            "[profile]\nf = 'r^2/(2*R)'\nparameters = {{ R = '10 um' }}\n[material]\neffective_modulus = '3 GPa'\n[load]\n{load}\n[outputs]\nquantities = ['F', 'd', 'p']\nat = {{ start = '0 nm', stop = '0.7 nm', count = 8 }}\nunits = {{ {units} }}\n"
+        );
+        json(&scene, 0, &[])
+    };
+    let listed =
+        |found: &Value, key: &str| -> Vec<f64> { found["rows"].as_array().unwrap().iter().map(|row| row[key].as_f64().unwrap()).collect() };
+    let depths = load("depth = { start = '0.05 um', stop = '0.4 um', count = 8 }", "length = 'um'");
+    assert_eq!(listed(&depths, "d"), [0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4]);
+    let radii: Vec<f64> = depths["curves"][0]["points"].as_array().unwrap().iter().map(|own| own["at"].as_f64().unwrap()).collect();
+    assert_eq!(radii, [0.0, 0.0001, 0.0002, 0.0003, 0.0004, 0.0005, 0.0006, 0.0007]);
+    assert_eq!(depths["curves"][2]["d"], 0.15);
+    // Forces are computed in other units than they are shown in.
+    let forces = load("force = { start = '0.1 mN', stop = '0.7 mN', count = 7 }", "length = 'um', force = 'mN', pressure = 'MPa'");
+    assert_eq!(listed(&forces, "F"), [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]);
+    let decades = load("depth = { start = '1e-5 um', stop = '1 um', count = 6, spacing = 'log' }", "length = 'um'");
+    assert_eq!(listed(&decades, "d"), [1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0]);
+}
+
+/// Hertz: σ_zz = −p₀/(1 + z²/a²); and the cone's apex has no stress.
+#[test]
+fn stress_below_the_surface() {
+    let scene = |profile: &str| {
+        format!(
+            "[profile]\n{profile}\n[material]\neffective_modulus = 1\n[load]\ncontact_radius = 1\n[outputs]\nquantities = ['sigma_zz']\ndepths = [0, 0.5, 3]\n"
+        )
+    };
+    let hertz = json(&scene("f = 'r^2/2'"), 0, &[]);
+    assert_eq!(hertz["curves"][0]["quantity"], "sigma_zz");
+    for point in hertz["curves"][0]["points"].as_array().unwrap() {
+        let z = point["at"].as_f64().unwrap();
+        close(&point["value"], -2.0 / std::f64::consts::PI / (1.0 + z * z));
+        assert!(point["error_estimate"].as_f64().unwrap() < 1e-12);
+    }
+    let cone = json(&scene("f = 'r/5'"), 0, &[]);
+    let first = &cone["curves"][0]["points"][0];
+    assert!(first["value"].is_null() && first["why"].as_str().unwrap().contains("apex"));
+    assert!(cone["curves"][0]["points"][1]["value"].as_f64().unwrap() < 0.0);
+}
+
+/// A sphere taken for a paraboloid: F = (4/3)E*√R d^(3/2) against the sphere's own force at the same depth.
+#[test]
+fn rows_tell_their_regime() {
+    let scene = |shape: &str, load: &str| {
+        format!("[profile]\n{shape}\n[material]\neffective_modulus = 1\n[load]\n{load}\n[outputs]\nquantities = ['F', 'd']\n")
+    };
+    let regime = |found: &Value| (found["rows"][0]["regime"]["shape"].clone(), found["rows"][0]["regime"]["force_error"].as_f64().unwrap());
+    for sphere in ["shape = 'sphere'\nparameters = { R = 2 }", "f = '2-sqrt(4-r^2)'"] {
+        let found = json(&scene(sphere, "contact_radius = 0.5"), 0, &[]);
+        let (a, r) = (0.5f64, 2.0f64);
+        let (d, force) = (a * (a / r).atanh(), (a * a + r * r) * (a / r).atanh() - a * r);
+        let expected = 4.0 / 3.0 * r.sqrt() * d.powf(1.5) / force - 1.0;
+        let (shape, error) = regime(&found);
+        assert_eq!(shape, "paraboloid");
+        assert!((error - expected).abs() < 1e-8 && expected > 0.001, "{error} {expected}");
+        let said = found["validity"]["regime"]["message"].as_str().unwrap();
+        assert!(said.contains("a paraboloid of R = 2") && said.contains("too large"), "{said}");
+    }
+    // A worn cone is a punch at first and a cone in the end.
+    let worn = "shape = 'truncated-cone'\nparameters = { b = 1, theta = 0.1 }";
+    assert_eq!(regime(&json(&scene(worn, "depth = 1e-6"), 0, &[])).0, "flat");
+    let (shape, error) = regime(&json(&scene(worn, "depth = 10"), 0, &[]));
+    assert!(shape == "cone" && error.abs() < 0.02, "{error}");
+    // What is simple itself has none.
+    for own in ["shape = 'paraboloid'\nparameters = { R = 2 }", "f = 'r^2/4'", "f = 'r/5'", "f = 'r^3'"] {
+        assert!(json(&scene(own, "depth = 0.1"), 0, &[])["rows"][0].get("regime").is_none(), "{own}");
+    }
+}
+
+/// What is found out late names lengths in the units of the answers.
+#[test]
+fn late_findings_have_units() {
+    let scene = |radius: &str, load: &str| {
+        format!(
+            "[profile]\nshape = 'sphere'\nparameters = {{ R = '10 um' }}\n{radius}\n[material]\neffective_modulus = '3 GPa'\n[load]\n{load}\n[outputs]\nquantities = ['F']\nunits = {{ length = 'nm' }}\n"
+        )
+    };
+    let why = json(&scene("", "contact_radius = '12 um'"), 1, &[])["rows"][0]["why"].clone();
+    assert_eq!(why, "the profile ends at r = 10000.0 nm");
+    let done = run_in(Path::new("."), &scene("radius = '0.012 mm'", "depth = '1 nm'"), &["solve", "-"]);
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert!(done.status.code() == Some(2) && said.contains("12000.0 nm") && said.contains("10000.0 nm"), "{said}");
+}
+
+/// Ctrl-C leaves neither the file nor a part of it.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_nothing() {
+    let place = room("interrupted");
+    let scene = EXAMPLE.replace("count = 10", "count = 10000000");
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    for signal in ["INT", "TERM"] {
+        let mut child = Command::new(PROGRAM).current_dir(&place).args(["solve", "scene.toml", "--csv", "-o", "rows.csv"]).spawn().unwrap();
+        let unfinished = || fs::read_dir(&place).unwrap().any(|own| own.unwrap().file_name().to_str().unwrap().starts_with(".sneddon-"));
+        while !unfinished() {
+            assert!(child.try_wait().unwrap().is_none());
+            std::thread::yield_now();
+        }
+        let done = Command::new("kill").args([format!("-{signal}"), child.id().to_string()]).status().unwrap();
+        assert!(done.success());
+        assert_eq!(child.wait().unwrap().code(), Some(130));
+        assert_eq!(fs::read_dir(&place).unwrap().count(), 1);
+    }
+}
+
 /// What is there stays when the scene is bad, and nothing is left beside it.
 #[test]
 fn files_appear_whole_or_not_at_all() {

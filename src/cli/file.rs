@@ -1,7 +1,7 @@
 //! Answers in files: whole or not at all.
 
 use super::Failure;
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// A file that will be written at the end; whatever fails before leaves it untouched.
@@ -22,7 +22,7 @@ impl Target {
     }
 
     /// Any file whose directory exists.
-    fn new(path: &Path) -> Result<Self, Failure> {
+    pub(super) fn new(path: &Path) -> Result<Self, Failure> {
         let own = Self { path: path.to_owned() };
         if !own.directory().is_dir() {
             let message = format!("-o {}: there is no directory {}", path.display(), own.directory().display());
@@ -41,16 +41,70 @@ impl Target {
         }
     }
 
-    /// Writes beside the file and renames, so that a reader never sees a part of it.
+    /// Writes the whole beside the file and puts it in its place at once, so that a reader never sees a part of it.
     pub(super) fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
-        self.replace(bytes).map_err(|error| Failure::new(format!("-o {} cannot be written: {error}", self.path.display())))
+        self.fill(&mut |out| out.write_all(bytes))
     }
 
-    fn replace(&self, bytes: &[u8]) -> io::Result<()> {
-        let mut beside = builder().tempfile_in(self.directory())?;
-        beside.write_all(bytes)?;
-        beside.persist(&self.path).map_err(|error| error.error)?;
-        Ok(())
+    /// The same piece by piece; what was written is gone where it ends early, be it by an error or by Ctrl-C.
+    pub(super) fn fill(&self, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+        self.replace(write).map_err(|error| Failure::new(format!("-o {} cannot be written: {error}", self.path.display())))
+    }
+
+    fn replace(&self, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+        let beside = unfinished::create(|| builder().prefix(".sneddon-").tempfile_in(self.directory()))?;
+        let done = (|| {
+            let mut out = BufWriter::new(beside.as_file());
+            write(&mut out)?;
+            out.flush()
+        })();
+        unfinished::end(|| match done {
+            Ok(()) => beside.persist(&self.path).map(drop).map_err(|error| error.error),
+            Err(error) => Err(error),
+        })
+    }
+}
+
+/// The file that is being written: Ctrl-C takes it away.
+mod unfinished {
+    use std::fs;
+    use std::io;
+    use std::path::PathBuf;
+    use std::process;
+    use std::sync::{Mutex, MutexGuard, PoisonError};
+    use tempfile::NamedTempFile;
+
+    static FILE: Mutex<Option<PathBuf>> = Mutex::new(None);
+
+    /// Ended by a signal, as shells count.
+    const INTERRUPTED: i32 = 130;
+
+    fn file() -> MutexGuard<'static, Option<PathBuf>> {
+        FILE.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Makes the file. While the lock is held the signal waits, so that no file is unknown to it.
+    pub(super) fn create(make: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<NamedTempFile> {
+        // Without a handler a signal leaves the file behind; that is no reason not to write.
+        let _ = ctrlc::try_set_handler(|| {
+            let own = file();
+            if let Some(path) = own.as_ref() {
+                let _ = fs::remove_file(path);
+            }
+            process::exit(INTERRUPTED);
+        });
+        let mut own = file();
+        let made = make()?;
+        *own = Some(made.path().to_owned());
+        Ok(made)
+    }
+
+    /// Puts the file in its place, or drops it.
+    pub(super) fn end<T>(finish: impl FnOnce() -> T) -> T {
+        let mut own = file();
+        let done = finish();
+        *own = None;
+        done
     }
 }
 

@@ -11,6 +11,8 @@ mod input;
 mod invert;
 mod output;
 mod points;
+mod progress;
+mod reference;
 mod rules;
 mod scene;
 mod series;
@@ -47,6 +49,7 @@ enum Command {
     Tradeoff(tradeoff::Arguments),
     Rules(rules::Arguments),
     Solve(solve::Arguments),
+    Reference(reference::Arguments),
     Scene(scene::Arguments),
     Completions(completions::Arguments),
 }
@@ -77,6 +80,7 @@ pub fn main() -> ExitCode {
         Command::Tradeoff(own) => tradeoff::run(&own),
         Command::Rules(own) => rules::run(&own),
         Command::Solve(own) => solve::run(&own),
+        Command::Reference(own) => reference::run(&own),
         Command::Scene(own) => scene::run(&own),
         Command::Completions(own) => completions::run(&own),
     };

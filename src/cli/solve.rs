@@ -1,11 +1,13 @@
 //! `sneddon solve`: from a scene file to every quantity that it asks for.
 
 use super::failure::warn;
+use super::file::Target;
+use super::progress::Progress;
 use super::{Failure, Outcome, output, tip};
 use crate::report::{Verdict, solved_json, solved_text};
 use crate::scene::{self, Run, SceneError};
 use std::fs::File;
-use std::io::{self, BufWriter, Read, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Solves a contact scene: loads in, depth, force, contact radius and curves out.
@@ -51,7 +53,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
+    let target = arguments.output.as_deref().map(Target::new).transpose()?;
     let run = Run::new(&scene, &solution).map_err(failed)?;
+    let progress = Progress::new(run.steps(), target.is_none());
+    let run = run.watched(|| progress.step());
     let mut verdict = Verdict::default();
     let mut write = |out: &mut dyn Write| -> io::Result<()> {
         verdict = match (arguments.json, arguments.csv) {
@@ -61,10 +66,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         };
         Ok(())
     };
-    match &arguments.output {
-        Some(path) => whole_file(path, &mut write)?,
+    match &target {
+        Some(target) => target.fill(&mut write)?,
         None => output::print(&mut write)?,
     }
+    drop(run);
+    drop(progress);
     if verdict.is_valid() {
         return Ok(Outcome::Done);
     }
@@ -74,7 +81,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Failed)
 }
 
-fn read(path: &Path) -> Result<String, Failure> {
+pub(super) fn read(path: &Path) -> Result<String, Failure> {
     let name = path.display();
     let limit = scene::LONGEST as u64;
     let mut bytes = Vec::new();
@@ -101,17 +108,4 @@ pub(super) fn failure(name: &str, text: &str, error: &SceneError) -> Failure {
         Some(span) => failure.at(name, text, span),
         None => failure,
     }
-}
-
-/// Writes beside the file and puts the whole in its place at once.
-fn whole_file(path: &Path, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    let failed = |error: &io::Error| Failure::new(format!("{} cannot be written: {error}", path.display()));
-    let place = path.parent().filter(|own| !own.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let beside = tempfile::Builder::new().prefix(".sneddon-").tempfile_in(place).map_err(|error| failed(&error))?;
-    {
-        let mut out = BufWriter::new(beside.as_file());
-        write(&mut out).and_then(|()| out.flush()).map_err(|error| failed(&error))?;
-    }
-    beside.persist(path).map_err(|error| failed(&error.error))?;
-    Ok(())
 }

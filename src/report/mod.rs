@@ -7,6 +7,8 @@ pub mod json;
 pub mod latex;
 pub mod markdown;
 mod record;
+#[cfg(feature = "cli")]
+mod reference;
 #[cfg(feature = "scene")]
 mod solved;
 #[cfg(feature = "cli")]
@@ -25,6 +27,8 @@ pub mod tradeoff;
 #[cfg(feature = "cli")]
 pub use inversion::{Inversion, Wanted};
 pub use record::{Compared, Derivation, Entry, Evaluation, Shift};
+#[cfg(feature = "cli")]
+pub use reference::Reference;
 #[cfg(feature = "scene")]
 pub use solved::{ASSUMPTIONS, Verdict};
 pub use statement::Statement;

@@ -102,6 +102,9 @@ impl Serialize for RowEntry<'_, '_> {
         let edge = row.indented.state.filter(|_| shown).map(|state| if state.boundary == Boundary::Rim { "rim" } else { "smooth" });
         map.serialize_entry("edge", &edge)?;
         map.serialize_entry("valid", &row.is_valid())?;
+        if let Some(own) = &row.regime {
+            map.serialize_entry("regime", &RegimeEntry { shape: own.simple.name(), force_error: own.force_error, message: None })?;
+        }
         if let Some(why) = row.why().or(why) {
             map.serialize_entry("why", why)?;
         }
@@ -109,6 +112,14 @@ impl Serialize for RowEntry<'_, '_> {
         map.serialize_entry("findings", &findings)?;
         map.end()
     }
+}
+
+#[derive(Serialize)]
+struct RegimeEntry {
+    shape: &'static str,
+    force_error: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    message: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -217,6 +228,10 @@ impl Serialize for Validity<'_, '_> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("valid", &verdict.is_valid())?;
         map.serialize_entry("assumptions", ASSUMPTIONS)?;
+        if let Some(own) = verdict.regime() {
+            let message = Some(own.sentence(&self.run.scene().system));
+            map.serialize_entry("regime", &RegimeEntry { shape: own.simple.name(), force_error: own.force_error, message })?;
+        }
         map.serialize_entry("findings", &findings)?;
         map.end()
     }

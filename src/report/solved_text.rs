@@ -48,6 +48,9 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     } else {
         writeln!(out, "not valid in {invalid} of {rows} rows: {ASSUMPTIONS}")?;
     }
+    if let Some(own) = verdict.regime() {
+        writeln!(out, "{}", own.sentence(&scene.system))?;
+    }
     for (finding, _) in verdict.findings() {
         writeln!(out, "{}: {}: {}", finding.severity.name(), finding.rule, finding.message)?;
     }

@@ -1,6 +1,6 @@
 //! The scene itself: everything that is known about a contact before it is solved, as numbers of one system.
 
-use super::{Control, Loads, Measured, MeasuredTip, SceneError, System};
+use super::{Control, Loads, Measured, MeasuredTip, SceneError, Simple, System};
 use crate::contact::ContactError;
 use crate::transform::{Method, Profile, Solution, derive};
 use std::ops::Range;
@@ -116,6 +116,10 @@ pub struct Scene {
     pub place: Option<Range<usize>>,
     /// A length of the profile with its name, in which dimensionless answers count: R where there is one, else the radius of a vertical side.
     pub length: Option<(String, f64)>,
+    /// The simple shapes for which the profile may be taken, where its name tells; else they are looked for at its tip.
+    pub relatives: Vec<Simple>,
+    /// What the curves lack that were asked for: their places.
+    pub lacking: Option<SceneError>,
 }
 
 impl Scene {
@@ -142,6 +146,8 @@ impl Scene {
             tolerance: 1e-12,
             place: None,
             length: None,
+            relatives: Vec::new(),
+            lacking: None,
         }
     }
 

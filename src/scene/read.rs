@@ -9,7 +9,7 @@ use super::punch::Punch;
 use super::quantity::to_f64;
 use super::reading::Asked;
 use super::shape::{SHAPES, Shape, Way, shape};
-use super::{Control, Curve, Datum, Dimension, Quantity, Scene, SceneError, System, Unit};
+use super::{Control, Curve, Datum, Dimension, Quantity, Scene, SceneError, Simple, System, Unit};
 use crate::contact::ContactError;
 use crate::expr::{Bindings, Expr, Formula, Symbol};
 use crate::parse;
@@ -35,6 +35,15 @@ use std::ops::Range;
 /// # Errors
 /// [`SceneError`] with the place in the text.
 pub fn scene(text: &str) -> Result<Scene, SceneError> {
+    let mut found = scene_for_grid(text)?;
+    found.lacking.take().map_or(Ok(found), Err)
+}
+
+/// The same scene for curves on a grid that stands elsewhere: `at` may be missing.
+///
+/// # Errors
+/// As [`scene`].
+pub fn scene_for_grid(text: &str) -> Result<Scene, SceneError> {
     let document = parsed(text)?;
     let root = Table::root(&document, text);
     root.allow(&["profile", "material", "counterbody", "load", "outputs", "method", "data"])?;
@@ -116,7 +125,8 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
     }
     let effective_modulus = body::together(first.modulus(&system)?, second.modulus(&system)?, material.span())?;
     let length = tip.length(&system);
-    let scene = Scene { measured, rim, effective_modulus, system, place: Some(tip.span), length, ..Scene::of(bound) };
+    let relatives = if other.is_none() { Simple::relatives(tip.name, &tip.values(&system)) } else { Vec::new() };
+    let scene = Scene { measured, relatives, rim, effective_modulus, system, place: Some(tip.span), length, ..Scene::of(bound) };
     let mut scene = asked.scene(scene)?;
     if scene.outputs.curves.contains(&Curve::AxialStress)
         && let Some(body) = [&first, &second].into_iter().find(|own| !own.is_isotropic())
@@ -162,6 +172,8 @@ struct Tip {
     formula: Formula,
     parameters: Vec<Parameter>,
     rim: Option<(&'static str, Quantity)>,
+    /// The name of the shape; empty where it was typed.
+    name: &'static str,
     span: Range<usize>,
 }
 
@@ -174,7 +186,7 @@ struct Parameter {
 impl Tip {
     /// f = 0.
     fn flat(span: Range<usize>) -> Self {
-        Self { formula: Formula::zero(), parameters: Vec::new(), rim: None, span }
+        Self { formula: Formula::zero(), parameters: Vec::new(), rim: None, name: "", span }
     }
 
     /// The parameter R, or c of a cylinder, with its number.
@@ -198,25 +210,25 @@ impl Tip {
         }
         let [f, shape, points] = ways;
         let mut parameters = Self::parameters(table)?;
-        let (formula, rim, span) = match (f, shape) {
+        let (formula, rim, name, span) = match (f, shape) {
             (Some(f), _) => {
                 let text = f.string()?;
                 let formula = parse::profile(text).map_err(|error| {
                     let part = f.part(error.span());
                     SceneError::from(error).at(part)
                 })?;
-                (formula, None, f.span())
+                (formula, None, "", f.span())
             }
             (None, Some(entry)) => {
                 let (shape, way) = Self::named(&entry, &mut parameters, table)?;
                 let rim = shape
                     .rim
                     .and_then(|name| parameters.iter().find(|own| own.symbol.name() == name).map(|own| (name, own.quantity.clone())));
-                (parse::profile(way.f).map_err(SceneError::from)?, rim, entry.span())
+                (parse::profile(way.f).map_err(SceneError::from)?, rim, shape.name, entry.span())
             }
             // The numbers of a measured tip come later, and are added to this.
             (None, None) => match points {
-                Some(points) => (Formula::zero(), None, points.span()),
+                Some(points) => (Formula::zero(), None, "", points.span()),
                 None => return Ok(None),
             },
         };
@@ -235,7 +247,7 @@ impl Tip {
             let help = format!("parameters = {{ {missing} = … }} in {} would be accepted", table.name());
             return Err(SceneError::missing(format!("the parameter {missing} of f has no value")).help(help).at(span));
         }
-        Ok(Some(Self { formula, parameters, rim, span }))
+        Ok(Some(Self { formula, parameters, rim, name, span }))
     }
 
     fn parameters(table: &Table<'_>) -> Result<Vec<Parameter>, SceneError> {
@@ -276,6 +288,17 @@ impl Tip {
         let fits = |way: &&Way| parameters.iter().all(|own| way.parameters.iter().any(|known| known.name == own.symbol.name()));
         let way = found.ways.iter().find(fits).or(found.ways.first());
         way.map(|way| (found, way)).ok_or_else(|| SceneError::missing(format!("{} has no formula", found.name)))
+    }
+
+    /// The parameters as numbers of the system.
+    fn values(&self, system: &System) -> Bindings {
+        let mut values = Bindings::default();
+        for own in &self.parameters {
+            let dimension = own.quantity.dimension().unwrap_or(Dimension::NONE);
+            let value = if own.quantity.unit().is_some() { system.own(own.quantity.in_base(), dimension) } else { own.quantity.in_base() };
+            values.insert(own.symbol.clone(), value);
+        }
+        values
     }
 
     /// f with its parameters as numbers of the system.

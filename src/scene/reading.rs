@@ -26,6 +26,7 @@ pub(super) struct Asked {
     curves: Vec<Curve>,
     at: Option<Typed>,
     depths: Option<Typed>,
+    lacking: Option<SceneError>,
     pub(super) units: Named,
     method: Method,
     tolerance: Option<f64>,
@@ -65,6 +66,7 @@ impl Asked {
             curves: Vec::new(),
             at: None,
             depths: None,
+            lacking: None,
             units: Named::default(),
             method: Method::Auto,
             tolerance: None,
@@ -95,16 +97,15 @@ impl Asked {
         self.at = outputs.get("at").map(|entry| numbers(&entry)).transpose()?;
         self.depths = outputs.get("depths").map(|entry| numbers(&entry)).transpose()?;
         if self.depths.is_none() && self.curves.contains(&Curve::AxialStress) {
-            return Err(SceneError::missing("[outputs] has no depths: places below the surface where sigma_zz is wanted")
-                .help("depths = { start = \"0 um\", stop = \"5 um\", count = 101 } would be accepted")
-                .at(outputs.span()));
+            let missing = SceneError::missing("[outputs] has no depths: places below the surface where sigma_zz is wanted");
+            let help = "depths = { start = \"0 um\", stop = \"5 um\", count = 101 } would be accepted";
+            self.lacking = Some(missing.help(help).at(outputs.span()));
         }
         let names: Vec<&str> = self.curves.iter().filter(|own| **own != Curve::AxialStress).map(|own| own.name()).collect();
         if self.at.is_none() && !names.is_empty() {
             let message = format!("[outputs] has no at: radii where {} are wanted", names.join(", "));
-            return Err(SceneError::missing(message)
-                .help("at = { start = \"0 um\", stop = \"2 um\", count = 101 } would be accepted")
-                .at(outputs.span()));
+            let help = "at = { start = \"0 um\", stop = \"2 um\", count = 101 } would be accepted";
+            self.lacking = Some(SceneError::missing(message).help(help).at(outputs.span()));
         }
         let Some(entry) = outputs.get("units") else { return Ok(()) };
         let table = entry.table("units".to_owned())?;

@@ -1,6 +1,6 @@
 //! What a load gives: its state, the numbers that were asked for, and what speaks against them.
 
-use super::Datum;
+use super::{Datum, Regime};
 use crate::contact::{Indented, Severity};
 
 /// One solved load, in the units of the answers.
@@ -14,6 +14,8 @@ pub struct Row {
     pub depth_from_touch: Option<f64>,
     /// The numbers that were asked for; `None` with a reason where there is none.
     pub values: Vec<(Datum, Result<f64, &'static str>)>,
+    /// The nearest simple shape, where the profile is none itself and the row is valid.
+    pub regime: Option<Regime>,
 }
 
 impl Row {

@@ -1,9 +1,12 @@
 //! A scene being solved: row by row, curve by curve, nothing before it is asked for and nothing kept.
 
+use super::quantity::to_f64;
+use super::regime::{Regime, Simple};
 use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, MeasuredTip, Row, Scene, SceneError, Work};
-use crate::contact::{Boundary, ContactError, Finding, Indentation, Indented, Load, Part, Setup, Severity, State};
-use crate::transform::{Reading, Solution, TableProfile};
-use std::cell::Cell;
+use crate::contact::in_unit;
+use crate::contact::{Boundary, Contact, ContactError, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State};
+use crate::transform::{Reading, Solution, Superposition, TableProfile, TransformError};
+use std::cell::{Cell, OnceCell};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -14,6 +17,8 @@ pub struct Run<'a> {
     /// The same contact with a measured tip's points joined in another way.
     pub(super) second: Option<Indentation<'a>>,
     work: Cell<Work>,
+    watch: Option<Box<dyn Fn() + 'a>>,
+    tip: OnceCell<Option<Simple>>,
 }
 
 /// A value of a curve.
@@ -50,9 +55,11 @@ impl<'a> Run<'a> {
         let others = |tip: Option<&Arc<TableProfile>>| tip.map(|own| Part::new(Arc::clone(own))).into_iter().collect();
         let tip = scene.tip.as_ref();
         let indentation = Indentation::beside(Some(solution), others(tip.map(MeasuredTip::profile)), setup, largest);
-        let indentation = indentation.map_err(|error| scene.placed(tip.map_or_else(|| error.clone().into(), |_| of_tip(&error))))?;
+        let indentation = indentation.map_err(|error| scene.placed(tip.map_or_else(|| late(&error, scene), |_| of_tip(&error))))?;
+        let named = |dimension| (scene.system.out(dimension), scene.system.unit_name(dimension));
+        let indentation = indentation.naming(Naming { length: named(Dimension::LENGTH), force: named(Dimension::FORCE) });
         let second = tip.and_then(|own| Indentation::beside(Some(solution), others(Some(own.second())), setup, largest).ok());
-        let own = Self { scene, indentation, second, work: Cell::default() };
+        let own = Self { scene, indentation, second, work: Cell::default(), watch: None, tip: OnceCell::new() };
         // Bad input is found before anything is written.
         for load in [scene.control.load(smallest), largest] {
             if !matches!(load, Load::Depth(_)) && !scene.loads.is_empty() {
@@ -85,6 +92,26 @@ impl<'a> Run<'a> {
         self.work.get()
     }
 
+    /// The same run, which tells after every row and every point that it is done.
+    #[must_use]
+    pub fn watched(self, watch: impl Fn() + 'a) -> Self {
+        Self { watch: Some(Box::new(watch)), ..self }
+    }
+
+    /// How often a watch is told, where all rows and curves are asked for.
+    pub fn steps(&self) -> u64 {
+        let per_load = |own: &Curve| if own.needs_load() { self.grid(*own).len() as u64 + 1 } else { 0 };
+        let once = |own: &Curve| if own.needs_load() { 0 } else { self.grid(*own).len() as u64 };
+        let curves = &self.scene.outputs.curves;
+        self.scene.loads.len() as u64 * (1 + curves.iter().map(per_load).sum::<u64>()) + curves.iter().map(once).sum::<u64>()
+    }
+
+    pub(super) fn told(&self) {
+        if let Some(watch) = &self.watch {
+            watch();
+        }
+    }
+
     fn count(&self, add: impl FnOnce(&mut Work)) {
         let mut work = self.work.get();
         add(&mut work);
@@ -94,6 +121,11 @@ impl<'a> Run<'a> {
     /// The places where f′ jumps, in the units of the answers, and by how much.
     pub fn kinks(&self) -> Vec<(f64, f64)> {
         self.indentation.kinks().map(|(at, jump)| (at * self.scene.system.out(Dimension::LENGTH), jump)).collect()
+    }
+
+    /// The contact of a state.
+    pub(super) fn contact(&self, state: &State) -> Contact<'a, Superposition<'a>> {
+        self.indentation.contact(state)
     }
 
     pub(super) fn load(&self, index: usize) -> Option<(f64, Load)> {
@@ -109,6 +141,7 @@ impl<'a> Run<'a> {
         let (value, load) = self.load(index)?;
         self.count(|work| work.loads += 1);
         let mut indented = self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error));
+        self.told();
         let within = |last: f64| matches!(load, Load::Radius(own) if own <= last) || self.scene.rim.is_some();
         if let (Some(end), Some(tip)) = (self.tip_ends_at(), self.scene.tip.as_ref().filter(|tip| !within(tip.last_radius()))) {
             let unit = self.scene.system.unit_name(Dimension::LENGTH);
@@ -143,7 +176,27 @@ impl<'a> Run<'a> {
         let touch = self.indentation.first_touch();
         let length = system.out(Dimension::LENGTH);
         let depth_from_touch = indented.state.filter(|_| touch != 0.0).map(|state| (state.depth - touch) * length);
-        Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values })
+        let regime = indented.state.as_ref().filter(|_| indented.is_valid()).and_then(|state| self.regime(state));
+        Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values, regime })
+    }
+
+    /// The simple shape whose force at the state's depth is nearest, and how wrong it is.
+    fn regime(&self, state: &State) -> Option<Regime> {
+        if state.force <= 0.0 || state.radius <= 0.0 {
+            return None;
+        }
+        let tip =
+            || *self.tip.get_or_init(|| Simple::tip(|r| Some(self.indentation.shape().profile(r).ok()?.estimate.value), state.radius));
+        let known = &self.scene.relatives;
+        let tip = if known.is_empty() { tip() } else { None };
+        let flat = (state.boundary == Boundary::Rim && !self.scene.profile.is_flat()).then_some(Simple::Flat { radius: state.radius });
+        let depth = state.depth - self.indentation.first_touch();
+        let wrong = |simple: Simple| {
+            let force_error = simple.force(self.scene.effective_modulus, depth) / state.force - 1.0;
+            force_error.is_finite().then_some(Regime { simple, force_error })
+        };
+        let all = known.iter().copied().chain(tip).chain(flat).filter_map(wrong);
+        all.min_by(|one, other| one.force_error.abs().total_cmp(&other.force_error.abs()))
     }
 
     fn datum(&self, datum: Datum, state: &State) -> Result<Result<f64, &'static str>, ContactError> {
@@ -203,6 +256,7 @@ impl<'a> Run<'a> {
     pub fn point(&self, curve: Curve, state: Option<&State>, at: f64) -> Point {
         let system = &self.scene.system;
         let found = self.curve(curve, state, at);
+        self.told();
         let factor = system.out(curve.dimension());
         let value = found.and_then(|own| {
             let (value, error) = (own.estimate.value * factor, own.estimate.error * factor.abs());
@@ -262,6 +316,20 @@ fn of_tip(error: &ContactError) -> SceneError {
                 invert = true for heights that fall from the apex outward";
     let own = SceneError::from(error.clone());
     if matches!(error, ContactError::Missing { .. }) { own.help(help) } else { own }
+}
+
+/// What is found out about a profile only when it is computed with, its lengths in the units of the answers.
+fn late(error: &ContactError, scene: &Scene) -> SceneError {
+    match error {
+        ContactError::Transform(TransformError::OutOfDomain { symbol: "radius", at, .. }) => {
+            let named = (scene.system.out(Dimension::LENGTH), scene.system.unit_name(Dimension::LENGTH));
+            let end = scene.profile.limits().filter_map(|own| to_f64(own).ok()).min_by(f64::total_cmp);
+            let end = end.map_or_else(String::new, |end| format!(", which ends at r = {}", in_unit(end, &named)));
+            SceneError::value(format!("radius = {} lies outside the profile{end}", in_unit(*at, &named)))
+                .help("a radius that the profile reaches would be accepted")
+        }
+        other => other.clone().into(),
+    }
 }
 
 fn not_computable(error: &ContactError) -> Indented {

@@ -2,9 +2,11 @@
 
 mod curvature;
 mod landscape;
+mod naming;
 mod root;
 mod verdict;
 
+pub use naming::{Naming, in_unit};
 pub use verdict::{Finding, Severity};
 
 use super::{Contact, ContactError, Explicit, explicit};
@@ -101,6 +103,7 @@ pub struct Indentation<'a> {
     follower: Follower,
     known: Known,
     at_rim: Option<AtRim>,
+    naming: Naming,
 }
 
 /// A profile that is no formula, with its transforms and its derivatives.
@@ -201,7 +204,22 @@ impl<'a> Indentation<'a> {
         };
         let wanted = landscape.rising && setup.method != Method::Quadrature && matches!(largest, Load::Depth(_));
         let explicit = formula.filter(|_| wanted && alone).and_then(explicit).and_then(compiled);
-        Ok(Self { contact, setup, landscape, explicit, follower: Follower::default(), known: Known::default(), at_rim })
+        Ok(Self {
+            contact,
+            setup,
+            landscape,
+            explicit,
+            follower: Follower::default(),
+            known: Known::default(),
+            at_rim,
+            naming: Naming::default(),
+        })
+    }
+
+    /// The same indentation, whose findings name lengths and forces in these units.
+    #[must_use]
+    pub fn naming(self, naming: Naming) -> Self {
+        Self { naming, ..self }
     }
 
     /// Solves one load.
@@ -288,7 +306,8 @@ impl<'a> Indentation<'a> {
         candidates.splice(0..0, found);
         if nothing {
             return Ok(unreachable(format!(
-                "no contact radius belongs to d = {depth:?}: g stays below this depth as far as the profile goes"
+                "no contact radius belongs to d = {}: g stays below this depth as far as the profile goes",
+                self.naming.length(depth)
             )));
         }
         Ok(self.chosen(&candidates))
@@ -319,7 +338,10 @@ impl<'a> Indentation<'a> {
         let nothing = found.is_empty() && candidates.is_empty();
         candidates.splice(0..0, found);
         if nothing {
-            return Ok(unreachable(format!("no contact radius belongs to F = {force:?}: the profile ends before it is reached")));
+            return Ok(unreachable(format!(
+                "no contact radius belongs to F = {}: the profile ends before it is reached",
+                self.naming.force(force)
+            )));
         }
         Ok(self.chosen(&candidates))
     }
@@ -339,17 +361,20 @@ impl<'a> Indentation<'a> {
                 });
             }
             if radius > rim.radius {
-                return Ok(unreachable(format!("the indenter ends at r = {:?}", rim.radius)));
+                return Ok(unreachable(format!("the indenter ends at r = {}", self.naming.length(rim.radius))));
             }
         }
         if radius == 0.0 && self.landscape.flat == 0.0 {
             return self.at_depth(0.0);
         }
         if radius < self.landscape.flat {
-            return Ok(unreachable(format!("the tip is flat up to r = {:?}: a contact is at least as large", self.landscape.flat)));
+            return Ok(unreachable(format!(
+                "the tip is flat up to r = {}: a contact is at least as large",
+                self.naming.length(self.landscape.flat)
+            )));
         }
         if radius >= self.contact.evaluator().limit() {
-            return Ok(unreachable(format!("the profile ends at r = {:?}", self.contact.evaluator().limit())));
+            return Ok(unreachable(format!("the profile ends at r = {}", self.naming.length(self.contact.evaluator().limit()))));
         }
         let depth = self.contact.depth(radius)?.estimate.value;
         let force = self.contact.force(radius)?.estimate.value;

@@ -88,7 +88,10 @@ impl Indentation<'_> {
         let message = if least.is_infinite() {
             "a complete contact is impossible: the pressure at the axis is negative at every depth".to_owned()
         } else {
-            format!("a complete contact needs d >= {least:?} (the pressure vanishes first at r = {at:?}); below it is in tension there")
+            {
+                let (least, at) = (self.naming.length(least), self.naming.length(at));
+                format!("a complete contact needs d >= {least} (the pressure vanishes first at r = {at}); below it is in tension there")
+            }
         };
         Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) })
     }
@@ -119,7 +122,7 @@ impl Indentation<'_> {
     fn tension_inside(&self, state: &State) -> Option<Finding> {
         let a = state.radius;
         if let Some(kink) = self.landscape.kinks.iter().find(|kink| kink.jump < 0.0 && kink.at < a) {
-            let message = format!("the profile bends away at r = {:?}: the pressure there is minus infinity", kink.at);
+            let message = format!("the profile bends away at r = {}: the pressure there is minus infinity", self.naming.length(kink.at));
             return Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(kink.at) });
         }
         if a <= self.landscape.first_fall {
@@ -132,7 +135,7 @@ impl Indentation<'_> {
             _ => f64::NAN,
         };
         let at = first_negative(&mut pressure, &looks(0.0, a), 1e-3 * mean.abs())?;
-        let message = format!("the pressure is negative at r = {at:?}: the contact would open there");
+        let message = format!("the pressure is negative at r = {}: the contact would open there", self.naming.length(at));
         Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) })
     }
 
@@ -165,7 +168,8 @@ impl Indentation<'_> {
             }
         }
         let at = overlap?;
-        let message = format!("the deformed surface reaches the indenter again at r = {at:?}: the contact is not a disc");
+        let message =
+            format!("the deformed surface reaches the indenter again at r = {}: the contact is not a disc", self.naming.length(at));
         Some(Finding { rule: "outside_gap", severity: Severity::Error, message, at: Some(at) })
     }
 
@@ -202,7 +206,10 @@ impl Indentation<'_> {
     /// The slope of the profile inside the contact, where it is too large for a half-space.
     fn steep_slope(&self, state: &State) -> Option<Finding> {
         let at = self.landscape.steep.filter(|at| *at < state.radius)?;
-        let message = format!("the profile's slope exceeds {STEEP} from r = {at:?} on: a half-space is a poor model of the surface there");
+        let message = format!(
+            "the profile's slope exceeds {STEEP} from r = {} on: a half-space is a poor model of the surface there",
+            self.naming.length(at)
+        );
         Some(Finding { rule: "steep_slope", severity: Severity::Warning, message, at: Some(at) })
     }
 }

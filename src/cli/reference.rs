@@ -1,0 +1,119 @@
+//! `sneddon reference`: exact data on a solver's grid.
+
+use super::failure::warn;
+use super::file::Target;
+use super::progress::Progress;
+use super::solve::{failure, read};
+use super::{Failure, Outcome, output};
+use crate::report::Reference;
+use crate::scene::{self, Curve, Grid, Run, SceneError};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Exact pressure, displacement and shape on the grid of a solver, each value with its error bound.
+///
+/// The scene says the contact and the loads; p, u, f and g are given as far as its outputs ask for them, p where they ask for none.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The scene file; - reads it from stdin.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// N points along both sides of a square box, or start:stop:count for radii; without it the radii of [outputs].
+    #[arg(long, value_name = "GRID")]
+    grid: Option<String>,
+    /// The side of the box, as "8 um".
+    #[arg(long = "box", value_name = "LENGTH")]
+    side: Option<String>,
+    /// Pressures as means over the cells around the points, as boundary elements have them.
+    #[arg(long)]
+    cells: bool,
+    /// The axis lies between the four middle points of the box, not at one of them.
+    #[arg(long)]
+    between: bool,
+    /// Writes JSON to stdout.
+    #[arg(long)]
+    json: bool,
+    /// Writes into this file: .csv, .json or .npy, a NumPy array.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon scene new sphere > sphere.toml
+  sneddon reference sphere.toml --grid '0:2 um:11'
+  sneddon reference sphere.toml --grid 64 --box '4 um' --cells -o sphere.npy
+
+Exit codes: 0 done, 1 a load has no valid contact, 2 bad input (the reason is on stderr).";
+
+#[derive(Clone, Copy)]
+enum Format {
+    Csv,
+    Json,
+    Npy,
+}
+
+impl Format {
+    fn of(path: &Path) -> Result<Self, Failure> {
+        let extension = path.extension().map(|own| own.to_string_lossy().to_lowercase()).unwrap_or_default();
+        match extension.as_str() {
+            "csv" => Ok(Self::Csv),
+            "json" => Ok(Self::Json),
+            "npy" => Ok(Self::Npy),
+            _ => Err(Failure::new(format!("-o {}: the name says no format", path.display()))
+                .help("a name that ends in .csv, .json or .npy would be accepted")),
+        }
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let format = match &arguments.output {
+        Some(path) => Format::of(path)?,
+        None if arguments.json => Format::Json,
+        None => Format::Csv,
+    };
+    let text = read(&arguments.scene)?;
+    let name = arguments.scene.display().to_string();
+    let failed = |error: SceneError| failure(&name, &text, &error);
+    let scene = scene::scene_for_grid(&text).map_err(failed)?;
+    let grid = match &arguments.grid {
+        Some(own) => Grid::parse(own, arguments.side.as_deref(), arguments.between, &scene).map_err(failed)?,
+        None if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
+        None => {
+            return Err(Failure::new("there is no grid")
+                .help("--grid \"0:2 um:101\", --grid 64 with --box \"8 um\", or at in [outputs] would be accepted"));
+        }
+    };
+    let wanted = [Curve::Pressure, Curve::Displacement, Curve::Profile, Curve::Equivalent];
+    let mut curves: Vec<Curve> = wanted.into_iter().filter(|own| scene.outputs.curves.contains(own)).collect();
+    if curves.is_empty() {
+        curves.push(Curve::Pressure);
+    }
+    let solution = scene.solution().map_err(failed)?;
+    let target = arguments.output.as_deref().map(Target::new).transpose()?;
+    let run = Run::new(&scene, &solution).map_err(failed)?;
+    let steps = scene.loads.len() as u64 * (1 + curves.len() as u64 * grid.distinct() as u64);
+    let progress = Progress::new(steps, target.is_none());
+    let run = run.watched(|| progress.step());
+    let reference = Reference { run: &run, grid: &grid, curves: &curves, cells: arguments.cells };
+    let mut missing = 0;
+    let mut write = |out: &mut dyn Write| -> io::Result<()> {
+        missing = match format {
+            Format::Csv => reference.csv(out)?,
+            Format::Json => reference.json(out)?,
+            Format::Npy => reference.npy(out)?,
+        };
+        Ok(())
+    };
+    match &target {
+        Some(target) => target.fill(&mut write)?,
+        None => output::print(&mut write)?,
+    }
+    drop(run);
+    drop(progress);
+    if missing == 0 {
+        return Ok(Outcome::Done);
+    }
+    warn(&format!("{missing} of {} loads have no valid contact; `sneddon solve` says why", scene.loads.len()));
+    Ok(Outcome::Failed)
+}

@@ -1,0 +1,257 @@
+//! Exact fields on a solver's grid as CSV, JSON and NPY, load by load: one field is kept at a time.
+
+use crate::contact::State;
+use crate::scene::{Curve, Dimension, Field, Grid, Run};
+use serde::Serialize;
+use serde::ser::{SerializeSeq, Serializer};
+use std::cell::Cell;
+use std::io::{self, Write};
+
+/// What is wanted: fields of all loads of a run on one grid.
+pub struct Reference<'a, 'r> {
+    /// The run.
+    pub run: &'a Run<'r>,
+    /// The grid.
+    pub grid: &'a Grid,
+    /// The fields.
+    pub curves: &'a [Curve],
+    /// True where pressures are means over cells.
+    pub cells: bool,
+}
+
+impl Reference<'_, '_> {
+    fn states(&self) -> impl Iterator<Item = (usize, Option<State>)> + '_ {
+        (0..self.run.scene().loads.len()).map(|index| (index, self.run.state(index, false)))
+    }
+
+    fn field(&self, curve: Curve, state: Option<&State>) -> Field {
+        self.run.field(self.grid, curve, state, self.cells)
+    }
+
+    /// Every place of the grid, the row of a square first.
+    fn places(&self) -> Vec<usize> {
+        self.grid.shape()
+    }
+
+    /// Writes one line per place and load, with the depth of the load where there are several.
+    ///
+    /// Returns how many loads have no valid contact.
+    ///
+    /// # Errors
+    /// As the writer.
+    pub fn csv(&self, out: &mut dyn Write) -> io::Result<usize> {
+        let scene = self.run.scene();
+        let (length, factor) = (scene.system.unit_name(Dimension::LENGTH), scene.system.out(Dimension::LENGTH));
+        let named = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") };
+        let several = scene.loads.len() > 1;
+        let mut header = if several { vec![named("d", &length)] } else { Vec::new() };
+        let square = matches!(self.grid, Grid::Square { .. });
+        header.extend(if square { ["x", "y", "r"].as_slice() } else { &["r"] }.iter().map(|own| named(own, &length)));
+        for curve in self.curves {
+            let unit = scene.system.unit_name(curve.dimension());
+            header.extend([named(curve.name(), &unit), named(&format!("{}_error", curve.name()), &unit)]);
+        }
+        writeln!(out, "{}", header.join(","))?;
+        let mut missing = 0;
+        for (index, state) in self.states() {
+            missing += usize::from(state.is_none());
+            let fields: Vec<Field> = self.curves.iter().map(|curve| self.field(*curve, state.as_ref())).collect();
+            let depth = state.map_or_else(String::new, |state| format!("{:?}", self.run.shown_depth(index, &state)));
+            let mut line = |coordinates: &[f64], place: &[usize]| -> io::Result<()> {
+                if several {
+                    write!(out, "{depth},")?;
+                }
+                let numbers: Vec<String> = coordinates.iter().map(|own| format!("{:?}", own * factor)).collect();
+                write!(out, "{}", numbers.join(","))?;
+                for field in &fields {
+                    match field.at(place) {
+                        Ok((value, error)) => write!(out, ",{value:?},{error:?}")?,
+                        Err(_) => write!(out, ",,")?,
+                    }
+                }
+                writeln!(out)
+            };
+            match self.places().as_slice() {
+                [count] => (0..*count).try_for_each(|i| line(&[self.grid.coordinate(i)], &[i]))?,
+                [rows, columns] => {
+                    for i in 0..*rows {
+                        let y = self.grid.coordinate(i);
+                        for j in 0..*columns {
+                            let x = self.grid.coordinate(j);
+                            line(&[x, y, x.hypot(y)], &[i, j])?;
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        Ok(missing)
+    }
+
+    /// Writes one JSON document: coordinates, then per load and field the values and their error estimates, row by row.
+    ///
+    /// Returns how many loads have no valid contact.
+    ///
+    /// # Errors
+    /// As the writer.
+    pub fn json(&self, out: &mut dyn Write) -> io::Result<usize> {
+        #[derive(Serialize)]
+        struct Document<'a, 'b, 'r> {
+            units: Option<Units<'a>>,
+            effective_modulus: f64,
+            grid: GridEntry,
+            loads: Loads<'a, 'b, 'r>,
+        }
+        #[derive(Serialize)]
+        struct Units<'a> {
+            length: &'a str,
+            force: &'a str,
+            pressure: &'a str,
+        }
+        #[derive(Serialize)]
+        #[serde(tag = "kind", rename_all = "lowercase")]
+        enum GridEntry {
+            Radial { r: Vec<f64>, cells: bool },
+            Square { count: usize, side: f64, x: Vec<f64>, y: Vec<f64>, cells: bool },
+        }
+        let scene = self.run.scene();
+        let units = scene.system.names().map(|own| Units { length: &own.length, force: &own.force, pressure: &own.pressure });
+        let factor = scene.system.out(Dimension::LENGTH);
+        let coordinates = |count: usize| (0..count).map(|index| self.grid.coordinate(index) * factor).collect::<Vec<_>>();
+        let grid = match self.grid {
+            Grid::Radial(r) => GridEntry::Radial { r: coordinates(r.len()), cells: self.cells },
+            Grid::Square { side, count, .. } => {
+                let x = coordinates(*count);
+                GridEntry::Square { count: *count, side: side * factor, y: x.clone(), x, cells: self.cells }
+            }
+        };
+        let missing = Cell::new(0);
+        let loads = Loads { own: self, missing: &missing };
+        let document = Document { units, effective_modulus: scene.effective_modulus * scene.system.out(Dimension::PRESSURE), grid, loads };
+        super::json::write(&document, out)?;
+        Ok(missing.get())
+    }
+
+    /// Writes a NumPy array of little-endian doubles of the shape (loads, quantities, 2, …grid): value, then error.
+    ///
+    /// What theory makes infinite is infinite there, with an infinite error; anything else that is missing is refused.
+    ///
+    /// # Errors
+    /// As the writer; [`io::ErrorKind::InvalidData`] with the reason where there is no number.
+    pub fn npy(&self, out: &mut dyn Write) -> io::Result<usize> {
+        let grid = self.places();
+        let shape: Vec<String> =
+            [self.run.scene().loads.len(), self.curves.len(), 2].iter().chain(&grid).map(|own| format!("{own}, ")).collect();
+        out.write_all(&npy_header(&shape.concat()))?;
+        for (index, state) in self.states() {
+            for curve in self.curves {
+                let field = self.field(*curve, state.as_ref());
+                for part in 0..2 {
+                    let mut write = |place: &[usize]| match field.at(place) {
+                        Ok((value, error)) => out.write_all(&if part == 0 { value } else { error }.to_le_bytes()),
+                        Err(why) if why.contains("is infinite") => out.write_all(&f64::INFINITY.to_le_bytes()),
+                        Err(why) => {
+                            let message = format!("load {}, {}: {why}; CSV and JSON can leave values out", index + 1, curve.name());
+                            Err(io::Error::new(io::ErrorKind::InvalidData, message))
+                        }
+                    };
+                    match grid.as_slice() {
+                        [count] => (0..*count).try_for_each(|i| write(&[i]))?,
+                        [rows, columns] => (0..*rows).try_for_each(|i| (0..*columns).try_for_each(|j| write(&[i, j])))?,
+                        _ => {}
+                    }
+                }
+            }
+        }
+        Ok(0)
+    }
+}
+
+/// Version 1.0 of the format: magic, length, and a Python literal that is padded to 64 bytes and ends with a line feed.
+fn npy_header(shape: &str) -> Vec<u8> {
+    const BEFORE: usize = 10;
+    let mut text = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({shape}), }}");
+    let rest = (BEFORE + text.len() + 1) % 64;
+    text.push_str(&" ".repeat((64 - rest) % 64));
+    text.push('\n');
+    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+    // Five numbers of a shape stay far below 65536 bytes.
+    bytes.extend((text.len() as u16).to_le_bytes());
+    bytes.extend(text.as_bytes());
+    bytes
+}
+
+struct Loads<'a, 'b, 'r> {
+    own: &'a Reference<'b, 'r>,
+    missing: &'a Cell<usize>,
+}
+
+#[derive(Serialize)]
+struct LoadEntry {
+    d: Option<f64>,
+    #[serde(rename = "F")]
+    force: Option<f64>,
+    a: Option<f64>,
+    fields: Vec<FieldEntry>,
+}
+
+#[derive(Serialize)]
+struct FieldEntry {
+    quantity: &'static str,
+    values: Rows,
+    error_estimates: Rows,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    why: Option<&'static str>,
+}
+
+/// A list, or a list of rows.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Rows {
+    Line(Vec<Option<f64>>),
+    Square(Vec<Vec<Option<f64>>>),
+}
+
+impl Loads<'_, '_, '_> {
+    fn entry(&self, index: usize) -> LoadEntry {
+        let own = self.own;
+        let state = own.run.state(index, false);
+        let system = &own.run.scene().system;
+        let shape = own.places();
+        let fields = own.curves.iter().map(|curve| {
+            let field = own.field(*curve, state.as_ref());
+            let mut why = None;
+            let mut rows = |pick: fn((f64, f64)) -> f64| match shape.as_slice() {
+                [count] => Rows::Line((0..*count).map(|i| field.at(&[i]).map_err(|own| why = why.or(Some(own))).ok().map(pick)).collect()),
+                [rows, columns] => {
+                    let row = |i: usize| (0..*columns).map(|j| field.at(&[i, j]).ok().map(pick)).collect();
+                    let first = (0..*rows).flat_map(|i| (0..*columns).map(move |j| [i, j])).find_map(|place| field.at(&place).err());
+                    why = why.or(first);
+                    Rows::Square((0..*rows).map(row).collect())
+                }
+                _ => Rows::Line(Vec::new()),
+            };
+            let (values, error_estimates) = (rows(|own| own.0), rows(|own| own.1));
+            FieldEntry { quantity: curve.name(), values, error_estimates, why }
+        });
+        LoadEntry {
+            fields: fields.collect(),
+            d: state.map(|state| own.run.shown_depth(index, &state)),
+            force: state.map(|own| own.force * system.out(Dimension::FORCE)),
+            a: state.map(|own| own.radius * system.out(Dimension::LENGTH)),
+        }
+    }
+}
+
+impl Serialize for Loads<'_, '_, '_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let count = self.own.run.scene().loads.len();
+        let mut list = serializer.serialize_seq(Some(count))?;
+        for index in 0..count {
+            let entry = self.entry(index);
+            self.missing.set(self.missing.get() + usize::from(entry.d.is_none()));
+            list.serialize_element(&entry)?;
+        }
+        list.end()
+    }
+}
