@@ -30,7 +30,7 @@ impl Progress {
     pub(super) fn step(&self) {
         let done = self.done.get() + 1;
         self.done.set(done);
-        if !self.shown || done % LOOK != 0 || (self.bar.get().is_none() && self.started.elapsed() < PATIENCE) {
+        if !self.shown || !done.is_multiple_of(LOOK) || (self.bar.get().is_none() && self.started.elapsed() < PATIENCE) {
             return;
         }
         let bar = self.bar.get_or_init(|| {

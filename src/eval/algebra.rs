@@ -3,6 +3,7 @@
 use crate::expr::Function;
 use crate::num::{Bounded, Precise, real_power};
 use num_complex::Complex64;
+use std::sync::OnceLock;
 
 /// Arithmetic over one kind of value; values outside a domain become NaN, which callers turn into errors.
 pub trait Algebra {
@@ -30,6 +31,20 @@ pub trait Algebra {
     }
     /// A function of the table.
     fn call(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value;
+    /// Where a tape keeps the values of this algebra that do not depend on its inputs.
+    fn kept(_tape: &Kept) -> Option<&KeptValues<Self::Value>> {
+        None
+    }
+}
+
+/// Per operation the value, where it does not depend on the inputs.
+pub type KeptValues<V> = OnceLock<Vec<Option<V>>>;
+
+/// What a tape computes once: constants such as κ(3/2) cost as much as all the rest of a run.
+#[derive(Clone, Debug, Default)]
+pub struct Kept {
+    pub(super) bounded: KeptValues<Bounded>,
+    pub(super) precise: KeptValues<Precise>,
 }
 
 /// Plain `f64` values.
@@ -73,6 +88,9 @@ pub struct BoundedAlgebra;
 
 impl Algebra for BoundedAlgebra {
     type Value = Bounded;
+    fn kept(tape: &Kept) -> Option<&KeptValues<Bounded>> {
+        Some(&tape.bounded)
+    }
     fn constant(&mut self, number: Precise) -> Bounded {
         let exact = number.error == 0.0 && number.value.lo == 0.0;
         if exact { Bounded::exact(number.value.hi) } else { Bounded::rounded(number.value.hi) }

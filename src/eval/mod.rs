@@ -10,7 +10,7 @@ mod series;
 mod tape;
 mod walk;
 
-pub use algebra::{Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra};
+pub use algebra::{Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra, Kept, KeptValues};
 pub use blocks::{BlockInput, BlockScratch};
 pub use error::EvalError;
 pub use second::PreciseAlgebra;

@@ -1,6 +1,6 @@
 //! The second pass: the same walk with 30 digits and a running bound of the error.
 
-use super::Algebra;
+use super::algebra::{Algebra, Kept, KeptValues};
 use crate::expr::{Function, Row};
 use crate::num::{DoubleDouble, Precise};
 
@@ -32,6 +32,9 @@ const STEPS: [f64; 2] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64]
 
 impl Algebra for PreciseAlgebra {
     type Value = Precise;
+    fn kept(tape: &Kept) -> Option<&KeptValues<Precise>> {
+        Some(&tape.precise)
+    }
     fn constant(&mut self, number: Precise) -> Precise {
         number
     }

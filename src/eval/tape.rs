@@ -2,7 +2,7 @@
 
 use super::blocks::Program;
 use super::walk::walk_with;
-use super::{Algebra, EvalError};
+use super::{Algebra, EvalError, Kept};
 use crate::expr::{Expr, Function, Node, Symbol};
 use crate::num::Precise;
 use std::collections::HashMap;
@@ -25,6 +25,7 @@ pub struct Tape {
     pub(super) outputs: Vec<u32>,
     pub(super) inputs: usize,
     program: OnceLock<Option<Program>>,
+    kept: Box<Kept>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -56,6 +57,7 @@ impl Tape {
                 outputs: Vec::new(),
                 inputs: inputs.len(),
                 program: OnceLock::new(),
+                kept: Box::default(),
             },
         };
         for index in 0..inputs.len() {
@@ -100,11 +102,30 @@ impl Tape {
         slots.clear();
         slots.reserve(self.operations.len());
         let mut gathered = Vec::new();
-        for operation in &self.operations {
-            let value = self.step(operation, algebra, inputs, &|slot| slots.get(*slot as usize).copied(), &mut gathered)?;
+        let kept = A::kept(&self.kept).map(|own| own.get_or_init(|| self.constant_values(algebra)));
+        for (index, operation) in self.operations.iter().enumerate() {
+            let value = match kept.and_then(|list| list.get(index).copied().flatten()) {
+                Some(known) => known,
+                None => self.step(operation, algebra, inputs, &|slot| slots.get(*slot as usize).copied(), &mut gathered)?,
+            };
             slots.push(value);
         }
         Some(())
+    }
+
+    /// The values of all operations that do not depend on the inputs.
+    fn constant_values<A: Algebra>(&self, algebra: &mut A) -> Vec<Option<A::Value>> {
+        let mut values: Vec<Option<A::Value>> = Vec::with_capacity(self.operations.len());
+        let mut gathered = Vec::new();
+        for operation in &self.operations {
+            let value = match operation {
+                Operation::Input(_) => None,
+                // What reads an input has an operand without a value.
+                _ => self.step(operation, algebra, &[], &|slot| values.get(*slot as usize).copied().flatten(), &mut gathered),
+            };
+            values.push(value);
+        }
+        values
     }
 
     /// One operation on values that are known.

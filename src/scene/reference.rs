@@ -250,6 +250,6 @@ fn ring(radii: &Loads, index: usize) -> [f64; 2] {
     let before = index.checked_sub(1).and_then(|index| halfway(radii.get(index)));
     let after = halfway(radii.get(index + 1));
     let inner = before.unwrap_or(0.0);
-    let outer = after.unwrap_or_else(|| if index == 0 { 2.0 * own } else { 2.0 * own - inner });
+    let outer = after.unwrap_or(if index == 0 { 2.0 * own } else { 2.0 * own - inner });
     [inner, outer]
 }

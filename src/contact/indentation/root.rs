@@ -6,7 +6,7 @@ use crate::num::roots::{RootOptions, bracketed};
 use crate::transform::{Quantities, Superposition, TransformError};
 use std::cell::Cell;
 
-/// The last root with the rise there: the next load is often a near one.
+/// The last roots with the rise at the newest: the next load is often a near one.
 #[derive(Default)]
 pub(super) struct Follower(Cell<Option<Last>>);
 
@@ -15,10 +15,56 @@ struct Last {
     target: f64,
     root: f64,
     rise: f64,
+    /// Targets and roots before this one, the newest first.
+    before: [(f64, f64); BEFORE],
+    known: usize,
+}
+
+/// How many earlier roots foretell the next one.
+const BEFORE: usize = 3;
+
+impl Last {
+    fn first(target: f64, root: f64, rise: f64) -> Self {
+        Self { target, root, rise, before: [(0.0, 0.0); BEFORE], known: 0 }
+    }
+
+    /// The next root behind this one.
+    fn next(self, target: f64, root: f64, rise: f64) -> Self {
+        let [one, two, _] = self.before;
+        Self { target, root, rise, before: [(self.target, self.root), one, two], known: (self.known + 1).min(BEFORE) }
+    }
+
+    /// The root at a target by the polynomial through the known ones (Neville's scheme), or by the rise where there is but one.
+    fn foretold(&self, target: f64) -> f64 {
+        let by_rise = self.root - (self.target - target) / self.rise;
+        let mut places = [0.0; BEFORE + 1];
+        let mut values = [0.0; BEFORE + 1];
+        let all = std::iter::once((self.target, self.root)).chain(self.before.into_iter().take(self.known));
+        for ((place, value), (t, root)) in places.iter_mut().zip(&mut values).zip(all) {
+            (*place, *value) = (t, root);
+        }
+        for level in 1..=self.known {
+            for i in 0..=self.known - level {
+                let (near, far) = (places[i], places[i + level]);
+                values[i] = values[i] + (target - near) / (far - near) * (values[i + 1] - values[i]);
+            }
+        }
+        if self.known > 0 && values[0].is_finite() { values[0] } else { by_rise }
+    }
+}
+
+/// A root, the place next to it at which the function was asked, and its value there.
+#[derive(Clone, Copy)]
+struct Root {
+    radius: f64,
+    asked: f64,
+    value: f64,
 }
 
 /// Most steps of the secant before bisection is asked.
 const STEPS: u32 = 12;
+/// So near to the root its square is below rounding.
+const CLOSE: f64 = 3e-9;
 /// Outermost radius that is tried, and the innermost one.
 const FARTHEST: f64 = 1e150;
 const NEAREST: f64 = 1e-290;
@@ -67,11 +113,10 @@ impl Indentation<'_> {
             Err(other) => Err(other),
         };
         let mut states = Vec::new();
-        for radius in self.roots(&mut gap, depth, |own| own.landscape.rises_through(depth))? {
-            // F_smooth(a) + 2E* a (d − g(a)) is right to second order in the rounding of a.
-            let smooth = self.contact.force(radius)?.estimate.value;
-            let excess = -gap(radius)?;
-            let force = smooth + 2.0 * self.contact.effective_modulus() * radius * excess;
+        for Root { radius, asked, value } in self.roots(&mut gap, depth, |own| own.landscape.rises_through(depth))? {
+            // F_smooth(a) + 2E* a (d − g(a)) is right to second order in what a is off.
+            let smooth = self.contact.force(asked)?.estimate.value;
+            let force = smooth - 2.0 * self.contact.effective_modulus() * asked * value;
             states.push(State { depth, force, radius, boundary: Boundary::Smooth });
         }
         Ok(states)
@@ -98,9 +143,9 @@ impl Indentation<'_> {
             found
         };
         let mut states = Vec::new();
-        for radius in self.roots(&mut lack, force, samples)? {
-            let depth = self.contact.depth(radius)?.estimate.value;
-            let depth = depth - lack(radius)? / (2.0 * self.contact.effective_modulus() * radius);
+        for Root { radius, asked, value } in self.roots(&mut lack, force, samples)? {
+            let depth = self.contact.depth(asked)?.estimate.value;
+            let depth = depth - value / (2.0 * self.contact.effective_modulus() * asked);
             states.push(State { depth, force, radius, boundary: Boundary::Smooth });
         }
         Ok(states)
@@ -120,12 +165,13 @@ impl Indentation<'_> {
         function: &mut impl FnMut(f64) -> Result<f64, TransformError>,
         target: f64,
         brackets: impl Fn(&Self) -> Vec<(f64, f64)>,
-    ) -> Result<Vec<f64>, ContactError> {
+    ) -> Result<Vec<Root>, ContactError> {
         let mut found = Vec::new();
         if !self.landscape.rising {
             for (lower, upper) in brackets(self) {
                 let lower = if lower > 0.0 { lower } else { inward(function, upper)? };
-                found.push(bracketed(&mut *function, lower, upper, &RootOptions::default())?.x);
+                let radius = bracketed(&mut *function, lower, upper, &RootOptions::default())?.x;
+                found.push(Root { radius, asked: radius, value: function(radius)? });
             }
             return Ok(found);
         }
@@ -135,21 +181,22 @@ impl Indentation<'_> {
         let Some((lower, upper)) = self.bracket(function)? else { return Ok(found) };
         let root = bracketed(&mut *function, lower, upper, &RootOptions::default())?.x;
         let step = 1e-4 * (root - self.landscape.flat);
+        let here = function(root)?;
         if step > 0.0
-            && let (Ok(here), Ok(before)) = (function(root), function(root - step))
+            && let Ok(before) = function(root - step)
         {
-            self.follower.0.set(Some(Last { target, root, rise: (here - before) / step }));
+            self.follower.0.set(Some(Last::first(target, root, (here - before) / step)));
         }
-        found.push(root);
+        found.push(Root { radius: root, asked: root, value: here });
         Ok(found)
     }
 
     /// Secant steps from the last root; `None` where they do not settle.
-    fn followed(&self, function: &mut impl FnMut(f64) -> Result<f64, TransformError>, target: f64) -> Option<f64> {
+    fn followed(&self, function: &mut impl FnMut(f64) -> Result<f64, TransformError>, target: f64) -> Option<Root> {
         let last = self.follower.0.get()?;
         let (flat, reach) = (self.landscape.flat, self.contact.evaluator().limit().min(self.setup.rim.unwrap_or(f64::INFINITY)));
         let (mut rise, mut before) = (last.rise, (last.root, last.target - target));
-        let mut root = last.root - before.1 / rise;
+        let mut root = last.foretold(target);
         // A far load needs a bracket, and so does the neighbourhood of a flat part, where g starts like a root.
         if !(root - last.root).is_finite() || (root - last.root).abs() > 0.2 * (last.root - flat).min(last.root) {
             return None;
@@ -170,10 +217,11 @@ impl Indentation<'_> {
             let relative = next / (root - flat);
             before = (root, here);
             root -= next;
-            // The error of a secant step is about the product of the last two.
-            if relative == 0.0 || (relative * step).abs() < 1e-17 || relative.abs() < f64::EPSILON {
-                self.follower.0.set(Some(Last { target, root, rise }));
-                return Some(root);
+            // The error of a secant step is about the product of the last two; what depends on it is right to second order.
+            let near = relative.abs() < CLOSE && (relative * step).abs() < 1e-17;
+            if relative == 0.0 || near || relative.abs() < f64::EPSILON {
+                self.follower.0.set(Some(last.next(target, root, rise)));
+                return Some(Root { radius: root, asked: before.0, value: here });
             }
             step = relative;
         }
