@@ -77,11 +77,17 @@ pub(super) fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
             let skipped = slice(&line).find('#').map_or(0, |at| at + 1);
             line.start + skipped..line.end
         });
+        let own = delimiter;
+        let count = fields.len();
         let named = behind.filter(|line| {
             delimiter = sniffed(slice(line));
             split(slice(line), line.start, delimiter, &mut fields);
             fields.iter().any(|(field, _)| number(field, delimiter).is_none())
         });
+        // Names between commas may stand above numbers between blanks.
+        if fields.len() == count {
+            delimiter = own;
+        }
         if named.is_none() {
             return Err(SceneError::missing("the first row has numbers, not the names of columns").help(HEADER).at(first));
         }
@@ -236,6 +242,7 @@ mod tests {
             "r (um)\tz (nm)\n0\t0.5\n1\t1.5",
             "r [um]  z [nm]\n  0   0.5\n  1   1.5\n",
             "# r_um z_nm\n0 0.5\n# half way\n1 1.5\n",
+            "# tip 7\n# r_um, z_nm\n0 0.5\n1 1.5\n",
             "\"r_um\",\"z_nm\"\n\"0\",\"0.5\"\n1,1.5,\n",
             "name,z_nm,r_um\nfirst,0.5,0\n\"second, last\",1.5,1\n",
             "r_um,z_nm\r0,0.5\r1,1.5\r",
