@@ -361,6 +361,23 @@ mod program {
         assert!(point["model_error"].as_f64().unwrap() < 1e-9 && point["error_estimate"].is_number());
     }
 
+    /// Reference data for a solver come from measured tips, too.
+    #[test]
+    fn reference_data_of_a_measured_tip() {
+        let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("tips");
+        fs::create_dir_all(&place).unwrap();
+        fs::write(place.join("reference.csv"), csv(samples(&|r| r * r / 20.0, 2.0, 40))).unwrap();
+        fs::write(place.join("reference.toml"), text("points = 'reference.csv'", "depth = '0.1 um'")).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_sneddon"));
+        let done = command.arg("reference").arg(place.join("reference.toml")).args(["--grid", "0:0.5 um:2", "--json"]).output().unwrap();
+        assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+        // p(0) = 2 E* √(d/R)/π
+        let expected = 2.0 * 74.0 / std::f64::consts::PI * 0.1;
+        let said = String::from_utf8(done.stdout).unwrap();
+        let shown = format!("{expected:?}");
+        assert!(said.contains(&shown[..12]), "{said} has no {shown}");
+    }
+
     /// A scene that cannot be solved anyway says so before it looks for the file.
     #[test]
     fn bad_scenes_open_no_file() {

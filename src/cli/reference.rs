@@ -4,7 +4,7 @@ use super::failure::warn;
 use super::file::Target;
 use super::progress::Progress;
 use super::solve::{failure, read};
-use super::{Failure, Outcome, output};
+use super::{Failure, Outcome, output, tip};
 use crate::report::Reference;
 use crate::scene::{self, Curve, Grid, Run, SceneError};
 use std::io::{self, Write};
@@ -89,6 +89,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if curves.is_empty() {
         curves.push(Curve::Pressure);
     }
+    let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
     let target = arguments.output.as_deref().map(Target::new).transpose()?;
     let run = Run::new(&scene, &solution).map_err(failed)?;

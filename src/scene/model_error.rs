@@ -54,6 +54,7 @@ impl Run<'_> {
             let contact = indentation.contact(state);
             match curve {
                 Curve::Pressure => contact.pressure(at, state.radius).ok()?.ok().map(|own| own.estimate.value),
+                Curve::AxialStress => contact.axial_stress(at, state.radius).ok()?.ok().map(|own| own.estimate.value),
                 Curve::Displacement => contact.displacement(at, state.radius).ok().map(|own| own.estimate.value),
                 _ => None,
             }
