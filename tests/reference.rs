@@ -142,8 +142,10 @@ fn every_format_says_the_same() {
                     let entry = &json["loads"][load]["fields"][quantity];
                     assert_eq!(entry["quantity"], name);
                     for (part, key) in ["values", "error_estimates"].into_iter().enumerate() {
-                        let own = entry[key][row][column].as_f64().unwrap();
-                        assert_eq!(own, fields[4 + 2 * quantity + part]);
+                        let own = fields[4 + 2 * quantity + part];
+                        // The reader of JSON may be off by a last place.
+                        let read = entry[key][row][column].as_f64().unwrap();
+                        assert!((read - own).abs() <= f64::EPSILON * own.abs(), "{read:?} {own:?}");
                         assert_eq!(own, numbers[(((load * 2 + quantity) * 2 + part) * 8 + row) * 8 + column]);
                     }
                 }
@@ -162,7 +164,7 @@ fn radii_have_points_and_an_apex() {
     let first = &json["loads"][0]["fields"][0];
     assert!(first["values"][0].is_null() && first["values"][1].is_number() && first["why"].as_str().unwrap().contains("apex"));
     let done = reference(&place, &["--grid", "0:0.1um:3"]);
-    assert!(String::from_utf8(done.stdout).unwrap().lines().nth(1).unwrap().starts_with("0.01,0.0,,,0.01,"));
+    assert!(String::from_utf8(done.stdout).unwrap().lines().nth(1).unwrap().starts_with("0.01,0.0,,,0.009"));
     assert!(reference(&place, &["--grid", "0:0.1um:3", "-o", "a.npy"]).status.success());
     let bytes = fs::read(place.join("a.npy")).unwrap();
     assert_eq!(f64::from_le_bytes(bytes[128..136].try_into().unwrap()), f64::INFINITY);
@@ -175,7 +177,7 @@ fn bad_grids_are_refused() {
         (vec!["--grid", "64"], "no box"),
         (vec!["--grid", "64", "--box", "3 N"], "not a length"),
         (vec!["--grid", "64", "--box", "3"], "no unit"),
-        (vec!["--grid", "64", "--box", "-3 um"], "not positive"),
+        (vec!["--grid", "64", "--box=-3 um"], "not positive"),
         (vec!["--grid", "0", "--box", "3 um"], "not possible"),
         (vec!["--grid", "99999", "--box", "3 um"], "not possible"),
         (vec!["--grid", "7", "--box", "3 um", "--between"], "even number"),

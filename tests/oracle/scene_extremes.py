@@ -1,4 +1,4 @@
-"""Contact radius and force of every named shape at extreme sizes and depths, with 40 digits; writes scene_extremes.csv.
+"""Contact radius and force of every named shape at extreme sizes and depths, from closed forms with 25 digits; writes scene_extremes.csv.
 
 The numbers of a row are exact doubles; E* = 1 and lengths in metres unless the row says otherwise. The condition number is
 the sum of the logarithmic derivatives of F by the depth and every parameter.
@@ -7,19 +7,42 @@ the sum of the logarithmic derivatives of F by the depth and every parameter.
 import sys
 from pathlib import Path
 
-from mpmath import asin, cos, findroot, gamma, log, mp, mpf, nstr, pi, quad, sin, sqrt, tan
+from mpmath import acos, atan, findroot, gamma, log, mp, mpf, nstr, pi, sin, sqrt, tan
 
-mp.dps = 40
+mp.dps = 120
 
 
-def numbers(slope, breaks):
-    """g and F/(2E*) of f' with these breakpoints, by quadrature over the angle."""
+def tail(m, b, x):
+    """J_m = int_b^x r^m/sqrt(x^2 - r^2) dr."""
+    if x <= b:
+        return mpf(0)
+    w, t = sqrt((x - b) * (x + b)), acos(b / x)
+    return [t, w, (x * x * t + b * w) / 2, w * (2 * x * x + b * b) / 3][m]
 
-    def over(x, weight):
-        places = [mpf(0)] + [asin(b / x) for b in breaks if b < x] + [pi / 2]
-        return quad(lambda t: slope(x * sin(t)) * weight(x * sin(t)), places)
 
-    return (lambda x: x * over(x, lambda r: 1)), (lambda a: over(a, lambda r: r * r))
+def numbers(terms):
+    """g and F/(2E*) of f' = sum of c r^m from b on."""
+    g = lambda x: x * sum(c * tail(m, b, x) for c, m, b in terms)
+    return g, lambda a: sum(c * tail(m + 2, b, a) for c, m, b in terms)
+
+
+def cap(R, c):
+    """The same of f' = r/sqrt(R^2 - r^2) up to c."""
+
+    def part(x):
+        end = min(c, x)
+        return log((R + x) / (sqrt((R - end) * (R + end)) + sqrt((x - end) * (x + end))))
+
+    def force(a):
+        end = min(c, a)
+        product = sqrt((R - end) * (R + end)) * sqrt((a - end) * (a + end))
+        return (product - R * a) / 2 + (R * R + a * a) / 2 * part(a)
+
+    return (lambda x: x * part(x)), force
+
+
+def added(one, other):
+    return (lambda x: one[0](x) + other[0](x)), (lambda a: one[1](a) + other[1](a))
 
 
 def kappa(n):
@@ -41,31 +64,33 @@ def shapes(p):
         return (lambda x: x * x / R), (lambda a: 2 * a**3 / (3 * R)), zero
     if name == "sphere":
         R = p["R"]
-        return *numbers(lambda r: r / sqrt(R * R - r * r), []), zero
+        return *cap(R, R), zero
     if name == "ellipsoid":
         b, c = p["b"], p["c"]
-        return *numbers(lambda r: b * r / (c * sqrt(c * c - r * r)), []), zero
+        g, F = cap(c, c)
+        return (lambda x: b / c * g(x)), (lambda a: b / c * F(a)), zero
     if name == "hyperboloid":
         h, b = p["h"], p["b"]
-        return *numbers(lambda r: h * r / (b * sqrt(b * b + r * r)), []), zero
+        force = lambda u: h * b / 2 * ((u * u - 1) * atan(u) + u)
+        return (lambda x: h * (x / b) * atan(x / b)), (lambda a: force(a / b)), zero
     if name == "truncated-cone":
         b, t = p["b"], tan(p["theta"])
-        return *numbers(lambda r: t if r > b else zero, [b]), b
+        return *numbers([(t, 0, b)]), b
     if name == "truncated-paraboloid":
         b, R = p["b"], p["R"]
-        return *numbers(lambda r: r / R if r > b else zero, [b]), b
+        return *numbers([(1 / R, 1, b)]), b
     if name == "flat-with-rounded-edge":
         b, R = p["b"], p["R"]
-        return *numbers(lambda r: (r - b) / R if r > b else zero, [b]), b
+        return *numbers([(1 / R, 1, b), (-b / R, 0, b)]), b
     if name == "cone-with-spherical-cap":
         R, th = p["R"], p["theta"]
-        return *numbers(lambda r: r / sqrt(R * R - r * r) if r < R * sin(th) else tan(th), [R * sin(th)]), zero
+        return *added(cap(R, R * sin(th)), numbers([(tan(th), 0, R * sin(th))])), zero
     if name == "cone-with-parabolic-cap":
         b, t = p["b"], tan(p["theta"])
-        return *numbers(lambda r: r * t / b if r < b else t, [b]), zero
+        return *numbers([(t / b, 1, zero), (-t / b, 1, b), (t, 0, b)]), zero
     if name == "paraboloid-with-parabolic-cap":
         P, b, R = p["P"], p["b"], p["R"]
-        return *numbers(lambda r: r / P if r < b else r / R, [b]), zero
+        return *numbers([(1 / P, 1, zero), (1 / R - 1 / P, 1, b)]), zero
     raise ValueError(name)
 
 
@@ -82,7 +107,7 @@ def solved(p, d):
         low -= 3
     while miss(high) < 0:
         high += 3
-    a = place(findroot(miss, (low, high), solver="anderson", tol=mpf(10) ** -72, maxsteps=200, verify=False))
+    a = place(findroot(miss, (low, high), solver="anderson", tol=mpf(10) ** -150, maxsteps=200, verify=False))
     return a, F(a)
 
 
@@ -119,7 +144,7 @@ for p, d, start in cases():
     a, F = solved(p, d)
     logs = []
     for key in [k for k in p if k not in ("shape", "start")] + ["d"]:
-        e = mpf(10) ** -14
+        e = mpf(10) ** -20
         q, dd = dict(p), d
         if key == "d":
             dd = d * (1 + e)

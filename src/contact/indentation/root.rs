@@ -8,7 +8,10 @@ use std::cell::Cell;
 
 /// The last roots with the rise at the newest: the next load is often a near one.
 #[derive(Default)]
-pub(super) struct Follower(Cell<Option<Last>>);
+pub(super) struct Follower {
+    depths: Cell<Option<Last>>,
+    forces: Cell<Option<Last>>,
+}
 
 #[derive(Clone, Copy)]
 struct Last {
@@ -113,7 +116,7 @@ impl Indentation<'_> {
             Err(other) => Err(other),
         };
         let mut states = Vec::new();
-        for Root { radius, asked, value } in self.roots(&mut gap, depth, |own| own.landscape.rises_through(depth))? {
+        for Root { radius, asked, value } in self.roots(&self.follower.depths, &mut gap, depth, |own| own.landscape.rises_through(depth))? {
             // F_smooth(a) + 2E* a (d − g(a)) is right to second order in what a is off.
             let smooth = self.contact.force(asked)?.estimate.value;
             let force = smooth - 2.0 * self.contact.effective_modulus() * asked * value;
@@ -143,7 +146,7 @@ impl Indentation<'_> {
             found
         };
         let mut states = Vec::new();
-        for Root { radius, asked, value } in self.roots(&mut lack, force, samples)? {
+        for Root { radius, asked, value } in self.roots(&self.follower.forces, &mut lack, force, samples)? {
             let depth = self.contact.depth(asked)?.estimate.value;
             let depth = depth - value / (2.0 * self.contact.effective_modulus() * asked);
             states.push(State { depth, force, radius, boundary: Boundary::Smooth });
@@ -162,6 +165,7 @@ impl Indentation<'_> {
     /// The roots of a function that rises with g: the only one where g rises everywhere, else one per bracket.
     fn roots(
         &self,
+        follower: &Cell<Option<Last>>,
         function: &mut impl FnMut(f64) -> Result<f64, TransformError>,
         target: f64,
         brackets: impl Fn(&Self) -> Vec<(f64, f64)>,
@@ -175,25 +179,30 @@ impl Indentation<'_> {
             }
             return Ok(found);
         }
-        if let Some(root) = self.followed(function, target) {
+        if let Some(root) = self.followed(follower, function, target) {
             return Ok(vec![root]);
         }
-        let Some((lower, upper)) = self.bracket(function)? else { return Ok(found) };
+        let Some((lower, upper)) = self.bracket(follower, function)? else { return Ok(found) };
         let root = bracketed(&mut *function, lower, upper, &RootOptions::default())?.x;
         let step = 1e-4 * (root - self.landscape.flat);
         let here = function(root)?;
         if step > 0.0
             && let Ok(before) = function(root - step)
         {
-            self.follower.0.set(Some(Last::first(target, root, (here - before) / step)));
+            follower.set(Some(Last::first(target, root, (here - before) / step)));
         }
         found.push(Root { radius: root, asked: root, value: here });
         Ok(found)
     }
 
     /// Secant steps from the last root; `None` where they do not settle.
-    fn followed(&self, function: &mut impl FnMut(f64) -> Result<f64, TransformError>, target: f64) -> Option<Root> {
-        let last = self.follower.0.get()?;
+    fn followed(
+        &self,
+        follower: &Cell<Option<Last>>,
+        function: &mut impl FnMut(f64) -> Result<f64, TransformError>,
+        target: f64,
+    ) -> Option<Root> {
+        let last = follower.get()?;
         let (flat, reach) = (self.landscape.flat, self.contact.evaluator().limit().min(self.setup.rim.unwrap_or(f64::INFINITY)));
         let (mut rise, mut before) = (last.rise, (last.root, last.target - target));
         let mut root = last.foretold(target);
@@ -218,9 +227,9 @@ impl Indentation<'_> {
             before = (root, here);
             root -= next;
             // The error of a secant step is about the product of the last two; what depends on it is right to second order.
-            let near = relative.abs() < CLOSE && (relative * step).abs() < 1e-17;
+            let near = relative.abs() < CLOSE && (relative * step).abs() < 1e-17 && (0.5..2.0).contains(&(rise / last.rise));
             if relative == 0.0 || near || relative.abs() < f64::EPSILON {
-                self.follower.0.set(Some(last.next(target, root, rise)));
+                follower.set(Some(last.next(target, root, rise)));
                 return Some(Root { radius: root, asked: before.0, value: here });
             }
             step = relative;
@@ -229,10 +238,14 @@ impl Indentation<'_> {
     }
 
     /// Two radii between which a rising function changes its sign.
-    fn bracket(&self, function: &mut impl FnMut(f64) -> Result<f64, TransformError>) -> Result<Option<(f64, f64)>, ContactError> {
+    fn bracket(
+        &self,
+        follower: &Cell<Option<Last>>,
+        function: &mut impl FnMut(f64) -> Result<f64, TransformError>,
+    ) -> Result<Option<(f64, f64)>, ContactError> {
         let (flat, limit) = (self.landscape.flat, self.contact.evaluator().limit());
         let end = if limit.is_finite() { limit.next_down() } else { FARTHEST }.min(self.setup.rim.unwrap_or(f64::INFINITY));
-        let mut upper = self.follower.0.get().map_or(self.landscape.reach * 1e-3, |last| last.root).clamp(flat.max(NEAREST), end);
+        let mut upper = follower.get().map_or(self.landscape.reach * 1e-3, |last| last.root).clamp(flat.max(NEAREST), end);
         let mut lower = upper;
         let mut factor = 2.0;
         let mut above = |a: f64| function(a).map(|value| value >= 0.0);

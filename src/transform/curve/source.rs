@@ -20,7 +20,7 @@ pub(super) struct Source<'a> {
 enum Values<'a> {
     Slope(&'a NumericSegment),
     Bend(&'a Numbers),
-    Own(Tape),
+    Own(Box<Tape>),
 }
 
 /// The two halves of a function by their parity in r.
@@ -75,7 +75,7 @@ impl<'a> Source<'a> {
         let r = Symbol::new("r");
         let values = Tape::compile(std::slice::from_ref(&class.whole), &[r]).ok()?;
         let exponent = (class.power - 1.0) / 2.0;
-        Some(Self { lower: 0.0, upper, exponent, values: Values::Own(values), mirrored: class.mirrored() })
+        Some(Self { lower: 0.0, upper, exponent, values: Values::Own(Box::new(values)), mirrored: class.mirrored() })
     }
 
     /// True where the two halves by parity can be had.
