@@ -9,7 +9,7 @@ from pathlib import Path
 
 from mpmath import acos, atan, findroot, gamma, log, mp, mpf, nstr, pi, sin, sqrt, tan
 
-mp.dps = 120
+mp.dps = 70
 
 
 def tail(m, b, x):
@@ -107,7 +107,7 @@ def solved(p, d):
         low -= 3
     while miss(high) < 0:
         high += 3
-    a = place(findroot(miss, (low, high), solver="anderson", tol=mpf(10) ** -150, maxsteps=200, verify=False))
+    a = place(findroot(miss, (low, high), solver="anderson", tol=mpf(10) ** -110, maxsteps=200, verify=False))
     return a, F(a)
 
 
