@@ -18,3 +18,5 @@ pub mod scene;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
 pub mod transform;
+#[cfg(feature = "cli")]
+pub mod validate;

@@ -31,10 +31,15 @@ const ROOMS: &[Room] = &[
     Room { name: "scene", may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact"] },
     // Measures what stands below it; text and formats are no concern of it.
     Room { name: "tradeoff", may_use: &["num", "expr", "transform", "contact"] },
+    // A solver's data beside the exact solution of a scene; the small profiles that a periodic box adds are read as text.
+    Room { name: "validate", may_use: &["num", "expr", "parse", "transform", "contact", "scene"] },
     // A report turns records into formats.
-    Room { name: "report", may_use: &["num", "expr", "print", "transform", "contact", "scene", "tradeoff"] },
+    Room { name: "report", may_use: &["num", "expr", "print", "transform", "contact", "scene", "tradeoff", "validate"] },
     // The only room with input and output.
-    Room { name: "cli", may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact", "scene", "tradeoff", "report"] },
+    Room {
+        name: "cli",
+        may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact", "scene", "tradeoff", "validate", "report"],
+    },
 ];
 
 /// Files beside the rooms: the façade, which re-exports, and the program, which calls `cli`.

@@ -21,6 +21,17 @@ impl Target {
         Self::new(path)
     }
 
+    /// A file for a page.
+    pub(super) fn html(path: &Path) -> Result<Self, Failure> {
+        let fits = path.extension().is_some_and(|own| own.eq_ignore_ascii_case("html") || own.eq_ignore_ascii_case("htm"));
+        if !fits {
+            return Err(
+                Failure::new(format!("-o {}: the report is a page", path.display())).help("a name that ends in .html would be accepted")
+            );
+        }
+        Self::new(path)
+    }
+
     /// Any file whose directory exists.
     pub(super) fn new(path: &Path) -> Result<Self, Failure> {
         let own = Self { path: path.to_owned() };

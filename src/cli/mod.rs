@@ -19,6 +19,7 @@ mod series;
 mod solve;
 mod tip;
 mod tradeoff;
+mod validate;
 
 use clap::{Parser, Subcommand};
 use failure::Failure;
@@ -50,6 +51,7 @@ enum Command {
     Rules(rules::Arguments),
     Solve(solve::Arguments),
     Reference(reference::Arguments),
+    Validate(validate::Arguments),
     Scene(scene::Arguments),
     Completions(completions::Arguments),
 }
@@ -81,6 +83,7 @@ pub fn main() -> ExitCode {
         Command::Rules(own) => rules::run(&own),
         Command::Solve(own) => solve::run(&own),
         Command::Reference(own) => reference::run(&own),
+        Command::Validate(own) => validate::run(&own),
         Command::Scene(own) => scene::run(&own),
         Command::Completions(own) => completions::run(&own),
     };

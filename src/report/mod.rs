@@ -23,6 +23,8 @@ mod statement;
 pub mod text;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
+#[cfg(feature = "cli")]
+pub mod validation;
 
 #[cfg(feature = "cli")]
 pub use inversion::{Inversion, Wanted};

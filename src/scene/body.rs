@@ -114,6 +114,14 @@ impl Body {
         self.numbers.first().map_or(self.span.clone(), |own| own.span.clone())
     }
 
+    /// Takes ν for 0, as where E stands for E*.
+    pub(super) fn forget_poisson(&mut self) -> Result<(), SceneError> {
+        for own in self.numbers.iter_mut().filter(|own| own.key == "nu") {
+            own.quantity = Quantity::plain("0")?;
+        }
+        Ok(())
+    }
+
     fn span_of(&self, key: &str) -> Range<usize> {
         self.numbers.iter().find(|own| own.key == key).map_or(self.span.clone(), |own| own.span.clone())
     }

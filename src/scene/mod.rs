@@ -1,7 +1,9 @@
 //! Contact scenes: a tip, two materials, loads and the quantities wanted, with units; read from TOML and solved row by row.
 
 mod body;
+mod change;
 mod check;
+mod declared;
 mod dimension;
 mod document;
 mod error;
@@ -22,6 +24,8 @@ mod system;
 mod template;
 mod unit;
 
+pub use change::Change;
+pub use declared::{Declared, Walls};
 pub use dimension::Dimension;
 pub use document::LONGEST;
 pub use error::{Reason, SceneError};
@@ -29,7 +33,7 @@ pub use load::{Control, Loads, Steps};
 pub use measured::{Apex, Fit, FitParameter, Join, LONGEST_TIP, Measured, MeasuredTip, Note, Scan, Smoothing, decoded};
 pub use model::{Curve, Datum, DepthFrom, Outputs, Scene, Shown};
 pub use quantity::Quantity;
-pub use read::{scene, scene_for_grid};
+pub use read::{scene, scene_for_data, scene_for_grid};
 pub use reference::{Field, Grid, LARGEST_GRID};
 pub use regime::{Regime, Simple};
 pub use row::{Row, Work};

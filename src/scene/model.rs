@@ -1,6 +1,6 @@
 //! The scene itself: everything that is known about a contact before it is solved, as numbers of one system.
 
-use super::{Control, Loads, Measured, MeasuredTip, SceneError, Simple, System};
+use super::{Control, Declared, Loads, Measured, MeasuredTip, SceneError, Simple, System};
 use crate::contact::ContactError;
 use crate::transform::{Method, Profile, Solution, derive};
 use std::ops::Range;
@@ -120,6 +120,10 @@ pub struct Scene {
     pub relatives: Vec<Simple>,
     /// What the curves lack that were asked for: their places.
     pub lacking: Option<SceneError>,
+    /// The names of the parameters of the profile.
+    pub parameters: Vec<String>,
+    /// What is said of a solver's data.
+    pub data: Option<Declared>,
 }
 
 impl Scene {
@@ -148,6 +152,8 @@ impl Scene {
             length: None,
             relatives: Vec::new(),
             lacking: None,
+            parameters: Vec::new(),
+            data: None,
         }
     }
 

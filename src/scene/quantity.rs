@@ -75,6 +75,18 @@ impl Quantity {
         }
     }
 
+    /// The same multiplied by a number.
+    #[must_use]
+    pub(super) fn times(&self, factor: &Expr) -> Self {
+        Self { number: &self.number * factor, ..self.clone() }
+    }
+
+    /// What an angle lacks of a right one, in radians.
+    #[must_use]
+    pub(super) fn complement(&self) -> Self {
+        Self { text: self.text.clone(), number: Expr::pi() / Expr::integer(2) - self.in_base(), unit: None }
+    }
+
     /// True for 0, whatever its unit.
     pub fn is_zero(&self) -> bool {
         self.number.is_zero()

@@ -1,7 +1,9 @@
 //! A scene from the text of its file.
 
 use super::body::{self, Body};
+use super::change::Change;
 use super::check::{self, Dimensions};
+use super::declared::Typed;
 use super::document::{Entry, Table, nearest, parsed};
 use super::error::Reason;
 use super::measured::{self, Measured};
@@ -44,15 +46,29 @@ pub fn scene(text: &str) -> Result<Scene, SceneError> {
 /// # Errors
 /// As [`scene`].
 pub fn scene_for_grid(text: &str) -> Result<Scene, SceneError> {
+    changed(text, true, &Change::None)
+}
+
+/// The same scene for data that may bring their own loads and places, with one thing of it taken for another.
+///
+/// # Errors
+/// As [`scene`]; a scene without `[load]` has no loads.
+pub fn scene_for_data(text: &str, change: &Change) -> Result<Scene, SceneError> {
+    changed(text, false, change)
+}
+
+fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, SceneError> {
     let document = parsed(text)?;
     let root = Table::root(&document, text);
     root.allow(&["profile", "material", "counterbody", "load", "outputs", "method", "data"])?;
     let complete = "[profile], [material] and [load] make a scene; `sneddon scene new sphere` writes one";
     root.demand("profile", complete)?;
     root.demand("material", complete)?;
-    root.demand("load", complete)?;
-    let tables = (root.table("profile")?, root.table("material")?, root.table("load")?);
-    let (Some(profile), Some(material), Some(load)) = tables else { return Err(SceneError::missing(complete)) };
+    if needs_load {
+        root.demand("load", complete)?;
+    }
+    let (tables, load) = ((root.table("profile")?, root.table("material")?), root.table("load")?);
+    let (Some(profile), Some(material)) = tables else { return Err(SceneError::missing(complete)) };
     let counterbody = root.table("counterbody")?;
     let outputs = root.table("outputs")?;
 
@@ -66,31 +82,38 @@ pub fn scene_for_grid(text: &str) -> Result<Scene, SceneError> {
     }
     material.allow(&body::KEYS)?;
     let flat = || punch.as_ref().map(|_| Tip::flat(profile.span()));
-    let tip = Tip::read(&profile)?.or_else(flat).ok_or_else(|| {
+    let tip = Tip::read(&profile, change)?.or_else(flat).ok_or_else(|| {
         SceneError::missing("[profile] has no shape")
             .help("f = \"r^2/(2*R)\", shape = \"sphere\" or points = \"tip.csv\" would be accepted")
             .at(profile.span())
     })?;
-    let first = Body::read(&material, false)?;
+    let mut first = Body::read(&material, false)?;
     let (mut second, mut other) = (Body::rigid(), None);
     if let Some(table) = &counterbody {
         keys = vec!["f", "shape", "parameters", "socket"];
         keys.extend(body::KEYS);
         table.allow(&keys)?;
         second = Body::read(table, true)?;
-        other = Tip::read(table)?;
+        other = Tip::read(table, &Change::None)?;
     }
-    let asked = Asked::read(&load, outputs.as_ref(), root.table("method")?.as_ref(), root.table("data")?.as_ref())?;
+    if matches!(change, Change::NoPoisson) {
+        first.forget_poisson()?;
+        second.forget_poisson()?;
+    }
+    let asked = Asked::read(load.as_ref(), outputs.as_ref(), root.table("method")?.as_ref())?;
+    let declared = root.table("data")?.map(|table| Typed::read(&table)).transpose()?;
     let mut named = asked.units.clone();
     if let Some(entry) = profile.get("length_unit") {
         named.profile_length = Some(length_unit(&entry)?);
     }
-    let radius = profile.get("radius").map(|entry| Ok::<_, SceneError>((entry.quantity()?, entry.span()))).transpose()?;
+    let radius =
+        profile.get("radius").map(|entry| Ok::<_, SceneError>((change.of("radius", &entry.quantity()?), entry.span()))).transpose()?;
 
     let tips = std::iter::once(&tip).chain(other.iter());
     let typed = tips.flat_map(|tip| tip.parameters.iter().map(|own| &own.quantity));
     let typed = typed.chain(first.quantities()).chain(second.quantities()).chain(asked.quantities()).chain(radius.iter().map(|own| &own.0));
-    let mut typed = typed.chain(punch.iter().map(|own| &own.area)).chain(measured.iter().flat_map(Measured::quantities));
+    let typed = typed.chain(punch.iter().map(|own| &own.area)).chain(measured.iter().flat_map(Measured::quantities));
+    let mut typed = typed.chain(declared.iter().filter_map(Typed::side));
     let names_units = named.profile_length.is_some() || measured.as_ref().is_some_and(Measured::names_units);
     let has_units = names_units || typed.any(|own| own.dimension().is_some_and(|own| !own.is_none()));
     drop(typed);
@@ -126,7 +149,10 @@ pub fn scene_for_grid(text: &str) -> Result<Scene, SceneError> {
     let effective_modulus = body::together(first.modulus(&system)?, second.modulus(&system)?, material.span())?;
     let length = tip.length(&system);
     let relatives = if other.is_none() { Simple::relatives(tip.name, &tip.values(&system)) } else { Vec::new() };
-    let scene = Scene { measured, relatives, rim, effective_modulus, system, place: Some(tip.span), length, ..Scene::of(bound) };
+    let parameters = tip.parameters.iter().map(|own| own.symbol.name().to_owned()).collect();
+    let data = declared.map(|own| own.declared(&system)).transpose()?;
+    let place = Some(tip.span);
+    let scene = Scene { measured, relatives, rim, effective_modulus, system, place, length, parameters, data, ..Scene::of(bound) };
     let mut scene = asked.scene(scene)?;
     if scene.outputs.curves.contains(&Curve::AxialStress)
         && let Some(body) = [&first, &second].into_iter().find(|own| !own.is_isotropic())
@@ -200,7 +226,7 @@ impl Tip {
     }
 
     /// Reads f or shape with their parameters; `None` where a table has neither.
-    fn read(table: &Table<'_>) -> Result<Option<Self>, SceneError> {
+    fn read(table: &Table<'_>, change: &Change) -> Result<Option<Self>, SceneError> {
         let ways = ["f", "shape", "points"].map(|key| table.get(key));
         if ways.iter().flatten().count() > 1 {
             let second = ways.iter().flatten().nth(1).map_or(table.span(), |entry| table.key_span(entry.key()));
@@ -209,7 +235,7 @@ impl Tip {
                 .at(second));
         }
         let [f, shape, points] = ways;
-        let mut parameters = Self::parameters(table)?;
+        let mut parameters = Self::parameters(table, change)?;
         let (formula, rim, name, span) = match (f, shape) {
             (Some(f), _) => {
                 let text = f.string()?;
@@ -250,7 +276,7 @@ impl Tip {
         Ok(Some(Self { formula, parameters, rim, name, span }))
     }
 
-    fn parameters(table: &Table<'_>) -> Result<Vec<Parameter>, SceneError> {
+    fn parameters(table: &Table<'_>, change: &Change) -> Result<Vec<Parameter>, SceneError> {
         let Some(entry) = table.get("parameters") else { return Ok(Vec::new()) };
         let own = entry.table("parameters".to_owned())?;
         let mut list = Vec::new();
@@ -260,7 +286,7 @@ impl Tip {
                 parse::formula(entry.key()).ok().and_then(|formula| formula.as_closed().and_then(|expr| expr.as_symbol().cloned()));
             let symbol =
                 symbol.ok_or_else(|| SceneError::value(format!("{:?} is no name of a parameter", entry.key())).at(entry.span()))?;
-            let quantity = entry.quantity()?;
+            let quantity = change.of(symbol.name(), &entry.quantity()?);
             positive(to_f64(&quantity.in_base()), symbol.name(), &quantity, &entry.span())?;
             list.push(Parameter { symbol, quantity, span: entry.span() });
         }

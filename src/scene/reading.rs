@@ -33,12 +33,27 @@ pub(super) struct Asked {
 }
 
 impl Asked {
-    pub(super) fn read(
-        load: &Table<'_>,
-        outputs: Option<&Table<'_>>,
-        method: Option<&Table<'_>>,
-        data: Option<&Table<'_>>,
-    ) -> Result<Self, SceneError> {
+    pub(super) fn read(load: Option<&Table<'_>>, outputs: Option<&Table<'_>>, method: Option<&Table<'_>>) -> Result<Self, SceneError> {
+        let mut own = match load {
+            Some(load) => Self::loaded(load)?,
+            None => Self::of(Control::Depth, Typed::List(Vec::new()), DepthFrom::Apex),
+        };
+        if let Some(outputs) = outputs {
+            own.read_outputs(outputs)?;
+        }
+        if let Some(table) = method {
+            table.allow(&["name", "tolerance"])?;
+            own.method = match table.get("name").map(|entry| entry.word(&["auto", "exact", "quadrature"])).transpose()? {
+                Some("exact") => Method::Exact,
+                Some("quadrature") => Method::Quadrature,
+                _ => Method::Auto,
+            };
+            own.tolerance = table.get("tolerance").map(|entry| tolerance(&entry)).transpose()?;
+        }
+        Ok(own)
+    }
+
+    fn loaded(load: &Table<'_>) -> Result<Self, SceneError> {
         load.allow(&["depth", "force", "contact_radius", "depth_from"])?;
         let controls = [Control::Depth, Control::Force, Control::ContactRadius];
         let given: Vec<(Control, Entry<'_>)> = controls.into_iter().filter_map(|own| Some((own, load.get(own.name())?))).collect();
@@ -58,9 +73,14 @@ impl Asked {
             }
             Some(_) => DepthFrom::FirstTouch,
         };
-        let mut own = Self {
-            control: *control,
-            loads: numbers(entry)?,
+        Ok(Self::of(*control, numbers(entry)?, depth_from))
+    }
+
+    /// Loads, and nothing asked of them but d, F, a and k.
+    fn of(control: Control, loads: Typed, depth_from: DepthFrom) -> Self {
+        Self {
+            control,
+            loads,
             depth_from,
             data: vec![Datum::Depth, Datum::Force, Datum::Radius, Datum::Stiffness],
             curves: Vec::new(),
@@ -70,23 +90,7 @@ impl Asked {
             units: Named::default(),
             method: Method::Auto,
             tolerance: None,
-        };
-        if let Some(outputs) = outputs {
-            own.read_outputs(outputs)?;
         }
-        if let Some(table) = method {
-            table.allow(&["name", "tolerance"])?;
-            own.method = match table.get("name").map(|entry| entry.word(&["auto", "exact", "quadrature"])).transpose()? {
-                Some("exact") => Method::Exact,
-                Some("quadrature") => Method::Quadrature,
-                _ => Method::Auto,
-            };
-            own.tolerance = table.get("tolerance").map(|entry| tolerance(&entry)).transpose()?;
-        }
-        if let Some(table) = data {
-            table.allow(&["box", "grid", "boundary", "control", "pressure", "sign"])?;
-        }
-        Ok(own)
     }
 
     fn read_outputs(&mut self, outputs: &Table<'_>) -> Result<(), SceneError> {

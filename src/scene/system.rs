@@ -183,6 +183,15 @@ impl System {
         }
     }
 
+    /// The number by which a value in this unit becomes a computed one; `None` where the numbers of the scene have no unit.
+    pub fn computed(&self, unit: &Unit) -> Option<f64> {
+        if self.has_units {
+            return to_f64(&self.own(unit.factor().clone(), unit.dimension())).ok();
+        }
+        let own = Unit::parse(&self.unit_name(unit.dimension())).ok()?;
+        to_f64(&(unit.factor() / own.factor())).ok()
+    }
+
     /// The name of the unit of a dimension in the answers; empty where there is none.
     pub fn unit_name(&self, dimension: Dimension) -> String {
         let Some(Names { length, force, pressure }) = &self.names else { return String::new() };

@@ -1,0 +1,100 @@
+//! `sneddon validate`: a solver's data beside the exact solution.
+
+use super::file::Target;
+use super::{Failure, Outcome, output};
+use crate::report::validation::{html, json, text};
+use crate::validate::{Request, Source, ValidationError, validate};
+use std::fs::File;
+use std::io::{self, Cursor, Read};
+use std::path::{Path, PathBuf};
+
+/// Compares a contact solver's results with the exact solution of a scene, and says what is wrong with them.
+///
+/// Files with columns d, F, a hold a load per row; files with r (or x, y) and p or u hold places under the scene's load.
+/// Columns are named with their units: d_um,F_mN,a_um or r_m,p_Pa. Several files are several resolutions.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The scene file; [load] is needed for pressures only.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// The solver's data, CSV; coarsest first unless --grid or the data tell otherwise.
+    #[arg(value_name = "DATA", required = true)]
+    data: Vec<PathBuf>,
+    /// The relative error in L2 that is accepted, in the place of that of the grid.
+    #[arg(long, value_name = "T")]
+    tol: Option<f64>,
+    /// Pixels along a side of the solver's domain, per file.
+    #[arg(long, value_name = "N,N,…", value_delimiter = ',')]
+    grid: Vec<f64>,
+    /// Writes JSON.
+    #[arg(long)]
+    json: bool,
+    /// Writes a page with plots into this file as well.
+    #[arg(short, long, value_name = "REPORT.html")]
+    output: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon scene new paraboloid > tip.toml
+  sneddon solve tip.toml --csv > rows.csv
+  sneddon validate tip.toml rows.csv --json
+
+Exit codes: 0 passed, 1 failed, 2 bad input (the reason is on stderr).";
+
+pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if let Some(tolerance) = arguments.tol
+        && !(tolerance > 0.0 && tolerance.is_finite())
+    {
+        return Err(Failure::new(format!("--tol {tolerance} is not positive")).help("a relative error such as 1e-3 would be accepted"));
+    }
+    if let Some(bad) = arguments.grid.iter().find(|own| !(**own >= 1.0 && own.is_finite())) {
+        return Err(Failure::new(format!("--grid has {bad}")).help("numbers of pixels such as 64,128,256 would be accepted"));
+    }
+    let target = arguments.output.as_deref().map(Target::html).transpose()?;
+    let scene = super::solve::read(&arguments.scene)?;
+    let name = arguments.scene.display().to_string();
+    let sources: Vec<Source<'_>> = arguments.data.iter().map(|path| source(path)).collect::<Result<_, _>>()?;
+    let request = Request { scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &arguments.grid };
+    let found = validate(&request).map_err(|error| failure(&name, &scene, &error))?;
+    if let Some(target) = target {
+        target.write(html::html(&found).map_err(Failure::new)?.as_bytes())?;
+    }
+    output::print(|out: &mut dyn io::Write| match arguments.json {
+        true => writeln!(out, "{:#}", json::json(&found)),
+        false => text::text(&found, out),
+    })?;
+    Ok(if found.passed { Outcome::Done } else { Outcome::Failed })
+}
+
+/// A file, read anew for every pass; what cannot be read twice is kept.
+fn source(path: &Path) -> Result<Source<'_>, Failure> {
+    let name = path.display().to_string();
+    let failed = |error: io::Error| {
+        Failure::new(format!("the data {} cannot be read: {error}", path.display()))
+            .help("a CSV file with names of columns in its first line would be accepted")
+    };
+    let stdin = path.as_os_str() == "-";
+    if !stdin && std::fs::metadata(path).map_err(failed)?.is_file() {
+        File::open(path).map_err(failed)?;
+        return Ok(Source { name, open: Box::new(move || Ok(Box::new(File::open(path)?) as Box<dyn Read>)) });
+    }
+    let mut bytes = Vec::new();
+    let read =
+        if stdin { io::stdin().lock().read_to_end(&mut bytes) } else { File::open(path).and_then(|mut own| own.read_to_end(&mut bytes)) };
+    read.map_err(failed)?;
+    Ok(Source { name, open: Box::new(move || Ok(Box::new(Cursor::new(bytes.clone())) as Box<dyn Read>)) })
+}
+
+fn failure(name: &str, text: &str, error: &ValidationError) -> Failure {
+    match error {
+        ValidationError::Scene(error) => super::solve::failure(name, text, error),
+        other => {
+            let own = Failure::new(other.to_string());
+            match other.accepted() {
+                Some(help) => own.help(help),
+                None => own,
+            }
+        }
+    }
+}

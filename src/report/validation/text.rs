@@ -1,0 +1,70 @@
+//! A validation as text.
+
+use crate::validate::{Column, Validation};
+use std::io::{self, Write};
+
+/// Writes verdict, reason, suspicion, and one table per file.
+///
+/// # Errors
+/// Those of the writer.
+pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}: {}", if own.passed { "passed" } else { "failed" }, own.reason)?;
+    if let Some(suspicion) = &own.suspicion {
+        writeln!(out, "suspicion: {} (the error falls from {:.2e} to {:.2e})", suspicion.text, suspicion.before, suspicion.after)?;
+    }
+    for (name, order) in own.orders.iter().flatten() {
+        let span = match (order.low, order.high) {
+            (Some(low), Some(high)) => format!(", {low:.2} to {high:.2}"),
+            _ => String::new(),
+        };
+        writeln!(out, "order of {name}: {:.2}{span} from {} files", order.value, order.files)?;
+    }
+    for file in &own.files {
+        let grid = file.grid.map_or(String::new(), |own| format!(", grid {own}"));
+        let pixel = file.pixel.map_or(String::new(), |own| format!(", h/a = {own:.4}"));
+        writeln!(out, "\n{}: {} rows{grid}{pixel}", file.name, file.rows)?;
+        writeln!(
+            out,
+            "  {:8} {:>10} {:>10} {:>10} {:>12} {:>11} {:>7}  verdict",
+            "column", "L1", "L2", "max", "worst at", "tolerance", "rows"
+        )?;
+        for column in &file.columns {
+            let tolerance = match (column.pixels, column.tolerance) {
+                (Some(_), _) => "0.5 pixels".to_owned(),
+                (None, Some(own)) => format!("{own:.3e}"),
+                (None, None) => "-".to_owned(),
+            };
+            writeln!(
+                out,
+                "  {:8} {:>10.3e} {:>10.3e} {:>10.3e} {:>12.5e} {tolerance:>11} {:>7}  {}",
+                column.name,
+                column.l1,
+                column.l2,
+                column.max,
+                column.worst_at,
+                column.rows,
+                word(column)
+            )?;
+            if let Some(left) = column.excluded {
+                writeln!(
+                    out,
+                    "  {:8} {:>10} {:>10.3e} {:>10.3e} {:>12} {:>11} {:>7}  next to apex, kink or edge, apart",
+                    "", "", left.l2, left.max, "", "-", left.rows
+                )?;
+            }
+        }
+        for note in &file.notes {
+            writeln!(out, "  note: {note}")?;
+        }
+    }
+    own.notes.iter().try_for_each(|note| writeln!(out, "note: {note}"))
+}
+
+fn word(column: &Column) -> String {
+    let pixels = column.pixels.map_or(String::new(), |own| format!(" ({own:.2} pixels)"));
+    match column.passed {
+        Some(true) => format!("within{pixels}"),
+        Some(false) => format!("beyond{pixels}"),
+        None => "reported".to_owned(),
+    }
+}

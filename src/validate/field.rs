@@ -1,0 +1,315 @@
+//! A file of places under one load: pressures away from apex, kinks and rim, displacements, and the force that the pressures make.
+
+use super::column::Kind;
+use super::exact::{Exact, Pressures, Sharp};
+use super::lattice::{self, Lattice, Offset};
+use super::loads::{Judge, decided};
+use super::norms::{Norms, Sample, ratio};
+use super::pixel::Pixel;
+use super::record::{Column, Excluded, Plot};
+use super::survey::{Places, Survey};
+use super::table::Table;
+use super::{FileReport, ValidationError};
+use crate::contact::{Boundary, State};
+use crate::scene::Scene;
+
+/// A place with its pressure; coordinates where the file has them. Computed units, positive in compression.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub(super) x: f64,
+    pub(super) y: f64,
+    pub(super) r: f64,
+    pub(super) p: f64,
+}
+
+/// A file of places beside the exact solution.
+pub(super) struct Compared {
+    pub(super) report: FileReport,
+    /// Evenly chosen places.
+    pub(super) spots: Vec<Spot>,
+    /// Distance, data and exact pressure of the places that were compared, evenly chosen.
+    pub(super) errors: Vec<(f64, f64, f64)>,
+    /// The distance that is kept from apex, kinks and rim.
+    pub(super) margin: f64,
+}
+
+/// The pixels that are kept away from singular places.
+pub(super) const MARGIN: f64 = 4.0;
+/// Rows that are computed together.
+const BLOCK: usize = 4096;
+/// Places that are kept for plots and the diagnosis, and for the order.
+const KEPT: usize = 400;
+const KEPT_ERRORS: usize = 4000;
+/// Displacements that are compared.
+const DISPLACEMENTS: u64 = 4000;
+
+/// Where pressures are compared.
+pub(super) struct Region {
+    a: f64,
+    margin: f64,
+    apex: bool,
+    kinks: Vec<f64>,
+}
+
+impl Region {
+    pub(super) fn new(a: f64, margin: f64, sharp: &Sharp) -> Self {
+        Self { a, margin, apex: sharp.apex, kinks: sharp.kinks.iter().copied().filter(|own| *own < a).collect() }
+    }
+
+    pub(super) fn holds(&self, r: f64) -> bool {
+        // Pixels exactly so far away belong to it, whatever their last digit.
+        let margin = self.margin * (1.0 - 1e-6);
+        (r - self.a).abs() >= margin && !(self.apex && r < margin) && self.kinks.iter().all(|kink| (r - kink).abs() >= margin)
+    }
+}
+
+/// Places at which a mean over a pixel is taken, to the third order, and values at the place itself.
+pub(super) fn places(r: f64, pixel: Option<f64>, out: &mut Vec<f64>) {
+    match pixel {
+        None => out.push(r),
+        // Gauß's rule with two points along each side: the mean to the third order in h.
+        Some(pixel) => {
+            let shift = pixel / 12f64.sqrt();
+            out.push((r + shift).hypot(shift));
+            out.push((r - shift).hypot(shift));
+        }
+    }
+}
+
+/// The relative error of a pressure that the grid excuses.
+///
+/// F has 0.25 (h/a)² under a smooth edge and 0.5 h/a under a rim; next to the edge the length that the pixel must resolve is not a
+/// but (a² − r²)/a, over which p changes by itself.
+pub(super) fn excused(r: f64, a: f64, pixel: Option<f64>, rim: bool) -> f64 {
+    let Some(pixel) = pixel else { return super::loads::BLIND };
+    let share = pixel / (a * (1.0 - (r / a).powi(2)).abs());
+    if rim { 0.5 * share } else { 0.25 * share * share }
+}
+
+/// Reads the file once more, beside the exact solution.
+pub(super) fn compare(
+    survey: &Survey<'_>,
+    scene: &Scene,
+    exact: &Exact<'_>,
+    state: &State,
+    pixel: Pixel,
+    judge: Judge,
+) -> Result<Compared, ValidationError> {
+    let a = state.radius;
+    let declared = scene.data.as_ref();
+    let cells = declared.and_then(|own| own.cells).unwrap_or(false);
+    let mean_over = pixel.pixel.filter(|_| cells);
+    let sign = if declared.is_some_and(|own| own.tension) { -1.0 } else { 1.0 };
+    // Without a pixel the places themselves say how fine they are.
+    let margin = MARGIN * pixel.pixel.unwrap_or_else(|| spacing(survey, a));
+    let region = Region::new(a, margin, &exact.sharp(a));
+    let pressures = Pressures::new(exact.shape(), state, survey.rows);
+    let contact = exact.contact(state);
+    let mut own = Sums::new(state, margin, survey, pixel);
+    let mut table = Table::open(survey.source)?;
+    let (at_p, at_u) = (survey.index(Kind::Pressure), survey.index(Kind::Displacement));
+    let locations = survey.places();
+    let value =
+        |values: &[f64], index: Option<usize>| index.and_then(|own| values.get(own).zip(survey.factors.get(own))).map(|(v, f)| v * f);
+    let every = survey.rows.div_ceil(DISPLACEMENTS);
+    let (mut values, mut index, mut ended) = (Vec::new(), 0u64, false);
+    let mut displaced = Norms::new(false);
+    let (mut block, mut wanted, mut found) = (Vec::with_capacity(BLOCK), Vec::new(), Vec::new());
+    while !ended {
+        block.clear();
+        while block.len() < BLOCK {
+            if table.next(&mut values)?.is_none() {
+                ended = true;
+                break;
+            }
+            let spot = spot(&values, survey, locations, value(&values, at_p).map_or(f64::NAN, |p| sign * p));
+            if let (Some(u), true) = (value(&values, at_u), index.is_multiple_of(every))
+                && let Ok(reading) = contact.displacement(spot.r, a)
+            {
+                displaced.add(survey.shown(Kind::Distance, spot.r), 0.0, u, reading.estimate.value, judge.allowed(pixel.pixel, state));
+            }
+            index += 1;
+            if at_p.is_some() {
+                block.push(spot);
+            }
+        }
+        wanted.clear();
+        block.iter().for_each(|spot| places(spot.r, mean_over, &mut wanted));
+        pressures.at(&wanted, &mut found);
+        let each = if mean_over.is_some() { 2 } else { 1 };
+        for (spot, exact) in block.iter().zip(found.chunks(each)) {
+            let exact = exact.iter().sum::<f64>() / each as f64;
+            own.add(spot, exact, &region, judge, pixel);
+        }
+    }
+    let mut report = own.report(survey, scene, state, pixel, judge);
+    if at_u.is_some() {
+        report.columns.push(decided("u", &displaced, true));
+    }
+    report.notes.push(match (mean_over, declared.and_then(|own| own.cells)) {
+        (Some(_), _) => "pressures are read as means over pixels".to_owned(),
+        (None, Some(true)) => "the pixel is not known, so pressures are read as values at their places".to_owned(),
+        _ => "pressures are read as values at their places".to_owned(),
+    });
+    Ok(Compared { report, spots: own.spots.items, errors: own.errors.items, margin })
+}
+
+fn spot(values: &[f64], survey: &Survey<'_>, places: Places, p: f64) -> Spot {
+    let number = |index: Option<usize>| index.and_then(|own| values.get(own).zip(survey.factors.get(own))).map_or(f64::NAN, |(v, f)| v * f);
+    let (x, y) = (number(places.x), if places.y.is_some() { number(places.y) } else { 0.0 });
+    let r = if places.r.is_some() { number(places.r) } else { x.hypot(y) };
+    Spot { x, y, r: r.abs(), p }
+}
+
+/// About the distance of neighbouring places, where no lattice is seen.
+fn spacing(survey: &Survey<'_>, a: f64) -> f64 {
+    let reach = [Kind::Distance, Kind::X].into_iter().find_map(|kind| survey.largest(kind)).unwrap_or(a);
+    (reach / survey.rows as f64).max(1e-6 * a).min(0.05 * a)
+}
+
+/// Everything that is summed over the rows.
+struct Sums {
+    compared: Norms,
+    left_out: Norms,
+    infinite: u64,
+    spots: Sample<Spot>,
+    errors: Sample<(f64, f64, f64)>,
+    /// Force of data and exact pressures by the same rule, where the lattice is complete.
+    force: Shells,
+    a: f64,
+    rim: bool,
+}
+
+impl Sums {
+    fn new(state: &State, margin: f64, survey: &Survey<'_>, pixel: Pixel) -> Self {
+        Self {
+            compared: Norms::new(false),
+            left_out: Norms::new(false),
+            infinite: 0,
+            spots: Sample::new(KEPT),
+            errors: Sample::new(KEPT_ERRORS),
+            force: Shells::new(survey, state.radius + pixel.pixel.unwrap_or(margin), pixel),
+            a: state.radius,
+            rim: state.boundary == Boundary::Rim,
+        }
+    }
+
+    fn add(&mut self, spot: &Spot, exact: f64, region: &Region, judge: Judge, pixel: Pixel) {
+        self.spots.push(*spot);
+        self.force.add(spot, exact);
+        if exact.is_nan() {
+            self.infinite += 1;
+            return;
+        }
+        if !region.holds(spot.r) {
+            self.left_out.add(spot.r, 0.0, spot.p, exact, 0.0);
+            return;
+        }
+        let allowed = judge.demanded.unwrap_or_else(|| excused(spot.r, self.a, pixel.pixel, self.rim) + judge.solver);
+        self.compared.add(spot.r, 0.0, spot.p, exact, allowed);
+        self.errors.push((spot.r, spot.p, exact));
+    }
+
+    fn report(&mut self, survey: &Survey<'_>, scene: &Scene, state: &State, pixel: Pixel, judge: Judge) -> FileReport {
+        let at = |r: f64| survey.shown(if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X }, r);
+        let mut columns = Vec::new();
+        let mut notes = survey.notes.clone();
+        if survey.index(Kind::Pressure).is_some() {
+            let mut column = decided("p", &self.compared, true);
+            column.worst_at = at(column.worst_at);
+            column.at_largest_load = column.l2;
+            let rows = self.left_out.rows + self.infinite;
+            column.excluded =
+                (rows > 0).then(|| Excluded { rows, infinite: self.infinite, l2: self.left_out.l2(), max: self.left_out.max() });
+            columns.push(column);
+            match self.force.total() {
+                Some((data, exact)) => columns.push(self.integrated(data, exact, pixel, judge)),
+                None => notes.push("the force of the pressures is not judged: the lattice is not complete".to_owned()),
+            }
+        }
+        let unit = |kind: Kind| super::units::shown(kind.symbol(), &survey.unit(kind, scene));
+        let across = unit(if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X });
+        let points = self.errors.items.iter().step_by(self.errors.items.len() / KEPT + 1);
+        let points = points.map(|(r, p, exact)| (at(*r), survey.shown(Kind::Pressure, *p), survey.shown(Kind::Pressure, *exact))).collect();
+        FileReport {
+            name: survey.source.name.clone(),
+            grid: pixel.grid,
+            pixel: pixel.pixel.map(|h| h / state.radius),
+            rows: survey.rows,
+            columns,
+            notes,
+            plots: vec![Plot { title: unit(Kind::Pressure), across, points }],
+        }
+    }
+
+    fn integrated(&self, data: f64, exact: f64, pixel: Pixel, judge: Judge) -> Column {
+        // Pixels that the edge of a smooth contact cuts, where p rises as a square root: O((h/a)^(3/2)).
+        let grid = pixel.pixel.map_or(super::loads::BLIND, |h| 0.5 * (h / self.a).powf(1.5));
+        let allowed = judge.demanded.unwrap_or(0.0).max(grid + judge.solver);
+        let mut norms = Norms::new(true);
+        norms.add(0.0, 0.0, data, exact, allowed);
+        // Values at a rim's pixels say nothing: their sum is reported only.
+        decided("F_from_p", &norms, !self.rim)
+    }
+}
+
+/// Pressures summed over the shells of a lattice; complete where every pixel up to a distance was seen.
+struct Shells {
+    lattice: Option<Lattice>,
+    reach: f64,
+    counts: std::collections::BTreeMap<u64, (u64, u64)>,
+    data: std::collections::BTreeMap<u64, (f64, f64)>,
+    broken: bool,
+}
+
+/// Shells beyond these are too many to be kept in mind.
+const MOST_SHELLS: f64 = 4e6;
+
+impl Shells {
+    fn new(survey: &Survey<'_>, reach: f64, pixel: Pixel) -> Self {
+        let lattice = survey.lattice.filter(|own| own.offset != Offset::Line);
+        let lattice = lattice.map(|own| Lattice { pixel: pixel.pixel.unwrap_or(own.pixel), ..own });
+        let most = lattice.map_or(0.0, |own| 4.0 * (reach / own.pixel).powi(2));
+        let usable = lattice.filter(|_| most < MOST_SHELLS);
+        let counts = usable.map_or_else(Default::default, |own| {
+            lattice::shells(own.offset, most as u64).into_iter().map(|(key, count)| (key, (count, 0))).collect()
+        });
+        Self { lattice: usable, reach, counts, data: Default::default(), broken: usable.is_none() }
+    }
+
+    fn add(&mut self, spot: &Spot, exact: f64) {
+        let Some(lattice) = self.lattice else { return };
+        if self.broken || spot.r > self.reach {
+            return;
+        }
+        let shell = lattice::quarters(spot.r, lattice.pixel);
+        let Some((key, count)) = shell.and_then(|key| Some((key, self.counts.get_mut(&key)?))) else {
+            // A place off the lattice.
+            self.broken = true;
+            return;
+        };
+        count.1 += 1;
+        // An infinite pressure stands in neither sum.
+        let sums = self.data.entry(key).or_insert((0.0, 0.0));
+        if !exact.is_nan() {
+            *sums = (sums.0 + spot.p, sums.1 + exact);
+        }
+    }
+
+    /// Force of the data and of the exact pressures by the same sum; `None` where a pixel is missing.
+    fn total(&self) -> Option<(f64, f64)> {
+        let lattice = self.lattice.filter(|_| !self.broken)?;
+        let area = lattice.pixel * lattice.pixel;
+        let mut total = (0.0, 0.0);
+        for (key, (pixels, seen)) in &self.counts {
+            // Every pixel, or some of each shell: a quarter, an octant, or one.
+            if *seen == 0 || *seen > *pixels {
+                return None;
+            }
+            let (data, exact) = self.data.get(key).copied().unwrap_or((0.0, 0.0));
+            let weight = ratio(*pixels as f64, *seen as f64);
+            total = (total.0 + weight * data * area, total.1 + weight * exact * area);
+        }
+        Some(total)
+    }
+}

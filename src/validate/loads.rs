@@ -1,0 +1,199 @@
+//! A file of loads, row by row: force and contact radius at the data's own depth, or depth and radius at its own force.
+
+use super::column::Kind;
+use super::exact::Exact;
+use super::norms::{Norms, Sample};
+use super::pixel::Pixel;
+use super::record::{Column, Plot};
+use super::survey::Survey;
+use super::table::Table;
+use super::{FileReport, ValidationError};
+use crate::contact::{Boundary, Load, State};
+use crate::scene::{Control, Declared, Scene};
+
+/// One load; NaN where the file has no such column. Computed units, positive in compression.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row {
+    pub(super) depth: f64,
+    pub(super) force: f64,
+    pub(super) radius: f64,
+}
+
+/// A file of loads beside the exact solution.
+pub(super) struct Compared {
+    pub(super) report: FileReport,
+    /// Evenly chosen rows.
+    pub(super) rows: Vec<Row>,
+    /// Load and relative error of the deciding column, for the order.
+    pub(super) errors: Vec<(f64, f64)>,
+    /// The column that decides: F, d or a.
+    pub(super) column: &'static str,
+    /// Rows to which no contact belongs.
+    pub(super) unmatched: u64,
+}
+
+/// How errors are judged.
+#[derive(Clone, Copy)]
+pub(super) struct Judge {
+    /// What the user demands.
+    pub(super) demanded: Option<f64>,
+    /// The solver's own tolerance.
+    pub(super) solver: f64,
+}
+
+/// The tolerance where no grid is known.
+pub(super) const BLIND: f64 = 1e-2;
+/// Contact radii without a known grid decide only where they are out of any proportion.
+pub(super) const BLIND_RADIUS: f64 = 0.15;
+/// Rows that are kept for orders, plots and the diagnosis.
+const KEPT: usize = 256;
+
+impl Judge {
+    /// The relative error that a grid excuses at a contact radius.
+    pub(super) fn allowed(&self, pixel: Option<f64>, state: &State) -> f64 {
+        let Some(pixel) = pixel else { return self.demanded.unwrap_or(BLIND + self.solver) };
+        // A contact below one pixel is no contact to the grid.
+        let share = if state.radius > pixel { pixel / state.radius } else { 1.0 };
+        let grid = if state.boundary == Boundary::Rim { 0.5 * share } else { 0.25 * share * share };
+        self.demanded.unwrap_or(grid + self.solver)
+    }
+}
+
+/// What stands in the columns of a row.
+pub(super) fn row(survey: &Survey<'_>, declared: Option<&Declared>, values: &[f64]) -> Row {
+    let value =
+        |kind: Kind| survey.index(kind).and_then(|own| values.get(own).zip(survey.factors.get(own))).map_or(f64::NAN, |(v, f)| v * f);
+    let sign = if declared.is_some_and(|own| own.tension) { -1.0 } else { 1.0 };
+    Row { depth: value(Kind::Depth), force: sign * value(Kind::Force), radius: value(Kind::ContactRadius) }
+}
+
+/// What the solver controlled, as far as the columns allow it.
+pub(super) fn control(survey: &Survey<'_>, declared: Option<&Declared>) -> Control {
+    let (depth, force) = (survey.index(Kind::Depth).is_some(), survey.index(Kind::Force).is_some());
+    match declared.and_then(|own| own.control) {
+        Some(Control::Force) if force => Control::Force,
+        _ if depth => Control::Depth,
+        _ => Control::Force,
+    }
+}
+
+/// Reads the file once more, beside the exact solution.
+pub(super) fn compare(
+    survey: &Survey<'_>,
+    scene: &Scene,
+    exact: &Exact<'_>,
+    pixel: Pixel,
+    judge: Judge,
+) -> Result<Compared, ValidationError> {
+    let declared = scene.data.as_ref();
+    let control = control(survey, declared);
+    let mut table = Table::open(survey.source)?;
+    let (mut force, mut depth, mut radius) = (Norms::new(true), Norms::new(true), Norms::new(true));
+    let (mut kept, mut errors, mut drawn) = (Sample::new(KEPT), Sample::new(KEPT), Sample::new(KEPT));
+    let (mut values, mut unmatched) = (Vec::new(), 0);
+    let control_kind = if control == Control::Depth { Kind::Depth } else { Kind::Force };
+    while table.next(&mut values)?.is_some() {
+        let row = row(survey, declared, &values);
+        kept.push(row);
+        let load = if control == Control::Depth { row.depth } else { row.force };
+        let Some(state) = exact.state(if control == Control::Depth { Load::Depth(load) } else { Load::Force(load) }) else {
+            unmatched += 1;
+            continue;
+        };
+        let (at, allowed) = (survey.shown(control_kind, load), judge.allowed(pixel.pixel, &state));
+        let mut deciding = None;
+        if control == Control::Depth && !row.force.is_nan() {
+            force.add(at, load, row.force, state.force, allowed);
+            deciding = Some((row.force, state.force));
+        }
+        if control == Control::Force && !row.depth.is_nan() {
+            depth.add(at, load, row.depth, exact.depth(&state), allowed);
+            deciding = Some((row.depth, exact.depth(&state)));
+            // The same error as one of the force, for comparison with other runs; it decides nothing.
+            if let Some(own) = exact.state(Load::Depth(row.depth)) {
+                force.add(at, load, row.force, own.force, allowed);
+            }
+        }
+        if !row.radius.is_nan() {
+            radius.add(at, load, row.radius, state.radius, allowed);
+        }
+        let decided = deciding.unwrap_or((row.radius, state.radius));
+        if decided.1 != 0.0 {
+            errors.push((load, decided.0 / decided.1 - 1.0));
+        }
+        drawn.push((at, decided.0, decided.1));
+    }
+    let mut report = FileReport {
+        name: survey.source.name.clone(),
+        grid: pixel.grid,
+        pixel: None,
+        rows: survey.rows,
+        columns: Vec::new(),
+        notes: survey.notes.clone(),
+        plots: Vec::new(),
+    };
+    let (has_force, has_depth) = (survey.index(Kind::Force).is_some(), survey.index(Kind::Depth).is_some());
+    let column = match control {
+        Control::Depth if has_force => "F",
+        Control::Depth => "a",
+        _ if has_depth => "d",
+        _ => "a",
+    };
+    if has_force && has_depth {
+        report.columns.push(decided("F", &force, control == Control::Depth));
+    }
+    if control != Control::Depth && has_depth {
+        report.columns.push(decided("d", &depth, true));
+    }
+    if survey.index(Kind::ContactRadius).is_some() {
+        report.columns.push(counted(&radius, pixel.pixel));
+    }
+    let largest = kept.items.iter().map(|row: &Row| if control == Control::Depth { row.depth } else { row.force }).fold(0.0, f64::max);
+    let state = exact.state(if control == Control::Depth { Load::Depth(largest) } else { Load::Force(largest) });
+    report.pixel = pixel.pixel.zip(state.map(|own| own.radius)).map(|(h, a)| h / a);
+    let kind = match column {
+        "F" => Kind::Force,
+        "d" => Kind::Depth,
+        _ => Kind::ContactRadius,
+    };
+    let unit = |kind: Kind| super::units::shown(kind.symbol(), &survey.unit(kind, scene));
+    let points = drawn.items.iter().map(|(x, data, own)| (*x, survey.shown(kind, *data), survey.shown(kind, *own))).collect();
+    report.plots.push(Plot { title: unit(kind), across: unit(control_kind), points });
+    if unmatched > 0 {
+        report.notes.push(format!("no valid contact belongs to {unmatched} of {} loads", survey.rows));
+    }
+    Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched })
+}
+
+/// A column with its norms.
+pub(super) fn decided(name: &'static str, norms: &Norms, decides: bool) -> Column {
+    let tolerance = decides.then(|| norms.allowed());
+    Column {
+        name,
+        l1: norms.l1(),
+        l2: norms.l2(),
+        max: norms.max(),
+        worst_at: norms.worst_at,
+        bias: norms.bias(),
+        rows: norms.rows,
+        at_largest_load: norms.at_largest_load(),
+        tolerance,
+        passed: tolerance.map(|own| norms.rows > 0 && norms.l2() <= own),
+        pixels: None,
+        excluded: None,
+    }
+}
+
+/// Contact radii: within half a pixel where it is known; never corrected.
+fn counted(norms: &Norms, pixel: Option<f64>) -> Column {
+    let column = decided("a", norms, false);
+    match pixel {
+        Some(pixel) => {
+            let pixels = norms.farthest / pixel;
+            // A radius is printed with few digits: half a pixel to rounding.
+            Column { pixels: Some(pixels), tolerance: Some(0.5), passed: Some(pixels <= 0.5 * (1.0 + 1e-6)), ..column }
+        }
+        None if column.l2 > BLIND_RADIUS => Column { tolerance: Some(BLIND_RADIUS), passed: Some(false), ..column },
+        None => column,
+    }
+}

@@ -1,0 +1,26 @@
+//! A solver's data beside the exact solution: errors, order of convergence, a verdict, and what the fault looks like.
+
+mod column;
+mod diagnosis;
+mod error;
+mod exact;
+mod field;
+mod hypothesis;
+mod lattice;
+mod loads;
+mod norms;
+mod order;
+mod pixel;
+mod record;
+mod run;
+mod score;
+mod survey;
+mod table;
+mod units;
+mod verdict;
+
+pub use error::ValidationError;
+pub use order::Order;
+pub use record::{Column, Excluded, FileReport, Plot, Suspicion, Validation};
+pub use run::{Request, validate};
+pub use table::Source;

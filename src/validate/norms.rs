@@ -1,0 +1,133 @@
+//! Sums over the rows of one column: errors in L1, L2 and max, where the worst stands, and how large they may be.
+
+/// Errors of one column; nothing is kept per row.
+#[derive(Clone, Debug)]
+pub(super) struct Norms {
+    /// Errors relative to the row's own value where true, else to the largest one.
+    by_row: bool,
+    pub(super) rows: u64,
+    absolute: f64,
+    absolute_exact: f64,
+    square: f64,
+    square_exact: f64,
+    square_allowed: f64,
+    largest_exact: f64,
+    worst: f64,
+    pub(super) worst_at: f64,
+    largest_load: f64,
+    at_largest_load: f64,
+    signed: f64,
+    /// The largest distance from the exact value.
+    pub(super) farthest: f64,
+}
+
+impl Norms {
+    pub(super) fn new(by_row: bool) -> Self {
+        Self {
+            by_row,
+            rows: 0,
+            absolute: 0.0,
+            absolute_exact: 0.0,
+            square: 0.0,
+            square_exact: 0.0,
+            square_allowed: 0.0,
+            largest_exact: 0.0,
+            worst: -1.0,
+            worst_at: 0.0,
+            largest_load: f64::NEG_INFINITY,
+            at_largest_load: 0.0,
+            signed: 0.0,
+            farthest: 0.0,
+        }
+    }
+
+    /// Takes a row into account: its place, its load, both values, and the relative error that its grid excuses.
+    pub(super) fn add(&mut self, at: f64, load: f64, data: f64, exact: f64, allowed: f64) {
+        let error = data - exact;
+        self.rows += 1;
+        self.absolute += error.abs();
+        self.absolute_exact += exact.abs();
+        self.square += error * error;
+        self.square_exact += exact * exact;
+        self.square_allowed += (allowed * exact).powi(2);
+        self.signed += error;
+        self.largest_exact = self.largest_exact.max(exact.abs());
+        self.farthest = self.farthest.max(error.abs());
+        let relative = if self.by_row { ratio(error.abs(), exact.abs()) } else { error.abs() };
+        if relative > self.worst {
+            (self.worst, self.worst_at) = (relative, at);
+        }
+        if load > self.largest_load {
+            (self.largest_load, self.at_largest_load) = (load, ratio(error.abs(), exact.abs()));
+        }
+    }
+
+    /// Σ|e|/Σ|exact|.
+    pub(super) fn l1(&self) -> f64 {
+        ratio(self.absolute, self.absolute_exact)
+    }
+
+    /// ‖e‖₂/‖exact‖₂.
+    pub(super) fn l2(&self) -> f64 {
+        ratio(self.square.sqrt(), self.square_exact.sqrt())
+    }
+
+    /// The largest error, relative to its own row, or to the largest exact value.
+    pub(super) fn max(&self) -> f64 {
+        if self.by_row { self.worst.max(0.0) } else { ratio(self.worst.max(0.0), self.largest_exact) }
+    }
+
+    /// The relative error at the row of the largest load.
+    pub(super) fn at_largest_load(&self) -> f64 {
+        self.at_largest_load
+    }
+
+    /// Σe/Σ|exact|, with its sign.
+    pub(super) fn bias(&self) -> f64 {
+        ratio(self.signed, self.absolute_exact)
+    }
+
+    /// The error that the grid excuses, as an L2 norm.
+    pub(super) fn allowed(&self) -> f64 {
+        ratio(self.square_allowed.sqrt(), self.square_exact.sqrt())
+    }
+}
+
+/// A ratio that is 0 where nothing stands against nothing, and never infinite.
+pub(super) fn ratio(above: f64, below: f64) -> f64 {
+    if above == 0.0 {
+        return 0.0;
+    }
+    let ratio = above / below;
+    if ratio.is_finite() { ratio } else { f64::MAX }
+}
+
+/// At most twice so many items of a stream, evenly spaced.
+#[derive(Clone, Debug)]
+pub(super) struct Sample<T> {
+    pub(super) items: Vec<T>,
+    most: usize,
+    every: u64,
+    seen: u64,
+}
+
+impl<T> Sample<T> {
+    pub(super) fn new(most: usize) -> Self {
+        Self { items: Vec::new(), most, every: 1, seen: 0 }
+    }
+
+    pub(super) fn push(&mut self, item: T) {
+        if self.seen.is_multiple_of(self.every) {
+            self.items.push(item);
+        }
+        self.seen += 1;
+        if self.items.len() >= 2 * self.most {
+            let mut index = 0;
+            self.items.retain(|_| {
+                index += 1;
+                index % 2 == 1
+            });
+            self.every *= 2;
+        }
+    }
+}

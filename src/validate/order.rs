@@ -1,0 +1,159 @@
+//! Orders of convergence: one slope common to all loads, one intercept per load, and what is certain of it.
+
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+/// An order q in |e| ≈ C h^q, with the interval of 95 %, or with the span of the ratios between neighbours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Order {
+    /// q.
+    pub value: f64,
+    /// The lower end; `None` where two files of one load leave nothing to judge by.
+    pub low: Option<f64>,
+    /// The upper end.
+    pub high: Option<f64>,
+    /// Files whose errors lie above the floor.
+    pub files: usize,
+    /// The error below which refinement has no effect, where it was reached.
+    pub floor: Option<f64>,
+}
+
+/// Errors of one file: its pixel, and relative errors by load; the loads' order is the same in all files.
+pub(super) struct Level {
+    pub(super) pixel: f64,
+    pub(super) errors: Vec<Option<f64>>,
+}
+
+impl Level {
+    fn typical(&self, floor: f64) -> f64 {
+        let logs: Vec<f64> = self.errors.iter().flatten().map(|e| e.abs().max(floor).ln()).collect();
+        (logs.iter().sum::<f64>() / logs.len().max(1) as f64).exp()
+    }
+}
+
+/// The order of errors over pixels; levels from coarse to fine. Errors up to `noise` are no errors of the grid.
+///
+/// `None` where fewer than two levels lie above the noise.
+pub(super) fn order(levels: &[Level], noise: f64) -> Option<Order> {
+    let typical: Vec<f64> = levels.iter().map(|level| level.typical(noise)).collect();
+    let mut above = typical.iter().take_while(|e| **e > 2.0 * noise).count();
+    let mut floor = (above < levels.len()).then_some(noise);
+    // A plateau behind a fall is a floor, unless it is all there is.
+    while above >= 3 {
+        let ratio = |i: usize| match (typical.get(i.wrapping_sub(1)), typical.get(i), levels.get(i.wrapping_sub(1)), levels.get(i)) {
+            (Some(coarse), Some(fine), Some(one), Some(other)) => (coarse / fine).ln() / (one.pixel / other.pixel).ln(),
+            _ => f64::NAN,
+        };
+        if ratio(above - 1) < 0.15 && ratio(above - 2) > 0.5 {
+            above -= 1;
+            floor = typical.get(above).copied();
+        } else {
+            break;
+        }
+    }
+    let levels = levels.get(..above)?;
+    if levels.len() < 2 {
+        return None;
+    }
+    let fitted = pooled(levels, noise).or_else(|| ratios(levels, noise))?;
+    Some(Order { files: levels.len(), floor, ..fitted })
+}
+
+/// Least squares of ln|e| over ln h with an intercept per load; `None` where too few errors are left for an interval.
+fn pooled(levels: &[Level], noise: f64) -> Option<Order> {
+    let loads = levels.iter().map(|level| level.errors.len()).max()?;
+    let (mut sxx, mut sxy, mut count, mut used) = (0.0, 0.0, 0usize, 0usize);
+    let mut groups = Vec::new();
+    for load in 0..loads {
+        let at = |level: &Level| {
+            let e = level.errors.get(load).copied().flatten()?.abs();
+            (e > noise).then(|| (level.pixel.ln(), e.ln()))
+        };
+        let points: Vec<(f64, f64)> = levels.iter().filter_map(at).collect();
+        if points.len() < 2 {
+            continue;
+        }
+        let n = points.len() as f64;
+        let mean = points.iter().fold((0.0, 0.0), |sum, own| (sum.0 + own.0 / n, sum.1 + own.1 / n));
+        for (x, y) in &points {
+            sxx += (x - mean.0).powi(2);
+            sxy += (x - mean.0) * (y - mean.1);
+        }
+        count += points.len();
+        used += 1;
+        groups.push((points, mean));
+    }
+    if used < 2 || sxx == 0.0 || count < used + 2 {
+        return None;
+    }
+    let slope = sxy / sxx;
+    let left: f64 = groups.iter().flat_map(|(points, mean)| points.iter().map(|(x, y)| (y - mean.1 - slope * (x - mean.0)).powi(2))).sum();
+    let freedom = (count - used - 1) as f64;
+    let student = StudentsT::new(0.0, 1.0, freedom).ok()?.inverse_cdf(0.975);
+    let half = student * (left / freedom / sxx).sqrt();
+    let (low, high) = (Some(slope - half), Some(slope + half));
+    Some(Order { value: slope, low, high, files: levels.len(), floor: None })
+}
+
+/// Successive ratios of norms over all loads.
+fn ratios(levels: &[Level], noise: f64) -> Option<Order> {
+    let ratio = |pair: &[Level]| {
+        let [one, other] = pair else { return f64::NAN };
+        (one.typical(noise) / other.typical(noise)).ln() / (one.pixel / other.pixel).ln()
+    };
+    let all: Vec<f64> = levels.windows(2).map(ratio).filter(|q| q.is_finite()).collect();
+    let whole = ratio_of_ends(levels, noise)?;
+    let several = all.len() >= 2;
+    let low = several.then(|| all.iter().copied().fold(f64::INFINITY, f64::min));
+    let high = several.then(|| all.iter().copied().fold(f64::NEG_INFINITY, f64::max));
+    Some(Order { value: whole, low, high, files: levels.len(), floor: None })
+}
+
+fn ratio_of_ends(levels: &[Level], noise: f64) -> Option<f64> {
+    let (first, last) = (levels.first()?, levels.last()?);
+    let value = (first.typical(noise) / last.typical(noise)).ln() / (first.pixel / last.pixel).ln();
+    value.is_finite().then_some(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn levels(order: f64, noise: [[f64; 3]; 3]) -> Vec<Level> {
+        let errors = |h: f64, row: [f64; 3]| row.iter().enumerate().map(|(i, n)| Some((i + 1) as f64 * h.powf(order) * n.exp())).collect();
+        [0.25, 0.125, 0.0625].into_iter().zip(noise).map(|(pixel, row)| Level { pixel, errors: errors(pixel, row) }).collect()
+    }
+
+    #[test]
+    fn a_pure_power_has_its_order() {
+        let found = order(&levels(1.7, [[0.0; 3]; 3]), 1e-12).unwrap();
+        assert!((found.value - 1.7).abs() < 1e-12);
+        assert!((found.high.unwrap() - found.low.unwrap()).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_interval_is_that_of_textbooks() {
+        // Worked by hand: residuals ±0.1 at the middle level of two loads, none at the third; S_xx = 6 ln² 2.
+        let found = order(&levels(1.0, [[0.0; 3], [0.1, -0.1, 0.0], [0.0; 3]]), 1e-12).unwrap();
+        assert!((found.value - 1.0).abs() < 1e-12);
+        // Each of the two loads leaves 0.01·(1 − 1/3); freedom 9 − 3 − 1 = 5, t = 2.570581836.
+        let expected = 2.570_581_836 * (2.0 * 0.01 * 2.0 / 3.0 / 5.0 / (6.0 * 2f64.ln().powi(2))).sqrt();
+        assert!((found.high.unwrap() - 1.0 - expected).abs() < 1e-8);
+    }
+
+    #[test]
+    fn a_plateau_is_a_floor_and_a_constant_error_is_none() {
+        let level = |pixel, e: f64| Level { pixel, errors: vec![Some(e), Some(1.1 * e), Some(0.9 * e)] };
+        let found = order(&[level(0.4, 1e-2), level(0.2, 2.5e-3), level(0.1, 1e-3), level(0.05, 1e-3)], 1e-9).unwrap();
+        assert!(found.floor.is_some() && found.files == 3);
+        let flat = order(&[level(0.4, 1.8e-2), level(0.2, 1.81e-2), level(0.1, 1.79e-2)], 1e-9).unwrap();
+        assert!(flat.floor.is_none() && flat.low.unwrap() < 0.0 + 0.05 && flat.value.abs() < 0.01);
+        assert!(order(&[level(0.4, 1e-12), level(0.2, 1e-12)], 1e-9).is_none());
+    }
+
+    #[test]
+    fn one_load_has_ratios() {
+        let level = |pixel, e: f64| Level { pixel, errors: vec![Some(e)] };
+        let found = order(&[level(0.4, 4e-2), level(0.2, 1e-2), level(0.1, 5e-3)], 1e-9).unwrap();
+        assert!((found.low.unwrap() - 1.0).abs() < 1e-12 && (found.high.unwrap() - 2.0).abs() < 1e-12 && (found.value - 1.5).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,211 @@
+//! A validation from beginning to end: look at the files, find the pixels, compare, judge, and look for the fault.
+
+use super::diagnosis::{self, Evidence};
+use super::exact::Exact;
+use super::order::Level;
+use super::pixel::{Pixel, pixels};
+use super::score::Gauge;
+use super::survey::{Content, Survey};
+use super::units::Units;
+use super::verdict::{Verdict, verdict};
+use super::{FileReport, Source, Suspicion, Validation, ValidationError, column::Kind, field, loads};
+use crate::contact::{Load, State};
+use crate::scene::{Change, Control, Scene, SceneError, Walls, scene_for_data};
+
+/// What is validated, and how.
+pub struct Request<'a> {
+    /// The text of the scene file.
+    pub scene: &'a str,
+    /// The data.
+    pub sources: &'a [Source<'a>],
+    /// An error that is accepted, relative, in the place of those of the grid.
+    pub tolerance: Option<f64>,
+    /// Pixels along a side of the box, per file.
+    pub grid: &'a [f64],
+}
+
+/// Compares a solver's data with the exact solution of a scene.
+///
+/// Files with d, F and a hold a load per row; files with r (or x, y) and p or u hold places under the scene's single load.
+///
+/// # Errors
+/// [`ValidationError`] where a file or the scene cannot be read.
+pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
+    let scene = scene_for_data(request.scene, &Change::None)?;
+    if let Some(measured) = &scene.measured {
+        let error = SceneError::value("data are validated against formulas, and this profile is a measured tip");
+        return Err(error.help("f or shape would be accepted").at(measured.place()).into());
+    }
+    let mut units = Units::default();
+    let mut surveys = Vec::new();
+    for source in request.sources {
+        surveys.push(Survey::new(source, &scene, &mut units)?);
+    }
+    let work = Work { request, scene: &scene, judge: judge(request, &scene) };
+    let mut parts = Vec::new();
+    for content in [Content::Loads, Content::Field] {
+        let mut own: Vec<&mut Survey<'_>> = surveys.iter_mut().filter(|own| own.content == content).collect();
+        if own.is_empty() {
+            continue;
+        }
+        let pixels = pixels(&mut own, content, scene.data.as_ref(), request.grid)?;
+        let mut files: Vec<(&Survey<'_>, Pixel)> = own.into_iter().map(|own| &*own).zip(pixels).collect();
+        files.sort_by(|one, other| other.1.relative.total_cmp(&one.1.relative));
+        parts.push(if content == Content::Loads { work.loads(&files)? } else { work.field(&files)? });
+    }
+    let mut notes: Vec<String> = units.note.into_iter().collect();
+    if scene.data.as_ref().is_some_and(|own| own.walls == Walls::Periodic) {
+        notes.push("the box is said to repeat: its images are no part of the exact solution".to_owned());
+    }
+    Ok(together(parts, request.sources.len(), notes))
+}
+
+fn judge(request: &Request<'_>, scene: &Scene) -> loads::Judge {
+    loads::Judge { demanded: request.tolerance, solver: scene.data.as_ref().map_or(0.0, |own| own.tolerance) }
+}
+
+/// What the files of one kind say.
+struct Part {
+    verdict: Verdict,
+    suspicion: Option<Suspicion>,
+    files: Vec<FileReport>,
+}
+
+/// All kinds together.
+fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
+    let passed = parts.iter().all(|own| own.verdict.passed);
+    let telling: Vec<&str> = parts.iter().filter(|own| own.verdict.passed == passed).map(|own| own.verdict.reason.as_str()).collect();
+    let suspicions: Vec<&Suspicion> = parts.iter().filter_map(|own| own.suspicion.as_ref()).collect();
+    let agreed = suspicions.first().filter(|first| suspicions.iter().all(|own| own.id == first.id));
+    let orders: Vec<_> = parts.iter().filter_map(|own| own.verdict.order).collect();
+    Validation {
+        passed,
+        reason: telling.join("; "),
+        suspicion: agreed.map(|own| (*own).clone()),
+        columns: parts.iter().filter_map(|own| own.files.last()).flat_map(|own| own.columns.clone()).collect(),
+        orders: (count > parts.len() && !orders.is_empty()).then_some(orders),
+        files: parts.into_iter().flat_map(|own| own.files).collect(),
+        notes,
+    }
+}
+
+struct Work<'w> {
+    request: &'w Request<'w>,
+    scene: &'w Scene,
+    judge: loads::Judge,
+}
+
+impl Work<'_> {
+    fn declared_force(&self) -> bool {
+        self.scene.data.as_ref().is_some_and(|own| own.control == Some(Control::Force))
+    }
+
+    fn loads(&self, files: &[(&Survey<'_>, Pixel)]) -> Result<Part, ValidationError> {
+        let largest = |kind: Kind| files.iter().filter_map(|(own, _)| own.largest(kind)).fold(0.0, f64::max);
+        let by_force = files.iter().all(|(own, _)| loads::control(own, self.scene.data.as_ref()) == Control::Force);
+        let load = if by_force { Load::Force(largest(Kind::Force)) } else { Load::Depth(largest(Kind::Depth)) };
+        let solution = self.scene.solution()?;
+        let exact = Exact::new(self.scene, &solution, load)?;
+        let mut all = Vec::new();
+        for (survey, pixel) in files {
+            all.push(loads::compare(survey, self.scene, &exact, *pixel, self.judge)?);
+        }
+        let errors: Vec<&[(f64, f64)]> = all.iter().map(|own| own.errors.as_slice()).collect();
+        let relative: Vec<f64> = files.iter().map(|(_, pixel)| pixel.relative).collect();
+        let levels = paired(&errors, &relative);
+        let Some(finest) = all.last() else {
+            return Err(ValidationError::request("there are no files", "a file of data would be accepted"));
+        };
+        let verdict = verdict(finest.column, &finest.report.columns, &levels, self.judge.solver, finest.unmatched);
+        let suspicion = if verdict.passed {
+            None
+        } else {
+            let pixel = files.last().and_then(|own| own.1.pixel);
+            let margin = finest.rows.iter().map(|row| row.radius).fold(0.0, f64::max);
+            let reach = exact.state(load).map_or(margin, |own| own.radius);
+            let gauge = Gauge { pixel, margin: reach, mean_over: None, solver: self.judge.solver, by_force };
+            diagnosis::diagnose(self.request.scene, self.scene, &Evidence::Loads(finest.rows.clone()), &gauge)
+        };
+        Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect() })
+    }
+
+    fn field(&self, files: &[(&Survey<'_>, Pixel)]) -> Result<Part, ValidationError> {
+        let (solution, load) = (self.scene.solution()?, self.single_load()?);
+        let exact = Exact::new(self.scene, &solution, load)?;
+        let state = exact.state(load).filter(|own| own.radius > 0.0);
+        let Some(state) = state else {
+            return Err(ValidationError::request(
+                "no contact belongs to the scene's load, so there are no exact pressures",
+                "a load under which the bodies touch, in a valid contact, would be accepted",
+            ));
+        };
+        let mut all = Vec::new();
+        for (survey, pixel) in files {
+            all.push(field::compare(survey, self.scene, &exact, &state, *pixel, self.judge)?);
+        }
+        let Some(finest) = all.last() else {
+            return Err(ValidationError::request("there are no files", "a file of data would be accepted"));
+        };
+        // Orders belong to one region: that of the coarsest file.
+        let margin = all.iter().map(|own| own.margin).fold(0.0, f64::max);
+        let region = field::Region::new(state.radius, margin, &exact.sharp(state.radius));
+        let relative = files.iter().map(|(_, pixel)| pixel.relative);
+        let levels: Vec<Level> =
+            all.iter().zip(relative).map(|(own, pixel)| Level { pixel, errors: vec![within(&own.errors, &region)] }).collect();
+        let column = if finest.report.columns.iter().any(|own| own.name == "p") { "p" } else { "u" };
+        let levels = if column == "p" { levels } else { Vec::new() };
+        let verdict = verdict(column, &finest.report.columns, &levels, self.judge.solver, 0);
+        let suspicion = if verdict.passed || column != "p" { None } else { self.suspicion(finest, files.last().map(|own| own.1), &state) };
+        Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect() })
+    }
+
+    fn suspicion(&self, finest: &field::Compared, pixel: Option<Pixel>, state: &State) -> Option<Suspicion> {
+        let pixel = pixel.unwrap_or_default();
+        let declared = self.scene.data.as_ref();
+        let held = match (declared.and_then(|own| own.control), self.scene.control) {
+            (Some(Control::Force), _) | (None, Control::Force) => vec![Control::Force],
+            (Some(_), _) | (None, Control::Depth) => vec![Control::Depth],
+            (None, Control::ContactRadius) => vec![Control::Depth, Control::Force, Control::ContactRadius],
+        };
+        let mean_over = pixel.pixel.filter(|_| declared.and_then(|own| own.cells).unwrap_or(false));
+        let gauge =
+            Gauge { pixel: pixel.pixel, margin: finest.margin, mean_over, solver: self.judge.solver, by_force: self.declared_force() };
+        let free = declared.is_some_and(|own| own.walls == Walls::Free);
+        let evidence = Evidence::Field { spots: finest.spots.clone(), state: *state, held, side: pixel.side, free };
+        diagnosis::diagnose(self.request.scene, self.scene, &evidence, &gauge)
+    }
+
+    fn single_load(&self) -> Result<Load, ValidationError> {
+        let help = "[load] with one number, such as depth = \"0.4 um\", would be accepted";
+        match (self.scene.loads.len(), self.scene.loads.get(0)) {
+            (1, Some(value)) => Ok(self.scene.control.load(value)),
+            (0, _) => Err(ValidationError::request("pressures belong to a load, but the scene has none", help)),
+            (count, _) => Err(ValidationError::request(format!("pressures belong to one load, but the scene has {count} of them"), help)),
+        }
+    }
+}
+
+/// The relative L2 error within a region.
+fn within(errors: &[(f64, f64, f64)], region: &field::Region) -> Option<f64> {
+    let (mut error, mut exact) = (0.0, 0.0);
+    for (_, p, own) in errors.iter().filter(|own| region.holds(own.0)) {
+        error += (p - own) * (p - own);
+        exact += own * own;
+    }
+    (exact > 0.0).then(|| (error / exact).sqrt())
+}
+
+/// The errors of every file at the loads of the finest one; solvers may have moved their steps by a little.
+fn paired(files: &[&[(f64, f64)]], pixels: &[f64]) -> Vec<Level> {
+    const NEAR: f64 = 0.02;
+    let Some(finest) = files.last() else { return Vec::new() };
+    let nearest = |file: &[(f64, f64)], load: f64| {
+        let own = file.iter().min_by(|one, other| (one.0 - load).abs().total_cmp(&(other.0 - load).abs()))?;
+        ((own.0 - load).abs() <= NEAR * load.abs()).then_some(own.1)
+    };
+    let level = |(file, pixel): (&&[(f64, f64)], &f64)| Level {
+        pixel: *pixel,
+        errors: finest.iter().map(|(load, _)| nearest(file, *load)).collect(),
+    };
+    files.iter().zip(pixels).map(level).collect()
+}

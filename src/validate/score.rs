@@ -1,0 +1,109 @@
+//! How well data fit an exact solution: the L2 error, alone and in units of what the grid excuses.
+
+use super::exact::{Exact, Pressures};
+use super::field::{Region, Spot, excused, places};
+use super::loads::{BLIND_RADIUS, Judge, Row};
+use super::norms::Norms;
+use crate::contact::{Boundary, Load, State};
+
+/// What is known of the grid of the data that are scored.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gauge {
+    pub(super) pixel: Option<f64>,
+    /// The distance that pressures keep from singular places.
+    pub(super) margin: f64,
+    /// The pixel over which pressures are means.
+    pub(super) mean_over: Option<f64>,
+    pub(super) solver: f64,
+    /// True where the solver controlled the force.
+    pub(super) by_force: bool,
+}
+
+/// Errors of the columns that decide: force (or depth, or pressure), and contact radius.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Score {
+    /// L2 errors.
+    pub(super) errors: [f64; 2],
+    /// The same over what the grid excuses.
+    pub(super) shares: [f64; 2],
+}
+
+impl Score {
+    /// The column that is farthest from its tolerance.
+    pub(super) fn worst(&self) -> usize {
+        usize::from(self.shares[1] > self.shares[0])
+    }
+
+    pub(super) fn share(&self) -> f64 {
+        self.shares[0].max(self.shares[1])
+    }
+}
+
+/// The load of a row, as the solver controlled it.
+fn load(row: &Row, by_force: bool) -> Load {
+    if row.depth.is_nan() || (by_force && !row.force.is_nan()) { Load::Force(row.force) } else { Load::Depth(row.depth) }
+}
+
+/// The largest load of rows.
+pub(super) fn largest(rows: &[Row], by_force: bool) -> Load {
+    let size = |row: &Row| match load(row, by_force) {
+        Load::Depth(own) | Load::Force(own) | Load::Radius(own) => own,
+    };
+    rows.iter().max_by(|one, other| size(one).total_cmp(&size(other))).map_or(Load::Depth(0.0), |row| load(row, by_force))
+}
+
+/// The score of rows of loads; `None` where most loads have no contact.
+pub(super) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
+    let judge = Judge { demanded: None, solver: gauge.solver };
+    let (mut main, mut radius, mut lost) = (Norms::new(true), Norms::new(true), 0);
+    for row in rows {
+        let load = load(row, gauge.by_force);
+        let Some(state) = exact.state(load) else {
+            lost += 1;
+            continue;
+        };
+        let allowed = judge.allowed(gauge.pixel, &state);
+        match load {
+            Load::Depth(_) if !row.force.is_nan() => main.add(0.0, 0.0, row.force, state.force, allowed),
+            Load::Force(_) if !row.depth.is_nan() => main.add(0.0, 0.0, row.depth, exact.depth(&state), allowed),
+            _ => {}
+        }
+        if !row.radius.is_nan() {
+            let half = gauge.pixel.map_or(BLIND_RADIUS, |h| if state.radius > h { 0.5 * h / state.radius } else { 0.5 });
+            radius.add(0.0, 0.0, row.radius, state.radius, half);
+        }
+    }
+    if 4 * lost > rows.len() || (main.rows == 0 && radius.rows == 0) {
+        return None;
+    }
+    let share = |own: &Norms| if own.rows == 0 { 0.0 } else { super::norms::ratio(own.l2(), own.allowed()) };
+    Some(Score { errors: [main.l2(), radius.l2()], shares: [share(&main), share(&radius)] })
+}
+
+/// The score of pressures under a state; `None` where hardly any place is left to compare.
+pub(super) fn field(exact: &Exact<'_>, state: &State, spots: &[Spot], gauge: &Gauge) -> Option<Score> {
+    let a = state.radius;
+    let region = Region::new(a, gauge.margin, &exact.sharp(a));
+    let inside: Vec<&Spot> = spots.iter().filter(|spot| region.holds(spot.r)).collect();
+    if 3 * inside.len() < spots.len() || inside.len() < 3 || a <= 0.0 {
+        return None;
+    }
+    let pressures = Pressures::new(exact.shape(), state, inside.len() as u64);
+    let (mut wanted, mut found) = (Vec::new(), Vec::new());
+    inside.iter().for_each(|spot| places(spot.r, gauge.mean_over, &mut wanted));
+    pressures.at(&wanted, &mut found);
+    let each = if gauge.mean_over.is_some() { 2 } else { 1 };
+    let mut norms = Norms::new(false);
+    for (spot, exact) in inside.iter().zip(found.chunks(each)) {
+        let exact = exact.iter().sum::<f64>() / each as f64;
+        if exact.is_finite() {
+            let allowed = excused(spot.r, a, gauge.pixel, state.boundary == Boundary::Rim);
+            norms.add(0.0, 0.0, spot.p, exact, allowed + gauge.solver);
+        }
+    }
+    // A contact that lies inside of all places explains nothing.
+    if norms.rows < 3 || norms.allowed() == 0.0 {
+        return None;
+    }
+    Some(Score { errors: [norms.l2(), 0.0], shares: [super::norms::ratio(norms.l2(), norms.allowed()), 0.0] })
+}

@@ -1,0 +1,218 @@
+//! A first look at a file: what it holds, how far it reaches, and the pixel that it betrays.
+
+use super::ValidationError;
+use super::column::{Column, Kind};
+use super::lattice::{self, Lattice, Offset};
+use super::table::{Source, Table};
+use super::units::Units;
+use crate::scene::Scene;
+use std::collections::BTreeSet;
+
+/// What kind of file it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Content {
+    /// One load per row.
+    Loads,
+    /// One place per row, all under one load.
+    Field,
+}
+
+/// What the first look found; lengths in computed units.
+pub(super) struct Survey<'s> {
+    pub(super) source: &'s Source<'s>,
+    pub(super) content: Content,
+    /// Computed numbers per number of the column.
+    pub(super) factors: Vec<f64>,
+    pub(super) columns: Vec<Column>,
+    pub(super) rows: u64,
+    pub(super) largest: Vec<f64>,
+    pub(super) lattice: Option<Lattice>,
+    /// The pixel that contact radii betray.
+    pub(super) counted: Option<f64>,
+    pub(super) notes: Vec<String>,
+}
+
+/// The smallest distances that are kept, and the distinct contact radii.
+const KEPT: usize = 400;
+const RADII: usize = 40;
+const HELP: &str = "columns such as d_um,F_mN,a_um for loads, or r_um,p_GPa (or x_um,y_um,p_GPa) for pressures, would be accepted";
+
+impl<'s> Survey<'s> {
+    /// Reads a file once.
+    pub(super) fn new(source: &'s Source<'s>, scene: &Scene, units: &mut Units) -> Result<Self, ValidationError> {
+        let mut table = Table::open(source)?;
+        let content = content(&source.name, &table)?;
+        let columns = table.columns.clone();
+        let mut factors = Vec::new();
+        for column in &columns {
+            factors.push(units.factor(scene, &source.name, column)?);
+        }
+        let places = Places::of(&table);
+        let a = table.index(Kind::ContactRadius);
+        let (mut rows, mut largest) = (0, vec![0.0_f64; columns.len()]);
+        let (mut nearest, mut xs, mut radii) = (Nearest::default(), BTreeSet::new(), BTreeSet::new());
+        let mut row = Vec::new();
+        while table.next(&mut row)?.is_some() {
+            rows += 1;
+            for ((value, factor), most) in row.iter_mut().zip(&factors).zip(&mut largest) {
+                *value *= factor;
+                *most = most.max(value.abs());
+            }
+            if content == Content::Field {
+                if let Some(r) = places.distance(&row) {
+                    nearest.take(r.abs());
+                }
+                if let (Some(x), true) = (places.x.and_then(|x| row.get(x)), xs.len() < 20 * KEPT) {
+                    xs.insert(Ordered(*x));
+                }
+            } else if let (Some(a), true) = (a.and_then(|a| row.get(a)), radii.len() < RADII) {
+                radii.insert(Ordered(*a));
+            }
+        }
+        let mut notes = std::mem::take(&mut table.notes);
+        if rows == 0 {
+            return Err(ValidationError::data(
+                &source.name,
+                None,
+                "the file has a header and no rows",
+                "at least one row of numbers would be accepted",
+            ));
+        }
+        if table.repeated() > 0 {
+            notes.push(format!("the first line stands again {} times among the rows and is skipped there", table.repeated()));
+        }
+        let mut lattice = lattice::of_distances(&nearest.distinct());
+        if let (Some(gap), true) = (gap(&xs), places.x.is_some()) {
+            lattice = Some(Lattice { pixel: gap, offset: lattice.map_or(Offset::Centre, |own| own.offset) });
+        }
+        let radii: Vec<f64> = radii.into_iter().map(|own| own.0).collect();
+        let counted = lattice::of_areas(&radii);
+        Ok(Self { source, content, factors, columns, rows, largest, lattice, counted, notes })
+    }
+
+    /// The place of a kind of column.
+    pub(super) fn index(&self, kind: Kind) -> Option<usize> {
+        self.columns.iter().position(|own| own.kind == kind)
+    }
+
+    /// The largest absolute value of a kind of column.
+    pub(super) fn largest(&self, kind: Kind) -> Option<f64> {
+        self.index(kind).and_then(|own| self.largest.get(own)).copied()
+    }
+
+    /// The number in the unit of the data.
+    pub(super) fn shown(&self, kind: Kind, computed: f64) -> f64 {
+        self.index(kind).and_then(|own| self.factors.get(own)).map_or(computed, |factor| computed / factor)
+    }
+
+    /// The unit of a kind of column as the file names it.
+    pub(super) fn unit(&self, kind: Kind, scene: &Scene) -> String {
+        let own = self.columns.iter().find(|own| own.kind == kind);
+        own.and_then(|own| own.unit.as_ref()).map_or_else(|| scene.system.unit_name(kind.dimension()), |unit| unit.name().to_owned())
+    }
+
+    /// Where the distances to the axis stand.
+    pub(super) fn places(&self) -> Places {
+        Places { r: self.index(Kind::Distance), x: self.index(Kind::X), y: self.index(Kind::Y) }
+    }
+}
+
+/// The columns that say where a row is.
+#[derive(Clone, Copy)]
+pub(super) struct Places {
+    pub(super) r: Option<usize>,
+    pub(super) x: Option<usize>,
+    pub(super) y: Option<usize>,
+}
+
+impl Places {
+    fn of(table: &Table<'_>) -> Self {
+        Self { r: table.index(Kind::Distance), x: table.index(Kind::X), y: table.index(Kind::Y) }
+    }
+
+    /// The distance of a row to the axis.
+    pub(super) fn distance(&self, row: &[f64]) -> Option<f64> {
+        match (self.r, self.x, self.y) {
+            (Some(r), _, _) => row.get(r).copied(),
+            (None, Some(x), Some(y)) => Some(row.get(x)?.hypot(*row.get(y)?)),
+            (None, Some(x), None) => row.get(x).map(|x| x.abs()),
+            _ => None,
+        }
+    }
+}
+
+fn content(file: &str, table: &Table<'_>) -> Result<Content, ValidationError> {
+    let has = |kind: Kind| table.index(kind).is_some();
+    let names: Vec<&str> = table.columns.iter().map(|own| own.name.as_str()).collect();
+    let found = if names.is_empty() { "no column is known".to_owned() } else { format!("the columns {} are known", names.join(", ")) };
+    let missing = |what: &str| ValidationError::data(file, None, format!("{what}: {found}"), HELP);
+    let place = has(Kind::Distance) || has(Kind::X);
+    let values = has(Kind::Pressure) || has(Kind::Displacement);
+    let loads = [Kind::Depth, Kind::Force, Kind::ContactRadius].into_iter().filter(|own| has(*own)).count();
+    match (place, values, loads) {
+        (true, true, _) => Ok(Content::Field),
+        (false, true, 0) => Err(missing("there is no column r, or x and y, for the places of the pressures")),
+        (true, false, 0) => Err(missing("there is no column p or u")),
+        (_, _, 0) => Err(missing("there is nothing to compare")),
+        (_, _, 1) => Err(missing("at least two of d, F and a are needed")),
+        _ => Ok(Content::Loads),
+    }
+}
+
+/// A number in a sorted set.
+#[derive(Clone, Copy, PartialEq)]
+struct Ordered(f64);
+
+impl Eq for Ordered {}
+
+impl PartialOrd for Ordered {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Ordered {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+/// The smallest distances of a file, as many as are kept.
+#[derive(Default)]
+struct Nearest {
+    kept: BTreeSet<Ordered>,
+}
+
+impl Nearest {
+    fn take(&mut self, r: f64) {
+        let full = self.kept.len() >= KEPT;
+        if full && self.kept.last().is_some_and(|last| r >= last.0) {
+            return;
+        }
+        self.kept.insert(Ordered(r));
+        if self.kept.len() > KEPT {
+            self.kept.pop_last();
+        }
+    }
+
+    /// Without those that differ by rounding only.
+    fn distinct(&self) -> Vec<f64> {
+        let scale = self.kept.last().map_or(0.0, |own| own.0);
+        let mut all: Vec<f64> = self.kept.iter().map(|own| own.0).collect();
+        all.dedup_by(|one, other| (*one - *other).abs() <= 1e-7 * scale);
+        if let Some(first) = all.first_mut()
+            && *first <= 1e-9 * scale
+        {
+            *first = 0.0;
+        }
+        all
+    }
+}
+
+/// The smallest distance between two of the coordinates.
+fn gap(xs: &BTreeSet<Ordered>) -> Option<f64> {
+    let scale = xs.first()?.0.abs().max(xs.last()?.0.abs());
+    let all: Vec<f64> = xs.iter().map(|own| own.0).collect();
+    let gaps = all.windows(2).map(|pair| pair[1] - pair[0]).filter(|own| *own > 1e-7 * scale);
+    gaps.min_by(f64::total_cmp)
+}

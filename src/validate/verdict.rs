@@ -1,0 +1,81 @@
+//! The verdict on the files of one kind: the finest within its tolerance, and errors that shrink with the pixel.
+
+use super::order::{Level, Order, order};
+use super::record::Column;
+
+/// What one kind of file says.
+pub(super) struct Verdict {
+    pub(super) passed: bool,
+    pub(super) reason: String,
+    /// The column that decides, with its order.
+    pub(super) order: Option<(&'static str, Order)>,
+}
+
+/// Errors below this are those of printed digits.
+const PRINTED: f64 = 1e-8;
+
+/// Judges the columns of the finest file, and the levels of all of them.
+pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level], solver: f64, unmatched: u64) -> Verdict {
+    let found = if levels.len() > 1 { order(levels, PRINTED.max(solver)) } else { None };
+    let failed: Vec<&Column> = finest.iter().filter(|own| own.passed == Some(false)).collect();
+    let converges = match found {
+        None => levels.len() < 2 || vanishing(levels, PRINTED.max(solver)),
+        Some(own) => own.low.unwrap_or(own.value) > 0.0,
+    };
+    let none_compared = finest.iter().all(|own| own.rows == 0);
+    let passed = failed.is_empty() && converges && unmatched == 0 && !none_compared;
+    let reason = if none_compared {
+        "no row could be compared with an exact value".to_owned()
+    } else if unmatched > 0 {
+        format!("no valid contact belongs to {unmatched} of the loads")
+    } else {
+        sentence(column, finest, failed.first().copied(), found, levels.len(), converges)
+    };
+    Verdict { passed, reason, order: found.map(|own| (column, own)) }
+}
+
+/// True where even the coarsest errors are those of printed digits.
+fn vanishing(levels: &[Level], noise: f64) -> bool {
+    levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= 10.0 * noise))
+}
+
+fn sentence(column: &str, finest: &[Column], failed: Option<&Column>, found: Option<Order>, files: usize, converges: bool) -> String {
+    let order = found.map(|own| match (own.low, own.high) {
+        (Some(low), Some(high)) => format!("order {:.2} ({low:.2} to {high:.2})", own.value),
+        _ => format!("order {:.2}", own.value),
+    });
+    let floor = found.and_then(|own| own.floor).map_or(String::new(), |own| format!("; below {own:.1e} refinement has no effect"));
+    let size = |own: &Column| match (own.pixels, own.tolerance) {
+        (Some(pixels), Some(tolerance)) => format!("contact radii are {pixels:.2} pixels off, more than {tolerance}"),
+        (None, Some(tolerance)) => {
+            format!("the error of {} is {:.3e} in L2, more than the {tolerance:.3e} that is accepted", own.name, own.l2)
+        }
+        _ => format!("the error of {} is {:.3e} in L2", own.name, own.l2),
+    };
+    match (failed, order, converges) {
+        (None, Some(order), true) => {
+            let own = finest.iter().find(|own| own.name == column);
+            let error = own.map_or(String::new(), |own| {
+                format!(" and the finest file is within its tolerance ({:.3e} of {:.3e})", own.l2, own.tolerance.unwrap_or(f64::MAX))
+            });
+            format!("the errors of {column} shrink with the pixel, {order},{error}{floor}").replace(", and", " and")
+        }
+        (None, None, true) => {
+            let own = finest.iter().find(|own| own.name == column).or(finest.first());
+            let error = own.map_or(String::new(), |own| format!("{:.3e} of {:.3e}", own.l2, own.tolerance.unwrap_or(own.l2)));
+            format!("every column is within its tolerance ({column}: {error})")
+        }
+        (None, order, false) => {
+            let order = order.unwrap_or_else(|| "no order".to_owned());
+            format!("the errors of {column} do not shrink with the pixel ({order}): refinement does not cure them")
+        }
+        (Some(own), Some(order), true) => {
+            format!("{}; the errors of {column} shrink with the pixel, {order}{floor}: a finer grid would help", size(own))
+        }
+        (Some(own), Some(order), false) => {
+            format!("{}, and the errors of {column} do not shrink with the pixel ({order}): refinement does not cure them", size(own))
+        }
+        (Some(own), None, _) if files > 1 => format!("{}, whatever the grid", size(own)),
+        (Some(own), None, _) => format!("{}; one file cannot tell a coarse grid from a wrong model", size(own)),
+    }
+}

@@ -1,0 +1,459 @@
+//! `sneddon validate` on real runs of two boundary-element solvers, on data with planted faults, and on files that are none.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
+
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_sneddon");
+const GRIDS: [u32; 3] = [64, 128, 256];
+
+fn runs() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/solver_runs")
+}
+
+fn room(name: &str) -> PathBuf {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("validate").join(name);
+    let _ = fs::remove_dir_all(&place);
+    fs::create_dir_all(&place).unwrap();
+    place
+}
+
+fn run(place: &Path, arguments: &[String]) -> Output {
+    Command::new(PROGRAM).current_dir(place).arg("validate").args(arguments).output().unwrap()
+}
+
+/// Validates files with a scene; the exit code and the JSON document.
+fn validated(place: &Path, scene: &str, files: &[String], more: &[&str]) -> (i32, Value) {
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    let mut arguments = vec!["scene.toml".to_owned()];
+    arguments.extend(files.iter().cloned());
+    arguments.push("--json".to_owned());
+    arguments.extend(more.iter().map(|own| (*own).to_owned()));
+    let done = run(place, &arguments);
+    let code = done.status.code().unwrap();
+    assert!(code < 2, "{}", String::from_utf8_lossy(&done.stderr));
+    let document: Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert_eq!(document["passed"], code == 0);
+    (code, document)
+}
+
+/// The scene of a run: lengths in um or m, with its load and what is said of the data.
+fn scene(set: &str, load: Option<&str>, data: &str) -> String {
+    let micro = set.contains("_cm");
+    let length = if micro { "um" } else { "m" };
+    let profile = match set.split('_').next().unwrap() {
+        "paraboloid" if micro => "f = \"r^2/(2*R)\"\nparameters = { R = \"10 um\" }".to_owned(),
+        "paraboloid" => "f = \"r^2/(2*R)\"\nparameters = { R = \"5 mm\" }".to_owned(),
+        "sphere" => "shape = \"sphere\"\nparameters = { R = \"10 um\" }".to_owned(),
+        "cone" => "f = \"r*tan(theta)\"\nparameters = { theta = 0.2 }".to_owned(),
+        _ => "f = \"0\"\nradius = \"1 um\"".to_owned(),
+    };
+    let material = if micro { "E = \"72 GPa\"\nnu = 0.17" } else { "E = \"210 GPa\"\nnu = 0.3" };
+    let load = load.map_or(String::new(), |own| format!("[load]\n{own}\n"));
+    format!("[profile]\n{profile}\n[material]\n{material}\n{load}[outputs]\nunits = {{ length = \"{length}\" }}\n{data}")
+}
+
+fn files(set: &str, kind: &str) -> Vec<String> {
+    let path = |n: u32| runs().join(format!("{set}_n{n}_{kind}.csv"));
+    GRIDS.iter().map(|n| path(*n)).filter(|own| own.exists()).map(|own| own.display().to_string()).collect()
+}
+
+#[test]
+fn force_files_of_real_runs_converge_with_their_order() {
+    let place = room("forces");
+    let errors = fs::read_to_string(runs().join("errors.csv")).unwrap();
+    let reported = |run: &str| -> f64 {
+        errors.lines().find(|line| line.starts_with(&format!("{run},"))).unwrap().split(',').nth(1).unwrap().parse().unwrap()
+    };
+    for (set, side, low, high) in [
+        ("paraboloid_cm", "8 um", 1.5, 2.3),
+        ("sphere_cm", "20 um", 1.5, 2.3),
+        ("flat_punch_cm", "4 um", 0.9, 1.3),
+        ("paraboloid_tamaas_dcfft", "0.4 mm", 1.5, 2.3),
+        ("cone_tamaas_dcfft", "0.4 mm", 1.5, 2.3),
+    ] {
+        let declared = format!("[data]\nbox = \"{side}\"\ngrid = [64, 128, 256]\nboundary = \"free\"\n");
+        for (data, more) in [("", vec![]), ("", vec!["--grid", "64,128,256"]), (declared.as_str(), vec![])] {
+            let (code, found) = validated(&place, &scene(set, None, data), &files(set, "Fd"), &more);
+            assert_eq!(code, 0, "{set}: {found:#}");
+            assert_eq!(found["suspicion"], Value::Null);
+            let order = &found["order"]["F"];
+            let number = |key: &str| order[key].as_f64().unwrap();
+            assert!(number("value") > low && number("value") < high && number("low") > 0.0, "{set}: {order}");
+            for (n, file) in GRIDS.iter().zip(found["files"].as_array().unwrap()) {
+                let own = file["columns"]["F"]["at_largest_load"].as_f64().unwrap();
+                let expected = reported(&format!("{set}_n{n}"));
+                assert!((own - expected).abs() <= 0.01 * expected, "{set} {n}: {own} {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_single_force_file_passes_on_its_own_grid() {
+    let place = room("single");
+    for (set, side) in [
+        ("paraboloid_cm", "8 um"),
+        ("sphere_cm", "20 um"),
+        ("flat_punch_cm", "4 um"),
+        ("paraboloid_tamaas_dcfft", "0.4 mm"),
+        ("cone_tamaas_dcfft", "0.4 mm"),
+    ] {
+        for (n, file) in GRIDS.iter().zip(files(set, "Fd")) {
+            let control = if set.contains("_cm") { "depth" } else { "force" };
+            let data = format!("[data]\nbox = \"{side}\"\ngrid = {n}\ncontrol = \"{control}\"\n");
+            let (code, found) = validated(&place, &scene(set, None, &data), &[file], &[]);
+            assert_eq!(code, 0, "{set} {n}: {found:#}");
+            assert_eq!(found["order"], Value::Null);
+            let decides = if control == "depth" { "F" } else { "d" };
+            assert_eq!(found["columns"][decides]["passed"], true, "the controlled quantity carries no error");
+            assert_eq!(found["columns"]["a"]["passed"], true);
+        }
+    }
+}
+
+#[test]
+fn pressure_files_of_free_runs_pass_and_those_of_periodic_boxes_fail_with_the_reason() {
+    let place = room("pressures");
+    for (set, loads) in [
+        ("paraboloid_cm", &["contact_radius = \"2 um\"", "depth = \"0.4 um\""][..]),
+        ("flat_punch_cm", &["depth = \"0.05 um\""]),
+        ("paraboloid_tamaas_dcfft", &["contact_radius = \"0.1 mm\"", "force = \"61.538461538 N\""]),
+        ("cone_tamaas_dcfft", &["contact_radius = \"0.1 mm\"", "force = \"734.8065673 N\""]),
+        ("paraboloid_tamaas_periodic", &["contact_radius = \"0.1 mm\"", "force = \"61.538461538 N\"", "depth = \"2 um\""]),
+        ("cone_tamaas_periodic", &["contact_radius = \"0.1 mm\"", "force = \"734.8065673 N\""]),
+    ] {
+        let side = match set {
+            "paraboloid_cm" => "8 um",
+            "flat_punch_cm" => "4 um",
+            _ => "0.4 mm",
+        };
+        let periodic = set.contains("periodic");
+        let files = files(set, "p");
+        let grids = if files.len() == 3 { "64,128,256" } else { "64,256" };
+        for load in loads {
+            let declared = format!("[data]\nbox = \"{side}\"\ngrid = [{grids}]\npressure = \"point\"\n");
+            for data in ["", declared.as_str()] {
+                let (code, found) = validated(&place, &scene(set, Some(load), data), &files, &["--grid", grids]);
+                assert_eq!(code, i32::from(periodic), "{set} {load}: {found:#}");
+                let suspicion = found["suspicion"].as_str().unwrap_or("");
+                assert_eq!(suspicion.contains("periodic"), periodic, "{set} {load}: {suspicion}");
+                let order = &found["order"]["p"];
+                if periodic {
+                    assert!(order["low"].as_f64().unwrap() <= 0.0 || order["value"].as_f64().unwrap() < 0.05, "{order}");
+                    assert!(found["reason"].as_str().unwrap().contains("do not shrink"), "{found:#}");
+                } else {
+                    assert!(order["value"].as_f64().unwrap() > 0.9, "{set}: {order}");
+                    assert!(found["columns"]["p"]["excluded"]["rows"].as_u64().unwrap() > 0);
+                }
+            }
+        }
+    }
+}
+
+/// Pseudo-random numbers in [−1, 1].
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}
+
+/// A tip with its exact relations, written down here once more: E* = 2, lengths of order 1.
+#[derive(Clone, Copy)]
+enum Tip {
+    /// R = 10: a² = R d, F = (4/3) E* a³/R, p = (2E*/πR) √(a² − r²).
+    Paraboloid,
+    /// tan θ = 0.25: a = 2d/(π tan θ), F = (π/2) E* a² tan θ, p = (E*/2) tan θ arcosh(a/r).
+    Cone,
+}
+
+const MODULUS: f64 = 2.0;
+const RADIUS: f64 = 10.0;
+const SLOPE: f64 = 0.25;
+const NU: f64 = 0.3;
+const SIDE: f64 = 8.0;
+
+impl Tip {
+    fn scene(self, load: &str, n: u32) -> String {
+        let young = MODULUS * (1.0 - NU * NU);
+        let profile = match self {
+            Self::Paraboloid => format!("f = \"r^2/(2*R)\"\nparameters = {{ R = {RADIUS} }}"),
+            Self::Cone => format!("f = \"r*tan(theta)\"\nparameters = {{ theta = {:?} }}", SLOPE.atan()),
+        };
+        format!(
+            "[profile]\n{profile}\n[material]\nE = {young:?}\nnu = {NU}\n[load]\n{load}\n[data]\nbox = {SIDE}\ngrid = {n}\nboundary = \"free\"\n"
+        )
+    }
+
+    fn depth(self, a: f64) -> f64 {
+        match self {
+            Self::Paraboloid => a * a / RADIUS,
+            Self::Cone => std::f64::consts::FRAC_PI_2 * a * SLOPE,
+        }
+    }
+
+    fn force(self, a: f64) -> f64 {
+        match self {
+            Self::Paraboloid => 4.0 / 3.0 * MODULUS * a.powi(3) / RADIUS,
+            Self::Cone => std::f64::consts::FRAC_PI_2 * MODULUS * a * a * SLOPE,
+        }
+    }
+
+    fn pressure(self, r: f64, a: f64) -> f64 {
+        match self {
+            _ if r >= a => 0.0,
+            Self::Paraboloid => 2.0 * MODULUS / (std::f64::consts::PI * RADIUS) * (a * a - r * r).sqrt(),
+            // The solver's value at the apex is finite.
+            Self::Cone => 0.5 * MODULUS * SLOPE * (a / r.max(0.01)).acosh(),
+        }
+    }
+}
+
+/// d, F and a with errors as a grid makes them: up to 0.1 (h/a)² in F, a quarter of a pixel in a.
+fn loads(tip: Tip, n: u32, change: &dyn Fn(usize, [f64; 3]) -> [f64; 3]) -> String {
+    let (h, mut noise) = (SIDE / f64::from(n), Noise(7));
+    let mut text = "d,F,a\n".to_owned();
+    for index in 0..12 {
+        let a = 0.8 + 0.1 * index as f64;
+        let error = 0.1 * (h / a).powi(2) * (0.6 + 0.4 * noise.next());
+        let row = change(index, [tip.depth(a), tip.force(a) * (1.0 + error), a + 0.25 * h * noise.next()]);
+        writeln!(text, "{:?},{:?},{:?}", row[0], row[1], row[2]).unwrap();
+    }
+    text
+}
+
+/// Pressures at the centres of pixels, with errors up to 0.1 (h/a)².
+fn pressures(tip: Tip, n: u32, a: f64, change: &dyn Fn([f64; 2]) -> [f64; 2]) -> String {
+    let (h, mut noise) = (SIDE / f64::from(n), Noise(11));
+    let mut text = "r,p\n".to_owned();
+    for i in 0..n / 4 {
+        for j in 0..=i {
+            let r = h * f64::from(i).hypot(f64::from(j));
+            let p = tip.pressure(r, a) * (1.0 + 0.1 * (h / a).powi(2) * noise.next());
+            let row = change([r, p]);
+            writeln!(text, "{:?},{:?}", row[0], row[1]).unwrap();
+        }
+    }
+    text
+}
+
+#[test]
+fn exact_data_with_the_errors_of_a_grid_pass() {
+    let place = room("sound");
+    for tip in [Tip::Paraboloid, Tip::Cone] {
+        let scene = tip.scene("contact_radius = 1.9", 128);
+        fs::write(place.join("loads.csv"), loads(tip, 128, &|_, row| row)).unwrap();
+        fs::write(place.join("p.csv"), pressures(tip, 128, 1.9, &|row| row)).unwrap();
+        for file in ["loads.csv", "p.csv"] {
+            let (code, found) = validated(&place, &scene, &[file.to_owned()], &[]);
+            assert_eq!(code, 0, "{found:#}");
+        }
+    }
+}
+
+/// Every fault is found; each is named by the word that belongs to it.
+#[test]
+fn planted_faults_are_found_and_named() {
+    use std::f64::consts::PI;
+    let place = room("faults");
+    let factor = 1.0 - NU * NU;
+    let load = "contact_radius = 1.9";
+    type Rows = Box<dyn Fn(Tip) -> String>;
+    let of_loads = |change: &'static dyn Fn(usize, [f64; 3]) -> [f64; 3]| -> Rows { Box::new(move |tip| loads(tip, 128, change)) };
+    let of_places = |change: &'static dyn Fn([f64; 2]) -> [f64; 2]| -> Rows { Box::new(move |tip| pressures(tip, 128, 1.9, change)) };
+    let next = |tip: Tip| {
+        let text = loads(tip, 128, &|_, row| row);
+        let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+        let shifted = rows.windows(2).map(|pair| format!("{},{},{}\n", pair[0][0], pair[1][1], pair[1][2]));
+        format!("d,F,a\n{}", shifted.collect::<String>())
+    };
+    let faults: Vec<(&str, Rows)> = vec![
+        ("E for E*", of_loads(&|_, [d, f, a]| [d, f * (1.0 - NU * NU), a])),
+        ("E* for E", of_loads(&|_, [d, f, a]| [d, f / (1.0 - NU * NU), a])),
+        ("a missing pi", of_loads(&|_, [d, f, a]| [d, f / PI, a])),
+        ("a missing pi", of_loads(&|_, [d, f, a]| [d, f, a * 1.772_453_850_905_516])),
+        ("unit slip: F", of_loads(&|_, [d, f, a]| [d, 1e3 * f, a])),
+        ("unit slip: d", of_loads(&|_, [d, f, a]| [1e3 * d, f, a])),
+        ("tension for compression", of_loads(&|_, [d, f, a]| [d, -f, a])),
+        ("quarter model", of_loads(&|_, [d, f, a]| [d, 0.25 * f, a])),
+        ("diameter for radius", of_loads(&|_, [d, f, a]| [d, f, 2.0 * a])),
+        ("depth from another reference", of_loads(&|_, [d, f, a]| [d + 0.01, f, a])),
+        ("compliant frame", of_loads(&|_, [d, f, a]| [d + 0.02 * f, f, a])),
+        ("another modulus", of_loads(&|_, [d, f, a]| [d, 1.2345 * f, a])),
+        ("a load level off", Box::new(next)),
+        ("E for E*", of_places(&|[r, p]| [r, p * (1.0 - NU * NU)])),
+        ("a missing pi", of_places(&|[r, p]| [r, PI * p])),
+        ("unit slip: p", of_places(&|[r, p]| [r, 1e-6 * p])),
+        ("unit slip: r", of_places(&|[r, p]| [1e3 * r, p])),
+        ("tension for compression", of_places(&|[r, p]| [r, -p])),
+        ("diameter for radius", of_places(&|[r, p]| [2.0 * r, p])),
+        ("shifted origin", of_places(&|[r, p]| [r + 0.1, p])),
+        ("a load level off", Box::new(|tip| pressures(tip, 128, 1.8, &|row| row))),
+    ];
+    assert!(factor < 1.0);
+    for tip in [Tip::Paraboloid, Tip::Cone] {
+        for (name, data) in &faults {
+            fs::write(place.join("data.csv"), data(tip)).unwrap();
+            let (code, found) = validated(&place, &tip.scene(load, 128), &["data.csv".to_owned()], &[]);
+            assert_eq!(code, 1, "{name} passes: {found:#}");
+            let suspicion = found["suspicion"].as_str().unwrap_or("");
+            assert!(suspicion.contains(name), "{name}: {suspicion:?}, {}", found["reason"]);
+        }
+    }
+    // Faults of the scene itself.
+    let turned = Tip::Cone.scene(load, 128).replace(&format!("{:?}", SLOPE.atan()), &format!("{:?}", PI / 2.0 - SLOPE.atan()));
+    let doubled = Tip::Paraboloid.scene(load, 128).replace("R = 10", "R = 20");
+    for (tip, scene, name) in [(Tip::Cone, turned, "half-opening angle"), (Tip::Paraboloid, doubled, "diameter for radius")] {
+        fs::write(place.join("data.csv"), loads(tip, 128, &|_, row| row)).unwrap();
+        let (code, found) = validated(&place, &scene, &["data.csv".to_owned()], &[]);
+        assert_eq!(code, 1, "{found:#}");
+        assert!(found["suspicion"].as_str().unwrap_or("").contains(name), "{found:#}");
+    }
+}
+
+#[test]
+fn a_fault_without_a_name_is_given_none() {
+    let place = room("nameless");
+    let wild = loads(Tip::Paraboloid, 128, &|index, [d, f, a]| [d, f * (1.0 + 0.1 * (index as f64 * 2.3).sin()), a]);
+    fs::write(place.join("data.csv"), wild).unwrap();
+    let (code, found) = validated(&place, &Tip::Paraboloid.scene("depth = 0.3", 128), &["data.csv".to_owned()], &[]);
+    assert_eq!((code, &found["suspicion"]), (1, &Value::Null), "{found:#}");
+}
+
+#[test]
+fn the_force_of_a_complete_lattice_is_the_sum_of_its_pressures() {
+    let place = room("lattice");
+    fs::write(place.join("p.csv"), pressures(Tip::Paraboloid, 128, 1.9, &|[r, p]| [r, 1.01 * p])).unwrap();
+    let scene = Tip::Paraboloid.scene("contact_radius = 1.9", 128);
+    let (_, found) = validated(&place, &scene, &["p.csv".to_owned()], &["--tol", "0.02"]);
+    // The same rule on both sides: the lattice's own error drops out.
+    let bias = found["columns"]["F_from_p"]["bias"].as_f64().unwrap();
+    assert!((bias - 0.01).abs() < 5e-4, "{bias}");
+    // A thinned file makes no sum.
+    let thinned: String = pressures(Tip::Paraboloid, 128, 1.9, &|row| row)
+        .lines()
+        .enumerate()
+        .filter(|(i, _)| i % 3 != 2)
+        .map(|(_, l)| format!("{l}\n"))
+        .collect();
+    fs::write(place.join("p.csv"), thinned).unwrap();
+    let (_, found) = validated(&place, &scene, &["p.csv".to_owned()], &[]);
+    assert_eq!(found["columns"]["F_from_p"], Value::Null);
+}
+
+#[test]
+fn odd_but_readable_files_are_read() {
+    let place = room("readable");
+    let plain = loads(Tip::Cone, 128, &|_, row| row);
+    let names = plain.lines().next().unwrap();
+    for (name, text) in [
+        ("byte order mark", format!("\u{feff}{plain}")),
+        ("CRLF", plain.replace('\n', "\r\n")),
+        ("decimal commas", plain.replace(',', ";").replace('.', ",")),
+        ("tabs", plain.replace(',', "\t")),
+        ("comments", format!("# made by a solver\n{plain}# end\n")),
+        ("names in a comment", plain.replace("d,F,a", "# d,F,a")),
+        ("names twice", format!("{plain}{names}\n{}", plain.split_once('\n').unwrap().1)),
+        ("another column", plain.lines().enumerate().map(|(i, line)| format!("{line},{}\n", if i == 0 { "steps" } else { "3" })).collect()),
+        ("words", plain.replace("d,F,a", "depth,force,contact_radius")),
+    ] {
+        fs::write(place.join("data.csv"), text).unwrap();
+        let (code, found) = validated(&place, &Tip::Cone.scene("depth = 0.3", 128), &["data.csv".to_owned()], &[]);
+        assert_eq!(code, 0, "{name}: {found:#}");
+    }
+}
+
+#[test]
+fn files_that_are_no_data_are_refused_with_their_line() {
+    let place = room("refused");
+    let scene = Tip::Cone.scene("depth = 0.3", 128);
+    fs::write(place.join("scene.toml"), &scene).unwrap();
+    for (text, said) in [
+        ("", "no header"),
+        ("d,F,a\n", "no rows"),
+        ("0.1,0.2,0.3\n0.2,0.3,0.4\n", "numbers where the names"),
+        ("d,F,a\n0.1,x,0.3\n", "line 2: column F: \"x\" is no number"),
+        ("d,F,a\n0.1,NaN,0.3\n", "NaN is not finite"),
+        ("d,F,a\n0.1,,0.3\n", "column F is empty"),
+        ("d,F,a\n0.1,0.2\n", "2 fields where the first line names 3"),
+        ("d,F\n0,1,0,2\n", "decimal commas"),
+        ("d,d,F\n0.1,0.1,0.2\n", "the same quantity"),
+        ("d_um,F_um\n0.1,0.2\n", "um is a length, not a force"),
+        ("t,s\n0.1,0.2\n", "nothing to compare"),
+        ("p,F\n0.1,0.2\n", "at least two of d, F and a"),
+        ("p\n0.1\n", "no column r"),
+        ("r\n0.1\n", "no column p or u"),
+    ] {
+        fs::write(place.join("data.csv"), text).unwrap();
+        let page = place.join("page.html");
+        fs::write(&page, "old").unwrap();
+        let arguments = ["scene.toml", "data.csv", "-o", "page.html"].map(str::to_owned);
+        let done = run(&place, &arguments);
+        let error = String::from_utf8_lossy(&done.stderr).into_owned();
+        assert_eq!(done.status.code(), Some(2), "{text:?}: {error}");
+        assert!(error.contains(said), "{text:?}: {error}");
+        assert!(error.contains("would be accepted") || error.contains("semicolon"), "{error}");
+        assert!(done.stdout.is_empty());
+        assert_eq!(fs::read_to_string(&page).unwrap(), "old");
+    }
+}
+
+#[test]
+fn the_page_needs_nothing_else() {
+    let place = room("page");
+    fs::write(place.join("scene.toml"), scene("paraboloid_cm", Some("contact_radius = \"2 um\""), "")).unwrap();
+    let mut arguments = vec!["scene.toml".to_owned()];
+    arguments.extend(files("paraboloid_cm", "p"));
+    arguments.extend(["-o", "page.html"].map(str::to_owned));
+    assert_eq!(run(&place, &arguments).status.code(), Some(0));
+    let page = fs::read_to_string(place.join("page.html")).unwrap();
+    assert!(page.contains("<svg") && page.contains("exact") && page.ends_with("</html>\n"));
+    for outside in ["src=", "href=", "<script", "url("] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+}
+
+#[test]
+fn grid_and_data_that_do_not_fit_are_refused() {
+    let place = room("grid");
+    fs::write(place.join("data.csv"), loads(Tip::Cone, 128, &|_, row| row)).unwrap();
+    let scene = Tip::Cone.scene("depth = 0.3", 128);
+    for (scene, more, said) in [
+        (scene.clone(), vec!["--grid", "64,128"], "--grid has 2 numbers for 1 files"),
+        (scene.replace("grid = 128", "gird = 128"), vec![], "did you mean grid?"),
+        (scene.replace("\"free\"", "\"fre\""), vec![], "did you mean free?"),
+        (scene.replace("box = 8", "box = 0"), vec![], "box = 0"),
+        (scene, vec!["--tol", "0"], "--tol 0"),
+    ] {
+        fs::write(place.join("scene.toml"), scene).unwrap();
+        let arguments: Vec<String> = ["scene.toml", "data.csv"].into_iter().chain(more).map(str::to_owned).collect();
+        let done = run(&place, &arguments);
+        assert_eq!(done.status.code(), Some(2));
+        assert!(String::from_utf8_lossy(&done.stderr).contains(said), "{}", String::from_utf8_lossy(&done.stderr));
+    }
+}
+
+#[test]
+fn the_example_of_the_document_is_true() {
+    let place = room("document");
+    let document = fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/validate.md")).unwrap();
+    let example = document.split("## An example").nth(1).unwrap();
+    let block = |kind: &str| example.split(&format!("```{kind}\n")).nth(1).unwrap().split("```").next().unwrap().to_owned();
+    fs::write(place.join("periodic.toml"), block("toml")).unwrap();
+    let text = block("text");
+    let (command, shown) = text.split_once('\n').unwrap();
+    let arguments: Vec<String> = command.strip_prefix("$ sneddon validate ").unwrap().split(' ').map(str::to_owned).collect();
+    for name in arguments.iter().filter(|own| own.ends_with(".csv")) {
+        fs::copy(runs().join(name), place.join(name)).unwrap();
+    }
+    let done = run(&place, &arguments);
+    assert_eq!(done.status.code(), Some(1));
+    assert_eq!(String::from_utf8(done.stdout).unwrap().trim_end(), shown.trim_end());
+}
