@@ -196,6 +196,19 @@ fn repaired_files_answer_like_clean_ones() {
     assert!(own.iter().zip(expected).all(|(own, expected)| (own / expected - 1.0).abs() < 1e-12), "{own:?} {expected:?}");
 }
 
+/// Heights that fall or stay are said, and change nothing.
+#[test]
+fn noise_and_steps_are_said() {
+    let rows = samples(&|r| r * r / 20.0, 2.0, 60);
+    let stepped = csv(rows.iter().map(|own| (own.0, (own.1 * 200.0).round() / 200.0)));
+    assert_eq!(rules(&stepped, ""), ["tip_steps"]);
+    assert_eq!(rules(&stepped, "interpolation = 'smoothing-spline'"), [""; 0]);
+    let dented = csv(rows.iter().enumerate().map(|(i, own)| (own.0, if i == 30 { own.1 - 0.1 } else { own.1 })));
+    assert_eq!(rules(&dented, ""), ["tip_not_monotone"]);
+    let worn = csv((0..30).map(f64::from).map(|r| (0.1 * r, (0.1 * r - 1.0).max(0.0).powi(2))));
+    assert_eq!(rules(&worn, ""), [""; 0]);
+}
+
 /// Without the row at r = 0 the profile is continued evenly, and said to be.
 #[test]
 fn a_missing_apex_is_continued_and_said() {

@@ -14,6 +14,8 @@ const FEWEST: usize = 4;
 const MOST: usize = 200_000;
 /// Radii nearer to each other than this share of the mean spacing are one.
 const NEAR: f64 = 1e-6;
+/// One level interval in so many is no accident.
+const STEPS_OF: usize = 20;
 
 /// Sorts, joins what stands twice, and refuses what no repair helps.
 ///
@@ -126,6 +128,28 @@ pub(super) fn note_falls(points: &[(f64, f64)], through_all: bool, system: &Syst
         message.push_str("; if that is noise, interpolation = \"smoothing-spline\" in [profile] smooths it");
     }
     notes.push(Note::new("tip_not_monotone", message, Some(first.0)));
+}
+
+/// Says where heights stay while radii grow, beyond a flat end: steps of a converter or of rounding.
+pub(super) fn note_steps(points: &[(f64, f64)], notes: &mut Vec<Note>) {
+    let rising = points.windows(2).skip_while(|pair| matches!(pair, [one, other] if other.1 == one.1));
+    let (mut count, mut level) = (0_usize, 0_usize);
+    let mut first = None;
+    for pair in rising {
+        let [one, other] = pair else { continue };
+        count += 1;
+        if one.1 == other.1 {
+            level += 1;
+            first.get_or_insert(one.0);
+        }
+    }
+    if level * STEPS_OF >= count && level > 1 {
+        let message = format!(
+            "{level} of {count} intervals have the same height at both ends: the profile has steps, and so has the pressure; \
+             interpolation = \"smoothing-spline\" in [profile] smooths them"
+        );
+        notes.push(Note::new("tip_steps", message, first));
+    }
 }
 
 /// Adds f(0) where the first point lies beyond the axis: by the even polynomial through the first points, or at a pointed tip by a plain one.

@@ -4,7 +4,7 @@ use super::columns::{Sheet, sheet};
 use super::fit::{self, Fit};
 use super::header::Column;
 use super::keys::{Apex, Join, Measured, Smoothing};
-use super::points::{Points, extended, note_falls, ordered};
+use super::points::{Points, extended, note_falls, note_steps, ordered};
 use super::scan::{Scan, folded};
 use crate::contact::ContactError;
 use crate::expr::Expr;
@@ -75,6 +75,9 @@ impl Measured {
             (points, scan) = (folded, Some(found));
         }
         note_falls(&points, self.join == Join::MonotoneCubic, system, &mut notes);
+        if self.join == Join::MonotoneCubic {
+            note_steps(&points, &mut notes);
+        }
         let measured = points.clone();
         let rounded = match self.apex {
             Apex::Rounded => true,
