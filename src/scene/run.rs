@@ -189,7 +189,8 @@ impl<'a> Run<'a> {
             || *self.tip.get_or_init(|| Simple::tip(|r| Some(self.indentation.shape().profile(r).ok()?.estimate.value), state.radius));
         let known = &self.scene.relatives;
         let tip = if known.is_empty() { tip() } else { None };
-        let flat = (state.boundary == Boundary::Rim && !self.scene.profile.is_flat()).then_some(Simple::Flat { radius: state.radius });
+        let flat = (state.boundary == Boundary::Rim && (self.scene.tip.is_some() || !self.scene.profile.is_flat()))
+            .then_some(Simple::Flat { radius: state.radius });
         let depth = state.depth - self.indentation.first_touch();
         let wrong = |simple: Simple| {
             let force_error = simple.force(self.scene.effective_modulus, depth) / state.force - 1.0;
