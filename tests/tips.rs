@@ -179,6 +179,8 @@ fn repaired_files_answer_like_clean_ones() {
         ("tabs, comments, line ends", format!("\u{feff}# tip\r\n{}", clean.replace(',', "\t").replace('\n', "\r\n")), "", vec![]),
         ("blanks", format!("# {}", clean.replace(',', "   ")), "", vec![]),
         ("units in the scene", clean.replace("_um", ""), "length_unit = 'um'", vec![]),
+        ("one unit for both columns", clean.replace("_um", ""), "units = 'um'", vec![]),
+        ("an ordinate", clean.replace("r_um,z_um", "x [um],y1 [um]"), "", vec![]),
         ("a unit per column", clean.replace("_um", ""), "units = { r = 'um', z = 'um' }", vec![]),
         ("inverted", csv(rows.iter().map(|own| (own.0, -own.1))), "invert = true", vec![]),
     ] {

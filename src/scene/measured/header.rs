@@ -18,6 +18,9 @@ pub(super) struct Column {
 const RADII: [&str; 6] = ["r", "x", "radius", "position", "distance", "lateral"];
 const HEIGHTS: [&str; 6] = ["z", "f", "h", "height", "profile", "topography"];
 
+/// What a height is called where nothing else is one: a line scan y(x).
+const ORDINATES: [&str; 2] = ["y", "y1"];
+
 const HELP: &str = "a column r (or x, for a line scan) and a column z would be accepted, with units as in r_um,z_nm";
 
 /// The columns of radius and height.
@@ -48,8 +51,11 @@ pub(super) fn chosen(fields: &[Field<'_>], line_scan: bool) -> Result<(Column, C
     };
     let wanted: &[&str] = if line_scan && all.iter().any(|(name, _)| name == "x") { &["x"] } else { &RADII };
     let radius = find(wanted, "radii")?;
-    let height = find(&HEIGHTS, "heights")?;
-    if parts(&radius.name).0.eq_ignore_ascii_case("x")
+    let any = all.iter().any(|(name, _)| HEIGHTS.contains(&name.as_str()));
+    let ordinates = !any && all.iter().any(|(name, _)| ORDINATES.contains(&name.as_str()));
+    let height = find(if ordinates { &ORDINATES } else { &HEIGHTS }, "heights")?;
+    if !ordinates
+        && parts(&radius.name).0.eq_ignore_ascii_case("x")
         && let Some((_, index)) = all.iter().find(|(name, _)| name == "y")
     {
         let message = "x, y and z make a map of a surface, which is not read";

@@ -92,7 +92,10 @@ impl Measured {
             _ => Apex::Auto,
         };
         let mut units = [None, None];
-        if let Some(table) = profile.table("units")? {
+        let own = profile.get("units");
+        if let Some(both) = own.as_ref().filter(|entry| entry.string().is_ok()).map(length).transpose()? {
+            units = [Some(both.clone()), Some(both)];
+        } else if let Some(table) = profile.table("units")? {
             table.allow(&["r", "z"])?;
             for (key, place) in ["r", "z"].into_iter().zip(&mut units) {
                 *place = table.get(key).map(|entry| length(&entry)).transpose()?;
