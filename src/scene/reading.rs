@@ -191,6 +191,7 @@ impl Asked {
             depth_from: self.depth_from,
             outputs,
             shown: Some(shown),
+            lacking: self.lacking,
             method: self.method,
             tolerance,
             ..scene
