@@ -94,9 +94,9 @@ impl Simple {
         }
         let exponent = (high / low).log10();
         let (simple, whole) = if (exponent - 2.0).abs() < 1e-3 {
-            (Self::Paraboloid { radius: small * small / (2.0 * low) }, low / NEAR / NEAR)
+            (Self::Paraboloid { radius: shortened(small * small / (2.0 * low)) }, low / NEAR / NEAR)
         } else if (exponent - 1.0).abs() < 1e-3 {
-            (Self::Cone { slope: low / small }, low / NEAR)
+            (Self::Cone { slope: shortened(low / small) }, low / NEAR)
         } else {
             return None;
         };
@@ -131,6 +131,11 @@ impl Simple {
             Self::Flat { radius } => format!("a flat punch of radius {}", length(radius)),
         }
     }
+}
+
+/// Nine digits: what is seen a millionth of the way out is known to about twelve.
+fn shortened(value: f64) -> f64 {
+    format!("{value:.8e}").parse().unwrap_or(value)
 }
 
 impl Regime {
