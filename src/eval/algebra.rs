@@ -1,7 +1,7 @@
 //! The kinds of value that an expression can be walked with.
 
-use crate::expr::Function;
-use crate::num::{Bounded, Precise, real_power};
+use crate::expr::{Function, Row};
+use crate::num::{Bounded, DoubleDouble, Precise, real_power};
 use num_complex::Complex64;
 use std::sync::OnceLock;
 
@@ -121,9 +121,26 @@ impl Algebra for BoundedAlgebra {
         let row = function.row();
         match arguments {
             [argument] => argument.apply(|z| (row.value)(&[z]), row.ulps),
-            _ => Bounded::apply_many(row.value, arguments, row.ulps),
+            _ => by_spread(row, arguments).unwrap_or_else(|| Bounded::apply_many(row.value, arguments, row.ulps)),
         }
     }
+}
+
+/// The value with the bound that its row states, which asks the function once; `None` where there is none, or no room for it.
+fn by_spread(row: &Row, arguments: &[Bounded]) -> Option<Bounded> {
+    const FEW: usize = 4;
+    let spread = row.spread?;
+    let (mut point, mut exact, mut by) = ([0.0; FEW], [DoubleDouble::from(0.0); FEW], [0.0; FEW]);
+    let count = arguments.len();
+    let (point, exact, by) = (point.get_mut(..count)?, exact.get_mut(..count)?, by.get_mut(..count)?);
+    for (((value, known), distance), argument) in point.iter_mut().zip(&mut *exact).zip(&mut *by).zip(arguments) {
+        (*value, *known, *distance) = (argument.value, argument.value.into(), argument.error);
+    }
+    let value = (row.value)(point);
+    let carried = if by.iter().all(|by| *by == 0.0) { 0.0 } else { spread(exact, by) };
+    let error = (carried + row.ulps * f64::EPSILON * value.abs()) * (1.0 + 8.0 * f64::EPSILON);
+    // Next to underflow the bound would lose its own digits.
+    (value.abs() >= 1e-150 && error <= f64::MAX).then_some(Bounded { value, error })
 }
 
 /// Complex values of the elementary functions; a step into the imaginary direction gives derivatives without cancellation.

@@ -102,7 +102,7 @@ def solved(p, d):
     # From the logarithm of a - b, or of a/(R - a), by bisection and then by secants.
     place = lambda u: limit / (1 + mp.exp(-u)) if limit else flat + mp.exp(u)
     miss = lambda u: log(g(place(u)) / d)
-    low = high = log(p["start"])
+    low, high = log(p["start"]) - 1, log(p["start"]) + 1
     while miss(low) > 0:
         low -= 3
     while miss(high) < 0:

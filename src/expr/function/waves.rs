@@ -4,7 +4,7 @@ use super::elementary::{binary, first, negated, odd, unary};
 use super::precise::{pair, single};
 use super::{Latex, PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
-use crate::num::special;
+use crate::num::{DoubleDouble, special};
 
 /// A 30-digit value rounded: half an ulp and a hair.
 const ROUNDED: f64 = 1.1;
@@ -75,6 +75,7 @@ pub(super) static ROWS: &[Row] = &[
         value: |a| binary(a, special::besselj),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::besselj_precise)),
+        spread: Some(|a, by| wave_spread(a, by, special::besselj)),
         derivative: Some(|a, i| bessel_derivative("besselj", a, i, -1)),
         fold: Some(|a| bessel_fold("besselj", a, -1)),
         ..PLAIN
@@ -113,6 +114,7 @@ pub(super) static ROWS: &[Row] = &[
         value: |a| binary(a, special::struveh),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::struveh_precise)),
+        spread: Some(|a, by| wave_spread(a, by, special::struveh)),
         derivative: Some(|a, i| struve_derivative("struveh", a, i, -1)),
         fold: Some(|a| struve_fold("struveh", a)),
         ..PLAIN
@@ -238,6 +240,32 @@ fn struve_fold(name: &'static str, a: &[Expr]) -> Option<Expr> {
         [n, z] => mirrored(name, n, z, n.as_integer()? % 2 != 0),
         _ => None,
     }
+}
+
+/// How far J or H of order 0 or 1 moves with its argument, whose slope is bounded: |J₀′| = |J₁|, |J₁′| ≤ 1/2, |H₀′| = |2/π − H₁|
+/// and |H₁′| = |H₀ − H₁/z| stay below 1, and J₀′ and H₁′ below z/2 next to 0. Other orders are probed.
+fn wave_spread(arguments: &[DoubleDouble], by: &[f64], wave: fn(f64, f64) -> f64) -> f64 {
+    let ([order, z], [moved, by]) = (arguments, by) else { return f64::INFINITY };
+    let far = z.hi.abs() + by;
+    match order.hi {
+        _ if *moved != 0.0 || order.lo != 0.0 => probed(order.hi, z.hi, *moved, *by, wave),
+        0.0 | 1.0 => {
+            let even = wave(0.0, 0.0) == 1.0;
+            let vanishes = (order.hi == 0.0) == even;
+            by * if vanishes { far.min(2.0) * 0.5 } else { 1.0 }
+        }
+        order => probed(order, z.hi, 0.0, *by, wave),
+    }
+}
+
+/// Twice the larger change, as where nothing is known of a slope.
+fn probed(order: f64, z: f64, moved: f64, by: f64, wave: fn(f64, f64) -> f64) -> f64 {
+    let here = wave(order, z);
+    let (far, wide) = (by.max(z.abs() * f64::EPSILON), moved.max(order.abs() * f64::EPSILON));
+    let along = (wave(order, z + far) - here).abs().max((wave(order, z - far) - here).abs());
+    let across = if moved == 0.0 { 0.0 } else { (wave(order + wide, z) - here).abs().max((wave(order - wide, z) - here).abs()) };
+    let total = 2.0 * (along + across) + 4.0 * f64::EPSILON * here.abs();
+    if total.is_nan() { f64::INFINITY } else { total }
 }
 
 #[cfg(test)]
