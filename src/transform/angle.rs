@@ -148,19 +148,16 @@ struct Even<'a> {
 
 impl EvenIntegrand for Even<'_> {
     const BOUNDED: bool = true;
+    const BLOCK: usize = CHUNK;
+    const TOGETHER: bool = true;
 
-    fn fill(&mut self, nodes: &Nodes, values: &mut [f64], errors: &mut [f64]) {
+    fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], errors: &mut [f64]) {
         let exact = matches!(self.source.weight, Weight::Integral | Weight::Outside(_));
-        let mut from = 0;
-        for (values, errors) in values.chunks_mut(CHUNK).zip(errors.chunks_mut(CHUNK)) {
-            let to = from + values.len();
-            let Some(Placed { at, factor }) = self.form.place(&self.extent, nodes, (from, to), exact, &mut self.room) else { return };
-            self.source.ask(at, factor, values, errors);
-            from = to;
-        }
+        let Some(Placed { at, factor }) = self.form.place(&self.extent, nodes, exact, &mut self.room) else { return };
+        self.source.ask(at, factor, values, errors);
     }
 
-    fn radii<'n>(&self, nodes: &'n Nodes) -> Option<&'n [f64]> {
+    fn radii<'n>(&self, nodes: Nodes<'n>) -> Option<&'n [f64]> {
         self.form.radii(nodes)
     }
 }

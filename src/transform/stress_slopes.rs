@@ -4,7 +4,7 @@ use super::integral::{NumericProfile, NumericSegment, Weight};
 use super::slope_source::Numbers;
 use crate::num::Estimate;
 use crate::num::bounded::UNIT;
-use crate::num::quadrature::{EvenIntegrand, Mean, Nodes, Stage, mean};
+use crate::num::quadrature::{EvenIntegrand, Mean, Middles, Nodes, mean};
 
 /// Most values of g′ before the single integral is taken instead.
 const MOST: u64 = 80;
@@ -48,9 +48,11 @@ struct Slopes<'a> {
 
 impl EvenIntegrand for Slopes<'_> {
     const BOUNDED: bool = true;
+    const BLOCK: usize = 8;
+    const TOGETHER: bool = false;
 
-    fn fill(&mut self, nodes: &Nodes, values: &mut [f64], errors: &mut [f64]) {
-        for ((value, error), z) in values.iter_mut().zip(errors).zip(&nodes.z) {
+    fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], errors: &mut [f64]) {
+        for ((value, error), z) in values.iter_mut().zip(errors).zip(nodes.z) {
             let x = (self.s * (self.reach * z).cosh()).min(self.a);
             let found = self.segment.nested(self.bend, x, Weight::Slope, INNER * self.tolerance, self.largest);
             // Where there is no value the rules above give up.
@@ -61,10 +63,10 @@ impl EvenIntegrand for Slopes<'_> {
         }
     }
 
-    fn displacement(&self, stage: &Stage, values: &[f64]) -> f64 {
+    fn displacement(&self, middles: Middles<'_>, values: &[f64]) -> f64 {
         // x is right to a few roundings, those of u among them; dx/x = tanh u du, and coth u ≤ 1 + 1/u.
         let roundings = (4.0 + 2.0 * self.reach) * UNIT;
-        let steps = values.iter().zip(values.get(1..).unwrap_or_default()).zip(&stage.reciprocals);
+        let steps = values.iter().zip(values.get(1..).unwrap_or_default()).zip(middles.reciprocals);
         steps.map(|((a, b), over)| (b - a).abs() * (1.0 + over / self.reach)).sum::<f64>() * roundings / self.reach
     }
 }

@@ -13,5 +13,5 @@ mod transform;
 pub use abel::{AbelOptions, Radii, Start, abel, abel_force};
 pub(crate) use abel::{CHUNK, Extent, Form, Placed, Room, Wish, from_the_axis};
 pub use adaptive::{Options, Rule, integrate, integrate_blocks};
-pub(crate) use even::{EvenIntegrand, Mean, Nodes, Stage, mean};
+pub(crate) use even::{EvenIntegrand, Mean, Middles, Nodes, mean};
 pub use transform::{EndBehaviour, Panel, Point};

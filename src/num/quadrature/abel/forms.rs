@@ -1,9 +1,9 @@
 //! The variables in which f′(r)/√(x² − r²) becomes a smooth even function, r/x = cos τ.
 
-use super::super::even::{Nodes, Stage};
+use super::super::even::{Middles, Nodes};
 use super::Radii;
 
-/// Places that are asked together.
+/// Most places that are asked together.
 pub(crate) const CHUNK: usize = 16;
 
 /// Room for the places of one chunk.
@@ -12,11 +12,15 @@ pub(crate) struct Room {
     past: [f64; CHUNK],
     below: [f64; CHUNK],
     factor: [f64; CHUNK],
+    sine: [f64; CHUNK],
+    secant: [f64; CHUNK],
 }
 
 impl Room {
+    #[inline(always)]
     pub(crate) const fn new() -> Self {
-        Self { r: [0.0; CHUNK], past: [0.0; CHUNK], below: [0.0; CHUNK], factor: [0.0; CHUNK] }
+        const EMPTY: [f64; CHUNK] = [0.0; CHUNK];
+        Self { r: EMPTY, past: EMPTY, below: EMPTY, factor: EMPTY, sine: EMPTY, secant: EMPTY }
     }
 }
 
@@ -37,8 +41,6 @@ pub(crate) struct Extent {
     pub(crate) sine: f64,
     /// cos τ there: b/x.
     pub(crate) cosine: f64,
-    /// τ there.
-    pub(crate) angle: f64,
 }
 
 impl Extent {
@@ -46,10 +48,15 @@ impl Extent {
     pub(crate) fn new(lower: f64, x: f64, limit: Option<f64>) -> Self {
         let rest = limit.map_or(0.0, |limit| limit - x);
         if lower == 0.0 {
-            return Self { x, rest, sine: 1.0, cosine: 0.0, angle: std::f64::consts::FRAC_PI_2 };
+            return Self { x, rest, sine: 1.0, cosine: 0.0 };
         }
         let root = ((x - lower) * (x + lower)).sqrt();
-        Self { x, rest, sine: root / x, cosine: lower / x, angle: root.atan2(lower) }
+        Self { x, rest, sine: root / x, cosine: lower / x }
+    }
+
+    /// τ at the lower end.
+    pub(crate) fn angle(&self) -> f64 {
+        if self.cosine == 0.0 { std::f64::consts::FRAC_PI_2 } else { self.sine.atan2(self.cosine) }
     }
 }
 
@@ -63,11 +70,11 @@ pub(crate) enum Form {
     /// From a kink, z ~ sin τ.
     Sine,
     /// From a kink, z ~ τ.
-    Angle,
+    Angle { angle: f64 },
     /// Next to a limit: sin τ = ε sinh(reach·z), where f′ ~ 1/√(ε² + sin²τ) in general.
     NearSine { small: f64, reach: f64 },
     /// The same in τ itself.
-    NearAngle { small: f64, reach: f64 },
+    NearAngle { small: f64, reach: f64, angle: f64 },
 }
 
 impl Form {
@@ -81,14 +88,15 @@ impl Form {
             }
             if !odd && small < NEAR {
                 let small = small.asinh();
-                return Self::NearAngle { small, reach: (extent.angle / small).asinh() };
+                let angle = extent.angle();
+                return Self::NearAngle { small, reach: (angle / small).asinh(), angle };
             }
         }
         match (odd, extent.cosine == 0.0) {
             (true, true) => Self::AxisSine,
             (false, true) => Self::AxisAngle,
             (true, false) => Self::Sine,
-            (false, false) => Self::Angle,
+            (false, false) => Self::Angle { angle: extent.angle() },
         }
     }
 
@@ -98,24 +106,16 @@ impl Form {
             Self::AxisSine => 1.0,
             Self::AxisAngle => std::f64::consts::FRAC_PI_2,
             Self::Sine => extent.sine,
-            Self::Angle => extent.angle,
+            Self::Angle { angle } => angle,
             Self::NearSine { reach, .. } | Self::NearAngle { reach, .. } => reach,
         }
     }
 
-    /// Computes the places of nodes `from` … `to` of a list, at most [`CHUNK`]; `exact`: x − r with all its digits.
-    #[inline]
-    pub(crate) fn place<'a>(
-        self,
-        extent: &Extent,
-        nodes: &'a Nodes,
-        (from, to): (usize, usize),
-        exact: bool,
-        room: &'a mut Room,
-    ) -> Option<Placed<'a>> {
-        let near = matches!(self, Self::NearSine { .. } | Self::NearAngle { .. });
-        let Extent { x, rest, sine, cosine, angle } = *extent;
-        let count = to - from;
+    /// Computes the places of a few nodes, at most [`CHUNK`]; `exact`: x − r with all its digits.
+    #[inline(always)]
+    pub(crate) fn place<'a>(self, extent: &Extent, nodes: Nodes<'a>, exact: bool, room: &'a mut Room) -> Option<Placed<'a>> {
+        let Extent { x, rest, sine, cosine } = *extent;
+        let count = nodes.z.len();
         let (r, below) = (room.r.get_mut(..count)?, room.below.get_mut(..count)?);
         let axis = |cosines: &[f64], versines: &[f64], r: &mut [f64], below: &mut [f64]| {
             for ((r, below), (c, versine)) in r.iter_mut().zip(below).zip(cosines.iter().zip(versines)) {
@@ -125,62 +125,73 @@ impl Form {
         };
         match self {
             Self::AxisSine => {
-                axis(nodes.cosine.get(from..to)?, nodes.sine_versine.get(from..to)?, r, below);
-                Some(Placed { at: Radii { r, past_start: r, below_limit: below }, factor: Some(nodes.secant.get(from..to)?) })
+                axis(nodes.cosine, nodes.sine_versine, r, below);
+                return Some(Placed { at: Radii { r, past_start: r, below_limit: below }, factor: Some(nodes.secant) });
             }
             Self::AxisAngle => {
-                axis(nodes.quarter.get(from..to)?, nodes.versine.get(from..to)?, r, below);
-                Some(Placed { at: Radii { r, past_start: r, below_limit: below }, factor: None })
+                axis(nodes.quarter, nodes.versine, r, below);
+                return Some(Placed { at: Radii { r, past_start: r, below_limit: below }, factor: None });
             }
-            _ => {
-                let (past, factor) = (room.past.get_mut(..count)?, room.factor.get_mut(..count)?);
-                let z = nodes.z.get(from..to)?;
-                for ((((r, past), below), factor), z) in r.iter_mut().zip(&mut *past).zip(&mut *below).zip(&mut *factor).zip(z) {
-                    let s = match self {
-                        Self::Sine => sine * z,
-                        Self::NearSine { small, reach } => (small * sinh(reach * z)).min(sine),
-                        Self::NearAngle { small, reach } => {
-                            let tau = (small * sinh(reach * z)).min(angle);
-                            *factor = (small * small + tau * tau).sqrt();
-                            tau.sin()
-                        }
-                        _ => (angle * z).sin(),
-                    };
-                    let c = ((1.0 - s) * (1.0 + s)).sqrt();
-                    // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b), and 1/c by the same division.
-                    let over = 1.0 / (c * (c + cosine));
-                    if cosine == 0.0 {
-                        *past = x * c;
-                        *r = *past;
-                    } else {
-                        *past = x * ((sine - s) * (sine + s) * (over * c));
-                        *r = x * cosine + *past;
-                    }
-                    match self {
-                        Self::Sine => *factor = over * (c + cosine),
-                        Self::NearSine { small, .. } => *factor = (small * small + s * s).sqrt() * (over * (c + cosine)),
-                        Self::NearAngle { .. } => {}
-                        _ => *factor = 1.0,
-                    }
-                    *below = if near || exact { rest + x * (s * s / (1.0 + c)) } else { rest + (x - *r) };
+            _ => {}
+        }
+        let (past, factor) = (room.past.get_mut(..count)?, room.factor.get_mut(..count)?);
+        let (sines, secants) = (room.sine.get_mut(..count)?, room.secant.get_mut(..count)?);
+        let places = sines.iter_mut().zip(nodes.z);
+        match self {
+            Self::NearSine { small, reach } => places.for_each(|(s, z)| *s = (small * sinh(reach * z)).min(sine)),
+            Self::NearAngle { small, reach, angle } => {
+                for ((s, z), factor) in places.zip(&mut *factor) {
+                    let tau = (small * sinh(reach * z)).min(angle);
+                    *factor = (small * small + tau * tau).sqrt();
+                    *s = tau.sin();
                 }
-                Some(Placed { at: Radii { r, past_start: past, below_limit: below }, factor: Some(factor) })
             }
+            Self::Angle { angle } => places.for_each(|(s, z)| *s = (angle * z).sin()),
+            _ => places.for_each(|(s, z)| *s = sine * z),
+        }
+        let lower = x * cosine;
+        let from_axis = cosine == 0.0;
+        for ((((r, past), below), secant), s) in r.iter_mut().zip(&mut *past).zip(&mut *below).zip(&mut *secants).zip(&*sines) {
+            let c = ((1.0 - s) * (1.0 + s)).sqrt();
+            // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b), and 1/c by the same division.
+            let over = 1.0 / (c * (c + cosine));
+            let share = (sine - s) * (sine + s) * (over * c);
+            *past = x * if from_axis { c } else { share };
+            *r = lower + *past;
+            *below = rest + (x - *r);
+            *secant = over * (c + cosine);
+        }
+        if exact || matches!(self, Self::NearSine { .. } | Self::NearAngle { .. }) {
+            for (below, s) in below.iter_mut().zip(&*sines) {
+                *below = rest + x * (s * s / (1.0 + ((1.0 - s) * (1.0 + s)).sqrt()));
+            }
+        }
+        let at = Radii { r, past_start: past, below_limit: below };
+        match self {
+            Self::Angle { .. } => Some(Placed { at, factor: None }),
+            Self::NearAngle { .. } => Some(Placed { at, factor: Some(factor) }),
+            Self::NearSine { small, .. } => {
+                for ((factor, secant), s) in factor.iter_mut().zip(&*secants).zip(&*sines) {
+                    *factor = (small * small + s * s).sqrt() * secant;
+                }
+                Some(Placed { at, factor: Some(factor) })
+            }
+            _ => Some(Placed { at, factor: Some(secants) }),
         }
     }
 
     /// r/x at nodes of the forms that begin at the axis.
-    pub(crate) fn radii(self, nodes: &Nodes) -> Option<&[f64]> {
+    pub(crate) fn radii(self, nodes: Nodes<'_>) -> Option<&[f64]> {
         match self {
-            Self::AxisSine => Some(&nodes.cosine),
-            Self::AxisAngle => Some(&nodes.quarter),
+            Self::AxisSine => Some(nodes.cosine),
+            Self::AxisAngle => Some(nodes.quarter),
             _ => None,
         }
     }
 
     /// What a relative rounding of every r by one unit does to the mean: ∫ |r df′/dr| dτ.
     #[inline]
-    pub(crate) fn displacement(self, extent: &Extent, stage: &Stage, values: &[f64]) -> f64 {
+    pub(crate) fn displacement(self, extent: &Extent, middles: Middles<'_>, values: &[f64]) -> f64 {
         let steps = values.iter().zip(values.get(1..).unwrap_or_default());
         let weighted = |cotangents: &[f64]| {
             let mut lanes = [0.0; 2];
@@ -190,11 +201,11 @@ impl Form {
             lanes[0] + lanes[1]
         };
         match self {
-            Self::AxisSine => weighted(&stage.cotangents),
-            Self::AxisAngle => weighted(&stage.quarter_cotangents) / std::f64::consts::FRAC_PI_2,
+            Self::AxisSine => weighted(middles.cotangents),
+            Self::AxisAngle => weighted(middles.quarter_cotangents) / std::f64::consts::FRAC_PI_2,
             // cot τ < 1/τ, and the ends of the piece are rounded too.
-            Self::Sine => 4.0 * weighted(&stage.reciprocals) / (extent.sine * extent.sine),
-            Self::Angle => 4.0 * weighted(&stage.reciprocals) / (extent.angle * extent.angle),
+            Self::Sine => 4.0 * weighted(middles.reciprocals) / (extent.sine * extent.sine),
+            Self::Angle { angle } => 4.0 * weighted(middles.reciprocals) / (angle * angle),
             // Next to a limit f′ is a function of the distance to it.
             Self::NearSine { .. } | Self::NearAngle { .. } => 0.0,
         }

@@ -1,9 +1,9 @@
 //! One integral over the angle per piece of f′: nested rules where they suffice, else adaptive bisection.
 
 use super::super::adaptive::{Options, integrate_blocks};
-use super::super::even::{self, EvenIntegrand, Mean, Nodes, Stage};
+use super::super::even::{self, EvenIntegrand, Mean, Middles, Nodes};
 use super::super::{Panel, Point};
-use super::forms::{CHUNK, Extent, Form, Placed, Room};
+use super::forms::{Extent, Form, Placed, Room};
 use super::start::{Wish, from_the_axis};
 use super::{AbelOptions, Radii, Start};
 use crate::num::bounded::UNIT;
@@ -127,25 +127,22 @@ struct Blocks<'a, F, const FORCE: bool> {
 
 impl<F: FnMut(Radii<'_>, &mut [f64]), const FORCE: bool> EvenIntegrand for Blocks<'_, F, FORCE> {
     const BOUNDED: bool = false;
+    const BLOCK: usize = 8;
+    const TOGETHER: bool = false;
 
-    #[inline]
-    fn fill(&mut self, nodes: &Nodes, values: &mut [f64], _errors: &mut [f64]) {
-        let mut from = 0;
-        for values in values.chunks_mut(CHUNK) {
-            let to = from + values.len();
-            let Some(Placed { at, factor }) = self.form.place(&self.extent, nodes, (from, to), false, &mut self.room) else { return };
-            (self.slope)(at, values);
-            if let Some(factor) = factor {
-                for (v, factor) in values.iter_mut().zip(factor) {
-                    *v *= *factor;
-                }
+    #[inline(always)]
+    fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], _errors: &mut [f64]) {
+        let Some(Placed { at, factor }) = self.form.place(&self.extent, nodes, false, &mut self.room) else { return };
+        (self.slope)(at, values);
+        if let Some(factor) = factor {
+            for (v, factor) in values.iter_mut().zip(factor) {
+                *v *= *factor;
             }
-            if FORCE {
-                for (v, r) in values.iter_mut().zip(at.r) {
-                    *v *= *r * *r;
-                }
+        }
+        if FORCE {
+            for (v, r) in values.iter_mut().zip(at.r) {
+                *v *= *r * *r;
             }
-            from = to;
         }
     }
 
@@ -154,13 +151,14 @@ impl<F: FnMut(Radii<'_>, &mut [f64]), const FORCE: bool> EvenIntegrand for Block
         UNIT * (self.roundings + 6.0)
     }
 
-    fn radii<'n>(&self, nodes: &'n Nodes) -> Option<&'n [f64]> {
+    #[inline(always)]
+    fn radii<'n>(&self, nodes: Nodes<'n>) -> Option<&'n [f64]> {
         self.form.radii(nodes)
     }
 
-    #[inline]
-    fn displacement(&self, stage: &Stage, values: &[f64]) -> f64 {
-        2.0 * UNIT * self.form.displacement(&self.extent, stage, values)
+    #[inline(always)]
+    fn displacement(&self, middles: Middles<'_>, values: &[f64]) -> f64 {
+        2.0 * UNIT * self.form.displacement(&self.extent, middles, values)
     }
 }
 
@@ -178,7 +176,7 @@ fn bisected<const FORCE: bool>(
     extent: &Extent,
     options: &AbelOptions<'_>,
 ) -> Result<Estimate, NumError> {
-    let Extent { x, rest, angle, .. } = *extent;
+    let (Extent { x, rest, .. }, angle) = (*extent, extent.angle());
     // τ from 0 at x on; the lower end's own angle from the axis is π/2 − angle.
     let above_axis = if lower == 0.0 { 0.0 } else { lower.atan2(((x - lower) * (x + lower)).sqrt()) };
     let mut place = |point: &Point| {

@@ -4,15 +4,17 @@ mod nodes;
 mod patterson;
 mod rule;
 
-pub(crate) use nodes::{Nodes, Stage};
+pub(crate) use nodes::{Middles, Nodes};
 
 use super::super::bounded::UNIT;
 use super::super::error::NumError;
-use nodes::{GUARDS, STAGES};
-use rule::{Rule, dot, truncation};
+use nodes::{FIRST, First, GUARDS, STAGES, SUMS};
+use rule::{Rule, Sums, dot, truncation};
 
 /// Nodes in the half of the largest rule.
 const MOST: usize = 256;
+/// Nodes in the half of the first rule.
+const FEWEST: usize = 8;
 /// Nodes in the half that are kept without further ado.
 const FEW: usize = 16;
 /// The rules from 15 points on; the first is compared with that of 7 points.
@@ -35,9 +37,13 @@ const UNRESOLVED: f64 = 3e-3;
 pub(crate) trait EvenIntegrand {
     /// Whether [`Self::fill`] gives bounds of its own on the errors of values.
     const BOUNDED: bool;
+    /// Most nodes that [`Self::fill`] is given; a power of two from 8 on.
+    const BLOCK: usize;
+    /// Whether a block costs more than its values: then the first rule asks for its guards together with its nodes.
+    const TOGETHER: bool;
 
     /// Values, and bounds on their errors beside [`Self::relative`] and [`Self::displacement`].
-    fn fill(&mut self, nodes: &Nodes, values: &mut [f64], errors: &mut [f64]);
+    fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], errors: &mut [f64]);
 
     /// A bound on the relative error of every value.
     fn relative(&self) -> f64 {
@@ -45,12 +51,12 @@ pub(crate) trait EvenIntegrand {
     }
 
     /// Radii at the nodes in some unit, where the end z = 1 is the axis.
-    fn radii<'a>(&self, _nodes: &'a Nodes) -> Option<&'a [f64]> {
+    fn radii<'a>(&self, _nodes: Nodes<'a>) -> Option<&'a [f64]> {
         None
     }
 
     /// What the rounding of the nodes does to the mean, from the values at all nodes in rising order.
-    fn displacement(&self, _stage: &Stage, _values: &[f64]) -> f64 {
+    fn displacement(&self, _middles: Middles<'_>, _values: &[f64]) -> f64 {
         0.0
     }
 }
@@ -72,16 +78,26 @@ pub(crate) struct Mean {
 ///
 /// # Errors
 /// [`NumError::NotFinite`] where the integrand is not; its place is z.
+#[inline]
 pub(crate) fn mean<I: EvenIntegrand>(integrand: &mut I, most: u64, accepted: impl Fn(f64) -> f64) -> Result<Mean, NumError> {
     let mut few = State::<FEW>::new();
-    if few.begin(integrand, &accepted)? || few.climb(integrand, 1..2, most, &accepted)? {
+    if few.begin(integrand, &accepted)? {
+        return Ok(few.mean);
+    }
+    climb(integrand, few, most, &accepted)
+}
+
+/// The rules after the first.
+#[inline(never)]
+fn climb<I: EvenIntegrand>(integrand: &mut I, mut few: State<FEW>, most: u64, accepted: &impl Fn(f64) -> f64) -> Result<Mean, NumError> {
+    if few.climb(integrand, 1..2, most, accepted)? {
         return Ok(few.mean);
     }
     let mut many = State::<MOST>::new();
     many.values[..FEW].copy_from_slice(&few.values);
     many.errors[..FEW].copy_from_slice(&few.errors);
     (many.mean, many.gap) = (few.mean, few.gap);
-    many.climb(integrand, 2..LEVELS.len(), most, &accepted)?;
+    many.climb(integrand, 2..LEVELS.len(), most, accepted)?;
     Ok(many.mean)
 }
 
@@ -105,28 +121,55 @@ enum Verdict {
 }
 
 impl<const N: usize> State<N> {
+    #[inline(always)]
     fn new() -> Self {
         Self { values: [0.0; N], errors: [0.0; N], mean: Mean::default(), gap: f64::INFINITY }
     }
 
-    /// The first rule, its guards asked in the same block; true where the end is reached.
-    #[inline]
+    /// The first rule; true where the end is reached.
+    #[inline(always)]
     fn begin<I: EvenIntegrand>(&mut self, integrand: &mut I, accepted: &impl Fn(f64) -> f64) -> Result<bool, NumError> {
-        const FIRST: usize = 8;
-        let (rule, stage): (&Rule, &Stage) = (&LEVELS[0], &STAGES[0]);
-        let (mut values, mut errors) = ([0.0; FIRST + GUARDS], [0.0; FIRST + GUARDS]);
-        integrand.fill(&stage.fresh, &mut values, &mut errors);
-        self.mean.evaluations = (FIRST + GUARDS) as u64;
-        self.values[..FIRST].copy_from_slice(&values[..FIRST]);
-        self.errors[..FIRST].copy_from_slice(&errors[..FIRST]);
-        let coarse = &patterson::PATTERSON_7.weights;
-        self.mean.value = (values[0] * coarse[0] + values[2] * coarse[1]) + (values[4] * coarse[2] + values[6] * coarse[3]);
-        let verdict = self.judge(integrand, 0, rule, stage, FIRST, accepted)?;
-        if let Verdict::Enough = verdict {
-            let beyond = self.beyond_the_last_node(integrand, stage, FIRST, &values[FIRST..], &errors[FIRST..]);
-            return Ok(self.is_enough(beyond, accepted));
+        let first: &First = &FIRST;
+        let (mut values, mut errors) = ([0.0; FEWEST + GUARDS], [0.0; FEWEST + GUARDS]);
+        if I::TOGETHER {
+            integrand.fill(first.together.all(), &mut values, &mut errors);
+        } else {
+            integrand.fill(first.nodes.all(), &mut values[..FEWEST], &mut errors[..FEWEST]);
         }
-        Ok(matches!(verdict, Verdict::Stop))
+        let mut all = [0.0; SUMS];
+        let (mut size, mut noise, mut largest, mut doubt) = (0.0, 0.0, 0.0f64, 0.0f64);
+        for i in 0..FEWEST {
+            let value = values[i];
+            for (sum, share) in all.iter_mut().zip(first.shares[i]) {
+                *sum += share * value;
+            }
+            // Weights are positive.
+            size += first.weights[i] * value.abs();
+            largest = if value.abs() > largest { value.abs() } else { largest };
+            if I::BOUNDED {
+                noise += first.weights[i] * errors[i];
+                doubt = if errors[i] > doubt { errors[i] } else { doubt };
+            }
+        }
+        let [value, seven, a, b, c, _, predicted @ ..] = all;
+        self.values[..FEWEST].copy_from_slice(&values[..FEWEST]);
+        self.errors[..FEWEST].copy_from_slice(&errors[..FEWEST]);
+        self.mean.evaluations = if I::TOGETHER { FEWEST + GUARDS } else { FEWEST } as u64;
+        self.mean.value = seven;
+        let sums = Sums { value, size, levels: [a.abs(), b.abs(), c.abs()], noise };
+        match self.judge(integrand, 0, &sums, first.middles(), FEWEST, accepted)? {
+            Verdict::Climb => return Ok(false),
+            Verdict::Stop => return Ok(true),
+            Verdict::Enough => {}
+        }
+        if !I::TOGETHER {
+            integrand.fill(first.guards.all(), &mut values[FEWEST..], &mut errors[FEWEST..]);
+            self.mean.evaluations += GUARDS as u64;
+        }
+        let seen = Seen { nodes: first.guards.all(), values: &values[FEWEST..], errors: &errors[FEWEST..] };
+        let doubt = (integrand.relative() + 4.0 * UNIT) * largest + doubt;
+        let beyond = beyond_the_last_node(integrand, &seen, &predicted, &first.gain, doubt) * first.beyond;
+        Ok(self.is_enough(beyond, accepted))
     }
 
     /// True where the end is reached; false where the next rules may help.
@@ -139,20 +182,27 @@ impl<const N: usize> State<N> {
     ) -> Result<bool, NumError> {
         for level in levels {
             let (Some(rule), Some(stage)) = (LEVELS.get(level), STAGES.get(level)) else { return Ok(true) };
-            let stage: &Stage = stage;
+            let stage: &nodes::Stage = stage;
             let count = rule.weights.len();
             if self.mean.evaluations + (count / 2 + GUARDS) as u64 > most {
                 return Ok(true);
             }
             self.ask(integrand, stage, count);
-            match self.judge(integrand, level, rule, stage, count, accepted)? {
+            let sums = rule.apply(&self.values[..count], I::BOUNDED.then_some(&self.errors[..count]));
+            match self.judge(integrand, level, &sums, stage.middles(), count, accepted)? {
                 Verdict::Stop => return Ok(true),
                 Verdict::Climb => {}
                 Verdict::Enough => {
-                    let (mut seen, mut errors) = ([0.0; GUARDS], [0.0; GUARDS]);
-                    integrand.fill(&stage.guards, &mut seen, &mut errors);
+                    let (mut values, mut errors) = ([0.0; GUARDS], [0.0; GUARDS]);
+                    integrand.fill(stage.guards.all(), &mut values, &mut errors);
                     self.mean.evaluations += GUARDS as u64;
-                    let beyond = self.beyond_the_last_node(integrand, stage, count, &seen, &errors);
+                    let seen = Seen { nodes: stage.guards.all(), values: &values, errors: &errors };
+                    let own = &self.values[..count];
+                    let predicted = stage.predict.each_ref().map(|row| dot(row, own));
+                    let largest = |list: &[f64]| list.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
+                    let doubt = (integrand.relative() + 4.0 * UNIT) * largest(own)
+                        + if I::BOUNDED { largest(&self.errors[..count]) } else { 0.0 };
+                    let beyond = beyond_the_last_node(integrand, &seen, &predicted, &stage.gain, doubt) * stage.beyond;
                     if self.is_enough(beyond, accepted) {
                         return Ok(true);
                     }
@@ -162,37 +212,36 @@ impl<const N: usize> State<N> {
         Ok(false)
     }
 
+    #[inline(always)]
     fn is_enough(&mut self, beyond: f64, accepted: &impl Fn(f64) -> f64) -> bool {
         self.mean.left_out += beyond;
         self.mean.reached = self.mean.left_out + self.mean.noise <= accepted(self.mean.value);
         self.mean.reached
     }
 
-    /// Sums up the values at the nodes of a rule; `mean.value` is that of the rule before.
+    /// Judges the sums over the values at the nodes of a rule; `mean.value` is that of the rule before.
     #[inline(always)]
     fn judge<I: EvenIntegrand>(
         &mut self,
         integrand: &I,
         level: usize,
-        rule: &Rule,
-        stage: &Stage,
+        sums: &Sums,
+        middles: Middles<'_>,
         count: usize,
         accepted: &impl Fn(f64) -> f64,
     ) -> Result<Verdict, NumError> {
-        let (values, errors) = (&self.values[..count], &self.errors[..count]);
-        let sums = rule.apply(values, I::BOUNDED.then_some(errors));
+        let values = &self.values[..count];
         if !(sums.value.is_finite() && sums.size.is_finite()) {
             let bad = values.iter().position(|v| !v.is_finite()).unwrap_or(0);
             return Err(NumError::NotFinite { at: patterson::NODES[bad * (MOST / count)] });
         }
         let relative = 8.0 * UNIT + integrand.relative();
-        let floor = sums.noise + relative * sums.size + integrand.displacement(stage, values);
+        let floor = sums.noise + relative * sums.size + integrand.displacement(middles, values);
         // An unknown error is an unbounded one.
         let floor = if floor.is_nan() { f64::INFINITY } else { floor };
-        // Steps of two degrees from the highest coefficient to the degree of exactness; and the least that is made of them.
-        let (ahead, least) = if level == 0 { (6, 1e-2) } else { (3 * count as i32 / 4, 1e-4) };
+        let least = if level == 0 { 1e-2 } else { 1e-4 };
         let gap = (sums.value - self.mean.value).abs();
-        let (left_out, rate) = truncation(sums.levels, (gap, self.gap), floor, sums.size, ahead, least);
+        let (left_out, rate) = truncation(sums.levels, (gap, self.gap), floor, sums.size, level + 1, least);
         self.gap = gap;
         let evaluations = self.mean.evaluations;
         self.mean = Mean { value: sums.value, left_out, noise: floor, evaluations, reached: false };
@@ -212,11 +261,17 @@ impl<const N: usize> State<N> {
     }
 
     /// Fills in the values at the nodes that the rule before does not have.
-    fn ask<I: EvenIntegrand>(&mut self, integrand: &mut I, stage: &Stage, count: usize) {
-        let fresh = &stage.fresh;
+    fn ask<I: EvenIntegrand>(&mut self, integrand: &mut I, stage: &nodes::Stage, count: usize) {
+        let fresh = stage.fresh.all();
         let half = count / 2;
         let (mut values, mut errors) = ([0.0; N], [0.0; N]);
-        integrand.fill(fresh, &mut values[..half], &mut errors[..half]);
+        let mut from = 0;
+        while from < half {
+            let to = (from + I::BLOCK).min(half);
+            let Some(nodes) = fresh.part(from, to) else { break };
+            integrand.fill(nodes, &mut values[from..to], &mut errors[from..to]);
+            from = to;
+        }
         let merge = |own: &mut [f64; N], new: &[f64; N]| {
             for i in (0..half).rev() {
                 own[2 * i] = own[i];
@@ -229,31 +284,37 @@ impl<const N: usize> State<N> {
         }
         self.mean.evaluations += half as u64;
     }
+}
 
-    /// What a narrow feature between the last node and the end would add: the values there against the polynomial through
-    /// all nodes.
-    #[inline]
-    fn beyond_the_last_node<I: EvenIntegrand>(&self, integrand: &I, stage: &Stage, count: usize, seen: &[f64], errors: &[f64]) -> f64 {
-        let values = &self.values[..count];
-        let largest = |list: &[f64]| list.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
-        let relative = integrand.relative() + 4.0 * UNIT;
-        let doubt = relative * largest(values) + if I::BOUNDED { largest(&self.errors[..count]) } else { 0.0 };
-        let mut worst = 0.0f64;
-        for (((seen, error), row), gain) in seen.iter().zip(errors).zip(&stage.predict).zip(&stage.gain) {
-            let off = (seen - dot(row, values)).abs() - error - relative * seen.abs() - gain * doubt;
-            worst = if off.is_nan() { f64::INFINITY } else { worst.max(off) };
-        }
-        let hidden = match integrand.radii(&stage.guards) {
-            Some([.., first, second, third]) => hidden(&[*first, *second, *third], seen, errors, relative),
-            _ => 0.0,
-        };
-        (worst + hidden) * stage.beyond
+/// What the guards of a rule have shown.
+struct Seen<'a> {
+    nodes: Nodes<'a>,
+    values: &'a [f64],
+    errors: &'a [f64],
+}
+
+/// The height of a narrow feature between the last node and the end: the values there against the polynomial through all nodes,
+/// whose own values are right to `doubt`.
+#[inline(always)]
+fn beyond_the_last_node<I: EvenIntegrand>(integrand: &I, seen: &Seen<'_>, predicted: &[f64; GUARDS], gain: &[f64; GUARDS], doubt: f64) -> f64 {
+    let relative = integrand.relative() + 4.0 * UNIT;
+    let mut worst = 0.0f64;
+    for (((seen, error), predicted), gain) in seen.values.iter().zip(seen.errors).zip(predicted).zip(gain) {
+        let off = (seen - predicted).abs() - error - relative * seen.abs() - gain * doubt;
+        // Not a number is no number.
+        worst = if off <= worst { worst } else if off.is_nan() { f64::INFINITY } else { off };
     }
+    let hidden = match integrand.radii(seen.nodes) {
+        Some([.., first, second, third]) => hidden(&[*first, *second, *third], seen.values, seen.errors, relative),
+        _ => 0.0,
+    };
+    worst + hidden
 }
 
 /// What may be hidden between the last two guards, where a function that is smooth at the axis is a whole power of r.
 ///
 /// Below a narrow step rᵏ becomes another power: the exponents on both sides of the middle guard differ.
+#[inline]
 fn hidden(radii: &[f64; 3], seen: &[f64], errors: &[f64], relative: f64) -> f64 {
     let ([.., before, middle, last], [.., doubt, last_doubt]) = (seen, errors) else { return 0.0 };
     let [first, second, third] = *radii;

@@ -1,25 +1,89 @@
 //! The places at which even integrands are asked, with what of them does not depend on the integrand.
 
 use super::patterson::{COSINES, NODES};
-use super::{LEVELS, MOST};
+use super::{FEWEST, LEVELS, MOST};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::LazyLock;
 
 /// Nodes z in [0, 1) and functions of them, one slice each.
-#[derive(Default)]
-pub(crate) struct Nodes {
+#[derive(Clone, Copy)]
+pub(crate) struct Nodes<'a> {
     /// z.
-    pub(crate) z: Vec<f64>,
+    pub(crate) z: &'a [f64],
     /// √(1 − z²).
-    pub(crate) cosine: Vec<f64>,
+    pub(crate) cosine: &'a [f64],
     /// 1 − √(1 − z²), without cancellation.
-    pub(crate) sine_versine: Vec<f64>,
+    pub(crate) sine_versine: &'a [f64],
     /// 1/√(1 − z²).
-    pub(crate) secant: Vec<f64>,
+    pub(crate) secant: &'a [f64],
     /// cos(πz/2).
-    pub(crate) quarter: Vec<f64>,
+    pub(crate) quarter: &'a [f64],
     /// 1 − cos(πz/2), without cancellation.
-    pub(crate) versine: Vec<f64>,
+    pub(crate) versine: &'a [f64],
+}
+
+impl<'a> Nodes<'a> {
+    /// Some of them.
+    #[inline(always)]
+    pub(super) fn part(&self, from: usize, to: usize) -> Option<Nodes<'a>> {
+        Some(Nodes {
+            z: self.z.get(from..to)?,
+            cosine: self.cosine.get(from..to)?,
+            sine_versine: self.sine_versine.get(from..to)?,
+            secant: self.secant.get(from..to)?,
+            quarter: self.quarter.get(from..to)?,
+            versine: self.versine.get(from..to)?,
+        })
+    }
+}
+
+/// Nodes as lists that grow.
+#[derive(Default)]
+pub(super) struct Lists([Vec<f64>; 6]);
+
+impl Lists {
+    fn push(&mut self, z: f64, cosine: f64) {
+        // 1 − z from the cosine, which keeps its digits next to the end.
+        let rest = FRAC_PI_2 * (cosine * cosine / (1.0 + z));
+        let half = (0.5 * FRAC_PI_2 * z).sin();
+        let quarter = if z < 0.5 { (FRAC_PI_2 * z).cos() } else { rest.sin() };
+        let all = [z, cosine, z * z / (1.0 + cosine), 1.0 / cosine, quarter, 2.0 * half * half];
+        for (list, value) in self.0.iter_mut().zip(all) {
+            list.push(value);
+        }
+    }
+
+    #[inline]
+    pub(super) fn all(&self) -> Nodes<'_> {
+        let [z, cosine, sine_versine, secant, quarter, versine] = &self.0;
+        Nodes { z, cosine, sine_versine, secant, quarter, versine }
+    }
+}
+
+/// As many nodes as the compiler knows of: loops over them have no counter.
+pub(super) struct Block<const N: usize>([[f64; N]; 6]);
+
+impl<const N: usize> Block<N> {
+    fn of(lists: &Lists, from: usize) -> Self {
+        Self(lists.0.each_ref().map(|list| std::array::from_fn(|i| list[from + i])))
+    }
+
+    #[inline(always)]
+    pub(super) fn all(&self) -> Nodes<'_> {
+        let [z, cosine, sine_versine, secant, quarter, versine] = &self.0;
+        Nodes { z, cosine, sine_versine, secant, quarter, versine }
+    }
+}
+
+/// Functions of the places midway between neighbouring nodes.
+#[derive(Clone, Copy)]
+pub(crate) struct Middles<'a> {
+    /// (1 − z²)/z.
+    pub(crate) cotangents: &'a [f64],
+    /// cot(πz/2).
+    pub(crate) quarter_cotangents: &'a [f64],
+    /// 1/z.
+    pub(crate) reciprocals: &'a [f64],
 }
 
 /// Beyond its last node a rule is tested at this many places.
@@ -28,23 +92,18 @@ pub(super) const GUARDS: usize = 4;
 const GUARD_PLACES: [f64; GUARDS] = [0.55, 0.2, 0.07, 1e-6];
 
 /// What belongs to one rule of the ladder.
-pub(crate) struct Stage {
-    /// The nodes that the rule before does not have; those of the first rule are followed by its guards.
-    pub(super) fresh: Nodes,
+pub(super) struct Stage {
+    /// The nodes that the rule before does not have.
+    pub(super) fresh: Lists,
     /// Places between the last node and the end.
-    pub(super) guards: Nodes,
+    pub(super) guards: Block<GUARDS>,
     /// The value there of the polynomial through all nodes, as weights of the values.
     pub(super) predict: [Vec<f64>; GUARDS],
     /// The sum of the magnitudes of these weights.
     pub(super) gain: [f64; GUARDS],
     /// 1 − z at the last node, twice: what a feature between it and the end can make of its height.
     pub(super) beyond: f64,
-    /// (1 − z²)/z midway between neighbours.
-    pub(crate) cotangents: Vec<f64>,
-    /// cot(πz/2) there.
-    pub(crate) quarter_cotangents: Vec<f64>,
-    /// 1/z there.
-    pub(crate) reciprocals: Vec<f64>,
+    middles: [Vec<f64>; 3],
 }
 
 /// Each is made when it is first needed.
@@ -57,47 +116,89 @@ pub(super) static STAGES: [LazyLock<Stage>; LEVELS.len()] = [
     LazyLock::new(|| Stage::new(5)),
 ];
 
-impl Nodes {
-    fn push(&mut self, z: f64, cosine: f64) {
-        // 1 − z from the cosine, which keeps its digits next to the end.
-        let rest = FRAC_PI_2 * (cosine * cosine / (1.0 + z));
-        let half = (0.5 * FRAC_PI_2 * z).sin();
-        self.z.push(z);
-        self.cosine.push(cosine);
-        self.sine_versine.push(z * z / (1.0 + cosine));
-        self.secant.push(1.0 / cosine);
-        self.quarter.push(if z < 0.5 { (FRAC_PI_2 * z).cos() } else { rest.sin() });
-        self.versine.push(2.0 * half * half);
-    }
-}
-
 impl Stage {
     fn new(level: usize) -> Self {
         let count = LEVELS[level].weights.len();
         let stride = MOST / count;
         let all: Vec<(f64, f64)> = (0..count).map(|i| (NODES[i * stride], COSINES[i * stride])).collect();
-        let mut fresh = Nodes::default();
+        let mut fresh = Lists::default();
         for (_, (z, c)) in all.iter().enumerate().filter(|(i, _)| level == 0 || i % 2 == 1) {
             fresh.push(*z, *c);
         }
         let last = all[count - 1].1.asin();
-        let mut guards = Nodes::default();
+        let mut guards = Lists::default();
         let predict = GUARD_PLACES.map(|part| {
             let (sine, cosine) = (part * last).sin_cos();
             guards.push(cosine, sine);
             prediction(&all, sine)
         });
-        if level == 0 {
-            for (z, c) in guards.z.iter().zip(&guards.cosine) {
-                fresh.push(*z, *c);
-            }
-        }
         let gain = std::array::from_fn(|i| predict[i].iter().map(|q| q.abs()).sum());
         let middles = || all.windows(2).map(|pair| 0.5 * (pair[0].0 + pair[1].0));
         let cotangents = middles().map(|z| (1.0 - z) * (1.0 + z) / z).collect();
         let quarter_cotangents = middles().map(|z| 1.0 / (FRAC_PI_2 * z).tan()).collect();
         let reciprocals = middles().map(|z| 1.0 / z).collect();
-        Self { fresh, guards, predict, gain, beyond: last * last, cotangents, quarter_cotangents, reciprocals }
+        let guards = Block::of(&guards, 0);
+        Self { fresh, guards, predict, gain, beyond: last * last, middles: [cotangents, quarter_cotangents, reciprocals] }
+    }
+
+    #[inline]
+    pub(super) fn middles(&self) -> Middles<'_> {
+        let [cotangents, quarter_cotangents, reciprocals] = &self.middles;
+        Middles { cotangents, quarter_cotangents, reciprocals }
+    }
+}
+
+/// Sums over the values of the first rule: its own, that of the rule of 7 points, the three coefficients, a spare one, and what
+/// the polynomial through all nodes has at the guards.
+pub(super) const SUMS: usize = 6 + GUARDS;
+
+/// The first rule, whose nodes and sums the compiler may count.
+pub(super) struct First {
+    pub(super) nodes: Block<FEWEST>,
+    pub(super) guards: Block<GUARDS>,
+    /// Nodes and guards, for those who ask them in one block.
+    pub(super) together: Block<{ FEWEST + GUARDS }>,
+    /// The weights of one value in every sum.
+    pub(super) shares: [[f64; SUMS]; FEWEST],
+    pub(super) weights: [f64; FEWEST],
+    pub(super) gain: [f64; GUARDS],
+    pub(super) beyond: f64,
+    middles: [[f64; FEWEST - 1]; 3],
+}
+
+/// The first stage as arrays.
+pub(super) static FIRST: LazyLock<First> = LazyLock::new(|| {
+    let stage = &*STAGES[0];
+    let rule = &LEVELS[0];
+    let mut together = Lists::default();
+    let (nodes, guards) = (stage.fresh.all(), stage.guards.all());
+    for (z, cosine) in nodes.z.iter().chain(guards.z).zip(nodes.cosine.iter().chain(guards.cosine)) {
+        together.push(*z, *cosine);
+    }
+    let coarse = super::patterson::PATTERSON_7.plain().weights;
+    let shares = std::array::from_fn(|i| {
+        let seven = if i % 2 == 0 { coarse[i / 2] } else { 0.0 };
+        let [a, b, c] = rule.decay.map(|row| row[i]);
+        let [p, q, r, s] = std::array::from_fn(|guard| stage.predict[guard][i]);
+        [rule.weights[i], seven, a, b, c, 0.0, p, q, r, s]
+    });
+    First {
+        nodes: Block::of(&stage.fresh, 0),
+        guards: Block::of(&together, FEWEST),
+        together: Block::of(&together, 0),
+        shares,
+        weights: std::array::from_fn(|i| rule.weights[i]),
+        gain: stage.gain,
+        beyond: stage.beyond,
+        middles: stage.middles.each_ref().map(|list| std::array::from_fn(|i| list[i])),
+    }
+});
+
+impl First {
+    #[inline(always)]
+    pub(super) fn middles(&self) -> Middles<'_> {
+        let [cotangents, quarter_cotangents, reciprocals] = &self.middles;
+        Middles { cotangents, quarter_cotangents, reciprocals }
     }
 }
 

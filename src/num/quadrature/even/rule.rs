@@ -36,7 +36,7 @@ pub(super) struct Sums {
 
 impl Rule {
     /// Every sum over the values in one pass.
-    #[inline(always)]
+    #[inline]
     pub(super) fn apply(&self, values: &[f64], errors: Option<&[f64]>) -> Sums {
         const LANES: usize = 4;
         let mut lanes = [[0.0; LANES]; 5];
@@ -78,23 +78,33 @@ const LEAST_FALL: f64 = 0.1;
 
 /// What the rule leaves out, and the rate at which the coefficients fall over two degrees.
 ///
-/// The rule is exact to degrees that are `ahead` steps beyond its highest coefficient. Ten times that coefficient is left over
-/// where the fall is not seen, and less by the fall over one step where it is; over a third of all steps where the last one is
-/// as steep as the one before, so that nothing slow has come to light, and no less than `least`.
+/// The rule is exact to degrees that are steps of two beyond its highest coefficient: three times 2^`doublings` of them. Ten times
+/// that coefficient is left over where the fall is not seen, and less by the fall over one step where it is; over a third of all
+/// steps where the last one is as steep as the one before, so that nothing slow has come to light, and no less than `least`.
 /// `gap` is the difference to the rule before, which says how wrong that one was, and `last_gap` what that rule's own was.
-#[inline]
-pub(super) fn truncation(levels: [f64; 3], (gap, last_gap): (f64, f64), floor: f64, size: f64, ahead: i32, least: f64) -> (f64, f64) {
+#[inline(always)]
+pub(super) fn truncation(
+    levels: [f64; 3],
+    (gap, last_gap): (f64, f64),
+    floor: f64,
+    size: f64,
+    doublings: usize,
+    least: f64,
+) -> (f64, f64) {
     let [first, second, third] = levels;
     let fall = |now: f64, before: f64| {
         if now <= floor { 0.0 } else { now / if before > floor { before } else { floor } }
     };
     let (one, two) = (fall(second, first), fall(third, second));
     let rate = if one > two { one } else { two };
-    // By chance an oscillation that is not resolved may seem to fall, but not to be small.
     // A rule of twice the points has the square of the error where the integrand is resolved.
-    let squares = gap <= floor || gap / size <= (last_gap / size).powf(1.5);
-    let steady = two <= 2.0 * one && rate < 0.5 && gap.max(first) <= 1e-3 * size && squares;
-    let counted = if steady { rate.powi(ahead / 3).clamp(least, 1.0) } else { rate.clamp(LEAST_FALL, 1.0) };
+    let squares = || {
+        let last = last_gap / size;
+        gap <= floor || gap / size <= last * last.sqrt()
+    };
+    // By chance an oscillation that is not resolved may seem to fall, but not to be small.
+    let steady = two <= 2.0 * one && rate < 0.5 && gap.max(first) <= 1e-3 * size && squares();
+    let counted = if steady { (0..doublings).fold(rate, |power, _| power * power).clamp(least, 1.0) } else { rate.clamp(LEAST_FALL, 1.0) };
     let passed = gap * rate.clamp(LEAST_FALL, 1.0);
     let seen = if third > passed { third } else { passed };
     // A slow fall leaves a long tail: all of its terms add up where the integrand is almost singular.
