@@ -37,7 +37,7 @@ fn json_has_every_method_and_its_keys() {
     let document = json(&["R-sqrt(R^2-r^2)", "--set", "R=2"]);
     assert_eq!(document["quantity"], "F");
     assert_eq!(document["parameters"]["R"], 2.0);
-    for method in ["closed form", "quadrature", "whole curve", "power series", "spring foundation"] {
+    for method in ["closed form", "quadrature", "one rule", "whole curve", "power series", "spring foundation"] {
         let missing = document["skipped"].as_array().unwrap().iter().any(|own| own["method"] == method && own["setting"].is_null());
         assert!(missing || rows(&document, method).len() > 1, "{method}");
     }

@@ -43,6 +43,7 @@ type Method = for<'a> fn(&'a Problem<'a>, &'a Evaluator<'a>) -> Ladder<'a>;
 pub(super) const METHODS: &[Method] = &[
     super::closed::ladder,
     super::quadrature::ladder,
+    super::named_rule::ladder,
     super::curve::ladder,
     super::series::ladder,
     super::table::ladder,

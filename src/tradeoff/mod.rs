@@ -8,6 +8,7 @@ mod error;
 mod foundation;
 mod front;
 mod measure;
+mod named_rule;
 mod problem;
 mod quadrature;
 mod series;

@@ -6,7 +6,7 @@ use super::slope_source::{NO_BEND, Numbers, Scratch};
 use super::term::Segment;
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, derivative, multiplied_out, normal};
-use crate::num::quadrature::{Options, Panel, Point, integrate, integrate_blocks};
+use crate::num::quadrature::{Options, Panel, Point, Rule, integrate, integrate_blocks};
 use crate::num::{Bounded, Estimate, NumError, forms};
 use std::sync::OnceLock;
 
@@ -104,7 +104,7 @@ impl NumericProfile {
     /// # Errors
     /// [`TransformError`] where f′ is not finite below x, or no digits can be promised.
     pub fn slope(&self, x: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        Ok(self.over_angle(x, Weight::Slope, tolerance)?.scaled(x))
+        Ok(self.over_angle(x, Weight::Slope, tolerance, None)?.scaled(x))
     }
 
     /// F(a)/(2E*) = ∫₀^a r² f′/√(a²−r²) dr, for a smooth edge.
@@ -112,7 +112,23 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn force(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        self.over_angle(a, Weight::Force, tolerance)
+        self.over_angle(a, Weight::Force, tolerance, None)
+    }
+
+    /// g(x) by bisection with one Gauss–Kronrod rule, for those who want to know what a rule costs.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn slope_by(&self, x: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
+        Ok(self.over_angle(x, Weight::Slope, tolerance, Some(rule))?.scaled(x))
+    }
+
+    /// F(a)/(2E*) by bisection with one Gauss–Kronrod rule.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn force_by(&self, a: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
+        self.over_angle(a, Weight::Force, tolerance, Some(rule))
     }
 
     /// G(a) = ∫₀^a g dx = ∫₀^a f′ √(a²−r²) dr.
@@ -120,7 +136,7 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn integral(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        Ok(self.over_angle(a, Weight::Integral, tolerance)?.scaled(a).scaled(a))
+        Ok(self.over_angle(a, Weight::Integral, tolerance, None)?.scaled(a).scaled(a))
     }
 
     /// f(r) − f(0) = ∫₀^r f′ dr.
@@ -160,17 +176,17 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn displacement(&self, r: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        let found = self.over_angle(a, Weight::Outside(r), tolerance)?;
+        let found = self.over_angle(a, Weight::Outside(r), tolerance, None)?;
         let factor = Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a);
         Ok(Estimate::from_bounded(found.bounded() * factor, found.evaluations))
     }
 
     /// ∫ f′(x sin t)·weight dt over all intervals below x.
-    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Estimate, TransformError> {
+    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
         let mut total = Bounded::exact(0.0);
         let mut evaluations = 0;
         for segment in &self.segments {
-            let part = segment.over_angle(x, weight, tolerance)?;
+            let part = segment.over_angle(x, weight, tolerance, rule)?;
             total = total + part.bounded();
             evaluations += part.evaluations;
         }
@@ -184,14 +200,16 @@ const SHARP: f64 = 1e-10;
 pub(super) const MOST: usize = 61;
 
 impl NumericSegment {
-    /// The part of the integral on this interval; 0 where it begins beyond x.
-    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Estimate, TransformError> {
+    /// The part of the integral on this interval, by nested rules where no other is named; 0 where it begins beyond x.
+    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
         let smear = self.smear(x, weight);
         if lower >= x {
             return Ok(Estimate { value: 0.0, error: smear, evaluations: 0 });
         }
-        if let Some(found) = self.by_nested_rules(x, weight, tolerance)? {
+        if rule.is_none()
+            && let Some(found) = self.by_nested_rules(x, weight, tolerance)?
+        {
             return Ok(Estimate { error: found.error + smear, ..found });
         }
         let end = self.upper.map_or(f64::INFINITY, |u| u.value);
@@ -238,7 +256,7 @@ impl NumericSegment {
         // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
         let rel_tol = if near_the_end { tolerance.min(SHARP) } else { tolerance };
-        let options = Options { rel_tol, charge_x: false, ..Options::default() };
+        let options = Options { rel_tol, charge_x: false, rule: rule.unwrap_or_default(), ..Options::default() };
         let result = integrate_blocks(&mut integrand, &[panel], &options);
         let inner = |v: f64| {
             let mut found = [Bounded::exact(0.0)];
