@@ -73,11 +73,13 @@ fn the_catalogue_agrees_with_its_digits() {
         let own = curve.force(a).unwrap();
         judge("F", a, own.scaled(2.0), &force, force.distance(0.0).abs(), 2e-12);
         judge("G", a, curve.integral(a).unwrap(), &area, area.distance(0.0).abs(), 2e-12);
+        let most = pairs(&truth["p"]).iter().map(|(_, p)| p.distance(0.0).abs()).fold(0.0, f64::max);
         for (r, exact) in pairs(&truth["p"]) {
             let own = pressures.at(r).unwrap().unwrap();
             let value = own.bounded() * sneddon::num::Bounded::rounded(std::f64::consts::FRAC_1_PI);
             let estimate = sneddon::num::Estimate::from_bounded(value, 0);
-            judge("p", r, estimate, &exact, exact.distance(0.0).abs(), 2e-11);
+            // Next to the edge, where tensions and pressures of terms cancel, the bound is that of the terms.
+            judge("p", r, estimate, &exact, exact.distance(0.0).abs().max(0.01 * most), 2e-11);
         }
         println!("{id}: {:?}, {} evaluations, p {} evaluations", curve.size(), curve.evaluations(), pressures.evaluations());
     }

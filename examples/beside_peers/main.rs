@@ -7,7 +7,7 @@ mod closures;
 
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::parse;
-use sneddon::transform::{Curve, Evaluator, Method, Profile, Slice, Solution, derive};
+use sneddon::transform::{Curve, Evaluator, Method, PressureCurve, Profile, Slice, Solution, derive};
 use std::fs;
 use std::hint::black_box;
 
@@ -119,14 +119,14 @@ fn show(place: &Place, form: &str, ns: f64, value: f64, evaluations: u64) {
 fn pressures(place: &Place, evaluator: &Evaluator<'_>) {
     let typed = evaluator.typed().expect("f′");
     let sum = |from: usize| -> Option<f64> {
-        let curve = Curve::new(typed, RADIUS, TOLERANCE).ok()?.pressures(RADIUS).ok()?;
+        let curve = PressureCurve::new(typed, RADIUS).ok()?;
         let mut total = 0.0;
         for index in from..MANY {
             total += curve.at(RADIUS * (index as f64 + 0.5) / MANY as f64).ok()??.value;
         }
         Some(total)
     };
-    let once = || Curve::new(typed, RADIUS, TOLERANCE).ok()?.pressures(RADIUS).ok()?.at(place.x).ok()?;
+    let once = || PressureCurve::new(typed, RADIUS).ok()?.at(place.x).ok()?;
     let (Some(_), Some(single)) = (sum(0), once()) else { return };
     line("pressure 100 points", "typed", median_ns(|| sum(0)) / MANY as f64, place.error(single.value), 0);
 }

@@ -28,6 +28,7 @@ mod slope_source;
 mod slopes;
 mod stream;
 mod stress;
+mod stress_series;
 mod stress_slopes;
 mod superposition;
 mod table;

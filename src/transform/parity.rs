@@ -11,10 +11,12 @@ pub(super) enum Parity {
     Odd,
 }
 
-/// Functions of one argument that are odd in it …
+/// Functions of one argument that are odd in it, …
 const ODD: [&str; 11] = ["sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "erf", "erfi", "dawson"];
-/// … and even in it.
+/// even in it, …
 const EVEN: [&str; 2] = ["cos", "cosh"];
+/// … and functions of an order and an argument that are as odd in it as the order is.
+const BESSEL: [&str; 2] = ["besselj", "besseli"];
 
 /// The parity in `radius`; `None` where it is neither, or not seen.
 pub(super) fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
@@ -45,6 +47,11 @@ pub(super) fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
             match own.as_slice() {
                 [Parity::Odd] if ODD.contains(&function.name()) => Some(Parity::Odd),
                 [Parity::Odd] if EVEN.contains(&function.name()) => Some(Parity::Even),
+                // J_n(−z) = (−1)ⁿ J_n(z), and I_n the same.
+                [Parity::Even, Parity::Odd] if BESSEL.contains(&function.name()) => {
+                    let order = arguments.first()?.as_number().filter(|order| order.is_integer())?;
+                    Some(if (order.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
+                }
                 all => all.iter().all(|p| *p == Parity::Even).then_some(Parity::Even),
             }
         }
@@ -69,5 +76,9 @@ mod tests {
         assert_eq!(of(&Expr::call("exp", [r.clone()])), None);
         assert_eq!(of(&(Expr::call("exp", [-r.power(2)]) * &r)), Some(Parity::Odd));
         assert_eq!(of(&r.pow(&Expr::symbol("n"))), None);
+        let bessel = |order: &Expr| Expr::call("besselj", [order.clone(), r.clone()]);
+        assert_eq!(of(&bessel(&Expr::one())), Some(Parity::Odd));
+        assert_eq!(of(&bessel(&Expr::integer(2))), Some(Parity::Even));
+        assert_eq!(of(&bessel(&Expr::ratio(1, 2))), None);
     }
 }

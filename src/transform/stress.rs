@@ -7,15 +7,15 @@ use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::{Bounded, Estimate, special};
 
 impl NumericProfile {
-    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by values of g′ where one smooth piece reaches up to a,
-    /// else by [`Self::stress_direct`].
+    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by the terms of f′ or by values of g′ where one smooth
+    /// piece reaches up to a, else by [`Self::stress_direct`].
     ///
     /// `None` where the value is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
     ///
     /// # Errors
     /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
     pub fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
-        match self.pressure_by_slopes(s, a, tolerance) {
+        match self.pressure_by_series(s, a, tolerance).or_else(|| self.pressure_by_slopes(s, a, tolerance)) {
             Some(found) => Ok(Some(found)),
             None => self.stress_direct(s, a, tolerance),
         }

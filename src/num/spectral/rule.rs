@@ -80,6 +80,13 @@ impl Rule {
         }
         out
     }
+
+    /// The weight of one value in Σ c_k w_k.
+    pub(crate) fn share_of(&self, node: usize, weights: &[f64]) -> f64 {
+        let count = self.nodes.len();
+        let row = self.transform.get(node * count..(node + 1) * count).unwrap_or_default();
+        row.iter().zip(weights).map(|(factor, weight)| factor * weight).sum()
+    }
 }
 
 /// The recurrence of P_k^{(0,β)} with 30 digits: next to t = −1 the rounding of t alone would cost the square of the degree.

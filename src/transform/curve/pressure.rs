@@ -3,6 +3,7 @@
 use super::super::integral::NumericProfile;
 use super::super::stream::Stream;
 use super::super::stress::{Distances, kernel};
+use super::super::stress_series::Expansion;
 use super::build::{self, Budget};
 use super::piece::{Integral, Piece, Place, Share};
 use super::source::Source;
@@ -33,6 +34,8 @@ pub struct PressureCurve<'a> {
     steep: bool,
     evaluations: u64,
     doubt: f64,
+    /// The error relative to 2√(a² − r²) at places given by √(1 − r²/a²), falling; empty where parts have their own.
+    relative: Vec<(f64, f64)>,
 }
 
 /// g′/(2x) = Σ c_k P_k on one piece of x².
@@ -54,8 +57,32 @@ const COUNTS: [usize; 3] = [16, 32, 64];
 /// The tolerance of the quadrature that takes over next to breakpoints, and of the check.
 const CHECK: f64 = 1e-13;
 
+/// Where the error of a single expansion is looked at: it grows towards the edge.
+const SINES: [f64; 8] = [1.0, 0.5, 0.25, 0.12, 0.06, 0.03, 0.01, 1e-3];
+
 impl<'a> PressureCurve<'a> {
-    pub(super) fn new(profile: &'a NumericProfile, a: f64) -> Result<Self, TransformError> {
+    /// The pressure under a contact of radius a, by the terms of f′ where one odd f′ without a kink reaches up to a, else by pieces.
+    ///
+    /// # Errors
+    /// [`TransformError::NotComputable`] where f′ is not finite or too wild below a,
+    /// [`TransformError::NoClosedForm`] where (r f′)′ is not known.
+    pub fn new(profile: &'a NumericProfile, a: f64) -> Result<Self, TransformError> {
+        match profile.pressure_terms(a) {
+            Some(expansion) => Ok(Self::whole(profile, a, &expansion)),
+            None => Self::by_pieces(profile, a),
+        }
+    }
+
+    fn whole(profile: &'a NumericProfile, a: f64, expansion: &Expansion) -> Self {
+        let relative = SINES.iter().map(|sine| (*sine, expansion.relative_doubt(*sine))).collect();
+        let part = Part { lower: 0.0, upper: a, length: a * a, divided: divided(&expansion.rise()), noise: 0.0, fine: true };
+        let evaluations = expansion.evaluations;
+        let mut curve = Self { profile, a, parts: vec![part], jumps: Vec::new(), steep: false, evaluations, doubt: 1.0, relative };
+        curve.doubt = curve.check();
+        curve
+    }
+
+    fn by_pieces(profile: &'a NumericProfile, a: f64) -> Result<Self, TransformError> {
         let mut budget = Budget::default();
         let (mut pieces, mut ends) = (Vec::new(), Vec::new());
         for segment in &profile.segments {
@@ -87,7 +114,7 @@ impl<'a> PressureCurve<'a> {
             from = to;
         }
         let (jumps, steep) = (profile.jumps(a), profile.starts_steeply());
-        let mut curve = Self { profile, a, parts, jumps, steep, evaluations: budget.evaluations, doubt: 1.0 };
+        let mut curve = Self { profile, a, parts, jumps, steep, evaluations: budget.evaluations, doubt: 1.0, relative: Vec::new() };
         curve.doubt = curve.check();
         Ok(curve)
     }
@@ -121,6 +148,12 @@ impl<'a> PressureCurve<'a> {
             let Some((own, doubt)) = part.share(r) else { break };
             value += own;
             error += doubt;
+        }
+        if !self.relative.is_empty() {
+            let root = ((self.a - r) * (self.a + r)).sqrt();
+            // Errors rise towards the edge: between two places that of the outer one counts.
+            let outer = self.relative.iter().find(|(sine, _)| sine * self.a <= root).or(self.relative.last());
+            error = 2.0 * root * outer.map_or(f64::INFINITY, |(_, relative)| 1.5 * relative);
         }
         let smooth = Bounded { value, error: self.doubt * (error + 8.0 * f64::EPSILON * value.abs()) };
         let total = self.jumps.iter().filter(|(_, jump)| jump.value != 0.0).fold(smooth, |sum, (at, jump)| {

@@ -200,8 +200,8 @@ impl<const N: usize> State<N> {
                     let own = &self.values[..count];
                     let predicted = stage.predict.each_ref().map(|row| dot(row, own));
                     let largest = |list: &[f64]| list.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
-                    let doubt = (integrand.relative() + 4.0 * UNIT) * largest(own)
-                        + if I::BOUNDED { largest(&self.errors[..count]) } else { 0.0 };
+                    let doubt =
+                        (integrand.relative() + 4.0 * UNIT) * largest(own) + if I::BOUNDED { largest(&self.errors[..count]) } else { 0.0 };
                     let beyond = beyond_the_last_node(integrand, &seen, &predicted, &stage.gain, doubt) * stage.beyond;
                     if self.is_enough(beyond, accepted) {
                         return Ok(true);
@@ -296,13 +296,25 @@ struct Seen<'a> {
 /// The height of a narrow feature between the last node and the end: the values there against the polynomial through all nodes,
 /// whose own values are right to `doubt`.
 #[inline(always)]
-fn beyond_the_last_node<I: EvenIntegrand>(integrand: &I, seen: &Seen<'_>, predicted: &[f64; GUARDS], gain: &[f64; GUARDS], doubt: f64) -> f64 {
+fn beyond_the_last_node<I: EvenIntegrand>(
+    integrand: &I,
+    seen: &Seen<'_>,
+    predicted: &[f64; GUARDS],
+    gain: &[f64; GUARDS],
+    doubt: f64,
+) -> f64 {
     let relative = integrand.relative() + 4.0 * UNIT;
     let mut worst = 0.0f64;
     for (((seen, error), predicted), gain) in seen.values.iter().zip(seen.errors).zip(predicted).zip(gain) {
         let off = (seen - predicted).abs() - error - relative * seen.abs() - gain * doubt;
         // Not a number is no number.
-        worst = if off <= worst { worst } else if off.is_nan() { f64::INFINITY } else { off };
+        worst = if off <= worst {
+            worst
+        } else if off.is_nan() {
+            f64::INFINITY
+        } else {
+            off
+        };
     }
     let hidden = match integrand.radii(seen.nodes) {
         Some([.., first, second, third]) => hidden(&[*first, *second, *third], seen.values, seen.errors, relative),

@@ -83,14 +83,7 @@ const LEAST_FALL: f64 = 0.1;
 /// steps where the last one is as steep as the one before, so that nothing slow has come to light, and no less than `least`.
 /// `gap` is the difference to the rule before, which says how wrong that one was, and `last_gap` what that rule's own was.
 #[inline(always)]
-pub(super) fn truncation(
-    levels: [f64; 3],
-    (gap, last_gap): (f64, f64),
-    floor: f64,
-    size: f64,
-    doublings: usize,
-    least: f64,
-) -> (f64, f64) {
+pub(super) fn truncation(levels: [f64; 3], (gap, last_gap): (f64, f64), floor: f64, size: f64, doublings: usize, least: f64) -> (f64, f64) {
     let [first, second, third] = levels;
     let fall = |now: f64, before: f64| {
         if now <= floor { 0.0 } else { now / if before > floor { before } else { floor } }

@@ -1,0 +1,110 @@
+//! Quadrature of the catalogue's profiles as they are typed: what it costs in evaluations of f′, and that p comes out by itself.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod common;
+
+use common::decimal::Decimal;
+use serde_json::Value;
+use sneddon::expr::Bindings;
+use sneddon::num::Bounded;
+use sneddon::parse;
+use sneddon::transform::{Evaluator, Method, NumericProfile, Profile, Solution, derive};
+
+const TOLERANCE: f64 = 1e-12;
+
+/// Most evaluations for g at the first and at the last of the catalogue's places, for F, and for p in the middle of its places.
+const COUNTS: [(&str, [u64; 4]); 30] = [
+    ("cone", [12, 12, 24, 144]),
+    ("paraboloid", [12, 12, 12, 30]),
+    ("quartic", [12, 12, 12, 30]),
+    ("sqrt", [48, 48, 64, 530]),
+    ("power_n", [64, 64, 349, 530]),
+    ("cone_paraboloid", [12, 12, 24, 288]),
+    ("poly10", [24, 40, 40, 800]),
+    ("power_log", [24, 40, 40, 480]),
+    ("r2_log_r", [64, 64, 349, 530]),
+    ("sphere", [12, 12, 24, 541]),
+    ("ellipsoid", [12, 12, 24, 541]),
+    ("hyperboloid", [12, 72, 40, 84]),
+    ("lorentzian", [12, 105, 105, 676]),
+    ("waviness", [12, 24, 24, 30]),
+    ("wavy_paraboloid", [12, 24, 24, 30]),
+    ("gaussian", [12, 40, 40, 84]),
+    ("exp_growth", [12, 40, 40, 800]),
+    ("log_quadratic", [12, 72, 72, 84]),
+    ("r_arctan", [12, 72, 72, 84]),
+    ("log_linear", [12, 40, 40, 480]),
+    ("erf", [12, 40, 72, 645]),
+    ("r2_gauss", [12, 40, 40, 676]),
+    ("ln_cosh", [12, 40, 40, 84]),
+    ("worn_paraboloid", [0, 12, 12, 530]),
+    ("truncated_cone", [0, 12, 24, 530]),
+    ("rounded_edge_punch", [0, 12, 24, 530]),
+    ("capped_cone", [12, 33, 45, 795]),
+    ("worn_sphere", [0, 12, 24, 541]),
+    ("worn_cosine", [0, 24, 24, 572]),
+    ("concave_paraboloid", [12, 12, 12, 30]),
+];
+
+fn each(mut visit: impl FnMut(&str, &NumericProfile, &Value)) {
+    let truth: Value = serde_json::from_str(include_str!("data/truth.json")).unwrap();
+    let profiles: Value = serde_json::from_str(include_str!("data/profiles.json")).unwrap();
+    for profile in profiles.as_array().unwrap() {
+        let id = profile["id"].as_str().unwrap();
+        let parameters = profile["params"].as_object().unwrap().iter();
+        let bindings: Bindings = parameters.map(|(name, v)| (name.as_str(), parse::constant(v.as_str().unwrap()).unwrap())).collect();
+        let formula = parse::profile(profile["f"].as_str().unwrap()).unwrap();
+        let solution: Solution = derive(&Profile::new(&formula.substitute(&bindings)).unwrap()).unwrap();
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Quadrature, TOLERANCE).unwrap();
+        visit(id, evaluator.typed().unwrap(), &truth[id]);
+    }
+}
+
+/// The catalogue's places of a quantity with their true values.
+fn places<'a>(truth: &'a Value, quantity: &str) -> Vec<(f64, &'a str)> {
+    let mut list: Vec<_> =
+        truth[quantity].as_object().unwrap().iter().map(|(at, value)| (at.parse().unwrap(), value.as_str().unwrap())).collect();
+    list.sort_by(|one: &(f64, &str), two| one.0.total_cmp(&two.0));
+    list
+}
+
+#[test]
+fn evaluations_per_profile() {
+    let mut off = Vec::new();
+    each(|id, typed, truth| {
+        let slope = |x: f64| typed.slope(x, TOLERANCE).unwrap().evaluations;
+        let (g, p) = (places(truth, "g"), places(truth, "p"));
+        let a: f64 = truth["a"].as_str().unwrap().parse().unwrap();
+        let pressure = p.get(p.len() / 2).map_or(0, |(r, _)| typed.pressure(*r, a, TOLERANCE).unwrap().map_or(0, |own| own.evaluations));
+        let own = [slope(g[0].0), slope(g[g.len() - 1].0), typed.force(a, TOLERANCE).unwrap().evaluations, pressure];
+        let most = COUNTS.iter().find(|(name, _)| *name == id).map_or([0; 4], |(_, most)| *most);
+        if own.iter().zip(most).any(|(own, most)| *own > most) {
+            off.push(format!("(\"{id}\", {own:?}),"));
+        }
+    });
+    assert!(off.is_empty(), "more evaluations than before:\n{}", off.join("\n"));
+}
+
+/// One integral of f′ and f″ with Carlson's kernel, no closed form and no expansion: 1e−13 at every place of the catalogue.
+#[test]
+fn pressures_by_one_integral() {
+    let mut places_seen = 0;
+    let mut worst: (f64, String) = (0.0, String::new());
+    each(|id, typed, truth| {
+        let a: f64 = truth["a"].as_str().unwrap().parse().unwrap();
+        for (r, exact) in places(truth, "p") {
+            let found = typed.stress_direct(r, a, 1e-13).unwrap().unwrap();
+            let own = found.bounded() * Bounded::rounded(std::f64::consts::FRAC_1_PI);
+            let exact = Decimal::read(exact);
+            let relative = exact.relative(own.value);
+            // The places are decimals, which doubles round.
+            assert!(exact.distance(own.value).abs() <= own.error + 1e-15 * own.value.abs(), "{id}: p({r}) {own:?}, off by {relative:e}");
+            if relative > worst.0 {
+                worst = (relative, format!("{id}: p({r}), {own:?}"));
+            }
+            places_seen += 1;
+        }
+    });
+    assert!(places_seen >= 60, "{places_seen}");
+    assert!(worst.0 <= 1e-13, "{worst:?}");
+}
