@@ -170,6 +170,17 @@ fn radii_have_points_and_an_apex() {
     assert_eq!(f64::from_le_bytes(bytes[128..136].try_into().unwrap()), f64::INFINITY);
 }
 
+/// `[data]` says the grid of the solver.
+#[test]
+fn the_data_of_the_scene_declare_a_grid() {
+    let place = room("declared");
+    fs::write(place.join("scene.toml"), format!("{SCENE}[data]\nbox = '0.4 um'\ngrid = [4, 8]\npressure = 'cell'\n")).unwrap();
+    let declared = reference(&place, &[]);
+    let typed = reference(&place, &["--grid", "8", "--box", "0.4 um", "--cells"]);
+    assert!(declared.status.success() && declared.stdout == typed.stdout);
+    assert!(String::from_utf8(declared.stdout).unwrap().lines().count() == 1 + 2 * 64);
+}
+
 #[test]
 fn bad_grids_are_refused() {
     let place = room("bad");

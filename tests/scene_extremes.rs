@@ -1,4 +1,4 @@
-//! Named shapes at extreme sizes, depths and exponents against 25 digits, what overflows on the way, and shapes that blend into simpler ones.
+//! Named shapes, every digit asked for, at extreme sizes, depths and exponents against 25 digits, what overflows on the way, and shapes that blend into simpler ones.
 #![cfg(feature = "scene")]
 #![allow(clippy::unwrap_used, clippy::panic)]
 
@@ -6,7 +6,7 @@ use sneddon::scene::{Datum, Row, Run, scene};
 
 fn rows(profile: &str, modulus: &str, load: &str) -> Vec<Row> {
     let text = format!(
-        "[profile]\n{profile}\n[material]\neffective_modulus = {modulus}\n[load]\n{load}\n[outputs]\nquantities = ['d', 'F', 'a', 'k']\n"
+        "[profile]\n{profile}\n[material]\neffective_modulus = {modulus}\n[load]\n{load}\n[outputs]\nquantities = ['d', 'F', 'a', 'k']\n[method]\ntolerance = 1e-13\n"
     );
     let own = scene(&text).unwrap_or_else(|error| panic!("{error} in\n{text}"));
     let solution = own.solution().unwrap();
@@ -33,6 +33,15 @@ fn every_shape_at_its_extremes() {
         let profile = format!("shape = '{shape}'\nparameters = {{ {parameters} }}");
         for modulus in [1.0, 1e12] {
             let by_depth = row(&profile, &format!("{modulus:?}"), &format!("depth = {d}"));
+            if number(a) < f64::MIN_POSITIVE {
+                // No double is as small as this radius: that is said, and not answered.
+                assert!(by_depth.value(Datum::Radius).is_none() && by_depth.value(Datum::Force).is_none(), "{line}: {by_depth:?}");
+                continue;
+            }
+            if number(force) * modulus < f64::MIN_POSITIVE {
+                assert!(by_depth.value(Datum::Force).is_none(), "{line}: {by_depth:?}");
+                continue;
+            }
             let by_force = row(&profile, &format!("{modulus:?}"), &format!("force = {:?}", number(force) * modulus));
             for (what, found, expected) in [
                 ("F", by_depth.value(Datum::Force), number(force) * modulus),
@@ -63,7 +72,7 @@ fn every_shape_at_its_extremes() {
 #[test]
 fn what_overflows_on_the_way_is_answered() {
     for (radius, modulus, depth) in
-        [("1e200", "1e-100", "1e-180"), ("1e-200", "1e150", "1e-220"), ("1e250", "1", "1e-290"), ("1e-280", "1e300", "1e-290")]
+        [("1e200", "1e-100", "1e-180"), ("1e-200", "1e150", "1e-220"), ("1e250", "1", "1e-280"), ("1e-280", "1e300", "1e-290")]
     {
         let (r, e, d) = (number(radius), number(modulus), number(depth));
         let log = (4.0f64 / 3.0).ln() + e.ln() + 0.5 * r.ln() + 1.5 * d.ln();

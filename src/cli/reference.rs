@@ -19,10 +19,10 @@ pub(super) struct Arguments {
     /// The scene file; - reads it from stdin.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// N points along both sides of a square box, or start:stop:count for radii; without it the radii of [outputs].
+    /// N points along both sides of a square box, or start:stop:count for radii; without it what [data] declares, or the radii of [outputs].
     #[arg(long, value_name = "GRID")]
     grid: Option<String>,
-    /// The side of the box, as "8 um".
+    /// The side of the box, as "8 um"; without it that of [data].
     #[arg(long = "box", value_name = "LENGTH")]
     side: Option<String>,
     /// Pressures as means over the cells around the points, as boundary elements have them.
@@ -76,14 +76,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let name = arguments.scene.display().to_string();
     let failed = |error: SceneError| failure(&name, &text, &error);
     let scene = scene::scene_for_grid(&text).map_err(failed)?;
-    let grid = match &arguments.grid {
-        Some(own) => Grid::parse(own, arguments.side.as_deref(), arguments.between, &scene).map_err(failed)?,
-        None if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
-        None => {
+    let declared = Grid::declared(&scene, arguments.between);
+    let grid = match (&arguments.grid, declared) {
+        (Some(own), _) => Grid::parse(own, arguments.side.as_deref(), arguments.between, &scene).map_err(failed)?,
+        (None, Some(own)) => own.checked().map_err(failed)?,
+        (None, None) if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
+        (None, None) => {
             return Err(Failure::new("there is no grid")
                 .help("--grid \"0:2 um:101\", --grid 64 with --box \"8 um\", or at in [outputs] would be accepted"));
         }
     };
+    let cells = arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true));
     let wanted = [Curve::Pressure, Curve::Displacement, Curve::Profile, Curve::Equivalent];
     let mut curves: Vec<Curve> = wanted.into_iter().filter(|own| scene.outputs.curves.contains(own)).collect();
     if curves.is_empty() {
@@ -96,7 +99,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let steps = scene.loads.len() as u64 * (1 + curves.len() as u64 * grid.distinct() as u64);
     let progress = Progress::new(steps, target.is_none());
     let run = run.watched(|| progress.step());
-    let reference = Reference { run: &run, grid: &grid, curves: &curves, cells: arguments.cells };
+    let reference = Reference { run: &run, grid: &grid, curves: &curves, cells };
     let mut missing = 0;
     let mut write = |out: &mut dyn Write| -> io::Result<()> {
         missing = match format {

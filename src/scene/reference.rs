@@ -102,7 +102,8 @@ impl Grid {
         let grid = match text.split(':').collect::<Vec<_>>().as_slice() {
             [only] => {
                 let count = count(only)?;
-                let side = side.map(length).transpose()?.map(|own| own.value());
+                let declared = scene.data.as_ref().and_then(|own| own.side);
+                let side = side.map(length).transpose()?.map(|own| own.value()).or(declared);
                 let missing =
                     || SceneError::missing("the grid has no box").help("--box \"8 um\", the side of the domain, would be accepted");
                 Self::Square { side: side.ok_or_else(missing)?, count, between }
@@ -111,6 +112,13 @@ impl Grid {
             _ => return Err(fault()),
         };
         grid.checked()
+    }
+
+    /// The finest grid that the scene declares of a solver's data.
+    pub fn declared(scene: &Scene, between: bool) -> Option<Self> {
+        let data = scene.data.as_ref()?;
+        let count = data.grid.iter().copied().max_by(f64::total_cmp)? as usize;
+        Some(Self::Square { side: data.side?, count, between })
     }
 
     /// The numbers of points along each direction.
