@@ -151,9 +151,14 @@ impl<P: Quantities> Contact<'_, P> {
         let Some(smooth) = self.evaluator.pressure(r, a)? else {
             return Ok(Err(if r == 0.0 { Reason::Apex } else { Reason::Kink }));
         };
-        let root = ((Bounded::exact(a) - Bounded::exact(r)) * (Bounded::exact(a) + Bounded::exact(r))).sqrt();
         let factor = Bounded::exact(self.effective_modulus) / Bounded::rounded(std::f64::consts::PI);
-        let total = (smooth.estimate.bounded() + excess / root) * factor;
+        let mut total = smooth.estimate.bounded();
+        if self.depth.is_some() {
+            // Two roots: the product of both lengths may leave the range of doubles.
+            let (gap, sum) = (Bounded::exact(a) - Bounded::exact(r), Bounded::exact(a) + Bounded::exact(r));
+            total = total + excess / gap.sqrt() / sum.sqrt();
+        }
+        let total = total * factor;
         Ok(Ok(Reading { estimate: Estimate::from_bounded(total, smooth.estimate.evaluations), method: smooth.method }))
     }
 
@@ -203,7 +208,7 @@ impl<P: Quantities> Contact<'_, P> {
         let mut failure = None;
         let mut inner = 0;
         // Nearer to the axis than this nothing adds to the energy, and g may have no digits left.
-        let nearest = 1e-60 * a;
+        let nearest = 1e-30 * a;
         let mut integrand = |point: Point| match self.evaluator.slope(point.x.max(nearest)) {
             Ok(g) => {
                 inner += g.estimate.evaluations;

@@ -8,6 +8,7 @@ mod error;
 mod second;
 mod series;
 mod tape;
+mod third;
 mod walk;
 
 pub use algebra::{Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra, Kept, KeptValues};
@@ -16,4 +17,5 @@ pub use error::EvalError;
 pub use second::PreciseAlgebra;
 pub use series::{Series, SeriesError, power_series};
 pub use tape::Tape;
+pub use third::WideAlgebra;
 pub use walk::{constant_value, precise_value, walk};

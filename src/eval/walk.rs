@@ -55,7 +55,7 @@ pub(super) fn walk_with<A: Algebra>(
         return Ok(value);
     }
     match expr.node() {
-        Node::Number(number) => Ok(algebra.constant(literal(number))),
+        Node::Number(number) => Ok(constant(number, algebra)),
         Node::Constant(Constant::Pi) => Ok(algebra.constant(Precise { value: precise::PI, error: 3.0e-33 })),
         Node::Constant(Constant::Euler) => Ok(algebra.constant(Precise { value: precise::E, error: 2.2e-33 })),
         Node::Symbol(symbol) => Err(EvalError::Unbound { name: symbol.name().to_owned() }),
@@ -108,6 +108,21 @@ fn logarithm_near_one(function: Function, arguments: &[Expr]) -> Option<(Functio
         return None;
     }
     Some((Function::named("ln_near_one")?, Expr::sum(others.into_iter().cloned())))
+}
+
+/// A number of the tree; one beyond the range of doubles is written as an operation, for algebras that reach further.
+fn constant<A: Algebra>(number: &Number, algebra: &mut A) -> A::Value {
+    const STEP: i64 = 900;
+    let size = number.to_f64().abs();
+    if number.is_zero() || (1e-270..f64::INFINITY).contains(&size) {
+        return algebra.constant(literal(number));
+    }
+    let Some(step) = Number::integer(2).power(STEP) else { return algebra.constant(literal(number)) };
+    let factor = algebra.constant(literal(&step));
+    let small = size < 1.0;
+    let Some(back) = (if small { Some(step) } else { step.reciprocal() }) else { return algebra.constant(literal(number)) };
+    let inner = constant(&(number * &back), algebra);
+    if small { algebra.divide(inner, factor) } else { algebra.multiply(inner, factor) }
 }
 
 /// A number of the tree as two doubles; the error is 0 where they hold it exactly.
@@ -171,13 +186,13 @@ fn split_number<A: Algebra>(number: &Number, algebra: &mut A, factors: &mut Vec<
     let numerator = Number::from(num_rational::BigRational::from_integer(number.value().numer().clone()));
     let denominator = Number::from(num_rational::BigRational::from_integer(number.value().denom().clone()));
     if number.is_exact_f64() || !(numerator.is_exact_f64() && denominator.is_exact_f64()) {
-        factors.push(algebra.constant(literal(number)));
+        factors.push(constant(number, algebra));
         return;
     }
     if !numerator.is_one() {
-        factors.push(algebra.constant(literal(&numerator)));
+        factors.push(constant(&numerator, algebra));
     }
-    divisors.push(algebra.constant(literal(&denominator)));
+    divisors.push(constant(&denominator, algebra));
 }
 
 /// Pushes the factors that make base^power, `power` > 0.

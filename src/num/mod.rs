@@ -14,6 +14,7 @@ pub mod roots;
 pub mod special;
 pub(crate) mod spectral;
 pub(crate) mod stable;
+mod wide;
 
 pub use bounded::Bounded;
 pub use double_double::{DoubleDouble, Precise};
@@ -21,3 +22,4 @@ pub use error::NumError;
 pub use estimate::Estimate;
 pub use real_power::real_power;
 pub(crate) use real_power::{corrected_power, real_power_part};
+pub use wide::Wide;

@@ -1,9 +1,9 @@
 //! A closed expression as a number: in double precision where that keeps its digits, else with 30 digits, rounded once.
 
 use super::Pair;
-use crate::eval::{BoundedAlgebra, EvalError, PreciseAlgebra, Tape};
+use crate::eval::{BoundedAlgebra, EvalError, PreciseAlgebra, Tape, WideAlgebra};
 use crate::expr::{Expr, Symbol, has_30_digits, shown_to_30_digits};
-use crate::num::{Bounded, Precise};
+use crate::num::{Bounded, Precise, Wide};
 use std::sync::OnceLock;
 
 /// A relative bound of this size is good enough for every digit: four units in the last place of a double.
@@ -69,11 +69,19 @@ impl ClosedForm {
         &self.tape
     }
 
-    /// With 30 digits; the tape is compiled when it is first needed.
+    /// The tape of the second and third pass, compiled when it is first needed.
+    fn precise_tape(&self) -> Option<&Tape> {
+        self.precise.get_or_init(|| Tape::compile(&[shown_to_30_digits(&self.second)], &self.inputs).ok()).as_ref()
+    }
+
+    /// With 30 digits.
     fn in_30_digits(&self, inputs: &[Precise], slots: &mut Vec<Precise>) -> Precise {
-        let compile = || Tape::compile(&[shown_to_30_digits(&self.second)], &self.inputs).ok();
-        let tape = self.precise.get_or_init(compile);
-        tape.as_ref().and_then(|tape| tape.run(&mut PreciseAlgebra, inputs, slots)).unwrap_or(Precise::nan())
+        self.precise_tape().and_then(|tape| tape.run(&mut PreciseAlgebra, inputs, slots)).unwrap_or(Precise::nan())
+    }
+
+    /// The same without overflow or underflow on the way.
+    fn in_wide(&self, inputs: &[Wide], slots: &mut Vec<Wide>) -> Wide {
+        self.precise_tape().and_then(|tape| tape.run(&mut WideAlgebra, inputs, slots)).unwrap_or(Wide::nan())
     }
 }
 
@@ -85,11 +93,19 @@ pub(super) fn total(forms: &[&ClosedForm], inputs: &[f64], good: f64) -> Bounded
     refined(sum, sum.value, good, || precise_total(forms, inputs))
 }
 
-/// The sum with 30 digits, which survives what cancels between the forms.
+/// The sum with 30 digits, which survives what cancels between the forms; infinite where it is beyond the range of doubles.
 pub(super) fn precise_total(forms: &[&ClosedForm], inputs: &[f64]) -> Precise {
     let exact: Vec<Precise> = inputs.iter().copied().map(Precise::exact).collect();
     let mut slots = Vec::new();
-    forms.iter().fold(Precise::exact(0.0), |sum, form| sum.add(form.in_30_digits(&exact, &mut slots)))
+    let second = forms.iter().fold(Precise::exact(0.0), |sum, form| sum.add(form.in_30_digits(&exact, &mut slots)));
+    if second.is_finite() && second.error <= GOOD * second.value.hi.abs() {
+        return second;
+    }
+    let (exact, mut slots) = (exact.iter().copied().map(Wide::new).collect::<Vec<_>>(), Vec::new());
+    let start = Wide::new(Precise::exact(0.0));
+    let third = forms.iter().fold(start, |sum, form| sum.add(form.in_wide(&exact, &mut slots))).precise();
+    let better = third.value.hi.is_infinite() || second.error.is_nan() || third.error < second.error;
+    if better && !third.value.hi.is_nan() { third } else { second }
 }
 
 /// The first value where its bound is good next to the whole of which it is a part, else the better of both.
@@ -97,14 +113,19 @@ pub(super) fn refined(first: Bounded, whole: f64, good: f64, second: impl FnOnce
     if first.error <= good * whole.abs() {
         return first;
     }
-    let exact = second();
-    let mut second = exact.bounded();
-    if exact.value.lo != 0.0 {
-        // Nothing is said of where within the rounding the true value lies.
-        second.error = second.error.max(Bounded::rounded(second.value).error);
-    }
+    let second = rounded(second());
     let better = first.error.is_nan() || second.error < first.error;
     if second.is_finite() && better { second } else { first }
+}
+
+/// Rounded once.
+pub(super) fn rounded(exact: Precise) -> Bounded {
+    let mut own = exact.bounded();
+    if exact.value.lo != 0.0 {
+        // Nothing is said of where within the rounding the true value lies.
+        own.error = own.error.max(Bounded::rounded(own.value).error);
+    }
+    own
 }
 
 /// The expression of an answer that the second pass evaluates: the shown one where the other has functions without 30 digits.

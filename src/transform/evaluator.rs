@@ -1,6 +1,6 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
-use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, total};
+use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, rounded, total};
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
 use super::quantity::Quantity;
@@ -9,6 +9,11 @@ use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
 use crate::num::{Bounded, Estimate, Precise};
 use std::sync::OnceLock;
+
+/// The order of the power series at the axis.
+const ORDER: usize = 24;
+/// The same for the pressure, which has nothing else next to the axis.
+const PRESSURE_ORDER: usize = 64;
 
 /// How a number may be computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,7 +185,11 @@ impl<'a> Evaluator<'a> {
             let zero = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
             return Ok(Some(Reading { estimate: zero, method: "exact" }));
         }
-        self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance))
+        match self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance))? {
+            Some(own) if own.estimate.value.is_nan() => Err(TransformError::NotComputable { at: a }),
+            Some(own) if own.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol: "a", at: a }),
+            other => Ok(other),
+        }
     }
 
     pub(super) fn height_forms(&self) -> Result<&Heights, TransformError> {
@@ -241,7 +250,16 @@ impl<'a> Evaluator<'a> {
             if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
                 return Ok(own);
             }
-            let whole = self.typed()?.integral(a, self.tolerance);
+            let mut whole = self.typed()?.integral(a, self.tolerance);
+            let poor = !whole.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance);
+            if poor
+                && let Ok(series) = SeriesEvaluator::with(&self.solution.profile, &self.bindings, ORDER)
+                && let Ok(Reading { estimate: series, .. }) = series.integral(a)
+                && (series.value != 0.0 || series.error > 0.0)
+                && whole.as_ref().map_or(true, |own| series.error < own.error)
+            {
+                whole = Ok(series);
+            }
             return match whole {
                 Ok(whole) if estimate.error.is_nan() || estimate.error > whole.error => {
                     Ok(Reading { estimate: whole, method: "quadrature" })
@@ -318,18 +336,19 @@ impl<'a> Evaluator<'a> {
         inputs: &[f64],
         integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
     ) -> Result<Option<Reading>, TransformError> {
-        let whole = || self.integrated(&integrate);
+        let whole = || self.integrated(&integrate, contact);
         if self.method == Method::Quadrature {
             return match whole() {
                 // An integrand that is 0/0 in doubles next to the axis may have a series.
                 Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                    self.by_series(quantity, contact).map(Some).ok_or(error)
+                    self.by_series(quantity, inputs).map(Some).ok_or(error)
                 }
                 other => other,
             };
         }
         let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
         let (mut closed, mut open, mut evaluations, mut any_open) = (Bounded::exact(0.0), Bounded::exact(0.0), 0, false);
+        let mut overflow = false;
         let mut forms = Vec::new();
         let mut slots = Vec::new();
         for index in 0..self.chains.len() {
@@ -341,8 +360,10 @@ impl<'a> Evaluator<'a> {
                     // Infinite by theory at the apex and at kinks, too large for a float elsewhere.
                     let at = inputs.first().copied().unwrap_or(0.0);
                     let singular = at == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == at));
-                    let theory = quantity == Quantity::Pressure && singular;
-                    return if theory { Ok(None) } else { Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact }) };
+                    if quantity == Quantity::Pressure && singular {
+                        return Ok(None);
+                    }
+                    overflow = true;
                 }
                 closed = closed + value;
                 forms.push(form);
@@ -357,7 +378,16 @@ impl<'a> Evaluator<'a> {
                 any_open = true;
             }
         }
-        let closed = refined(closed, (closed + open).value, good_enough(self.tolerance), || precise_total(&forms, inputs));
+        let closed = if closed.value.is_finite() {
+            refined(closed, (closed + open).value, good_enough(self.tolerance), || precise_total(&forms, inputs))
+        } else {
+            // What overflows on the way may be a number all the same.
+            let exact = precise_total(&forms, inputs);
+            if exact.value.hi.is_infinite() || (overflow && !exact.is_finite()) {
+                return Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact });
+            }
+            rounded(exact)
+        };
         let total = if any_open { closed + open } else { closed };
         let estimate = Estimate::from_bounded(total, evaluations);
         let method = match (!forms.is_empty(), any_open) {
@@ -383,7 +413,7 @@ impl<'a> Evaluator<'a> {
             Err(_) => true,
         };
         if poor(&other)
-            && let Some(series) = self.by_series(quantity, contact)
+            && let Some(series) = self.by_series(quantity, inputs)
             && other.as_ref().map_or(true, |own| own.is_some_and(|own| series.estimate.error < own.estimate.error))
         {
             other = Ok(Some(series));
@@ -400,9 +430,17 @@ impl<'a> Evaluator<'a> {
     fn integrated(
         &self,
         integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
+        contact: f64,
     ) -> Result<Option<Reading>, TransformError> {
         let by_quadrature = |estimate| Reading { estimate, method: "quadrature" };
-        let typed = self.typed().and_then(integrate);
+        // An exact 0 of a slope that is not 0 is an underflow, or a divisor that is infinite.
+        let own = |profile: &NumericProfile| match integrate(profile) {
+            Ok(Some(own)) if own.value == 0.0 && own.error == 0.0 && profile.reaches(contact) => {
+                Err(TransformError::NotComputable { at: contact })
+            }
+            other => other,
+        };
+        let typed = self.typed().and_then(own);
         let enough = match &typed {
             Ok(Some(own)) => own.relative_error() <= self.tolerance,
             Ok(None) => true,
@@ -410,7 +448,7 @@ impl<'a> Evaluator<'a> {
             Err(_) => true,
         };
         if !enough
-            && let Ok(Some(other)) = self.recognised().and_then(integrate)
+            && let Ok(Some(other)) = self.recognised().and_then(own)
             && typed.as_ref().map_or(true, |own| own.is_some_and(|own| other.error < own.error))
         {
             return Ok(Some(by_quadrature(other)));
@@ -418,15 +456,17 @@ impl<'a> Evaluator<'a> {
         Ok(typed?.map(by_quadrature))
     }
 
-    /// g or F by the power series at the axis, with a proven remainder.
-    fn by_series(&self, quantity: Quantity, contact: f64) -> Option<Reading> {
-        const ORDER: usize = 24;
-        let series = SeriesEvaluator::with(&self.solution.profile, &self.bindings, ORDER).ok()?;
-        match quantity {
-            Quantity::Slope => series.slope(contact).ok(),
-            Quantity::Force => series.force(contact).ok(),
+    /// g, F or p by the power series at the axis, with a proven remainder.
+    fn by_series(&self, quantity: Quantity, inputs: &[f64]) -> Option<Reading> {
+        let order = if quantity == Quantity::Pressure { PRESSURE_ORDER } else { ORDER };
+        let series = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order).ok()?;
+        let found = match (quantity, inputs) {
+            (Quantity::Slope, [x]) => series.slope(*x).ok(),
+            (Quantity::Force, [a]) => series.force(*a).ok(),
+            (Quantity::Pressure, [r, a]) if *r > 0.0 => series.pressure(*r, *a).ok(),
             _ => None,
-        }
+        };
+        found.filter(|own| own.estimate.value != 0.0 || own.estimate.error > 0.0)
     }
 
     /// Refuses a place that the profile does not reach.

@@ -99,6 +99,11 @@ impl NumericProfile {
         self.segments.is_empty()
     }
 
+    /// True where a piece that is not flat lies below the contact's end, so that no integral is exactly 0 but by underflow.
+    pub(super) fn reaches(&self, contact: f64) -> bool {
+        self.segments.iter().any(|segment| segment.lower.value < contact)
+    }
+
     /// g(x) = x ∫₀^{π/2} f′(x sin t) dt.
     ///
     /// # Errors
@@ -243,7 +248,8 @@ impl NumericSegment {
                         slope * cosine * cosine
                     }
                     Weight::Outside(r) => {
-                        let ratio = x / ((r - x) * (r + x)).sqrt();
+                        // Root by root: the product may leave the range of doubles.
+                        let ratio = x / (r - x).sqrt() / (r + x).sqrt();
                         let (q, s) = (rest.sin(), (lower + distances[i]) / x);
                         let short = s * s / (1.0 + q);
                         let angle = (q * ratio).atan();

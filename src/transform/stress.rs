@@ -91,6 +91,9 @@ impl NumericProfile {
     }
 }
 
+/// From this share of the radius on down, a − s is a length of its own.
+const NARROW: f64 = 1e-5;
+
 impl NumericSegment {
     pub(super) fn slope_at(&self, delta: f64) -> Bounded {
         self.slope.at(Bounded::exact(delta), &mut Vec::new())
@@ -112,6 +115,16 @@ impl NumericSegment {
             places.push(s);
         }
         places.push(end);
+        if s > lower && a - s < NARROW * (s - lower) {
+            // Next to the edge the kernel is a root down to the distance a − s, and only there a logarithm: no node far off sees that.
+            let mut step = 4.0 * (a - s);
+            while step < 0.25 * (s - lower) {
+                places.push(s - step);
+                step *= 1e3;
+            }
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+        }
         for pair in places.windows(2) {
             let [from, to] = pair else { continue };
             parts.push(self.pressure_between(bend, *from, *to, s, a, tolerance)?);

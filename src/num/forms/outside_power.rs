@@ -22,8 +22,9 @@ pub fn outside_power(n: f64, a: f64, r: f64) -> f64 {
     if !(n >= LEAST && n.is_finite() && a > 0.0 && a < r && r.is_finite()) {
         return f64::NAN;
     }
-    let (z, gap) = (a / r, (r - a) * (r + a));
-    let w = gap.sqrt() / r;
+    // Quotients first: squares of lengths may leave the range of doubles.
+    let z = a / r;
+    let w = ((r - a) / r * (1.0 + z)).sqrt();
     let square = z * z;
     if square < SLOW || n * w * w > 1.0 {
         let (mut term, mut sum, mut k) = (1.0, 1.0 / (n + 1.0), 0.0);
@@ -47,7 +48,7 @@ pub fn outside_power(n: f64, a: f64, r: f64) -> f64 {
     }
     // ∫_0^a x^n/√(r²−x²) dx = r^n (π/(2 κ_n)) − a^n w z Σ, everything over a^n.
     let whole = std::f64::consts::FRAC_PI_2 / kappa(n) * z.powf(-n);
-    a.powf(n) * (a.atan2(gap.sqrt()) - whole + w * z * sum)
+    a.powf(n) * (z.atan2(w) - whole + w * z * sum)
 }
 
 /// Below this exponent the two parts next to the edge cancel.

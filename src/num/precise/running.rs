@@ -140,7 +140,9 @@ impl Precise {
         let whole = exponent.error == 0.0 && exponent.value.lo == 0.0 && exponent.value.hi.fract() == 0.0;
         if self.error == 0.0 && exponent.error == 0.0 {
             let own = pow(self.value, exponent.value);
-            return Self::checked(own.value, own.error);
+            // A power that underflows is no exact 0.
+            let lost = if own.value.hi == 0.0 && self.value.hi != 0.0 { UNDERFLOW } else { 0.0 };
+            return Self::checked(own.value, own.error + lost);
         }
         let size = self.size();
         let least = size * (1.0 - 2.0 * f64::EPSILON) - self.error;
@@ -152,6 +154,7 @@ impl Precise {
             return if inside { Self::checked(0.0.into(), reach.error) } else { Self::nan() };
         }
         let own = pow(self.value, exponent.value);
+        let own = Self { error: own.error + if own.value.hi == 0.0 { UNDERFLOW } else { 0.0 }, ..own };
         let stretch = self.error / least;
         let log_size = if exponent.error == 0.0 { 0.0 } else { size.ln().abs() + stretch + f64::EPSILON };
         let shift = exponent.size() * stretch + exponent.error * log_size;
