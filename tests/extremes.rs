@@ -1,0 +1,41 @@
+//! Every rule in the corners of its domain: within 16·max(1, condition number) ulp, within its own estimate, or refused with a reason.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod common;
+
+use common::stability::{Outcome, cells};
+use common::stability_page::{page, skeleton};
+use sneddon::transform::rules::RULES;
+use std::collections::BTreeSet;
+
+const REFERENCES: &str = include_str!("oracle/extremes.csv");
+
+/// Refusals of numbers that a double could hold; fewer is better.
+const REFUSED: usize = 205;
+/// Rules whose references are still to be computed; `docs/stability.md` names them.
+const WITHOUT: usize = 21;
+/// Cells beyond the limit, which `docs/stability.md` lists.
+const BEYOND: usize = 25;
+
+#[test]
+fn corners_keep_their_digits() {
+    let found = cells(REFERENCES);
+    let faults: Vec<String> = found.iter().filter_map(|cell| cell.fault()).collect();
+    let refused: Vec<String> =
+        found.iter().filter(|cell| matches!(cell.outcome, Outcome::Refused(_))).map(|cell| format!("{cell:?}")).collect();
+    let seen: BTreeSet<&str> = found.iter().map(|cell| cell.rule.as_str()).collect();
+    let without: Vec<&str> = RULES.iter().map(|rule| rule.id).filter(|id| !seen.contains(id)).collect();
+    assert!(without.len() <= WITHOUT, "run tests/oracle/extremes.py for {}", without.join(", "));
+    assert!(faults.len() <= BEYOND, "{} faults:\n{}", faults.len(), faults.join("\n"));
+    assert!(refused.len() <= REFUSED, "{} refusals:\n{}", refused.len(), refused.join("\n"));
+}
+
+#[test]
+fn the_document_is_the_programs() {
+    let written = include_str!("../docs/stability.md").split("\n## Random scenes").next().unwrap();
+    let (own, written) = (skeleton(&page(&cells(REFERENCES))), skeleton(written));
+    for (own, written) in own.iter().zip(&written) {
+        assert_eq!(own, written, "run `cargo run --release --example stability > docs/stability.md`");
+    }
+    assert_eq!(own.len(), written.len());
+}
