@@ -2,7 +2,8 @@
 
 use super::file::Target;
 use super::{Failure, Outcome, output};
-use crate::report::validation::{html, json, text};
+use crate::report::validation::{html, json, text as screen};
+use crate::scene::{Change, SceneError, scene_for_data};
 use crate::validate::{Request, Source, ValidationError, validate};
 use std::fs::File;
 use std::io::{self, Cursor, Read};
@@ -52,17 +53,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(Failure::new(format!("--grid has {bad}")).help("numbers of pixels such as 64,128,256 would be accepted"));
     }
     let target = arguments.output.as_deref().map(Target::html).transpose()?;
-    let scene = super::solve::read(&arguments.scene)?;
+    let text = super::solve::read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let sources: Vec<Source<'_>> = arguments.data.iter().map(|path| source(path)).collect::<Result<_, _>>()?;
-    let request = Request { scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &arguments.grid };
-    let found = validate(&request).map_err(|error| failure(&name, &scene, &error))?;
+    let failed = |error: SceneError| super::solve::failure(&name, &text, &error);
+    let scene = scene_for_data(&text, &Change::None).map_err(failed)?;
+    let scene = super::tip::with_points(scene, &arguments.scene, failed)?;
+    let request = Request { text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &arguments.grid };
+    let found = validate(&request).map_err(|error| failure(&name, &text, &error))?;
     if let Some(target) = target {
         target.write(html::html(&found).map_err(Failure::new)?.as_bytes())?;
     }
     output::print(|out: &mut dyn io::Write| match arguments.json {
         true => writeln!(out, "{:#}", json::json(&found)),
-        false => text::text(&found, out),
+        false => screen::text(&found, out),
     })?;
     Ok(if found.passed { Outcome::Done } else { Outcome::Failed })
 }

@@ -320,7 +320,10 @@ impl Trial<'_> {
     fn with<T>(&self, taken: &Taken, exact: &Exact<'_>, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
         let scene = match taken {
             Taken::AsIs => self.scene.clone(),
-            Taken::Changed(change) => scene_for_data(self.text, change).ok()?,
+            Taken::Changed(change) => {
+                let changed = scene_for_data(self.text, change).ok()?;
+                Scene { tip: self.scene.tip.clone(), ..changed }
+            }
             Taken::Modulus(factor) => Scene { effective_modulus: self.scene.effective_modulus * factor, ..self.scene.clone() },
             Taken::Parabola => {
                 let scale = self.scene.rim.unwrap_or(self.gauge.margin.max(f64::MIN_POSITIVE) * 4.0);

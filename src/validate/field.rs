@@ -103,7 +103,8 @@ pub(super) fn compare(
     // Without a pixel the places themselves say how fine they are.
     let margin = MARGIN * pixel.pixel.unwrap_or_else(|| spacing(survey, a));
     let region = Region::new(a, margin, &exact.sharp(a));
-    let pressures = Pressures::new(exact.shape(), state, survey.rows);
+    let formula = exact.formula();
+    let pressures = Pressures::new(exact, formula.as_ref(), state, survey.rows);
     let contact = exact.contact(state);
     let mut own = Sums::new(state, margin, survey, pixel);
     let mut table = Table::open(survey.source)?;

@@ -104,10 +104,26 @@ pub(super) fn of_distances(r: &[f64]) -> Option<Lattice> {
     best
 }
 
-/// The pixel from contact radii a = √(N h²/π), distinct ones: the largest h for which every N is whole, beyond chance.
-pub(super) fn of_areas(a: &[f64]) -> Option<f64> {
+/// The pixel from contact radii a = √(N h²/π), distinct ones with their loads: the largest h for which every N is whole, beyond chance.
+///
+/// Radii that follow their loads by a power law to less than one pixel of area are computed, not counted.
+pub(super) fn of_areas(radii: &[(f64, f64)]) -> Option<f64> {
+    let pixel = largest_unit(radii)?;
+    let logs: Vec<(f64, f64)> = radii.iter().filter(|own| own.0 > 0.0 && own.1 > 0.0).map(|(a, load)| (load.ln(), a.ln())).collect();
+    let n = logs.len() as f64;
+    let mean = logs.iter().fold((0.0, 0.0), |sum, own| (sum.0 + own.0 / n, sum.1 + own.1 / n));
+    let (sxx, sxy) = logs.iter().fold((0.0, 0.0), |sum, (x, y)| (sum.0 + (x - mean.0).powi(2), sum.1 + (x - mean.0) * (y - mean.1)));
+    let slope = if sxx > 0.0 { sxy / sxx } else { 0.0 };
+    let off = |(x, y): &(f64, f64)| {
+        let fitted = (mean.1 + slope * (x - mean.0)).exp();
+        std::f64::consts::PI * (y.exp().powi(2) - fitted * fitted).abs() / (pixel * pixel)
+    };
+    logs.iter().any(|own| off(own) > 0.5).then_some(pixel)
+}
+
+fn largest_unit(radii: &[(f64, f64)]) -> Option<f64> {
     const MOST: u32 = 200_000;
-    let areas: Vec<f64> = a.iter().map(|a| std::f64::consts::PI * a * a).collect();
+    let areas: Vec<f64> = radii.iter().map(|(a, _)| std::f64::consts::PI * a * a).collect();
     let least = areas.iter().copied().fold(f64::INFINITY, f64::min);
     if areas.len() < 4 || least <= 0.0 {
         return None;
@@ -149,9 +165,15 @@ mod tests {
 
     #[test]
     fn counted_areas_betray_the_pixel() {
-        let a: Vec<f64> = [341, 683, 998, 1301, 1597].map(|n: i32| (f64::from(n) * 0.05 * 0.05 / std::f64::consts::PI).sqrt()).to_vec();
-        let printed: Vec<f64> = a.iter().map(|a| format!("{a:.8}").parse().unwrap()).collect();
+        let counts = [341, 683, 998, 1301, 1597, 2011];
+        let a = counts.map(|n: i32| (f64::from(n) * 0.05 * 0.05 / std::f64::consts::PI).sqrt());
+        let load = |index: usize| 0.1 * (index + 1) as f64;
+        let printed: Vec<(f64, f64)> = a.iter().enumerate().map(|(i, a)| (format!("{a:.8}").parse().unwrap(), load(i))).collect();
         assert!((of_areas(&printed).unwrap() - 0.05).abs() < 1e-6);
-        assert_eq!(of_areas(&[0.511, 0.72312, 0.8853, 1.0212, 1.2345]), None);
+        let any = [0.511, 0.72312, 0.8853, 1.0212, 1.2345];
+        assert_eq!(of_areas(&any.iter().enumerate().map(|(i, a)| (*a, load(i))).collect::<Vec<_>>()), None);
+        // a = √(R d) at even steps has areas in whole ratios, but no pixels.
+        let computed: Vec<(f64, f64)> = (0..10).map(|i| ((10.0 * load(i)).sqrt(), load(i))).collect();
+        assert_eq!(of_areas(&computed), None);
     }
 }

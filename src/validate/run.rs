@@ -10,12 +10,14 @@ use super::units::Units;
 use super::verdict::{Verdict, verdict};
 use super::{FileReport, Source, Suspicion, Validation, ValidationError, column::Kind, field, loads};
 use crate::contact::{Load, State};
-use crate::scene::{Change, Control, Scene, SceneError, Walls, scene_for_data};
+use crate::scene::{Control, Scene, Walls};
 
 /// What is validated, and how.
 pub struct Request<'a> {
     /// The text of the scene file.
-    pub scene: &'a str,
+    pub text: &'a str,
+    /// The scene of this text, with the points of its tip if it has some.
+    pub scene: &'a Scene,
     /// The data.
     pub sources: &'a [Source<'a>],
     /// An error that is accepted, relative, in the place of those of the grid.
@@ -31,17 +33,13 @@ pub struct Request<'a> {
 /// # Errors
 /// [`ValidationError`] where a file or the scene cannot be read.
 pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
-    let scene = scene_for_data(request.scene, &Change::None)?;
-    if let Some(measured) = &scene.measured {
-        let error = SceneError::value("data are validated against formulas, and this profile is a measured tip");
-        return Err(error.help("f or shape would be accepted").at(measured.place()).into());
-    }
+    let scene = request.scene;
     let mut units = Units::default();
     let mut surveys = Vec::new();
     for source in request.sources {
-        surveys.push(Survey::new(source, &scene, &mut units)?);
+        surveys.push(Survey::new(source, scene, &mut units)?);
     }
-    let work = Work { request, scene: &scene, judge: judge(request, &scene) };
+    let work = Work { request, scene, judge: judge(request, scene) };
     let mut parts = Vec::new();
     for content in [Content::Loads, Content::Field] {
         let mut own: Vec<&mut Survey<'_>> = surveys.iter_mut().filter(|own| own.content == content).collect();
@@ -124,7 +122,7 @@ impl Work<'_> {
             let margin = finest.rows.iter().map(|row| row.radius).fold(0.0, f64::max);
             let reach = exact.state(load).map_or(margin, |own| own.radius);
             let gauge = Gauge { pixel, margin: reach, mean_over: None, solver: self.judge.solver, by_force };
-            diagnosis::diagnose(self.request.scene, self.scene, &Evidence::Loads(finest.rows.clone()), &gauge)
+            diagnosis::diagnose(self.request.text, self.scene, &Evidence::Loads(finest.rows.clone()), &gauge)
         };
         Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect() })
     }
@@ -172,7 +170,7 @@ impl Work<'_> {
             Gauge { pixel: pixel.pixel, margin: finest.margin, mean_over, solver: self.judge.solver, by_force: self.declared_force() };
         let free = declared.is_some_and(|own| own.walls == Walls::Free);
         let evidence = Evidence::Field { spots: finest.spots.clone(), state: *state, held, side: pixel.side, free };
-        diagnosis::diagnose(self.request.scene, self.scene, &evidence, &gauge)
+        diagnosis::diagnose(self.request.text, self.scene, &evidence, &gauge)
     }
 
     fn single_load(&self) -> Result<Load, ValidationError> {

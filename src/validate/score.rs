@@ -88,7 +88,8 @@ pub(super) fn field(exact: &Exact<'_>, state: &State, spots: &[Spot], gauge: &Ga
     if 3 * inside.len() < spots.len() || inside.len() < 3 || a <= 0.0 {
         return None;
     }
-    let pressures = Pressures::new(exact.shape(), state, inside.len() as u64);
+    let formula = exact.formula();
+    let pressures = Pressures::new(exact, formula.as_ref(), state, inside.len() as u64);
     let (mut wanted, mut found) = (Vec::new(), Vec::new());
     inside.iter().for_each(|spot| places(spot.r, gauge.mean_over, &mut wanted));
     pressures.at(&wanted, &mut found);

@@ -49,8 +49,9 @@ impl<'s> Survey<'s> {
         }
         let places = Places::of(&table);
         let a = table.index(Kind::ContactRadius);
+        let load = table.index(Kind::Depth).or(table.index(Kind::Force));
         let (mut rows, mut largest) = (0, vec![0.0_f64; columns.len()]);
-        let (mut nearest, mut xs, mut radii) = (Nearest::default(), BTreeSet::new(), BTreeSet::new());
+        let (mut nearest, mut xs, mut radii) = (Nearest::default(), BTreeSet::new(), Vec::new());
         let mut row = Vec::new();
         while table.next(&mut row)?.is_some() {
             rows += 1;
@@ -65,8 +66,10 @@ impl<'s> Survey<'s> {
                 if let (Some(x), true) = (places.x.and_then(|x| row.get(x)), xs.len() < 20 * KEPT) {
                     xs.insert(Ordered(*x));
                 }
-            } else if let (Some(a), true) = (a.and_then(|a| row.get(a)), radii.len() < RADII) {
-                radii.insert(Ordered(*a));
+            } else if let (Some(a), Some(load), true) = (a.and_then(|a| row.get(a)), load.and_then(|own| row.get(own)), radii.len() < RADII)
+                && radii.iter().all(|own: &(f64, f64)| own.0 != *a)
+            {
+                radii.push((*a, *load));
             }
         }
         let mut notes = std::mem::take(&mut table.notes);
@@ -85,7 +88,6 @@ impl<'s> Survey<'s> {
         if let (Some(gap), true) = (gap(&xs), places.x.is_some()) {
             lattice = Some(Lattice { pixel: gap, offset: lattice.map_or(Offset::Centre, |own| own.offset) });
         }
-        let radii: Vec<f64> = radii.into_iter().map(|own| own.0).collect();
         let counted = lattice::of_areas(&radii);
         Ok(Self { source, content, factors, columns, rows, largest, lattice, counted, notes })
     }
