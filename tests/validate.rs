@@ -457,3 +457,39 @@ fn the_example_of_the_document_is_true() {
     assert_eq!(done.status.code(), Some(1));
     assert_eq!(String::from_utf8(done.stdout).unwrap().trim_end(), shown.trim_end());
 }
+
+/// Radii at even steps of depth have areas in whole ratios, without any pixel.
+#[test]
+fn radii_that_are_computed_betray_no_pixel() {
+    let place = room("computed");
+    let rows = |factor: f64| -> String {
+        let row = |i: i32| {
+            let a = (f64::from(i) * 0.04 * RADIUS).sqrt();
+            format!("{:?},{:?},{a:?}\n", Tip::Paraboloid.depth(a), factor * Tip::Paraboloid.force(a))
+        };
+        format!("d,F,a\n{}", (1..=10).map(row).collect::<String>())
+    };
+    let scene = Tip::Paraboloid.scene("depth = 0.3", 128);
+    let scene = scene.split("[data]").next().unwrap();
+    for (factor, expected) in [(1.0, 0), (1.0 - NU * NU, 1)] {
+        fs::write(place.join("data.csv"), rows(factor)).unwrap();
+        let (code, found) = validated(&place, scene, &["data.csv".to_owned()], &[]);
+        assert_eq!(code, expected, "{found:#}");
+        assert_eq!(found["suspicion"].as_str().is_some_and(|own| own.contains("E for E*")), expected == 1);
+    }
+}
+
+#[test]
+fn measured_tips_are_compared_too() {
+    let place = room("tip");
+    let points: String = (0..=120).map(|i| f64::from(i) * 0.03).map(|r| format!("{r:?},{:?}\n", r * r / (2.0 * RADIUS))).collect();
+    fs::write(place.join("tip.csv"), format!("r,z\n{points}")).unwrap();
+    let scene = Tip::Paraboloid.scene("contact_radius = 1.9", 128);
+    let scene = scene.replace(&format!("f = \"r^2/(2*R)\"\nparameters = {{ R = {RADIUS} }}"), "points = \"tip.csv\"");
+    fs::write(place.join("loads.csv"), loads(Tip::Paraboloid, 128, &|_, row| row)).unwrap();
+    fs::write(place.join("p.csv"), pressures(Tip::Paraboloid, 128, 1.9, &|row| row)).unwrap();
+    for file in ["loads.csv", "p.csv"] {
+        let (code, found) = validated(&place, &scene, &[file.to_owned()], &[]);
+        assert_eq!(code, 0, "{found:#}");
+    }
+}
