@@ -9,8 +9,6 @@ pub(super) enum Offset {
     Centre,
     /// On a corner: r² = ((i + ½)² + (j + ½)²) h².
     Corner,
-    /// On the middle of an edge.
-    Edge,
     /// Evenly spaced radii, of which nothing more is known.
     Line,
 }
@@ -20,7 +18,6 @@ impl Offset {
         match self {
             Self::Centre => "a square lattice with the axis on the centre of a pixel",
             Self::Corner => "a square lattice with the axis on the corner of a pixel",
-            Self::Edge => "a square lattice with the axis on the edge of a pixel",
             Self::Line => "evenly spaced radii",
         }
     }
@@ -30,7 +27,6 @@ impl Offset {
         let (x, y) = match self {
             Self::Centre | Self::Line => (2 * i, 2 * j),
             Self::Corner => (2 * i + 1, 2 * j + 1),
-            Self::Edge => (2 * i + 1, 2 * j),
         };
         x * x + y * y
     }
@@ -52,8 +48,8 @@ pub(super) fn shells(offset: Offset, most: u64) -> BTreeMap<u64, u64> {
             let own = offset.quarters(i, j);
             if own <= most {
                 let mirrored = |n: u64, half: bool| if half || n > 0 { 2 } else { 1 };
-                let (half_x, half_y) = (matches!(offset, Offset::Corner | Offset::Edge), offset == Offset::Corner);
-                *shells.entry(own).or_insert(0) += mirrored(i, half_x) * mirrored(j, half_y);
+                let half = offset == Offset::Corner;
+                *shells.entry(own).or_insert(0) += mirrored(i, half) * mirrored(j, half);
             }
         }
     }
@@ -81,7 +77,7 @@ pub(super) fn of_distances(r: &[f64]) -> Option<Lattice> {
         return Some(Lattice { pixel: most, offset: Offset::Line });
     }
     let mut best: Option<Lattice> = None;
-    for offset in [Offset::Centre, Offset::Corner, Offset::Edge] {
+    for offset in [Offset::Centre, Offset::Corner] {
         if offset != Offset::Centre && r.first() == Some(&0.0) {
             continue;
         }
@@ -151,7 +147,7 @@ mod tests {
 
     #[test]
     fn the_pixel_is_found_wherever_the_axis_stands() {
-        for (offset, shift) in [(Offset::Centre, (0.0, 0.0)), (Offset::Corner, (0.5, 0.5)), (Offset::Edge, (0.5, 0.0))] {
+        for (offset, shift) in [(Offset::Centre, (0.0, 0.0)), (Offset::Corner, (0.5, 0.5))] {
             let mut r: Vec<f64> = (0..9)
                 .flat_map(|i| (0..9).map(move |j| 0.3 * (f64::from(i) + shift.0).hypot(f64::from(j) + shift.1)))
                 .filter(|r| *r < 2.4)
