@@ -121,12 +121,15 @@ impl Source<'_> {
                 }
                 // Here below_limit is x − r: sin²τ = (x − r)(x + r)/x².
                 Weight::Integral => {
-                    by *= below * (2.0 * x - below) / (x * x);
+                    let share = below / x;
+                    by *= share * (2.0 - share);
                     doubt += 16.0 * UNIT;
                 }
                 Weight::Outside(outer) => {
-                    let ratio = x / ((outer - x) * (outer + x)).sqrt();
-                    let (q, s) = ((below * (2.0 * x - below)).sqrt() / x, r / x);
+                    // Root by root: the product may leave the range of doubles.
+                    let ratio = x / (outer - x).sqrt() / (outer + x).sqrt();
+                    let share = below / x;
+                    let (q, s) = ((share * (2.0 - share)).sqrt(), r / x);
                     let short = s * s / (1.0 + q);
                     let angle = (q * ratio).atan();
                     by *= (short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle;

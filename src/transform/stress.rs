@@ -168,9 +168,10 @@ pub(super) struct Distances {
 ///
 /// It is √((a−M)(a+M)) R_F(M²D, a²D, M²(a−m)(a+m)); in units of a, and with 1/M taken out of R_F, nothing underflows.
 pub(super) fn kernel(r: f64, s: f64, a: f64, distances: &Distances) -> Bounded {
-    let (big, small) = if r > s { (r / a, s / a) } else { (s / a, r / a) };
-    // The edge distance of the larger one: of r itself, or of s.
-    let (edge, rest) = if r > s { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };
+    // The larger one is nearer to the edge; r itself is rounded.
+    let outside = distances.below_edge < a - s;
+    let (big, small) = if outside { (r / a, s / a) } else { (s / a, r / a) };
+    let (edge, rest) = if outside { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };
     let (edge, rest, gap) = (edge / a, rest / a, distances.difference / a);
     // D/M² = (M − m)/M · (1 + m/M).
     let spread = gap / big * (1.0 + small / big);
