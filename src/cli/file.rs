@@ -97,7 +97,7 @@ mod unfinished {
     /// Makes the file. While the lock is held the signal waits, so that no file is unknown to it.
     pub(super) fn create(make: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<NamedTempFile> {
         // Without a handler a signal leaves the file behind; that is no reason not to write.
-        let _ = ctrlc::try_set_handler(|| {
+        let _ = ctrlc::set_handler(|| {
             let own = file();
             if let Some(path) = own.as_ref() {
                 let _ = fs::remove_file(path);

@@ -30,9 +30,6 @@ const FEW: usize = 8;
 /// Steps of the slope as parts of the argument: the first balances curvature and rounding, the second is for edges.
 const STEPS: [f64; 2] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64];
 
-/// Errors of arguments beyond this, in absolute terms and as a part of the argument, are too large for a slope.
-const FARTHEST: f64 = 0.01;
-
 impl Algebra for PreciseAlgebra {
     type Value = Precise;
     fn kept(tape: &Kept) -> Option<&KeptValues<Precise>> {
@@ -112,10 +109,6 @@ fn probed(row: &Row, values: &[DoubleDouble], distances: &[f64]) -> f64 {
     }
     let mut total = 0.0;
     for (index, (value, distance)) in values.iter().zip(distances).enumerate().filter(|(_, (_, distance))| **distance != 0.0) {
-        // So far away a difference says nothing of the slope: an even function shows none at all.
-        if *distance > FARTHEST && *distance > FARTHEST * value.hi.abs() {
-            return f64::INFINITY;
-        }
         let mut at = |x: f64| {
             if let Some(slot) = point.get_mut(index) {
                 *slot = x;

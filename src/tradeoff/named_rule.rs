@@ -27,7 +27,7 @@ pub(super) fn ladder<'a>(problem: &'a Problem<'a>, evaluator: &'a Evaluator<'a>)
         for tolerance in TOLERANCES {
             steps.push(Candidate {
                 method: METHOD,
-                setting: format!("{} points, tolerance {tolerance:e}", rule.points()),
+                setting: format!("{} points at tolerance {tolerance:e}", rule.points()),
                 run: Run::Point(Box::new(move |_, at| value(at, tolerance, rule))),
                 set_up: Box::new(|| Ok(())),
             });

@@ -52,7 +52,8 @@ impl NumericProfile {
 
     /// The expansion for a whole contact of radius a, where one is good enough to leave out no more than rounding does.
     pub(super) fn pressure_terms(&self, a: f64) -> Option<Expansion> {
-        let segment = self.expandable(a)?;
+        // The curve counts in squares of lengths.
+        let segment = self.expandable(a).filter(|_| (a * a).is_normal())?;
         let mut evaluations = 0;
         for count in COUNTS {
             let expansion = segment.expand(count, a)?;
@@ -101,7 +102,8 @@ impl Expansion {
     /// The pressure at s, with the weight of every value of f′ in it.
     pub(super) fn at(&self, s: f64) -> Found {
         let a = self.a;
-        let sine = ((a - s) * (a + s)).sqrt() / a;
+        // Share by share: the product of two lengths may leave the range of doubles.
+        let sine = (((a - s) / a) * ((a + s) / a)).sqrt();
         let own = pressures(self.coefficients.len(), s / a, sine);
         let value: f64 = self.coefficients.iter().zip(&own.values).map(|(c, p)| c * p).sum();
         let noise: f64 = self.errors.iter().enumerate().map(|(i, error)| self.rule.share_of(i, &own.values).abs() * error).sum();

@@ -132,7 +132,7 @@ mod tests {
                         (last, now) = (now, 2.0 * t * now - last);
                     }
                     let k = f64::from(k);
-                    2.0 * node.share * ((k + 1.0) * now + k * last) / (2.0 * k + 1.0)
+                    node.share * ((k + 1.0) * now + k * last) / (2.0 * k + 1.0)
                 })
                 .sum::<f64>()
                 * square.sqrt();
