@@ -156,6 +156,28 @@ fn pressure_carries_the_force() {
     }
 }
 
+/// Next to the edge p → (E*/π) g′(a) √(2(a − r)/a), also beside a piece that ends far below, and p(0) is that of a smooth apex.
+#[test]
+fn pressure_next_to_the_edge_and_at_the_axis() {
+    let template = "piecewise(r^2/2, r<1/4, 1/32+(r-1/4)*(1/4+atan(r-1/4)))";
+    let solution = derived(&plain(template));
+    let a = 1.5;
+    let own = contact(&solution, &[], 1.0, None);
+    let slope = |x: f64| own.evaluator().slope(x).unwrap().estimate.value;
+    let rise = (slope(a * (1.0 + 1e-5)) - slope(a * (1.0 - 1e-5))) / (2e-5 * a);
+    for gap in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+        let r = a * (1.0 - gap);
+        let share = (a - r) / a;
+        let p = pressure(&own, r, a).unwrap().value;
+        let limit = rise / PI * (2.0 * share).sqrt();
+        assert!(relative(p, limit) < 1e-8 + 3.0 * share, "{gap}: {p} and {limit}");
+    }
+    let axis = pressure(&own, 0.0, a).unwrap().value;
+    for r in [1e-300, 1e-30, 1e-12] {
+        assert!(relative(pressure(&own, r, a).unwrap().value, axis) < 1e-10, "{r}");
+    }
+}
+
 /// At a kink of f the pressure is infinite, however many closed terms of both signs meet there.
 #[test]
 fn pressure_at_a_kink_is_infinite() {

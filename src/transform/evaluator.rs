@@ -185,7 +185,10 @@ impl<'a> Evaluator<'a> {
             let zero = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
             return Ok(Some(Reading { estimate: zero, method: "exact" }));
         }
+        let singular = || r == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == r));
         match self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance))? {
+            // Infinite by theory; closed terms of both signs may meet there in a number without any digit.
+            Some(own) if !own.estimate.error.is_finite() && singular() => Ok(None),
             Some(own) if own.estimate.value.is_nan() => Err(TransformError::NotComputable { at: a }),
             Some(own) if own.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol: "a", at: a }),
             other => Ok(other),

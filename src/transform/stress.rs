@@ -115,7 +115,7 @@ impl NumericSegment {
             places.push(s);
         }
         places.push(end);
-        if s > lower && a - s < NARROW * (s - lower) {
+        if s > lower && s < end && a - s < NARROW * (s - lower) {
             // Next to the edge the kernel is a root down to the distance a − s, and only there a logarithm: no node far off sees that.
             let mut step = 4.0 * (a - s);
             while step < 0.25 * (s - lower) {
@@ -169,7 +169,7 @@ pub(super) struct Distances {
 /// It is √((a−M)(a+M)) R_F(M²D, a²D, M²(a−m)(a+m)); in units of a, and with 1/M taken out of R_F, nothing underflows.
 pub(super) fn kernel(r: f64, s: f64, a: f64, distances: &Distances) -> Bounded {
     // The larger one is nearer to the edge; r itself is rounded.
-    let outside = distances.below_edge < a - s;
+    let outside = if distances.below_edge == a - s { r > s } else { distances.below_edge < a - s };
     let (big, small) = if outside { (r / a, s / a) } else { (s / a, r / a) };
     let (edge, rest) = if outside { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };
     let (edge, rest, gap) = (edge / a, rest / a, distances.difference / a);

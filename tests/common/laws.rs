@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The laws, and how far a scene may be from each, relative to the value.
 pub(crate) const LAWS: [(&str, f64); 8] = [
     ("dF/dd = 2E*a", 1e-6),
-    ("F = 2π∫p r dr", 3e-6),
+    ("F = 2π∫p r dr", 1e-7),
     ("f = (2/π)∫g(r sin t) dt", 1e-8),
     ("F = 2E*(a d − ∫g dx)", 1e-9),
     ("lengths and moduli scale", 1e-11),
