@@ -2,7 +2,8 @@
 
 use super::algebra::{Algebra, Kept, KeptValues};
 use crate::expr::{Function, Row};
-use crate::num::{DoubleDouble, Precise};
+use crate::num::bounded::{is_far, reach_between};
+use crate::num::{Bounded, DoubleDouble, Precise};
 
 /// Values of two doubles with a running bound of their error.
 ///
@@ -115,11 +116,21 @@ fn probed(row: &Row, values: &[DoubleDouble], distances: &[f64]) -> f64 {
             }
             (row.value)(point)
         };
+        let here = at(value.hi);
+        if is_far(value.hi, *distance) {
+            let ends = at(value.hi + distance) - at(value.hi - distance);
+            let reach = reach_between(&mut at, Bounded { value: value.hi, error: *distance }, here);
+            total += if ends.is_finite() { 2.0 * reach } else { f64::INFINITY };
+            at(value.hi);
+            continue;
+        }
         let slope = STEPS.iter().find_map(|step| {
             let step = (step * value.hi.abs()).max(*distance);
             let (up, down) = (at(value.hi + step), at(value.hi - step));
             let noise = row.ulps * f64::EPSILON * up.abs().max(down.abs());
-            let slope = (2.0 * (up - down).abs() + 2.0 * noise) / (2.0 * step);
+            // Each side for itself: an even function shows no slope across its axis.
+            let change = (up - here).abs() + (down - here).abs();
+            let slope = (change + noise) / step;
             slope.is_finite().then_some(slope)
         });
         at(value.hi);

@@ -4,6 +4,7 @@ mod functions;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use functions::{is_far, reach_between};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A computed value and a bound on its distance to the value that exact arithmetic would give.

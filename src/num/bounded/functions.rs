@@ -4,6 +4,8 @@ use super::{Bounded, TINY, half_ulp, widen};
 
 /// How often the step towards the edge of a domain is halved before its limit is believed.
 const HALVINGS: u32 = 32;
+/// Within this part of its argument, and of 1, a function goes one way.
+const CLOSE: f64 = 1e-3;
 /// Most arguments that `apply_many` keeps without asking for memory.
 const FEW: usize = 8;
 
@@ -83,11 +85,10 @@ impl Bounded {
     }
 
     /// A function of one number: `f` errs by at most `own_ulps` units in the last place of its
-    /// result. The argument's error is propagated by evaluating `f` at both of its ends and doubling
-    /// the larger change; an exact argument costs no extra evaluation.
+    /// result. The argument's error is propagated by evaluating `f` at both of its ends, and between them
+    /// where they are far apart, and doubling the largest change; an exact argument costs no extra evaluation.
     ///
-    /// Domain: `f` must be free of poles, and not oscillate, within the argument's error. Where one
-    /// end leaves the domain (NaN or an infinity), the edge is searched by bisection; an edge at
+    /// Domain: `f` must be free of poles within the argument's error. Where one end leaves the domain (NaN or an infinity), the edge is searched by bisection; an edge at
     /// which `f` still grows like a logarithm or a pole gives an infinite error.
     ///
     /// ```
@@ -160,24 +161,59 @@ fn ulps(value: f64, count: f64) -> f64 {
 
 /// How far `f` moves while its argument runs over value ± error, doubled for safety.
 fn spread(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64, own: f64) -> f64 {
+    // An overflow on the way says nothing of the argument: exp(−∞) = 0 would look exact.
+    if !(x.value.is_finite() && x.error.is_finite()) {
+        return f64::INFINITY;
+    }
     // A step below the spacing of the numbers would not move the argument at all.
     let grid = (x.value.abs() * f64::EPSILON).max(TINY);
     let step = x.error.max(grid);
     let (up, down) = (f(x.value + step), f(x.value - step));
-    match (up.is_finite(), down.is_finite()) {
+    let ends = match (up.is_finite(), down.is_finite()) {
         (true, true) => {
             let change = (up - value).abs().max((down - value).abs());
             // The difference of two computed values hides up to two of their own errors.
             (2.0 * change + 2.0 * own) * (x.error / step)
         }
-        (true, false) => one_sided(f, x.value, -step, value, (up - value).abs(), own),
-        (false, true) => one_sided(f, x.value, step, value, (down - value).abs(), own),
+        (true, false) => one_sided(&mut f, x.value, -step, value, (up - value).abs(), own),
+        (false, true) => one_sided(&mut f, x.value, step, value, (down - value).abs(), own),
         (false, false) => f64::INFINITY,
+    };
+    if is_far(x.value, x.error) { ends.max(2.0 * reach_between(f, x, value) + 2.0 * own) } else { ends }
+}
+
+/// Whether a function may turn within value ± error, so that its ends do not tell how far it moves:
+/// functions change over lengths of their argument, or of 1.
+pub(crate) fn is_far(value: f64, error: f64) -> bool {
+    error > close(value)
+}
+
+/// How far from its argument a function goes one way; around 0 itself that is a part of 1.
+fn close(value: f64) -> f64 {
+    CLOSE * if value == 0.0 { 1.0 } else { value.abs().min(1.0) }
+}
+
+/// The largest change of `f` on the way from value ± error back to the value, by quarters; infinite for an infinite error.
+pub(crate) fn reach_between(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64) -> f64 {
+    let nearest = close(x.value);
+    let (mut step, mut reach) = (x.error, 0.0_f64);
+    if step.is_infinite() {
+        return step;
     }
+    while step > nearest {
+        for moved in [f(x.value + step), f(x.value - step)] {
+            // Beyond the domain's edge there is nothing to reach.
+            if moved.is_finite() {
+                reach = reach.max((moved - value).abs());
+            }
+        }
+        step *= 0.25;
+    }
+    reach
 }
 
 /// The change towards an edge of the domain, where x + step is no longer inside.
-fn one_sided(f: impl FnMut(f64) -> f64, x: f64, step: f64, value: f64, inward: f64, own: f64) -> f64 {
+fn one_sided(f: &mut impl FnMut(f64) -> f64, x: f64, step: f64, value: f64, inward: f64, own: f64) -> f64 {
     let (halfway, edge) = edge_values(f, x, step, value);
     let (first, last) = ((halfway - value).abs(), (edge - value).abs());
     // A logarithm doubles from 16 to 32 halvings, a pole more; a power settles.
@@ -189,7 +225,7 @@ fn one_sided(f: impl FnMut(f64) -> f64, x: f64, step: f64, value: f64, inward: f
 
 /// `f` near the last point of the domain between `inside` and `inside + step`, which is outside:
 /// after half of the bisection, and after all of it.
-fn edge_values(mut f: impl FnMut(f64) -> f64, inside: f64, step: f64, at_inside: f64) -> (f64, f64) {
+fn edge_values(f: &mut impl FnMut(f64) -> f64, inside: f64, step: f64, at_inside: f64) -> (f64, f64) {
     let (mut good, mut bad) = (0.0, 1.0);
     let (mut value, mut halfway) = (at_inside, at_inside);
     for halving in 0..HALVINGS {
@@ -215,9 +251,13 @@ fn beyond_the_edge(f: &impl Fn(f64) -> f64, x: Bounded, own_ulps: f64) -> Bounde
         let inside = x.value + step;
         let far = f(inside);
         if far.is_finite() {
-            let (_, edge) = edge_values(f, inside, -step, far);
+            let mut f = f;
+            let (_, edge) = edge_values(&mut f, inside, -step, far);
             let own = ulps(edge, own_ulps);
-            let reach = one_sided(f, inside, -step, far, 0.0, own);
+            let mut reach = one_sided(&mut f, inside, -step, far, 0.0, own);
+            if is_far(x.value, x.error) {
+                reach = reach.max(2.0 * reach_between(f, x, edge));
+            }
             return Bounded::checked(edge, widen(reach + own));
         }
     }

@@ -189,3 +189,17 @@ fn exact_arguments_cost_one_evaluation() {
     assert_eq!(calls.get(), 4);
     assert!(sum.error >= 1e-3 && sum.error <= 2.1e-3);
 }
+
+/// Between distant ends: a function that decays on both sides, and one that oscillates.
+#[test]
+fn ends_that_are_far_apart_do_not_tell_alone() {
+    let bell = |x: f64| x / (1.0 + x * x);
+    for reach in [1.0, 1e3, 1e39, 1e300] {
+        let found = Bounded { value: 0.0, error: reach }.apply(bell, 1.0);
+        assert!(found.error >= 0.4, "{found:?}");
+    }
+    for value in [1e3, 1e9] {
+        let found = Bounded { value, error: 100.0 * std::f64::consts::PI }.apply(f64::cos, 1.0);
+        assert!(found.error >= 1.0 + found.value.abs(), "{found:?}");
+    }
+}
