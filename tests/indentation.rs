@@ -2,8 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use sneddon::contact::{Boundary, Indentation, Indented, Load, Setup, State};
+use sneddon::num::Bounded;
 use sneddon::parse;
-use sneddon::transform::{Method, Profile, Solution, derive};
+use sneddon::transform::{Interpolation, Method, Profile, Quantities, Reading, Slopes, Solution, TableProfile, TransformError, derive};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 fn solution(text: &str) -> Solution {
     derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
@@ -216,4 +219,110 @@ fn forces_and_radii_have_their_reference_values() {
     }
     assert_eq!(count, 58);
     println!("largest error of F: {worst:.2} ulp times the condition number");
+}
+
+/// How often each quantity was computed.
+#[derive(Default)]
+struct Counts {
+    slope: AtomicU64,
+    force: AtomicU64,
+    integral: AtomicU64,
+    pressure: AtomicU64,
+    axial: AtomicU64,
+    displacement: AtomicU64,
+}
+
+impl Counts {
+    fn all(&self) -> [u64; 6] {
+        [&self.slope, &self.force, &self.integral, &self.pressure, &self.axial, &self.displacement]
+            .map(|count| count.load(Ordering::Relaxed))
+    }
+}
+
+/// A profile that counts what it is asked.
+struct Counted {
+    profile: TableProfile,
+    counts: Arc<Counts>,
+}
+
+fn count(counter: &AtomicU64) {
+    counter.fetch_add(1, Ordering::Relaxed);
+}
+
+impl Quantities for Counted {
+    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+        count(&self.counts.slope);
+        self.profile.slope(x)
+    }
+    fn force(&self, a: f64) -> Result<Reading, TransformError> {
+        count(&self.counts.force);
+        self.profile.force(a)
+    }
+    fn integral(&self, a: f64) -> Result<Reading, TransformError> {
+        count(&self.counts.integral);
+        self.profile.integral(a)
+    }
+    fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
+        count(&self.counts.pressure);
+        Quantities::pressure(&self.profile, r, a)
+    }
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        count(&self.counts.axial);
+        Quantities::axial(&self.profile, z, a)
+    }
+    fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
+        count(&self.counts.displacement);
+        self.profile.displacement(r, a)
+    }
+    fn height(&self, r: f64) -> Result<Reading, TransformError> {
+        self.profile.height(r)
+    }
+    fn limit(&self) -> f64 {
+        Quantities::limit(&self.profile)
+    }
+    fn breakpoints_below(&self, end: f64) -> Vec<f64> {
+        self.profile.breakpoints_below(end)
+    }
+    fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
+        self.profile.check_domain(symbol, at)
+    }
+}
+
+impl Slopes for Counted {
+    fn first(&self, r: f64) -> Bounded {
+        self.profile.first(r)
+    }
+    fn bend(&self, r: f64) -> Bounded {
+        self.profile.bend(r)
+    }
+    fn kinks(&self) -> Vec<(f64, f64)> {
+        self.profile.kinks()
+    }
+    fn is_flat(&self) -> bool {
+        self.profile.is_flat()
+    }
+}
+
+fn counted_paraboloid() -> (Counted, Arc<Counts>) {
+    let r: Vec<f64> = (0..=40).map(|i| 0.05 * f64::from(i)).collect();
+    let z: Vec<f64> = r.iter().map(|r| r * r / 4.0).collect();
+    let counts = Arc::new(Counts::default());
+    (Counted { profile: Profile::from_points(&r, &z, Interpolation::MonotoneCubic).unwrap(), counts: counts.clone() }, counts)
+}
+
+/// F(d) needs roots of g and one force per load: no pressure, no stress, no displacement, no energy.
+#[test]
+fn a_force_computes_no_pressure() {
+    let (profile, counts) = counted_paraboloid();
+    let indentation = Indentation::of(profile, setup(None), Load::Depth(1.0)).unwrap();
+    let [looked, ..] = counts.all();
+    let loads = 50;
+    for i in 1..=loads {
+        let state = indentation.solve(Load::Depth(f64::from(i) / f64::from(loads))).unwrap().state.unwrap();
+        assert!(state.force > 0.0);
+    }
+    let [slope, force, integral, pressure, axial, displacement] = counts.all();
+    assert_eq!([pressure, axial, displacement], [0, 0, 0]);
+    assert!(force + integral <= 2 * u64::from(loads as u32), "{force} forces and {integral} integrals for {loads} loads");
+    assert!(slope - looked <= 12 * u64::from(loads as u32), "{} slopes for {loads} loads", slope - looked);
 }

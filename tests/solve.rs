@@ -244,6 +244,21 @@ fn an_interrupted_run_leaves_nothing() {
 }
 
 /// What is there stays when the scene is bad, and nothing is left beside it.
+/// A pipe can be read once only: the file of a tip is opened once.
+#[test]
+#[cfg(unix)]
+fn a_tip_is_read_once() {
+    let place = room("read-once");
+    let rest = "[material]\neffective_modulus = 1\n[load]\ndepth = [0.1, 0.2]\n[outputs]\nquantities = [\"F\"]\n";
+    fs::write(place.join("scene.toml"), format!("[profile]\npoints = \"/dev/stdin\"\n{rest}")).unwrap();
+    let rows: String = (0..=40).map(|i| f64::from(i) * 0.05).map(|r| format!("{r},{}\n", r * r / 4.0)).collect();
+    let done = run_in(&place, &format!("r,z\n{rows}"), &["solve", "scene.toml", "--json"]);
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
+    // F = (4/3) E* √R d^(3/2) with R = 2
+    close(&answer["rows"][0]["F"], 4.0 / 3.0 * 2f64.sqrt() * 0.1f64.powf(1.5));
+}
+
 #[test]
 fn files_appear_whole_or_not_at_all() {
     let place = room("whole");

@@ -102,12 +102,14 @@ pub(super) fn walk_with<A: Algebra>(
 /// For ln(1 + u): the function of u and 1 + u that keeps the digits of u.
 fn logarithm_near_one(function: Function, arguments: &[Expr]) -> Option<(Function, Expr)> {
     let ("ln", [argument]) = (function.name(), arguments) else { return None };
-    let Node::Sum(terms) = argument.node() else { return None };
+    Some((Function::named("ln_near_one")?, beside_one(argument)?))
+}
+
+/// u of 1 + u.
+fn beside_one(sum: &Expr) -> Option<Expr> {
+    let Node::Sum(terms) = sum.node() else { return None };
     let (one, others): (Vec<&Expr>, Vec<&Expr>) = terms.iter().partition(|term| term.is_one());
-    if one.is_empty() {
-        return None;
-    }
-    Some((Function::named("ln_near_one")?, Expr::sum(others.into_iter().cloned())))
+    (!one.is_empty()).then(|| Expr::sum(others.into_iter().cloned()))
 }
 
 /// A number of the tree; one beyond the range of doubles is written as an operation, for algebras that reach further.
@@ -195,6 +197,9 @@ fn split_number<A: Algebra>(number: &Number, algebra: &mut A, factors: &mut Vec<
     divisors.push(constant(&denominator, algebra));
 }
 
+/// Powers beyond this one would show the rounding of 1 + u so many times.
+const LARGE: i64 = 32;
+
 /// Pushes the factors that make base^power, `power` > 0.
 fn raise<A: Algebra>(
     base: &Expr,
@@ -203,6 +208,13 @@ fn raise<A: Algebra>(
     known: &mut impl FnMut(&Expr, &mut A) -> Result<Option<A::Value>, EvalError>,
     into: &mut Vec<A::Value>,
 ) -> Result<(), EvalError> {
+    if *power > Number::integer(LARGE)
+        && let (Some(beside), Some(near_one)) = (beside_one(base), Function::named("power_near_one"))
+    {
+        let (beside, exponent) = (walk_with(&beside, algebra, known)?, algebra.constant(literal(power)));
+        into.push(algebra.call(near_one, &[beside, exponent]));
+        return Ok(());
+    }
     let value = walk_with(base, algebra, known)?;
     let half = Number::ratio(1, 2);
     match (power.to_i64(), (power - &half).to_i64()) {

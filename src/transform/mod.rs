@@ -19,6 +19,7 @@ mod profile;
 mod quantities;
 mod quantity;
 mod reference;
+mod rising;
 mod rule;
 pub mod rules;
 mod sample;

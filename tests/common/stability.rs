@@ -119,7 +119,8 @@ fn indented(name: &str, quantity: &str, values: &[(&str, f64)]) -> Result<Readin
     let (depth, parameters): (Vec<_>, Vec<_>) = values.iter().partition(|(name, _)| *name == "d");
     let formula = sneddon::parse::profile(way.f).unwrap().substitute(&bindings(&parameters));
     let profile = Profile::new(&formula).map_err(|error| error.to_string())?;
-    let scene = Scene { loads: Loads::List(vec![depth[0].1]), tolerance: 1e-13, ..Scene::of(profile) };
+    let rim = shape.rim.map(|rim| values.iter().find(|(own, _)| *own == rim).unwrap().1);
+    let scene = Scene { loads: Loads::List(vec![depth[0].1]), tolerance: 1e-13, rim, ..Scene::of(profile) };
     let solution = scene.solution().map_err(|error| error.to_string())?;
     let row = Run::new(&scene, &solution).map_err(|error| error.to_string())?.row(0).unwrap();
     let Some(state) = row.indented.state else { return Err(row.why().unwrap_or("no state").to_owned()) };

@@ -93,7 +93,7 @@ def sure(evaluate, values):
 def condition(evaluate, values, digits):
     """Differences with a step far below every distance between the arguments."""
     total = mpf(0)
-    with mp.workdps(next(d for d in LADDER if d >= digits + 100)):
+    with mp.workdps(next((d for d in LADDER if d >= digits + 100), 9000)):
         own = evaluate(exact(values))
         step = mpf(10) ** -60
         for name, value in values.items():
@@ -355,7 +355,7 @@ def row(rule, corner, quantity, values, evaluate, fallback=None):
         value, digits = sure(evaluate, values)
         worth = condition(evaluate, values, digits)
         patience(0)
-    except (Slow, ValueError, mp.NoConvergence, OverflowError, NotImplementedError) as why:
+    except (Slow, ValueError, ZeroDivisionError, mp.NoConvergence, OverflowError, NotImplementedError) as why:
         patience(0)
         if fallback:
             integrals(rule, corner, quantity, values, fallback)
@@ -398,7 +398,7 @@ def integrals(rule, corner, quantity, values, evaluate):
                     near = evaluate(exact(values) | {name: mpf(own) * (1 + moved)})
                     worth += abs((near - near_value) / (moved * value))
         patience(0)
-    except (Slow, ValueError, mp.NoConvergence, OverflowError, NotImplementedError) as why:
+    except (Slow, ValueError, ZeroDivisionError, mp.NoConvergence, OverflowError, NotImplementedError) as why:
         patience(0)
         rule.rough = False
         left_out(rule, corner, quantity, values, why)
@@ -438,7 +438,8 @@ FLAT = ("truncated-cone", "truncated-paraboloid", "flat-with-rounded-edge")
 def radius_of(slope, start, values):
     """a(d), sought in ln(a − b), which keeps the distance to the flat part."""
     b = start(values) if start else mpf(0)
-    low, high = mpf(-4000), mpf(60)
+    # g rises at least like the square root of the distance to the flat part, and like any power from 0.
+    low, high = 2.2 * mp.log(min(values["d"], 1)) - 40 if start else mpf(-4000), mpf(60)
     limit = next((values[name] for name in "cR" if name in values and "atanh" in slope.text), None)
     if limit is not None:
         # The distance to the equator instead, in the same logarithm.
@@ -459,7 +460,7 @@ def radius_of(slope, start, values):
     for _ in range(40):
         step = own * (here - before) / (own - left) if own != left else 0
         before, left, here = here, own, here - step
-        if abs(step) < mpf(10) ** (20 - mp.dps):
+        if abs(step) < mpf(10) ** (-mp.dps // 2):
             return place(here)
         own = lack(here)
     raise ValueError("no root")
@@ -492,10 +493,27 @@ def shapes():
         print(rule.id, file=sys.stderr)
 
 
+def rims():
+    """Cylinders with a flat and a hollow end: a = c, F = 2E ∫₀ᶜ (d − g) dx; the hollow one is in full contact from d = 2h on."""
+    flat, hollow = Formula("2*c*d"), Formula("2*c*(d+2*h/3)")
+    own = [("flat", flat, f"d/s = {part:g}", {"c": 0.75, "d": part}) for part in (1e-300, 1e-100, 1e-16, 1e-4, 0.5)]
+    own += [("flat", flat, f"lengths {size:g}", {"c": 0.75 * size, "d": 0.1 * size}) for size in (1e-150, 1e150)]
+    for h in (1e-300, 1e-16, 0.01):
+        own += [("concave-paraboloid", hollow, f"h/s = {h:g} and d/h = {2 * part:g}", {"h": h, "c": 0.75, "d": 2 * h * part}) for part in (1.0625, 64.0)]
+        own.append(("concave-paraboloid", hollow, f"h/s = {h:g} and d/s = 0.5", {"h": h, "c": 0.75, "d": 0.5}))
+    own += [("concave-paraboloid", hollow, f"lengths {size:g}", {"h": 0.01 * size, "c": 0.75 * size, "d": 0.1 * size}) for size in (1e-150, 1e150)]
+    for name, force, corner, values in own:
+        rule = type("Named", (), {"id": "shape " + name, "rough": False})()
+        row(rule, corner, "a(d)", values, lambda v: v["c"])
+        row(rule, corner, "F(d)", values, lambda v: at(force, v))
+
+
 def main():
     print("rule,corner,quantity,arguments,value,condition")
     if not ONLY or "shapes" in ONLY:
         shapes()
+    if not ONLY or "rims" in ONLY:
+        rims()
     for entry in json.load(sys.stdin):
         rule = Rule(entry)
         if ONLY and rule.id not in ONLY:

@@ -5,6 +5,7 @@ use super::precise::order;
 use super::{Latex, PLAIN, Row, precise, slices};
 use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
+use crate::num::double_double::two_sum;
 use crate::num::{Precise, forms, kappa, precise as thirty};
 use num_complex::Complex64;
 
@@ -38,7 +39,11 @@ pub(super) static ROWS: &[Row] = &[
             _ => Precise::nan(),
         }),
         shown: Some(|a| {
-            with(a, |[n]| Expr::pi().sqrt() * gamma(n / Expr::integer(2) + Expr::one()) / gamma(n / Expr::integer(2) + Expr::ratio(1, 2)))
+            let half = |n: &Expr, more: Expr| {
+                let sum = n / Expr::integer(2) + more;
+                gamma(expanded(&sum, &Symbol::new("r")).unwrap_or(sum))
+            };
+            with(a, |[n]| Expr::pi().sqrt() * half(n, Expr::one()) / half(n, Expr::ratio(1, 2)))
         }),
         ..FORM
     },
@@ -82,6 +87,24 @@ pub(super) static ROWS: &[Row] = &[
         }),
         sign: None,
         shown: Some(|a| with(a, |[_, v]| Expr::call("ln", [v.clone()]))),
+        ..FORM
+    },
+    // (1 + u)^p for large p, which would multiply the rounding of 1 + u; the evaluation writes it, no tree contains it.
+    Row {
+        name: "power_near_one",
+        ulps: 1.0,
+        arity: (2, 2),
+        value: |a| binary(a, |u, p| thirty::pow(two_sum(1.0, u), p.into()).value.value()),
+        precise: Some(|a| match a {
+            [u, p] => Precise::exact(1.0).add(Precise { value: *u, error: 0.0 }).pow(Precise { value: *p, error: 0.0 }),
+            _ => Precise::nan(),
+        }),
+        complex: Some(|a| match a {
+            [u, p] => (Complex64::ONE + u).powc(*p),
+            _ => Complex64::new(f64::NAN, f64::NAN),
+        }),
+        sign: None,
+        shown: Some(|a| with(a, |[u, p]| (Expr::one() + u).pow(p))),
         ..FORM
     },
     // A number that is known to 32 ulps only: a kink that was located numerically.
@@ -198,6 +221,20 @@ pub(super) static ROWS: &[Row] = &[
             with(a, |[b, a, big]| {
                 let (w, c) = (leg(a, b), leg(big, b));
                 ((big.power(2) + a.power(2)) * Expr::call("atanh", [&w / &c]) - w * c) / Expr::integer(2)
+            })
+        }),
+        ..FORM
+    },
+    Row {
+        name: "capped_sphere_force",
+        ulps: 16.0,
+        arity: (3, 3),
+        value: |a| ternary(a, forms::capped_sphere_force),
+        shown: Some(|a| {
+            with(a, |[b, a, big]| {
+                let (w, c) = (leg(a, b), leg(big, b));
+                let logarithm = Expr::call("ln", [(big + a) / (&c + &w)]);
+                ((big.power(2) + a.power(2)) * logarithm - big * a + w * c) / Expr::integer(2)
             })
         }),
         ..FORM

@@ -247,7 +247,9 @@ fn edge_values(f: &mut impl FnMut(f64) -> f64, inside: f64, step: f64, at_inside
 /// The argument itself lies outside, but not the whole of its error interval: the value at the
 /// edge, with the whole reachable part of the interval as its error.
 fn beyond_the_edge(f: &impl Fn(f64) -> f64, x: Bounded, own_ulps: f64) -> Bounded {
-    for step in [x.error, -x.error] {
+    // Next to the edge the numbers are as coarse as the error may be; over a few of them the change shows.
+    let reach = x.error.max(4.0 * x.value.abs() * f64::EPSILON);
+    for step in [reach, -reach] {
         let inside = x.value + step;
         let far = f(inside);
         if far.is_finite() {

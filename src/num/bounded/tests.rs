@@ -148,6 +148,9 @@ fn edges_of_domains() {
     let beyond = Bounded { value: 1.0 + 4e-16, error: 1e-15 }.apply(f64::acos, 1.0);
     assert!(beyond.value < 1e-7 && beyond.error >= 3.4e-8, "{beyond:?}");
     assert!(Bounded { value: 2.0, error: 1e-3 }.apply(f64::acos, 1.0).value.is_nan());
+    // 1 + n with an n that is lost in the rounding: anything between 0 and the spacing of the numbers.
+    let near_pole = Bounded { value: -1.0, error: 1e-16 }.apply(|x| if x > -1.0 { x + 1.0 } else { f64::NAN }, 1.0);
+    assert!(near_pole.error >= near_pole.value, "{near_pole:?}");
 }
 
 #[test]

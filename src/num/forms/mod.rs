@@ -1,5 +1,6 @@
 //! Stable forms that closed contact solutions need; one family per file, every factor positive.
 
+pub mod capped_root;
 pub mod outside_power;
 pub mod pressure_power;
 pub mod root_family;
@@ -8,6 +9,7 @@ pub mod segment;
 pub mod worn_pressure;
 pub mod worn_root;
 
+pub use capped_root::capped_sphere_force;
 pub use outside_power::outside_power;
 pub use pressure_power::pressure_power;
 pub use root_family::{artanh_ratio, hyperboloid_force, hyperboloid_integral, sphere_force, sphere_integral};

@@ -103,7 +103,8 @@ impl Gauss {
         for form in [self, self.exchanged()] {
             best = best.better(form.pfaff().direct(moved) * (-z).ln_1p_power(-form.a));
         }
-        best
+        // Large parameters: every form around 0 cancels, while the one around 1 adds positive terms.
+        if best.relative() < 1e-20 { best } else { best.better(self.near_one(rest)) }
     }
 
     /// `2F1(a, b; c; 1) = Γ(c) Γ(c-a-b) / (Γ(c-a) Γ(c-b))` for a positive excess, `(c-b)_n / (c)_n` for `a = -n`.

@@ -147,7 +147,13 @@ impl Place<'_> {
             Some(upper) if !self.plus() => {
                 // Real on both sides of x = ρ.
                 let side = |end: &Expr| self.root(end) + self.leg(end);
-                Expr::call("ln", [side(self.lower) / side(upper)])
+                if !self.stable {
+                    return Expr::call("ln", [side(self.lower) / side(upper)]);
+                }
+                // Both squares shrink by c² − b², so that side(b) − side(c) is a sum of positive terms.
+                let shrinking = |value: fn(&Self, &Expr) -> Expr| (value(self, self.lower) + value(self, upper)).recip();
+                let drop = (upper.power(2) - self.lower.power(2)) * (shrinking(Self::root) + shrinking(Self::leg));
+                Expr::call("ln", [Expr::one() + drop / side(upper)])
             }
             _ => self.difference(|end| Expr::call(if self.plus() { "atan" } else { "atanh" }, [self.leg(end) / self.root(end)])),
         }

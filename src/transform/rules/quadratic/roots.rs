@@ -1,7 +1,7 @@
 //! Powers −1/2, −3/2, … of the quadratic beyond sphere and hyperboloid: elementary for odd m, elliptic for even m.
 
-use super::{BLANK, C, Extent, Family, H, R, RECURRENCE, Work, power, pressure};
-use crate::expr::Number;
+use super::{BLANK, C, Extent, Family, H, R, RECURRENCE, Reading, Work, power, pressure};
+use crate::expr::{Expr, Number};
 use crate::transform::{Answer, Parameter, Rule, Term};
 
 const S: Parameter = Parameter { name: "b", lowest: 0.5, highest: 4.0 };
@@ -128,6 +128,37 @@ fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
         return None;
     }
     let family = Family { sigma, half: true };
+    let tip = (m == 1 && k == 1 && term.segment.lower.is_zero()).then(|| Tip::of(&reading, term.segment.upper.as_ref()));
     let work = Work { reading, segment: &term.segment, family, kernel: None };
-    work.answer(|m| family.moment(m, k), (odd && extent == Extent::Whole).then_some(pressure::rooted))
+    let mut answer = work.answer(|m| family.moment(m, k), (odd && extent == Extent::Whole).then_some(pressure::rooted))?;
+    if let Some(Tip { slope, force, cap }) = tip {
+        answer.slope.within.evaluated = slope;
+        answer.force.within.evaluated = force;
+        answer.force.beyond.evaluated = cap.unwrap_or(answer.force.beyond.evaluated);
+    }
+    Some(answer)
+}
+
+/// What is computed for a sphere or a hyperboloid that ends at a radius: the pieces of the recurrence cancel by (R/a)².
+struct Tip {
+    /// g within the end, as on the whole axis.
+    slope: Expr,
+    /// F/(2E*) within it.
+    force: Expr,
+    /// F/(2E*) beyond it, of a sphere.
+    cap: Option<Expr>,
+}
+
+impl Tip {
+    fn of(reading: &Reading, end: Option<&Expr>) -> Self {
+        let (x, a, radius) = (Expr::symbol("x"), Expr::symbol("a"), reading.field.square_length.sqrt());
+        let scaled = |own: Expr| &reading.coefficient * own;
+        if reading.field.sigma > 0 {
+            let slope = &x * Expr::call("atan", [&x / &radius]);
+            return Self { slope: scaled(slope), force: scaled(Expr::call("hyperboloid_force", [a, radius])), cap: None };
+        }
+        let slope = &x * Expr::call("artanh_ratio", [x.clone(), radius.clone()]);
+        let cap = end.map(|end| scaled(Expr::call("capped_sphere_force", [end.clone(), a.clone(), radius.clone()])));
+        Self { slope: scaled(slope), force: scaled(Expr::call("sphere_force", [a, radius])), cap }
+    }
 }

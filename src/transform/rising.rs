@@ -1,0 +1,54 @@
+//! The pressure as the integral of the derivative of a closed g, for contacts whose kinks all lie below the radius.
+
+use super::closed::{ClosedForm, good_enough, total};
+use super::evaluator::{Evaluator, is_below};
+use super::integral::reached;
+use super::quantity::Quantity;
+use crate::expr::{Symbol, derivative};
+use crate::num::quadrature::{EndBehaviour, Options, Panel, Point, integrate};
+use crate::num::{Bounded, Estimate};
+
+impl Evaluator<'_> {
+    /// p(r) π/E* = ∫_r^a g′(x)/√(x²−r²) dx = ∫₀^U g′(r cosh u) du, cosh U = a/r, with the derivative of the closed g.
+    ///
+    /// f′ itself may cancel here: the jump that it makes at a kink at b ≪ r is b/r times smaller in g′.
+    /// `None` where a breakpoint lies beyond r, where no g is closed, and where the integral does not settle.
+    pub(super) fn pressure_by_closed_slope(&self, r: f64, a: f64) -> Option<Estimate> {
+        let kinks = self.chains.iter().flat_map(|chain| &chain.breakpoints).filter(|b| is_below(**b, a));
+        let last = kinks.map(|b| b.value + b.error).fold(0.0, f64::max);
+        if r <= last || r >= a {
+            return None;
+        }
+        let forms = self.rising(a)?;
+        let forms: Vec<&ClosedForm> = forms.iter().collect();
+        let mut slope = |point: Point| {
+            let x = r * point.x.cosh();
+            // x is right to a few roundings, and g′ changes over the distance to the last kink.
+            let moved = 4.0 * f64::EPSILON * (1.0 + point.x) * (r / (r - last));
+            let own = total(&forms, &[x], good_enough(self.tolerance));
+            Bounded { error: own.error + moved * own.value.abs(), ..own }
+        };
+        let reach = (((a - r) * (a + r)).sqrt() / r).asinh();
+        let panel = Panel { lower: 0.0, upper: reach, kind: EndBehaviour::Smooth };
+        let options = Options { rel_tol: self.tolerance, charge_x: false, max_evaluations: 20_000, ..Options::default() };
+        let found = reached(integrate(&mut slope, &[panel], &options), a).ok()?;
+        // U is right to a few roundings.
+        let end = slope(Point { x: reach, from_lower: reach, from_upper: f64::MIN_POSITIVE });
+        let error = found.error + 8.0 * f64::EPSILON * reach * end.value.abs();
+        Some(Estimate { error, ..found })
+    }
+
+    /// g′ of every chain where the contact ends at a; `None` where something is left to integrate.
+    fn rising(&self, a: f64) -> Option<Vec<ClosedForm>> {
+        let x = Symbol::new("x");
+        let chains = self.solution.chains.iter().enumerate();
+        let forms = chains.map(|(index, chain)| {
+            if !self.part(index, Quantity::Slope).ok()?.open.is_empty() {
+                return None;
+            }
+            let slope = self.bindings.apply(&chain.closed(self.interval(index, a), Quantity::Slope, |pair| &pair.shown));
+            ClosedForm::new(&derivative(&slope, &x).ok()?, std::slice::from_ref(&x)).ok()
+        });
+        forms.collect()
+    }
+}
