@@ -53,6 +53,21 @@ fn poles_and_unseen_spikes_are_refused() {
     }
 }
 
+/// Below c the integrand is r⁶ and above it r⁵, but so small there that the fall of the coefficients does not show it yet.
+#[test]
+fn narrow_steps_beside_steep_powers_are_not_taken_for_noise() {
+    for (c, x) in [("0.0222", 1.3369140625), ("0.03", 1.5), ("0.0125", 1.0), ("0.05", 2.75)] {
+        let solution = solution(&format!("13037/10000*r^6*erf(r/{c})"));
+        let at = |method, tolerance| Evaluator::new(&solution, &Bindings::default(), method, tolerance).unwrap().slope(x).unwrap().estimate;
+        let exact = at(Method::Exact, 1e-15);
+        for tolerance in [1e-6, 1e-9, 1e-11, 1e-12, 2.2e-13] {
+            let own = at(Method::Quadrature, tolerance);
+            let off = (own.value - exact.value).abs();
+            assert!(off <= own.error + exact.error, "c = {c}, {tolerance:e}: {own:?} against {exact:?}, off by {:.2}", off / own.error);
+        }
+    }
+}
+
 /// A value beyond the largest float is said to be that, and no kink or end of the domain.
 #[test]
 fn overflow_is_told_as_overflow() {

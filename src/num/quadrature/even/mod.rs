@@ -110,6 +110,9 @@ struct State<const N: usize> {
     gap: f64,
 }
 
+/// Between two nodes whose distances to the end are one to four, a square falls by four times more than a line.
+const STEEP: f64 = 0.6;
+
 /// What one rule has shown.
 enum Verdict {
     /// The tolerance is met, but for what the guards say.
@@ -239,7 +242,7 @@ impl<const N: usize> State<N> {
         let floor = sums.noise + relative * sums.size + integrand.displacement(middles, values);
         // An unknown error is an unbounded one.
         let floor = if floor.is_nan() { f64::INFINITY } else { floor };
-        let least = if level == 0 { 1e-2 } else { 1e-4 };
+        let least = if level == 0 || self.is_steep(count) { 1e-2 } else { 1e-4 };
         let gap = (sums.value - self.mean.value).abs();
         let (left_out, rate) = truncation(sums.levels, (gap, self.gap), floor, sums.size, level + 1, least);
         self.gap = gap;
@@ -258,6 +261,16 @@ impl<const N: usize> State<N> {
         }
         let predicted = left_out * rate.powi(count as i32 / 4);
         Ok(if predicted <= target { Verdict::Climb } else { Verdict::Stop })
+    }
+
+    /// Whether the integrand falls towards the end faster than the distance to it: what happens there within a narrow range is then
+    /// too small for the guards, and shows in coefficients only that are smaller than the last one of this rule.
+    #[inline(always)]
+    fn is_steep(&self, count: usize) -> bool {
+        let [.., before, last] = &self.values[..count] else { return false };
+        let distance = |back: usize| 1.0 - patterson::NODES[(count - back) * (MOST / count)];
+        let ratio = distance(1) / distance(2);
+        last.abs() < STEEP * ratio * before.abs()
     }
 
     /// Fills in the values at the nodes that the rule before does not have.
