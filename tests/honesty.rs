@@ -68,6 +68,20 @@ fn narrow_steps_beside_steep_powers_are_not_taken_for_noise() {
     }
 }
 
+/// Twelve nodes do not resolve this oscillation, and its last coefficient at them is small by chance.
+#[test]
+fn an_oscillation_that_is_not_resolved_is_not_taken_for_a_fall() {
+    let solution = solution("0.0692*r^3.8662109375-2.6504*cos(r^2)*sin(r^2/pi)+3*r^5+2.8291*r^4");
+    let at = |method, tolerance| {
+        Evaluator::new(&solution, &Bindings::default(), method, tolerance).unwrap().force(3.6962890625).unwrap().estimate
+    };
+    let exact = at(Method::Exact, 1e-15);
+    for tolerance in [1e-2, 1e-3, 2.2e-4, 1e-5] {
+        let own = at(Method::Quadrature, tolerance);
+        assert!((own.value - exact.value).abs() <= own.error + exact.error, "{tolerance:e}: {own:?} against {exact:?}");
+    }
+}
+
 /// A value beyond the largest float is said to be that, and no kink or end of the domain.
 #[test]
 fn overflow_is_told_as_overflow() {

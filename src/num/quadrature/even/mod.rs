@@ -110,8 +110,8 @@ struct State<const N: usize> {
     gap: f64,
 }
 
-/// Between two nodes whose distances to the end are one to four, a square falls by four times more than a line.
-const STEEP: f64 = 0.6;
+/// A line falls to π/2 of the distance of the last node to the end; what grows a few times more at the other end is no line.
+const STEEP: f64 = 0.3;
 
 /// What one rule has shown.
 enum Verdict {
@@ -263,14 +263,14 @@ impl<const N: usize> State<N> {
         Ok(if predicted <= target { Verdict::Climb } else { Verdict::Stop })
     }
 
-    /// Whether the integrand falls towards the end faster than the distance to it: what happens there within a narrow range is then
-    /// too small for the guards, and shows in coefficients only that are smaller than the last one of this rule.
+    /// Whether the integrand falls towards the end by more than its distance to it: what is narrow, or oscillates, where it is small
+    /// shows in coefficients only that are smaller than the last one of this rule.
     #[inline(always)]
     fn is_steep(&self, count: usize) -> bool {
-        let [.., before, last] = &self.values[..count] else { return false };
-        let distance = |back: usize| 1.0 - patterson::NODES[(count - back) * (MOST / count)];
-        let ratio = distance(1) / distance(2);
-        last.abs() < STEEP * ratio * before.abs()
+        let values = &self.values[..count];
+        let largest = values.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
+        let distance = 1.0 - patterson::NODES[(count - 1) * (MOST / count)];
+        values.last().is_some_and(|last| last.abs() < STEEP * distance * largest)
     }
 
     /// Fills in the values at the nodes that the rule before does not have.

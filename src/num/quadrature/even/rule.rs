@@ -102,7 +102,11 @@ pub(super) fn truncation(levels: [f64; 3], (gap, last_gap): (f64, f64), floor: f
     let seen = if third > passed { third } else { passed };
     // A slow fall leaves a long tail: all of its terms add up where the integrand is almost singular.
     let tail = if rate < 0.5 { 1.0 } else { 0.5 / (1.0 - rate).max(0.005) };
-    let left_out = 10.0 * seen * counted * tail;
+    let mut left_out = 10.0 * seen * counted * tail;
+    // The first rule may see an oscillation by its last coefficients alone, which are small by chance; the rule within it saw others.
+    if !steady && doublings == 1 && gap > left_out {
+        left_out = gap;
+    }
     // Coefficients in the rounding noise cannot fall further.
     (if seen <= floor && seen < left_out { seen } else { left_out }, rate)
 }
