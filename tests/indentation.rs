@@ -221,6 +221,33 @@ fn forces_and_radii_have_their_reference_values() {
     println!("largest error of F: {worst:.2} ulp times the condition number");
 }
 
+/// One load that cannot be reached must not change the others, and far out the waves of f are too short to be followed.
+#[test]
+fn oscillating_profiles_have_no_roots_far_out() {
+    // g = 1 − cos x: a(1/2) = π/3, and no more than 2 is reached.
+    let bessel = solution("1-besselj(0,r)");
+    let many = Indentation::new(&bessel, setup(None), Load::Depth(3.0)).unwrap();
+    near(many.solve(Load::Depth(0.5)).unwrap().state.unwrap().radius, std::f64::consts::FRAC_PI_3, 8.0);
+    let beyond = many.solve(Load::Depth(3.0)).unwrap();
+    assert_eq!((beyond.state, beyond.findings.first().map(|own| own.rule)), (None, Some("unreachable")));
+    for load in [Load::Depth(0.5), Load::Depth(1.2), Load::Force(0.01), Load::Force(5.0)] {
+        let found = solve("1-cos(r)", None, load);
+        assert!(!found.is_valid(), "{load:?}: {found:?}");
+    }
+    // A bounded g, whose largest value is not reached either.
+    let bounded = solution("atan(r)^2");
+    let many = Indentation::new(&bounded, setup(None), Load::Depth(3.0)).unwrap();
+    let one = Indentation::new(&bounded, setup(None), Load::Depth(0.3)).unwrap();
+    let radius = |own: &Indentation<'_>| own.solve(Load::Depth(0.3)).unwrap().state.unwrap().radius;
+    near(radius(&many), radius(&one), 8.0);
+}
+
+/// A flat end touches as a whole.
+#[test]
+fn a_flat_end_has_one_contact_radius() {
+    assert_eq!(refused("0", Some(1.0), Load::Radius(0.5)).0, "unreachable");
+}
+
 /// How often each quantity was computed.
 #[derive(Default)]
 struct Counts {

@@ -1,6 +1,7 @@
 //! What a profile looks like to every load of a scene: where g rises, where f has troughs, how far both were looked at.
 
 use super::curvature::{Curvature, Kink};
+use super::root::Horizon;
 use crate::transform::{Quantities, Superposition, TransformError};
 
 /// The shape beyond single loads, looked at once.
@@ -11,6 +12,8 @@ pub(super) struct Landscape<'a> {
     pub(super) kinks: Vec<Kink>,
     /// The end of what was looked at: the rim, the end of the profile, or far beyond the largest load.
     pub(super) reach: f64,
+    /// The reach, where it ends because waves of f become too short to be followed.
+    pub(super) followed: Option<f64>,
     /// The flat part around the axis: g is 0 up to here.
     pub(super) flat: f64,
     /// True where g rises from the flat part to the reach.
@@ -39,7 +42,7 @@ const OUTWARD: i32 = 5;
 const EVEN: i32 = 512;
 
 impl<'a> Landscape<'a> {
-    /// Looks at a profile up to `rim` or its end; `scale` is about the largest contact radius of an endless one.
+    /// Looks at a profile up to `rim` or its end; an endless one up to the horizon.
     ///
     /// # Errors
     /// [`TransformError`] where the profile cannot be evaluated.
@@ -47,18 +50,20 @@ impl<'a> Landscape<'a> {
         evaluator: &Superposition<'a>,
         curvature: Curvature<'a>,
         rim: Option<f64>,
-        scale: f64,
+        horizon: &Horizon,
     ) -> Result<Self, TransformError> {
         let kinks = curvature.kinks();
         let limit = evaluator.limit();
         let end = rim.map_or_else(|| if limit.is_finite() { limit.next_down() } else { f64::INFINITY }, |c| c.min(limit.next_down()));
-        let (scale, reach) = if end.is_finite() { (end, end) } else { (scale, scale * 10f64.powi(OUTWARD)) };
+        let far = (horizon.scale * 10f64.powi(OUTWARD)).min(horizon.followed);
+        let (scale, reach) = if end.is_finite() { (end, end) } else { (horizon.scale, far) };
         let flat = Some(evaluator.flat_radius()?).filter(|flat| *flat < end).unwrap_or(0.0);
         let places = places(evaluator, flat, scale, reach);
         let mut own = Self {
             curvature,
             kinks,
             reach,
+            followed: (!end.is_finite() && reach == horizon.followed).then_some(reach),
             flat,
             rising: true,
             first_fall: reach,

@@ -14,7 +14,7 @@ use crate::expr::{Bindings, Symbol};
 use crate::transform::{ClosedForm, Evaluator, Method, Quantities, Reading, Slopes, Solution, Superposition};
 use curvature::Curvature;
 use landscape::Landscape;
-use root::Follower;
+use root::{Follower, Horizon};
 use std::sync::Arc;
 use verdict::Known;
 
@@ -185,8 +185,8 @@ impl<'a> Indentation<'a> {
             return Err(ContactError::Missing { quantity: "a flat punch", needs: "a radius: the vertical side of the indenter" });
         }
         let contact = Contact::new(evaluator, setup.effective_modulus, None, setup.tolerance);
-        let scale = root::scale(&contact, setup.rim, largest);
-        let landscape = Landscape::new(contact.evaluator(), curvature, setup.rim, scale)?;
+        let horizon = Horizon::of(&contact, &curvature, setup.rim, largest);
+        let landscape = Landscape::new(contact.evaluator(), curvature, setup.rim, &horizon)?;
         if setup.rim.is_none() && !landscape.rising && landscape.samples.iter().all(|(_, g)| *g <= 0.0) {
             return Err(ContactError::Missing { quantity: "a concave profile", needs: "a radius: the vertical side of the indenter" });
         }
@@ -306,8 +306,9 @@ impl<'a> Indentation<'a> {
         candidates.splice(0..0, found);
         if nothing {
             return Ok(unreachable(format!(
-                "no contact radius belongs to d = {}: g stays below this depth as far as the profile goes",
-                self.naming.length(depth)
+                "no contact radius belongs to d = {}: g stays below this depth as far as {}",
+                self.naming.length(depth),
+                self.how_far()
             )));
         }
         Ok(self.chosen(&candidates))
@@ -339,11 +340,20 @@ impl<'a> Indentation<'a> {
         candidates.splice(0..0, found);
         if nothing {
             return Ok(unreachable(format!(
-                "no contact radius belongs to F = {}: the profile ends before it is reached",
-                self.naming.force(force)
+                "no contact radius belongs to F = {}: it is not reached as far as {}",
+                self.naming.force(force),
+                self.how_far()
             )));
         }
         Ok(self.chosen(&candidates))
+    }
+
+    /// Where the search for a contact radius ends.
+    fn how_far(&self) -> String {
+        match self.landscape.followed {
+            Some(radius) => format!("the waves of f can be followed, r = {}", self.naming.length(radius)),
+            None => "the profile goes".to_owned(),
+        }
     }
 
     fn at_radius(&self, radius: f64) -> Result<Indented, ContactError> {
@@ -359,6 +369,9 @@ impl<'a> Indentation<'a> {
                     quantity: "a contact up to the rim",
                     needs: "a load by depth or force: any depth beyond g(c) has this radius",
                 });
+            }
+            if rim.slope == 0.0 && rim.force == 0.0 {
+                return Ok(unreachable(format!("the end is flat up to r = {}: a contact is as large", self.naming.length(rim.radius))));
             }
             if radius > rim.radius {
                 return Ok(unreachable(format!("the indenter ends at r = {}", self.naming.length(rim.radius))));

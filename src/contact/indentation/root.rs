@@ -1,5 +1,6 @@
 //! Contact radii of smooth edges: the roots of g(a) = d and of F(a) = F, followed from load to load.
 
+use super::curvature::Curvature;
 use super::{Boundary, Indentation, Load, State};
 use crate::contact::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
@@ -72,38 +73,70 @@ const CLOSE: f64 = 3e-9;
 const FARTHEST: f64 = 1e150;
 const NEAREST: f64 = 1e-290;
 
-/// About the contact radius of a load: the first power of ten at which g or F has reached it.
-pub(super) fn scale(contact: &Contact<'_, Superposition<'_>>, rim: Option<f64>, largest: Load) -> f64 {
-    let limit = contact.evaluator().limit();
-    if let Some(end) = rim.or(limit.is_finite().then_some(limit)) {
-        return end;
-    }
-    let reached = |a: f64| match largest {
-        Load::Radius(radius) => a >= radius,
-        Load::Depth(depth) => contact.depth(a).is_ok_and(|g| g.estimate.value >= depth),
-        Load::Force(force) => contact.force(a).is_ok_and(|f| f.estimate.value >= force),
-    };
-    if let Load::Radius(radius) = largest
-        && radius > 0.0
-        && radius.is_finite()
-    {
-        return radius;
-    }
-    let outer = contact.evaluator().breakpoints_below(f64::INFINITY).last().copied();
-    let mut best = (outer.unwrap_or(1.0), f64::NEG_INFINITY);
-    for step in -60..=60 {
-        let a = outer.unwrap_or(1.0) * 10f64.powf(0.5 * f64::from(step));
-        if reached(a) {
-            return a.max(outer.unwrap_or(0.0));
+/// How far a profile without an end is looked at.
+pub(super) struct Horizon {
+    /// About the contact radius of the largest load: the first power of ten at which g or F has reached it.
+    pub(super) scale: f64,
+    /// The first radius at which waves of f are too short to be followed; infinite where there are none.
+    pub(super) followed: f64,
+}
+
+impl Horizon {
+    pub(super) fn of(contact: &Contact<'_, Superposition<'_>>, curvature: &Curvature<'_>, rim: Option<f64>, largest: Load) -> Self {
+        let limit = contact.evaluator().limit();
+        if let Some(end) = rim.or(limit.is_finite().then_some(limit)) {
+            return Self { scale: end, followed: f64::INFINITY };
         }
-        // Without an end, the place of the largest g is what matters.
-        if let Ok(g) = contact.depth(a)
-            && g.estimate.value > best.1
+        let reached = |a: f64| match largest {
+            Load::Radius(radius) => a >= radius,
+            Load::Depth(depth) => contact.depth(a).is_ok_and(|g| g.estimate.value >= depth),
+            Load::Force(force) => contact.force(a).is_ok_and(|f| f.estimate.value >= force),
+        };
+        let outer = contact.evaluator().breakpoints_below(f64::INFINITY).last().copied();
+        let steps = (-60..=60).map(|step| outer.unwrap_or(1.0) * 10f64.powf(0.5 * f64::from(step)));
+        let followed = steps.clone().find(|a| !is_followed(curvature, *a)).unwrap_or(f64::INFINITY);
+        if let Load::Radius(radius) = largest
+            && radius > 0.0
+            && radius.is_finite()
         {
-            best = (a, g.estimate.value);
+            return Self { scale: radius, followed: followed.max(10.0 * radius) };
+        }
+        let mut seen = Vec::new();
+        for a in steps.take_while(|a| *a < followed) {
+            if reached(a) {
+                return Self { scale: a.max(outer.unwrap_or(0.0)), followed };
+            }
+            if let Ok(g) = contact.depth(a) {
+                seen.push((a, g.estimate.value));
+            }
+        }
+        // Without an end, the place where the largest g is almost reached is what matters.
+        let largest = seen.iter().fold(f64::NEG_INFINITY, |most, (_, g)| most.max(*g));
+        let almost = seen.iter().find(|(_, g)| *g >= largest - 0.01 * largest.abs());
+        Self { scale: almost.map_or(outer.unwrap_or(1.0), |(a, _)| *a), followed }
+    }
+}
+
+/// Places of f′ within the window.
+const LOOKS: u32 = 32;
+/// Four steps between the even radii of the landscape, as a part of the radius.
+const WINDOW: f64 = 1.0 / 64.0;
+
+/// Whether the even radii of a landscape up to twice this radius are close enough for the waves of f, two to a wave:
+/// the second differences of f′ over four of them change sign less than four times.
+fn is_followed(curvature: &Curvature<'_>, a: f64) -> bool {
+    let slopes: Vec<f64> = (0..=LOOKS).map(|i| curvature.slope(a * (1.0 - WINDOW * f64::from(i) / f64::from(LOOKS))).value).collect();
+    let size = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.abs()));
+    let (mut changes, mut last) = (0, 0.0);
+    for own in slopes.windows(3) {
+        let [one, two, three] = own else { continue };
+        let bend = (one - two) - (two - three);
+        if bend.abs() > 1e-6 * size {
+            changes += u32::from(bend * last < 0.0);
+            last = bend;
         }
     }
-    best.0
+    changes < 4
 }
 
 impl Indentation<'_> {
