@@ -259,6 +259,28 @@ fn a_tip_is_read_once() {
     close(&answer["rows"][0]["F"], 4.0 / 3.0 * 2f64.sqrt() * 0.1f64.powf(1.5));
 }
 
+/// What a link points at is written, with the rights that it has; a read-only file stays, and a pipe stays a pipe.
+#[test]
+#[cfg(unix)]
+fn files_keep_what_they_are() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let place = room("links");
+    let write = |name: &str| run_in(&place, EXAMPLE, &["solve", "-", "--csv", "-o", name]);
+    fs::write(place.join("own.csv"), "before").unwrap();
+    fs::set_permissions(place.join("own.csv"), fs::Permissions::from_mode(0o640)).unwrap();
+    symlink("own.csv", place.join("link.csv")).unwrap();
+    assert!(write("link.csv").status.success());
+    assert!(fs::symlink_metadata(place.join("link.csv")).unwrap().is_symlink());
+    assert!(fs::read_to_string(place.join("own.csv")).unwrap().starts_with("d_um"));
+    assert_eq!(fs::metadata(place.join("own.csv")).unwrap().permissions().mode() & 0o777, 0o640);
+    let through = write("/dev/stdout");
+    assert!(through.status.success() && String::from_utf8_lossy(&through.stdout).starts_with("d_um"));
+    fs::write(place.join("kept.csv"), "before").unwrap();
+    fs::set_permissions(place.join("kept.csv"), fs::Permissions::from_mode(0o444)).unwrap();
+    assert_eq!(write("kept.csv").status.code(), Some(2));
+    assert_eq!(fs::read_to_string(place.join("kept.csv")).unwrap(), "before");
+}
+
 #[test]
 fn files_appear_whole_or_not_at_all() {
     let place = room("whole");

@@ -1,6 +1,7 @@
 //! Answers in files: whole or not at all.
 
 use super::Failure;
+use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -63,14 +64,30 @@ impl Target {
     }
 
     fn replace(&self, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-        let beside = unfinished::create(|| builder().prefix(".sneddon-").tempfile_in(self.directory()))?;
+        let known = fs::metadata(&self.path).ok();
+        if known.as_ref().is_some_and(|own| !own.is_file()) {
+            // A pipe or a device cannot be put in its place as a whole.
+            let mut out = BufWriter::new(fs::OpenOptions::new().write(true).open(&self.path)?);
+            write(&mut out)?;
+            return out.flush();
+        }
+        if known.as_ref().is_some_and(|own| own.permissions().readonly()) {
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "it is read-only"));
+        }
+        // What a link points at is replaced, not the link.
+        let place = if known.is_some() { fs::canonicalize(&self.path)? } else { self.path.clone() };
+        let directory = place.parent().filter(|own| !own.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let beside = unfinished::create(|| builder().prefix(".sneddon-").tempfile_in(directory))?;
+        if let Some(own) = known {
+            beside.as_file().set_permissions(own.permissions())?;
+        }
         let done = (|| {
             let mut out = BufWriter::new(beside.as_file());
             write(&mut out)?;
             out.flush()
         })();
         unfinished::end(|| match done {
-            Ok(()) => beside.persist(&self.path).map(drop).map_err(|error| error.error),
+            Ok(()) => beside.persist(&place).map(drop).map_err(|error| error.error),
             Err(error) => Err(error),
         })
     }

@@ -92,6 +92,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if curves.is_empty() {
         curves.push(Curve::Pressure);
     }
+    if !scene.round {
+        return Err(Failure::new("no field is known of a punch with a cross-section of its own")
+            .help("d, F and k by sneddon solve, or a round indenter would be accepted"));
+    }
     let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
     let target = arguments.output.as_deref().map(Target::new).transpose()?;

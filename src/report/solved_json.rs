@@ -92,7 +92,7 @@ impl Serialize for RowEntry<'_, '_> {
         if scene.counts_from_touch() {
             map.serialize_entry("d_first_touch", &row.load)?;
         } else if let Some(depth) = row.depth_from_touch {
-            map.serialize_entry("d_first_touch", &depth)?;
+            map.serialize_entry("d_first_touch", &Some(depth).filter(|_| shown))?;
         }
         let state = row.indented.state.filter(|_| shown);
         if let Some(changes) = self.run.row_model_errors(self.index, state.as_ref()) {

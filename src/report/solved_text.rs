@@ -72,6 +72,8 @@ fn columns(run: &Run<'_>) -> Vec<(String, String)> {
     let mut list: Vec<_> = scene.outputs.data.iter().map(|own| (own.name().to_owned(), scene.system.unit_name(own.dimension()))).collect();
     if scene.counts_from_touch() {
         list.insert(0, ("d_first_touch".to_owned(), scene.system.unit_name(Dimension::LENGTH)));
+    } else if run.touches_beside_the_axis() {
+        list.push(("d_first_touch".to_owned(), scene.system.unit_name(Dimension::LENGTH)));
     }
     list
 }
@@ -87,6 +89,9 @@ fn cells(run: &Run<'_>, row: &Row, formally: bool) -> Vec<Option<f64>> {
         Ok(value) if shown => Some(*value),
         _ => None,
     }));
+    if !touch && run.touches_beside_the_axis() {
+        list.push(row.depth_from_touch.filter(|_| shown));
+    }
     list
 }
 

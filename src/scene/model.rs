@@ -94,6 +94,8 @@ pub struct Scene {
     pub tip: Option<MeasuredTip>,
     /// The radius of a vertical side.
     pub rim: Option<f64>,
+    /// False for a flat punch with a cross-section of its own, of which d, F and k are known, and no fields.
+    pub round: bool,
     /// E*.
     pub effective_modulus: f64,
     /// What is controlled.
@@ -134,6 +136,7 @@ impl Scene {
             measured: None,
             tip: None,
             rim: None,
+            round: true,
             effective_modulus: 1.0,
             control: Control::Depth,
             loads: Loads::List(Vec::new()),

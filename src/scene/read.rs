@@ -16,6 +16,7 @@ use crate::contact::ContactError;
 use crate::expr::{Bindings, Expr, Formula, Symbol};
 use crate::parse;
 use crate::transform::Profile;
+use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
 /// Reads a scene.
@@ -87,6 +88,11 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
             .help("f = \"r^2/(2*R)\", shape = \"sphere\" or points = \"tip.csv\" would be accepted")
             .at(profile.span())
     })?;
+    if let (Some(_), Some(shape)) = (&punch, counterbody.as_ref().and_then(|table| ["f", "shape"].iter().find_map(|key| table.get(key)))) {
+        return Err(SceneError::value("a punch with a cross-section is known against a flat body only")
+            .help("a counterbody without a shape would be accepted")
+            .at(shape.span()));
+    }
     let mut first = Body::read(&material, false)?;
     let (mut second, mut other) = (Body::rigid(), None);
     if let Some(table) = &counterbody {
@@ -128,7 +134,7 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
         formula = Formula::sum([formula, own]);
     }
     let rim = match (&radius, &tip.rim) {
-        (Some((_, span)), Some((name, _))) if tip.parameters.iter().any(|own| own.symbol.name() == *name) => {
+        (Some((_, span)), Some((name, _))) if tip.parameters.iter().any(|own| own.symbol.name() == *name && own.span != *span) => {
             let message = format!("the radius of the indenter is given twice: radius, and the parameter {name}");
             return Err(SceneError::value(message).help("one of the two would be accepted").at(span.clone()));
         }
@@ -162,6 +168,7 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
             .at(body.span()));
     }
     if punch.is_some() {
+        scene.round = false;
         if outputs.as_ref().is_none_or(|table| table.get("quantities").is_none()) {
             scene.outputs.data.retain(|own| *own != Datum::Radius || scene.control == Control::ContactRadius);
         }
@@ -313,6 +320,14 @@ impl Tip {
         }
         let fits = |way: &&Way| parameters.iter().all(|own| way.parameters.iter().any(|known| known.name == own.symbol.name()));
         let way = found.ways.iter().find(fits).or(found.ways.first());
+        for own in parameters.iter() {
+            let is_angle = way.is_some_and(|way| way.parameters.iter().any(|known| known.is_angle() && known.name == own.symbol.name()));
+            if is_angle && to_f64(&own.quantity.in_base()).is_ok_and(|angle| angle >= FRAC_PI_2) {
+                return Err(SceneError::value(format!("{} = {} is no angle of a cone", own.symbol, own.quantity.text()))
+                    .help("an angle above 0 and below 90 deg would be accepted, such as \"12 deg\"; a bare number is in radians")
+                    .at(own.span.clone()));
+            }
+        }
         way.map(|way| (found, way)).ok_or_else(|| SceneError::missing(format!("{} has no formula", found.name)))
     }
 

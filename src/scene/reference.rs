@@ -96,6 +96,10 @@ impl Grid {
         let fault = || SceneError::value(format!("the grid {text:?} is not understood")).help(help);
         let length = |own: &str| {
             let quantity = Quantity::parse(own)?;
+            if !scene.system.has_units() && quantity.unit().is_some() {
+                return Err(SceneError::unit(format!("{} has a unit, and the numbers of the scene have none", own.trim()))
+                    .help("a bare number would be accepted: it counts in the scene's length"));
+            }
             to_double_double(&scene.system.exact(&quantity, Dimension::LENGTH, "the grid")?)
         };
         let count = |own: &str| own.trim().parse::<usize>().map_err(|_| fault());

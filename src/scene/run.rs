@@ -180,6 +180,11 @@ impl<'a> Run<'a> {
         Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values, regime })
     }
 
+    /// True where the bodies first touch beside the axis: depths from the apex and from the first touch differ.
+    pub fn touches_beside_the_axis(&self) -> bool {
+        self.indentation.first_touch() != 0.0
+    }
+
     /// The simple shape whose force at the state's depth is nearest, and how wrong it is.
     fn regime(&self, state: &State) -> Option<Regime> {
         if state.force <= 0.0 || state.radius <= 0.0 {

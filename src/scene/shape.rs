@@ -35,6 +35,13 @@ pub struct Parameter {
     pub meaning: &'static str,
 }
 
+impl Parameter {
+    /// True for an angle between a flank and the surface, or the axis.
+    pub(super) fn is_angle(&self) -> bool {
+        self.example.ends_with("deg")
+    }
+}
+
 const fn p(name: &'static str, example: &'static str, meaning: &'static str) -> Parameter {
     Parameter { name, example, meaning }
 }

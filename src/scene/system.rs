@@ -15,6 +15,9 @@ pub struct Names {
     pub pressure: String,
 }
 
+/// What pressures are counted in where answers have no dimension.
+const DIMENSIONLESS: &str = "E*";
+
 /// Units of input and output. Lengths and pressures are computed in `length` and `pressure`, forces in their product.
 #[derive(Clone, Debug)]
 pub struct System {
@@ -108,7 +111,7 @@ impl System {
     /// The same system with answers in a length of the scene and its effective modulus: d/R, F/(E* R²), p/E*.
     #[must_use]
     pub fn dimensionless(&self, name: &str, length: f64, effective_modulus: f64) -> Self {
-        let names = Names { length: name.to_owned(), force: format!("(E* {name}^2)"), pressure: "E*".to_owned() };
+        let names = Names { length: name.to_owned(), force: format!("(E* {name}^2)"), pressure: DIMENSIONLESS.to_owned() };
         let (out_length, out_pressure) = (1.0 / length, 1.0 / effective_modulus);
         Self { out_length, out_pressure, out_force: out_pressure * out_length * out_length, names: Some(names), ..self.clone() }
     }
@@ -199,6 +202,8 @@ impl System {
             own if own == Dimension::LENGTH => length.clone(),
             own if own == Dimension::FORCE => force.clone(),
             own if own == Dimension::PRESSURE => pressure.clone(),
+            own if own == Dimension::STIFFNESS && pressure == DIMENSIONLESS => format!("({pressure} {length})"),
+            own if own == Dimension::ENERGY && pressure == DIMENSIONLESS => format!("({pressure} {length}^3)"),
             own if own == Dimension::STIFFNESS && !force.is_empty() => format!("{force}/{length}"),
             own if own == Dimension::ENERGY && !force.is_empty() => format!("{force}*{length}"),
             _ => String::new(),

@@ -112,7 +112,10 @@ pub(super) fn compare(
     let locations = survey.places();
     let value =
         |values: &[f64], index: Option<usize>| index.and_then(|own| values.get(own).zip(survey.factors.get(own))).map(|(v, f)| v * f);
-    let every = survey.rows.div_ceil(DISPLACEMENTS);
+    let every = survey.rows.div_ceil(DISPLACEMENTS).max(1);
+    // Steps of the golden ratio meet no row and no column of a lattice more often than others.
+    let is_drawn = |index: u64| (index.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32).is_multiple_of(every);
+    let mut drawn = 0u64;
     let (mut values, mut index, mut ended) = (Vec::new(), 0u64, false);
     let mut displaced = Norms::new(false);
     let (mut block, mut wanted, mut found) = (Vec::with_capacity(BLOCK), Vec::new(), Vec::new());
@@ -124,9 +127,10 @@ pub(super) fn compare(
                 break;
             }
             let spot = spot(&values, survey, locations, value(&values, at_p).map_or(f64::NAN, |p| sign * p));
-            if let (Some(u), true) = (value(&values, at_u), index.is_multiple_of(every))
+            if let (Some(u), true) = (value(&values, at_u), is_drawn(index))
                 && let Ok(reading) = contact.displacement(spot.r, a)
             {
+                drawn += 1;
                 displaced.add(survey.shown(Kind::Distance, spot.r), 0.0, u, reading.estimate.value, judge.allowed(pixel.pixel, state));
             }
             index += 1;
@@ -146,6 +150,9 @@ pub(super) fn compare(
     let mut report = own.report(survey, scene, state, pixel, judge);
     if at_u.is_some() {
         report.columns.push(decided("u", &displaced, true));
+        if every > 1 {
+            report.notes.push(format!("u is compared in {drawn} of {} rows, drawn evenly", survey.rows));
+        }
     }
     report.notes.push(match (mean_over, declared.and_then(|own| own.cells)) {
         (Some(_), _) => "pressures are read as means over pixels".to_owned(),

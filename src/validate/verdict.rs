@@ -61,9 +61,13 @@ fn sentence(column: &str, finest: &[Column], failed: Option<&Column>, found: Opt
             format!("the errors of {column} shrink with the pixel, {order},{error}{floor}").replace(", and", " and")
         }
         (None, None, true) => {
-            let own = finest.iter().find(|own| own.name == column).or(finest.first());
-            let error = own.map_or(String::new(), |own| format!("{:.3e} of {:.3e}", own.l2, own.tolerance.unwrap_or(own.l2)));
-            format!("every column is within its tolerance ({column}: {error})")
+            let judged = finest.iter().filter_map(|own| Some((own.name, own.l2, own.tolerance?)));
+            match judged.clone().find(|own| own.0 == column).or(judged.clone().next()) {
+                Some((name, error, tolerance)) => {
+                    format!("every column is within its tolerance ({name}: {error:.3e} of {tolerance:.3e})")
+                }
+                None => "no column has a tolerance, and so nothing is held against it: [data] box and grid would give one".to_owned(),
+            }
         }
         (None, order, false) => {
             let order = order.unwrap_or_else(|| "no order".to_owned());
