@@ -258,6 +258,33 @@ fn exact_data_with_the_errors_of_a_grid_pass() {
     }
 }
 
+/// Noise far below the tolerance needs no order; a constant error has none, and no finer grid would cure it.
+#[test]
+fn errors_that_do_not_shrink_are_noise_or_a_fault() {
+    let place = room("floor");
+    let scene = Tip::Paraboloid.scene("contact_radius = 1.9", 64).replace("grid = 64", "grid = [32, 64, 128]");
+    let files = |part: f64| -> Vec<String> {
+        let write = |n: u32| {
+            let (h, mut noise) = (SIDE / f64::from(n), Noise(n.into()));
+            let mut text = "r,p\n".to_owned();
+            for i in 0..n / 4 {
+                for j in 0..=i {
+                    let r = h * f64::from(i).hypot(f64::from(j));
+                    writeln!(text, "{r:?},{:?}", Tip::Paraboloid.pressure(r, 1.9) * (1.0 + part + 5e-6 * noise.next())).unwrap();
+                }
+            }
+            fs::write(place.join(format!("p{n}.csv")), text).unwrap();
+            format!("p{n}.csv")
+        };
+        vec![write(32), write(64), write(128)]
+    };
+    let (code, found) = validated(&place, &scene, &files(0.0), &[]);
+    assert_eq!(code, 0, "{found:#}");
+    let (code, found) = validated(&place, &scene, &files(0.03), &[]);
+    let reason = found["reason"].as_str().unwrap_or_default().to_owned();
+    assert!(code == 1 && reason.contains("refinement does not cure them"), "{found:#}");
+}
+
 /// Every fault is found; each is named by the word that belongs to it.
 #[test]
 fn planted_faults_are_found_and_named() {

@@ -14,14 +14,22 @@ pub(super) struct Verdict {
 /// Errors below this are those of printed digits.
 const PRINTED: f64 = 1e-8;
 
+/// An error that is independent of the pixel has an order near 0, however well that is known.
+const LEAST_ORDER: f64 = 0.25;
+/// Errors of this share of the tolerance in every file are noise that no refinement needs to cure.
+const NOTHING_LEFT: f64 = 0.05;
+
 /// Judges the columns of the finest file, and the levels of all of them.
 pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level], solver: f64, unmatched: u64) -> Verdict {
     let found = if levels.len() > 1 { order(levels, PRINTED.max(solver)) } else { None };
     let failed: Vec<&Column> = finest.iter().filter(|own| own.passed == Some(false)).collect();
     let converges = match found {
-        None => levels.len() < 2 || vanishing(levels, PRINTED.max(solver)),
-        Some(own) => own.low.unwrap_or(own.value) > 0.0,
+        None => levels.len() < 2 || vanishing(levels, 10.0 * PRINTED.max(solver)),
+        Some(own) => own.low.unwrap_or(own.value) > 0.0 && own.value > LEAST_ORDER,
     };
+    let tolerance = finest.iter().find(|own| own.name == column).and_then(|own| own.tolerance);
+    let settled = found.is_some() && !converges && vanishing(levels, tolerance.map_or(0.0, |own| NOTHING_LEFT * own));
+    let converges = converges || settled;
     let none_compared = finest.iter().all(|own| own.rows == 0);
     let passed = failed.is_empty() && converges && unmatched == 0 && !none_compared;
     let reason = if none_compared {
@@ -29,14 +37,20 @@ pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level],
     } else if unmatched > 0 {
         format!("no valid contact belongs to {unmatched} of the loads")
     } else {
-        sentence(column, finest, failed.first().copied(), found, levels.len(), converges)
+        match (settled, failed.first()) {
+            (true, None) => {
+                let part = (1.0 / NOTHING_LEFT).round();
+                format!("the errors of {column} are below the tolerance by {part} and more in every file: no order is left to see")
+            }
+            (_, failed) => sentence(column, finest, failed.copied(), found, levels.len(), converges),
+        }
     };
     Verdict { passed, reason, order: found.map(|own| (column, own)) }
 }
 
-/// True where even the coarsest errors are those of printed digits.
-fn vanishing(levels: &[Level], noise: f64) -> bool {
-    levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= 10.0 * noise))
+/// True where even the coarsest errors are no larger than this.
+fn vanishing(levels: &[Level], most: f64) -> bool {
+    levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= most))
 }
 
 fn sentence(column: &str, finest: &[Column], failed: Option<&Column>, found: Option<Order>, files: usize, converges: bool) -> String {
@@ -80,6 +94,7 @@ fn sentence(column: &str, finest: &[Column], failed: Option<&Column>, found: Opt
             format!("{}, and the errors of {column} do not shrink with the pixel ({order}): refinement does not cure them", size(own))
         }
         (Some(own), None, _) if files > 1 => format!("{}, whatever the grid", size(own)),
+        (Some(own), None, _) if files == 0 => size(own),
         (Some(own), None, _) => format!("{}; one file cannot tell a coarse grid from a wrong model", size(own)),
     }
 }
