@@ -68,6 +68,20 @@ fn narrow_steps_beside_steep_powers_are_not_taken_for_noise() {
     }
 }
 
+/// f(0) of a piece with 0·ln 0 is looked at, and known to a double's digits only: where f cancels against it that counts.
+#[test]
+fn a_value_at_the_axis_that_was_looked_at_is_not_called_exact() {
+    let solution = solution("1.291*(abs(r-1.2959))^2-1.8125*besselj(3,1.3936*r)*ln(r/2.3203)");
+    // 40 digits (mpmath): −7.94163674140237826107557907398967595e-6.
+    let truth = Decimal::read("-0.00000794163674140237826107557907398967595541");
+    for method in [Method::Auto, Method::Exact, Method::Quadrature] {
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), method, 1e-12).unwrap();
+        let own = evaluator.height(2.3734642140607198e-6).unwrap().estimate;
+        let off = truth.distance(own.value).abs();
+        assert!(off <= own.error, "{method:?}: {own:?}, off by {off:e}");
+    }
+}
+
 /// Twelve nodes do not resolve this oscillation, and its last coefficient at them is small by chance.
 #[test]
 fn an_oscillation_that_is_not_resolved_is_not_taken_for_a_fall() {

@@ -46,7 +46,8 @@ pub(super) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
         return Ok(Expr::zero());
     }
     match (limits.first().copied().and_then(Number::from_f64), piece.symbols().len()) {
-        (Some(limit), 0 | 1) => Ok(Expr::number(limit)),
+        // A limit that was looked at is known to a double's digits only.
+        (Some(limit), 0 | 1) => Ok(Expr::call("approximate", [Expr::number(limit)])),
         _ => Err(TransformError::SingularAtAxis { detail: format!("{} is 0/0 there", print::text_expr(piece)) }),
     }
 }
