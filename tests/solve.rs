@@ -243,7 +243,6 @@ fn an_interrupted_run_leaves_nothing() {
     }
 }
 
-/// What is there stays when the scene is bad, and nothing is left beside it.
 /// A pipe can be read once only: the file of a tip is opened once.
 #[test]
 #[cfg(unix)]
@@ -281,6 +280,7 @@ fn files_keep_what_they_are() {
     assert_eq!(fs::read_to_string(place.join("kept.csv")).unwrap(), "before");
 }
 
+/// What is there stays when the scene is bad, and nothing is left beside it.
 #[test]
 fn files_appear_whole_or_not_at_all() {
     let place = room("whole");

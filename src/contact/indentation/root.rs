@@ -123,9 +123,14 @@ const LOOKS: u32 = 32;
 const WINDOW: f64 = 1.0 / 64.0;
 
 /// Whether the even radii of a landscape up to twice this radius are close enough for the waves of f, two to a wave:
-/// the second differences of f′ over four of them change sign less than four times.
+/// the second differences of f′ over four of them change sign less than four times. Waves that leave (r f′)′ positive need not be:
+/// g rises all the same.
 fn is_followed(curvature: &Curvature<'_>, a: f64) -> bool {
-    let slopes: Vec<f64> = (0..=LOOKS).map(|i| curvature.slope(a * (1.0 - WINDOW * f64::from(i) / f64::from(LOOKS))).value).collect();
+    let radii = (0..=LOOKS).map(|i| a * (1.0 - WINDOW * f64::from(i) / f64::from(LOOKS)));
+    if radii.clone().all(|r| curvature.bend(r).value > 0.0) {
+        return true;
+    }
+    let slopes: Vec<f64> = radii.map(|r| curvature.slope(r).value).collect();
     let size = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.abs()));
     let (mut changes, mut last) = (0, 0.0);
     for own in slopes.windows(3) {

@@ -82,20 +82,21 @@ fn smooth(term: &Term, branch: Sign) -> Option<Answer> {
         return None;
     }
     let Root { coefficient, radius, conditions } = recognise(term, branch)?;
-    let (x, a, r) = (Expr::symbol("x"), Expr::symbol("a"), Expr::symbol("r"));
-    let (slope, force, pressure) = if branch == Sign::Negative {
-        let slope = Expr::call("artanh_ratio", [x.clone(), radius.clone()]);
-        (slope, "sphere_force", "sphere_pressure")
-    } else {
-        (Expr::call("atan", [&x / &radius]), "hyperboloid_force", "hyperboloid_pressure")
-    };
+    let (a, r) = (Expr::symbol("a"), Expr::symbol("r"));
+    let (slope, force) = computed(branch, &radius);
+    let pressure = if branch == Sign::Negative { "sphere_pressure" } else { "hyperboloid_pressure" };
     let pair = |expr: Expr| Branches::endless(Pair::same(&coefficient * expr));
-    Some(Answer {
-        slope: pair(x * slope),
-        force: pair(Expr::call(force, [a.clone(), radius.clone()])),
-        pressure: Some(pair(Expr::call(pressure, [r, a, radius.clone()]))),
-        conditions,
-    })
+    Some(Answer { slope: pair(slope), force: pair(force), pressure: Some(pair(Expr::call(pressure, [r, a, radius.clone()]))), conditions })
+}
+
+/// g and F/(2E*) of f′ = r/√(R² ± r²) from the axis on, as they are computed without cancellation.
+pub(super) fn computed(branch: Sign, radius: &Expr) -> (Expr, Expr) {
+    let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
+    if branch == Sign::Negative {
+        let slope = &x * Expr::call("artanh_ratio", [x.clone(), radius.clone()]);
+        return (slope, Expr::call("sphere_force", [a, radius.clone()]));
+    }
+    (&x * Expr::call("atan", [&x / radius]), Expr::call("hyperboloid_force", [a, radius.clone()]))
 }
 
 /// The same from a radius b > 0 outward.

@@ -1,7 +1,8 @@
 //! Powers −1/2, −3/2, … of the quadratic beyond sphere and hyperboloid: elementary for odd m, elliptic for even m.
 
 use super::{BLANK, C, Extent, Family, H, R, RECURRENCE, Reading, Work, power, pressure};
-use crate::expr::{Expr, Number};
+use crate::expr::{Expr, Number, Sign};
+use crate::transform::rules::root;
 use crate::transform::{Answer, Parameter, Rule, Term};
 
 const S: Parameter = Parameter { name: "b", lowest: 0.5, highest: 4.0 };
@@ -151,14 +152,11 @@ struct Tip {
 
 impl Tip {
     fn of(reading: &Reading, end: Option<&Expr>) -> Self {
-        let (x, a, radius) = (Expr::symbol("x"), Expr::symbol("a"), reading.field.square_length.sqrt());
+        let radius = reading.field.square_length.sqrt();
         let scaled = |own: Expr| &reading.coefficient * own;
-        if reading.field.sigma > 0 {
-            let slope = &x * Expr::call("atan", [&x / &radius]);
-            return Self { slope: scaled(slope), force: scaled(Expr::call("hyperboloid_force", [a, radius])), cap: None };
-        }
-        let slope = &x * Expr::call("artanh_ratio", [x.clone(), radius.clone()]);
-        let cap = end.map(|end| scaled(Expr::call("capped_sphere_force", [end.clone(), a.clone(), radius.clone()])));
-        Self { slope: scaled(slope), force: scaled(Expr::call("sphere_force", [a, radius])), cap }
+        let below = reading.field.sigma < 0;
+        let (slope, force) = root::computed(if below { Sign::Negative } else { Sign::Positive }, &radius);
+        let cap = end.filter(|_| below).map(|end| Expr::call("capped_sphere_force", [end.clone(), Expr::symbol("a"), radius]));
+        Self { slope: scaled(slope), force: scaled(force), cap: cap.map(scaled) }
     }
 }
