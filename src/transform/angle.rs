@@ -1,11 +1,11 @@
 //! The integral over the angle on the segment below x, by nested rules: f′ in blocks, and half of the points by symmetry.
 
 use super::TransformError;
-use super::integral::{NumericSegment, Weight};
+use super::integral::{NumericSegment, Weight, modest, stricter};
 use super::slope_source::{Numbers, Scratch};
 use crate::num::Estimate;
 use crate::num::bounded::UNIT;
-use crate::num::quadrature::{CHUNK, EvenIntegrand, Extent, Form, Mean, Nodes, Placed, Radii, Room, Wish, from_the_axis, mean};
+use crate::num::quadrature::{CHUNK, EvenIntegrand, Extent, Form, Mean, Nodes, Radii, Wish, from_the_axis, mean};
 
 /// Most evaluations before the range is bisected instead.
 const MOST: u64 = 400;
@@ -32,6 +32,7 @@ impl NumericSegment {
     ) -> Result<Option<Estimate>, TransformError> {
         let lower = self.lower.value;
         let largest = move |value: f64| if value.abs() > scale { value.abs() } else { scale };
+        let own = stricter(tolerance);
         if self.upper.is_some_and(|upper| upper.value < x) || (self.singular && lower > 0.0) {
             return Ok(None);
         }
@@ -41,9 +42,9 @@ impl NumericSegment {
         if self.singular {
             let extent = Extent::new(lower, x, None);
             let mut ask = |at: Radii<'_>, values: &mut [f64], errors: &mut [f64]| source.ask(at, None, values, errors);
-            let wish = Wish { accepted: |value: f64| tolerance * largest(value), charge_r: false };
+            let wish = Wish { accepted: |value: f64| own * largest(value), charge_r: false };
             let (found, _) = from_the_axis(&mut ask, &extent, &wish).map_err(refused)?;
-            return Ok(found.map(with_rounding));
+            return Ok(found.map(|found| with_rounding(modest(found, own * largest(found.value), tolerance * largest(found.value)))));
         }
         // Weights are functions of x − r: those of g and F are none, and may have the distance to the limit instead.
         let by_limit = matches!(weight, Weight::Slope | Weight::Force);
@@ -51,19 +52,19 @@ impl NumericSegment {
             // What happens within limit − x of the end is narrower than nodes can see.
             return Ok(None);
         }
-        if let (Some(own), Some(limit)) = (&self.limit, limit)
+        if let (Some(end), Some(limit)) = (&self.limit, limit)
             && by_limit
             && std::ptr::eq(numbers, &self.slope)
             && x > NEAR_THE_LIMIT * limit
         {
-            source.from_limit = Some((&own.slope, own.value.error));
+            source.from_limit = Some((&end.slope, end.value.error));
         }
         let extent = Extent::new(lower, x, limit.filter(|_| by_limit));
         let form = Form::choose(&extent, self.odd, limit.filter(|_| by_limit));
         let scale_of = form.scale(&extent);
-        let mut integrand = Even { source, form, extent, room: Room::new() };
+        let mut integrand = Even { source, form, extent };
         let Mean { value, left_out, noise, evaluations, reached, .. } =
-            mean(&mut integrand, MOST, |mean| 0.98 * tolerance * largest(scale_of * mean) / scale_of).map_err(refused)?;
+            mean(&mut integrand, MOST, |mean| 0.98 * own * largest(scale_of * mean) / scale_of).map_err(refused)?;
         if !reached {
             return Ok(None);
         }
@@ -146,7 +147,6 @@ struct Even<'a> {
     source: Source<'a>,
     form: Form,
     extent: Extent,
-    room: Room,
 }
 
 impl EvenIntegrand for Even<'_> {
@@ -156,8 +156,8 @@ impl EvenIntegrand for Even<'_> {
 
     fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], errors: &mut [f64]) {
         let exact = matches!(self.source.weight, Weight::Integral | Weight::Outside(_));
-        let Some(Placed { at, factor }) = self.form.place(&self.extent, nodes, exact, &mut self.room) else { return };
-        self.source.ask(at, factor, values, errors);
+        let source = &mut self.source;
+        self.form.visit::<CHUNK>(&self.extent, nodes, exact, |at, factor| source.ask(at, factor, values, errors));
     }
 
     fn radii<'n>(&self, nodes: Nodes<'n>) -> Option<&'n [f64]> {

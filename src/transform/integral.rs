@@ -199,8 +199,24 @@ impl NumericProfile {
     }
 }
 
-/// The loosest tolerance next to the end of f′.
-const SHARP: f64 = 1e-10;
+/// Next to the end of f′ the rules are asked for this share of the tolerance, within these limits …
+const SHARPER: f64 = 1e-3;
+const SHARP: (f64, f64) = (1e-14, 1e-12);
+/// … and elsewhere for this one, where that is looser than the limit: what is barely resolved is misjudged most easily.
+const STRICTER: f64 = 1e-2;
+const STRICT: f64 = 1e-8;
+
+/// What the rules are asked for away from ends, that more may be kept than is promised.
+pub(super) fn stricter(tolerance: f64) -> f64 {
+    tolerance.min((STRICTER * tolerance).max(STRICT))
+}
+
+/// No more is promised than was asked for where the rules leave out more than rounding noise, which is where the error is of the size of
+/// the tolerance that they had.
+pub(super) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
+    let least = if found.error >= 0.5 * own { 0.95 * asked } else { 0.0 };
+    Estimate { error: found.error.max(least), ..found }
+}
 /// Most points of a rule.
 pub(super) const MOST: usize = 61;
 
@@ -261,7 +277,7 @@ impl NumericSegment {
         let panel = if self.singular { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };
         // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
-        let rel_tol = if near_the_end { tolerance.min(SHARP) } else { tolerance };
+        let rel_tol = if near_the_end { (SHARPER * tolerance).clamp(SHARP.0, SHARP.1).min(tolerance) } else { stricter(tolerance) };
         let options = Options { rel_tol, charge_x: false, rule: rule.unwrap_or_default(), ..Options::default() };
         let result = integrate_blocks(&mut integrand, &[panel], &options);
         let inner = |v: f64| {
@@ -269,7 +285,8 @@ impl NumericSegment {
             integrand(&[Point { x: v, from_lower: v, from_upper: width - v }], &mut found);
             found[0].value
         };
-        let mut found = settle(result, x, || magnitude(width, inner))?;
+        let found = settle(result, x, || magnitude(width, inner))?;
+        let mut found = modest(found, rel_tol * found.value.abs(), tolerance * found.value.abs());
         // The rounding of the angle, and of the interval's ends.
         found.error += 8.0 * f64::EPSILON * found.value.abs() + smear;
         Ok(found)

@@ -5,7 +5,7 @@ From the Gauss rule of 3 points on, each rule keeps the nodes of the one before 
 E, orthogonal to the old nodal polynomial times everything of degree <= n (T. N. L. Patterson, Math. Comp. 22, 1968).
 Only the half z >= 0 is printed, the centre first; in that half the old nodes are the even positions.
 Weights are for the sum over the half, 1 for the constant: the mean of an even function over [-1, 1].
-Decay rows: for 15 points the discrete orthonormal polynomials of the three highest even degrees, times the weight; for more
+Decay rows: for 15 points the discrete orthonormal polynomials of the four highest even degrees, times the weight; for more
 Legendre polynomials of even degrees around half the degree of exactness.
 """
 import sys
@@ -128,19 +128,19 @@ def decay_rows(nodes, w):
         before, now = now, [v / beta for v in nxt]
         basis.append(now)
     assert abs(dot(basis[-1], basis[0])) < mpf(10) ** -30, abs(dot(basis[-1], basis[0]))
-    return [[wi * v for wi, v in zip(w, b)] for b in basis[-3:]]
+    return [[wi * v for wi, v in zip(w, b)] for b in basis[-4:]]
 
 
 def legendre_rows(nodes, w, top):
-    """The three highest even Legendre degrees up to top: beyond half the degree of exactness no rule tells them apart."""
+    """The four highest even Legendre degrees up to top: beyond half the degree of exactness no rule tells them apart."""
     table = [legendre_row(z, top) for z in nodes]
-    return [[wi * sqrt(mpf(2 * k + 1)) * row[k] for wi, row in zip(w, table)] for k in (top - 4, top - 2, top)]
+    return [[wi * sqrt(mpf(2 * k + 1)) * row[k] for wi, row in zip(w, table)] for k in (top - 6, top - 4, top - 2, top)]
 
 
 def literals(values, indent):
     text = [repr(float(v)) for v in values]
     pad = " " * indent
-    lines = [", ".join(text[i:i + 6]) for i in range(0, len(text), 6)]
+    lines = [", ".join(text[i:i + 7]) for i in range(0, len(text), 7)]
     return "[\n" + "".join(f"{pad}    {line},\n" for line in lines) + pad + "]"
 
 
@@ -184,7 +184,7 @@ def main():
                 print(f"        {literals(row, 8)},")
             print("    ],")
         else:
-            print(f"    decay: [[0.0; {half}]; 3],")
+            print(f"    decay: [[0.0; {half}]; 4],")
         print("};\n")
 
 

@@ -11,7 +11,7 @@ mod tests;
 mod transform;
 
 pub use abel::{AbelOptions, Radii, Start, abel, abel_force};
-pub(crate) use abel::{CHUNK, Extent, Form, Placed, Room, Wish, from_the_axis};
+pub(crate) use abel::{CHUNK, Extent, Form, Wish, from_the_axis};
 pub use adaptive::{Options, Rule, integrate, integrate_blocks};
 pub(crate) use even::{EvenIntegrand, Mean, Middles, Nodes, mean};
 pub use transform::{EndBehaviour, Panel, Point};

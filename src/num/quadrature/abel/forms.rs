@@ -6,30 +6,6 @@ use super::Radii;
 /// Most places that are asked together.
 pub(crate) const CHUNK: usize = 16;
 
-/// Room for the places of one chunk.
-pub(crate) struct Room {
-    r: [f64; CHUNK],
-    past: [f64; CHUNK],
-    below: [f64; CHUNK],
-    factor: [f64; CHUNK],
-    sine: [f64; CHUNK],
-    secant: [f64; CHUNK],
-}
-
-impl Room {
-    #[inline(always)]
-    pub(crate) const fn new() -> Self {
-        const EMPTY: [f64; CHUNK] = [0.0; CHUNK];
-        Self { r: EMPTY, past: EMPTY, below: EMPTY, factor: EMPTY, sine: EMPTY, secant: EMPTY }
-    }
-}
-
-/// Places of f′, and the factor that makes an integrand of it; no factor is 1.
-pub(crate) struct Placed<'a> {
-    pub(crate) at: Radii<'a>,
-    pub(crate) factor: Option<&'a [f64]>,
-}
-
 /// Where the piece lies.
 #[derive(Clone, Copy)]
 pub(crate) struct Extent {
@@ -111,47 +87,54 @@ impl Form {
         }
     }
 
-    /// Computes the places of a few nodes, at most [`CHUNK`]; `exact`: x − r with all its digits.
+    /// Shows the places of a few nodes, at most `N`, and the factor that makes an integrand of f′ there; no factor is 1.
+    ///
+    /// `exact`: x − r with all its digits.
     #[inline(always)]
-    pub(crate) fn place<'a>(self, extent: &Extent, nodes: Nodes<'a>, exact: bool, room: &'a mut Room) -> Option<Placed<'a>> {
-        let Extent { x, rest, sine, cosine } = *extent;
-        let count = nodes.z.len();
-        let (r, below) = (room.r.get_mut(..count)?, room.below.get_mut(..count)?);
-        let axis = |cosines: &[f64], versines: &[f64], r: &mut [f64], below: &mut [f64]| {
-            for ((r, below), (c, versine)) in r.iter_mut().zip(below).zip(cosines.iter().zip(versines)) {
-                *r = x * c;
-                *below = rest + x * versine;
-            }
+    pub(crate) fn visit<const N: usize>(
+        self,
+        extent: &Extent,
+        nodes: Nodes<'_>,
+        exact: bool,
+        show: impl FnOnce(Radii<'_>, Option<&[f64]>),
+    ) {
+        let (cosines, versines, factor) = match self {
+            Self::AxisSine => (nodes.cosine, nodes.sine_versine, Some(nodes.secant)),
+            Self::AxisAngle => (nodes.quarter, nodes.versine, None),
+            Self::Angle { angle } => return from_a_kink::<N>(extent, nodes.z, 0.5 * angle, show),
+            _ => return self.visit_stretched::<N>(extent, nodes.z, exact, show),
         };
-        match self {
-            Self::AxisSine => {
-                axis(nodes.cosine, nodes.sine_versine, r, below);
-                return Some(Placed { at: Radii { r, past_start: r, below_limit: below }, factor: Some(nodes.secant) });
-            }
-            Self::AxisAngle => {
-                axis(nodes.quarter, nodes.versine, r, below);
-                return Some(Placed { at: Radii { r, past_start: r, below_limit: below }, factor: None });
-            }
-            _ => {}
+        let (mut r, mut below) = ([0.0; N], [0.0; N]);
+        for ((r, below), (cosine, versine)) in r.iter_mut().zip(&mut below).zip(cosines.iter().zip(versines)) {
+            *r = extent.x * cosine;
+            *below = extent.rest + extent.x * versine;
         }
-        let (past, factor) = (room.past.get_mut(..count)?, room.factor.get_mut(..count)?);
-        let (sines, secants) = (room.sine.get_mut(..count)?, room.secant.get_mut(..count)?);
-        let places = sines.iter_mut().zip(nodes.z);
+        if let (Some(r), Some(below)) = (r.get(..nodes.z.len()), below.get(..nodes.z.len())) {
+            show(Radii { r, past_start: r, below_limit: below }, factor);
+        }
+    }
+
+    /// The same in the variables that need functions of their own.
+    #[inline(never)]
+    fn visit_stretched<const N: usize>(self, extent: &Extent, z: &[f64], exact: bool, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
+        let Extent { x, rest, sine, cosine } = *extent;
+        let (mut r, mut below, mut past) = ([0.0; N], [0.0; N], [0.0; N]);
+        let (mut factor, mut sines, mut secants) = ([1.0; N], [0.0; N], [0.0; N]);
+        let places = sines.iter_mut().zip(z);
         match self {
             Self::NearSine { small, reach } => places.for_each(|(s, z)| *s = (small * sinh(reach * z)).min(sine)),
             Self::NearAngle { small, reach, angle } => {
-                for ((s, z), factor) in places.zip(&mut *factor) {
+                for ((s, z), factor) in places.zip(&mut factor) {
                     let tau = (small * sinh(reach * z)).min(angle);
                     *factor = (small * small + tau * tau).sqrt();
                     *s = tau.sin();
                 }
             }
-            Self::Angle { angle } => places.for_each(|(s, z)| *s = (angle * z).sin()),
             _ => places.for_each(|(s, z)| *s = sine * z),
         }
         let lower = x * cosine;
         let from_axis = cosine == 0.0;
-        for ((((r, past), below), secant), s) in r.iter_mut().zip(&mut *past).zip(&mut *below).zip(&mut *secants).zip(&*sines) {
+        for ((((r, past), below), secant), s) in r.iter_mut().zip(&mut past).zip(&mut below).zip(&mut secants).zip(&sines) {
             let c = ((1.0 - s) * (1.0 + s)).sqrt();
             // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b), and 1/c by the same division.
             let over = 1.0 / (c * (c + cosine));
@@ -162,21 +145,24 @@ impl Form {
             *secant = over * (c + cosine);
         }
         if exact || matches!(self, Self::NearSine { .. } | Self::NearAngle { .. }) {
-            for (below, s) in below.iter_mut().zip(&*sines) {
+            for (below, s) in below.iter_mut().zip(&sines) {
                 *below = rest + x * (s * s / (1.0 + ((1.0 - s) * (1.0 + s)).sqrt()));
             }
         }
-        let at = Radii { r, past_start: past, below_limit: below };
         match self {
-            Self::Angle { .. } => Some(Placed { at, factor: None }),
-            Self::NearAngle { .. } => Some(Placed { at, factor: Some(factor) }),
+            Self::NearAngle { .. } => {}
             Self::NearSine { small, .. } => {
-                for ((factor, secant), s) in factor.iter_mut().zip(&*secants).zip(&*sines) {
+                for ((factor, secant), s) in factor.iter_mut().zip(&secants).zip(&sines) {
                     *factor = (small * small + s * s).sqrt() * secant;
                 }
-                Some(Placed { at, factor: Some(factor) })
             }
-            _ => Some(Placed { at, factor: Some(secants) }),
+            _ => factor = secants,
+        }
+        let count = z.len();
+        if let (Some(r), Some(past_start), Some(below_limit), factor) =
+            (r.get(..count), past.get(..count), below.get(..count), factor.get(..count))
+        {
+            show(Radii { r, past_start, below_limit }, factor);
         }
     }
 
@@ -190,30 +176,61 @@ impl Form {
     }
 
     /// What a relative rounding of every r by one unit does to the mean: ∫ |r df′/dr| dτ.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn displacement(self, extent: &Extent, middles: Middles<'_>, values: &[f64]) -> f64 {
-        let steps = values.iter().zip(values.get(1..).unwrap_or_default());
-        let weighted = |cotangents: &[f64]| {
-            let mut lanes = [0.0; 2];
-            for (i, ((a, b), c)) in steps.clone().zip(cotangents).enumerate() {
-                lanes[i & 1] += (b - a).abs() * c;
-            }
-            lanes[0] + lanes[1]
-        };
-        match self {
-            Self::AxisSine => weighted(middles.cotangents),
-            Self::AxisAngle => weighted(middles.quarter_cotangents) / std::f64::consts::FRAC_PI_2,
+        let (cotangents, by) = match self {
+            Self::AxisSine => (middles.cotangents, 1.0),
+            Self::AxisAngle => (middles.quarter_cotangents, std::f64::consts::FRAC_2_PI),
             // cot τ < 1/τ, and the ends of the piece are rounded too.
-            Self::Sine => 4.0 * weighted(middles.reciprocals) / (extent.sine * extent.sine),
-            Self::Angle { angle } => 4.0 * weighted(middles.reciprocals) / (angle * angle),
+            Self::Sine => (middles.reciprocals, 4.0 / (extent.sine * extent.sine)),
+            Self::Angle { angle } => (middles.reciprocals, 4.0 / (angle * angle)),
             // Next to a limit f′ is a function of the distance to it.
-            Self::NearSine { .. } | Self::NearAngle { .. } => 0.0,
+            Self::NearSine { .. } | Self::NearAngle { .. } => return 0.0,
+        };
+        let mut lanes = [0.0; 2];
+        for (i, ((a, b), c)) in values.iter().zip(values.get(1..).unwrap_or_default()).zip(cotangents).enumerate() {
+            lanes[i & 1] += (b - a).abs() * c;
         }
+        by * (lanes[0] + lanes[1])
     }
 }
 
 /// Below this distance of the branch points the integrand is stretched.
 const NEAR: f64 = 2.5;
+
+/// The places r = x cos τ at angles τ = 2·`half`·z: by h = sin(τ/2) alone, r = x(1 − 2h²) and r − b = 2x(h_b − h)(h_b + h).
+#[inline]
+fn from_a_kink<const N: usize>(extent: &Extent, z: &[f64], half: f64, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
+    let Extent { x, rest, cosine, .. } = *extent;
+    let (mut r, mut below, mut past) = ([0.0; N], [0.0; N], [0.0; N]);
+    let (lower, end) = (x * cosine, short_sine(half));
+    for (((r, past), below), z) in r.iter_mut().zip(&mut past).zip(&mut below).zip(z) {
+        let h = short_sine(half * z);
+        *past = 2.0 * x * ((end - h) * (end + h));
+        *r = lower + *past;
+        *below = rest + 2.0 * x * (h * h);
+    }
+    if let (Some(r), Some(past_start), Some(below_limit)) = (r.get(..z.len()), past.get(..z.len()), below.get(..z.len())) {
+        show(Radii { r, past_start, below_limit }, None);
+    }
+}
+
+/// sin v for 0 ≤ v ≤ π/4, without a call: sin v/v in powers of v², which leave out 3e−18.
+#[inline(always)]
+fn short_sine(v: f64) -> f64 {
+    const POWERS: [f64; 7] = [
+        1.0,
+        -0.166_666_666_666_666_16,
+        0.008_333_333_333_320_363,
+        -0.000_198_412_698_286_503,
+        2.755_731_337_640_013e-6,
+        -2.505_071_697_410_274_5e-8,
+        1.589_473_665_184_909_4e-10,
+    ];
+    let y = v * v;
+    let [one, a, b, c, d, e, f] = POWERS;
+    v * (one + y * (a + y * (b + y * (c + y * (d + y * (e + y * f))))))
+}
 
 /// sinh v for v ≥ 0; next to 0 its last digits do not matter here.
 fn sinh(v: f64) -> f64 {

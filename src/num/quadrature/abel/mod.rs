@@ -4,7 +4,7 @@ mod forms;
 mod pieces;
 mod start;
 
-pub(crate) use forms::{CHUNK, Extent, Form, Placed, Room};
+pub(crate) use forms::{CHUNK, Extent, Form};
 pub(crate) use start::{Wish, from_the_axis};
 
 use super::super::bounded::UNIT;

@@ -3,13 +3,14 @@
 use super::super::adaptive::{Options, integrate_blocks};
 use super::super::even::{self, EvenIntegrand, Mean, Middles, Nodes};
 use super::super::{Panel, Point};
-use super::forms::{Extent, Form, Placed, Room};
+use super::forms::{Extent, Form};
 use super::start::{Wish, from_the_axis};
 use super::{AbelOptions, Radii, Start};
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, NumError};
 
 /// ∫ f′ dτ over r = x cos τ, times r² for the force.
+#[inline]
 pub(super) fn over_angle<const FORCE: bool>(
     slope: &mut impl FnMut(Radii<'_>, &mut [f64]),
     x: f64,
@@ -96,8 +97,9 @@ fn last<const FORCE: bool>(
     }
     let form = Form::choose(&extent, options.start == Start::Odd, options.limit);
     let scale = form.scale(&extent);
-    let mut integrand = Blocks::<_, FORCE> { slope, form, extent, roundings: options.roundings, room: Room::new() };
-    let found = even::mean(&mut integrand, options.max_evaluations, |mean| target(options, scale * mean) / scale)?;
+    let mut integrand = Blocks::<_, FORCE> { slope, form, extent, roundings: options.roundings };
+    let (least, rel_tol) = (options.abs_tol / scale, options.rel_tol);
+    let found = even::mean(&mut integrand, options.max_evaluations, |mean: f64| least.max(rel_tol * mean.abs()))?;
     let Mean { value, left_out, noise, evaluations, reached, .. } = found;
     let (value, noise) = (scale * value, scale * noise);
     let rounding = 8.0 * UNIT * value.abs();
@@ -116,34 +118,38 @@ fn last<const FORCE: bool>(
     bisected::<FORCE>(slope, lower, &extent, options).map(|own| Estimate { evaluations: own.evaluations + evaluations, ..own })
 }
 
+/// Places at which a closure is asked together.
+const BLOCK: usize = 8;
+
 /// f′ as an even integrand.
 struct Blocks<'a, F, const FORCE: bool> {
     slope: &'a mut F,
     form: Form,
     extent: Extent,
     roundings: f64,
-    room: Room,
 }
 
 impl<F: FnMut(Radii<'_>, &mut [f64]), const FORCE: bool> EvenIntegrand for Blocks<'_, F, FORCE> {
     const BOUNDED: bool = false;
-    const BLOCK: usize = 8;
+    const BLOCK: usize = BLOCK;
     const TOGETHER: bool = false;
 
     #[inline(always)]
     fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], _errors: &mut [f64]) {
-        let Some(Placed { at, factor }) = self.form.place(&self.extent, nodes, false, &mut self.room) else { return };
-        (self.slope)(at, values);
-        if let Some(factor) = factor {
-            for (v, factor) in values.iter_mut().zip(factor) {
-                *v *= *factor;
+        let slope = &mut *self.slope;
+        self.form.visit::<{ BLOCK }>(&self.extent, nodes, false, |at, factor| {
+            slope(at, values);
+            if let Some(factor) = factor {
+                for (v, factor) in values.iter_mut().zip(factor) {
+                    *v *= *factor;
+                }
             }
-        }
-        if FORCE {
-            for (v, r) in values.iter_mut().zip(at.r) {
-                *v *= *r * *r;
+            if FORCE {
+                for (v, r) in values.iter_mut().zip(at.r) {
+                    *v *= *r * *r;
+                }
             }
-        }
+        });
     }
 
     #[inline]

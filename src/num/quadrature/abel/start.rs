@@ -186,12 +186,19 @@ impl Trapezium {
             // An unknown error is an unbounded one.
             self.noise += if noise.is_nan() { f64::INFINITY } else { noise };
             if first {
-                // Terms fall ever faster: two small ones end the sum.
-                self.tail = 4.0 * (last[0] + last[1]);
-                if count == CHUNK && last[0] + last[1] <= 1e-18 * self.size {
-                    self.deepest = index.last().map_or(NODES, |k| k + STEPS[0]);
+                // Terms fall ever faster: two small ones end the sum, and those beyond them are small too.
+                let nothing = 1e-18 * self.size;
+                let size = |place: usize| weight[place] * out[place].abs();
+                let mut small = count;
+                while small > 0 && size(small - 1) <= nothing {
+                    small -= 1;
+                }
+                if count == CHUNK && small + 2 <= count {
+                    self.tail = 16.0 * (size(small) + size(small + 1));
+                    self.deepest = index[small] + 1;
                     break;
                 }
+                self.tail = 4.0 * (last[0] + last[1]);
             }
         }
         Ok(())

@@ -15,8 +15,10 @@ use rule::{Rule, Sums, dot, truncation};
 const MOST: usize = 256;
 /// Nodes in the half of the first rule.
 const FEWEST: usize = 8;
-/// Nodes in the half that are kept without further ado.
+/// Nodes in the half of the second rule.
 const FEW: usize = 16;
+/// And of the third.
+const MORE: usize = 32;
 /// The rules from 15 points on; the first is compared with that of 7 points.
 static LEVELS: [Rule; 6] = [
     patterson::PATTERSON_15.plain(),
@@ -80,10 +82,14 @@ pub(crate) struct Mean {
 /// [`NumError::NotFinite`] where the integrand is not; its place is z.
 #[inline]
 pub(crate) fn mean<I: EvenIntegrand>(integrand: &mut I, most: u64, accepted: impl Fn(f64) -> f64) -> Result<Mean, NumError> {
-    let mut few = State::<FEW>::new();
-    if few.begin(integrand, &accepted)? {
-        return Ok(few.mean);
-    }
+    let (mut values, mut errors) = ([0.0; FEWEST + GUARDS], [0.0; FEWEST + GUARDS]);
+    let (mean, gap) = match begin(integrand, &mut values, &mut errors, &accepted)? {
+        (mean, None) => return Ok(mean),
+        (mean, Some(gap)) => (mean, gap),
+    };
+    let mut few = State::<FEW>::new(mean, gap);
+    few.values[..FEWEST].copy_from_slice(&values[..FEWEST]);
+    few.errors[..FEWEST].copy_from_slice(&errors[..FEWEST]);
     climb(integrand, few, most, &accepted)
 }
 
@@ -93,12 +99,74 @@ fn climb<I: EvenIntegrand>(integrand: &mut I, mut few: State<FEW>, most: u64, ac
     if few.climb(integrand, 1..2, most, accepted)? {
         return Ok(few.mean);
     }
-    let mut many = State::<MOST>::new();
-    many.values[..FEW].copy_from_slice(&few.values);
-    many.errors[..FEW].copy_from_slice(&few.errors);
-    (many.mean, many.gap) = (few.mean, few.gap);
-    many.climb(integrand, 2..LEVELS.len(), most, accepted)?;
+    let mut more = State::<MORE>::after(&few);
+    if more.climb(integrand, 2..3, most, accepted)? {
+        return Ok(more.mean);
+    }
+    let mut many = State::<MOST>::after(&more);
+    many.climb(integrand, 3..LEVELS.len(), most, accepted)?;
     Ok(many.mean)
+}
+
+/// The first rule: what it found, and the difference to the rule within it where the next rules may help.
+#[inline(always)]
+fn begin<I: EvenIntegrand>(
+    integrand: &mut I,
+    values: &mut [f64; FEWEST + GUARDS],
+    errors: &mut [f64; FEWEST + GUARDS],
+    accepted: &impl Fn(f64) -> f64,
+) -> Result<(Mean, Option<f64>), NumError> {
+    let first: &First = &FIRST;
+    if I::TOGETHER {
+        integrand.fill(first.together.all(), values, errors);
+    } else {
+        integrand.fill(first.nodes.all(), &mut values[..FEWEST], &mut errors[..FEWEST]);
+    }
+    let mut all = [0.0; SUMS];
+    let (mut size, mut noise, mut largest, mut doubt) = (0.0, 0.0, 0.0f64, 0.0f64);
+    for i in 0..FEWEST {
+        let value = values[i];
+        for (sum, share) in all.iter_mut().zip(first.shares[i]) {
+            *sum += share * value;
+        }
+        // Weights are positive.
+        size += first.weights[i] * value.abs();
+        largest = if value.abs() > largest { value.abs() } else { largest };
+        if I::BOUNDED {
+            noise += first.weights[i] * errors[i];
+            doubt = if errors[i] > doubt { errors[i] } else { doubt };
+        }
+    }
+    let [value, a, b, c, predicted @ ..] = all;
+    let [one, two, three, four] = first.seven;
+    let seven = (one * values[0] + two * values[2]) + (three * values[4] + four * values[6]);
+    let before = Mean { value: seven, evaluations: if I::TOGETHER { FEWEST + GUARDS } else { FEWEST } as u64, ..Mean::default() };
+    let sums = Sums { value, size, levels: [f64::INFINITY, a.abs(), b.abs(), c.abs()], noise };
+    let own: &[f64; FEWEST] = values.first_chunk().unwrap_or(&[0.0; FEWEST]);
+    let (verdict, mut mean) = judge(integrand, 0, &sums, first.middles(), own, (before, f64::INFINITY), accepted)?;
+    match verdict {
+        Verdict::Climb => return Ok((mean, Some((value - seven).abs()))),
+        Verdict::Stop => return Ok((mean, None)),
+        Verdict::Enough => {}
+    }
+    if !I::TOGETHER {
+        integrand.fill(first.guards.all(), &mut values[FEWEST..], &mut errors[FEWEST..]);
+        mean.evaluations += GUARDS as u64;
+    }
+    let seen = Seen { nodes: first.guards.all(), values: &values[FEWEST..], errors: &errors[FEWEST..] };
+    let doubt = (integrand.relative() + 4.0 * UNIT) * largest + doubt;
+    mean.left_out += beyond_the_last_node(integrand, &seen, &predicted, &first.gain, doubt) * first.beyond;
+    let next = (!mean.meets(accepted)).then(|| (value - seven).abs());
+    Ok((mean, next))
+}
+
+impl Mean {
+    /// Whether the accepted error is reached.
+    #[inline(always)]
+    fn meets(&mut self, accepted: &impl Fn(f64) -> f64) -> bool {
+        self.reached = self.left_out + self.noise <= accepted(self.value);
+        self.reached
+    }
 }
 
 /// Values so far, from the centre outwards.
@@ -125,54 +193,16 @@ enum Verdict {
 
 impl<const N: usize> State<N> {
     #[inline(always)]
-    fn new() -> Self {
-        Self { values: [0.0; N], errors: [0.0; N], mean: Mean::default(), gap: f64::INFINITY }
+    fn new(mean: Mean, gap: f64) -> Self {
+        Self { values: [0.0; N], errors: [0.0; N], mean, gap }
     }
 
-    /// The first rule; true where the end is reached.
-    #[inline(always)]
-    fn begin<I: EvenIntegrand>(&mut self, integrand: &mut I, accepted: &impl Fn(f64) -> f64) -> Result<bool, NumError> {
-        let first: &First = &FIRST;
-        let (mut values, mut errors) = ([0.0; FEWEST + GUARDS], [0.0; FEWEST + GUARDS]);
-        if I::TOGETHER {
-            integrand.fill(first.together.all(), &mut values, &mut errors);
-        } else {
-            integrand.fill(first.nodes.all(), &mut values[..FEWEST], &mut errors[..FEWEST]);
-        }
-        let mut all = [0.0; SUMS];
-        let (mut size, mut noise, mut largest, mut doubt) = (0.0, 0.0, 0.0f64, 0.0f64);
-        for i in 0..FEWEST {
-            let value = values[i];
-            for (sum, share) in all.iter_mut().zip(first.shares[i]) {
-                *sum += share * value;
-            }
-            // Weights are positive.
-            size += first.weights[i] * value.abs();
-            largest = if value.abs() > largest { value.abs() } else { largest };
-            if I::BOUNDED {
-                noise += first.weights[i] * errors[i];
-                doubt = if errors[i] > doubt { errors[i] } else { doubt };
-            }
-        }
-        let [value, seven, a, b, c, _, predicted @ ..] = all;
-        self.values[..FEWEST].copy_from_slice(&values[..FEWEST]);
-        self.errors[..FEWEST].copy_from_slice(&errors[..FEWEST]);
-        self.mean.evaluations = if I::TOGETHER { FEWEST + GUARDS } else { FEWEST } as u64;
-        self.mean.value = seven;
-        let sums = Sums { value, size, levels: [a.abs(), b.abs(), c.abs()], noise };
-        match self.judge(integrand, 0, &sums, first.middles(), FEWEST, accepted)? {
-            Verdict::Climb => return Ok(false),
-            Verdict::Stop => return Ok(true),
-            Verdict::Enough => {}
-        }
-        if !I::TOGETHER {
-            integrand.fill(first.guards.all(), &mut values[FEWEST..], &mut errors[FEWEST..]);
-            self.mean.evaluations += GUARDS as u64;
-        }
-        let seen = Seen { nodes: first.guards.all(), values: &values[FEWEST..], errors: &errors[FEWEST..] };
-        let doubt = (integrand.relative() + 4.0 * UNIT) * largest + doubt;
-        let beyond = beyond_the_last_node(integrand, &seen, &predicted, &first.gain, doubt) * first.beyond;
-        Ok(self.is_enough(beyond, accepted))
+    /// The same with room for more.
+    fn after<const FEWER: usize>(few: &State<FEWER>) -> Self {
+        let mut own = Self::new(few.mean, few.gap);
+        own.values[..FEWER].copy_from_slice(&few.values);
+        own.errors[..FEWER].copy_from_slice(&few.errors);
+        own
     }
 
     /// True where the end is reached; false where the next rules may help.
@@ -192,7 +222,11 @@ impl<const N: usize> State<N> {
             }
             self.ask(integrand, stage, count);
             let sums = rule.apply(&self.values[..count], I::BOUNDED.then_some(&self.errors[..count]));
-            match self.judge(integrand, level, &sums, stage.middles(), count, accepted)? {
+            let own = &self.values[..count];
+            let gap = (sums.value - self.mean.value).abs();
+            let (verdict, mean) = judge(integrand, level, &sums, stage.middles(), own, (self.mean, self.gap), accepted)?;
+            (self.mean, self.gap) = (mean, gap);
+            match verdict {
                 Verdict::Stop => return Ok(true),
                 Verdict::Climb => {}
                 Verdict::Enough => {
@@ -200,77 +234,18 @@ impl<const N: usize> State<N> {
                     integrand.fill(stage.guards.all(), &mut values, &mut errors);
                     self.mean.evaluations += GUARDS as u64;
                     let seen = Seen { nodes: stage.guards.all(), values: &values, errors: &errors };
-                    let own = &self.values[..count];
                     let predicted = stage.predict.each_ref().map(|row| dot(row, own));
                     let largest = |list: &[f64]| list.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
                     let doubt =
                         (integrand.relative() + 4.0 * UNIT) * largest(own) + if I::BOUNDED { largest(&self.errors[..count]) } else { 0.0 };
-                    let beyond = beyond_the_last_node(integrand, &seen, &predicted, &stage.gain, doubt) * stage.beyond;
-                    if self.is_enough(beyond, accepted) {
+                    self.mean.left_out += beyond_the_last_node(integrand, &seen, &predicted, &stage.gain, doubt) * stage.beyond;
+                    if self.mean.meets(accepted) {
                         return Ok(true);
                     }
                 }
             }
         }
         Ok(false)
-    }
-
-    #[inline(always)]
-    fn is_enough(&mut self, beyond: f64, accepted: &impl Fn(f64) -> f64) -> bool {
-        self.mean.left_out += beyond;
-        self.mean.reached = self.mean.left_out + self.mean.noise <= accepted(self.mean.value);
-        self.mean.reached
-    }
-
-    /// Judges the sums over the values at the nodes of a rule; `mean.value` is that of the rule before.
-    #[inline(always)]
-    fn judge<I: EvenIntegrand>(
-        &mut self,
-        integrand: &I,
-        level: usize,
-        sums: &Sums,
-        middles: Middles<'_>,
-        count: usize,
-        accepted: &impl Fn(f64) -> f64,
-    ) -> Result<Verdict, NumError> {
-        let values = &self.values[..count];
-        if !(sums.value.is_finite() && sums.size.is_finite()) {
-            let bad = values.iter().position(|v| !v.is_finite()).unwrap_or(0);
-            return Err(NumError::NotFinite { at: patterson::NODES[bad * (MOST / count)] });
-        }
-        let relative = 8.0 * UNIT + integrand.relative();
-        let floor = sums.noise + relative * sums.size + integrand.displacement(middles, values);
-        // An unknown error is an unbounded one.
-        let floor = if floor.is_nan() { f64::INFINITY } else { floor };
-        let least = if level == 0 || self.is_steep(count) { 1e-2 } else { 1e-4 };
-        let gap = (sums.value - self.mean.value).abs();
-        let (left_out, rate) = truncation(sums.levels, (gap, self.gap), floor, sums.size, level + 1, least);
-        self.gap = gap;
-        let evaluations = self.mean.evaluations;
-        self.mean = Mean { value: sums.value, left_out, noise: floor, evaluations, reached: false };
-        let target = accepted(sums.value);
-        let blank = sums.size == 0.0 && level < BLANK_LEVEL;
-        if !blank && left_out + floor <= target {
-            return Ok(Verdict::Enough);
-        }
-        if !blank && floor > 0.99 * target && left_out <= floor {
-            return Ok(Verdict::Stop);
-        }
-        if level + 1 < ALWAYS || blank || sums.levels[2] > UNRESOLVED * sums.size {
-            return Ok(Verdict::Climb);
-        }
-        let predicted = left_out * rate.powi(count as i32 / 4);
-        Ok(if predicted <= target { Verdict::Climb } else { Verdict::Stop })
-    }
-
-    /// Whether the integrand falls towards the end by more than its distance to it: what is narrow, or oscillates, where it is small
-    /// shows in coefficients only that are smaller than the last one of this rule.
-    #[inline(always)]
-    fn is_steep(&self, count: usize) -> bool {
-        let values = &self.values[..count];
-        let largest = values.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
-        let distance = 1.0 - patterson::NODES[(count - 1) * (MOST / count)];
-        values.last().is_some_and(|last| last.abs() < STEEP * distance * largest)
     }
 
     /// Fills in the values at the nodes that the rule before does not have.
@@ -297,6 +272,53 @@ impl<const N: usize> State<N> {
         }
         self.mean.evaluations += half as u64;
     }
+}
+
+/// Judges the sums over the values at the nodes of a rule, after what the rule before has found and its own difference to that before it.
+#[inline(always)]
+fn judge<I: EvenIntegrand>(
+    integrand: &I,
+    level: usize,
+    sums: &Sums,
+    middles: Middles<'_>,
+    values: &[f64],
+    (before, last_gap): (Mean, f64),
+    accepted: &impl Fn(f64) -> f64,
+) -> Result<(Verdict, Mean), NumError> {
+    if !(sums.value.is_finite() && sums.size.is_finite()) {
+        let bad = values.iter().position(|v| !v.is_finite()).unwrap_or(0);
+        return Err(NumError::NotFinite { at: patterson::NODES[bad * (MOST / values.len())] });
+    }
+    let relative = 8.0 * UNIT + integrand.relative();
+    let floor = sums.noise + relative * sums.size + integrand.displacement(middles, values);
+    // An unknown error is an unbounded one.
+    let floor = if floor.is_nan() { f64::INFINITY } else { floor };
+    let least = if level == 0 || is_steep(values) { 1e-2 } else { 1e-4 };
+    let gap = (sums.value - before.value).abs();
+    let (left_out, rate) = truncation(sums.levels, (gap, last_gap), floor, sums.size, level + 1, least);
+    let mean = Mean { value: sums.value, left_out, noise: floor, evaluations: before.evaluations, reached: false };
+    let target = accepted(sums.value);
+    let blank = sums.size == 0.0 && level < BLANK_LEVEL;
+    if !blank && left_out + floor <= target {
+        return Ok((Verdict::Enough, mean));
+    }
+    if !blank && floor > 0.99 * target && left_out <= floor {
+        return Ok((Verdict::Stop, mean));
+    }
+    if level + 1 < ALWAYS || blank || sums.levels[3] > UNRESOLVED * sums.size {
+        return Ok((Verdict::Climb, mean));
+    }
+    let predicted = left_out * rate.powi(values.len() as i32 / 4);
+    Ok((if predicted <= target { Verdict::Climb } else { Verdict::Stop }, mean))
+}
+
+/// Whether the integrand falls towards the end by more than its distance to it: what is narrow, or oscillates, where it is small
+/// shows in coefficients only that are smaller than the last one of this rule.
+#[inline(always)]
+fn is_steep(values: &[f64]) -> bool {
+    let largest = values.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
+    let distance = 1.0 - patterson::NODES[(values.len() - 1) * (MOST / values.len())];
+    values.last().is_some_and(|last| last.abs() < STEEP * distance * largest)
 }
 
 /// What the guards of a rule have shown.

@@ -91,6 +91,9 @@ pub(super) const GUARDS: usize = 4;
 /// Where they are: angles from the end z = 1 in units of that of the last node.
 const GUARD_PLACES: [f64; GUARDS] = [0.55, 0.2, 0.07, 1e-6];
 
+/// By how much a feature may be larger than the guards have seen.
+const BEYOND: f64 = 8.0;
+
 /// What belongs to one rule of the ladder.
 pub(super) struct Stage {
     /// The nodes that the rule before does not have.
@@ -101,7 +104,7 @@ pub(super) struct Stage {
     pub(super) predict: [Vec<f64>; GUARDS],
     /// The sum of the magnitudes of these weights.
     pub(super) gain: [f64; GUARDS],
-    /// 1 − z at the last node, twice: what a feature between it and the end can make of its height.
+    /// 1 − z at the last node, 16 times: what a feature about there can make of its height, of which the guards see a part.
     pub(super) beyond: f64,
     middles: [Vec<f64>; 3],
 }
@@ -138,7 +141,7 @@ impl Stage {
         let quarter_cotangents = middles().map(|z| 1.0 / (FRAC_PI_2 * z).tan()).collect();
         let reciprocals = middles().map(|z| 1.0 / z).collect();
         let guards = Block::of(&guards, 0);
-        Self { fresh, guards, predict, gain, beyond: last * last, middles: [cotangents, quarter_cotangents, reciprocals] }
+        Self { fresh, guards, predict, gain, beyond: BEYOND * last * last, middles: [cotangents, quarter_cotangents, reciprocals] }
     }
 
     #[inline]
@@ -148,9 +151,8 @@ impl Stage {
     }
 }
 
-/// Sums over the values of the first rule: its own, that of the rule of 7 points, the three coefficients, a spare one, and what
-/// the polynomial through all nodes has at the guards.
-pub(super) const SUMS: usize = 6 + GUARDS;
+/// Sums over the values of the first rule: its own, the three coefficients, and what the polynomial through all nodes has at the guards.
+pub(super) const SUMS: usize = 4 + GUARDS;
 
 /// The first rule, whose nodes and sums the compiler may count.
 pub(super) struct First {
@@ -161,6 +163,8 @@ pub(super) struct First {
     /// The weights of one value in every sum.
     pub(super) shares: [[f64; SUMS]; FEWEST],
     pub(super) weights: [f64; FEWEST],
+    /// Weights of the rule of 7 points, which has every second node.
+    pub(super) seven: [f64; FEWEST / 2],
     pub(super) gain: [f64; GUARDS],
     pub(super) beyond: f64,
     middles: [[f64; FEWEST - 1]; 3],
@@ -177,10 +181,9 @@ pub(super) static FIRST: LazyLock<First> = LazyLock::new(|| {
     }
     let coarse = super::patterson::PATTERSON_7.plain().weights;
     let shares = std::array::from_fn(|i| {
-        let seven = if i % 2 == 0 { coarse[i / 2] } else { 0.0 };
-        let [a, b, c] = rule.decay.map(|row| row[i]);
+        let [_, a, b, c] = rule.decay.map(|row| row[i]);
         let [p, q, r, s] = std::array::from_fn(|guard| stage.predict[guard][i]);
-        [rule.weights[i], seven, a, b, c, 0.0, p, q, r, s]
+        [rule.weights[i], a, b, c, p, q, r, s]
     });
     First {
         nodes: Block::of(&stage.fresh, 0),
@@ -188,6 +191,7 @@ pub(super) static FIRST: LazyLock<First> = LazyLock::new(|| {
         together: Block::of(&together, 0),
         shares,
         weights: std::array::from_fn(|i| rule.weights[i]),
+        seven: std::array::from_fn(|i| coarse[i]),
         gain: stage.gain,
         beyond: stage.beyond,
         middles: stage.middles.each_ref().map(|list| std::array::from_fn(|i| list[i])),

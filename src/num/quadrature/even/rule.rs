@@ -4,21 +4,21 @@
 pub(super) struct EvenRule<const H: usize> {
     /// Weights over the half, with sum 1: the mean of an even function.
     pub(super) weights: [f64; H],
-    /// Coefficients of the three highest even degrees that the points can tell apart, lowest first.
-    pub(super) decay: [[f64; H]; 3],
+    /// Coefficients of the four highest even degrees that the points can tell apart, lowest first.
+    pub(super) decay: [[f64; H]; 4],
 }
 
 /// The same without its length in the type.
 #[derive(Clone, Copy)]
 pub(super) struct Rule {
     pub(super) weights: &'static [f64],
-    pub(super) decay: [&'static [f64]; 3],
+    pub(super) decay: [&'static [f64]; 4],
 }
 
 impl<const H: usize> EvenRule<H> {
     pub(super) const fn plain(&'static self) -> Rule {
-        let [first, second, third] = &self.decay;
-        Rule { weights: &self.weights, decay: [first, second, third] }
+        let [first, second, third, fourth] = &self.decay;
+        Rule { weights: &self.weights, decay: [first, second, third, fourth] }
     }
 }
 
@@ -28,8 +28,8 @@ pub(super) struct Sums {
     pub(super) value: f64,
     /// The mean of |f|.
     pub(super) size: f64,
-    /// Sizes of the three highest coefficients.
-    pub(super) levels: [f64; 3],
+    /// Sizes of the four highest coefficients, lowest degree first.
+    pub(super) levels: [f64; 4],
     /// The mean of the error bounds.
     pub(super) noise: f64,
 }
@@ -39,11 +39,11 @@ impl Rule {
     #[inline]
     pub(super) fn apply(&self, values: &[f64], errors: Option<&[f64]>) -> Sums {
         const LANES: usize = 4;
-        let mut lanes = [[0.0; LANES]; 5];
-        let [first, second, third] = self.decay;
+        let mut lanes = [[0.0; LANES]; 6];
+        let [first, second, third, fourth] = self.decay;
         let chunks = values.chunks_exact(LANES).zip(self.weights.chunks_exact(LANES));
-        let rows = first.chunks_exact(LANES).zip(second.chunks_exact(LANES)).zip(third.chunks_exact(LANES));
-        for ((v, w), ((a, b), c)) in chunks.zip(rows) {
+        let rows = first.chunks_exact(LANES).zip(second.chunks_exact(LANES)).zip(third.chunks_exact(LANES)).zip(fourth.chunks_exact(LANES));
+        for ((v, w), (((a, b), c), d)) in chunks.zip(rows) {
             for i in 0..LANES {
                 let weighted = w[i] * v[i];
                 lanes[0][i] += weighted;
@@ -52,11 +52,12 @@ impl Rule {
                 lanes[2][i] += a[i] * v[i];
                 lanes[3][i] += b[i] * v[i];
                 lanes[4][i] += c[i] * v[i];
+                lanes[5][i] += d[i] * v[i];
             }
         }
-        let [value, size, first, second, third] = lanes.map(|l| (l[0] + l[1]) + (l[2] + l[3]));
+        let [value, size, first, second, third, fourth] = lanes.map(|l| (l[0] + l[1]) + (l[2] + l[3]));
         let noise = errors.map_or(0.0, |errors| dot(self.weights, errors));
-        Sums { value, size, levels: [first.abs(), second.abs(), third.abs()], noise }
+        Sums { value, size, levels: [first.abs(), second.abs(), third.abs(), fourth.abs()], noise }
     }
 }
 
@@ -83,17 +84,23 @@ const LEAST_FALL: f64 = 0.1;
 /// steps where the last one is as steep as the one before, so that nothing slow has come to light, and no less than `least`.
 /// `gap` is the difference to the rule before, which says how wrong that one was, and `last_gap` what that rule's own was.
 #[inline(always)]
-pub(super) fn truncation(levels: [f64; 3], (gap, last_gap): (f64, f64), floor: f64, size: f64, doublings: usize, least: f64) -> (f64, f64) {
-    let [first, second, third] = levels;
+pub(super) fn truncation(levels: [f64; 4], (gap, last_gap): (f64, f64), floor: f64, size: f64, doublings: usize, least: f64) -> (f64, f64) {
+    let [zeroth, first, second, third] = levels;
     let fall = |now: f64, before: f64| {
         if now <= floor { 0.0 } else { now / if before > floor { before } else { floor } }
     };
     let (one, two) = (fall(second, first), fall(third, second));
+    let before = fall(first, zeroth);
     let rate = if one > two { one } else { two };
+    let rate = if before > rate { before } else { rate };
     // A rule of twice the points has the square of the error where the integrand is resolved.
     let squares = || {
+        // The first rule has none before it.
+        if gap <= floor || last_gap == f64::INFINITY {
+            return true;
+        }
         let last = last_gap / size;
-        gap <= floor || gap / size <= last * last.sqrt()
+        gap / size <= last * last.sqrt()
     };
     // By chance an oscillation that is not resolved may seem to fall, but not to be small.
     let steady = two <= 2.0 * one && rate < 0.5 && gap.max(first) <= 1e-3 * size && squares();
