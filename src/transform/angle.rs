@@ -110,21 +110,31 @@ impl Source<'_> {
             *doubt = 12.0 * UNIT * *distance + if *distance > 2.0 * end { end } else { 0.0 };
         }
         numbers.block(distances, doubts, values, errors, &mut self.scratch);
+        if let Some(factor) = factor {
+            for ((value, error), by) in values.iter_mut().zip(&mut *errors).zip(factor) {
+                *value *= by;
+                *error *= by;
+            }
+        }
+        if matches!(self.weight, Weight::Slope) {
+            errors.iter_mut().zip(values).for_each(|(error, value)| *error += 8.0 * UNIT * value.abs());
+        } else {
+            self.weigh(at, values, errors);
+        }
+    }
+
+    /// The same times the weight.
+    #[inline(never)]
+    fn weigh(&self, at: Radii<'_>, values: &mut [f64], errors: &mut [f64]) {
         let x = self.x;
-        for (i, (value, error)) in values.iter_mut().zip(&mut *errors).enumerate() {
-            let (Some(&r), Some(&below)) = (at.r.get(i), at.below_limit.get(i)) else { continue };
-            let (mut by, mut doubt) = (factor.and_then(|list| list.get(i)).copied().unwrap_or(1.0), 8.0 * UNIT);
-            match self.weight {
-                Weight::Slope => {}
-                Weight::Force => {
-                    by *= r * r;
-                    doubt += 24.0 * UNIT + 4.0 * own / r;
-                }
+        for (((value, error), &r), &below) in values.iter_mut().zip(errors).zip(at.r).zip(at.below_limit) {
+            let (by, roundings) = match self.weight {
+                Weight::Slope => (1.0, 0.0),
+                Weight::Force => (r * r, 24.0 * UNIT + 4.0 * self.doubt / r),
                 // Here below_limit is x − r: sin²τ = (x − r)(x + r)/x².
                 Weight::Integral => {
                     let share = below / x;
-                    by *= share * (2.0 - share);
-                    doubt += 16.0 * UNIT;
+                    (share * (2.0 - share), 16.0 * UNIT)
                 }
                 Weight::Outside(outer) => {
                     // Root by root: the product may leave the range of doubles.
@@ -133,12 +143,11 @@ impl Source<'_> {
                     let (q, s) = ((share * (2.0 - share)).sqrt(), r / x);
                     let short = s * s / (1.0 + q);
                     let angle = (q * ratio).atan();
-                    by *= (short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle;
-                    doubt += 32.0 * UNIT;
+                    ((short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle, 32.0 * UNIT)
                 }
-            }
+            };
             *value *= by;
-            *error = *error * by.abs() * (1.0 + f64::EPSILON) + doubt * value.abs();
+            *error = *error * by.abs() + (8.0 * UNIT + roundings) * value.abs();
         }
     }
 }
