@@ -41,9 +41,17 @@ pub(crate) fn artanh_quotient(x: f64, r: f64) -> f64 {
     artanh_near(ldexp(x, e), ldexp(r, e))
 }
 
-/// The same as ln(1 + z)/2, z = 2x/(r − x), with what the nearest double leaves of z.
+/// The same as ln(1 + z)/2, z = 2x/(r − x), or as ln(q)/2, q = (r + x)/(r − x), with what the nearest double leaves of z or q.
 #[inline]
 fn artanh_near(x: f64, r: f64) -> f64 {
+    if 3.0 * x > r {
+        // q > 2, where the logarithm moves by less than 1.5 of its own for a relative change of q.
+        let (sum, below) = (two_sum(r, x), two_sum(r, -x));
+        let q = sum.hi / below.hi;
+        let product = two_prod(q, below.hi);
+        let rest = (sum.hi - product.hi - product.lo) + (sum.lo - q * below.lo);
+        return 0.5 * (q.ln() + rest / sum.hi);
+    }
     let (top, below) = (2.0 * x, two_sum(r, -x));
     let z = top / below.hi;
     let product = two_prod(z, below.hi);

@@ -223,7 +223,9 @@ impl Evaluator<'_> {
         mut errors: Option<&mut [f64]>,
         scratch: &mut Scratch,
     ) -> Option<()> {
-        let (lowest, highest) = ends(points);
+        // Only breakpoints ask for the lowest point too.
+        let (lowest, highest) =
+            if forms.iter().all(|form| form.breakpoints.is_empty()) { (f64::NAN, highest(points)) } else { ends(points) };
         let radius = match wanted {
             Wanted::Superposed(_, radius) => radius,
             Wanted::Height => None,
@@ -314,26 +316,47 @@ fn ends(points: &[f64]) -> (f64, f64) {
     const LANES: usize = 8;
     let first = points.first().copied().unwrap_or(f64::NAN);
     let (mut low, mut high) = ([first; LANES], [first; LANES]);
-    for part in points.chunks(LANES) {
-        for ((low, high), x) in low.iter_mut().zip(&mut high).zip(part) {
-            *low = if *x < *low { *x } else { *low };
-            *high = if *x > *high { *x } else { *high };
+    let (whole, rest) = points.as_chunks::<LANES>();
+    let mut meet = |part: &[f64; LANES]| {
+        for i in 0..LANES {
+            low[i] = if part[i] < low[i] { part[i] } else { low[i] };
+            high[i] = if part[i] > high[i] { part[i] } else { high[i] };
         }
-    }
+    };
+    whole.iter().for_each(&mut meet);
+    let mut last = [first; LANES];
+    last.iter_mut().zip(rest).for_each(|(own, x)| *own = *x);
+    meet(&last);
     (low.into_iter().fold(first, f64::min), high.into_iter().fold(first, f64::max))
+}
+
+/// The largest point alone; NaN where the first one is.
+fn highest(points: &[f64]) -> f64 {
+    const LANES: usize = 8;
+    let first = points.first().copied().unwrap_or(f64::NAN);
+    let mut high = [first; LANES];
+    let (whole, rest) = points.as_chunks::<LANES>();
+    whole.iter().for_each(|part| (0..LANES).for_each(|i| high[i] = if part[i] > high[i] { part[i] } else { high[i] }));
+    high.into_iter().chain(rest.iter().copied()).fold(first, f64::max)
 }
 
 /// Whether no point of a chunk needs a second look.
 fn all_enough(values: &[f64], errors: Option<&[f64]>, good: f64) -> bool {
     // Without a branch, so that the compiler takes several points at once.
-    let mut enough = true;
     match errors {
         Some(errors) => {
-            values.iter().zip(errors).for_each(|(value, error)| enough &= (*error <= good * value.abs()) & (*error <= f64::MAX))
+            let mut enough = true;
+            values.iter().zip(errors).for_each(|(value, error)| enough &= (*error <= good * value.abs()) & (*error <= f64::MAX));
+            enough
         }
-        None => values.iter().for_each(|value| enough &= value.abs() <= f64::MAX),
+        None => {
+            // Zero times a number is zero; times what is none it is none, and stays so in a sum.
+            let (whole, rest) = values.as_chunks::<8>();
+            let mut sums = [0.0; 8];
+            whole.iter().for_each(|part| (0..8).for_each(|i| sums[i] += 0.0 * part[i]));
+            sums.iter().chain(rest).all(|value| value.is_finite())
+        }
     }
-    enough
 }
 
 /// One form over points of one interval.

@@ -162,6 +162,17 @@ fn half_ulp(value: f64) -> f64 {
     f64::from_bits(value.to_bits() & 0x7ff0_0000_0000_0000) * UNIT
 }
 
+/// 1/size or up to 0.6 % more, for sizes between 2^-500 and 2^500: a bound needs no division.
+///
+/// The bits of a number are nearly its logarithm, so that their difference to a constant is the inverse to 5.1 %, always of the same
+/// sign after one step of Newton's: 1 − 0.051² ≤ size·inverse ≤ 1.
+#[inline(always)]
+fn above_inverse(size: f64) -> f64 {
+    const ONE: u64 = 0x7fde_6238_22fc_16e6;
+    let rough = f64::from_bits(ONE.wrapping_sub(size.to_bits()));
+    rough * (2.0 - size * rough) * 1.003
+}
+
 #[inline(always)]
 fn add(a: Bounded, b: Bounded) -> Quick {
     let value = a.value + b.value;
@@ -193,17 +204,19 @@ fn divide(a: Bounded, b: Bounded) -> Quick {
     let value = a.value / b.value;
     let rounding = half_ulp(value);
     let size = b.value.abs();
-    let error = ((a.error + (value.abs() + rounding) * b.error) / (size - b.error) + rounding) * WIDEN;
-    let apart = (b.error <= 0.5 * size) & (size >= COMFORTABLE);
-    Quick { value, error, comfortable: apart & (rounding >= COMFORTABLE) & (error <= f64::MAX) }
+    let error = ((a.error + (value.abs() + rounding) * b.error) * above_inverse(size - b.error) + rounding) * WIDEN;
+    let apart = (b.error <= 0.5 * size) & (size >= 2.0 * COMFORTABLE);
+    let inside = (rounding >= COMFORTABLE) & (size <= 1.0 / COMFORTABLE);
+    Quick { value, error, comfortable: apart & inside & (error <= f64::MAX) }
 }
 
 /// √a − √(a−δ) = δ/(√a (1 + √(1−δ/a))) ≤ δ √a/(2a − δ).
 #[inline(always)]
 fn square_root(a: Bounded) -> Quick {
     let value = a.value.sqrt();
-    let error = (a.error * value / (2.0 * a.value - a.error) + half_ulp(value)) * WIDEN;
-    Quick { value, error, comfortable: (a.value >= COMFORTABLE) & (a.error <= 0.5 * a.value) & (error <= f64::MAX) }
+    let error = (a.error * value * above_inverse(2.0 * a.value - a.error) + half_ulp(value)) * WIDEN;
+    let inside = (a.value >= COMFORTABLE) & (a.value <= 0.5 / COMFORTABLE);
+    Quick { value, error, comfortable: inside & (a.error <= 0.5 * a.value) & (error <= f64::MAX) }
 }
 
 /// ln of the power moves by at most s = |p| δ/(a − δ) and what the exponent's own error brings; expm1 s ≤ s + s² up to 1.
@@ -347,5 +360,21 @@ fn many(function: Function, arguments: &[Values<'_>], to: To<'_>) {
             list => Bounded::apply_many(row.value, list, row.ulps),
         };
         (*to_value, *to_error) = (found.value, found.error);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_inverse_without_division_is_above_the_true_one() {
+        for exponent in [-500, -321, -1, 0, 1, 77, 499] {
+            for step in 0..4096 {
+                let size = 2.0f64.powi(exponent) * (1.0 + f64::from(step) / 4096.0);
+                let product = size * above_inverse(size);
+                assert!((1.0001..1.006).contains(&product), "{size:e}: {product}");
+            }
+        }
     }
 }

@@ -18,8 +18,9 @@ fn outside_power(n: &Expr, a: &Expr, r: &Expr) -> Expr {
 }
 
 /// The angle whose cosine is b/x, 0 ≤ b ≤ x.
+#[inline]
 fn angle_from(b: f64, x: f64) -> f64 {
-    forms::angle_between(b, f64::INFINITY, x)
+    forms::angle_above(b, x)
 }
 
 /// Up to here ln(1 + u) is taken from u.
@@ -166,7 +167,11 @@ pub(super) static ROWS: &[Row] = &[
         ulps: 3.0,
         arity: (2, 2),
         value: |a| binary(a, angle_from),
-        sweep: Some(|a, place, z, out| slices::sweep(a, place, z, out, |a| binary(a, angle_from))),
+        sweep: Some(|a, place, z, out| match (&*a, place) {
+            // The usual case: b stays.
+            ([b, _], 1) => out.iter_mut().zip(z).for_each(|(out, x)| *out = angle_from(*b, *x)),
+            _ => slices::sweep(a, place, z, out, |a| binary(a, angle_from)),
+        }),
         precise: Some(|a| match a {
             [b, x] => precise::segment(&[0.0.into(), *b, *x], thirty::shifted_power),
             _ => Precise::nan(),

@@ -7,7 +7,7 @@ use crate::num::stable::{artanh_quotient, exponent, ldexp};
 ///
 /// Domain: `|x| <= R`, odd in `x`; infinite at `x = R`, NaN beyond.
 ///
-/// Accuracy: measured at most 1.0 ulp; for `x << R` it is `x/R` rounded once, and near `x = R` the difference
+/// Accuracy: measured at most 1.1 ulp; for `x << R` it is `x/R` rounded once, and near `x = R` the difference
 /// `R - x` is exact.
 ///
 /// Source: MDR chapter, sphere; written as `log1p(2x/(R-x))/2`.

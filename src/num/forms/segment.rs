@@ -47,21 +47,15 @@ pub fn shifted_power_force(k: u32, b: f64, c: f64, a: f64) -> f64 {
 ///
 /// Domain and special cases as for [`shifted_power`].
 ///
-/// Accuracy: measured at most 2.6 ulp. Neither angle is formed, only sine and cosine of their difference.
+/// Accuracy: measured at most 2.6 ulp. Neither angle is formed, only sine and cosine of their difference, or the sine of its half.
 ///
 /// ```
 /// use sneddon::num::forms::angle_between;
 /// assert_eq!(angle_between(0.0, f64::INFINITY, 3.0), std::f64::consts::FRAC_PI_2);
 /// ```
 pub fn angle_between(b: f64, c: f64, x: f64) -> f64 {
-    if c >= x && b >= 0.0 && x < 1e140 {
-        // Far from b the cosine is as good as the sine; nearer, nothing leaves the range of doubles.
-        if b <= FAR * x && x > 0.0 {
-            return (b / x).acos();
-        }
-        if b < x && x > 1e-140 {
-            return ((x - b) * (x + b)).sqrt().atan2(b);
-        }
+    if c >= x && b >= 0.0 && b < x && x < 1e140 && (x > 1e-140 || b <= FAR * x) {
+        return angle_above(b, x);
     }
     let Some(segment) = Segment::new(b, c, x) else {
         return f64::NAN;
@@ -80,6 +74,20 @@ pub fn angle_between(b: f64, c: f64, x: f64) -> f64 {
     }
     let sine = x * x * (width * (c + b) / (c * leg_b + b * leg_c));
     sine.atan2(b * c + leg_b * leg_c)
+}
+
+/// The same for a segment from b on without an end.
+#[inline]
+pub(crate) fn angle_above(b: f64, x: f64) -> f64 {
+    // Far from b the cosine is as good as the sine; nearer, nothing leaves the range of doubles.
+    if b >= 0.0 && b <= FAR * x && x < 1e140 && x > 0.0 {
+        return (b / x).acos();
+    }
+    if b >= 0.0 && b < x && x < 1e140 && x > 1e-140 {
+        // Half the angle has the sine √((1 − b/x)/2).
+        return 2.0 * ((x - b) / (x + x)).sqrt().asin();
+    }
+    angle_between(b, f64::INFINITY, x)
 }
 
 /// Up to this b/x its rounding moves the angle by no more than its own.
