@@ -26,7 +26,7 @@ const COUNTS: [(&str, [u64; 4]); 30] = [
     ("sphere", [12, 12, 24, 541]),
     ("ellipsoid", [12, 12, 24, 541]),
     ("hyperboloid", [12, 72, 40, 84]),
-    ("lorentzian", [12, 105, 105, 676]),
+    ("lorentzian", [12, 136, 136, 676]),
     ("waviness", [12, 24, 24, 30]),
     ("wavy_paraboloid", [12, 24, 24, 30]),
     ("gaussian", [12, 40, 40, 84]),

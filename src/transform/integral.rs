@@ -206,6 +206,9 @@ const SHARP: (f64, f64) = (1e-14, 1e-12);
 const STRICTER: f64 = 1e-2;
 const STRICT: f64 = 1e-8;
 
+/// Where the range is cut, what hides between nodes may do so in every part: this share of the tolerance is asked for.
+const CUT: f64 = 0.1;
+
 /// What the rules are asked for away from ends, that more may be kept than is promised.
 pub(super) fn stricter(tolerance: f64) -> f64 {
     tolerance.min((STRICTER * tolerance).max(STRICT))
@@ -277,7 +280,11 @@ impl NumericSegment {
         let panel = if self.singular { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };
         // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
-        let rel_tol = if near_the_end { (SHARPER * tolerance).clamp(SHARP.0, SHARP.1).min(tolerance) } else { stricter(tolerance) };
+        let rel_tol = if near_the_end {
+            (SHARPER * tolerance).clamp(SHARP.0, SHARP.1).min(tolerance)
+        } else {
+            stricter(tolerance).min(CUT * tolerance)
+        };
         let options = Options { rel_tol, charge_x: false, rule: rule.unwrap_or_default(), ..Options::default() };
         let result = integrate_blocks(&mut integrand, &[panel], &options);
         let inner = |v: f64| {
