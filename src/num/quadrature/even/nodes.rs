@@ -92,7 +92,7 @@ pub(super) const GUARDS: usize = 4;
 const GUARD_PLACES: [f64; GUARDS] = [0.55, 0.2, 0.07, 1e-6];
 
 /// By how much a feature may be larger than the guards have seen.
-const BEYOND: f64 = 8.0;
+const BEYOND: f64 = 24.0;
 
 /// What belongs to one rule of the ladder.
 pub(super) struct Stage {
@@ -104,7 +104,7 @@ pub(super) struct Stage {
     pub(super) predict: [Vec<f64>; GUARDS],
     /// The sum of the magnitudes of these weights.
     pub(super) gain: [f64; GUARDS],
-    /// 1 − z at the last node, 16 times: what a feature about there can make of its height, of which the guards see a part.
+    /// 1 − z at the last node, some 50 times: what a feature about there can make of its height, of which the guards see a part.
     pub(super) beyond: f64,
     middles: [Vec<f64>; 3],
 }
