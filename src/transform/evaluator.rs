@@ -163,7 +163,11 @@ impl<'a> Evaluator<'a> {
     /// [`TransformError`]: outside the domain, no closed form where one is demanded, or no digits.
     pub fn slope(&self, x: f64) -> Result<Reading, TransformError> {
         self.check_domain("x", x)?;
-        self.combine(Quantity::Slope, x, &[x], |open| open.slope(x, self.tolerance).map(Some)).and_then(|r| finite(r, "x", x))
+        let integrate = |open: &NumericProfile| open.slope(x, self.tolerance);
+        if self.method == Method::Quadrature {
+            return self.integral_of(Quantity::Slope, x, integrate);
+        }
+        self.combine(Quantity::Slope, x, &[x], |open| integrate(open).map(Some)).and_then(|r| finite(r, "x", x))
     }
 
     /// F(a)/(2E*) under a smooth edge.
@@ -172,7 +176,31 @@ impl<'a> Evaluator<'a> {
     /// As [`Self::slope`].
     pub fn force(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        self.combine(Quantity::Force, a, &[a], |open| open.force(a, self.tolerance).map(Some)).and_then(|r| finite(r, "a", a))
+        let integrate = |open: &NumericProfile| open.force(a, self.tolerance);
+        if self.method == Method::Quadrature {
+            return self.integral_of(Quantity::Force, a, integrate);
+        }
+        self.combine(Quantity::Force, a, &[a], |open| integrate(open).map(Some)).and_then(|r| finite(r, "a", a))
+    }
+
+    /// g or F/(2E*) by quadrature alone: at once where f′ as typed has the digits, which is nearly always.
+    #[inline]
+    fn integral_of(
+        &self,
+        quantity: Quantity,
+        at: f64,
+        integrate: impl Fn(&NumericProfile) -> Result<Estimate, TransformError>,
+    ) -> Result<Reading, TransformError> {
+        let typed = self.typed().and_then(&integrate);
+        match typed {
+            Ok(own) if own.value.is_normal() && own.error <= self.tolerance * own.value.abs() => {
+                Ok(Reading { estimate: own, method: "quadrature" })
+            }
+            typed => {
+                let found = self.by_quadrature(quantity, at, &[at], typed.map(Some), |open| integrate(open).map(Some));
+                found.and_then(|reading| finite(reading, quantity.coordinate(), at))
+            }
+        }
     }
 
     /// p(r)·π/E* under a smooth edge of radius a; `None` where it is infinite by theory.
@@ -357,16 +385,11 @@ impl<'a> Evaluator<'a> {
         inputs: &[f64],
         integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
     ) -> Result<Option<Reading>, TransformError> {
-        let whole = || self.integrated(&integrate, contact);
+        let typed = || self.typed().and_then(&integrate);
         if self.method == Method::Quadrature {
-            return match whole() {
-                // An integrand that is 0/0 in doubles next to the axis may have a series.
-                Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                    self.by_series(quantity, inputs).map(Some).ok_or(error)
-                }
-                other => other,
-            };
+            return self.by_quadrature(quantity, contact, inputs, typed(), &integrate);
         }
+        let whole = || self.integrated(typed(), &integrate, contact);
         let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
         let (mut closed, mut open, mut evaluations, mut any_open) = (Bounded::exact(0.0), Bounded::exact(0.0), 0, false);
         let mut overflow = false;
@@ -447,21 +470,41 @@ impl<'a> Evaluator<'a> {
         }
     }
 
+    /// The whole where quadrature is demanded; `typed` is what f′ as typed has.
+    #[cold]
+    fn by_quadrature(
+        &self,
+        quantity: Quantity,
+        contact: f64,
+        inputs: &[f64],
+        typed: Result<Option<Estimate>, TransformError>,
+        integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
+    ) -> Result<Option<Reading>, TransformError> {
+        match self.integrated(typed, &integrate, contact) {
+            // An integrand that is 0/0 in doubles next to the axis may have a series.
+            Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
+                self.by_series(quantity, inputs).map(Some).ok_or(error)
+            }
+            other => other,
+        }
+    }
+
     /// The whole by quadrature of f′ as typed or, where that cancels or leaves the range of doubles, of its recognition form.
     fn integrated(
         &self,
+        typed: Result<Option<Estimate>, TransformError>,
         integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
         contact: f64,
     ) -> Result<Option<Reading>, TransformError> {
         let by_quadrature = |estimate| Reading { estimate, method: "quadrature" };
         // An exact 0 of a slope that is not 0 is an underflow, or a divisor that is infinite.
-        let own = |profile: &NumericProfile| match integrate(profile) {
+        let own = |profile: &NumericProfile, found: Result<Option<Estimate>, TransformError>| match found {
             Ok(Some(own)) if own.value == 0.0 && own.error == 0.0 && profile.reaches(contact) => {
                 Err(TransformError::NotComputable { at: contact })
             }
             other => other,
         };
-        let typed = self.typed().and_then(own);
+        let typed = self.typed().and_then(|profile| own(profile, typed));
         let enough = match &typed {
             Ok(Some(own)) => own.relative_error() <= self.tolerance,
             Ok(None) => true,
@@ -469,7 +512,7 @@ impl<'a> Evaluator<'a> {
             Err(_) => true,
         };
         if !enough
-            && let Ok(Some(other)) = self.recognised().and_then(own)
+            && let Ok(Some(other)) = self.recognised().and_then(|profile| own(profile, integrate(profile)))
             && typed.as_ref().map_or(true, |own| own.is_some_and(|own| other.error < own.error))
         {
             return Ok(Some(by_quadrature(other)));

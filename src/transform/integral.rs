@@ -188,6 +188,9 @@ impl NumericProfile {
 
     /// ∫ f′(x sin t)·weight dt over all intervals below x.
     fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
+        if let [segment] = self.segments.as_slice() {
+            return segment.over_angle(x, weight, tolerance, rule);
+        }
         let mut total = Bounded::exact(0.0);
         let mut evaluations = 0;
         for segment in &self.segments {

@@ -9,7 +9,7 @@ pub(crate) use program::Program;
 use super::Tape;
 
 /// Points that run through the whole tape together: what they need stays in the first-level cache.
-const BLOCK: usize = 128;
+const BLOCK: usize = 256;
 
 /// What every block of a thread shares; nothing is allocated after the first call of the largest tape.
 #[derive(Clone, Debug, Default)]
