@@ -12,6 +12,8 @@ use super::{Expr, ExprError, Node, Symbol};
 /// let r = Expr::symbol("r");
 /// let slope = derivative(&r.power(3), &Symbol::new("r")).unwrap();
 /// assert_eq!(slope, Expr::integer(3) * r.power(2));
+/// let slope = derivative(&Expr::call("ln", [Expr::call("cosh", [r.clone()])]), &Symbol::new("r")).unwrap();
+/// assert_eq!(slope, Expr::call("tanh", [r]));
 /// ```
 pub fn derivative(expr: &Expr, symbol: &Symbol) -> Result<Expr, ExprError> {
     if !expr.contains(symbol) {
@@ -50,6 +52,14 @@ pub fn derivative(expr: &Expr, symbol: &Symbol) -> Result<Expr, ExprError> {
                     continue;
                 }
                 let row = function.row();
+                // ln cosh v: sinh and cosh apart would overflow where tanh is 1.
+                if row.name == "ln"
+                    && let Node::Function(inside, list) = argument.node()
+                    && let ("cosh", [v]) = (inside.row().name, list.as_slice())
+                {
+                    terms.push(Expr::call("tanh", [v.clone()]) * derivative(v, symbol)?);
+                    continue;
+                }
                 let outer = row
                     .derivative
                     .and_then(|rule| rule(arguments, i))
