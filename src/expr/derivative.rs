@@ -52,14 +52,6 @@ pub fn derivative(expr: &Expr, symbol: &Symbol) -> Result<Expr, ExprError> {
                     continue;
                 }
                 let row = function.row();
-                // ln cosh v: sinh and cosh apart would overflow where tanh is 1.
-                if row.name == "ln"
-                    && let Node::Function(inside, list) = argument.node()
-                    && let ("cosh", [v]) = (inside.row().name, list.as_slice())
-                {
-                    terms.push(Expr::call("tanh", [v.clone()]) * derivative(v, symbol)?);
-                    continue;
-                }
                 let outer = row
                     .derivative
                     .and_then(|rule| rule(arguments, i))

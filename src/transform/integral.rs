@@ -223,6 +223,7 @@ pub(super) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
     let least = if found.error >= 0.5 * own { 0.95 * asked } else { 0.0 };
     Estimate { error: found.error.max(least), ..found }
 }
+
 /// Most points of a rule.
 pub(super) const MOST: usize = 61;
 

@@ -2,7 +2,7 @@
 
 use super::precise::{self, one, to_edge, to_one, to_pole};
 use super::{Function, Latex, PLAIN, Row, slices};
-use crate::expr::{Expr, Number, Sign, sign};
+use crate::expr::{Expr, Node, Number, Sign, sign};
 use crate::num::{DoubleDouble, precise as thirty};
 use num_complex::Complex64;
 
@@ -39,7 +39,15 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| to_pole(by, z.hi - 2.0 * by))),
         slice: Some(slices::LN),
         complex: Some(|a| complex(a, Complex64::ln)),
-        derivative: Some(|a, _| Some(first(a).recip())),
+        derivative: Some(|a, _| {
+            // The slope of cosh v is sinh v: the quotient of both would overflow where tanh v is 1.
+            if let Node::Function(inside, list) = first(a).node()
+                && let ("cosh", [v]) = (inside.row().name, list.as_slice())
+            {
+                return Some(Expr::call("tanh", [v.clone()]) / Expr::call("sinh", [v.clone()]));
+            }
+            Some(first(a).recip())
+        }),
         fold: Some(|a| match a {
             [u] if u.is_one() => Some(Expr::zero()),
             [u] if *u == Expr::euler() => Some(Expr::one()),

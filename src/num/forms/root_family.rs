@@ -10,7 +10,7 @@ use crate::num::stable::{artanh_quotient, exponent, ldexp};
 /// Accuracy: measured at most 1.1 ulp; for `x << R` it is `x/R` rounded once, and near `x = R` the difference
 /// `R - x` is exact.
 ///
-/// Source: MDR chapter, sphere; written as `log1p(2x/(R-x))/2`.
+/// Source: MDR chapter, sphere; written as `log1p(2x/(R-x))/2`, and beyond `R/3` as `ln((R+x)/(R-x))/2`.
 ///
 /// ```
 /// use sneddon::num::forms::artanh_ratio;

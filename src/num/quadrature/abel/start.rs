@@ -11,6 +11,8 @@ use std::sync::LazyLock;
 const NODES: usize = 96;
 /// Steps per unit of the double-exponential variable, the finest.
 const FINEST: usize = 16;
+/// Nodes of the finest rule that are never left out, down to v = 2.
+const LEAST_NODES: usize = 2 * FINEST + 1;
 /// Nodes that are asked at a time.
 const CHUNK: usize = 8;
 
@@ -193,9 +195,10 @@ impl Trapezium {
                 while small > 0 && size(small - 1) <= nothing {
                     small -= 1;
                 }
-                if count == CHUNK && small + 2 <= count {
+                // What is zero everywhere is looked for to the end, and all else down to 3e-5 of x.
+                if count == CHUNK && small + 2 <= count && self.size > 0.0 {
                     self.tail = 16.0 * (size(small) + size(small + 1));
-                    self.deepest = index[small] + 1;
+                    self.deepest = (index[small] + 1).max(LEAST_NODES);
                     break;
                 }
                 self.tail = 4.0 * (last[0] + last[1]);
