@@ -397,7 +397,8 @@ fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), Transfo
 #[cfg(feature = "parallel")]
 fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), TransformError> {
     use rayon::iter::{IntoParallelIterator, ParallelIterator};
-    if points.len() <= 2 * TASK {
+    // With one thread the caller does the work itself: its points are in the memory next to it.
+    if points.len() <= 2 * TASK || rayon::current_num_threads() == 1 {
         return run(points, out);
     }
     let mut errors = out.errors.map(|errors| errors.chunks_mut(TASK));
