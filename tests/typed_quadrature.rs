@@ -4,8 +4,9 @@
 mod common;
 
 use common::decimal::Decimal;
+use common::random::Stream;
 use serde_json::Value;
-use sneddon::expr::Bindings;
+use sneddon::expr::{Bindings, Expr};
 use sneddon::num::Bounded;
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, NumericProfile, Profile, Solution, derive};
@@ -14,36 +15,36 @@ const TOLERANCE: f64 = 1e-12;
 
 /// Most evaluations for g at the first and at the last of the catalogue's places, for F, and for p in the middle of its places.
 const COUNTS: [(&str, [u64; 4]); 30] = [
-    ("cone", [12, 12, 24, 144]),
-    ("paraboloid", [12, 12, 12, 30]),
-    ("quartic", [12, 12, 12, 30]),
+    ("cone", [2, 2, 6, 144]),
+    ("paraboloid", [2, 2, 2, 30]),
+    ("quartic", [2, 2, 2, 30]),
     ("sqrt", [48, 48, 43, 530]),
     ("power_n", [43, 43, 349, 530]),
-    ("cone_paraboloid", [12, 12, 24, 288]),
-    ("poly10", [24, 40, 40, 800]),
+    ("cone_paraboloid", [5, 5, 7, 288]),
+    ("poly10", [7, 12, 12, 800]),
     ("power_log", [24, 40, 40, 480]),
     ("r2_log_r", [50, 50, 349, 530]),
-    ("sphere", [12, 12, 24, 541]),
-    ("ellipsoid", [12, 12, 24, 541]),
-    ("hyperboloid", [12, 72, 40, 84]),
-    ("lorentzian", [12, 136, 136, 676]),
-    ("waviness", [12, 24, 24, 30]),
-    ("wavy_paraboloid", [12, 24, 24, 30]),
-    ("gaussian", [12, 40, 40, 84]),
-    ("exp_growth", [12, 40, 40, 800]),
-    ("log_quadratic", [12, 72, 72, 84]),
-    ("r_arctan", [12, 72, 72, 84]),
-    ("log_linear", [12, 40, 40, 480]),
-    ("erf", [12, 40, 72, 645]),
-    ("r2_gauss", [12, 40, 40, 676]),
-    ("ln_cosh", [12, 40, 40, 84]),
-    ("worn_paraboloid", [0, 12, 12, 530]),
-    ("truncated_cone", [0, 12, 24, 530]),
-    ("rounded_edge_punch", [0, 12, 24, 530]),
-    ("capped_cone", [12, 33, 45, 795]),
+    ("sphere", [2, 12, 24, 541]),
+    ("ellipsoid", [2, 12, 24, 541]),
+    ("hyperboloid", [2, 28, 28, 84]),
+    ("lorentzian", [3, 40, 40, 676]),
+    ("waviness", [2, 8, 9, 30]),
+    ("wavy_paraboloid", [2, 8, 8, 30]),
+    ("gaussian", [2, 12, 12, 84]),
+    ("exp_growth", [6, 12, 14, 800]),
+    ("log_quadratic", [2, 32, 32, 84]),
+    ("r_arctan", [2, 32, 32, 84]),
+    ("log_linear", [6, 20, 20, 480]),
+    ("erf", [6, 22, 22, 645]),
+    ("r2_gauss", [2, 14, 14, 676]),
+    ("ln_cosh", [2, 24, 24, 84]),
+    ("worn_paraboloid", [0, 2, 2, 530]),
+    ("truncated_cone", [0, 2, 6, 530]),
+    ("rounded_edge_punch", [0, 5, 7, 530]),
+    ("capped_cone", [2, 23, 27, 795]),
     ("worn_sphere", [0, 12, 24, 541]),
-    ("worn_cosine", [0, 24, 24, 572]),
-    ("concave_paraboloid", [12, 12, 12, 30]),
+    ("worn_cosine", [0, 6, 6, 572]),
+    ("concave_paraboloid", [2, 2, 2, 30]),
 ];
 
 fn each(mut visit: impl FnMut(&str, &NumericProfile, &Value)) {
@@ -83,6 +84,49 @@ fn evaluations_per_profile() {
         }
     });
     assert!(off.is_empty(), "more evaluations than before:\n{}", off.join("\n"));
+}
+
+/// The one rule that f′ itself says is enough, against the closed form: at places of every size, with estimates that hold and a fraction
+/// of the evaluations that the other rules take.
+#[test]
+fn rules_that_are_known_to_suffice() {
+    let mut stream = Stream::new(20_261_122);
+    let (mut met, mut all) = (0, 0);
+    for (text, end, most) in [
+        ("r^2/(2*R)", 1e9, 2),
+        ("r - r^3/9", 1e3, 8),
+        ("h*(1-exp(-r^2/q))", 6.0, 56),
+        ("h*(1-cos(k*r))", 10.0, 24),
+        ("R-sqrt(R^2-r^2)", 0.69, 16),
+        ("sqrt(h^2+r^2)-h", 4.0, 40),
+        ("R*(exp(r/R)-1)", 20.0, 24),
+        ("h*ln(1+r^2/q)", 4.0, 48),
+        ("h*max(0, r-b)", 1e3, 7),
+        ("piecewise(0, r<b, (r^2-b^2)/(2*R))", 1e6, 2),
+        ("h*r^2/(q+r^2)", 4.0, 48),
+        ("r*atan(r/R)", 3.0, 48),
+    ] {
+        let numbers: Bindings =
+            [("R", 1), ("h", 2), ("q", 3), ("k", 2), ("b", 1)].map(|(name, v)| (name, Expr::integer(v))).into_iter().collect();
+        let formula = parse::profile(text).unwrap().substitute(&numbers);
+        let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
+        let own = Evaluator::new(&solution, &Bindings::default(), Method::Quadrature, TOLERANCE).unwrap();
+        let closed = Evaluator::new(&solution, &Bindings::default(), Method::Exact, 1e-15).unwrap();
+        for _ in 0..200 {
+            let x = stream.log_uniform(1e-7, 1.0) * end;
+            for (found, truth) in [(own.slope(x), closed.slope(x)), (own.force(x), closed.force(x)), (own.integral(x), closed.integral(x))]
+            {
+                let (found, truth) = (found.unwrap().estimate, truth.unwrap().estimate);
+                let off = (found.value - truth.value).abs();
+                assert!(off <= found.error + truth.error, "{text} at {x}: {found:?}, is {truth:?}");
+                assert!(found.evaluations <= most, "{text} at {x}: {found:?}");
+                met += usize::from(found.error <= TOLERANCE * found.value.abs());
+                all += 1;
+            }
+        }
+    }
+    // What cancels does not.
+    assert!(100 * met > 98 * all, "{met} of {all} within the tolerance");
 }
 
 /// One integral of f′ and f″ with Carlson's kernel, no closed form and no expansion: 1e−13 at every place of the catalogue.

@@ -1,7 +1,7 @@
 //! The kinds of value that an expression can be walked with.
 
 use crate::expr::{Function, Row};
-use crate::num::{Bounded, DoubleDouble, Precise, real_power};
+use crate::num::{Bounded, DoubleDouble, Precise, Region, real_power};
 use num_complex::Complex64;
 use std::sync::OnceLock;
 
@@ -172,5 +172,38 @@ impl Algebra for ComplexAlgebra {
     }
     fn call(&mut self, function: Function, arguments: &[Complex64]) -> Complex64 {
         function.row().complex.map_or(Complex64::new(f64::NAN, f64::NAN), |f| f(arguments))
+    }
+}
+
+/// Rectangles that hold every value for arguments in rectangles; unknown where the expression is, or may be, not analytic.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RegionAlgebra;
+
+impl Algebra for RegionAlgebra {
+    type Value = Region;
+    fn constant(&mut self, number: Precise) -> Region {
+        let (value, error) = (number.value.hi, number.value.lo.abs() + number.error);
+        if error == 0.0 { Region::real(value) } else { Region::new(((value - error).next_down(), (value + error).next_up()), (0.0, 0.0)) }
+    }
+    fn add(&mut self, a: Region, b: Region) -> Region {
+        a + b
+    }
+    fn subtract(&mut self, a: Region, b: Region) -> Region {
+        a - b
+    }
+    fn multiply(&mut self, a: Region, b: Region) -> Region {
+        a * b
+    }
+    fn divide(&mut self, a: Region, b: Region) -> Region {
+        a / b
+    }
+    fn square_root(&mut self, a: Region) -> Region {
+        a.sqrt()
+    }
+    fn power(&mut self, a: Region, b: Region) -> Region {
+        a.power(b)
+    }
+    fn call(&mut self, function: Function, arguments: &[Region]) -> Region {
+        function.row().region.map_or_else(Region::unknown, |region| region(arguments))
     }
 }

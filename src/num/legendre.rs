@@ -41,6 +41,21 @@ pub(crate) fn rule_of(count: usize) -> Vec<Node> {
     (0..count).map(|index| node_of(count, index)).collect()
 }
 
+/// A positive node z of a rule on [−1, 1], √(1 − z²), and its weight in the mean of an even function.
+pub(crate) struct EvenNode {
+    pub(crate) z: DoubleDouble,
+    pub(crate) cosine: DoubleDouble,
+    pub(crate) weight: f64,
+}
+
+/// The positive nodes of the rule with an even number of nodes, in increasing order.
+pub(crate) fn positive_half_of(count: usize) -> impl Iterator<Item = EvenNode> {
+    (0..count / 2).rev().map(move |index| {
+        let (z, one_minus_square, weight) = root_of(count, index);
+        EvenNode { z, cosine: one_minus_square.sqrt(), weight: weight.scale(2.0).value() }
+    })
+}
+
 /// `P_n(x)` and `P_{n-1}(x)`.
 fn legendre(count: usize, x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let (mut previous, mut current) = (DoubleDouble::ONE, x);
@@ -53,16 +68,35 @@ fn legendre(count: usize, x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     (current, previous)
 }
 
+/// The same in doubles.
+fn legendre_double(count: usize, x: f64) -> (f64, f64) {
+    (2..=count).fold((x, 1.0), |(current, previous), degree| {
+        let k = degree as f64;
+        (((2.0 * k - 1.0) * x * current - (k - 1.0) * previous) / k, current)
+    })
+}
+
 fn node(index: usize) -> Node {
     node_of(NODES, index)
 }
 
 /// The node number `index`, counted from `t = 0`.
 fn node_of(count: usize, index: usize) -> Node {
+    let (x, _, weight) = root_of(count, index);
+    Node { t: DoubleDouble::ONE.sub(x).scale(0.5).value(), rest: DoubleDouble::ONE.add(x).scale(0.5).value(), weight: weight.value() }
+}
+
+/// A root x of `P_n`, falling from 1, with 1 − x² and its weight.
+fn root_of(count: usize, index: usize) -> (DoubleDouble, DoubleDouble, DoubleDouble) {
     let n = count as f64;
-    // x = 1 - 2t decreases from 1 as t grows; Tricomi's guess is good to three digits, Newton doubles them.
-    let mut x = DoubleDouble::from((std::f64::consts::PI * (index as f64 + 0.75) / (n + 0.5)).cos());
-    for _ in 0..6 {
+    // x = 1 - 2t decreases from 1 as t grows; Tricomi's guess is good to three digits, Newton doubles them: to those of a double first.
+    let mut guess = (std::f64::consts::PI * (index as f64 + 0.75) / (n + 0.5)).cos();
+    for _ in 0..4 {
+        let (value, previous) = legendre_double(count, guess);
+        guess -= value * (1.0 - guess) * (1.0 + guess) / (n * (previous - guess * value));
+    }
+    let mut x = DoubleDouble::from(guess);
+    for _ in 0..2 {
         let (value, previous) = legendre(count, x);
         let one_minus_square = DoubleDouble::ONE.sub(x.mul(x));
         let slope = previous.sub(x.mul(value)).mul(n.into()).div(one_minus_square);
@@ -71,11 +105,7 @@ fn node_of(count: usize, index: usize) -> Node {
     let (_, previous) = legendre(count, x);
     let one_minus_square = DoubleDouble::ONE.sub(x.mul(x));
     let scaled = previous.mul(n.into());
-    Node {
-        t: DoubleDouble::ONE.sub(x).scale(0.5).value(),
-        rest: DoubleDouble::ONE.add(x).scale(0.5).value(),
-        weight: one_minus_square.div(scaled.mul(scaled)).value(),
-    }
+    (x, one_minus_square, one_minus_square.div(scaled.mul(scaled)))
 }
 
 #[cfg(test)]

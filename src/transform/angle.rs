@@ -10,7 +10,7 @@ use crate::num::quadrature::{CHUNK, EvenIntegrand, Extent, Form, Mean, Nodes, Ra
 /// Most evaluations before the range is bisected instead.
 const MOST: u64 = 400;
 /// Beyond this share of the way to its limit f′ is taken from the distance to the limit.
-const NEAR_THE_LIMIT: f64 = 0.7;
+pub(super) const NEAR_THE_LIMIT: f64 = 0.7;
 
 impl NumericSegment {
     /// The integral, where this segment reaches up to x and the rules meet the tolerance.
@@ -73,6 +73,15 @@ impl NumericSegment {
         // No more is promised than was asked for where the rules leave out more than rounding noise.
         let least = if left_out > noise { 0.97 * tolerance * largest(value) } else { 0.0 };
         Ok(Some(with_rounding(Estimate { value, error: least.max(left_out + noise), evaluations })))
+    }
+}
+
+impl NumericSegment {
+    /// f′ as an even integrand, from its lower end on.
+    #[inline]
+    pub(super) fn integrand(&self, x: f64, weight: Weight, form: Form, extent: Extent) -> Even<'_> {
+        let source = Source { numbers: &self.slope, doubt: self.lower.error, weight, x, from_limit: None, scratch: Scratch::take() };
+        Even { source, form, extent }
     }
 }
 
@@ -152,7 +161,8 @@ impl Source<'_> {
     }
 }
 
-struct Even<'a> {
+/// f′ times the weight and the factor of the variable.
+pub(super) struct Even<'a> {
     source: Source<'a>,
     form: Form,
     extent: Extent,

@@ -1,6 +1,7 @@
 //! The fallback: every quantity as one integral straight from f′, by quadrature.
 
 use super::TransformError;
+use super::continued::Continued;
 use super::parity::{Parity, parity};
 use super::slope_source::{NO_BEND, Numbers, Scratch};
 use super::term::Segment;
@@ -31,6 +32,8 @@ pub(super) struct NumericSegment {
     pub(super) odd: bool,
     /// Where f′ ends, if that is known.
     pub(super) limit: Option<Limit>,
+    /// How many nodes suffice.
+    pub(super) continued: Continued,
 }
 
 /// The end of f′, as the equator of a sphere.
@@ -72,7 +75,17 @@ impl NumericProfile {
             let singular = is_singular(&slope, lower.value, upper.map(|u| u.value));
             let odd = parity(&slope_expr, &Symbol::new("r")) == Some(Parity::Odd);
             let source = Some((slope_expr, lower_expr));
-            segments.push(NumericSegment { lower, upper, slope, source, bend: OnceLock::new(), singular, odd, limit: None });
+            segments.push(NumericSegment {
+                lower,
+                upper,
+                slope,
+                source,
+                bend: OnceLock::new(),
+                singular,
+                odd,
+                limit: None,
+                continued: Continued::default(),
+            });
         }
         Ok(Self { segments })
     }
@@ -235,10 +248,14 @@ impl NumericSegment {
         if lower >= x {
             return Ok(Estimate { value: 0.0, error: smear, evaluations: 0 });
         }
-        if rule.is_none()
-            && let Some(found) = self.by_nested_rules(x, weight, tolerance)?
-        {
-            return Ok(Estimate { error: found.error + smear, ..found });
+        if rule.is_none() {
+            let found = match self.by_known_rule(x, weight, tolerance)? {
+                Some(found) => Some(found),
+                None => self.by_nested_rules(x, weight, tolerance)?,
+            };
+            if let Some(found) = found {
+                return Ok(Estimate { error: found.error + smear, ..found });
+            }
         }
         let end = self.upper.map_or(f64::INFINITY, |u| u.value);
         let width = forms::angle_between(lower, end, x);

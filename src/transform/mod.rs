@@ -6,6 +6,7 @@ mod axial;
 mod check;
 mod closed;
 mod closure;
+mod continued;
 mod curve;
 mod domain;
 mod engine;

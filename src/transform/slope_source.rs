@@ -1,6 +1,7 @@
 //! Where the numbers of f′ come from on one segment: a compiled expression, or anything else that can say f′ and (r f′)′.
 
 use super::TransformError;
+use super::continued::Continued;
 use super::integral::{NumericProfile, NumericSegment};
 use crate::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, Tape};
 use crate::num::Bounded;
@@ -150,6 +151,7 @@ impl NumericSegment {
             singular,
             odd: false,
             limit: None,
+            continued: Continued::default(),
         }
     }
 }

@@ -1,6 +1,6 @@
 """Patterson's nested rules of 7 to 511 points for even integrands, as Rust source.
 
-Run with mpmath; prints the body of src/num/quadrature/patterson.rs from its first `static`.
+Run with mpmath; prints the body of src/num/quadrature/even/patterson.rs from its first `static`.
 From the Gauss rule of 3 points on, each rule keeps the nodes of the one before and adds n + 1: the roots of
 E, orthogonal to the old nodal polynomial times everything of degree <= n (T. N. L. Patterson, Math. Comp. 22, 1968).
 Only the half z >= 0 is printed, the centre first; in that half the old nodes are the even positions.
@@ -140,7 +140,7 @@ def legendre_rows(nodes, w, top):
 def literals(values, indent):
     text = [repr(float(v)) for v in values]
     pad = " " * indent
-    lines = [", ".join(text[i:i + 7]) for i in range(0, len(text), 7)]
+    lines = [", ".join(text[i:i + 8]) for i in range(0, len(text), 8)]
     return "[\n" + "".join(f"{pad}    {line},\n" for line in lines) + pad + "]"
 
 
@@ -171,7 +171,11 @@ def main():
     print(f"pub(super) static NODES: [f64; {n}] = {literals(nodes, 0)};\n")
     print("/// √(1 − z²) of the same nodes.")
     print("#[rustfmt::skip]")
-    print(f"pub(super) static COSINES: [f64; {n}] = {literals([sqrt((1 - z) * (1 + z)) for z in nodes], 0)};\n")
+    cosines = [sqrt((1 - z) * (1 + z)) for z in nodes]
+    print(f"pub(super) static COSINES: [f64; {n}] = {literals(cosines, 0)};\n")
+    print("/// What the doubles leave of them.")
+    print("#[rustfmt::skip]")
+    print(f"pub(super) static COSINE_RESTS: [f64; {n}] = {literals([c - mpf(float(c)) for c in cosines], 0)};\n")
     for points, degree, w, rows in levels:
         half = len(w)
         print(f"/// {points} points, {half} of them in the half; exact up to degree {degree}.")

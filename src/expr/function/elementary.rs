@@ -3,8 +3,9 @@
 use super::precise::{self, one, to_edge, to_one, to_pole};
 use super::{Function, Latex, PLAIN, Row, slices};
 use crate::expr::{Expr, Node, Number, Sign, sign};
-use crate::num::{DoubleDouble, precise as thirty};
+use crate::num::{DoubleDouble, Region, precise as thirty};
 use num_complex::Complex64;
+use std::f64::consts::FRAC_PI_2;
 
 /// Twice the measured maximum error of the platform's elementary functions, in ulps.
 const LIBRARY: f64 = 2.0;
@@ -19,6 +20,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| z.hi.exp() * by.exp_m1())),
         slice: Some(slices::EXP),
         complex: Some(|a| complex(a, Complex64::exp)),
+        region: Some(|a| region(a, Region::exp)),
         derivative: Some(|a, _| Some(call("exp", a))),
         fold: Some(|a| match a {
             [u] if u.is_zero() => Some(Expr::one()),
@@ -39,6 +41,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| to_pole(by, z.hi - 2.0 * by))),
         slice: Some(slices::LN),
         complex: Some(|a| complex(a, Complex64::ln)),
+        region: Some(|a| region(a, Region::ln)),
         derivative: Some(|a, _| {
             // The slope of cosh v is sinh v: the quotient of both would overflow where tanh v is 1.
             if let Node::Function(inside, list) = first(a).node()
@@ -67,6 +70,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.cos().abs() + z.lo.abs() + by))),
         slice: Some(slices::SIN),
         complex: Some(|a| complex(a, Complex64::sin)),
+        region: Some(|a| region(a, Region::sin)),
         derivative: Some(|a, _| Some(call("cos", a))),
         fold: Some(|a| odd("sin", a)),
         ..PLAIN
@@ -80,6 +84,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.sin().abs() + z.lo.abs() + by))),
         slice: Some(slices::COS),
         complex: Some(|a| complex(a, Complex64::cos)),
+        region: Some(|a| region(a, Region::cos)),
         derivative: Some(|a, _| Some(-call("sin", a))),
         fold: Some(|a| even("cos", a)),
         ..PLAIN
@@ -98,6 +103,7 @@ pub(super) static ROWS: &[Row] = &[
         }),
         slice: Some(slices::TAN),
         complex: Some(|a| complex(a, Complex64::tan)),
+        region: Some(|a| region(a, Region::tan)),
         derivative: Some(|a, _| Some(Expr::one() + call("tan", a).power(2))),
         fold: Some(|a| odd("tan", a)),
         ..PLAIN
@@ -112,6 +118,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| to_edge(by, to_one(z, by), 1.0 + z.hi.abs() - by))),
         slice: Some(slices::ASIN),
         complex: Some(|a| complex(a, Complex64::asin)),
+        region: Some(|a| region(a, Region::asin)),
         derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).sqrt().recip())),
         fold: Some(|a| odd("asin", a)),
         sign: Some(sign_of_argument),
@@ -128,6 +135,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| to_edge(by, to_one(z, by), 1.0 + z.hi.abs() - by))),
         slice: Some(slices::ACOS),
         complex: Some(|a| complex(a, Complex64::acos)),
+        region: Some(|a| Region::real(FRAC_PI_2) - region(a, Region::asin)),
         derivative: Some(|a, _| Some(-(Expr::one() - first(a).power(2)).sqrt().recip())),
         fold: Some(|a| first(a).is_one().then(Expr::zero)),
         domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
@@ -143,6 +151,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| by / (1.0 + (z.hi.abs() - by).max(0.0).powi(2)))),
         slice: Some(slices::ATAN),
         complex: Some(|a| complex(a, Complex64::atan)),
+        region: Some(|a| region(a, Region::atan)),
         derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).recip())),
         fold: Some(|a| odd("atan", a)),
         sign: Some(sign_of_argument),
@@ -157,6 +166,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.abs() + by).cosh())),
         slice: Some(slices::SINH),
         complex: Some(|a| complex(a, Complex64::sinh)),
+        region: Some(|a| region(a, Region::sinh)),
         derivative: Some(|a, _| Some(call("cosh", a))),
         fold: Some(|a| odd("sinh", a)),
         sign: Some(sign_of_argument),
@@ -171,6 +181,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| by * (z.hi.abs() + by).sinh())),
         slice: Some(slices::COSH),
         complex: Some(|a| complex(a, Complex64::cosh)),
+        region: Some(|a| region(a, Region::cosh)),
         derivative: Some(|a, _| Some(call("sinh", a))),
         fold: Some(|a| even("cosh", a)),
         sign: Some(|_| Sign::Positive),
@@ -185,6 +196,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| by / (z.hi.abs() - by).max(0.0).cosh().powi(2))),
         slice: Some(slices::TANH),
         complex: Some(|a| complex(a, Complex64::tanh)),
+        region: Some(|a| region(a, Region::tanh)),
         // Not 1/cosh², which overflows where it hardly counts.
         derivative: Some(|a, _| Some(Expr::one() - call("tanh", a).power(2))),
         fold: Some(|a| odd("tanh", a)),
@@ -201,6 +213,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| by / 1.0_f64.hypot((z.hi.abs() - by).max(0.0)))),
         slice: Some(slices::ASINH),
         complex: Some(|a| complex(a, Complex64::asinh)),
+        region: Some(|a| region(a, Region::asinh)),
         derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).sqrt().recip())),
         fold: Some(|a| odd("asinh", a)),
         sign: Some(sign_of_argument),
@@ -231,6 +244,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| one(a, by, |z, by| to_pole(by, to_one(z, by) * (1.0 + z.hi.abs() - by).max(0.0)))),
         slice: Some(slices::ATANH),
         complex: Some(|a| complex(a, Complex64::atanh)),
+        region: Some(|a| region(a, Region::atanh)),
         derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).recip())),
         fold: Some(|a| odd("atanh", a)),
         sign: Some(sign_of_argument),
@@ -330,6 +344,13 @@ fn complex(a: &[Complex64], f: fn(Complex64) -> Complex64) -> Complex64 {
     match a {
         [z] => f(*z),
         _ => Complex64::new(f64::NAN, f64::NAN),
+    }
+}
+
+pub(super) fn region(a: &[Region], f: fn(Region) -> Region) -> Region {
+    match a {
+        [z] => f(*z),
+        _ => Region::unknown(),
     }
 }
 

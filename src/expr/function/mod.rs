@@ -13,7 +13,7 @@ pub(crate) use forms::elliptic_moment_parts;
 pub use slices::{Growth, SliceLaw};
 
 use super::{Expr, Sign};
-use crate::num::{DoubleDouble, Precise};
+use crate::num::{DoubleDouble, Precise, Region};
 use num_complex::Complex64;
 use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
@@ -42,6 +42,8 @@ pub struct Row {
     pub sweep: Option<Sweep>,
     /// The value at complex arguments, for elementary functions.
     pub complex: Option<fn(&[Complex64]) -> Complex64>,
+    /// Where the values lie for complex arguments in rectangles, unknown where the function is not analytic.
+    pub region: Option<fn(&[Region]) -> Region>,
     /// The derivative with respect to the argument at the given position.
     pub derivative: Option<DerivativeLaw>,
     /// A shorter canonical form for these arguments, where there is one.
@@ -89,6 +91,7 @@ pub(super) const PLAIN: Row = Row {
     slice: None,
     sweep: None,
     complex: None,
+    region: None,
     derivative: None,
     fold: None,
     sign: None,

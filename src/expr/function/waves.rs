@@ -1,10 +1,10 @@
 //! Rows of the functions of exponential type: Bessel and Struve functions, error functions, Dawson's and Fresnel's integrals.
 
-use super::elementary::{binary, first, negated, odd, unary};
+use super::elementary::{binary, first, negated, odd, region, unary};
 use super::precise::{pair, single};
 use super::{Latex, PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
-use crate::num::{DoubleDouble, special};
+use crate::num::{DoubleDouble, Region, special};
 
 /// A 30-digit value rounded: half an ulp and a hair.
 const ROUNDED: f64 = 1.1;
@@ -16,6 +16,7 @@ pub(super) static ROWS: &[Row] = &[
         value: |a| unary(a, libm::erf),
         ulps: 2.0,
         precise: Some(|a| single(a, special::erf_precise)),
+        region: Some(|a| region(a, Region::erf)),
         derivative: Some(|a, _| Some(gaussian(a, -1))),
         fold: Some(|a| odd("erf", a)),
         sign: Some(|a| sign(&first(a))),
@@ -76,6 +77,7 @@ pub(super) static ROWS: &[Row] = &[
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::besselj_precise)),
         spread: Some(|a, by| wave_spread(a, by, special::besselj)),
+        region: Some(|a| of_order(a, Region::besselj)),
         derivative: Some(|a, i| bessel_derivative("besselj", a, i, -1)),
         fold: Some(|a| bessel_fold("besselj", a, -1)),
         ..PLAIN
@@ -87,6 +89,7 @@ pub(super) static ROWS: &[Row] = &[
         value: |a| binary(a, special::besseli),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::besseli_precise)),
+        region: Some(|a| of_order(a, Region::besseli)),
         derivative: Some(|a, i| bessel_derivative("besseli", a, i, 1)),
         fold: Some(|a| bessel_fold("besseli", a, 1)),
         sign: Some(positive_order_and_argument),
@@ -144,6 +147,14 @@ pub(super) static ROWS: &[Row] = &[
         ..PLAIN
     },
 ];
+
+/// A function of an order that is a number, and of z.
+fn of_order(a: &[Region], f: fn(Region, f64) -> Region) -> Region {
+    match a {
+        [order, z] => order.as_real().map_or_else(Region::unknown, |n| f(*z, n)),
+        _ => Region::unknown(),
+    }
+}
 
 /// (2/√π) e^(±z²).
 fn gaussian(a: &[Expr], sign: i64) -> Expr {

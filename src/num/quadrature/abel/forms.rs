@@ -1,6 +1,6 @@
 //! The variables in which f′(r)/√(x² − r²) becomes a smooth even function, r/x = cos τ.
 
-use super::super::even::{Middles, Nodes};
+use super::super::even::{Middles, Nodes, halves};
 use super::Radii;
 
 /// Most places that are asked together.
@@ -108,6 +108,13 @@ impl Form {
         for ((r, below), (cosine, versine)) in r.iter_mut().zip(&mut below).zip(cosines.iter().zip(versines)) {
             *r = extent.x * cosine;
             *below = extent.rest + extent.x * versine;
+        }
+        if let Self::AxisSine = self {
+            // x times the cosine with one rounding: of a wave, every rounding of r shows.
+            let (high, low) = halves(extent.x);
+            for (r, (cosine, rest)) in r.iter_mut().zip(nodes.split.0.iter().zip(nodes.split.1)) {
+                *r = high * cosine + (low * cosine + extent.x * rest);
+            }
         }
         if let (Some(r), Some(below)) = (r.get(..nodes.z.len()), below.get(..nodes.z.len())) {
             show(Radii { r, past_start: r, below_limit: below }, factor);

@@ -1,11 +1,11 @@
 //! One integral over the angle per piece of f′: nested rules where they suffice, else adaptive bisection.
 
 use super::super::adaptive::{Options, integrate_blocks};
-use super::super::even::{self, EvenIntegrand, Mean, Middles, Nodes};
+use super::super::even::{self, EvenIntegrand, Known, Mean, Middles, Nodes};
 use super::super::{Panel, Point};
 use super::forms::{Extent, Form};
 use super::start::{Wish, from_the_axis};
-use super::{AbelOptions, Radii, Start};
+use super::{AbelOptions, Radii, Start, Strip};
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, NumError};
 
@@ -95,6 +95,11 @@ fn last<const FORCE: bool>(
             None => bisected::<FORCE>(slope, lower, &extent, options).map(|own| Estimate { evaluations: own.evaluations + spent, ..own }),
         };
     }
+    if let (Some(strip), None) = (&options.strip, options.limit)
+        && let Some(found) = in_a_strip::<FORCE>(slope, &extent, strip, options)?
+    {
+        return Ok(found);
+    }
     let form = Form::choose(&extent, options.start == Start::Odd, options.limit);
     let scale = form.scale(&extent);
     let mut integrand = Blocks::<_, FORCE> { slope, form, extent, roundings: options.roundings };
@@ -116,6 +121,46 @@ fn last<const FORCE: bool>(
         return Err(NumError::ToleranceNotReached { value, error, requested, evaluations });
     }
     bisected::<FORCE>(slope, lower, &extent, options).map(|own| Estimate { evaluations: own.evaluations + evaluations, ..own })
+}
+
+/// The mean of f′ is guessed to be this share of the bound, and less where x is less than the height; where it is smaller still another
+/// rule is taken.
+const GUESS: f64 = 1e-3;
+
+/// The piece that ends at x, by the one rule that suffices for an f′ that is bounded in a strip; `None` where there is none.
+fn in_a_strip<const FORCE: bool>(
+    slope: &mut impl FnMut(Radii<'_>, &mut [f64]),
+    extent: &Extent,
+    strip: &Strip,
+    options: &AbelOptions<'_>,
+) -> Result<Option<Estimate>, NumError> {
+    let x = extent.x;
+    let odd = options.start == Start::Odd;
+    let (wide, high) = (x.hypot(strip.height) / x, strip.height / x);
+    // r = x cos τ: |Im τ| up to arsinh(h/x), where |cos τ| ≥ h/x at the upper end.
+    let sigma = if odd { high.asinh() } else { (high.asinh() / extent.angle()).asinh() };
+    let largest = strip.largest * if odd { 1.0 / high } else { 1.0 } * if FORCE { (wide * x).powi(2) } else { 1.0 };
+    if !(strip.height > 0.0 && largest <= f64::MAX && sigma <= f64::MAX) {
+        return Ok(None);
+    }
+    let form = Form::choose(extent, odd, None);
+    let scale = form.scale(extent);
+    let mut evaluations = 0;
+    let mut wanted = GUESS * options.rel_tol * strip.largest / high.max(1.0) * if FORCE { x * x } else { 1.0 };
+    for _ in 0..2 {
+        let wish = wanted.max(0.5 * options.abs_tol / scale);
+        let Some(known) = Known::fewest(sigma, largest, wish) else { return Ok(None) };
+        let mut integrand = Blocks::<_, FORCE> { slope: &mut *slope, form, extent: *extent, roundings: options.roundings };
+        let found = known.mean(&mut integrand)?;
+        evaluations += found.evaluations;
+        let value = scale * found.value;
+        let error = scale * (found.left_out + found.noise) + 8.0 * UNIT * value.abs();
+        if error <= target(options, value) {
+            return Ok(Some(Estimate { value, error, evaluations }));
+        }
+        wanted = 0.1 * options.rel_tol * found.value.abs();
+    }
+    Ok(None)
 }
 
 /// Places at which a closure is asked together.

@@ -1,6 +1,6 @@
 //! The places at which even integrands are asked, with what of them does not depend on the integrand.
 
-use super::patterson::{COSINES, NODES};
+use super::patterson::{COSINE_RESTS, COSINES, NODES};
 use super::{FEWEST, LEVELS, MOST};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::LazyLock;
@@ -20,6 +20,8 @@ pub(crate) struct Nodes<'a> {
     pub(crate) quarter: &'a [f64],
     /// 1 − cos(πz/2), without cancellation.
     pub(crate) versine: &'a [f64],
+    /// √(1 − z²) to 26 binary digits, and what is left of it; empty where the double alone is kept.
+    pub(crate) split: (&'a [f64], &'a [f64]),
 }
 
 impl<'a> Nodes<'a> {
@@ -33,13 +35,17 @@ impl<'a> Nodes<'a> {
             secant: self.secant.get(from..to)?,
             quarter: self.quarter.get(from..to)?,
             versine: self.versine.get(from..to)?,
+            split: (self.split.0.get(from..to).unwrap_or_default(), self.split.1.get(from..to).unwrap_or_default()),
         })
     }
 }
 
 /// Nodes as lists that grow.
 #[derive(Default)]
-pub(super) struct Lists([Vec<f64>; 6]);
+pub(super) struct Lists {
+    all: [Vec<f64>; 6],
+    split: [Vec<f64>; 2],
+}
 
 impl Lists {
     fn push(&mut self, z: f64, cosine: f64) {
@@ -48,16 +54,33 @@ impl Lists {
         let half = (0.5 * FRAC_PI_2 * z).sin();
         let quarter = if z < 0.5 { (FRAC_PI_2 * z).cos() } else { rest.sin() };
         let all = [z, cosine, z * z / (1.0 + cosine), 1.0 / cosine, quarter, 2.0 * half * half];
-        for (list, value) in self.0.iter_mut().zip(all) {
+        for (list, value) in self.all.iter_mut().zip(all) {
             list.push(value);
         }
     }
 
+    /// The same with what the double leaves of the cosine.
+    pub(super) fn push_precise(&mut self, z: f64, cosine: f64, rest: f64) {
+        self.push(z, cosine);
+        let (high, low) = halves(cosine);
+        let [highs, rests] = &mut self.split;
+        highs.push(high);
+        rests.push(low + rest);
+    }
+
     #[inline]
     pub(super) fn all(&self) -> Nodes<'_> {
-        let [z, cosine, sine_versine, secant, quarter, versine] = &self.0;
-        Nodes { z, cosine, sine_versine, secant, quarter, versine }
+        let [z, cosine, sine_versine, secant, quarter, versine] = &self.all;
+        let [high, rest] = &self.split;
+        Nodes { z, cosine, sine_versine, secant, quarter, versine, split: (high, rest) }
     }
+}
+
+/// The first 26 binary digits, and the others.
+#[inline(always)]
+pub(crate) fn halves(value: f64) -> (f64, f64) {
+    let high = f64::from_bits(value.to_bits() & !0x07ff_ffff);
+    (high, value - high)
 }
 
 /// As many nodes as the compiler knows of: loops over them have no counter.
@@ -65,13 +88,13 @@ pub(super) struct Block<const N: usize>([[f64; N]; 6]);
 
 impl<const N: usize> Block<N> {
     fn of(lists: &Lists, from: usize) -> Self {
-        Self(lists.0.each_ref().map(|list| std::array::from_fn(|i| list[from + i])))
+        Self(lists.all.each_ref().map(|list| std::array::from_fn(|i| list[from + i])))
     }
 
     #[inline(always)]
     pub(super) fn all(&self) -> Nodes<'_> {
         let [z, cosine, sine_versine, secant, quarter, versine] = &self.0;
-        Nodes { z, cosine, sine_versine, secant, quarter, versine }
+        Nodes { z, cosine, sine_versine, secant, quarter, versine, split: (&[], &[]) }
     }
 }
 
@@ -125,8 +148,8 @@ impl Stage {
         let stride = MOST / count;
         let all: Vec<(f64, f64)> = (0..count).map(|i| (NODES[i * stride], COSINES[i * stride])).collect();
         let mut fresh = Lists::default();
-        for (_, (z, c)) in all.iter().enumerate().filter(|(i, _)| level == 0 || i % 2 == 1) {
-            fresh.push(*z, *c);
+        for (i, (z, c)) in all.iter().enumerate().filter(|(i, _)| level == 0 || i % 2 == 1) {
+            fresh.push_precise(*z, *c, COSINE_RESTS[i * stride]);
         }
         let last = all[count - 1].1.asin();
         let mut guards = Lists::default();
@@ -136,12 +159,9 @@ impl Stage {
             prediction(&all, sine)
         });
         let gain = std::array::from_fn(|i| predict[i].iter().map(|q| q.abs()).sum());
-        let middles = || all.windows(2).map(|pair| 0.5 * (pair[0].0 + pair[1].0));
-        let cotangents = middles().map(|z| (1.0 - z) * (1.0 + z) / z).collect();
-        let quarter_cotangents = middles().map(|z| 1.0 / (FRAC_PI_2 * z).tan()).collect();
-        let reciprocals = middles().map(|z| 1.0 / z).collect();
+        let middles = between(all.iter().map(|(z, _)| *z));
         let guards = Block::of(&guards, 0);
-        Self { fresh, guards, predict, gain, beyond: BEYOND * last * last, middles: [cotangents, quarter_cotangents, reciprocals] }
+        Self { fresh, guards, predict, gain, beyond: BEYOND * last * last, middles }
     }
 
     #[inline]
@@ -204,6 +224,16 @@ impl First {
         let [cotangents, quarter_cotangents, reciprocals] = &self.middles;
         Middles { cotangents, quarter_cotangents, reciprocals }
     }
+}
+
+/// The functions of [`Middles`] between neighbours.
+pub(super) fn between(nodes: impl Iterator<Item = f64> + Clone) -> [Vec<f64>; 3] {
+    let middles = || nodes.clone().zip(nodes.clone().skip(1)).map(|(z, next)| 0.5 * (z + next));
+    [
+        middles().map(|z| (1.0 - z) * (1.0 + z) / z).collect(),
+        middles().map(|z| 1.0 / (FRAC_PI_2 * z).tan()).collect(),
+        middles().map(|z| 1.0 / z).collect(),
+    ]
 }
 
 /// Weights of the values for the polynomial in z² through all nodes, at the place with the given √(1 − z²).

@@ -1,0 +1,181 @@
+//! Analytic functions on rectangles of complex numbers.
+
+use super::Region;
+use super::interval::Interval;
+
+impl Region {
+    /// √z, the principal branch: unknown where the rectangle meets (−∞, 0].
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        if self.meets_the_cut() {
+            return Self::unknown();
+        }
+        // Re √z = √((|z| + x)/2) rises with x and with |y|; Im √z = y/(2 Re √z).
+        let part = |x: f64, y: f64| {
+            let size = x.hypot(y);
+            if x >= 0.0 { (0.5 * (size + x)).sqrt() } else { y / (2.0 * (size - x)).sqrt() }
+        };
+        let re = Interval::loose(part(self.re.low, self.im.least()), part(self.re.high, self.im.largest()));
+        if re.low.is_nan() || re.low <= 0.0 {
+            return Self::unknown();
+        }
+        Self { re, im: self.im.multiply(re.scaled(2.0).inverse()) }
+    }
+
+    /// ln z, the principal branch: unknown where the rectangle meets (−∞, 0].
+    #[must_use]
+    pub fn ln(self) -> Self {
+        if self.meets_the_cut() {
+            return Self::unknown();
+        }
+        Self { re: Interval::loose(self.least().ln(), self.largest().ln()), im: self.angle() }
+    }
+
+    /// e^z.
+    #[must_use]
+    pub fn exp(self) -> Self {
+        Self::polar(self.re.rising(f64::exp), self.im)
+    }
+
+    /// z^w.
+    #[must_use]
+    pub fn power(self, exponent: Self) -> Self {
+        let Some(own) = exponent.as_real() else {
+            return (exponent * self.ln()).exp();
+        };
+        const MOST: f64 = 1e6;
+        if own.fract() == 0.0 && own.abs() <= MOST {
+            return self.powi(own as i32);
+        }
+        if self.meets_the_cut() {
+            return Self::unknown();
+        }
+        let (a, b) = (self.least().powf(own), self.largest().powf(own));
+        Self::polar(Interval::loose(a.min(b), a.max(b)), self.angle().scaled(own))
+    }
+
+    /// sin z = sin x cosh y + i cos x sinh y.
+    #[must_use]
+    pub fn sin(self) -> Self {
+        Self { re: self.re.sin().multiply(self.im.cosh()), im: self.re.cos().multiply(self.im.rising(f64::sinh)) }
+    }
+
+    /// cos z = cos x cosh y − i sin x sinh y.
+    #[must_use]
+    pub fn cos(self) -> Self {
+        Self { re: self.re.cos().multiply(self.im.cosh()), im: self.re.sin().multiply(self.im.rising(f64::sinh)).negated() }
+    }
+
+    /// sinh z = −i sin(i z).
+    #[must_use]
+    pub fn sinh(self) -> Self {
+        self.turned().sin().turned_back()
+    }
+
+    /// cosh z = cos(i z).
+    #[must_use]
+    pub fn cosh(self) -> Self {
+        self.turned().cos()
+    }
+
+    /// tanh z, by |tanh z|² = (cosh 2x − cos 2y)/(cosh 2x + cos 2y).
+    #[must_use]
+    pub fn tanh(self) -> Self {
+        let (size, turn) = (self.re.scaled(2.0).cosh().low, self.im.scaled(2.0).cos().low);
+        // The quotient rises as either falls, to 1 where the cosine is 0.
+        let below = size + turn - 4.0 * f64::EPSILON * size;
+        if !(below > 0.0 && self.is_known()) {
+            return Self::unknown();
+        }
+        let square = if turn >= 0.0 { 1.0 } else { (size - turn) / below };
+        Self::within(square.sqrt() * (1.0 + 8.0 * f64::EPSILON))
+    }
+
+    /// tan z = −i tanh(i z).
+    #[must_use]
+    pub fn tan(self) -> Self {
+        self.turned().tanh().turned_back()
+    }
+
+    /// arctan z = z ∫₀¹ dt/(1 + t² z²).
+    #[must_use]
+    pub fn atan(self) -> Self {
+        self.through(|square| (Self::real(1.0) + square).least())
+    }
+
+    /// artanh z = z ∫₀¹ dt/(1 − t² z²).
+    #[must_use]
+    pub fn atanh(self) -> Self {
+        self.through(|square| (Self::real(1.0) - square).least())
+    }
+
+    /// arsinh z = z ∫₀¹ dt/√(1 + t² z²).
+    #[must_use]
+    pub fn asinh(self) -> Self {
+        self.through(|square| (Self::real(1.0) + square).sqrt().least())
+    }
+
+    /// arcsin z = z ∫₀¹ dt/√(1 − t² z²).
+    #[must_use]
+    pub fn asin(self) -> Self {
+        self.through(|square| (Self::real(1.0) - square).sqrt().least())
+    }
+
+    /// erf z = (2/√π) z ∫₀¹ e^(−t² z²) dt.
+    #[must_use]
+    pub fn erf(self) -> Self {
+        self.through(|square| 0.88 / (-square).exp().largest())
+    }
+
+    /// J_n(z), n = 0, 1, 2, …: |J_n(z)| ≤ |z/2|ⁿ e^|Im z|/n!, DLMF 10.14.4.
+    #[must_use]
+    pub fn besselj(self, n: f64) -> Self {
+        if !(n >= 0.0 && n.fract() == 0.0 && n <= 100.0 && self.is_known()) {
+            return Self::unknown();
+        }
+        let power = (1..=n as u32).fold(1.0, |product, k| product * (0.5 * self.largest() / f64::from(k)));
+        Self::within(power * self.im.largest().exp() * (1.0 + 1e-9))
+    }
+
+    /// I_n(z) = i^(−n) J_n(i z).
+    #[must_use]
+    pub fn besseli(self, n: f64) -> Self {
+        self.turned().besselj(n)
+    }
+
+    /// |f(z)| ≤ |z|/m where f(z) = z ∫₀¹ h(t² z²) dt and |h| ≤ 1/m on the hull of 0 and z².
+    fn through(self, least: impl FnOnce(Self) -> f64) -> Self {
+        let square = self.square();
+        let zero = Interval::point(0.0);
+        let hull = Self { re: square.re.hull(zero), im: square.im.hull(zero) };
+        let least = if square.is_known() { least(hull) } else { 0.0 };
+        if least > 0.0 { Self::within(self.largest() / least * (1.0 + 8.0 * f64::EPSILON)) } else { Self::unknown() }
+    }
+
+    /// Whether a number that is 0 or negative is, or may be, in the rectangle.
+    fn meets_the_cut(self) -> bool {
+        !self.is_known() || (self.re.low <= 0.0 && self.im.has_zero())
+    }
+
+    /// The argument, away from the cut: its extremes are at corners.
+    fn angle(self) -> Interval {
+        let Interval { low, high } = self.re;
+        let corners = [(low, self.im.low), (low, self.im.high), (high, self.im.low), (high, self.im.high)].map(|(x, y)| y.atan2(x));
+        Interval::loose(corners.into_iter().fold(f64::INFINITY, f64::min), corners.into_iter().fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    /// Numbers of these magnitudes and arguments.
+    fn polar(size: Interval, angle: Interval) -> Self {
+        Self { re: size.multiply(angle.cos()), im: size.multiply(angle.sin()) }
+    }
+
+    /// i z.
+    fn turned(self) -> Self {
+        Self { re: self.im.negated(), im: self.re }
+    }
+
+    /// −i z.
+    fn turned_back(self) -> Self {
+        Self { re: self.im, im: self.re.negated() }
+    }
+}

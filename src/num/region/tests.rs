@@ -1,0 +1,128 @@
+//! Every value at a point of a rectangle lies in the rectangle of the values.
+
+use super::Region;
+use num_complex::Complex64;
+
+type Law = (&'static str, fn(Region) -> Region, fn(Complex64) -> Complex64);
+
+/// Numbers in (0, 1), the same at every run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+}
+
+/// Whether z is in the region, or outside by no more than what the double value itself is wrong by.
+fn holds(region: Region, z: Complex64, slack: f64) -> bool {
+    let inside = |own: super::Interval, v: f64| v >= own.low - slack && v <= own.high + slack;
+    inside(region.re, z.re) && inside(region.im, z.im)
+}
+
+const LAWS: &[Law] = &[
+    ("square", |z| z.powi(2), |z| z * z),
+    ("cube", |z| z.powi(3), |z| z * z * z),
+    ("inverse cube", |z| z.powi(-3), |z| 1.0 / (z * z * z)),
+    ("recip", Region::recip, |z| 1.0 / z),
+    ("sqrt", Region::sqrt, Complex64::sqrt),
+    ("ln", Region::ln, Complex64::ln),
+    ("exp", Region::exp, Complex64::exp),
+    ("power", |z| z.power(Region::real(1.7)), |z| z.powf(1.7)),
+    ("inverse power", |z| z.power(Region::real(-0.3)), |z| z.powf(-0.3)),
+    ("exponential", |z| Region::real(3.0).power(z), |z| (z * 3.0_f64.ln()).exp()),
+    ("sin", Region::sin, Complex64::sin),
+    ("cos", Region::cos, Complex64::cos),
+    ("tan", Region::tan, Complex64::tan),
+    ("sinh", Region::sinh, Complex64::sinh),
+    ("cosh", Region::cosh, Complex64::cosh),
+    ("tanh", Region::tanh, Complex64::tanh),
+    ("asin", Region::asin, Complex64::asin),
+    ("atan", Region::atan, Complex64::atan),
+    ("asinh", Region::asinh, Complex64::asinh),
+    ("atanh", Region::atanh, Complex64::atanh),
+    ("product", |z| z * (z + Region::real(0.7)), |z| z * (z + 0.7)),
+    ("quotient", |z| z / (Region::real(2.0) - z), |z| z / (2.0 - z)),
+    ("erf", Region::erf, erf),
+    ("besselj 0", |z| z.besselj(0.0), |z| bessel(z, 0)),
+    ("besselj 3", |z| z.besselj(3.0), |z| bessel(z, 3)),
+    ("besseli 1", |z| z.besseli(1.0), |z| bessel(Complex64::i() * z, 1) / Complex64::i()),
+];
+
+/// The power series, for arguments of a few units.
+fn erf(z: Complex64) -> Complex64 {
+    let (mut term, mut total) = (z, z);
+    for k in 1..200 {
+        term = -term * z * z / f64::from(k);
+        total += term / f64::from(2 * k + 1);
+    }
+    total * std::f64::consts::FRAC_2_SQRT_PI
+}
+
+fn bessel(z: Complex64, n: i32) -> Complex64 {
+    let half = 0.5 * z;
+    let mut term = (1..=n).fold(Complex64::new(1.0, 0.0), |product, k| product * half / f64::from(k));
+    let mut total = term;
+    for k in 1..100 {
+        term = -term * half * half / (f64::from(k) * f64::from(k + n));
+        total += term;
+    }
+    total
+}
+
+#[test]
+fn values_at_points_of_a_rectangle_are_in_the_rectangle_of_values() {
+    let mut random = Numbers(7);
+    for (name, region, value) in LAWS {
+        let mut known = 0;
+        for _ in 0..2000 {
+            // Rectangles of all sizes, some of them with an end on an axis.
+            let width = 10.0_f64.powf(random.between(-3.0, 0.6));
+            let mut end = |low: f64, high: f64| if random.next() < 0.2 { 0.0 } else { random.between(low, high) };
+            let (a, b) = (end(-3.0, 3.0), end(-2.0, 2.0));
+            let (re, im) = ((a, a + width * random.next()), (b, b + width * random.next()));
+            let found = region(Region::new(re, im));
+            if found.largest().is_infinite() {
+                continue;
+            }
+            known += 1;
+            for _ in 0..8 {
+                let z = Complex64::new(random.between(re.0, re.1), random.between(im.0, im.1));
+                let own = value(z);
+                let slack = 1e-13 * (1.0 + found.largest());
+                assert!(holds(found, own, slack), "{name} at {z} is {own}, not in {found:?}");
+                assert!(own.norm() <= found.largest() + slack, "{name} at {z}");
+            }
+        }
+        assert!(known > 300, "{name}: {known} rectangles had an answer");
+    }
+}
+
+#[test]
+fn what_is_not_analytic_is_not_known() {
+    let unit = Region::new((-1.0, 1.0), (-1.0, 1.0));
+    let left = Region::new((-2.0, -1.0), (-0.1, 0.1));
+    let long = Region::new((0.0, 1.0), (0.0, 1.6));
+    for (what, found) in [
+        ("1/z around 0", unit.recip()),
+        ("√z across the cut", left.sqrt()),
+        ("ln z across the cut", left.ln()),
+        ("z^1.7 across the cut", left.power(Region::real(1.7))),
+        ("tanh z around iπ/2", long.tanh()),
+        ("tan z around π/2", Region::new((0.0, 1.6), (0.0, 1.0)).tan()),
+        ("arctan z around i", long.atan()),
+        ("artanh z around 1", unit.atanh()),
+        ("arcsin z around 1", Region::new((0.0, 1.1), (-0.1, 0.1)).asin()),
+        ("1/(1 + z²) around i", (Region::real(1.0) + long.powi(2)).recip()),
+        ("J of order 1/2", unit.besselj(0.5)),
+        ("overflow", Region::new((0.0, 800.0), (0.0, 1.0)).exp()),
+        ("what is unknown", Region::unknown() * Region::real(0.0)),
+    ] {
+        assert!(found.largest().is_infinite(), "{what}: {found:?}");
+    }
+}
