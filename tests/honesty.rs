@@ -90,12 +90,18 @@ fn what_hides_under_larger_terms_stays_within_the_promise() {
         ("0.2803*(1+(r/0.0137)^2)^(-1) - r^4*sin(r)/2 - 2.3906*r^2*ln(1+(r/2.0781)^2)", "g", 2.4658203125, 2.5e-4),
         ("1.4717*atanh(r/3.521484375) - 2.1582*r^5 - 1.8506*sqrt(1+r/0.877) - 0.4326*exp(r/0.3535)", "G", 3.5214843749242015, 7.1e-5),
         ("1.7*ln(1-r^2/3.5^2) - 0.4*sinh(r/0.15)", "g", 3.499_999_965, 1.3e-10),
+        ("2.4844*r^4*erf(r/0.0636)", "F", 2.82421875, 1.2e-11),
         ("pi*cos(r^2/0.1397) + 2.9277*r^8 - 0.6172*r^2*ln(1+r/2) + 3*r^6 - pi*exp(-(r/3.765625)^4)", "G", 3.5927734375, 9.2e-4),
     ] {
         let solution = solution(profile);
         let by = |method, tolerance| {
             let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance).unwrap();
-            if quantity == "G" { evaluator.integral(x).unwrap().estimate } else { evaluator.slope(x).unwrap().estimate }
+            let reading = match quantity {
+                "G" => evaluator.integral(x),
+                "F" => evaluator.force(x),
+                _ => evaluator.slope(x),
+            };
+            reading.unwrap().estimate
         };
         let (closed, own) = (by(Method::Exact, 1e-15), by(Method::Quadrature, tolerance));
         assert!((own.value - closed.value).abs() <= own.error + closed.error, "{profile}: {own:?} against {closed:?}");

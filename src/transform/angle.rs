@@ -1,7 +1,7 @@
 //! The integral over the angle on the segment below x, by nested rules: f′ in blocks, and half of the points by symmetry.
 
 use super::TransformError;
-use super::integral::{NumericSegment, Weight, modest, stricter};
+use super::integral::{NumericSegment, Weight, intricate, modest, stricter};
 use super::slope_source::{Numbers, Scratch};
 use crate::num::Estimate;
 use crate::num::bounded::UNIT;
@@ -18,21 +18,22 @@ impl NumericSegment {
     /// # Errors
     /// [`TransformError::NotComputable`] where f′ is not finite.
     pub(super) fn by_nested_rules(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
-        self.nested(&self.slope, x, weight, tolerance, 0.0)
+        let own = if self.is_intricate(x, weight) { intricate(tolerance) } else { stricter(tolerance) };
+        self.nested(&self.slope, x, weight, (tolerance, own), 0.0)
     }
 
-    /// The same for f′ or (r f′)′; errors are held against `scale` where that exceeds the value.
+    /// The same for f′ or (r f′)′, by rules that are asked for the second of the tolerances; errors are held against `scale` where that
+    /// exceeds the value.
     pub(super) fn nested(
         &self,
         numbers: &Numbers,
         x: f64,
         weight: Weight,
-        tolerance: f64,
+        (tolerance, own): (f64, f64),
         scale: f64,
     ) -> Result<Option<Estimate>, TransformError> {
         let lower = self.lower.value;
         let largest = move |value: f64| if value.abs() > scale { value.abs() } else { scale };
-        let own = stricter(tolerance);
         if self.upper.is_some_and(|upper| upper.value < x) || (self.singular && lower > 0.0) {
             return Ok(None);
         }

@@ -82,6 +82,13 @@ impl NumericSegment {
         Some(Known { rule: (entry & RULE) as usize - 1, left_out: f64::from_bits(entry & !RULE) })
     }
 
+    /// Whether an expression says that no rule of a reasonable size is known to suffice, away from the end of f′.
+    pub(super) fn is_intricate(&self, x: f64, weight: Weight) -> bool {
+        let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.9 * NEAR_THE_LIMIT * limit.value.value);
+        let is_tape = matches!(self.slope, Numbers::Tape(_));
+        is_tape && !self.singular && !near_the_end && self.known(x, !matches!(weight, Weight::Slope)).is_none()
+    }
+
     /// The entry for all x between two neighbours in the list.
     #[cold]
     fn entry(&self, place: u64, weighted: bool) -> u64 {
@@ -103,27 +110,30 @@ impl NumericSegment {
         let size = self.size(0.5 * (low + high), tape)?;
         let mut best: Option<Known> = None;
         let mut slots = Vec::new();
+        let mut bound = |sigma: f64| {
+            let (region, factor) = self.around(low, &extent, sigma, weighted)?;
+            let largest = tape.run(&mut RegionAlgebra, &[region], &mut slots)?.largest() * factor;
+            largest.is_finite().then_some(largest)
+        };
         let (mut sigma, mut step, mut refined) = (FIRST, STEP, 0);
         for _ in 0..STEPS + REFINED {
-            let bound = self.around(low, &extent, sigma, weighted).and_then(|(region, factor)| {
-                let values = tape.run(&mut RegionAlgebra, &[region], &mut slots)?;
-                Some(values.largest() * factor)
-            });
-            let largest = bound.unwrap_or(f64::INFINITY);
-            if largest.is_finite() {
-                let own = Known::fewest(sigma, largest, NOTHING * size);
-                best = match (best, own) {
-                    (Some(best), Some(own)) if own.rule >= best.rule => Some(best),
-                    (best, own) => own.or(best),
-                };
-            } else {
-                // Not so far.
-                sigma /= step;
+            match bound(sigma) {
+                Some(largest) => match (best, Known::fewest(sigma, largest, NOTHING * size)) {
+                    // Further out the bound grows faster than the ellipse helps.
+                    (Some(best), Some(own)) if own.rule > best.rule => break,
+                    (Some(_), None) => break,
+                    (None, None) => {}
+                    (_, own) => best = own,
+                },
+                None => {
+                    sigma /= step;
+                    refined = refined.max(1);
+                }
             }
-            if !largest.is_finite() || refined > 0 {
+            if refined > 0 {
                 (step, refined) = (step.sqrt(), refined + 1);
             }
-            if refined > REFINED {
+            if refined > REFINED + 1 {
                 break;
             }
             sigma *= step;

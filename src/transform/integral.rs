@@ -230,6 +230,16 @@ pub(super) fn stricter(tolerance: f64) -> f64 {
     tolerance.min((STRICTER * tolerance).max(STRICT))
 }
 
+/// Where f′ is not analytic far enough around the contact, or grows too fast there, something narrow is in it: this share of the tolerance
+/// is asked for, down to a limit.
+const INTRICATE: f64 = 1e-2;
+const FINEST: f64 = 1e-13;
+
+/// What the rules are asked for there.
+pub(super) fn intricate(tolerance: f64) -> f64 {
+    stricter(tolerance).min((INTRICATE * tolerance).max(FINEST))
+}
+
 /// No more is promised than was asked for where the rules leave out more than rounding noise, which is where the error is of the size of
 /// the tolerance that they had.
 pub(super) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {

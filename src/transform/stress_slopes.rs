@@ -1,6 +1,6 @@
 //! The pressure as the integral of g′ over u, x = s cosh u, g′ itself by nested rules: no elliptic kernel.
 
-use super::integral::{NumericProfile, NumericSegment, Weight};
+use super::integral::{NumericProfile, NumericSegment, Weight, stricter};
 use super::slope_source::Numbers;
 use crate::num::Estimate;
 use crate::num::bounded::UNIT;
@@ -54,7 +54,8 @@ impl EvenIntegrand for Slopes<'_> {
     fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], errors: &mut [f64]) {
         for ((value, error), z) in values.iter_mut().zip(errors).zip(nodes.z) {
             let x = (self.s * (self.reach * z).cosh()).min(self.a);
-            let found = self.segment.nested(self.bend, x, Weight::Slope, INNER * self.tolerance, self.largest);
+            let tolerance = INNER * self.tolerance;
+            let found = self.segment.nested(self.bend, x, Weight::Slope, (tolerance, stricter(tolerance)), self.largest);
             // Where there is no value the rules above give up.
             let found = found.ok().flatten().unwrap_or(Estimate { value: f64::NAN, error: f64::NAN, evaluations: 0 });
             (*value, *error) = (found.value, found.error);
