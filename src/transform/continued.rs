@@ -23,6 +23,7 @@ const BELOW: u32 = 48;
 const LOWEST: u64 = (1023 - 32) << 4;
 /// The low bits of an entry are the number of the rule and 1, the others those of what the rule leaves out.
 const RULE: u64 = 31;
+const _: () = assert!(Known::RULES < RULE as usize);
 /// There is no rule.
 const NONE: u64 = u64::MAX;
 

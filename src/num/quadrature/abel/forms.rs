@@ -101,8 +101,8 @@ impl Form {
         let (cosines, versines, factor) = match self {
             Self::AxisSine => (nodes.cosine, nodes.sine_versine, Some(nodes.secant)),
             Self::AxisAngle => (nodes.quarter, nodes.versine, None),
-            Self::Angle { angle } => return from_a_kink::<N>(extent, nodes.z, 0.5 * angle, show),
-            _ => return self.visit_stretched::<N>(extent, nodes.z, exact, show),
+            Self::Angle { angle } => return from_a_kink::<N>(extent, nodes, 0.5 * angle, show),
+            _ => return self.visit_stretched::<N>(extent, nodes, exact, show),
         };
         let (mut r, mut below) = ([0.0; N], [0.0; N]);
         for ((r, below), (cosine, versine)) in r.iter_mut().zip(&mut below).zip(cosines.iter().zip(versines)) {
@@ -123,10 +123,11 @@ impl Form {
 
     /// The same in the variables that need functions of their own.
     #[inline(never)]
-    fn visit_stretched<const N: usize>(self, extent: &Extent, z: &[f64], exact: bool, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
+    fn visit_stretched<const N: usize>(self, extent: &Extent, nodes: Nodes<'_>, exact: bool, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
+        let z = nodes.z;
         let Extent { x, rest, sine, cosine } = *extent;
         let (mut r, mut below, mut past) = ([0.0; N], [0.0; N], [0.0; N]);
-        let (mut factor, mut sines, mut secants) = ([1.0; N], [0.0; N], [0.0; N]);
+        let (mut factor, mut sines, mut secants, mut shares) = ([1.0; N], [0.0; N], [0.0; N], [0.0; N]);
         let places = sines.iter_mut().zip(z);
         match self {
             Self::NearSine { small, reach } => places.for_each(|(s, z)| *s = (small * sinh(reach * z)).min(sine)),
@@ -139,14 +140,20 @@ impl Form {
             }
             _ => places.for_each(|(s, z)| *s = sine * z),
         }
+        // sin²τ_b − sin²τ, which is sin²τ_b (1 − z²) in the sine: next to the kink the difference of both would be rounding alone.
+        if let Self::Sine = self {
+            shares.iter_mut().zip(nodes.cosine).for_each(|(share, c)| *share = (sine * c) * (sine * c));
+        } else {
+            shares.iter_mut().zip(&sines).for_each(|(share, s)| *share = (sine - s) * (sine + s));
+        }
         let lower = x * cosine;
         let from_axis = cosine == 0.0;
-        for ((((r, past), below), secant), s) in r.iter_mut().zip(&mut past).zip(&mut below).zip(&mut secants).zip(&sines) {
+        let places = r.iter_mut().zip(&mut past).zip(&mut below).zip(&mut secants);
+        for ((((r, past), below), secant), (s, share)) in places.zip(sines.iter().zip(&shares)) {
             let c = ((1.0 - s) * (1.0 + s)).sqrt();
             // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b), and 1/c by the same division.
             let over = 1.0 / (c * (c + cosine));
-            let share = (sine - s) * (sine + s) * (over * c);
-            *past = x * if from_axis { c } else { share };
+            *past = x * if from_axis { c } else { share * (over * c) };
             *r = lower + *past;
             *below = rest + (x - *r);
             *secant = over * (c + cosine);
@@ -205,15 +212,20 @@ impl Form {
 /// Below this distance of the branch points the integrand is stretched.
 const NEAR: f64 = 2.5;
 
-/// The places r = x cos τ at angles τ = 2·`half`·z: by h = sin(τ/2) alone, r = x(1 − 2h²) and r − b = 2x(h_b − h)(h_b + h).
+/// The places r = x cos τ at angles τ = 2·`half`·z: by h = sin(τ/2), x − r = 2x h² and r − b = 2x(h_b − h)(h_b + h).
+///
+/// Next to the kink h_b − h is taken from 1 − z: sin u − sin v = 2 cos((u + v)/2) sin((u − v)/2).
 #[inline]
-fn from_a_kink<const N: usize>(extent: &Extent, z: &[f64], half: f64, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
+fn from_a_kink<const N: usize>(extent: &Extent, nodes: Nodes<'_>, half: f64, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
     let Extent { x, rest, cosine, .. } = *extent;
     let (mut r, mut below, mut past) = ([0.0; N], [0.0; N], [0.0; N]);
     let (lower, end) = (x * cosine, short_sine(half));
-    for (((r, past), below), z) in r.iter_mut().zip(&mut past).zip(&mut below).zip(z) {
+    let z = nodes.z;
+    for (((r, past), below), (z, c)) in r.iter_mut().zip(&mut past).zip(&mut below).zip(z.iter().zip(nodes.cosine)) {
         let h = short_sine(half * z);
-        *past = 2.0 * x * ((end - h) * (end + h));
+        let quarter = short_sine(0.25 * half * (1.0 + z));
+        let rise = 2.0 * (1.0 - 2.0 * (quarter * quarter)) * short_sine(0.5 * half * (c * c / (1.0 + z)));
+        *past = 2.0 * x * (rise * (end + h));
         *r = lower + *past;
         *below = rest + 2.0 * x * (h * h);
     }

@@ -86,6 +86,9 @@ pub(crate) struct Known {
 }
 
 impl Known {
+    /// How many rules there are.
+    pub(crate) const RULES: usize = HALVES.len();
+
     /// The smallest rule that leaves out no more than `wanted` of an even function that is analytic and at most `largest` on the ellipse
     /// with foci ±1 and half-axes cosh σ and sinh σ; `None` where that takes too many nodes.
     ///
