@@ -110,6 +110,26 @@ fn what_hides_under_larger_terms_stays_within_the_promise() {
     }
 }
 
+/// Far out a core at the axis is narrower than the first node of any rule over the whole range.
+#[test]
+fn narrow_cores_far_inside_the_contact_are_seen() {
+    for profile in ["r*atan(r)", "sqrt(1+r^2)-1", "r^2+r*atan(r)", "ln(1+r^2)", "r^2/(1+r^2)", "r*tanh(r)", "r*erf(r)", "1-exp(-r^2)"] {
+        let solution = solution(profile);
+        for (x, tolerance) in [(1e3, 1e-4), (1e4, 1e-13), (1e5, 1e-6), (1e6, 1e-10), (1e9, 1e-13), (1e9, 1e-6), (1e12, 1e-10)] {
+            let by = |method, tolerance| Evaluator::new(&solution, &Bindings::default(), method, tolerance).unwrap();
+            for quantity in ["g", "F"] {
+                let read = |own: &Evaluator<'_>| if quantity == "g" { own.slope(x) } else { own.force(x) };
+                let Ok(truth) = read(&by(Method::Exact, 1e-15)) else { continue };
+                // A refusal is honest.
+                let Ok(own) = read(&by(Method::Quadrature, tolerance)) else { continue };
+                let (own, truth) = (own.estimate, truth.estimate);
+                let off = (own.value - truth.value).abs();
+                assert!(off <= own.error + truth.error, "{profile}: {quantity}({x:e}) to {tolerance:e}: {own:?}, is {truth:?}");
+            }
+        }
+    }
+}
+
 /// What falls steeply from a kink on depends on the distance to it alone: no place there is known from its angle less that of the kink.
 #[test]
 fn places_next_to_a_kink_are_known_by_their_distance() {

@@ -170,7 +170,9 @@ impl NumericSegment {
             0.0
         } else {
             let cosine = turn.min(std::f64::consts::PI).cos();
-            if cosine > 0.0 { low * cosine / widen } else { wide * cosine }
+            let least = if cosine > 0.0 { low * cosine } else { wide * cosine };
+            // More than the rounding of the angle.
+            least - 1e-9 * wide
         };
         let lower = Region::new((self.lower.value - self.lower.error, self.lower.value + self.lower.error), (0.0, 0.0));
         let region = Region::new((least, wide), (0.0, high)) - lower;

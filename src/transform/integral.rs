@@ -247,6 +247,11 @@ pub(super) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
     Estimate { error: found.error.max(least), ..found }
 }
 
+/// Where the range is cut before any bisection, as shares of it: what the nested rules met and could not resolve may be a core at the
+/// axis that is narrower than the first node of a rule over the whole range can see.
+/// Ends of parts lie close, so that a tail which begins at one of them is seen from the next.
+const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
+
 /// Most points of a rule.
 pub(super) const MOST: usize = 61;
 
@@ -271,11 +276,18 @@ impl NumericSegment {
         let width = forms::angle_between(lower, end, x);
         let beyond = if end < x { ((x - end) * (x + end)).sqrt().atan2(end) } else { 0.0 };
         let mut scratch = Scratch::take();
+        let grades = if rule.is_none() && !self.singular && end >= x { GRADES } else { &[] };
+        // The angle from the lower end on, and that to the upper end: points count from the ends of their panels.
+        let place = |point: &Point| {
+            let last = grades.last().is_none_or(|share| point.x > share * width);
+            let v = if grades.is_empty() { point.from_lower } else { point.x };
+            (v, beyond + if last { point.from_upper } else { width - v })
+        };
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
             let count = points.len().min(MOST);
             let (mut distances, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
             for ((point, distance), doubt) in points.iter().zip(&mut distances).zip(&mut doubts) {
-                let (v, rest) = (point.from_lower, beyond + point.from_upper);
+                let (v, rest) = place(point);
                 // r − lower = 2x sin(v/2) sin(π/2 − t_lower − v/2): every factor is positive.
                 // Below the smallest normal number f′ has no digits; the panel's tail is bounded from its last values.
                 *distance = (2.0 * x * (0.5 * v).sin() * (rest + 0.5 * v).sin()).max(f64::MIN_POSITIVE);
@@ -286,7 +298,7 @@ impl NumericSegment {
             self.slope.block(&distances[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
             for (i, height) in heights.iter_mut().enumerate().take(count) {
                 let slope = Bounded { value: values[i], error: errors[i] };
-                let rest = beyond + points[i].from_upper;
+                let (_, rest) = place(&points[i]);
                 *height = match weight {
                     Weight::Slope => slope,
                     Weight::Force => {
@@ -308,7 +320,13 @@ impl NumericSegment {
                 };
             }
         };
-        let panel = if self.singular { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };
+        let mut panels = Vec::new();
+        if self.singular {
+            panels.push(Panel::singular(0.0, width));
+        } else {
+            let ends = grades.iter().map(|share| share * width).chain([width]);
+            panels.extend(ends.scan(0.0, |lower, upper| Some(Panel::smooth(std::mem::replace(lower, upper), upper))));
+        }
         // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
         let rel_tol = if near_the_end {
@@ -317,7 +335,7 @@ impl NumericSegment {
             stricter(tolerance).min(CUT * tolerance)
         };
         let options = Options { rel_tol, charge_x: false, rule: rule.unwrap_or_default(), ..Options::default() };
-        let result = integrate_blocks(&mut integrand, &[panel], &options);
+        let result = integrate_blocks(&mut integrand, &panels, &options);
         let inner = |v: f64| {
             let mut found = [Bounded::exact(0.0)];
             integrand(&[Point { x: v, from_lower: v, from_upper: width - v }], &mut found);

@@ -29,7 +29,7 @@ pub struct Radii<'a> {
 pub enum Start {
     /// f′ continues to an odd function of r, as that of a profile which is a smooth function of r².
     ///
-    /// Only speed depends on it: where it does not hold the rules find out, and more points are spent.
+    /// Only speed depends on it, unless a [`Strip`] is stated: where it does not hold the rules find out, and more points are spent.
     Odd,
     /// f′ is smooth up to the end.
     #[default]
@@ -42,7 +42,8 @@ pub enum Start {
 ///
 /// f′ continues to all complex r with |Im r| ≤ `height` and |Re r| ≤ √(x² + `height`²), and |f′(r)| ≤ `largest` there. What is
 /// left out by a rule of Gauss's is bounded by that, so that the fewest nodes suffice, and nothing is judged from values.
-/// The bound must hold: nothing can be found out about it.
+/// Of an f′ with breakpoints it is the piece that ends at x that continues.
+/// The bound must hold, and so must [`Start::Odd`] where that is stated too: nothing can be found out about them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strip {
     /// A length.
