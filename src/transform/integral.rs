@@ -247,8 +247,8 @@ pub(super) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
     Estimate { error: found.error.max(least), ..found }
 }
 
-/// Where the range is cut before any bisection, as shares of it: what the nested rules met and could not resolve may be a core at the
-/// axis that is narrower than the first node of a rule over the whole range can see.
+/// Where the range is cut before any bisection, as shares of it: what the nested rules met and could not resolve may be a core at the lower
+/// end that is narrower than the first node of a rule over the whole range can see.
 /// Ends of parts lie close, so that a tail which begins at one of them is seen from the next.
 const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 
