@@ -8,6 +8,7 @@ use common::rows::rows;
 use num_complex::Complex64;
 use sneddon::contact::Contact;
 use sneddon::transform::{Closure, Parity, Profile, Quantities, TransformError};
+use std::f64::consts::PI;
 
 /// The profiles of `oracle/closures.py`: f of a complex radius, f, f′ and f″ of a real one, and what is stated.
 struct Given {
@@ -120,6 +121,27 @@ fn laws_hold_for_a_closure_without_closed_form() {
     // u = d − f inside.
     let u = contact.displacement(0.5, a).unwrap().estimate;
     assert!((u.value - (d.value - 0.5f64.cosh().ln())).abs() <= u.error + 1e-15);
+}
+
+/// A statement that f is even saves values of it, of the pressure too, and where it is wrong it costs values only.
+#[test]
+fn even_closures_take_fewer_values() {
+    let (a, s) = (2.5, 1.1);
+    let plain = || Closure::with_slope(|r| (2.0 * (0.5 * r).sinh().powi(2)).ln_1p(), f64::tanh);
+    let found = |own: Closure| {
+        let own = own.profile().unwrap();
+        [own.slope(a), own.force(a), own.integral(a), own.pressure(s, a).map(Option::unwrap)].map(|own| own.unwrap().estimate)
+    };
+    let (told, untold) = (found(plain().parity(Parity::Even)), found(plain()));
+    for (one, other) in told.iter().zip(&untold) {
+        assert!((one.value - other.value).abs() <= one.error + other.error, "{one:?} {other:?}");
+        assert!(one.evaluations < other.evaluations, "{one:?} {other:?}");
+    }
+    let [.., one, other] = told.map(|own| own.error / own.value);
+    assert!(one < 1e-12 && other < 1e-12, "{told:?}");
+    // A cone is not even: g = πx/2, πp/E* = (π/2) arcosh(a/s).
+    let [g, .., p] = found(Closure::with_slope(|r| r, |_| 1.0).parity(Parity::Even));
+    assert!((g.value - 0.5 * PI * a).abs() <= g.error && (p.value - 0.5 * PI * (a / s).acosh()).abs() <= p.error, "{g:?} {p:?}");
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod common;
 
 use common::random::Stream;
 use sneddon::num::kappa::kappa;
-use sneddon::num::quadrature::{AbelOptions, Radii, Start, Strip, abel, abel_force};
+use sneddon::num::quadrature::{AbelOptions, AbelTransform, Radii, Start, Strip, abel, abel_force};
 use sneddon::num::{Estimate, NumError, special};
 use std::f64::consts::PI;
 
@@ -238,6 +238,118 @@ fn the_estimate_is_never_below_the_true_error() {
     }
     assert!(violations.is_empty(), "{} of {CASES}: {violations:#?}", violations.len());
     assert!(reached > CASES * 8 / 10, "{reached} of {CASES} reached their tolerance");
+}
+
+/// The same of transforms that keep what f′ has shown: at the place that is asked first, and when it is known.
+#[test]
+fn the_estimate_of_a_transform_is_never_below_the_true_error() {
+    let mut stream = Stream::new(20_261_123);
+    let (mut violations, mut reached, mut saved) = (Vec::new(), 0, 0);
+    const CASES: usize = 4000;
+    for _ in 0..CASES {
+        let family = (stream.unit() * 8.0) as u32;
+        let (f, x, options, truth, doubt) = case(family, &mut stream);
+        let start = if options.start == Start::Smooth && stream.unit() < 0.8 { Start::Odd } else { options.start };
+        let options = AbelOptions { rel_tol: log(&mut stream, -13.5, -2.0), max_evaluations: 20_000, roundings: 16.0, start, ..options };
+        let up_to = (x * stream.uniform(1.0, 3.0)).min(options.limit.map_or(f64::INFINITY, f64::next_down)).max(x);
+        let mut transform = AbelTransform::new(blocks(&f), up_to, options).unwrap();
+        let first = transform.g(x);
+        let second = transform.g(x);
+        reached += usize::from(second.is_ok());
+        let (first, second) = (best(first), best(second));
+        let alone = best(abel(&mut blocks(&f), x, &options));
+        saved += usize::from(second.evaluations < alone.evaluations);
+        for found in [first, second] {
+            let off = (found.value - truth).abs();
+            if off.is_nan() || off > found.error + doubt * truth.abs() {
+                violations.push(format!("family {family} at {x}: {options:?}, {found:?}, is {truth:e}, off {off:e}"));
+            }
+        }
+    }
+    assert!(violations.is_empty(), "{} of {CASES}: {violations:#?}", violations.len());
+    assert!(reached > CASES * 8 / 10 && saved > CASES / 4, "{reached} of {CASES} reached their tolerance, {saved} with fewer evaluations");
+}
+
+/// g and F of a paraboloid, f′ = r: x² and 2a³/3, at all lengths, with few evaluations where f′ is known; and f′ is asked nowhere beyond.
+#[test]
+fn transforms_at_all_lengths_and_within_their_range() {
+    for exponent in (-140..=100).step_by(4) {
+        let x = 1.3 * 10f64.powi(exponent);
+        let slope = move |at: Radii<'_>, out: &mut [f64]| {
+            assert!(at.r.iter().all(|r| *r > 0.0 && *r <= 1.1 * x));
+            out.copy_from_slice(at.r);
+        };
+        let mut transform = AbelTransform::new(slope, 1.1 * x, ODD).unwrap();
+        for place in [x, 0.9 * x, 0.3 * x, 1.1 * x] {
+            let (g, force) = (transform.g(place).unwrap(), transform.force(place).unwrap());
+            assert!((g.value - place * place).abs() <= g.error && g.error <= 1e-12 * g.value, "{place:e}: {g:?}");
+            let truth = 2.0 * place * place * place / 3.0;
+            let off = (force.value - truth).abs();
+            assert!(off <= force.error && (force.error <= 1e-12 * truth || truth < 1e-300), "{place:e}: {force:?}");
+        }
+        for place in [x, 0.3 * x] {
+            let force = transform.force(place).unwrap();
+            assert!(transform.g(place).unwrap().evaluations <= 4 && (force.evaluations <= 4 || force.value < 1e-300), "{place:e}");
+        }
+        assert!(matches!(transform.g(1.2 * x), Err(NumError::OutOfDomain { .. })));
+    }
+    // What no double holds is refused, and what is lost below the smallest one is said.
+    let paraboloid = |at: Radii<'_>, out: &mut [f64]| out.copy_from_slice(at.r);
+    let mut transform = AbelTransform::new(paraboloid, 1e160, ODD).unwrap();
+    assert!(matches!(transform.g(1e160), Err(NumError::OutOfDomain { .. })));
+    assert!(matches!(abel_force(&mut blocks(|r, _| r), 1e120, &ODD), Err(NumError::OutOfDomain { .. })));
+    for a in [1e-106, 1e-108, 1e-150] {
+        let found = best(transform.force(a));
+        assert!((found.value - 2.0 * a * a * a / 3.0).abs() <= found.error && found.error > 0.0, "{a:e}: {found:?}");
+    }
+    assert_eq!(transform.g(0.0).unwrap().value, 0.0);
+    for x in [-1.0, f64::NAN] {
+        assert!(matches!(transform.g(x), Err(NumError::OutOfDomain { .. })));
+        assert!(matches!(AbelTransform::new(paraboloid, x, ODD), Err(NumError::OutOfDomain { .. })));
+    }
+    assert!(AbelTransform::new(paraboloid, 1.0, AbelOptions { limit: Some(1.0), ..ODD }).is_err());
+}
+
+/// Kinks, starts, ends and strips that are told are heeded, and what has no expansion is found as by itself.
+#[test]
+fn transforms_of_what_is_not_smooth() {
+    let bent = |r: f64, _: f64| if r > 0.6 { 0.5 * r + 0.3 } else { 0.5 * r };
+    let options = AbelOptions { breakpoints: &[0.6], ..ODD };
+    let mut transform = AbelTransform::new(blocks(bent), 2.0, options).unwrap();
+    let (x, known): (f64, f64) = (1.7, 0.59);
+    let truth = 0.5 * x * x + 0.3 * x * ((x - 0.6) * (x + 0.6)).sqrt().atan2(0.6);
+    for _ in 0..2 {
+        let (beyond, below) = (transform.g(x).unwrap(), transform.g(known).unwrap());
+        assert!((beyond.value - truth).abs() <= beyond.error && (below.value - 0.5 * known * known).abs() <= below.error);
+    }
+    assert!(transform.g(known).unwrap().evaluations <= 4);
+    // A kink that is not told, f′ that is not odd, that is stated to be nothing, and one without a value beyond x.
+    let cases: [(Slope, AbelOptions<'_>, f64, f64); 5] = [
+        (Box::new(bent), ODD, x, truth),
+        (Box::new(|r, _| r * r), ODD, 1.5, 0.25 * PI * 1.5 * 1.5 * 1.5),
+        (Box::new(|r, _| r), PLAIN, 1.5, 2.25),
+        (Box::new(|r, _| r), AbelOptions { strip: Some(Strip { height: 1.0, largest: 3.0 }), ..ODD }, 1.5, 2.25),
+        (Box::new(|r, _| r / ((1.5 - r) * (1.5 + r)).sqrt()), ODD, 1.2, 1.2 * f64::atanh(0.8)),
+    ];
+    for (index, (slope, options, x, truth)) in cases.into_iter().enumerate() {
+        let mut transform = AbelTransform::new(blocks(&slope), 2.0, options).unwrap();
+        let (first, second) = (best(transform.g(x)), best(transform.g(x)));
+        let alone = best(abel(&mut blocks(&slope), x, &options));
+        assert!((second.value - truth).abs() <= second.error + 4e-16 * truth, "{index}: {second:?}, is {truth:e}");
+        assert!(second.value == alone.value && second.evaluations == alone.evaluations, "{index}: {second:?}, {alone:?}");
+        assert!(first.evaluations >= second.evaluations && first.evaluations <= second.evaluations + 208, "{index}: {first:?}");
+    }
+    // Something narrow at the axis, where no node is: it is seen between the last node and the axis.
+    for width in [1e-3f64, 1e-5, 1e-8] {
+        let slope = move |r: f64, _: f64| r + 1e-3 * r / (r * r + width * width);
+        let mut transform = AbelTransform::new(blocks(slope), 1.0, AbelOptions { rel_tol: 1e-6, ..ODD }).unwrap();
+        let z = 1.0 / width;
+        let truth = 1.0 + 1e-3 * z.asinh() / (1.0 + width * width).sqrt();
+        for _ in 0..2 {
+            let found = best(transform.g(1.0));
+            assert!((found.value - truth).abs() <= found.error, "{width:e}: {found:?}, is {truth:e}");
+        }
+    }
 }
 
 /// Closures that say how large f′ is in a strip: no more nodes than that takes, and estimates that hold, of g and of F.

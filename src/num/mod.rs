@@ -1,6 +1,7 @@
 //! Numbers without symbols: special functions, quadrature, root finding and values that carry their error.
 
 pub mod bounded;
+pub(crate) mod chebyshev;
 pub mod double_double;
 pub mod error;
 pub mod estimate;

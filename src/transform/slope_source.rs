@@ -125,6 +125,13 @@ impl NumericProfile {
         }
     }
 
+    /// States that f is even where it begins at the axis, so that f′ is odd there.
+    pub(super) fn state_even(&mut self) {
+        for segment in self.segments.iter_mut().filter(|segment| segment.lower.value == 0.0) {
+            segment.odd = true;
+        }
+    }
+
     /// True where (r f′)′ is known on every segment, so that pressures can be had.
     pub fn has_bend(&self) -> bool {
         self.segments.iter().all(|segment| segment.bend().is_ok())

@@ -10,7 +10,7 @@ mod sample;
 mod tests;
 mod transform;
 
-pub use abel::{AbelOptions, Radii, Start, Strip, abel, abel_force};
+pub use abel::{AbelOptions, AbelTransform, Radii, Start, Strip, abel, abel_force};
 pub(crate) use abel::{CHUNK, Extent, Form, Wish, from_the_axis};
 pub use adaptive::{Options, Rule, integrate, integrate_blocks};
 pub(crate) use even::{EvenIntegrand, Known, Mean, Middles, Nodes, mean};

@@ -1,5 +1,6 @@
 //! Short polynomials over a small interval, for values by the million.
 
+use super::super::chebyshev::cosine;
 use std::sync::OnceLock;
 
 /// Coefficients of a short polynomial: degree 11.
@@ -8,18 +9,7 @@ pub(crate) const LOCAL: usize = 12;
 /// The Chebyshev nodes of [−1, 1], rising.
 pub(crate) fn local_nodes() -> &'static [f64; LOCAL] {
     static NODES: OnceLock<[f64; LOCAL]> = OnceLock::new();
-    NODES.get_or_init(|| std::array::from_fn(|j| -cosine(2 * j + 1)))
-}
-
-/// cos(π m/(2·LOCAL)) with the angle reduced as an integer.
-fn cosine(m: usize) -> f64 {
-    let (quarter, full) = (LOCAL, 4 * LOCAL);
-    let m = m % full;
-    let m = if m > full / 2 { full - m } else { m };
-    let angle = |m: usize| std::f64::consts::FRAC_PI_2 * m as f64 / quarter as f64;
-    // Below an eighth of the circle cos, above it sin: both from the nearer axis.
-    let positive = |m: usize| if 2 * m <= quarter { angle(m).cos() } else { angle(quarter - m).sin() };
-    if m <= quarter { positive(m) } else { -positive(2 * quarter - m) }
+    NODES.get_or_init(|| std::array::from_fn(|j| -cosine(2 * j + 1, LOCAL)))
 }
 
 /// A polynomial through the values at the nodes, as monomials of the local variable.
@@ -38,7 +28,7 @@ impl Local {
             let factor = if k == 0 { 1.0 } else { 2.0 } / LOCAL as f64;
             // T_k(−cos θ) = (−1)^k cos kθ.
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-            *slot = values.iter().enumerate().map(|(j, v)| v * cosine(k * (2 * j + 1))).sum::<f64>() * factor * sign;
+            *slot = values.iter().enumerate().map(|(j, v)| v * cosine(k * (2 * j + 1), LOCAL)).sum::<f64>() * factor * sign;
         }
         let size = |from: usize, to: usize| chebyshev.iter().skip(from).take(to - from).fold(0.0_f64, |m, c| m.max(c.abs()));
         let (last, before, largest) = (size(LOCAL - 2, LOCAL), size(LOCAL - 4, LOCAL - 2), size(0, LOCAL));

@@ -1,7 +1,6 @@
 //! Derivatives of a function that is known by its values: Chebyshev interpolation on cells, doubled outward, halved where needed.
 
-use crate::num::Bounded;
-use std::f64::consts::PI;
+use crate::num::{Bounded, chebyshev};
 use std::sync::OnceLock;
 
 /// Nodes of a cell.
@@ -112,40 +111,31 @@ impl Cells {
 
 const NOTHING: Bounded = Bounded { value: f64::NAN, error: f64::NAN };
 
-/// cos(π i/(2 NODES)) for every whole i, from the first quarter of a turn.
-fn cosine(index: usize) -> f64 {
-    static TABLE: OnceLock<[f64; 4 * NODES]> = OnceLock::new();
-    let table = TABLE.get_or_init(|| {
-        std::array::from_fn(|i| {
-            let quarter = if i <= 2 * NODES { i } else { 4 * NODES - i };
-            let turn = |i: usize| PI * i as f64 / (2 * NODES) as f64;
-            match quarter {
-                // Small angles by the sine, so that the table is symmetric to the last bit.
-                q if q < NODES => turn(NODES - q).sin(),
-                q if q == NODES => 0.0,
-                q => -turn(q - NODES).sin(),
-            }
-        })
-    });
-    table.get(index % (4 * NODES)).copied().unwrap_or(f64::NAN)
+/// The cosines of the nodes.
+fn cosines() -> &'static [f64] {
+    static TABLE: OnceLock<Vec<f64>> = OnceLock::new();
+    TABLE.get_or_init(|| chebyshev::cosines(NODES))
+}
+
+/// The nodes, falling.
+fn nodes() -> [f64; NODES] {
+    let table = cosines();
+    std::array::from_fn(|j| table.get(2 * j + 1).copied().unwrap_or(f64::NAN))
 }
 
 impl Cell {
     fn fit((from, end): (f64, f64), to: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
         let (middle, half) = (from + 0.5 * (end - from), 0.5 * (end - from));
-        let samples: [Bounded; NODES] = std::array::from_fn(|j| phi(middle + half * cosine(2 * j + 1)));
+        let samples: [Bounded; NODES] = nodes().map(|x| phi(middle + half * x));
         let size = samples.iter().fold(0.0, |size: f64, s| size.max(s.value.abs()));
         // A node is off by the rounding of r: half an ulp of the largest radius, times what φ changes per unit of r.
         let noise = samples.iter().fold(0.0, |noise: f64, s| noise.max(s.error)) + f64::EPSILON * size;
-        let mut values: [f64; NODES] = std::array::from_fn(|k| {
-            let sum: f64 = samples.iter().enumerate().map(|(j, s)| s.value * cosine(k * (2 * j + 1))).sum();
-            sum * 2.0 / NODES as f64
-        });
-        values[0] *= 0.5;
+        let mut values = [0.0; NODES];
+        chebyshev::coefficients(&samples.map(|s| s.value), cosines(), &mut values);
         let slopes = differentiated(&values, half);
         let bends = differentiated(&slopes, half);
         let tail = values[NODES - 3..].iter().fold(0.0, |tail: f64, c| tail.max(c.abs()));
-        let steepest = (0..NODES).map(|j| clenshaw(&slopes, cosine(2 * j + 1)).abs()).fold(0.0, f64::max);
+        let steepest = nodes().iter().map(|x| chebyshev::sum(&slopes, *x).abs()).fold(0.0, f64::max);
         let moved = 0.5 * f64::EPSILON * end * steepest;
         let finite = samples.iter().all(|s| s.value.is_finite());
         // Sums of many roundings at random stay well below their number.
@@ -169,7 +159,7 @@ impl Cell {
         }
         let Some(list) = self.orders.get(order) else { return NOTHING };
         let x = ((r - self.middle) / self.half).clamp(-1.0, 1.0);
-        let value = clenshaw(list, x);
+        let value = chebyshev::sum(list, x);
         // Bernstein: a polynomial of degree n below ε has |p′| ≤ nε/√(1−x²), and Markov: |p′| ≤ n²ε.
         let n = NODES as f64;
         let bound = (n / (1.0 - x * x).sqrt()).min(n * n) / self.half;
@@ -194,15 +184,6 @@ fn differentiated(list: &[f64; NODES], half: f64) -> [f64; NODES] {
     }
     out[0] *= 0.5;
     out
-}
-
-/// Σ c_k T_k(x).
-fn clenshaw(list: &[f64; NODES], x: f64) -> f64 {
-    let (mut last, mut before) = (0.0, 0.0);
-    for c in list[1..].iter().rev() {
-        (last, before) = (c + 2.0 * x * last - before, last);
-    }
-    list[0] + x * last - before
 }
 
 #[cfg(test)]

@@ -36,6 +36,7 @@ pub struct Closure {
     breakpoints: Vec<f64>,
     limit: f64,
     exponent: Option<f64>,
+    parity: Option<Parity>,
     ulps: f64,
     tolerance: f64,
 }
@@ -61,7 +62,7 @@ impl Profile {
 
 impl Closure {
     fn new(function: Function) -> Self {
-        Self { function, breakpoints: Vec::new(), limit: f64::INFINITY, exponent: None, ulps: 8.0, tolerance: 1e-12 }
+        Self { function, breakpoints: Vec::new(), limit: f64::INFINITY, exponent: None, parity: None, ulps: 8.0, tolerance: 1e-12 }
     }
 
     /// f as a function of a complex radius.
@@ -121,7 +122,7 @@ impl Closure {
     }
 
     /// States that f is even or odd, for closures that have no value at r < 0 or near the axis: an even f is smooth there
-    /// and starts as r², an odd one as r, unless a leading exponent is stated too.
+    /// and starts as r², an odd one as r, unless a leading exponent is stated too. Fewer values of an even f suffice.
     #[must_use]
     pub fn parity(mut self, parity: Parity) -> Self {
         let lowest = match parity {
@@ -129,6 +130,7 @@ impl Closure {
             Parity::Odd => 1.0,
         };
         self.exponent = self.exponent.or(Some(lowest));
+        self.parity = Some(parity);
         self
     }
 

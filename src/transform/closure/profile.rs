@@ -1,8 +1,8 @@
 //! The quantities of a profile that is given as Rust code.
 
-use super::Closure;
 use super::cells::Cells;
 use super::source::{Faults, Function, Piece, STEP, complex_step};
+use super::{Closure, Parity};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{NumericProfile, Quantities, Reading, SlopeSource, TransformError};
 use std::sync::Arc;
@@ -44,6 +44,9 @@ impl ClosureProfile {
         let mut numeric = NumericProfile::from_sources(segments);
         if let Some(n) = closure.exponent {
             numeric.state_exponent(n);
+        }
+        if closure.parity == Some(Parity::Even) {
+            numeric.state_even();
         }
         // What sampling found undefined next to the axis is found again where it matters.
         faults.take();

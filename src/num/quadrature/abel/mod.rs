@@ -1,10 +1,12 @@
 //! g(x) and F(a) of an f′ that is given as a closure over blocks of radii.
 
 mod forms;
+mod learned;
 mod pieces;
 mod start;
 
 pub(crate) use forms::{CHUNK, Extent, Form};
+pub use learned::AbelTransform;
 pub(crate) use start::{Wish, from_the_axis};
 
 use super::super::bounded::UNIT;
@@ -128,12 +130,29 @@ impl Default for AbelOptions<'_> {
 /// # Ok::<(), sneddon::num::NumError>(())
 /// ```
 pub fn abel(slope: &mut impl FnMut(Radii<'_>, &mut [f64]), x: f64, options: &AbelOptions<'_>) -> Result<Estimate, NumError> {
-    if options.abs_tol > 0.0 && x > 0.0 {
-        // The tolerances are those of the mean of f′ over the angle.
-        let own = AbelOptions { abs_tol: options.abs_tol / x, ..*options };
-        return times(pieces::over_angle::<false>(slope, x, &own), x);
-    }
-    times(pieces::over_angle::<false>(slope, x, options), x)
+    integral::<false>(slope, x, options)
+}
+
+/// g, or F where `FORCE`: the integral over the angle of f′, times (r/x)² for F, is what has no unit.
+#[inline]
+fn integral<const FORCE: bool>(
+    slope: &mut impl FnMut(Radii<'_>, &mut [f64]),
+    x: f64,
+    options: &AbelOptions<'_>,
+) -> Result<Estimate, NumError> {
+    let found = if options.abs_tol > 0.0 {
+        pieces::over_angle::<FORCE>(slope, x, &without_unit::<FORCE>(x, options))
+    } else {
+        pieces::over_angle::<FORCE>(slope, x, options)
+    };
+    with_unit::<FORCE>(x, found)
+}
+
+/// The options whose absolute tolerance is that of the integral without a unit.
+fn without_unit<'a, const FORCE: bool>(x: f64, options: &AbelOptions<'a>) -> AbelOptions<'a> {
+    let per = |value: f64| if value > 0.0 && x > 0.0 { value / x } else { value };
+    let abs_tol = per(options.abs_tol);
+    AbelOptions { abs_tol: if FORCE { per(abs_tol) } else { abs_tol }, ..*options }
 }
 
 /// The estimate of x times the integral.
@@ -141,6 +160,13 @@ fn times(found: Result<Estimate, NumError>, x: f64) -> Result<Estimate, NumError
     match found {
         Ok(Estimate { value, error, evaluations }) => {
             let value = value * x;
+            if value.is_infinite() {
+                return Err(NumError::OutOfDomain {
+                    what: "upper end of an Abel integral",
+                    got: x,
+                    accepted: "x where the value is a double",
+                });
+            }
             // The last digit of the product, and what an underflow loses.
             let rounding = UNIT * value.abs() + f64::from_bits(1);
             let error = if value == 0.0 && error == 0.0 { 0.0 } else { (error * x + rounding) * (1.0 + f64::EPSILON) };
@@ -148,6 +174,13 @@ fn times(found: Result<Estimate, NumError>, x: f64) -> Result<Estimate, NumError
         }
         Err(error) => Err(scaled(error, x)),
     }
+}
+
+/// The integral with its unit, times x for g and x² for F.
+#[inline]
+fn with_unit<const FORCE: bool>(x: f64, found: Result<Estimate, NumError>) -> Result<Estimate, NumError> {
+    let found = times(found, x);
+    if FORCE { times(found, x) } else { found }
 }
 
 /// F(a)/(2E*) = ∫₀^a r² f′(r)/√(a² − r²) dr, the force under a smooth edge of radius a, without the cancellation of a g − G.
@@ -166,7 +199,7 @@ fn times(found: Result<Estimate, NumError>, x: f64) -> Result<Estimate, NumError
 /// # Ok::<(), sneddon::num::NumError>(())
 /// ```
 pub fn abel_force(slope: &mut impl FnMut(Radii<'_>, &mut [f64]), a: f64, options: &AbelOptions<'_>) -> Result<Estimate, NumError> {
-    pieces::over_angle::<true>(slope, a, options)
+    integral::<true>(slope, a, options)
 }
 
 /// The error of a quantity that is `factor` times the integral.

@@ -9,7 +9,7 @@ use super::{AbelOptions, Radii, Start, Strip};
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, NumError};
 
-/// ∫ f′ dτ over r = x cos τ, times r² for the force.
+/// ∫ f′ dτ over r = x cos τ, times (r/x)² for the force.
 #[inline]
 pub(super) fn over_angle<const FORCE: bool>(
     slope: &mut impl FnMut(Radii<'_>, &mut [f64]),
@@ -63,7 +63,7 @@ fn finished(found: Estimate, options: &AbelOptions<'_>) -> Result<Estimate, NumE
     }
 }
 
-fn target(options: &AbelOptions<'_>, value: f64) -> f64 {
+pub(super) fn target(options: &AbelOptions<'_>, value: f64) -> f64 {
     options.abs_tol.max(options.rel_tol * value.abs())
 }
 
@@ -83,9 +83,9 @@ fn last<const FORCE: bool>(
             slope(at, values);
             for ((v, e), r) in values.iter_mut().zip(errors).zip(at.r) {
                 if FORCE {
-                    *v *= *r * *r;
+                    *v *= (*r / x) * (*r / x);
                 }
-                *e = UNIT * options.roundings * v.abs();
+                *e = UNIT * (options.roundings + WEIGHING * f64::from(u8::from(FORCE))) * v.abs();
             }
         };
         let wish = Wish { accepted: |value| target(options, value), charge_r: true };
@@ -95,17 +95,21 @@ fn last<const FORCE: bool>(
             None => bisected::<FORCE>(slope, lower, &extent, options).map(|own| Estimate { evaluations: own.evaluations + spent, ..own }),
         };
     }
-    if let (Some(strip), None) = (&options.strip, options.limit)
-        && let Some(found) = in_a_strip::<FORCE>(slope, &extent, strip, options)?
-    {
-        return Ok(found);
+    let mut spent = 0;
+    if let (Some(strip), None) = (&options.strip, options.limit) {
+        match in_a_strip::<FORCE>(slope, &extent, strip, options)? {
+            (Some(found), _) => return Ok(found),
+            (None, evaluations) => spent = evaluations,
+        }
     }
     let form = Form::choose(&extent, options.start == Start::Odd, options.limit);
     let scale = form.scale(&extent);
     let mut integrand = Blocks::<_, FORCE> { slope, form, extent, roundings: options.roundings };
     let (least, rel_tol) = (options.abs_tol / scale, options.rel_tol);
-    let found = even::mean(&mut integrand, options.max_evaluations, |mean: f64| least.max(rel_tol * mean.abs()))?;
-    let Mean { value, left_out, noise, evaluations, reached, .. } = found;
+    let most = options.max_evaluations.saturating_sub(spent);
+    let found = even::mean(&mut integrand, most, |mean: f64| least.max(rel_tol * mean.abs()))?;
+    let Mean { value, left_out, noise, reached, .. } = found;
+    let evaluations = found.evaluations + spent;
     let (value, noise) = (scale * value, scale * noise);
     let rounding = 8.0 * UNIT * value.abs();
     let mut error = scale * left_out + noise + rounding;
@@ -127,51 +131,68 @@ fn last<const FORCE: bool>(
 /// rule is taken.
 const GUESS: f64 = 1e-3;
 
-/// The piece that ends at x, by the one rule that suffices for an f′ that is bounded in a strip; `None` where there is none.
+/// The piece that ends at x, by the one rule that suffices for an f′ that is bounded in a strip; `None` where there is none, with the
+/// evaluations that were spent.
 fn in_a_strip<const FORCE: bool>(
     slope: &mut impl FnMut(Radii<'_>, &mut [f64]),
     extent: &Extent,
     strip: &Strip,
     options: &AbelOptions<'_>,
-) -> Result<Option<Estimate>, NumError> {
+) -> Result<(Option<Estimate>, u64), NumError> {
     let x = extent.x;
     let odd = options.start == Start::Odd;
     let (wide, high) = (x.hypot(strip.height) / x, strip.height / x);
     // r = x cos τ: |Im τ| up to arsinh(h/x), where |cos τ| ≥ h/x at the upper end.
     let sigma = if odd { high.asinh() } else { (high.asinh() / extent.angle()).asinh() };
-    let largest = strip.largest * if odd { 1.0 / high } else { 1.0 } * if FORCE { (wide * x).powi(2) } else { 1.0 };
+    let largest = strip.largest * if odd { 1.0 / high } else { 1.0 } * if FORCE { wide * wide } else { 1.0 };
+    let mut spent = 0;
     if !(strip.height > 0.0 && largest <= f64::MAX && sigma <= f64::MAX) {
-        return Ok(None);
+        return Ok((None, spent));
     }
     let form = Form::choose(extent, odd, None);
     let scale = form.scale(extent);
-    let mut evaluations = 0;
-    let mut wanted = GUESS * options.rel_tol * strip.largest / high.max(1.0) * if FORCE { x * x } else { 1.0 };
+    let mut wanted = GUESS * options.rel_tol * strip.largest / high.max(1.0);
     for _ in 0..2 {
-        let wish = wanted.max(0.5 * options.abs_tol / scale);
-        let Some(known) = Known::fewest(sigma, largest, wish) else { return Ok(None) };
-        let mut integrand = Blocks::<_, FORCE> { slope: &mut *slope, form, extent: *extent, roundings: options.roundings };
-        let found = known.mean(&mut integrand)?;
-        evaluations += found.evaluations;
-        let value = scale * found.value;
-        let error = scale * (found.left_out + found.noise) + 8.0 * UNIT * value.abs();
-        if error <= target(options, value) {
-            return Ok(Some(Estimate { value, error, evaluations }));
+        let Some(known) = Known::fewest(sigma, largest, wanted.max(0.5 * options.abs_tol / scale)) else { break };
+        let found = by_a_known_rule::<FORCE>(slope, known, extent, form, options)?;
+        spent += found.evaluations;
+        if found.error <= target(options, found.value) {
+            return Ok((Some(Estimate { evaluations: spent, ..found }), spent));
         }
-        wanted = 0.1 * options.rel_tol * found.value.abs();
+        wanted = 0.1 * options.rel_tol * (found.value / scale).abs();
     }
-    Ok(None)
+    Ok((None, spent))
 }
+
+/// The piece that ends at x by a rule of which is known what it leaves out of the mean.
+#[inline]
+pub(super) fn by_a_known_rule<const FORCE: bool>(
+    slope: &mut impl FnMut(Radii<'_>, &mut [f64]),
+    known: Known,
+    extent: &Extent,
+    form: Form,
+    options: &AbelOptions<'_>,
+) -> Result<Estimate, NumError> {
+    let scale = form.scale(extent);
+    let mut integrand = Blocks::<_, FORCE> { slope, form, extent: *extent, roundings: options.roundings };
+    let found = known.mean(&mut integrand)?;
+    let value = scale * found.value;
+    let error = scale * (found.left_out + found.noise) + 8.0 * UNIT * value.abs();
+    Ok(Estimate { value, error, evaluations: found.evaluations })
+}
+
+/// Units that the weight (r/x)² may be off.
+const WEIGHING: f64 = 3.0;
 
 /// Places at which a closure is asked together.
 const BLOCK: usize = 8;
 
 /// f′ as an even integrand.
-struct Blocks<'a, F, const FORCE: bool> {
-    slope: &'a mut F,
-    form: Form,
-    extent: Extent,
-    roundings: f64,
+pub(super) struct Blocks<'a, F, const FORCE: bool> {
+    pub(super) slope: &'a mut F,
+    pub(super) form: Form,
+    pub(super) extent: Extent,
+    pub(super) roundings: f64,
 }
 
 impl<F: FnMut(Radii<'_>, &mut [f64]), const FORCE: bool> EvenIntegrand for Blocks<'_, F, FORCE> {
@@ -190,8 +211,9 @@ impl<F: FnMut(Radii<'_>, &mut [f64]), const FORCE: bool> EvenIntegrand for Block
                 }
             }
             if FORCE {
+                let x = self.extent.x;
                 for (v, r) in values.iter_mut().zip(at.r) {
-                    *v *= *r * *r;
+                    *v *= (*r / x) * (*r / x);
                 }
             }
         });
@@ -199,7 +221,7 @@ impl<F: FnMut(Radii<'_>, &mut [f64]), const FORCE: bool> EvenIntegrand for Block
 
     #[inline]
     fn relative(&self) -> f64 {
-        UNIT * (self.roundings + 6.0)
+        UNIT * (self.roundings + 6.0 + WEIGHING * f64::from(u8::from(FORCE)))
     }
 
     #[inline(always)]
@@ -238,7 +260,7 @@ fn bisected<const FORCE: bool>(
         let half = (0.5 * tau).sin();
         Spot { r: x * from_axis.sin(), past, below: rest + 2.0 * x * half * half, stretch: tau.cos() / tau.sin() }
     };
-    adaptive::<FORCE>(slope, angle, &mut place, &GRADES, options)
+    adaptive::<FORCE>(slope, (x, angle), &mut place, &GRADES, options)
 }
 
 /// A piece below x, [lower, end].
@@ -258,7 +280,7 @@ fn between<const FORCE: bool>(
         let r = lower + past;
         Spot { r, past, below: limit - r, stretch: tau.cos() / tau.sin() }
     };
-    adaptive::<FORCE>(slope, width, &mut place, &[], options)
+    adaptive::<FORCE>(slope, (x, width), &mut place, &[], options)
 }
 
 /// A place of f′, and by how much a relative rounding of r moves the angle.
@@ -271,7 +293,7 @@ struct Spot {
 
 fn adaptive<const FORCE: bool>(
     slope: &mut impl FnMut(Radii<'_>, &mut [f64]),
-    width: f64,
+    (x, width): (f64, f64),
     place: &mut impl FnMut(&Point) -> Spot,
     grades: &[f64],
     options: &AbelOptions<'_>,
@@ -287,7 +309,7 @@ fn adaptive<const FORCE: bool>(
         slope(Radii { r: &r[..count], past_start: &past[..count], below_limit: &below[..count] }, &mut out[..count]);
         if FORCE {
             for (v, r) in out.iter_mut().zip(&r) {
-                *v *= r * r;
+                *v *= (r / x) * (r / x);
             }
         }
         // Points come from both ends inwards, the centre last: the next one in the list is the neighbour.
@@ -296,7 +318,8 @@ fn adaptive<const FORCE: bool>(
             let other = if i + 1 == half { count - 1 } else { (i + 1).min(count - 1) };
             let apart = (points[i].from_lower - points[other].from_lower).abs();
             let rise = if apart > 0.0 { (out[i] - out[other]).abs() / apart } else { 0.0 };
-            let error = UNIT * ((options.roundings + 2.0) * out[i].abs() + 6.0 * rise * stretch[i].abs());
+            let error =
+                UNIT * ((options.roundings + 2.0 + WEIGHING * f64::from(u8::from(FORCE))) * out[i].abs() + 6.0 * rise * stretch[i].abs());
             *height = Bounded { value: out[i], error };
         }
     };

@@ -97,9 +97,14 @@ impl Known {
     pub(crate) fn fewest(sigma: f64, largest: f64, wanted: f64) -> Option<Self> {
         let front = 32.0 / 15.0 * largest / (1.0 - (-2.0 * sigma).exp()) * (1.0 + 1e-9);
         // front·e^(−4 half σ) ≤ wanted.
-        let half = (front / wanted).ln() / (4.0 * sigma);
-        let rule = HALVES.iter().position(|own| *own as f64 >= half)?;
-        let left_out = front * (-4.0 * HALVES[rule] as f64 * sigma).exp() * (1.0 + 1e-9);
+        let least = (front / wanted).ln() / (4.0 * sigma);
+        let left_out = |half: usize| front * (-4.0 * half as f64 * sigma).exp() * (1.0 + 1e-9);
+        Self::smallest(|half| (half as f64 >= least).then(|| left_out(half)))
+    }
+
+    /// The smallest rule of which `suffices`(nodes in its half) says what it leaves out.
+    pub(super) fn smallest(suffices: impl Fn(usize) -> Option<f64>) -> Option<Self> {
+        let (rule, left_out) = HALVES.iter().enumerate().find_map(|(rule, half)| Some((rule, suffices(*half)?)))?;
         left_out.is_finite().then_some(Self { rule, left_out: left_out.max(f64::MIN_POSITIVE) })
     }
 

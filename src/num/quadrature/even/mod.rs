@@ -1,10 +1,12 @@
 //! The mean of an even function over [−1, 1] by nested rules: each keeps the values of the one before.
 
+mod expansion;
 mod gauss;
 mod nodes;
 mod patterson;
 mod rule;
 
+pub(crate) use expansion::Expansion;
 pub(crate) use gauss::Known;
 pub(crate) use nodes::{Middles, Nodes, halves};
 

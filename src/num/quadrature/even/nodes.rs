@@ -48,7 +48,7 @@ pub(super) struct Lists {
 }
 
 impl Lists {
-    fn push(&mut self, z: f64, cosine: f64) {
+    pub(super) fn push(&mut self, z: f64, cosine: f64) {
         // 1 − z from the cosine, which keeps its digits next to the end.
         let rest = FRAC_PI_2 * (cosine * cosine / (1.0 + z));
         let half = (0.5 * FRAC_PI_2 * z).sin();

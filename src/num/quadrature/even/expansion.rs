@@ -1,0 +1,149 @@
+//! An even function that its values have shown to be a polynomial: how few nodes suffice for it, there and on every shorter range.
+
+use super::super::super::bounded::UNIT;
+use super::super::super::chebyshev;
+use super::gauss::Known;
+use super::nodes::Lists;
+use super::{EvenIntegrand, Nodes};
+use std::sync::LazyLock;
+
+/// Values that are tried, in this order.
+const COUNTS: [usize; 2] = [64, 128];
+/// Coefficients from this share of their number on must be noise.
+const SEEN: f64 = 0.75;
+/// Noise in the coefficients, as a share of the bound on that of the values: some sixty errors of both signs are averaged.
+const AVERAGED: f64 = 0.25;
+/// Places between the last node and the end z = 1, as shares of √(1 − z²) there: what is narrow about the end shows nowhere else.
+const NEXT_TO_THE_END: [f64; 7] = [0.5, 0.2, 0.07, 0.02, 1e-3, 1e-5, 1e-7];
+/// Places that belong to no grid: whole turns by the golden section.
+const AMONG_NODES: usize = 9;
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// f(z) = Σ c_m T_2m(z).
+pub(crate) struct Expansion {
+    coefficients: Vec<f64>,
+    /// The sum of the coefficients that are noise; what follows them is believed to be no more.
+    beyond: f64,
+}
+
+/// Nodes of a series, and places at which it is tested.
+struct Grid {
+    nodes: Lists,
+    tests: Lists,
+    cosines: Vec<f64>,
+}
+
+/// Cosines for as many values where the series is known.
+static PARTS: [(usize, LazyLock<Vec<f64>>); 4] = [
+    (16, LazyLock::new(|| chebyshev::cosines(16))),
+    (32, LazyLock::new(|| chebyshev::cosines(32))),
+    (64, LazyLock::new(|| chebyshev::cosines(64))),
+    (128, LazyLock::new(|| chebyshev::cosines(128))),
+];
+
+static GRIDS: [LazyLock<Grid>; COUNTS.len()] = [LazyLock::new(|| Grid::new(COUNTS[0])), LazyLock::new(|| Grid::new(COUNTS[1]))];
+
+impl Grid {
+    fn new(count: usize) -> Self {
+        let (mut nodes, mut tests) = (Lists::default(), Lists::default());
+        let place = |lists: &mut Lists, cosine: f64| lists.push(((1.0 - cosine) * (1.0 + cosine)).sqrt(), cosine);
+        for i in 0..count {
+            // Half of the angle of a node of T_count: T_2m(z) = T_m(2z² − 1).
+            let at = |m| chebyshev::cosine(m, 2 * count);
+            nodes.push(at(2 * i + 1), at(2 * count - (2 * i + 1)));
+        }
+        let last = chebyshev::cosine(2 * count - 1, 2 * count);
+        NEXT_TO_THE_END.iter().for_each(|share| place(&mut tests, share * last));
+        (1..=AMONG_NODES).for_each(|i| place(&mut tests, (GOLDEN * i as f64).fract()));
+        Self { nodes, tests, cosines: chebyshev::cosines(count) }
+    }
+}
+
+impl Expansion {
+    /// The series of an integrand, and the evaluations spent; none where coefficients do not fall to rounding noise, where the function is
+    /// something else between the nodes, or not finite.
+    pub(crate) fn of<I: EvenIntegrand>(integrand: &mut I) -> (Option<Self>, u64) {
+        let mut evaluations = 0;
+        for grid in &GRIDS {
+            let grid: &'static Grid = grid;
+            let values = asked(integrand, grid.nodes.all());
+            evaluations += values.len() as u64;
+            let largest = values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
+            let noise = (integrand.relative() + 2.0 * UNIT) * largest;
+            let mut coefficients = vec![0.0; values.len()];
+            chebyshev::coefficients(&values, &grid.cosines, &mut coefficients);
+            let last = coefficients.iter().skip((SEEN * values.len() as f64) as usize);
+            // Not a number is no noise.
+            if !(largest > 0.0 && last.clone().all(|c| c.abs() <= AVERAGED * noise)) {
+                continue;
+            }
+            let floor = last.fold(0.0f64, |most, c| most.max(c.abs()));
+            let own = Self::cut(coefficients, 2.0 * floor);
+            let tests = grid.tests.all();
+            let seen = asked(integrand, tests);
+            evaluations += seen.len() as u64;
+            // Noise of values and of the sum.
+            let doubt = 2.0 * noise + own.beyond + 16.0 * UNIT * own.coefficients.iter().map(|c| c.abs()).sum::<f64>();
+            let agree = seen.iter().zip(tests.cosine).all(|(v, cosine)| (v - own.at(cosine * cosine)).abs() <= doubt);
+            return (agree.then_some(own), evaluations);
+        }
+        (None, evaluations)
+    }
+
+    /// The series up to the last coefficient that is above the noise.
+    fn cut(mut coefficients: Vec<f64>, floor: f64) -> Self {
+        let kept = coefficients.iter().rposition(|c| c.abs() > floor).map_or(1, |last| last + 1);
+        let beyond = coefficients.iter().skip(kept).map(|c| c.abs()).sum();
+        coefficients.truncate(kept);
+        Self { coefficients, beyond }
+    }
+
+    /// The value where 1 − z² is `share`.
+    fn at(&self, share: f64) -> f64 {
+        chebyshev::sum(&self.coefficients, 1.0 - 2.0 * share)
+    }
+
+    /// `share` times the function on the range of √(1 − z²) up to `share` instead of 1, times the new 1 − z² where it is weighted:
+    /// of x f′(r)/r that with x·share for x.
+    ///
+    /// What a rule of N nodes leaves out of it is a sum over the same polynomials: those below degree 2N stay below it.
+    pub(crate) fn part(&self, share: f64, weighted: bool) -> Self {
+        let needed = self.coefficients.len() + usize::from(weighted);
+        let (count, cosines) = PARTS.iter().find(|(count, _)| *count >= needed).unwrap_or(&PARTS[PARTS.len() - 1]);
+        let own = cosines.iter().skip(1).step_by(2).take(*count).map(|cosine| 0.5 * (1.0 - cosine));
+        let values: Vec<f64> = own.map(|own| self.at(share * share * own) * if weighted { share * own } else { share }).collect();
+        let mut coefficients = vec![0.0; needed.min(*count)];
+        chebyshev::coefficients(&values, cosines, &mut coefficients);
+        Self { coefficients, beyond: self.beyond }
+    }
+
+    /// The mean over [−1, 1].
+    pub(crate) fn mean(&self) -> f64 {
+        let term = |(m, c): (usize, &f64)| c / (1.0 - 4.0 * (m * m) as f64);
+        self.coefficients.iter().enumerate().map(term).sum()
+    }
+
+    /// The smallest rule that leaves out no more than `wanted`, here and on every shorter range; `None` where there is none.
+    ///
+    /// |T_2m| ≤ 1, so that neither its mean nor the rule's is larger.
+    pub(crate) fn fewest(&self, wanted: f64) -> Option<Known> {
+        Known::smallest(|half| {
+            let from = self.coefficients.get(2 * half..).unwrap_or_default();
+            let left_out = 2.0 * (from.iter().map(|c| c.abs()).sum::<f64>() + self.beyond);
+            (left_out <= wanted).then_some(left_out)
+        })
+    }
+}
+
+/// The values at nodes.
+fn asked<I: EvenIntegrand>(integrand: &mut I, nodes: Nodes<'_>) -> Vec<f64> {
+    let count = nodes.z.len();
+    let (mut values, mut errors) = (vec![0.0; count], vec![0.0; count]);
+    let mut from = 0;
+    for (values, errors) in values.chunks_mut(I::BLOCK).zip(errors.chunks_mut(I::BLOCK)) {
+        let Some(part) = nodes.part(from, from + values.len()) else { break };
+        integrand.fill(part, values, errors);
+        from += values.len();
+    }
+    values
+}
