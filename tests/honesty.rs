@@ -131,6 +131,33 @@ fn narrow_cores_far_inside_the_contact_are_seen() {
 }
 
 /// What falls steeply from a kink on depends on the distance to it alone: no place there is known from its angle less that of the kink.
+/// f as the integral of f′ where a pole lies just beyond, and where a core lies far inside.
+#[test]
+fn heights_see_what_is_narrow_at_either_end() {
+    for profile in ["-r^10/18-0.0057*asin(r/4.84765625)/(3.66015625^4-r^4)^2", "cosh(r)+1/(3.66015625-r)", "r^3-ln(1-r/3.66015625)*1e-3"] {
+        let solution = solution(profile);
+        let limit = 3.66015625;
+        for (gap, tolerance) in [(1e-2, 1e-6), (1e-3, 1e-3), (1e-5, 1e-8), (1e-7, 1e-6), (1e-8, 1.9e-6), (1e-10, 1e-2)] {
+            check_height(&solution, limit * (1.0 - gap), tolerance, profile);
+        }
+    }
+    for profile in ["r*atan(r)", "r^2+1e6*atan(r)", "ln(1+r^2)", "r^2/(1+r^2)", "1-exp(-r^2)+r^2/1e4"] {
+        let solution = solution(profile);
+        for (r, tolerance) in [(1e2, 1e-3), (1e4, 1e-6), (1e6, 1e-10), (1e9, 1e-6)] {
+            check_height(&solution, r, tolerance, profile);
+        }
+    }
+}
+
+fn check_height(solution: &Solution, r: f64, tolerance: f64, profile: &str) {
+    let by = |method, tolerance| Evaluator::new(solution, &Bindings::default(), method, tolerance).unwrap().height(r);
+    let truth = by(Method::Exact, 1e-15).unwrap().estimate;
+    // A refusal is honest.
+    let Ok(own) = by(Method::Quadrature, tolerance) else { return };
+    let off = (own.estimate.value - truth.value).abs();
+    assert!(off <= own.estimate.error + truth.error, "{profile}: f({r:?}) to {tolerance:e}: {own:?}, is {truth:?}");
+}
+
 #[test]
 fn places_next_to_a_kink_are_known_by_their_distance() {
     for (profile, far) in [

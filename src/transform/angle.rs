@@ -38,7 +38,7 @@ impl NumericSegment {
             return Ok(None);
         }
         let limit = self.limit.as_ref().map(|limit| limit.value.value).filter(|limit| *limit > x);
-        let mut source = Source { numbers, doubt: self.lower.error, weight, x, from_limit: None, scratch: Scratch::take() };
+        let mut source = Source { numbers, doubt: self.lower.error, weight, x, from_limit: None, bounded: true, scratch: Scratch::take() };
         let refused = |_| TransformError::NotComputable { at: x };
         if self.singular {
             let extent = Extent::new(lower, x, None);
@@ -78,10 +78,11 @@ impl NumericSegment {
 }
 
 impl NumericSegment {
-    /// f′ as an even integrand, from its lower end on.
+    /// f′ as an even integrand, from its lower end on, with bounds on the errors of its values or without.
     #[inline]
-    pub(super) fn integrand(&self, x: f64, weight: Weight, form: Form, extent: Extent) -> Even<'_> {
-        let source = Source { numbers: &self.slope, doubt: self.lower.error, weight, x, from_limit: None, scratch: Scratch::take() };
+    pub(super) fn integrand(&self, x: f64, weight: Weight, form: Form, extent: Extent, bounded: bool) -> Even<'_> {
+        let doubt = self.lower.error;
+        let source = Source { numbers: &self.slope, doubt, weight, x, from_limit: None, bounded, scratch: Scratch::take() };
         Even { source, form, extent }
     }
 }
@@ -100,12 +101,17 @@ struct Source<'a> {
     x: f64,
     /// f′ over the distance to the limit, and how well the limit is known.
     from_limit: Option<(&'a Numbers, f64)>,
+    /// Whether values come with bounds on their errors; else those are 0.
+    bounded: bool,
     scratch: Scratch,
 }
 
 impl Source<'_> {
     /// Values and bounds at a few places, times the factor of the variable.
     fn ask(&mut self, at: Radii<'_>, factor: Option<&[f64]>, values: &mut [f64], errors: &mut [f64]) {
+        if !self.bounded {
+            return self.ask_plainly(at, factor, values, errors);
+        }
         let own = self.doubt;
         let (mut distances, mut doubts) = ([0.0; CHUNK], [0.0; CHUNK]);
         let (distances, doubts) = (&mut distances[..values.len()], &mut doubts[..values.len()]);
@@ -130,6 +136,18 @@ impl Source<'_> {
             errors.iter_mut().zip(values).for_each(|(error, value)| *error += 8.0 * UNIT * value.abs());
         } else {
             self.weigh(at, values, errors);
+        }
+    }
+
+    /// Values alone.
+    fn ask_plainly(&mut self, at: Radii<'_>, factor: Option<&[f64]>, values: &mut [f64], errors: &mut [f64]) {
+        self.numbers.plain_block(at.past_start, values, &mut self.scratch);
+        if let Some(factor) = factor {
+            values.iter_mut().zip(factor).for_each(|(value, by)| *value *= by);
+        }
+        if !matches!(self.weight, Weight::Slope) {
+            self.weigh(at, values, errors);
+            errors.fill(0.0);
         }
     }
 

@@ -11,21 +11,59 @@ use crate::num::{Estimate, Region};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Rules by the upper end x, for the slope and for what has a weight: one per sixteenth of a power of two from 2⁻³² to 2³², found when they
-/// are first needed.
+/// Rules by the upper end x, one list for each weight: one per sixteenth of a power of two from 2⁻³² to 2³², found when they are first
+/// needed.
 #[derive(Default)]
-pub(super) struct Continued([OnceLock<Box<[AtomicU64]>>; 2]);
+pub(super) struct Continued([OnceLock<Box<[Octave]>>; WEIGHTS]);
 
-const COUNT: usize = 1024;
+/// Between one power of two and the next.
+type Octave = OnceLock<Box<[Entry; SIXTEENTHS]>>;
+
+/// What is known for one sixteenth, as bits that are set once; whoever finds it finds the same.
+#[derive(Default)]
+struct Entry {
+    /// The number of the rule and 1 in the low bits, what the rule leaves out in the others; 0 before it is found.
+    rule: AtomicU64,
+    /// [`Sufficient::noise`].
+    noise: AtomicU64,
+    /// [`Sufficient::share`].
+    share: AtomicU64,
+}
+
+/// A rule for all x of a sixteenth.
+#[derive(Clone, Copy)]
+struct Sufficient {
+    known: Known,
+    /// A bound on what rounding does to the mean of the integrand.
+    noise: f64,
+    /// About the same as a share of the mean.
+    share: f64,
+}
+
+/// What a rule found.
+struct Found {
+    estimate: Estimate,
+    mean: f64,
+    left_out: f64,
+    noise: f64,
+}
+
+const WEIGHTS: usize = 3;
+const SIXTEENTHS: usize = 16;
+const OCTAVES: usize = 64;
 /// Bits of a double below the exponent and the first four of the mantissa.
 const BELOW: u32 = 48;
 /// These bits at the lowest x.
 const LOWEST: u64 = (1023 - 32) << 4;
-/// The low bits of an entry are the number of the rule and 1, the others those of what the rule leaves out.
+/// The bits of the rule.
 const RULE: u64 = 31;
 const _: () = assert!(Known::RULES < RULE as usize);
 /// There is no rule.
 const NONE: u64 = u64::MAX;
+/// The running bounds of the integrand at both ends of a sixteenth, twice, stand for those within it …
+const WITHIN: f64 = 2.0;
+/// … where they are at most this share of the tolerance: else every value has its own.
+const LITTLE: f64 = 0.05;
 
 /// Ellipses are tried from this σ on …
 const FIRST: f64 = 0.1;
@@ -50,55 +88,92 @@ impl NumericSegment {
         if self.singular || matches!(weight, Weight::Outside(_)) || self.upper.is_some_and(|upper| upper.value < x) {
             return Ok(None);
         }
-        let weighted = !matches!(weight, Weight::Slope);
-        let Some(known) = self.known(x, weighted) else { return Ok(None) };
+        let Some(own) = self.sufficient(x, weight) else { return Ok(None) };
+        let enough = |found: &Estimate| found.error <= tolerance * found.value.abs();
+        if own.share <= LITTLE * tolerance {
+            let found = self.by(own.known, x, weight, Some(own.noise))?;
+            if enough(&found.estimate) {
+                return Ok(Some(found.estimate));
+            }
+        }
+        let found = self.by(own.known, x, weight, None)?;
+        // Of rounding alone no other rule makes less.
+        let rounded = found.left_out <= SMALL * found.noise && found.estimate.error <= SMALL * found.estimate.value.abs();
+        Ok((rounded || enough(&found.estimate)).then_some(found.estimate))
+    }
+
+    /// The integral by a rule, with a bound on the rounding of its mean where that is known.
+    #[inline]
+    fn by(&self, known: Known, x: f64, weight: Weight, noise: Option<f64>) -> Result<Found, TransformError> {
         let extent = Extent::new(self.lower.value, x, None);
         let form = Form::choose(&extent, self.odd, None);
         let scale = form.scale(&extent);
-        let mut integrand = self.integrand(x, weight, form, extent);
+        let mut integrand = self.integrand(x, weight, form, extent, noise.is_none());
         let found = known.mean(&mut integrand).map_err(|_| TransformError::NotComputable { at: x })?;
         let left_out = if matches!(weight, Weight::Force) { x * x * found.left_out } else { found.left_out };
+        let noise = noise.map_or(found.noise, |noise| found.noise + noise);
         let value = scale * found.value;
-        let error = scale * (left_out + found.noise) + 8.0 * UNIT * value.abs();
-        // Of rounding alone no other rule makes less.
-        let enough = error <= tolerance * value.abs() || (left_out <= SMALL * found.noise && error <= SMALL * value.abs());
-        Ok(enough.then_some(Estimate { value, error, evaluations: found.evaluations }))
+        let error = scale * (left_out + noise) + 8.0 * UNIT * value.abs();
+        Ok(Found { estimate: Estimate { value, error, evaluations: found.evaluations }, mean: found.value, left_out, noise })
     }
 
     /// The rule for x.
     #[inline]
-    fn known(&self, x: f64, weighted: bool) -> Option<Known> {
+    fn sufficient(&self, x: f64, weight: Weight) -> Option<Sufficient> {
         let place = usize::try_from((x.to_bits() >> BELOW).checked_sub(LOWEST)?).ok()?;
-        let list = self.continued.0.get(usize::from(weighted))?.get_or_init(|| (0..COUNT).map(|_| AtomicU64::new(0)).collect());
-        let cell = list.get(place)?;
-        // Whoever finds the entry finds the same one.
-        let mut entry = cell.load(Ordering::Relaxed);
-        if entry == 0 {
-            entry = self.entry(place as u64 + LOWEST, weighted);
-            cell.store(entry, Ordering::Relaxed);
-        }
-        if entry == NONE {
+        let list = match weight {
+            Weight::Slope => 0,
+            Weight::Force => 1,
+            Weight::Integral | Weight::Outside(_) => 2,
+        };
+        let list = self.continued.0.get(list)?.get_or_init(|| (0..OCTAVES).map(|_| Octave::new()).collect());
+        let own = list.get(place / SIXTEENTHS)?.get_or_init(Box::default).get(place % SIXTEENTHS)?;
+        let rule = match own.rule.load(Ordering::Acquire) {
+            0 => self.entry(place as u64 + LOWEST, weight, own),
+            rule => rule,
+        };
+        if rule == NONE {
             return None;
         }
-        Some(Known { rule: (entry & RULE) as usize - 1, left_out: f64::from_bits(entry & !RULE) })
+        let known = Known { rule: (rule & RULE) as usize - 1, left_out: f64::from_bits(rule & !RULE) };
+        let [noise, share] = [&own.noise, &own.share].map(|bits| f64::from_bits(bits.load(Ordering::Relaxed)));
+        Some(Sufficient { known, noise, share })
     }
 
     /// Whether an expression says that no rule of a reasonable size is known to suffice, away from the end of f′.
     pub(super) fn is_intricate(&self, x: f64, weight: Weight) -> bool {
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.9 * NEAR_THE_LIMIT * limit.value.value);
         let is_tape = matches!(self.slope, Numbers::Tape(_));
-        is_tape && !self.singular && !near_the_end && self.known(x, !matches!(weight, Weight::Slope)).is_none()
+        is_tape && !self.singular && !near_the_end && self.sufficient(x, weight).is_none()
     }
 
-    /// The entry for all x between two neighbours in the list.
+    /// Finds the entry for all x between two neighbours in the list.
     #[cold]
-    fn entry(&self, place: u64, weighted: bool) -> u64 {
-        let ends = (f64::from_bits(place << BELOW), f64::from_bits((place + 1) << BELOW));
-        self.fewest(ends.0.max(self.lower.value), ends.1, weighted).map_or(NONE, |known| {
-            // Rounded up to what is left of the bits.
-            let left_out = (known.left_out.to_bits() & !RULE) + RULE + 1;
-            left_out | (known.rule as u64 + 1)
-        })
+    fn entry(&self, place: u64, weight: Weight, own: &Entry) -> u64 {
+        let (low, high) = (f64::from_bits(place << BELOW), f64::from_bits((place + 1) << BELOW));
+        let Some(known) = self.fewest(low.max(self.lower.value), high, !matches!(weight, Weight::Slope)) else {
+            own.rule.store(NONE, Ordering::Release);
+            return NONE;
+        };
+        let (noise, share) = self.noise(known, (low, high), weight);
+        own.noise.store(noise.to_bits(), Ordering::Relaxed);
+        own.share.store(share.to_bits(), Ordering::Relaxed);
+        // Rounded up to what is left of the bits.
+        let left_out = (known.left_out.to_bits() & !RULE) + RULE + 1;
+        let rule = left_out | (known.rule as u64 + 1);
+        own.rule.store(rule, Ordering::Release);
+        rule
+    }
+
+    /// What rounding does to the mean between two places, and the same as a share of it; infinite where that is not known.
+    fn noise(&self, known: Known, (low, high): (f64, f64), weight: Weight) -> (f64, f64) {
+        // At its lower end a piece is no range.
+        let ends = if low > self.lower.value { [low, high] } else { [f64::NAN; 2] };
+        let found = ends.map(|x| self.by(known, x, weight, None).map_or((f64::NAN, f64::NAN), |found| (found.noise, found.mean.abs())));
+        let [(one, small), (other, large)] = found;
+        let noise = WITHIN * one.max(other);
+        let share = noise / small.min(large);
+        if one + other + share < f64::INFINITY { (noise, share) } else { (f64::INFINITY, f64::INFINITY) }
     }
 
     /// The smallest rule for all x from `low` to `high`.
@@ -180,5 +255,49 @@ impl NumericSegment {
         let weight = if weighted { angle.cosh() * angle.cosh() * widen } else { 1.0 };
         let factor = if self.odd { weight * widen / sigma.sinh() } else { weight };
         (wide.is_finite() && factor.is_finite()).then_some((region, factor))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::term::Segment;
+    use super::*;
+    use crate::expr::{Bindings, Expr};
+    use crate::transform::NumericProfile;
+
+    /// What is kept for a sixteenth against the running bounds of the values at places within it.
+    #[test]
+    fn what_is_kept_of_rounding_covers_every_place() {
+        let r = || Expr::symbol("r");
+        let slopes = [
+            r().power(41),
+            Expr::call("exp", [r().power(2)]) * r(),
+            Expr::call("sin", [r() * Expr::integer(7)]),
+            Expr::call("sin", [r() * Expr::integer(7)]) + Expr::call("cos", [r() * Expr::integer(5)]) * r().power(3),
+            (Expr::integer(1) - r().power(2)) * (Expr::integer(4) - r().power(2)) * r(),
+            r() * (Expr::integer(1000) - Expr::call("cosh", [r()])),
+            Expr::call("tanh", [r()]) - r(),
+            r() * Expr::call("exp", [-r().power(2)]),
+        ];
+        let mut kept = 0;
+        for slope in &slopes {
+            for lower in [Expr::integer(0), Expr::ratio(1, 3)] {
+                let segment = Segment { lower: lower.clone(), upper: None };
+                let own = NumericProfile::new(&[(segment, slope.clone())], &Bindings::default()).unwrap();
+                let [segment] = own.segments.as_slice() else { panic!("{slope:?}") };
+                for i in 0..400 {
+                    let x = 0.01 * 1.02f64.powi(i);
+                    for weight in [Weight::Slope, Weight::Force, Weight::Integral] {
+                        let Some(known) = (x > segment.lower.value).then(|| segment.sufficient(x, weight)).flatten() else { continue };
+                        if known.noise < f64::INFINITY {
+                            let found = segment.by(known.known, x, weight, None).unwrap();
+                            assert!(found.noise <= known.noise, "{slope:?} at {x}, {weight:?}: {} {}", found.noise, known.noise);
+                            kept += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(kept > 8000, "{kept}");
     }
 }

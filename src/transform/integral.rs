@@ -7,7 +7,7 @@ use super::slope_source::{NO_BEND, Numbers, Scratch};
 use super::term::Segment;
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, derivative, multiplied_out, normal};
-use crate::num::quadrature::{Options, Panel, Point, Rule, integrate, integrate_blocks};
+use crate::num::quadrature::{Options, Panel, Point, Rule, integrate_blocks};
 use crate::num::{Bounded, Estimate, NumError, forms};
 use std::sync::OnceLock;
 
@@ -157,38 +157,6 @@ impl NumericProfile {
         Ok(self.over_angle(a, Weight::Integral, tolerance, None)?.scaled(a).scaled(a))
     }
 
-    /// f(r) − f(0) = ∫₀^r f′ dr.
-    ///
-    /// # Errors
-    /// As [`Self::slope`].
-    pub fn height(&self, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        let mut total = Bounded::exact(0.0);
-        let mut evaluations = 0;
-        for segment in &self.segments {
-            let length = segment.upper.map_or(r, |u| u.value.min(r)) - segment.lower.value;
-            if length <= 0.0 {
-                continue;
-            }
-            let mut slots = Vec::new();
-            let mut integrand = |point: Point| {
-                let delta = point.bounded_from_lower();
-                segment.slope.at(delta, &mut slots)
-            };
-            let panel = if segment.singular { Panel::singular(0.0, length) } else { Panel::smooth(0.0, length) };
-            let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
-            let result = integrate(&mut integrand, &[panel], &options);
-            let inner = |v: f64| integrand(Point { x: v, from_lower: v, from_upper: length - v }).value;
-            let found = settle(result, r, || magnitude(length, inner))?;
-            // f may begin or end anywhere within the error of a breakpoint.
-            let moved = |end: Bounded, at: f64| if end.error > 0.0 { 4.0 * end.error * segment.slope_at(at).value.abs() } else { 0.0 };
-            let ends = segment.upper.filter(|u| u.value < r).map_or(0.0, |upper| moved(upper, length));
-            let smear = moved(segment.lower, segment.lower.error) + ends;
-            total = total + Bounded { value: found.value, error: found.error + smear };
-            evaluations += found.evaluations;
-        }
-        Ok(Estimate::from_bounded(total, evaluations))
-    }
-
     /// The displacement u_z(r) outside a contact of radius a < r with a smooth edge.
     ///
     /// # Errors
@@ -250,7 +218,7 @@ pub(super) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
 /// Where the range is cut before any bisection, as shares of it: what the nested rules met and could not resolve may be a core at the lower
 /// end that is narrower than the first node of a rule over the whole range can see.
 /// Ends of parts lie close, so that a tail which begins at one of them is seen from the next.
-const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
+pub(super) const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 
 /// Most points of a rule.
 pub(super) const MOST: usize = 61;

@@ -12,6 +12,7 @@ mod domain;
 mod engine;
 mod error;
 mod evaluator;
+mod height;
 mod integral;
 mod inverse;
 mod kinks;

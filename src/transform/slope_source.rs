@@ -79,6 +79,18 @@ impl Numbers {
         }
     }
 
+    /// Values alone at many distances.
+    pub(super) fn plain_block(&self, deltas: &[f64], values: &mut [f64], scratch: &mut Scratch) {
+        if let Self::Tape(tape) = self
+            && tape.run_block(&[deltas], values, &mut scratch.0).is_some()
+        {
+            return;
+        }
+        for (value, delta) in values.iter_mut().zip(deltas) {
+            *value = self.plain(*delta);
+        }
+    }
+
     /// The value alone.
     pub(super) fn plain(&self, delta: f64) -> f64 {
         match self {

@@ -3,7 +3,7 @@
 //! A point whose bound is not comfortable (a zero or tiny product, an edge, an infinity) is computed again by [`Bounded`].
 
 use super::program::{Action, Known, Operand, Program};
-use super::{BLOCK, BlockInput, BlockScratch, Register};
+use super::{BLOCK, BlockInput, BlockScratch, Place};
 use crate::expr::Function;
 use crate::num::{Bounded, DoubleDouble, real_power, real_power_part};
 
@@ -41,7 +41,7 @@ struct To<'a> {
 
 /// Where a block's inputs are.
 #[derive(Clone, Copy)]
-struct Place<'a, 'b> {
+struct Block<'a, 'b> {
     inputs: &'b [BlockInput<'a>],
     zeros: &'a [f64],
     from: usize,
@@ -59,9 +59,9 @@ impl Program {
         scratch: &mut BlockScratch,
     ) -> Option<()> {
         let BlockScratch { registers, zeros } = scratch;
-        let place = Place { inputs, zeros, from, count: out.len().min(BLOCK) };
+        let block = Block { inputs, zeros, from, count: out.len().min(BLOCK) };
         let Some((last, steps)) = self.steps.split_last() else {
-            match place.values(self.output, registers)? {
+            match block.values(self.output, registers)? {
                 Values::One(known) => {
                     out.fill(known.value);
                     errors.fill(known.error);
@@ -75,16 +75,17 @@ impl Program {
         };
         for step in steps {
             // The register is taken out, so that the operands can be read while it is written.
-            let mut own = std::mem::take(registers.get_mut(step.to)?);
-            let to = To { values: own.values.get_mut(..place.count)?, errors: own.errors.get_mut(..place.count)? };
-            self.act_bounded(&step.action, &place, to, registers)?;
-            *registers.get_mut(step.to)? = own;
+            let mut own = registers.get_mut(step.to)?.take()?;
+            let to = To { values: own.values.get_mut(..block.count)?, errors: own.errors.get_mut(..block.count)? };
+            let done = self.act_bounded(&step.action, &block, to, registers);
+            *registers.get_mut(step.to)? = Some(own);
+            done?;
         }
-        self.act_bounded(&last.action, &place, To { values: out, errors }, registers)
+        self.act_bounded(&last.action, &block, To { values: out, errors }, registers)
     }
 
-    fn act_bounded(&self, action: &Action, place: &Place<'_, '_>, to: To<'_>, registers: &[Register]) -> Option<()> {
-        let values = |operand: &Operand| place.values(*operand, registers);
+    fn act_bounded(&self, action: &Action, block: &Block<'_, '_>, to: To<'_>, registers: &[Place]) -> Option<()> {
+        let values = |operand: &Operand| block.values(*operand, registers);
         match action {
             Action::Add(a, b) => two(values(a)?, values(b)?, to, add, |a, b| a + b),
             Action::Subtract(a, b) => two(values(a)?, values(b)?, to, |a, b| add(a, -b), |a, b| a - b),
@@ -126,8 +127,8 @@ impl Program {
     }
 }
 
-impl<'a> Place<'a, '_> {
-    fn values<'r>(&self, operand: Operand, registers: &'r [Register]) -> Option<Values<'r>>
+impl<'a> Block<'a, '_> {
+    fn values<'r>(&self, operand: Operand, registers: &'r [Place]) -> Option<Values<'r>>
     where
         'a: 'r,
     {
@@ -140,7 +141,7 @@ impl<'a> Place<'a, '_> {
                 Values::Each(Each { values: input.values.get(range)?, errors })
             }
             Operand::Register(index) => {
-                let own = registers.get(index)?;
+                let own = registers.get(index)?.as_ref()?;
                 Values::Each(Each { values: own.values.get(..self.count)?, errors: own.errors.get(..self.count)? })
             }
         })

@@ -14,16 +14,19 @@ const BLOCK: usize = 256;
 /// What every block of a thread shares; nothing is allocated after the first call of the largest tape.
 #[derive(Clone, Debug, Default)]
 pub struct BlockScratch {
-    registers: Vec<Register>,
+    registers: Vec<Place>,
     /// Errors of exact inputs.
     zeros: Vec<f64>,
 }
 
+/// Where a register is, but while it is written.
+type Place = Option<Box<Register>>;
+
 /// Intermediate values of one block and their errors.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 struct Register {
-    values: Vec<f64>,
-    errors: Vec<f64>,
+    values: [f64; BLOCK],
+    errors: [f64; BLOCK],
 }
 
 /// One input of a bounded run over a block.
@@ -45,7 +48,7 @@ impl<'a> BlockInput<'a> {
 impl BlockScratch {
     fn prepare(&mut self, registers: usize) {
         if self.registers.len() < registers {
-            self.registers.resize_with(registers, || Register { values: vec![0.0; BLOCK], errors: vec![0.0; BLOCK] });
+            self.registers.resize_with(registers, || Some(Box::new(Register { values: [0.0; BLOCK], errors: [0.0; BLOCK] })));
         }
         if self.zeros.is_empty() {
             self.zeros = vec![0.0; BLOCK];

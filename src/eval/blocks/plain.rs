@@ -1,7 +1,7 @@
 //! Plain numbers: loops that the compiler turns into vector instructions wherever the processor has them.
 
 use super::program::{Action, Operand, Program};
-use super::{BLOCK, Register};
+use super::{BLOCK, Place};
 use crate::expr::Function;
 use crate::num::{corrected_power, real_power};
 
@@ -17,7 +17,7 @@ enum Values<'a> {
 
 impl Program {
     /// The output at the points from `from` on, as many as `out` has and at most [`BLOCK`].
-    pub(super) fn run(&self, inputs: &[&[f64]], from: usize, out: &mut [f64], registers: &mut [Register]) -> Option<()> {
+    pub(super) fn run(&self, inputs: &[&[f64]], from: usize, out: &mut [f64], registers: &mut [Place]) -> Option<()> {
         let count = out.len().min(BLOCK);
         let Some((last, steps)) = self.steps.split_last() else {
             match self.values(self.output, inputs, from, count, registers)? {
@@ -28,29 +28,23 @@ impl Program {
         };
         for step in steps {
             // The register is taken out, so that the operands can be read while it is written.
-            let mut to = std::mem::take(&mut registers.get_mut(step.to)?.values);
-            self.act(&step.action, inputs, from, to.get_mut(..count)?, registers)?;
-            registers.get_mut(step.to)?.values = to;
+            let mut own = registers.get_mut(step.to)?.take()?;
+            let done = self.act(&step.action, inputs, from, own.values.get_mut(..count)?, registers);
+            *registers.get_mut(step.to)? = Some(own);
+            done?;
         }
         self.act(&last.action, inputs, from, out, registers)
     }
 
-    fn values<'a>(
-        &self,
-        operand: Operand,
-        inputs: &[&'a [f64]],
-        from: usize,
-        count: usize,
-        registers: &'a [Register],
-    ) -> Option<Values<'a>> {
+    fn values<'a>(&self, operand: Operand, inputs: &[&'a [f64]], from: usize, count: usize, registers: &'a [Place]) -> Option<Values<'a>> {
         Some(match operand {
             Operand::Constant(known) => Values::One(known.plain),
             Operand::Input(index) => Values::Each(inputs.get(index)?.get(from..from + count)?),
-            Operand::Register(index) => Values::Each(registers.get(index)?.values.get(..count)?),
+            Operand::Register(index) => Values::Each(registers.get(index)?.as_ref()?.values.get(..count)?),
         })
     }
 
-    fn act(&self, action: &Action, inputs: &[&[f64]], from: usize, to: &mut [f64], registers: &[Register]) -> Option<()> {
+    fn act(&self, action: &Action, inputs: &[&[f64]], from: usize, to: &mut [f64], registers: &[Place]) -> Option<()> {
         let count = to.len();
         let values = |operand: &Operand| self.values(*operand, inputs, from, count, registers);
         match action {

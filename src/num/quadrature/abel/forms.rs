@@ -107,7 +107,8 @@ impl Form {
             Self::AxisSine => (nodes.cosine, nodes.sine_versine, Some(nodes.secant)),
             Self::AxisAngle => (nodes.quarter, nodes.versine, None),
             Self::Angle { angle } => return from_a_kink::<N>(extent, nodes, 0.5 * angle, show),
-            _ => return self.visit_stretched::<N>(extent, nodes, exact, show),
+            Self::Sine => return from_a_kink_by_sine::<N>(extent, nodes, exact, show),
+            Self::NearSine { .. } | Self::NearAngle { .. } => return self.visit_stretched::<N>(extent, nodes, show),
         };
         let (mut r, mut below) = ([0.0; N], [0.0; N]);
         for ((r, below), (cosine, versine)) in r.iter_mut().zip(&mut below).zip(cosines.iter().zip(versines)) {
@@ -126,58 +127,33 @@ impl Form {
         }
     }
 
-    /// The same in the variables that need functions of their own.
+    /// The same in the variables next to a limit.
     #[inline(never)]
-    fn visit_stretched<const N: usize>(self, extent: &Extent, nodes: Nodes<'_>, exact: bool, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
-        let z = nodes.z;
+    fn visit_stretched<const N: usize>(self, extent: &Extent, nodes: Nodes<'_>, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
         let Extent { x, rest, sine, cosine } = *extent;
-        let (mut r, mut below, mut past) = ([0.0; N], [0.0; N], [0.0; N]);
-        let (mut factor, mut sines, mut secants, mut shares) = ([1.0; N], [0.0; N], [0.0; N], [0.0; N]);
-        let places = sines.iter_mut().zip(z);
-        match self {
-            Self::NearSine { small, reach } => places.for_each(|(s, z)| *s = (small * sinh(reach * z)).min(sine)),
-            Self::NearAngle { small, reach, angle } => {
-                for ((s, z), factor) in places.zip(&mut factor) {
+        let (mut r, mut below, mut past, mut factor) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N]);
+        let (lower, from_axis) = (x * cosine, cosine == 0.0);
+        let lists = r.iter_mut().zip(&mut past).zip(below.iter_mut().zip(&mut factor));
+        for (((r, past), (below, factor)), z) in lists.zip(nodes.z) {
+            let s = match self {
+                Self::NearAngle { small, reach, angle } => {
                     let tau = (small * sinh(reach * z)).min(angle);
                     *factor = (small * small + tau * tau).sqrt();
-                    *s = tau.sin();
+                    tau.sin()
                 }
-            }
-            _ => places.for_each(|(s, z)| *s = sine * z),
-        }
-        // sin²τ_b − sin²τ, which is sin²τ_b (1 − z²) in the sine: next to the kink the difference of both would be rounding alone.
-        if let Self::Sine = self {
-            shares.iter_mut().zip(nodes.cosine).for_each(|(share, c)| *share = (sine * c) * (sine * c));
-        } else {
-            shares.iter_mut().zip(&sines).for_each(|(share, s)| *share = (sine - s) * (sine + s));
-        }
-        let lower = x * cosine;
-        let from_axis = cosine == 0.0;
-        let places = r.iter_mut().zip(&mut past).zip(&mut below).zip(&mut secants);
-        for ((((r, past), below), secant), (s, share)) in places.zip(sines.iter().zip(&shares)) {
+                Self::NearSine { small, reach } => (small * sinh(reach * z)).min(sine),
+                _ => sine * z,
+            };
             let c = ((1.0 - s) * (1.0 + s)).sqrt();
-            // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b), and 1/c by the same division.
-            let over = 1.0 / (c * (c + cosine));
-            *past = x * if from_axis { c } else { share * (over * c) };
+            // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b)
+            *past = if from_axis { x * c } else { x * ((sine - s) * (sine + s) / (c + cosine)) };
             *r = lower + *past;
-            *below = rest + (x - *r);
-            *secant = over * (c + cosine);
-        }
-        if exact || matches!(self, Self::NearSine { .. } | Self::NearAngle { .. }) {
-            for (below, s) in below.iter_mut().zip(&sines) {
-                *below = rest + x * (s * s / (1.0 + ((1.0 - s) * (1.0 + s)).sqrt()));
+            *below = rest + x * (s * s / (1.0 + c));
+            if let Self::NearSine { small, .. } = self {
+                *factor = (small * small + s * s).sqrt() / c;
             }
         }
-        match self {
-            Self::NearAngle { .. } => {}
-            Self::NearSine { small, .. } => {
-                for ((factor, secant), s) in factor.iter_mut().zip(&secants).zip(&sines) {
-                    *factor = (small * small + s * s).sqrt() * secant;
-                }
-            }
-            _ => factor = secants,
-        }
-        let count = z.len();
+        let count = nodes.z.len();
         if let (Some(r), Some(past_start), Some(below_limit), factor) =
             (r.get(..count), past.get(..count), below.get(..count), factor.get(..count))
         {
@@ -236,6 +212,32 @@ fn from_a_kink<const N: usize>(extent: &Extent, nodes: Nodes<'_>, half: f64, sho
     }
     if let (Some(r), Some(past_start), Some(below_limit)) = (r.get(..z.len()), past.get(..z.len()), below.get(..z.len())) {
         show(Radii { r, past_start, below_limit }, None);
+    }
+}
+
+/// The places r = x cos τ with sin τ = z sin τ_b, where the factor is 1/cos τ.
+#[inline]
+fn from_a_kink_by_sine<const N: usize>(extent: &Extent, nodes: Nodes<'_>, exact: bool, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
+    let Extent { x, rest, sine, cosine } = *extent;
+    let (mut r, mut below, mut past, mut secants) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N]);
+    let (lower, count) = (x * cosine, nodes.z.len());
+    let lists = r.iter_mut().zip(&mut past).zip(below.iter_mut().zip(&mut secants));
+    for (((r, past), (below, secant)), (z, rest_of_z)) in lists.zip(nodes.z.iter().zip(nodes.cosine)) {
+        let s = sine * z;
+        let c = ((1.0 - s) * (1.0 + s)).sqrt();
+        // sin²τ_b − sin²τ = sin²τ_b (1 − z²): next to the kink the difference of both sines would be rounding alone.
+        let share = (sine * rest_of_z) * (sine * rest_of_z);
+        // cos τ − cos τ_b = share/(cos τ + cos τ_b), and 1/cos τ by the same division.
+        let over = 1.0 / (c * (c + cosine));
+        *past = x * (share * (over * c));
+        *r = lower + *past;
+        *below = rest + if exact { x * (s * s / (1.0 + c)) } else { x - *r };
+        *secant = over * (c + cosine);
+    }
+    if let (Some(r), Some(past_start), Some(below_limit), factor) =
+        (r.get(..count), past.get(..count), below.get(..count), secants.get(..count))
+    {
+        show(Radii { r, past_start, below_limit }, factor);
     }
 }
 

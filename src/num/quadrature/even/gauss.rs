@@ -13,8 +13,10 @@ const HALVES: [usize; 24] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 18, 20, 22,
 const MOST: usize = HALVES[HALVES.len() - 1];
 /// Sums that are added at the end.
 const LANES: usize = 4;
-/// As many nodes are enough nearly always.
-const FEW: usize = 24;
+/// As many nodes are enough often …
+const FEW: usize = 8;
+/// … and so many nearly always.
+const MORE: usize = 24;
 /// Each is made when it is first needed.
 static RULES: [LazyLock<GaussRule>; HALVES.len()] = [
     LazyLock::new(|| GaussRule::new(0)),
@@ -115,7 +117,11 @@ impl Known {
     #[inline]
     pub(crate) fn mean<I: EvenIntegrand>(self, integrand: &mut I) -> Result<Mean, NumError> {
         let rule: &GaussRule = RULES.get(self.rule).unwrap_or(&RULES[0]);
-        if rule.nodes.all().z.len() <= FEW { self.sum::<I, FEW>(integrand, rule) } else { self.sum::<I, MOST>(integrand, rule) }
+        match rule.nodes.all().z.len() {
+            count if count <= FEW => self.sum::<I, FEW>(integrand, rule),
+            count if count <= MORE => self.sum::<I, MORE>(integrand, rule),
+            _ => self.sum::<I, MOST>(integrand, rule),
+        }
     }
 
     #[inline(always)]
