@@ -302,6 +302,19 @@ fn transforms_at_all_lengths_and_within_their_range() {
         let found = best(transform.force(a));
         assert!((found.value - 2.0 * a * a * a / 3.0).abs() <= found.error && found.error > 0.0, "{a:e}: {found:?}");
     }
+    // Failures too have an error where the value is lost, and no value that is no number.
+    let sharp = AbelOptions { rel_tol: 1e-17, ..ODD };
+    assert!(matches!(abel(&mut blocks(|r, _| r), 1e160, &sharp), Err(NumError::OutOfDomain { .. })));
+    for found in [abel(&mut blocks(|r, _| r), 1e-165, &sharp), abel_force(&mut blocks(|r, _| r), 1e-115, &sharp)] {
+        assert!(matches!(found, Err(NumError::ToleranceNotReached { value: 0.0, error, .. }) if error > 0.0), "{found:?}");
+    }
+    // An absolute tolerance beyond all values.
+    for x in [1e-158, 1e-200, 1e-306] {
+        let narrow = move |r: f64, _: f64| (r / x) / (0.01 + (r / x) * (r / x));
+        let options = AbelOptions { abs_tol: 1e5, ..ODD };
+        let (found, other) = (best(abel_force(&mut blocks(narrow), x, &options)), best(abel(&mut blocks(narrow), x, &options)));
+        assert!(found.error < 1e5 && other.error < 1e5, "{x:e}: {found:?} {other:?}");
+    }
     assert_eq!(transform.g(0.0).unwrap().value, 0.0);
     for x in [-1.0, f64::NAN] {
         assert!(matches!(transform.g(x), Err(NumError::OutOfDomain { .. })));
@@ -338,6 +351,19 @@ fn transforms_of_what_is_not_smooth() {
         assert!((second.value - truth).abs() <= second.error + 4e-16 * truth, "{index}: {second:?}, is {truth:e}");
         assert!(second.value == alone.value && second.evaluations == alone.evaluations, "{index}: {second:?}, {alone:?}");
         assert!(first.evaluations >= second.evaluations && first.evaluations <= second.evaluations + 208, "{index}: {first:?}");
+    }
+    // Nothing is expanded beyond the limit of evaluations, and what was asked in vain counts.
+    for most in [0, 12, 79, 80, 150, 250] {
+        let options = AbelOptions { max_evaluations: most, ..ODD };
+        for slope in [(|r, _| f64::tanh(r)) as fn(f64, f64) -> f64, |r, _| (30.0 * r).sin() + 1e-3 * (r - 0.5).abs()] {
+            let asked = std::cell::Cell::new(0);
+            let counting = |r: f64, below: f64| {
+                asked.set(asked.get() + 1);
+                slope(r, below)
+            };
+            let found = best(AbelTransform::new(blocks(counting), 3.0, options).unwrap().g(3.0));
+            assert!(found.evaluations == asked.get() && found.evaluations <= most + 61, "{most}: {found:?}, {}", asked.get());
+        }
     }
     // Something narrow at the axis, where no node is: it is seen between the last node and the axis.
     for width in [1e-3f64, 1e-5, 1e-8] {

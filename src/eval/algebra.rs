@@ -126,6 +126,48 @@ impl Algebra for BoundedAlgebra {
     }
 }
 
+/// Bounds as those of [`BoundedAlgebra`] in which every operation is charged half a unit, whether it rounds at this point or not: near by
+/// they hold as well.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RoundingAlgebra;
+
+impl RoundingAlgebra {
+    fn charged(own: Bounded) -> Bounded {
+        Bounded { error: own.error + 0.5 * f64::EPSILON * own.value.abs(), ..own }
+    }
+}
+
+impl Algebra for RoundingAlgebra {
+    type Value = Bounded;
+    fn constant(&mut self, number: Precise) -> Bounded {
+        BoundedAlgebra.constant(number)
+    }
+    fn add(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        Self::charged(a + b)
+    }
+    fn subtract(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        Self::charged(a - b)
+    }
+    fn multiply(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        Self::charged(a * b)
+    }
+    fn divide(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        Self::charged(a / b)
+    }
+    fn square_root(&mut self, a: Bounded) -> Bounded {
+        Self::charged(a.sqrt())
+    }
+    fn power(&mut self, a: Bounded, b: Bounded) -> Bounded {
+        Self::charged(a.powf(b))
+    }
+    fn real_power(&mut self, a: Bounded, nearest: f64, rest: Precise) -> Bounded {
+        Self::charged(BoundedAlgebra.real_power(a, nearest, rest))
+    }
+    fn call(&mut self, function: Function, arguments: &[Bounded]) -> Bounded {
+        Self::charged(BoundedAlgebra.call(function, arguments))
+    }
+}
+
 /// The value with the bound that its row states, which asks the function once; `None` where there is none, or no room for it.
 fn by_spread(row: &Row, arguments: &[Bounded]) -> Option<Bounded> {
     const FEW: usize = 4;

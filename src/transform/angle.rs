@@ -38,7 +38,8 @@ impl NumericSegment {
             return Ok(None);
         }
         let limit = self.limit.as_ref().map(|limit| limit.value.value).filter(|limit| *limit > x);
-        let mut source = Source { numbers, doubt: self.lower.error, weight, x, from_limit: None, bounded: true, scratch: Scratch::take() };
+        let mut source =
+            Source { numbers, doubt: self.lower.error, weight, x, from_limit: None, bounds: Bounds::Running, scratch: Scratch::take() };
         let refused = |_| TransformError::NotComputable { at: x };
         if self.singular {
             let extent = Extent::new(lower, x, None);
@@ -78,11 +79,11 @@ impl NumericSegment {
 }
 
 impl NumericSegment {
-    /// f′ as an even integrand, from its lower end on, with bounds on the errors of its values or without.
+    /// f′ as an even integrand, from its lower end on, with such bounds on the errors of its values.
     #[inline]
-    pub(super) fn integrand(&self, x: f64, weight: Weight, form: Form, extent: Extent, bounded: bool) -> Even<'_> {
+    pub(super) fn integrand(&self, x: f64, weight: Weight, form: Form, extent: Extent, bounds: Bounds) -> Even<'_> {
         let doubt = self.lower.error;
-        let source = Source { numbers: &self.slope, doubt, weight, x, from_limit: None, bounded, scratch: Scratch::take() };
+        let source = Source { numbers: &self.slope, doubt, weight, x, from_limit: None, bounds, scratch: Scratch::take() };
         Even { source, form, extent }
     }
 }
@@ -90,6 +91,17 @@ impl NumericSegment {
 /// Adds the rounding of the factor in front.
 fn with_rounding(found: Estimate) -> Estimate {
     Estimate { error: found.error + 8.0 * UNIT * found.value.abs(), ..found }
+}
+
+/// The bounds that values come with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bounds {
+    /// 0.
+    None,
+    /// Of the errors at each place.
+    Running,
+    /// The same for all places near by.
+    NearBy,
 }
 
 /// f′ times the weight of a quantity.
@@ -101,15 +113,14 @@ struct Source<'a> {
     x: f64,
     /// f′ over the distance to the limit, and how well the limit is known.
     from_limit: Option<(&'a Numbers, f64)>,
-    /// Whether values come with bounds on their errors; else those are 0.
-    bounded: bool,
+    bounds: Bounds,
     scratch: Scratch,
 }
 
 impl Source<'_> {
     /// Values and bounds at a few places, times the factor of the variable.
     fn ask(&mut self, at: Radii<'_>, factor: Option<&[f64]>, values: &mut [f64], errors: &mut [f64]) {
-        if !self.bounded {
+        if self.bounds == Bounds::None {
             return self.ask_plainly(at, factor, values, errors);
         }
         let own = self.doubt;
@@ -125,7 +136,11 @@ impl Source<'_> {
             // The distance counts from an end that is known to its error only; next to that end the caller has it.
             *doubt = 12.0 * UNIT * *distance + if *distance > 2.0 * end { end } else { 0.0 };
         }
-        numbers.block(distances, doubts, values, errors, &mut self.scratch);
+        if self.bounds == Bounds::NearBy {
+            numbers.block_near_by(distances, doubts, values, errors);
+        } else {
+            numbers.block(distances, doubts, values, errors, &mut self.scratch);
+        }
         if let Some(factor) = factor {
             for ((value, error), by) in values.iter_mut().zip(&mut *errors).zip(factor) {
                 *value *= by;

@@ -3,7 +3,7 @@
 use super::TransformError;
 use super::continued::Continued;
 use super::integral::{NumericProfile, NumericSegment};
-use crate::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, Tape};
+use crate::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, RoundingAlgebra, Tape};
 use crate::num::Bounded;
 use std::cell::Cell;
 use std::sync::{Arc, OnceLock};
@@ -76,6 +76,19 @@ impl Numbers {
         for ((value, error), (delta, doubt)) in values.iter_mut().zip(errors).zip(deltas.iter().zip(doubts)) {
             let own = self.at(Bounded { value: *delta, error: *doubt }, &mut slots);
             (*value, *error) = (own.value, own.error);
+        }
+    }
+
+    /// Values with bounds that hold near by as well.
+    pub(super) fn block_near_by(&self, deltas: &[f64], doubts: &[f64], values: &mut [f64], errors: &mut [f64]) {
+        let mut slots = Vec::new();
+        for ((value, error), (delta, doubt)) in values.iter_mut().zip(errors).zip(deltas.iter().zip(doubts)) {
+            let delta = Bounded { value: *delta, error: *doubt };
+            let own = match self {
+                Self::Tape(tape) => tape.run(&mut RoundingAlgebra, &[delta], &mut slots),
+                _ => None,
+            };
+            (*value, *error) = own.map_or((f64::NAN, f64::NAN), |own| (own.value, own.error));
         }
     }
 

@@ -1,7 +1,8 @@
 //! The variables in which f′(r)/√(x² − r²) becomes a smooth even function, r/x = cos τ.
 
-use super::super::even::{Middles, Nodes, halves};
+use super::super::even::{Middles, Nodes};
 use super::Radii;
+use crate::num::stable::halves;
 
 /// Most places that are asked together.
 pub(crate) const CHUNK: usize = 16;
@@ -108,7 +109,8 @@ impl Form {
             Self::AxisAngle => (nodes.quarter, nodes.versine, None),
             Self::Angle { angle } => return from_a_kink::<N>(extent, nodes, 0.5 * angle, show),
             Self::Sine => return from_a_kink_by_sine::<N>(extent, nodes, exact, show),
-            Self::NearSine { .. } | Self::NearAngle { .. } => return self.visit_stretched::<N>(extent, nodes, show),
+            Self::NearSine { small, reach } => return near_a_limit::<N>(extent, nodes, (small, reach, None), show),
+            Self::NearAngle { small, reach, angle } => return near_a_limit::<N>(extent, nodes, (small, reach, Some(angle)), show),
         };
         let (mut r, mut below) = ([0.0; N], [0.0; N]);
         for ((r, below), (cosine, versine)) in r.iter_mut().zip(&mut below).zip(cosines.iter().zip(versines)) {
@@ -124,40 +126,6 @@ impl Form {
         }
         if let (Some(r), Some(below)) = (r.get(..nodes.z.len()), below.get(..nodes.z.len())) {
             show(Radii { r, past_start: r, below_limit: below }, factor);
-        }
-    }
-
-    /// The same in the variables next to a limit.
-    #[inline(never)]
-    fn visit_stretched<const N: usize>(self, extent: &Extent, nodes: Nodes<'_>, show: impl FnOnce(Radii<'_>, Option<&[f64]>)) {
-        let Extent { x, rest, sine, cosine } = *extent;
-        let (mut r, mut below, mut past, mut factor) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N]);
-        let (lower, from_axis) = (x * cosine, cosine == 0.0);
-        let lists = r.iter_mut().zip(&mut past).zip(below.iter_mut().zip(&mut factor));
-        for (((r, past), (below, factor)), z) in lists.zip(nodes.z) {
-            let s = match self {
-                Self::NearAngle { small, reach, angle } => {
-                    let tau = (small * sinh(reach * z)).min(angle);
-                    *factor = (small * small + tau * tau).sqrt();
-                    tau.sin()
-                }
-                Self::NearSine { small, reach } => (small * sinh(reach * z)).min(sine),
-                _ => sine * z,
-            };
-            let c = ((1.0 - s) * (1.0 + s)).sqrt();
-            // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b)
-            *past = if from_axis { x * c } else { x * ((sine - s) * (sine + s) / (c + cosine)) };
-            *r = lower + *past;
-            *below = rest + x * (s * s / (1.0 + c));
-            if let Self::NearSine { small, .. } = self {
-                *factor = (small * small + s * s).sqrt() / c;
-            }
-        }
-        let count = nodes.z.len();
-        if let (Some(r), Some(past_start), Some(below_limit), factor) =
-            (r.get(..count), past.get(..count), below.get(..count), factor.get(..count))
-        {
-            show(Radii { r, past_start, below_limit }, factor);
         }
     }
 
@@ -212,6 +180,36 @@ fn from_a_kink<const N: usize>(extent: &Extent, nodes: Nodes<'_>, half: f64, sho
     }
     if let (Some(r), Some(past_start), Some(below_limit)) = (r.get(..z.len()), past.get(..z.len()), below.get(..z.len())) {
         show(Radii { r, past_start, below_limit }, None);
+    }
+}
+
+/// The places next to a limit: sin τ, or τ where the angle of the lower end is given, is ε sinh(reach·z).
+#[inline(never)]
+fn near_a_limit<const N: usize>(
+    extent: &Extent,
+    nodes: Nodes<'_>,
+    (small, reach, angle): (f64, f64, Option<f64>),
+    show: impl FnOnce(Radii<'_>, Option<&[f64]>),
+) {
+    let Extent { x, rest, sine, cosine } = *extent;
+    let (mut r, mut below, mut past, mut factor) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N]);
+    let (lower, from_axis, count) = (x * cosine, cosine == 0.0, nodes.z.len());
+    let lists = r.iter_mut().zip(&mut past).zip(below.iter_mut().zip(&mut factor));
+    for (((r, past), (below, factor)), z) in lists.zip(nodes.z) {
+        let stretched = (small * sinh(reach * z)).min(angle.unwrap_or(sine));
+        let s = if angle.is_some() { stretched.sin() } else { stretched };
+        let c = ((1.0 - s) * (1.0 + s)).sqrt();
+        // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b)
+        *past = if from_axis { x * c } else { x * ((sine - s) * (sine + s) / (c + cosine)) };
+        *r = lower + *past;
+        *below = rest + x * (s * s / (1.0 + c));
+        let stretch = (small * small + stretched * stretched).sqrt();
+        *factor = if angle.is_some() { stretch } else { stretch / c };
+    }
+    if let (Some(r), Some(past_start), Some(below_limit), factor) =
+        (r.get(..count), past.get(..count), below.get(..count), factor.get(..count))
+    {
+        show(Radii { r, past_start, below_limit }, factor);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::super::even::{Expansion, Known};
 use super::forms::{Extent, Form};
 use super::pieces::{Blocks, by_a_known_rule, target};
-use super::{AbelOptions, Radii, Start, abel, abel_force, with_unit};
+use super::{AbelOptions, Radii, Start, abel, abel_force, counted, with_unit, without_spent};
 use crate::num::{Estimate, NumError};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -48,7 +48,8 @@ struct Octave {
     rules: [[Option<Chosen>; SIXTEENTHS]; 2],
 }
 
-/// What was found out for one sixteenth: a rule, or that the one to be taken must be found at every place.
+/// What was found out for one sixteenth: the rule that suffices at its upper end, or that there is none. Where it does not meet the
+/// tolerance, as where f′ is so steep that its integral is much smaller at the lower end, the place is answered by itself.
 type Chosen = Option<Known>;
 
 const SIXTEENTHS: usize = 16;
@@ -97,7 +98,7 @@ impl<'a, F: FnMut(Radii<'_>, &mut [f64])> AbelTransform<'a, F> {
         let mut spent = 0;
         if x.is_normal() && x > 0.0 && x <= self.smooth {
             let place = x.to_bits() >> BELOW;
-            let (chosen, asked) = self.chosen::<FORCE>(place)?;
+            let (chosen, asked) = self.chosen::<FORCE>(place);
             spent = asked;
             if let Some(known) = chosen {
                 let extent = Extent::new(0.0, x, self.options.limit);
@@ -109,35 +110,42 @@ impl<'a, F: FnMut(Radii<'_>, &mut [f64])> AbelTransform<'a, F> {
                 }
             }
         }
+        self.anew::<FORCE>(x, spent)
+    }
+
+    /// The value as by itself, after what was spent in vain.
+    #[inline(never)]
+    fn anew<const FORCE: bool>(&mut self, x: f64, spent: u64) -> Result<Estimate, NumError> {
         if x > self.up_to {
             let accepted = "0 <= x, up to the end that was stated";
             return Err(NumError::OutOfDomain { what: "place of an Abel transform", got: x, accepted });
         }
-        let found = if FORCE { abel_force(&mut self.slope, x, &self.options) } else { abel(&mut self.slope, x, &self.options) };
-        found.map(|found| Estimate { evaluations: found.evaluations + spent, ..found })
+        let own = without_spent(&self.options, spent);
+        let found = if FORCE { abel_force(&mut self.slope, x, &own) } else { abel(&mut self.slope, x, &own) };
+        counted(found, spent)
     }
 
     /// The rule for a sixteenth of an octave, and what was spent on finding it.
     #[inline]
-    fn chosen<const FORCE: bool>(&mut self, place: u64) -> Result<(Chosen, u64), NumError> {
+    fn chosen<const FORCE: bool>(&mut self, place: u64) -> (Chosen, u64) {
         let (octave, sixteenth) = (place / SIXTEENTHS as u64, place as usize % SIXTEENTHS);
         match self.octaves.get(&octave).map(|own| own.rules[usize::from(FORCE)][sixteenth]) {
-            Some(Some(chosen)) => Ok((chosen, 0)),
+            Some(Some(chosen)) => (chosen, 0),
             _ => self.choose::<FORCE>(octave, sixteenth),
         }
     }
 
     #[cold]
-    fn choose<const FORCE: bool>(&mut self, octave: u64, sixteenth: usize) -> Result<(Chosen, u64), NumError> {
+    fn choose<const FORCE: bool>(&mut self, octave: u64, sixteenth: usize) -> (Chosen, u64) {
         let upper = |place: u64| f64::from_bits(place << BELOW).min(self.smooth);
         let (whole, own) = (upper((octave + 1) * SIXTEENTHS as u64), upper(octave * SIXTEENTHS as u64 + sixteenth as u64 + 1));
         let (entry, spent) = match self.octaves.entry(octave) {
             Entry::Occupied(entry) => (entry.into_mut(), 0),
             Entry::Vacant(entry) => {
                 let extent = Extent::new(0.0, whole, self.options.limit);
-                let (slope, roundings) = (&mut self.slope, self.options.roundings);
+                let (slope, roundings, most) = (&mut self.slope, self.options.roundings, self.options.max_evaluations);
                 let mut integrand = Blocks::<_, false> { slope, form: Form::AxisSine, extent, roundings };
-                let (expansion, spent) = Expansion::of(&mut integrand);
+                let (expansion, spent) = Expansion::of(&mut integrand, most);
                 (entry.insert(Octave { expansion, rules: Default::default() }), spent)
             }
         };
@@ -148,6 +156,6 @@ impl<'a, F: FnMut(Radii<'_>, &mut [f64])> AbelTransform<'a, F> {
             part.fewest(SHARE * (self.options.rel_tol * part.mean().abs()).max(self.options.abs_tol / unit))
         });
         entry.rules[usize::from(FORCE)][sixteenth] = Some(chosen);
-        Ok((chosen, spent))
+        (chosen, spent)
     }
 }

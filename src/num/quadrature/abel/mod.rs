@@ -150,30 +150,56 @@ fn integral<const FORCE: bool>(
 
 /// The options whose absolute tolerance is that of the integral without a unit.
 fn without_unit<'a, const FORCE: bool>(x: f64, options: &AbelOptions<'a>) -> AbelOptions<'a> {
-    let per = |value: f64| if value > 0.0 && x > 0.0 { value / x } else { value };
+    let per = |value: f64| if value > 0.0 && x > 0.0 { (value / x).min(f64::MAX) } else { value };
     let abs_tol = per(options.abs_tol);
     AbelOptions { abs_tol: if FORCE { per(abs_tol) } else { abs_tol }, ..*options }
 }
 
 /// The estimate of x times the integral.
 fn times(found: Result<Estimate, NumError>, x: f64) -> Result<Estimate, NumError> {
+    let by = |value: f64, error: f64| {
+        let product = value * x;
+        // The last digit of the product, and what an underflow loses.
+        let rounding = UNIT * product.abs() + f64::from_bits(1);
+        let none = value == 0.0 && error == 0.0;
+        (product, if none { 0.0 } else { (error * x + rounding) * (1.0 + f64::EPSILON) })
+    };
+    let too_large = NumError::OutOfDomain { what: "upper end of an Abel integral", got: x, accepted: "x where the value is a double" };
     match found {
         Ok(Estimate { value, error, evaluations }) => {
-            let value = value * x;
-            if value.is_infinite() {
-                return Err(NumError::OutOfDomain {
-                    what: "upper end of an Abel integral",
-                    got: x,
-                    accepted: "x where the value is a double",
-                });
-            }
-            // The last digit of the product, and what an underflow loses.
-            let rounding = UNIT * value.abs() + f64::from_bits(1);
-            let error = if value == 0.0 && error == 0.0 { 0.0 } else { (error * x + rounding) * (1.0 + f64::EPSILON) };
-            Ok(Estimate { value, error, evaluations })
+            let (value, error) = by(value, error);
+            if value.is_finite() && error.is_finite() { Ok(Estimate { value, error, evaluations }) } else { Err(too_large) }
         }
-        Err(error) => Err(scaled(error, x)),
+        Err(NumError::ToleranceNotReached { value, error, requested, evaluations }) => {
+            let (value, error) = by(value, error);
+            let requested = requested * x;
+            Err(if value.is_finite() { NumError::ToleranceNotReached { value, error, requested, evaluations } } else { too_large })
+        }
+        Err(NumError::EvaluationLimit { value, error, evaluations }) => {
+            let (value, error) = by(value, error);
+            Err(if value.is_finite() { NumError::EvaluationLimit { value, error, evaluations } } else { too_large })
+        }
+        other => other,
     }
+}
+
+/// The same after evaluations that were spent before.
+fn counted(found: Result<Estimate, NumError>, spent: u64) -> Result<Estimate, NumError> {
+    match found {
+        Ok(found) => Ok(Estimate { evaluations: found.evaluations + spent, ..found }),
+        Err(NumError::ToleranceNotReached { value, error, requested, evaluations }) => {
+            Err(NumError::ToleranceNotReached { value, error, requested, evaluations: evaluations + spent })
+        }
+        Err(NumError::EvaluationLimit { value, error, evaluations }) => {
+            Err(NumError::EvaluationLimit { value, error, evaluations: evaluations + spent })
+        }
+        Err(other) => Err(other),
+    }
+}
+
+/// The options with what is left of the evaluations.
+fn without_spent<'a>(options: &AbelOptions<'a>, spent: u64) -> AbelOptions<'a> {
+    AbelOptions { max_evaluations: options.max_evaluations.saturating_sub(spent), ..*options }
 }
 
 /// The integral with its unit, times x for g and x² for F.
@@ -200,18 +226,4 @@ fn with_unit<const FORCE: bool>(x: f64, found: Result<Estimate, NumError>) -> Re
 /// ```
 pub fn abel_force(slope: &mut impl FnMut(Radii<'_>, &mut [f64]), a: f64, options: &AbelOptions<'_>) -> Result<Estimate, NumError> {
     integral::<true>(slope, a, options)
-}
-
-/// The error of a quantity that is `factor` times the integral.
-fn scaled(error: NumError, factor: f64) -> NumError {
-    let by = |v: f64| v * factor;
-    match error {
-        NumError::ToleranceNotReached { value, error, requested, evaluations } => {
-            NumError::ToleranceNotReached { value: by(value), error: by(error), requested: by(requested), evaluations }
-        }
-        NumError::EvaluationLimit { value, error, evaluations } => {
-            NumError::EvaluationLimit { value: by(value), error: by(error), evaluations }
-        }
-        other => other,
-    }
 }

@@ -5,7 +5,7 @@ use super::super::even::{self, EvenIntegrand, Known, Mean, Middles, Nodes};
 use super::super::{Panel, Point};
 use super::forms::{Extent, Form};
 use super::start::{Wish, from_the_axis};
-use super::{AbelOptions, Radii, Start, Strip};
+use super::{AbelOptions, Radii, Start, Strip, counted, without_spent};
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, NumError};
 
@@ -92,7 +92,7 @@ fn last<const FORCE: bool>(
         let (found, spent) = from_the_axis(&mut ask, &extent, &wish)?;
         return match found {
             Some(found) => Ok(found),
-            None => bisected::<FORCE>(slope, lower, &extent, options).map(|own| Estimate { evaluations: own.evaluations + spent, ..own }),
+            None => counted(bisected::<FORCE>(slope, lower, &extent, &without_spent(options, spent)), spent),
         };
     }
     let mut spent = 0;
@@ -124,7 +124,7 @@ fn last<const FORCE: bool>(
     if noise + rounding > 0.99 * requested && scale * left_out <= noise {
         return Err(NumError::ToleranceNotReached { value, error, requested, evaluations });
     }
-    bisected::<FORCE>(slope, lower, &extent, options).map(|own| Estimate { evaluations: own.evaluations + evaluations, ..own })
+    counted(bisected::<FORCE>(slope, lower, &extent, &without_spent(options, evaluations)), evaluations)
 }
 
 /// The mean of f′ is guessed to be this share of the bound, and less where x is less than the height; where it is smaller still another

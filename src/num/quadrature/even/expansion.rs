@@ -60,12 +60,16 @@ impl Grid {
 }
 
 impl Expansion {
-    /// The series of an integrand, and the evaluations spent; none where coefficients do not fall to rounding noise, where the function is
-    /// something else between the nodes, or not finite.
-    pub(crate) fn of<I: EvenIntegrand>(integrand: &mut I) -> (Option<Self>, u64) {
+    /// The series of an integrand, and the evaluations spent, no more than `most`; none where coefficients do not fall to rounding noise,
+    /// where the function is something else between the nodes, or not finite.
+    pub(crate) fn of<I: EvenIntegrand>(integrand: &mut I, most: u64) -> (Option<Self>, u64) {
         let mut evaluations = 0;
         for grid in &GRIDS {
-            let grid: &'static Grid = grid;
+            let grid: &Grid = grid;
+            let tests = grid.tests.all();
+            if evaluations + (grid.nodes.all().z.len() + tests.z.len()) as u64 > most {
+                break;
+            }
             let values = asked(integrand, grid.nodes.all());
             evaluations += values.len() as u64;
             let largest = values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
@@ -74,12 +78,11 @@ impl Expansion {
             chebyshev::coefficients(&values, &grid.cosines, &mut coefficients);
             let last = coefficients.iter().skip((SEEN * values.len() as f64) as usize);
             // Not a number is no noise.
-            if !(largest > 0.0 && last.clone().all(|c| c.abs() <= AVERAGED * noise)) {
+            if !(largest > 0.0 && largest.is_finite() && last.clone().all(|c| c.abs() <= AVERAGED * noise)) {
                 continue;
             }
             let floor = last.fold(0.0f64, |most, c| most.max(c.abs()));
             let own = Self::cut(coefficients, 2.0 * floor);
-            let tests = grid.tests.all();
             let seen = asked(integrand, tests);
             evaluations += seen.len() as u64;
             // Noise of values and of the sum.
@@ -114,7 +117,9 @@ impl Expansion {
         let values: Vec<f64> = own.map(|own| self.at(share * share * own) * if weighted { share * own } else { share }).collect();
         let mut coefficients = vec![0.0; needed.min(*count)];
         chebyshev::coefficients(&values, cosines, &mut coefficients);
-        Self { coefficients, beyond: self.beyond }
+        // The rounding of the sums is averaged, as that of values is.
+        let rounding = 16.0 * AVERAGED * UNIT * self.coefficients.iter().map(|c| c.abs()).sum::<f64>();
+        Self { coefficients, beyond: self.beyond + rounding }
     }
 
     /// The mean over [−1, 1].
@@ -123,9 +128,10 @@ impl Expansion {
         self.coefficients.iter().enumerate().map(term).sum()
     }
 
-    /// The smallest rule that leaves out no more than `wanted`, here and on every shorter range; `None` where there is none.
+    /// The smallest rule that leaves out no more than `wanted`, here and on ranges that are shorter by up to a sixteenth; `None` where there is none.
     ///
-    /// |T_2m| ≤ 1, so that neither its mean nor the rule's is larger.
+    /// The rule's mean of T_2m is at most 1, and its own at most 1/(4m² − 1): twice the sum is enough, also on ranges that are shorter by a
+    /// sixteenth, where what is weighted may grow by as much.
     pub(crate) fn fewest(&self, wanted: f64) -> Option<Known> {
         Known::smallest(|half| {
             let from = self.coefficients.get(2 * half..).unwrap_or_default();

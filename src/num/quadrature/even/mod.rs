@@ -8,7 +8,7 @@ mod rule;
 
 pub(crate) use expansion::Expansion;
 pub(crate) use gauss::Known;
-pub(crate) use nodes::{Middles, Nodes, halves};
+pub(crate) use nodes::{Middles, Nodes};
 
 use super::super::bounded::UNIT;
 use super::super::error::NumError;

@@ -1,5 +1,6 @@
 //! The places at which even integrands are asked, with what of them does not depend on the integrand.
 
+use super::super::super::stable::halves;
 use super::patterson::{COSINE_RESTS, COSINES, NODES};
 use super::{FEWEST, LEVELS, MOST};
 use std::f64::consts::FRAC_PI_2;
@@ -74,13 +75,6 @@ impl Lists {
         let [high, rest] = &self.split;
         Nodes { z, cosine, sine_versine, secant, quarter, versine, split: (high, rest) }
     }
-}
-
-/// The first 26 binary digits, and the others.
-#[inline(always)]
-pub(crate) fn halves(value: f64) -> (f64, f64) {
-    let high = f64::from_bits(value.to_bits() & !0x07ff_ffff);
-    (high, value - high)
 }
 
 /// As many nodes as the compiler knows of: loops over them have no counter.
