@@ -155,6 +155,17 @@ fn the_rounding_of_a_sum_is_not_judged_from_places_where_it_is_small() {
     }
 }
 
+/// The double next to 1/3 is below it, and f is still 0 there.
+#[test]
+fn a_kink_lies_between_two_doubles() {
+    for profile in ["max(0, r-1/3)", "piecewise(0, r<1/3, r^2-1/9)", "piecewise(0, r<1/3, (r-1/3)^3)"] {
+        let solution = solution(profile);
+        let at = |r: f64| Evaluator::new(&solution, &Bindings::default(), Method::Exact, 1e-12).unwrap().height(r).unwrap().estimate;
+        let (below, beyond) = (at(1.0 / 3.0), at((1.0 / 3.0_f64).next_up()));
+        assert!(below.value == 0.0 && beyond.value > 0.0, "{profile}: {below:?} {beyond:?}");
+    }
+}
+
 /// f as the integral of f′ where a pole lies just beyond, and where a core lies far inside.
 #[test]
 fn heights_see_what_is_narrow_at_either_end() {

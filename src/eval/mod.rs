@@ -18,4 +18,4 @@ pub use second::PreciseAlgebra;
 pub use series::{Series, SeriesError, power_series};
 pub use tape::Tape;
 pub use third::WideAlgebra;
-pub use walk::{constant_value, precise_value, walk};
+pub use walk::{constant_value, first_double_from, precise_value, walk};

@@ -45,6 +45,25 @@ pub fn precise_value(expr: &Expr, bindings: &Bindings) -> Result<Precise, EvalEr
     walk(&shown_to_30_digits(&bindings.apply(expr)), &mut PreciseAlgebra, &mut |_| None)
 }
 
+/// The smallest double that is not below the value of a constant, as far as 30 digits tell: r ≥ b means that r is this one or larger.
+///
+/// # Errors
+/// As [`precise_value`].
+///
+/// ```
+/// use sneddon::{eval::first_double_from, expr::{Bindings, Expr}};
+/// // The double next to 1/3 is below it, that next to 1/10 is above.
+/// assert_eq!(first_double_from(&Expr::ratio(1, 3), &Bindings::default()).unwrap(), (1.0 / 3.0_f64).next_up());
+/// assert_eq!(first_double_from(&Expr::ratio(1, 10), &Bindings::default()).unwrap(), 0.1);
+/// ```
+pub fn first_double_from(expr: &Expr, bindings: &Bindings) -> Result<f64, EvalError> {
+    let Precise { value, error } = precise_value(expr, bindings)?;
+    if !value.hi.is_finite() {
+        return constant_value(expr, bindings).map(|own| own.value);
+    }
+    Ok(if value.lo > error { value.hi.next_up() } else { value.hi })
+}
+
 /// The walk with a hook that may know a subtree's value already.
 pub(super) fn walk_with<A: Algebra>(
     expr: &Expr,

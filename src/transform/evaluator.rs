@@ -5,7 +5,7 @@ use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
 use super::quantity::Quantity;
 use super::{Segment, SeriesEvaluator, Solution, TransformError};
-use crate::eval::constant_value;
+use crate::eval::{constant_value, first_double_from};
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
 use crate::num::{Bounded, Estimate, Precise};
 use std::sync::OnceLock;
@@ -241,7 +241,7 @@ impl<'a> Evaluator<'a> {
         // f(0) is taken away in the expression, where it may cancel before any rounding.
         let mut shift = -self.bindings.apply(&self.solution.profile.shift);
         for chain in &self.solution.profile.chains {
-            let number = |b: &Expr| constant_value(b, &self.bindings).map(|b| b.value);
+            let number = |b: &Expr| first_double_from(b, &self.bindings);
             let breakpoints = chain.breakpoints.iter().map(number).collect::<Result<Vec<_>, _>>()?;
             let compile = |piece: &Expr| ClosedForm::new(&(self.bindings.apply(piece) + &shift), &radius);
             chains.push((breakpoints, chain.pieces.iter().map(compile).collect::<Result<Vec<_>, _>>()?));
