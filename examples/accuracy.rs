@@ -39,7 +39,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         );
         println!("The places are ordinary ones, tiny ones, ones just beyond a breakpoint and ones next to the end of the profile.\n");
         println!("```text\n{}\n```\n", fs::read_to_string(path)?.trim_end());
-        println!("The command is `cargo run --release --example random_estimates -- 60000 9000000`; a sample runs with the tests.");
+        println!("The command is `cargo run --release --example random_estimates -- 60000 13000000`; a sample runs with the tests.\n");
+        println!(
+            "Closures of eight families with known g, by `abel` and by `AbelTransform`: `CASES=1000000 cargo test --release --test quadrature_counts the_estimate` finds no error larger than its estimate."
+        );
     }
     Ok(())
 }

@@ -219,12 +219,17 @@ fn case(family: u32, stream: &mut Stream) -> (Slope, f64, AbelOptions<'static>, 
     }
 }
 
+/// 4000 cases, or as many as the variable CASES says.
+fn cases() -> usize {
+    std::env::var("CASES").ok().and_then(|own| own.parse().ok()).unwrap_or(4000)
+}
+
 #[test]
 fn the_estimate_is_never_below_the_true_error() {
     let mut stream = Stream::new(20_261_121);
     let (mut violations, mut reached) = (Vec::new(), 0);
-    const CASES: usize = 4000;
-    for _ in 0..CASES {
+    let cases = cases();
+    for _ in 0..cases {
         let family = (stream.unit() * 8.0) as u32;
         let (f, x, options, truth, doubt) = case(family, &mut stream);
         let options = AbelOptions { rel_tol: log(&mut stream, -13.5, -2.0), max_evaluations: 20_000, roundings: 16.0, ..options };
@@ -236,8 +241,8 @@ fn the_estimate_is_never_below_the_true_error() {
             violations.push(format!("family {family} at {x}: {:e}, {options:?}, {found:?}, is {truth:e}, off {off:e}", options.rel_tol));
         }
     }
-    assert!(violations.is_empty(), "{} of {CASES}: {violations:#?}", violations.len());
-    assert!(reached > CASES * 8 / 10, "{reached} of {CASES} reached their tolerance");
+    assert!(violations.is_empty(), "{} of {cases}: {violations:#?}", violations.len());
+    assert!(reached > cases * 8 / 10, "{reached} of {cases} reached their tolerance");
 }
 
 /// The same of transforms that keep what f′ has shown: at the place that is asked first, and when it is known.
@@ -245,8 +250,8 @@ fn the_estimate_is_never_below_the_true_error() {
 fn the_estimate_of_a_transform_is_never_below_the_true_error() {
     let mut stream = Stream::new(20_261_123);
     let (mut violations, mut reached, mut saved) = (Vec::new(), 0, 0);
-    const CASES: usize = 4000;
-    for _ in 0..CASES {
+    let cases = cases();
+    for _ in 0..cases {
         let family = (stream.unit() * 8.0) as u32;
         let (f, x, options, truth, doubt) = case(family, &mut stream);
         let start = if options.start == Start::Smooth && stream.unit() < 0.8 { Start::Odd } else { options.start };
@@ -266,8 +271,8 @@ fn the_estimate_of_a_transform_is_never_below_the_true_error() {
             }
         }
     }
-    assert!(violations.is_empty(), "{} of {CASES}: {violations:#?}", violations.len());
-    assert!(reached > CASES * 8 / 10 && saved > CASES / 4, "{reached} of {CASES} reached their tolerance, {saved} with fewer evaluations");
+    assert!(violations.is_empty(), "{} of {cases}: {violations:#?}", violations.len());
+    assert!(reached > cases * 8 / 10 && saved > cases / 4, "{reached} of {cases} reached their tolerance, {saved} with fewer evaluations");
 }
 
 /// g and F of a paraboloid, f′ = r: x² and 2a³/3, at all lengths, with few evaluations where f′ is known; and f′ is asked nowhere beyond.
