@@ -40,8 +40,7 @@ impl NumericSegment {
             let delta = if point.x < first { point.bounded_from_lower() } else { Bounded { value: point.x, error: 4.0 * UNIT * point.x } };
             self.slope.at(delta, &mut slots)
         };
-        let ends = cuts.iter().copied().chain([length]);
-        let mut panels: Vec<Panel> = ends.scan(0.0, |lower, upper| Some(Panel::smooth(std::mem::replace(lower, upper), upper))).collect();
+        let mut panels = Panel::chain(cuts.iter().copied().chain([length]));
         if let (true, Some(panel)) = (self.singular, panels.first_mut()) {
             *panel = Panel::singular(0.0, first);
         }

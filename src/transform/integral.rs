@@ -288,13 +288,11 @@ impl NumericSegment {
                 };
             }
         };
-        let mut panels = Vec::new();
-        if self.singular {
-            panels.push(Panel::singular(0.0, width));
+        let panels = if self.singular {
+            vec![Panel::singular(0.0, width)]
         } else {
-            let ends = grades.iter().map(|share| share * width).chain([width]);
-            panels.extend(ends.scan(0.0, |lower, upper| Some(Panel::smooth(std::mem::replace(lower, upper), upper))));
-        }
+            Panel::chain(grades.iter().map(|share| share * width).chain([width]))
+        };
         // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
         let rel_tol = if near_the_end {

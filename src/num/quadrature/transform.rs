@@ -71,6 +71,12 @@ impl Panel {
     pub const fn singular(lower: f64, upper: f64) -> Self {
         Self { lower, upper, kind: EndBehaviour::Singular }
     }
+
+    /// Smooth panels from 0 to the first of the rising ends, from there to the next, and so on.
+    pub(crate) fn chain(ends: impl IntoIterator<Item = f64>) -> Vec<Self> {
+        let between = |lower: &mut f64, upper| Some(Self::smooth(std::mem::replace(lower, upper), upper));
+        ends.into_iter().scan(0.0, between).collect()
+    }
 }
 
 /// Largest ln(1/relative distance) to an end: ln(1e300).

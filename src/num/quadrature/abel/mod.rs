@@ -1,13 +1,15 @@
 //! g(x) and F(a) of an f′ that is given as a closure over blocks of radii.
 
 mod forms;
-mod learned;
+
 mod pieces;
 mod start;
+mod transform;
 
 pub(crate) use forms::{CHUNK, Extent, Form};
-pub use learned::AbelTransform;
+
 pub(crate) use start::{Wish, from_the_axis};
+pub use transform::AbelTransform;
 
 use super::super::bounded::UNIT;
 use super::super::error::NumError;

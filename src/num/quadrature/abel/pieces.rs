@@ -323,13 +323,11 @@ fn adaptive<const FORCE: bool>(
             *height = Bounded { value: out[i], error };
         }
     };
-    let mut panels = Vec::new();
-    if options.start == Start::Algebraic {
-        panels.push(Panel::singular(0.0, width));
+    let panels = if options.start == Start::Algebraic {
+        vec![Panel::singular(0.0, width)]
     } else {
-        let ends = grades.iter().map(|share| share * width).chain([width]);
-        panels.extend(ends.scan(0.0, |lower, upper| Some(Panel::smooth(std::mem::replace(lower, upper), upper))));
-    }
+        Panel::chain(grades.iter().map(|share| share * width).chain([width]))
+    };
     let own = Options {
         rel_tol: options.rel_tol,
         abs_tol: options.abs_tol,
