@@ -6,7 +6,7 @@ mod common;
 use common::random::Stream;
 use sneddon::expr::Bindings;
 use sneddon::parse;
-use sneddon::transform::{Evaluator, Method, Profile, Reading, Slice, Solution, TransformError, derive};
+use sneddon::transform::{Evaluator, Method, Profile, Quantity, Reading, Slice, Solution, TransformError, derive};
 
 /// Whole, kinked, worn, capped, cancelling, half open, and with an end.
 const PROFILES: &[&str] = &[
@@ -143,5 +143,81 @@ fn a_loose_tolerance_is_not_dearer_than_a_sharp_one() {
             assert!(own >= before, "{text}: {own} evaluations at {tolerance:e}, {before} at a looser one");
             before = own;
         }
+    }
+}
+
+/// Where many points lie close together, values alone come from short polynomials made with 30 digits: also where the form in doubles
+/// loses digits, next to kinks, at an end, next to the edge of the contact, and where the value changes its sign.
+#[test]
+fn dense_slices_have_every_digit() {
+    let (mut all, mut missed, mut worst) = (0, 0, 0.0f64);
+    for text in [
+        "r^2.7",
+        "2-sqrt(4-r^2)",
+        "piecewise(0, r<0.6, 0.3*(r-0.6))",
+        "piecewise(r, r<0.5, r^2+0.25, r<1.25, 3*r-1.9375)",
+        "0.4*(1-cos(2.2*r))",
+        "exp(-r^2)-1+r^3",
+        "abs(r-1.7)+r^2",
+        "1-exp(-r^2)",
+        "sin(3*r)^2",
+        "r^2*exp(-r)",
+        "1-besselj(0,r)",
+    ] {
+        let solution = solution(text);
+        let evaluator = evaluator(&solution, 1e-13);
+        let mut stream = Stream::new(46);
+        let points: Vec<f64> = (0..60_000).map(|_| stream.uniform(0.9, 1.99)).collect();
+        let mut values = vec![0.0; points.len()];
+        let mut check = |quantity: Quantity, values: &[f64], radius: Option<f64>| {
+            let largest = values.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+            for place in (0..points.len()).step_by(97) {
+                let inputs: Vec<f64> = std::iter::once(points[place]).chain(radius).collect();
+                let Some(truth) = evaluator.with_30_digits(quantity, &inputs).unwrap().filter(|own| own.error < 1e-20 * own.value.hi.abs())
+                else {
+                    continue;
+                };
+                let unit = f64::from_bits(truth.value.hi.abs().to_bits() + 1) - truth.value.hi.abs();
+                let off = ((values[place] - truth.value.hi) - truth.value.lo).abs() / unit;
+                all += 1;
+                missed += usize::from(off > 0.8);
+                // Elsewhere, the form in doubles: close to a kink, to the end, or where the value vanishes.
+                let share = off * unit / largest;
+                worst = worst.max(share);
+                assert!(share < 1e-14, "{text} {quantity:?} at {inputs:?}: {share:e}");
+            }
+        };
+        evaluator.slopes(&points, Slice::values(&mut values)).unwrap();
+        check(Quantity::Slope, &values, None);
+        evaluator.forces(&points, Slice::values(&mut values)).unwrap();
+        check(Quantity::Force, &values, None);
+        if evaluator.pressures(&points[..1], 1.995, Slice::values(&mut values[..1])).is_ok()
+            && evaluator.with_30_digits(Quantity::Pressure, &[1.0, 1.995]).unwrap().is_some()
+        {
+            evaluator.pressures(&points, 1.995, Slice::values(&mut values)).unwrap();
+            check(Quantity::Pressure, &values, Some(1.995));
+        }
+    }
+    println!("{missed} of {all} values are off by more than 0.8 units, the worst by {worst:e} of the largest");
+    assert!(all > 10_000 && missed * 30 < all);
+}
+
+#[test]
+fn a_dense_slice_does_not_remember_those_before_it() {
+    let solution = solution("1-exp(-r^2)");
+    let (fresh, used) = (evaluator(&solution, 1e-13), evaluator(&solution, 1e-13));
+    let mut stream = Stream::new(47);
+    let dense: Vec<f64> = (0..4000).map(|_| stream.uniform(0.9, 1.3)).collect();
+    let mixed: Vec<f64> = (0..4000).map(|i| if i < 500 { stream.uniform(1.0, 1.03) } else { stream.log_uniform(1e-300, 1e300) }).collect();
+    let (mut values, mut others) = (vec![0.0; 4000], vec![0.0; 4000]);
+    used.slopes(&dense, Slice::values(&mut values)).unwrap();
+    used.slopes(&mixed, Slice::values(&mut values)).unwrap();
+    fresh.slopes(&mixed, Slice::values(&mut others)).unwrap();
+    assert!(values.iter().zip(&others).all(|(one, other)| one.to_bits() == other.to_bits()));
+    // What is sparse is the form in doubles, bit for bit that of a slice of one point.
+    for place in (500..4000).step_by(50) {
+        let mut alone = [0.0];
+        fresh.slopes(&mixed[place..place + 1], Slice::values(&mut alone)).unwrap();
+        assert_eq!(alone[0], others[place], "{}", mixed[place]);
     }
 }

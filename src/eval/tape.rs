@@ -180,6 +180,11 @@ impl Tape {
     pub(super) fn program(&self) -> Option<&Program> {
         self.program.get_or_init(|| Program::new(self)).as_ref()
     }
+
+    /// About how many nanoseconds a point of a block takes.
+    pub(crate) fn cost(&self) -> f64 {
+        self.program().map_or(f64::INFINITY, Program::cost)
+    }
 }
 
 /// Walks `expr` into the recorder; equal subtrees get one slot.

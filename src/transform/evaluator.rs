@@ -1,8 +1,10 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
 use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, rounded, total};
+use super::dense::Kept;
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
+use super::kinks::is_below;
 use super::quantity::Quantity;
 use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::{constant_value, first_double_from};
@@ -44,6 +46,7 @@ pub struct Evaluator<'a> {
     typed: OnceLock<NumericProfile>,
     recognised: OnceLock<NumericProfile>,
     heights: OnceLock<Heights>,
+    pub(super) dense: Kept,
     pub(super) tolerance: f64,
     pub(super) method: Method,
 }
@@ -103,6 +106,7 @@ impl<'a> Evaluator<'a> {
             typed: OnceLock::new(),
             recognised: OnceLock::new(),
             heights: OnceLock::new(),
+            dense: Kept::default(),
             tolerance,
             method,
         })
@@ -581,11 +585,6 @@ impl<'a> Evaluator<'a> {
         let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
         Ok(cell.get_or_init(|| part))
     }
-}
-
-/// True where the breakpoint is, or may be, below the contact's end.
-pub(super) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
-    breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
 }
 
 /// A value that theory makes infinite, or that left the domain, is an error where a number is needed.

@@ -12,6 +12,11 @@ const MOST_KINKS: usize = 200;
 /// An abs, min or max with its arguments.
 type Kink = (Function, Vec<Expr>);
 
+/// True where the breakpoint is, or may be, below the contact's end.
+pub(super) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
+    breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
+}
+
 /// Replaces every abs, min and max that depends on r by pieces.
 ///
 /// # Errors

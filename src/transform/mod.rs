@@ -8,6 +8,7 @@ mod closed;
 mod closure;
 mod continued;
 mod curve;
+mod dense;
 mod domain;
 mod engine;
 mod error;

@@ -1,8 +1,9 @@
 //! The pressure as the integral of the derivative of a closed g, for contacts whose kinks all lie below the radius.
 
 use super::closed::{ClosedForm, good_enough, total};
-use super::evaluator::{Evaluator, is_below};
+use super::evaluator::Evaluator;
 use super::integral::reached;
+use super::kinks::is_below;
 use super::quantity::Quantity;
 use crate::expr::{Symbol, derivative};
 use crate::num::quadrature::{EndBehaviour, Options, Panel, Point, integrate};

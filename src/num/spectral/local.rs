@@ -21,8 +21,9 @@ pub(crate) struct Local {
 impl Local {
     /// The interpolant, with a bound on what lies beyond its degree, and the largest coefficient over Chebyshev polynomials.
     ///
-    /// The bound takes the last coefficients of the expansion for the size of those that follow.
-    pub(crate) fn fit(values: &[f64; LOCAL]) -> (Self, f64, f64) {
+    /// The bound takes the last coefficients of the expansion for the size of those that follow; those below `noise` say nothing
+    /// about how the others fall.
+    pub(crate) fn fit(values: &[f64; LOCAL], noise: f64) -> (Self, f64, f64) {
         let mut chebyshev = [0.0; LOCAL];
         for (k, slot) in chebyshev.iter_mut().enumerate() {
             let factor = if k == 0 { 1.0 } else { 2.0 } / LOCAL as f64;
@@ -33,9 +34,15 @@ impl Local {
         let size = |from: usize, to: usize| chebyshev.iter().skip(from).take(to - from).fold(0.0_f64, |m, c| m.max(c.abs()));
         let (last, before, largest) = (size(LOCAL - 2, LOCAL), size(LOCAL - 4, LOCAL - 2), size(0, LOCAL));
         // The expansion falls geometrically: the next pair of coefficients is smaller by the same ratio.
-        let ratio = if before > 0.0 { (last / before).min(0.9) } else { 0.0 };
+        let ratio = if before > noise { (last / before).min(0.9) } else { 0.0 };
         let tail = 2.0 * last * (ratio / (1.0 - ratio)).max(0.05) + 2.0 * last.min(f64::EPSILON * largest);
         (Self { coefficients: monomials(&chebyshev) }, tail, largest)
+    }
+
+    /// The polynomial and a constant.
+    pub(crate) fn raised(mut self, by: f64) -> Self {
+        self.coefficients[0] += by;
+        self
     }
 
     /// The value at u in [−1, 1].
@@ -86,7 +93,7 @@ mod tests {
     #[test]
     fn a_short_polynomial_has_nearly_all_digits() {
         let values: [f64; LOCAL] = std::array::from_fn(|j| (0.3 * local_nodes()[j]).exp());
-        let (local, tail, _) = Local::fit(&values);
+        let (local, tail, _) = Local::fit(&values, 0.0);
         assert!(tail < 1e-15, "{tail}");
         for u in [-1.0, -0.3, 0.0, 0.9, 1.0_f64] {
             let (value, slope) = (local.at(u) - (0.3 * u).exp(), local.slope(u) - 0.3 * (0.3 * u).exp());
@@ -97,7 +104,7 @@ mod tests {
     #[test]
     fn the_tail_tells_what_is_missing() {
         let values: [f64; LOCAL] = std::array::from_fn(|j| 1.0 / (1.5 - local_nodes()[j]));
-        let (local, tail, _) = Local::fit(&values);
+        let (local, tail, _) = Local::fit(&values, 0.0);
         let worst = (0..=200).map(|i| f64::from(i) / 100.0 - 1.0).map(|u| (local.at(u) - 1.0 / (1.5 - u)).abs()).fold(0.0, f64::max);
         assert!(worst < tail && tail < 20.0 * worst, "{worst} {tail}");
     }

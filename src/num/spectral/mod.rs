@@ -2,12 +2,14 @@
 
 mod abel;
 mod contact;
+mod dense;
 mod jacobi;
 mod local;
 mod rule;
 
 pub(crate) use abel::{Power, above, beyond, right_sided, times_distance};
 pub(crate) use contact::{pressures, rise};
+pub(crate) use dense::{Dense, Exact, Plan};
 pub(crate) use jacobi::{Basis, chop};
 pub(crate) use local::{LOCAL, Local, local_nodes};
 pub(crate) use rule::{Node, Rule, rule};

@@ -1,0 +1,77 @@
+//! Closed forms where a slice has many points close together: short polynomials made from 30 digits, kept for later slices.
+
+use super::Evaluator;
+use super::quantity::Quantity;
+use crate::num::spectral::{Dense, Exact, Plan};
+use crate::num::{Bounded, Precise};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// What making one polynomial costs, and a point by it, in the unit of [`Tape::cost`](crate::eval::Tape).
+const MAKING: f64 = 8_000.0;
+const POINT: f64 = 8.0;
+/// Polynomials are for forms that cost more than this.
+const CHEAP: f64 = 6.0;
+/// Fewest and most points for which a polynomial is made.
+const LEAST: f64 = 64.0;
+const MOST: f64 = 1024.0;
+/// Quantities, at as many contact radii, whose polynomials are kept.
+const KEPT: usize = 8;
+
+/// The polynomials of the slices so far.
+#[derive(Default)]
+pub(super) struct Kept(Mutex<Vec<Own>>);
+
+/// Those of a quantity at a contact radius, by its bits.
+type Own = (Quantity, Option<u64>, Arc<Dense>);
+
+impl Kept {
+    fn of(&self, quantity: Quantity, radius: Option<f64>) -> Arc<Dense> {
+        let radius = radius.map(f64::to_bits);
+        // Nothing is left half done in the list.
+        let mut list = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((.., found)) = list.iter().find(|(of, at, _)| (*of, *at) == (quantity, radius)) {
+            return Arc::clone(found);
+        }
+        if list.len() >= KEPT {
+            list.remove(0);
+        }
+        let fresh = Arc::new(Dense::new());
+        list.push((quantity, radius, Arc::clone(&fresh)));
+        fresh
+    }
+}
+
+/// The closed forms of one quantity, at one contact radius.
+struct Closed<'e> {
+    evaluator: &'e Evaluator<'e>,
+    quantity: Quantity,
+    radius: Option<f64>,
+}
+
+/// The polynomials for a slice of forms of which a point costs so much; `None` where no part of it is dense.
+///
+/// Which points they answer depends on the slice alone, not on those before it.
+pub(super) fn plan(evaluator: &Evaluator<'_>, quantity: Quantity, radius: Option<f64>, cost: f64, points: &[f64]) -> Option<Plan> {
+    if cost <= CHEAP {
+        return None;
+    }
+    let least = (MAKING / (cost - POINT).max(1.0)).clamp(LEAST, MOST) as u32;
+    if points.len() < least as usize {
+        return None;
+    }
+    evaluator.dense.of(quantity, radius).plan(&Closed { evaluator, quantity, radius }, points, least)
+}
+
+impl Exact for Closed<'_> {
+    fn exact(&self, x: f64) -> Precise {
+        let both = [x, self.radius.unwrap_or(x)];
+        let inputs = both.get(..1 + usize::from(self.radius.is_some())).unwrap_or_default();
+        self.evaluator.with_30_digits(self.quantity, inputs).ok().flatten().unwrap_or(Precise::nan())
+    }
+
+    fn is_smooth(&self, from: f64, to: f64) -> bool {
+        let ends = self.radius.unwrap_or(f64::INFINITY).min(self.evaluator.limit());
+        let meets = |b: &Bounded| b.value + b.error >= from && b.value - b.error <= to;
+        to <= ends && !self.evaluator.chains.iter().any(|chain| chain.breakpoints.iter().any(meets))
+    }
+}
