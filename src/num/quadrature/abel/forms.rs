@@ -150,11 +150,20 @@ impl Form {
             // Next to a limit f′ is a function of the distance to it.
             Self::NearSine { .. } | Self::NearAngle { .. } => return 0.0,
         };
-        let mut lanes = [0.0; 2];
-        for (i, ((a, b), c)) in values.iter().zip(values.get(1..).unwrap_or_default()).zip(cotangents).enumerate() {
-            lanes[i & 1] += (b - a).abs() * c;
+        const LANES: usize = 4;
+        let mut lanes = [0.0; LANES];
+        let next = values.get(1..).unwrap_or_default();
+        let whole = values.as_chunks::<LANES>().0.iter().zip(next.as_chunks::<LANES>().0).zip(cotangents.as_chunks::<LANES>().0);
+        for ((a, b), c) in whole {
+            for i in 0..LANES {
+                lanes[i] += (b[i] - a[i]).abs() * c[i];
+            }
         }
-        by * (lanes[0] + lanes[1])
+        let (rest, from) = (cotangents.as_chunks::<LANES>().1, cotangents.len() - cotangents.len() % LANES);
+        for ((a, b), c) in values.iter().skip(from).zip(next.iter().skip(from)).zip(rest) {
+            lanes[0] += (b - a).abs() * c;
+        }
+        by * ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3]))
     }
 }
 

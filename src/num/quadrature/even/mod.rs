@@ -13,16 +13,14 @@ pub(crate) use nodes::{Middles, Nodes};
 use super::super::bounded::UNIT;
 use super::super::error::NumError;
 use nodes::{FIRST, First, GUARDS, STAGES, SUMS};
-use rule::{Rule, Sums, dot, truncation};
+use rule::{Rule, Sums, dot, larger, truncation};
 
 /// Nodes in the half of the largest rule.
 const MOST: usize = 256;
 /// Nodes in the half of the first rule.
 const FEWEST: usize = 8;
-/// Nodes in the half of the second rule.
-const FEW: usize = 16;
-/// And of the third.
-const MORE: usize = 32;
+/// Nodes in the half of the third rule.
+const FEW: usize = 32;
 /// The rules from 15 points on; the first is compared with that of 7 points.
 static LEVELS: [Rule; 6] = [
     patterson::PATTERSON_15.plain(),
@@ -34,6 +32,10 @@ static LEVELS: [Rule; 6] = [
 ];
 /// Rules that are tried whatever the ones before have shown.
 const ALWAYS: usize = 3;
+/// However fast coefficients fall, [`truncation`] makes no less than this of the difference between two rules.
+const LEAST: f64 = 1e-4;
+/// Nor less than this of that of the first one, or where the integrand is steep.
+const LEAST_FIRST: f64 = 1e-2;
 /// A function that is zero everywhere is believed from this rule on.
 const BLANK_LEVEL: usize = 4;
 /// Coefficients of this share of the size have not begun to fall: an oscillation that more points resolve.
@@ -100,14 +102,10 @@ pub(crate) fn mean<I: EvenIntegrand>(integrand: &mut I, most: u64, accepted: imp
 /// The rules after the first.
 #[inline(never)]
 fn climb<I: EvenIntegrand>(integrand: &mut I, mut few: State<FEW>, most: u64, accepted: &impl Fn(f64) -> f64) -> Result<Mean, NumError> {
-    if few.climb(integrand, 1..2, most, accepted)? {
+    if few.climb(integrand, 1..3, most, accepted)? {
         return Ok(few.mean);
     }
-    let mut more = State::<MORE>::after(&few);
-    if more.climb(integrand, 2..3, most, accepted)? {
-        return Ok(more.mean);
-    }
-    let mut many = State::<MOST>::after(&more);
+    let mut many = State::<MOST>::after(&few);
     many.climb(integrand, 3..LEVELS.len(), most, accepted)?;
     Ok(many.mean)
 }
@@ -135,17 +133,22 @@ fn begin<I: EvenIntegrand>(
         }
         // Weights are positive.
         size += first.weights[i] * value.abs();
-        largest = if value.abs() > largest { value.abs() } else { largest };
+        largest = larger(value.abs(), largest);
         if I::BOUNDED {
             noise += first.weights[i] * errors[i];
-            doubt = if errors[i] > doubt { errors[i] } else { doubt };
+            doubt = larger(errors[i], doubt);
         }
     }
     let [value, a, b, c, predicted @ ..] = all;
     let [one, two, three, four] = first.seven;
     let seven = (one * values[0] + two * values[2]) + (three * values[4] + four * values[6]);
-    let before = Mean { value: seven, evaluations: if I::TOGETHER { FEWEST + GUARDS } else { FEWEST } as u64, ..Mean::default() };
-    let sums = Sums { value, size, levels: [f64::INFINITY, a.abs(), b.abs(), c.abs()], noise };
+    // Where the verdict may be good the guards are asked before it: the processor need not wait.
+    let at_once = I::TOGETHER || LEAST_FIRST * (value - seven).abs() <= accepted(value);
+    if at_once && !I::TOGETHER {
+        integrand.fill(first.guards.all(), &mut values[FEWEST..], &mut errors[FEWEST..]);
+    }
+    let before = Mean { value: seven, evaluations: if at_once { FEWEST + GUARDS } else { FEWEST } as u64, ..Mean::default() };
+    let sums = Sums { value, size, levels: [f64::INFINITY, a.abs(), b.abs(), c.abs()], noise, largest };
     let own: &[f64; FEWEST] = values.first_chunk().unwrap_or(&[0.0; FEWEST]);
     let (verdict, mut mean) = judge(integrand, 0, &sums, first.middles(), own, (before, f64::INFINITY), accepted)?;
     match verdict {
@@ -153,7 +156,7 @@ fn begin<I: EvenIntegrand>(
         Verdict::Stop => return Ok((mean, None)),
         Verdict::Enough => {}
     }
-    if !I::TOGETHER {
+    if !at_once {
         integrand.fill(first.guards.all(), &mut values[FEWEST..], &mut errors[FEWEST..]);
         mean.evaluations += GUARDS as u64;
     }
@@ -225,6 +228,9 @@ impl<const N: usize> State<N> {
                 return Ok(true);
             }
             self.ask(integrand, stage, count);
+            if level + 1 < ALWAYS && self.is_hopeless(rule, count, most, accepted) {
+                continue;
+            }
             let sums = rule.apply(&self.values[..count], I::BOUNDED.then_some(&self.errors[..count]));
             let own = &self.values[..count];
             let gap = (sums.value - self.mean.value).abs();
@@ -238,10 +244,13 @@ impl<const N: usize> State<N> {
                     integrand.fill(stage.guards.all(), &mut values, &mut errors);
                     self.mean.evaluations += GUARDS as u64;
                     let seen = Seen { nodes: stage.guards.all(), values: &values, errors: &errors };
-                    let predicted = stage.predict.each_ref().map(|row| dot(row, own));
-                    let largest = |list: &[f64]| list.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
+                    let mut predicted = [0.0; GUARDS];
+                    for (own_value, row) in predicted.iter_mut().zip(&stage.predict) {
+                        *own_value = dot(row, own);
+                    }
+                    let most = |list: &[f64]| list.iter().fold(0.0, |most, own| larger(*own, most));
                     let doubt =
-                        (integrand.relative() + 4.0 * UNIT) * largest(own) + if I::BOUNDED { largest(&self.errors[..count]) } else { 0.0 };
+                        (integrand.relative() + 4.0 * UNIT) * sums.largest + if I::BOUNDED { most(&self.errors[..count]) } else { 0.0 };
                     self.mean.left_out += beyond_the_last_node(integrand, &seen, &predicted, &stage.gain, doubt) * stage.beyond;
                     if self.mean.meets(accepted) {
                         return Ok(true);
@@ -250,6 +259,18 @@ impl<const N: usize> State<N> {
             }
         }
         Ok(false)
+    }
+
+    /// Whether the rule is so far from the one before that nothing its coefficients may say meets the tolerance, and the next one may be asked.
+    #[inline(always)]
+    fn is_hopeless(&mut self, rule: &Rule, count: usize, most: u64, accepted: &impl Fn(f64) -> f64) -> bool {
+        let value = dot(rule.weights, &self.values[..count]);
+        let gap = (value - self.mean.value).abs();
+        let hopeless = LEAST * gap > accepted(value) && gap.is_finite() && self.mean.evaluations + (count + GUARDS) as u64 <= most;
+        if hopeless {
+            (self.mean.value, self.gap) = (value, gap);
+        }
+        hopeless
     }
 
     /// Fills in the values at the nodes that the rule before does not have.
@@ -297,7 +318,7 @@ fn judge<I: EvenIntegrand>(
     let floor = sums.noise + relative * sums.size + integrand.displacement(middles, values);
     // An unknown error is an unbounded one.
     let floor = if floor.is_nan() { f64::INFINITY } else { floor };
-    let least = if level == 0 || is_steep(values) { 1e-2 } else { 1e-4 };
+    let least = if level == 0 || is_steep(values, sums.largest) { LEAST_FIRST } else { LEAST };
     let gap = (sums.value - before.value).abs();
     let (left_out, rate) = truncation(sums.levels, (gap, last_gap), floor, sums.size, level + 1, least);
     let mean = Mean { value: sums.value, left_out, noise: floor, evaluations: before.evaluations, reached: false };
@@ -319,8 +340,7 @@ fn judge<I: EvenIntegrand>(
 /// Whether the integrand falls towards the end by more than its distance to it: what is narrow, or oscillates, where it is small
 /// shows in coefficients only that are smaller than the last one of this rule.
 #[inline(always)]
-fn is_steep(values: &[f64]) -> bool {
-    let largest = values.iter().fold(0.0, |most: f64, v| if v.abs() > most { v.abs() } else { most });
+fn is_steep(values: &[f64], largest: f64) -> bool {
     let distance = 1.0 - patterson::NODES[(values.len() - 1) * (MOST / values.len())];
     values.last().is_some_and(|last| last.abs() < STEEP * distance * largest)
 }

@@ -32,18 +32,20 @@ pub(super) struct Sums {
     pub(super) levels: [f64; 4],
     /// The mean of the error bounds.
     pub(super) noise: f64,
+    /// The largest |f|.
+    pub(super) largest: f64,
 }
 
 impl Rule {
     /// Every sum over the values in one pass.
     #[inline]
     pub(super) fn apply(&self, values: &[f64], errors: Option<&[f64]>) -> Sums {
-        const LANES: usize = 4;
-        let mut lanes = [[0.0; LANES]; 6];
-        let [first, second, third, fourth] = self.decay;
-        let chunks = values.chunks_exact(LANES).zip(self.weights.chunks_exact(LANES));
-        let rows = first.chunks_exact(LANES).zip(second.chunks_exact(LANES)).zip(third.chunks_exact(LANES)).zip(fourth.chunks_exact(LANES));
-        for ((v, w), (((a, b), c), d)) in chunks.zip(rows) {
+        // Two lanes: seven sums of four would not stay in registers.
+        const LANES: usize = 2;
+        let (mut lanes, mut largest) = ([[0.0; LANES]; 6], [0.0; LANES]);
+        let [first, second, third, fourth] = self.decay.map(|row| row.as_chunks::<LANES>().0);
+        let chunks = values.as_chunks::<LANES>().0.iter().zip(self.weights.as_chunks::<LANES>().0);
+        for ((v, w), (((a, b), c), d)) in chunks.zip(first.iter().zip(second).zip(third).zip(fourth)) {
             for i in 0..LANES {
                 let weighted = w[i] * v[i];
                 lanes[0][i] += weighted;
@@ -53,12 +55,20 @@ impl Rule {
                 lanes[3][i] += b[i] * v[i];
                 lanes[4][i] += c[i] * v[i];
                 lanes[5][i] += d[i] * v[i];
+                largest[i] = larger(v[i].abs(), largest[i]);
             }
         }
-        let [value, size, first, second, third, fourth] = lanes.map(|l| (l[0] + l[1]) + (l[2] + l[3]));
+        let [value, size, first, second, third, fourth] = lanes.map(|l| l[0] + l[1]);
         let noise = errors.map_or(0.0, |errors| dot(self.weights, errors));
-        Sums { value, size, levels: [first.abs(), second.abs(), third.abs(), fourth.abs()], noise }
+        let largest = larger(largest[0], largest[1]);
+        Sums { value, size, levels: [first.abs(), second.abs(), third.abs(), fourth.abs()], noise, largest }
     }
+}
+
+/// One instruction, unlike `f64::max`; b where a is not a number.
+#[inline(always)]
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
 }
 
 /// Σ a·b in four lanes, for lengths that are multiples of four.
