@@ -62,8 +62,8 @@ const ROUNDS: usize = 15;
 const BATCH: f64 = 2e6;
 /// Times that a set-up is run.
 const SET_UPS: usize = 3;
-/// Points of a slice, as many as one core works on alone; those of the problem are repeated to fill it.
-const SLICE: usize = 32_768;
+/// Points of a slice; those of the problem are repeated to fill it.
+const SLICE: usize = 131_072;
 
 /// A candidate whose errors are known, and its times so far.
 struct Measured<'a> {

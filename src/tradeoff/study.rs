@@ -61,7 +61,25 @@ impl Default for Options {
 /// let closed = study.rows.iter().find(|row| row.method == "closed form" && row.honest.is_some()).unwrap();
 /// assert!(closed.error < 5e-16 && closed.honest == Some(true));
 /// ```
-pub fn run<'a>(mut problem: Problem<'a>, options: &Options) -> Result<Study<'a>, TradeoffError> {
+pub fn run<'a>(problem: Problem<'a>, options: &Options) -> Result<Study<'a>, TradeoffError> {
+    on_one_core(move || measured(problem, options))
+}
+
+/// Long slices would be divided among the cores, which share more than a clock.
+#[cfg(feature = "parallel")]
+fn on_one_core<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    match rayon::ThreadPoolBuilder::new().num_threads(1).build() {
+        Ok(one) => one.install(work),
+        Err(_) => work(),
+    }
+}
+
+#[cfg(not(feature = "parallel"))]
+fn on_one_core<R>(work: impl FnOnce() -> R) -> R {
+    work()
+}
+
+fn measured<'a>(mut problem: Problem<'a>, options: &Options) -> Result<Study<'a>, TradeoffError> {
     let start = Instant::now();
     let truths = truth::find(&mut problem, start + options.budget / 4)?;
     let evaluator = Evaluator::new(problem.solution, &Bindings::default(), Method::Quadrature, SHARP)?;

@@ -2,18 +2,21 @@
 
 use super::Evaluator;
 use super::quantity::Quantity;
+use crate::eval::Tape;
 use crate::num::spectral::{Dense, Exact, Plan};
 use crate::num::{Bounded, Precise};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// What making one polynomial costs, and a point by it, in the unit of [`Tape::cost`](crate::eval::Tape).
-const MAKING: f64 = 8_000.0;
+/// Values with 30 digits that one polynomial takes, and a share of those for parts that have to be divided.
+const VALUES: f64 = 16.0;
+/// Nanoseconds of a point by a polynomial.
 const POINT: f64 = 8.0;
-/// Polynomials are for forms that cost more than this.
+/// What it is worth at least, because it has every digit.
+const WORTH: f64 = 2.0;
+/// Polynomials are for forms that take more nanoseconds than this.
 const CHEAP: f64 = 6.0;
-/// Fewest and most points for which a polynomial is made.
+/// Fewest points for which a polynomial is made.
 const LEAST: f64 = 64.0;
-const MOST: f64 = 1024.0;
 /// Quantities, at as many contact radii, whose polynomials are kept.
 const KEPT: usize = 8;
 
@@ -48,18 +51,26 @@ struct Closed<'e> {
     radius: Option<f64>,
 }
 
-/// The polynomials for a slice of forms of which a point costs so much; `None` where no part of it is dense.
+/// The polynomials for a slice of closed forms; `None` where no part of it has so many points that making them pays at once.
 ///
 /// Which points they answer depends on the slice alone, not on those before it.
-pub(super) fn plan(evaluator: &Evaluator<'_>, quantity: Quantity, radius: Option<f64>, cost: f64, points: &[f64]) -> Option<Plan> {
-    if cost <= CHEAP {
+pub(super) fn plan<'t>(
+    evaluator: &Evaluator<'_>,
+    quantity: Quantity,
+    radius: Option<f64>,
+    tapes: impl Iterator<Item = &'t Tape>,
+    points: &[f64],
+) -> Option<Plan> {
+    // The dearest interval of the dearest chain; chains are few.
+    let (cost, exact) = tapes.map(Tape::cost).fold((0.0_f64, 0.0_f64), |(a, b), (c, d)| (a.max(c), b.max(d)));
+    if cost <= CHEAP || radius.is_some_and(|a| a >= evaluator.limit()) {
         return None;
     }
-    let least = (MAKING / (cost - POINT).max(1.0)).clamp(LEAST, MOST) as u32;
+    let least = (VALUES * exact / (cost - POINT).max(WORTH)).max(LEAST);
     if points.len() < least as usize {
         return None;
     }
-    evaluator.dense.of(quantity, radius).plan(&Closed { evaluator, quantity, radius }, points, least)
+    evaluator.dense.of(quantity, radius).plan(&Closed { evaluator, quantity, radius }, points, least as u32)
 }
 
 impl Exact for Closed<'_> {

@@ -11,8 +11,9 @@ use crate::num::{Bounded, Estimate};
 /// The caller's buffers for the numbers of a slice, each as long as the slice.
 ///
 /// Values alone are the way for speed: no point is looked at twice and nothing is told of errors. Where a closed form takes more than
-/// some nanoseconds and many points of the slice lie within a sixteenth of an octave, it is expanded there in short polynomials from
-/// its values with 30 digits, which are kept: right to one unit in the last place, mostly to 0.6, whatever the form loses by cancellation.
+/// some nanoseconds, and so many points of the slice lie within a sixteenth of an octave that it pays, it is expanded there in short
+/// polynomials from its values with 30 digits, which are kept: right to one unit in the last place (the largest error measured), mostly
+/// to 0.6, whatever the form loses by cancellation. Close to kinks, ends and changes of sign the form in doubles stays.
 #[derive(Debug)]
 pub struct Slice<'a> {
     /// The values.
@@ -137,7 +138,8 @@ impl Evaluator<'_> {
         let forms = self.forms(wanted)?;
         let plan = match (&forms, wanted) {
             (Some(forms), Wanted::Superposed(quantity, radius)) if out.is_plain() => {
-                dense::plan(self, quantity, radius, forms.iter().map(Forms::cost).sum(), points)
+                let tapes = forms.iter().flat_map(|own| own.forms.iter().flatten()).map(|form| form.tape());
+                dense::plan(self, quantity, radius, tapes, points)
             }
             _ => None,
         };
@@ -158,17 +160,23 @@ impl Evaluator<'_> {
         values: &mut [f64],
         scalar: &impl Fn(f64) -> Result<Option<Reading>, TransformError>,
     ) -> Result<(), TransformError> {
-        let mut places = Vec::new();
-        plan.fill(points, values, &mut places);
-        if places.is_empty() {
-            return Ok(());
-        }
-        let gathered: Vec<f64> = places.iter().filter_map(|place| points.get(*place).copied()).collect();
-        let mut found = vec![0.0; gathered.len()];
-        self.task(forms, wanted, &gathered, Slice::values(&mut found), scalar)?;
-        for (place, found) in places.iter().zip(found) {
-            if let Some(value) = values.get_mut(*place) {
-                *value = found;
+        let (mut places, mut gathered, mut found) = (Vec::new(), Vec::new(), Vec::new());
+        // What is left is gathered by the chunks of the slice, which no number of threads moves.
+        for (points, values) in points.chunks(CHUNK).zip(values.chunks_mut(CHUNK)) {
+            places.clear();
+            plan.fill(points, values, &mut places);
+            if places.is_empty() {
+                continue;
+            }
+            gathered.clear();
+            gathered.extend(places.iter().filter_map(|place| points.get(*place).copied()));
+            found.clear();
+            found.resize(gathered.len(), 0.0);
+            self.task(forms, wanted, &gathered, Slice::values(&mut found), scalar)?;
+            for (place, found) in places.iter().zip(&found) {
+                if let Some(value) = values.get_mut(*place) {
+                    *value = *found;
+                }
             }
         }
         Ok(())
@@ -348,11 +356,6 @@ impl Evaluator<'_> {
 }
 
 impl Forms<'_> {
-    /// About how many nanoseconds a point takes in the dearest interval.
-    fn cost(&self) -> f64 {
-        self.forms.iter().flatten().map(|form| form.tape().cost()).fold(0.0, f64::max)
-    }
-
     /// The interval in which the contact ends, or the point lies.
     fn interval(&self, at: f64) -> usize {
         let below = |b: &&Bounded| if self.closed_below { b.value <= at } else { is_below(**b, at) };

@@ -58,6 +58,16 @@ pub struct Row {
     pub in_latex: bool,
 }
 
+impl Row {
+    /// Whether the value is that with 30 digits, rounded: then both take the same time.
+    pub(crate) fn is_rounded(&self) -> bool {
+        self.ulps <= ROUNDED
+    }
+}
+
+/// Bound in ulps of a value with 30 digits that is rounded: half an ulp and a hair, twice.
+const ROUNDED: f64 = 1.1;
+
 /// Values of f while the argument at a place runs over a slice; the other ones stand in the list.
 pub type Sweep = fn(&mut [f64], usize, &[f64], &mut [f64]);
 /// How far f(arguments) moves while every argument moves by at most its distance.

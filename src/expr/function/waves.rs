@@ -2,12 +2,9 @@
 
 use super::elementary::{binary, first, negated, odd, region, unary};
 use super::precise::{pair, single};
-use super::{Latex, PLAIN, Row};
+use super::{Latex, PLAIN, ROUNDED, Row};
 use crate::expr::{Expr, Number, Sign, sign};
 use crate::num::{DoubleDouble, Region, special};
-
-/// A 30-digit value rounded: half an ulp and a hair.
-const ROUNDED: f64 = 1.1;
 
 pub(super) static ROWS: &[Row] = &[
     Row {

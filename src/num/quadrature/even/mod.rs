@@ -228,8 +228,14 @@ impl<const N: usize> State<N> {
                 return Ok(true);
             }
             self.ask(integrand, stage, count);
-            if level + 1 < ALWAYS && self.is_hopeless(rule, count, most, accepted) {
-                continue;
+            if level + 1 < ALWAYS && self.mean.evaluations + (count + GUARDS) as u64 <= most {
+                let value = dot(rule.weights, &self.values[..count]);
+                let gap = (value - self.mean.value).abs();
+                // Whatever its coefficients say, this rule is too far from the one before.
+                if LEAST * gap > accepted(value) && gap.is_finite() {
+                    (self.mean.value, self.gap) = (value, gap);
+                    continue;
+                }
             }
             let sums = rule.apply(&self.values[..count], I::BOUNDED.then_some(&self.errors[..count]));
             let own = &self.values[..count];
@@ -248,9 +254,8 @@ impl<const N: usize> State<N> {
                     for (own_value, row) in predicted.iter_mut().zip(&stage.predict) {
                         *own_value = dot(row, own);
                     }
-                    let most = |list: &[f64]| list.iter().fold(0.0, |most, own| larger(*own, most));
-                    let doubt =
-                        (integrand.relative() + 4.0 * UNIT) * sums.largest + if I::BOUNDED { most(&self.errors[..count]) } else { 0.0 };
+                    let known = if I::BOUNDED { self.errors[..count].iter().fold(0.0, |most, own| larger(*own, most)) } else { 0.0 };
+                    let doubt = (integrand.relative() + 4.0 * UNIT) * sums.largest + known;
                     self.mean.left_out += beyond_the_last_node(integrand, &seen, &predicted, &stage.gain, doubt) * stage.beyond;
                     if self.mean.meets(accepted) {
                         return Ok(true);
@@ -259,18 +264,6 @@ impl<const N: usize> State<N> {
             }
         }
         Ok(false)
-    }
-
-    /// Whether the rule is so far from the one before that nothing its coefficients may say meets the tolerance, and the next one may be asked.
-    #[inline(always)]
-    fn is_hopeless(&mut self, rule: &Rule, count: usize, most: u64, accepted: &impl Fn(f64) -> f64) -> bool {
-        let value = dot(rule.weights, &self.values[..count]);
-        let gap = (value - self.mean.value).abs();
-        let hopeless = LEAST * gap > accepted(value) && gap.is_finite() && self.mean.evaluations + (count + GUARDS) as u64 <= most;
-        if hopeless {
-            (self.mean.value, self.gap) = (value, gap);
-        }
-        hopeless
     }
 
     /// Fills in the values at the nodes that the rule before does not have.
