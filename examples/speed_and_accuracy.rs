@@ -135,8 +135,8 @@ fn leader(study: &Study<'_>) -> (String, String) {
 fn summary(leaders: &[(&str, &str, (String, String), bool)], text: &mut Vec<u8>) {
     writeln!(
         text,
-        "\n## Who leads\n\nWhere there is a closed form it leads: over a slice it has every digit for some nanoseconds a point, whatever functions it \
-         holds; few points are faster by quadrature, which has less to set up. Where there is none the polynomials of the whole curve lead.\n"
+        "\n## Who leads\n\nWhere there is a closed form it leads: over a slice it is right to a unit or two in the last place for some nanoseconds a point, whatever functions it \
+         holds; few points are faster by quadrature, which has less to set up.\nWhere there is none the polynomials of the whole curve lead.\n"
     )
     .unwrap();
     writeln!(text, "| profile | | closed form | most accurate | fastest below 1e-6 |\n|---|---|---|---|---|").unwrap();
