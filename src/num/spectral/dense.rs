@@ -1,6 +1,6 @@
 //! A function as short polynomials over parts of octaves, each made from 30 digits when it is first needed.
 
-use super::super::double_double::Precise;
+use super::super::double_double::{DoubleDouble, Precise};
 use super::local::{LOCAL, Local, local_nodes};
 use std::sync::OnceLock;
 
@@ -260,27 +260,28 @@ impl Short {
         let exact = |x: f64| Some(source.exact(x)).filter(|own| own.error <= KNOWN * own.value.hi.abs() && own.value.hi.is_normal());
         let Some(middle) = exact(at(0.0)).map(|own| own.value) else { return Found::Unknown };
         let size = middle.hi.abs();
-        let change = |x: f64| exact(x).map(|own| own.value.sub(middle).value());
-        let (mut changes, mut displaced) = ([0.0; LOCAL], [0.0; LOCAL]);
+        let change = |x: f64| exact(x).map(|own| own.value.sub(middle));
+        let (mut changes, mut displaced) = ([DoubleDouble::from(0.0); LOCAL], [0.0; LOCAL]);
         for ((own, moved), u) in changes.iter_mut().zip(&mut displaced).zip(local_nodes()) {
             let x = at(*u);
             let Some(found) = change(x) else { return Found::Unknown };
             (*own, *moved) = (found, u - place(x, depth));
         }
-        if !changes.iter().all(|own| own.abs() <= CHANGE * size) {
+        let largest = changes.iter().fold(0.0f64, |most, own| most.max(own.hi.abs()));
+        if largest > CHANGE * size {
             return Found::Rough;
         }
         // The doubles next to the nodes are not the nodes: the values there follow from the slope.
-        let noise = f64::EPSILON * changes.iter().fold(0.0f64, |most, own| most.max(own.abs()));
-        let (first, ..) = Local::fit(&changes, noise);
+        let noise = f64::EPSILON * largest;
+        let (first, ..) = Local::fit(&changes.map(|own| own.hi), noise);
         for ((own, moved), u) in changes.iter_mut().zip(&displaced).zip(local_nodes()) {
-            *own += first.slope(*u) * moved;
+            *own = own.add((first.slope(*u) * moved).into());
         }
-        let (polynomial, tail, _) = Local::fit(&changes, noise);
+        let (polynomial, tail) = Local::fit_precise(&changes, noise);
         let mut off = 0.0f64;
         for x in TRIED.map(at) {
             let Some(found) = change(x) else { return Found::Unknown };
-            off = off.max((polynomial.at(place(x, depth)) - found).abs());
+            off = off.max((polynomial.at(place(x, depth)) - found.value()).abs());
         }
         if !(tail <= LEFT_OUT * size && off <= LEFT_OUT * size + noise) {
             return Found::Rough;
@@ -297,7 +298,6 @@ impl Short {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::num::DoubleDouble;
     use crate::num::double_double::two_sum;
 
     /// x² + 1/x by parts that are exact, and nothing at 3.

@@ -1,6 +1,8 @@
 //! Short polynomials over a small interval, for values by the million.
 
 use super::super::chebyshev::cosine;
+use super::super::double_double::DoubleDouble;
+use super::super::precise;
 use std::sync::OnceLock;
 
 /// Coefficients of a short polynomial: degree 11.
@@ -31,12 +33,28 @@ impl Local {
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
             *slot = values.iter().enumerate().map(|(j, v)| v * cosine(k * (2 * j + 1), LOCAL)).sum::<f64>() * factor * sign;
         }
-        let size = |from: usize, to: usize| chebyshev.iter().skip(from).take(to - from).fold(0.0_f64, |m, c| m.max(c.abs()));
-        let (last, before, largest) = (size(LOCAL - 2, LOCAL), size(LOCAL - 4, LOCAL - 2), size(0, LOCAL));
-        // The expansion falls geometrically: the next pair of coefficients is smaller by the same ratio.
-        let ratio = if before > noise { (last / before).min(0.9) } else { 0.0 };
-        let tail = 2.0 * last * (ratio / (1.0 - ratio)).max(0.05) + 2.0 * last.min(f64::EPSILON * largest);
+        let (tail, largest) = beyond(&chebyshev, noise);
         (Self { coefficients: monomials(&chebyshev) }, tail, largest)
+    }
+
+    /// The same from values to more digits: every coefficient is rounded once.
+    pub(crate) fn fit_precise(values: &[DoubleDouble; LOCAL], noise: f64) -> (Self, f64) {
+        let table = precise_table();
+        let mut chebyshev = [DoubleDouble::from(0.0); LOCAL];
+        for (k, slot) in chebyshev.iter_mut().enumerate() {
+            let term =
+                |(j, v): (usize, &DoubleDouble)| table.cosines.get(k * (2 * j + 1) % (4 * LOCAL)).map_or(*v, |cosine| v.mul(*cosine));
+            let sum = values.iter().enumerate().map(term).fold(DoubleDouble::from(0.0), DoubleDouble::add);
+            let doubled = sum.scale(if k == 0 { 1.0 } else { 2.0 } * if k % 2 == 0 { 1.0 } else { -1.0 });
+            *slot = doubled.div((LOCAL as f64).into());
+        }
+        let mut coefficients = [DoubleDouble::from(0.0); LOCAL];
+        for (c, row) in chebyshev.iter().zip(&table.rows) {
+            for (slot, t) in coefficients.iter_mut().zip(row) {
+                *slot = slot.add(c.mul((*t).into()));
+            }
+        }
+        (Self { coefficients: coefficients.map(DoubleDouble::value) }, beyond(&chebyshev.map(|c| c.hi), noise).0)
     }
 
     /// The polynomial and a constant.
@@ -62,6 +80,29 @@ impl Local {
     pub(crate) fn slope(&self, u: f64) -> f64 {
         self.coefficients.iter().enumerate().skip(1).rev().fold(0.0, |sum, (k, c)| sum * u + c * k as f64)
     }
+}
+
+/// A bound on what follows the coefficients, and the largest of them.
+fn beyond(chebyshev: &[f64; LOCAL], noise: f64) -> (f64, f64) {
+    let size = |from: usize, to: usize| chebyshev.iter().skip(from).take(to - from).fold(0.0_f64, |m, c| m.max(c.abs()));
+    let (last, before, largest) = (size(LOCAL - 2, LOCAL), size(LOCAL - 4, LOCAL - 2), size(0, LOCAL));
+    // The expansion falls geometrically: the next pair of coefficients is smaller by the same ratio.
+    let ratio = if before > noise { (last / before).min(0.9) } else { 0.0 };
+    (2.0 * last * (ratio / (1.0 - ratio)).max(0.05) + 2.0 * last.min(f64::EPSILON * largest), largest)
+}
+
+/// What [`Local::fit_precise`] needs: cos(πm/(2·LOCAL)), and the monomials of every Chebyshev polynomial.
+struct PreciseTable {
+    cosines: [DoubleDouble; 4 * LOCAL],
+    rows: [[f64; LOCAL]; LOCAL],
+}
+
+fn precise_table() -> &'static PreciseTable {
+    static TABLE: OnceLock<PreciseTable> = OnceLock::new();
+    TABLE.get_or_init(|| PreciseTable {
+        cosines: std::array::from_fn(|m| precise::cos(precise::PI.mul((m as f64).into()).div((2.0 * LOCAL as f64).into()))),
+        rows: std::array::from_fn(|k| monomials(&std::array::from_fn(|other| f64::from(u8::from(other == k))))),
+    })
 }
 
 /// From Chebyshev polynomials to monomials.
