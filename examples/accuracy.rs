@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("```text\n{}\n```\n", fs::read_to_string(path)?.trim_end());
         println!("The command is `cargo run --release --example random_profiles -- 100000`; a sample runs with the tests.\n");
         println!(
-            "Slices with many points close together: `PROFILES=20000 cargo test --release --test random_profiles dense` finds no value by polynomials that is off by more than one unit in the last place."
+            "Slices with many points close together: `PROFILES=20000 cargo test --release --test random_profiles dense` finds no value by polynomials that is off by more than 0.75 units in the last place."
         );
     }
     if let Some(path) = paths.next() {

