@@ -86,7 +86,6 @@ fn slices_have_the_numbers_of_the_scalar_way() {
 #[test]
 #[cfg(feature = "parallel")]
 fn the_number_of_threads_changes_nothing() {
-    polynomials_on_any_number_of_threads();
     let solution = solution("piecewise(r, r<0.5, r^2+0.25, r<1.25, 3*r-1.9375)");
     let evaluator = evaluator(&solution, 1e-13);
     let x = points(&mut Stream::new(45), 100_000);
@@ -108,8 +107,9 @@ fn the_number_of_threads_changes_nothing() {
 }
 
 /// Pressures that are dense in part, sparse in part, and 0 where r > a.
+#[test]
 #[cfg(feature = "parallel")]
-fn polynomials_on_any_number_of_threads() {
+fn polynomials_are_the_same_on_any_number_of_threads() {
     let solution = solution("2-sqrt(4-r^2)");
     let mut stream = Stream::new(48);
     let mut r: Vec<f64> = (0..100_000).map(|_| stream.uniform(1.5, 1.55)).collect();
@@ -168,8 +168,8 @@ fn a_loose_tolerance_is_not_dearer_than_a_sharp_one() {
     }
 }
 
-/// Where many points lie close together, values alone come from short polynomials made with 30 digits: also where the form in doubles
-/// loses digits, next to kinks, at an end, next to the edge of the contact, and where the value changes its sign.
+/// Where many points lie close together values alone have every digit, also where the form in doubles loses some; but for the places
+/// next to a kink, an end, the edge of the contact or a change of sign, where that form stays.
 #[test]
 fn dense_slices_have_every_digit() {
     let (mut all, mut missed, mut worst) = (0, 0, 0.0f64);
@@ -206,7 +206,7 @@ fn dense_slices_have_every_digit() {
                 // Elsewhere, the form in doubles: close to a kink, to the end, or where the value vanishes.
                 let share = off * unit / largest;
                 worst = worst.max(share);
-                assert!(share < 1e-14, "{text} {quantity:?} at {inputs:?}: {share:e}");
+                assert!(share < 1e-15, "{text} {quantity:?} at {inputs:?}: {share:e}");
             }
         };
         evaluator.slopes(&points, Slice::values(&mut values)).unwrap();

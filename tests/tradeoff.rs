@@ -252,7 +252,7 @@ fn a_slice_of_the_closed_form_has_every_digit() {
         let problem = Problem::new(&solution, &evaluator, quantity, None, None).unwrap();
         let found = study(problem, &Options { budget: Duration::from_secs(5), wanted: vec![1e-12] }).unwrap();
         let slice = found.rows.iter().find(|row| row.method == "closed form" && row.setting == "slice of doubles").unwrap();
-        // 0.7 units in the last place of a number next to a power of two.
-        assert!(slice.error < 1.6e-16, "{text}: {:e}", slice.error);
+        // Three quarters of a unit in the last place of a number next to a power of two.
+        assert!(slice.error < 0.75 * f64::EPSILON, "{text}: {:e}", slice.error);
     }
 }

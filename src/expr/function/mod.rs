@@ -59,7 +59,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Whether the value is that with 30 digits, rounded: then both take the same time.
+    /// Whether the value is that with 30 digits, rounded, as its bound says: then both take about the same time.
     pub(crate) fn is_rounded(&self) -> bool {
         self.ulps <= ROUNDED
     }

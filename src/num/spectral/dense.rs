@@ -273,7 +273,7 @@ impl Short {
         }
         // The doubles next to the nodes are not the nodes: the values there follow from the slope.
         let noise = f64::EPSILON * largest;
-        let (first, ..) = Local::fit(&changes.map(|own| own.hi), noise);
+        let (first, _) = Local::fit_precise(&changes, noise);
         for ((own, moved), u) in changes.iter_mut().zip(&displaced).zip(local_nodes()) {
             *own = own.add((first.slope(*u) * moved).into());
         }

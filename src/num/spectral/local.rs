@@ -23,9 +23,8 @@ pub(crate) struct Local {
 impl Local {
     /// The interpolant, with a bound on what lies beyond its degree, and the largest coefficient over Chebyshev polynomials.
     ///
-    /// The bound takes the last coefficients of the expansion for the size of those that follow; those below `noise` say nothing
-    /// about how the others fall.
-    pub(crate) fn fit(values: &[f64; LOCAL], noise: f64) -> (Self, f64, f64) {
+    /// The bound takes the last coefficients of the expansion for the size of those that follow.
+    pub(crate) fn fit(values: &[f64; LOCAL]) -> (Self, f64, f64) {
         let mut chebyshev = [0.0; LOCAL];
         for (k, slot) in chebyshev.iter_mut().enumerate() {
             let factor = if k == 0 { 1.0 } else { 2.0 } / LOCAL as f64;
@@ -33,11 +32,12 @@ impl Local {
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
             *slot = values.iter().enumerate().map(|(j, v)| v * cosine(k * (2 * j + 1), LOCAL)).sum::<f64>() * factor * sign;
         }
-        let (tail, largest) = beyond(&chebyshev, noise);
+        let (tail, largest) = beyond(&chebyshev, 0.0);
         (Self { coefficients: monomials(&chebyshev) }, tail, largest)
     }
 
-    /// The same from values to more digits: every coefficient is rounded once.
+    /// The same from values to more digits, without the largest coefficient: every coefficient is rounded once, and those below `noise`
+    /// say nothing about how the others fall.
     pub(crate) fn fit_precise(values: &[DoubleDouble; LOCAL], noise: f64) -> (Self, f64) {
         let table = precise_table();
         let mut chebyshev = [DoubleDouble::from(0.0); LOCAL];
@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn a_short_polynomial_has_nearly_all_digits() {
         let values: [f64; LOCAL] = std::array::from_fn(|j| (0.3 * local_nodes()[j]).exp());
-        let (local, tail, _) = Local::fit(&values, 0.0);
+        let (local, tail, _) = Local::fit(&values);
         assert!(tail < 1e-15, "{tail}");
         for u in [-1.0, -0.3, 0.0, 0.9, 1.0_f64] {
             let (value, slope) = (local.at(u) - (0.3 * u).exp(), local.slope(u) - 0.3 * (0.3 * u).exp());
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn the_tail_tells_what_is_missing() {
         let values: [f64; LOCAL] = std::array::from_fn(|j| 1.0 / (1.5 - local_nodes()[j]));
-        let (local, tail, _) = Local::fit(&values, 0.0);
+        let (local, tail, _) = Local::fit(&values);
         let worst = (0..=200).map(|i| f64::from(i) / 100.0 - 1.0).map(|u| (local.at(u) - 1.0 / (1.5 - u)).abs()).fold(0.0, f64::max);
         assert!(worst < tail && tail < 20.0 * worst, "{worst} {tail}");
     }

@@ -188,7 +188,7 @@ impl Span {
         if !values.iter().all(|value| value.is_finite()) {
             return Err(TransformError::NotComputable { at: self.to });
         }
-        let (local, tail, largest) = Local::fit(&values, 0.0);
+        let (local, tail, largest) = Local::fit(&values);
         if tail <= (FINE * f64::EPSILON * largest).max(0.2 * noise) || depth >= DEEPEST {
             if self.leaves.len() >= MOST_LEAVES {
                 return Err(TransformError::NotComputable { at: self.to });

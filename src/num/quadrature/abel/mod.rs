@@ -1,13 +1,11 @@
 //! g(x) and F(a) of an f′ that is given as a closure over blocks of radii.
 
 mod forms;
-
 mod pieces;
 mod start;
 mod transform;
 
 pub(crate) use forms::{CHUNK, Extent, Form};
-
 pub(crate) use start::{Wish, from_the_axis};
 pub use transform::AbelTransform;
 
