@@ -211,7 +211,7 @@ fn shown_formulas_are_the_numbers() {
                     ("g", &relations.g, own.evaluator().slope(x).unwrap()),
                     ("d", &relations.d, own.evaluator().slope(x).unwrap()),
                     ("F", &relations.force, own.force(x).unwrap()),
-                    ("p", &relations.pressure, own.pressure(r, x).unwrap().unwrap()),
+                    ("p", relations.pressure.as_ref().unwrap(), own.pressure(r, x).unwrap().unwrap()),
                 ] {
                     let shown = formulas::value(&shown.formula, &at);
                     let number = number.estimate.value;

@@ -95,7 +95,7 @@ fn hertz_by_foundation_and_by_the_rule_of_popov() {
     same("(3.10), (3.11)", explicit(&hertz).1, "4*sqrt(2)*E/3*sqrt(R/2*d^3)");
     same("(3.13)", explicit(&hertz).1, "4/3*E*sqrt(R*d^3)");
     // (3.38)–(3.39), σ = −p, with d = a²/R.
-    same("(3.39)", &hertz.pressure.formula, "2/pi*E*(a^2/R/R)^(1/2)*sqrt(1-(r/a)^2)");
+    same("(3.39)", &hertz.pressure.as_ref().unwrap().formula, "2/pi*E*(a^2/R/R)^(1/2)*sqrt(1-(r/a)^2)");
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn flat_punch_and_cone_stress() {
     // (3.53)–(3.56): F = 2 E a d, p = F/(2π a √(a²−r²)).
     let punch = relations(&derived("0"), &Edge::Rim(Expr::symbol("d"))).unwrap();
     same("(3.53)", &punch.force.formula, "2*E*a*d");
-    same("(3.56)", &punch.pressure.formula, "2*E*a*d/(2*pi*a*sqrt(a^2-r^2))");
+    same("(3.56)", &punch.pressure.as_ref().unwrap().formula, "2*E*a*d/(2*pi*a*sqrt(a^2-r^2))");
     // Outside the contact the stress is 0, at the rim it is infinite.
     let solution = derived("0");
     let own = contact(&solution, &[], 2.0, Some(0.3));
@@ -203,7 +203,7 @@ fn flat_punch_and_cone_stress() {
     assert!(relative(own.pressure(0.6, 1.0).unwrap().unwrap().estimate.value, 2.0 * 0.3 / (std::f64::consts::PI * 0.8)) < 1e-15);
     // (3.57)–(3.58): σ = −p
     let cone = smooth("r*tan(theta)");
-    same("(3.57)–(3.58)", &cone.pressure.formula, "1/2*E*tan(theta)*ln(a/r+sqrt((a/r)^2-1))");
+    same("(3.57)–(3.58)", &cone.pressure.as_ref().unwrap().formula, "1/2*E*tan(theta)*ln(a/r+sqrt((a/r)^2-1))");
     let solution = derived("r*tan(theta)");
     let own = contact(&solution, &[("theta", 0.3)], 1.0, None);
     assert_eq!(own.pressure(2.0, 1.5).unwrap().unwrap().estimate.value, 0.0);
@@ -218,7 +218,7 @@ fn concave_punch() {
     let at_rim = |formula: &Formula| formula.substitute(&[("a", Expr::symbol("c"))].into_iter().collect());
     same("(3.60)", &found.g.formula, "-2*h/c^2*x^2");
     same("(3.61)", &at_rim(&found.force.formula), "2*E*c*(d_o+2/3*h)");
-    let pressure = at_rim(&found.pressure.formula);
+    let pressure = at_rim(&found.pressure.as_ref().unwrap().formula);
     let mut stream = Stream::new(63);
     for _ in 0..DRAWS {
         let mut values = draw(&mut stream);

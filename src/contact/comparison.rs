@@ -80,7 +80,8 @@ pub fn compare(solution: &Solution, setting: &Setting) -> Result<Vec<Comparison>
 
 /// One empty comparison per quantity; those without a closed form say so.
 fn started(solution: &Solution, explicit: bool) -> Vec<Comparison> {
-    let (g, force, pressure) = (solution.equivalent_profile().status, solution.force().status, solution.pressure().status);
+    let (g, force) = (solution.equivalent_profile().status, solution.force().status);
+    let pressure = solution.pressure().map_or(Status::Numeric, |own| own.status);
     let inverse = if explicit { vec![("a_of_d", Status::Exact), ("F_of_d", Status::Exact)] } else { Vec::new() };
     [("g", g), ("d", g), ("F", force), ("p", pressure), ("G", g)]
         .into_iter()

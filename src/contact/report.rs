@@ -23,8 +23,8 @@ pub struct Relations {
     pub d: Derived,
     /// F(a).
     pub force: Derived,
-    /// p(r).
-    pub pressure: Derived,
+    /// p(r); `None` where f′ is so large at a breakpoint that it has no formula here.
+    pub pressure: Option<Derived>,
     /// k(a) = 2E*a.
     pub stiffness: Derived,
     /// a(d), where it is explicit.
@@ -94,11 +94,11 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
                 reference: with_first(&force.reference, "Popov & Heß (3.61)"),
                 ..force
             };
-            let pressure = Derived {
+            let pressure = pressure.map(|pressure| Derived {
                 formula: Formula::sum([pressure.formula, edge_term]),
                 reference: with_first(&pressure.reference, "Popov & Heß (3.56), (3.62)–(3.63)"),
                 ..pressure
-            };
+            });
             (d, force, pressure)
         }
     };

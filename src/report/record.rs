@@ -35,7 +35,7 @@ impl Derivation<'_> {
             entry("g", "g(x)", Some(&all.g)),
             entry("d", if self.has_rim() { "d" } else { "d(a)" }, Some(&all.d)),
             entry("F", "F(a)", Some(&all.force)),
-            entry("p", "p(r)", Some(&all.pressure)),
+            entry("p", "p(r)", all.pressure.as_ref()),
             entry("k", "k(a)", Some(&all.stiffness)),
             entry("a_of_d", "a(d)", all.contact_radius_of_depth.as_ref()),
             entry("F_of_d", "F(d)", all.force_of_depth.as_ref()),
@@ -59,6 +59,9 @@ impl Derivation<'_> {
             "E is the effective modulus E*",
             "p = -sigma_zz is positive in compression and 0 for r > a",
         ];
+        if self.relations.pressure.is_none() {
+            notes.push("f' is infinite at a breakpoint and g jumps there, or is not known to be continuous: p(r) has no formula here");
+        }
         if self.has_rim() {
             notes.push("a is the radius of the rim, whatever the depth is");
         } else if self.relations.contact_radius_of_depth.is_none() {

@@ -1,5 +1,6 @@
 //! The derived formulas: each term's closed answer or its integral, put together per interval.
 
+use super::ends::{Growth, growth};
 use super::engine::{SolvedChain, SolvedTerm, expanded_or_same};
 use super::quantity::Quantity;
 use super::{Solution, TransformError};
@@ -54,9 +55,13 @@ impl Solution {
         self.derived(Quantity::Force, "a", &(Expr::integer(2) * Expr::symbol("E")), "Popov & Heß (3.22), (3.25)")
     }
 
-    /// p(r) under a smooth edge, positive in compression.
-    pub fn pressure(&self) -> Derived {
-        self.derived(Quantity::Pressure, "a", &(Expr::symbol("E") / Expr::pi()), "Popov & Heß (3.37)")
+    /// p(r) under a smooth edge, positive in compression; `None` where f′ is so large at a breakpoint that g may jump there,
+    /// because then neither ∫ g′/√(x²−r²) dx nor the integral over (r f′)′ is the pressure.
+    pub fn pressure(&self) -> Option<Derived> {
+        self.chains
+            .iter()
+            .all(SolvedChain::has_pressure_formula)
+            .then(|| self.derived(Quantity::Pressure, "a", &(Expr::symbol("E") / Expr::pi()), "Popov & Heß (3.37)"))
     }
 
     fn derived(&self, quantity: Quantity, variable: &str, factor: &Expr, reference: &'static str) -> Derived {
@@ -118,6 +123,18 @@ impl SolvedChain {
     /// True where the breakpoint lies below the given interval.
     fn ends_before(&self, upper: &Expr, interval: usize) -> bool {
         self.breakpoints.iter().take(interval).any(|b| b == upper)
+    }
+
+    /// Over g′ the integral needs a g without jumps; straight from f′ it needs a bounded f′. A symbolic exponent of a closed g
+    /// is taken to be one without jumps.
+    fn has_pressure_formula(&self) -> bool {
+        let worst = self.remainder(SolvedTerm::has_open_pressure).iter().map(|(segment, slope)| growth(slope, segment)).max();
+        let closed = self.intervals.iter().flat_map(|i| &i.terms).filter(|t| t.has_open_pressure()).all(|t| t.answer.is_some());
+        match worst {
+            None | Some(Growth::Bounded) => true,
+            Some(Growth::Gentle | Growth::Unproven) => closed,
+            Some(Growth::Steep) => false,
+        }
     }
 
     /// p π/E* of the terms without a pressure rule: over g′ where g is closed, else straight from f′.

@@ -10,6 +10,7 @@ mod continued;
 mod curve;
 mod dense;
 mod domain;
+mod ends;
 mod engine;
 mod error;
 mod evaluator;

@@ -54,7 +54,7 @@ fn logarithm_in(monomial: &Monomial, frame: &Frame) -> Option<(Expr, Monomial)> 
             }
             _ if atom.contains(frame.variable()) || power.contains(frame.variable()) => return None,
             _ => {
-                rest.insert(atom.clone(), power.clone());
+                rest.multiply(atom.clone(), power.clone());
             }
         }
     }

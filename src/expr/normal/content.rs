@@ -3,6 +3,7 @@
 use super::polynomial::{Monomial, Polynomial};
 use super::{is_sum, sparse};
 use crate::expr::{Expr, ExprError, Node, Number};
+use std::collections::BTreeMap;
 
 /// The common factor of the expressions, and what is left of each; a zero stays zero.
 ///
@@ -47,7 +48,7 @@ pub(super) fn factored(expr: &Expr) -> Expr {
 
 /// Numerator and denominators of a sum of fractions: the sum times the denominators, and these.
 pub(super) fn over_one_denominator(sum: &Polynomial) -> Result<(Polynomial, Monomial), ExprError> {
-    let mut denominators = Monomial::new();
+    let mut denominators: BTreeMap<Expr, Expr> = BTreeMap::new();
     for (monomial, _) in sum.terms() {
         for (atom, power) in monomial.iter().filter(|(atom, _)| is_sum(atom)) {
             if let Some(n) = power.as_integer().filter(|n| *n < 0) {
@@ -57,8 +58,9 @@ pub(super) fn over_one_denominator(sum: &Polynomial) -> Result<(Polynomial, Mono
         }
     }
     if denominators.is_empty() {
-        return Ok((sum.clone(), denominators));
+        return Ok((sum.clone(), Monomial::new()));
     }
+    let denominators = Monomial::from_iter(denominators);
     let numerator = sum.times(&Polynomial::single(denominators.clone(), Number::integer(1), sum.frame()))?;
     Ok((numerator, denominators))
 }
@@ -79,7 +81,7 @@ pub(super) fn cancelled(sum: Polynomial) -> Result<Polynomial, ExprError> {
             n -= 1;
         }
         if n > 0 {
-            left.insert(atom, Expr::integer(-n));
+            left.multiply(atom, Expr::integer(-n));
         }
     }
     numerator.times(&Polynomial::single(left, Number::integer(1), sum.frame()))

@@ -41,8 +41,7 @@ pub(super) fn divide(monomial: &Monomial, atom: &Expr, power: &Expr, number: &Nu
     let inverse = raise_monomial(&own, &coefficient, &Expr::integer(-1), &frame)?;
     let mut others = monomial.clone();
     others.remove(atom);
-    others.insert(radius.clone(), Expr::integer(m - degree));
-    others.retain(|_, power| !power.is_zero());
+    others.multiply(radius.clone(), Expr::integer(-degree));
     let front = Polynomial::single(others, number.clone(), &frame).times(&inverse)?;
     let next = power + Expr::one();
     let raised =

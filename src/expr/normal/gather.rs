@@ -94,7 +94,7 @@ fn joined_exponentials(sum: Polynomial) -> Result<Polynomial, ExprError> {
         {
             let constant = Expr::sum(power.terms().into_iter().filter(|term| !term.contains(frame.variable())));
             if !constant.is_zero() {
-                free.insert(euler.clone(), constant);
+                free.multiply(euler.clone(), constant);
             }
         }
         add_to(&mut groups, (rest, u), kind, free, number, &frame);
@@ -176,7 +176,7 @@ fn split_logarithms(sum: Polynomial) -> Result<Polynomial, ExprError> {
         for (argument, coefficient) in [Expr::one() + &u, Expr::one() - &u].into_iter().zip(coefficients) {
             if !coefficient.is_zero() {
                 let mut total = rest.clone();
-                total.insert(Expr::call("ln", [argument]), Expr::one());
+                total.multiply(Expr::call("ln", [argument]), Expr::one());
                 result.add_term(total, &(number * &coefficient));
             }
         }
@@ -200,10 +200,13 @@ fn joined_logarithms(sum: Polynomial) -> Result<Polynomial, ExprError> {
     }
     let mut groups: Groups<bool> = Groups::new();
     for (monomial, number) in logarithms.terms() {
-        let Some((atom, (u, [_, of_minus]))) = own(monomial) else { continue };
+        let Some((atom, (u, coefficients))) = own(monomial) else { continue };
         let (free, mut rest) = parted(monomial, &frame);
         rest.remove(&atom);
-        add_to(&mut groups, (rest, u), of_minus.is_zero(), free, number, &frame);
+        // ln(1−u²) is both of them.
+        for (is_plus, coefficient) in [true, false].into_iter().zip(coefficients).filter(|(_, own)| !own.is_zero()) {
+            add_to(&mut groups, (rest.clone(), u.clone()), is_plus, free.clone(), &(number * &coefficient), &frame);
+        }
     }
     for ((rest, u), sides) in groups {
         let (plus, minus) = (sides.get(&true), sides.get(&false));
@@ -229,12 +232,11 @@ fn is_linear(u: &Expr, frame: &Frame) -> bool {
     !(u / Expr::from(frame.variable().clone())).contains(frame.variable())
 }
 
-/// Adds coefficient · rest · atom, where the three have no factor in common.
+/// Adds coefficient · rest · atom.
 fn insert(result: &mut Polynomial, coefficient: &Polynomial, rest: &Monomial, atom: Expr) {
     for (monomial, number) in coefficient.terms() {
-        let mut total = rest.clone();
-        total.extend(monomial.clone());
-        total.insert(atom.clone(), Expr::one());
+        let mut total = rest.times(monomial);
+        total.multiply(atom.clone(), Expr::one());
         result.add_term(total, number);
     }
 }

@@ -78,7 +78,7 @@ fn without_denominators(u: &Polynomial) -> Result<(Monomial, Polynomial), ExprEr
                 u.terms().map(|(m, _)| m.get(atom).and_then(Expr::as_number).cloned().unwrap_or_else(|| Number::integer(0))).collect();
             let Some(lowest) = powers.iter().min() else { continue };
             if !lowest.is_zero() && powers.iter().all(|p| (p - lowest).is_integer()) {
-                outside.insert(atom.clone(), Expr::number(lowest.clone()));
+                outside.multiply(atom.clone(), Expr::number(lowest.clone()));
             }
         }
     }

@@ -8,6 +8,7 @@ mod division;
 mod factor;
 mod gather;
 mod logarithm;
+mod monomial;
 mod polynomial;
 mod power;
 mod rational;

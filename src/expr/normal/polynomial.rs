@@ -6,8 +6,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// A product of powers of distinct atoms; an atom is anything that the expansion does not look into.
-pub(super) type Monomial = BTreeMap<Expr, Expr>;
+pub(super) use super::monomial::Monomial;
 
 /// What one expansion shares: the variable whose roots are brought to canonical form, and the work that is left.
 ///
@@ -133,7 +132,7 @@ impl Polynomial {
     }
 
     pub(super) fn atom(base: Expr, exponent: Expr, frame: &Frame) -> Self {
-        Self::single(Monomial::from([(base, exponent)]), Number::integer(1), frame)
+        Self::single(Monomial::power(base, exponent), Number::integer(1), frame)
     }
 
     pub(super) fn single(monomial: Monomial, coefficient: Number, frame: &Frame) -> Self {
@@ -213,16 +212,7 @@ impl Polynomial {
         let mut result = Self::zero(&self.frame);
         for (left, a) in &self.terms {
             for (right, b) in &other.terms {
-                let mut monomial = left.clone();
-                for (atom, exponent) in right {
-                    let total = monomial.get(atom).map_or_else(|| exponent.clone(), |own| own + exponent);
-                    if total.is_zero() {
-                        monomial.remove(atom);
-                    } else {
-                        monomial.insert(atom.clone(), total);
-                    }
-                }
-                power::settle(monomial, &(a * b), &mut result)?;
+                power::settle(left.times(right), &(a * b), &mut result)?;
             }
             result.check()?;
         }
@@ -283,8 +273,7 @@ fn joint_waves(factors: &[Expr], frame: &Frame) -> Result<(Monomial, Vec<Expr>),
                 && power.is_one()
                 && matches!(atom.node(), Node::Function(..))
             {
-                let total = joint.get(*atom).map_or_else(|| exponent.clone(), |own| own + &exponent);
-                joint.insert((*atom).clone(), total);
+                joint.multiply((*atom).clone(), exponent);
                 continue;
             }
         }

@@ -3,6 +3,7 @@
 use super::polynomial::{Frame, Monomial, Polynomial};
 use super::{calls, content, division, factor, is_sum, logarithm, sparse, waves};
 use crate::expr::{Expr, ExprError, Node, Number, Sign, sign};
+use std::collections::BTreeMap;
 
 /// `base`^`exponent`.
 pub(super) fn raise(base: &Polynomial, exponent: &Expr) -> Result<Polynomial, ExprError> {
@@ -54,7 +55,7 @@ fn raise_fraction(base: &Polynomial, exponent: &Expr) -> Result<Option<Polynomia
     for (atom, power) in &denominators {
         let total = Polynomial::expand(&-(power * exponent), frame)?.to_expr();
         let mut settled = Polynomial::zero(frame);
-        settle(Monomial::from([(atom.clone(), total)]), &Number::integer(1), &mut settled)?;
+        settle(Monomial::power(atom.clone(), total), &Number::integer(1), &mut settled)?;
         result = result.times(&settled)?;
     }
     Ok(Some(result))
@@ -70,7 +71,7 @@ pub(super) fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Ex
         (Some(power), _) => coefficient = power,
         (None, true) if frame.is_canonical() && exponent.as_number().is_none() => {
             for (prime, n) in logarithm::primes(number) {
-                raised.insert(Expr::number(prime), Polynomial::expand(&(exponent * Expr::integer(n)), frame)?.to_expr());
+                raised.multiply(Expr::number(prime), Polynomial::expand(&(exponent * Expr::integer(n)), frame)?.to_expr());
             }
         }
         (None, true) => {
@@ -80,7 +81,7 @@ pub(super) fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Ex
             for factor in rest.factors() {
                 if !factor.is_one() {
                     let (base, power) = factor.split_power();
-                    raised.insert(base, power);
+                    raised.multiply(base, power);
                 }
             }
         }
@@ -94,14 +95,13 @@ pub(super) fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Ex
         if whole.is_some() || positive(atom, power) {
             let total = power * exponent;
             let total = Polynomial::expand(&total, frame)?.to_expr();
-            let total = raised.get(atom).map_or_else(|| total.clone(), |own| own + &total);
-            raised.insert(atom.clone(), total);
+            raised.multiply(atom.clone(), total);
         } else {
             kept.push(atom.pow(power));
         }
     }
     if !kept.is_empty() {
-        raised.insert(Expr::product(kept), exponent.clone());
+        raised.multiply(Expr::product(kept), exponent.clone());
     }
     let mut result = Polynomial::zero(frame);
     settle(raised, &coefficient, &mut result)?;
@@ -113,7 +113,7 @@ pub(super) fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Ex
 /// The number is positive unless `whole`; then the primitive's first term is positive.
 pub(super) fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number, Polynomial) {
     let frame = base.frame();
-    let mut content: Option<Monomial> = None;
+    let mut content: Option<BTreeMap<Expr, Expr>> = None;
     let mut gcd = Number::integer(0);
     for (monomial, number) in base.terms() {
         gcd = gcd.common_factor(number);
@@ -133,7 +133,7 @@ pub(super) fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number
     }
     let mut content = content.unwrap_or_default();
     // Negative powers that only some terms have are taken out as well: 1 − r²/c² = c⁻²(c² − r²).
-    let mut negative = Monomial::new();
+    let mut negative: BTreeMap<Expr, Expr> = BTreeMap::new();
     for (monomial, _) in base.terms() {
         for (atom, power) in monomial {
             if power.as_number().is_some_and(Number::is_negative) && (whole || sign(atom) == Sign::Positive) && !is_sum(atom) {
@@ -143,7 +143,7 @@ pub(super) fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number
         }
     }
     content.extend(negative);
-    content.retain(|_, power| !power.is_zero());
+    let content = Monomial::from_iter(content);
     if whole && is_reversed(base) {
         gcd = -&gcd;
     }
@@ -153,12 +153,7 @@ pub(super) fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number
     for (monomial, own) in base.terms() {
         let mut rest = monomial.clone();
         for (atom, power) in &content {
-            let left = rest.get(atom).map_or_else(|| -power, |own| own - power);
-            if left.is_zero() {
-                rest.remove(atom);
-            } else {
-                rest.insert(atom.clone(), left);
-            }
+            rest.multiply(atom.clone(), -power);
         }
         primitive.add_term(rest, &(own * &inverse));
     }
@@ -220,7 +215,7 @@ fn raise_primitive(primitive: &Polynomial, exponent: &Expr) -> Result<Polynomial
         return raise(&rationalised, &(-exponent));
     }
     let mut result = Polynomial::zero(&frame);
-    settle(Monomial::from([(primitive.to_expr(), exponent.clone())]), &Number::integer(1), &mut result)?;
+    settle(Monomial::power(primitive.to_expr(), exponent.clone()), &Number::integer(1), &mut result)?;
     Ok(result)
 }
 
@@ -285,7 +280,6 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
     }
     result.frame().charge()?;
     let frame = result.frame().clone();
-    monomial.retain(|_, power| !power.is_zero());
     if frame.is_canonical()
         && let Some(reduced) = waves::reduced(&monomial, &frame)?
     {
@@ -297,7 +291,7 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
             let whole = power.terms().iter().find_map(Expr::as_integer).filter(|_| power.as_number().is_none());
             if let Some(outside) = whole.filter(|_| frame.is_canonical()).and_then(|n| base.power(n)) {
                 let mut others = monomial.clone();
-                others.insert(atom.clone(), power - Expr::integer(whole.unwrap_or(0)));
+                others.multiply(atom.clone(), Expr::integer(-whole.unwrap_or(0)));
                 return settle(others, &(number * &outside), result);
             }
             let folded = atom.pow(power);
@@ -309,8 +303,7 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
             others.remove(atom);
             for factor in rest.factors().into_iter().filter(|f| !f.is_one()) {
                 let (base, exponent) = factor.split_power();
-                let total = others.get(&base).map_or_else(|| exponent.clone(), |own| own + &exponent);
-                others.insert(base, total);
+                others.multiply(base, exponent);
             }
             return settle(others, &(number * &coefficient), result);
         }
@@ -328,11 +321,7 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
         };
         if let Some(n) = natural.and_then(|n| u32::try_from(n).ok()) {
             let mut others = monomial.clone();
-            others.remove(atom);
-            let left = power - Expr::integer(i64::from(n));
-            if !left.is_zero() {
-                others.insert(atom.clone(), left);
-            }
+            others.multiply(atom.clone(), Expr::integer(-i64::from(n)));
             let expanded = Polynomial::expand(atom, &frame)?.whole_power(n)?;
             let rest = Polynomial::single(others, number.clone(), &frame);
             return result.add(&expanded.times(&rest)?);
@@ -345,10 +334,7 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
     if let Some((left, right)) = twins(&monomial, &frame) {
         let (first, second) = (monomial.remove(&left).unwrap_or_else(Expr::zero), monomial.remove(&right).unwrap_or_else(Expr::zero));
         // What the exponents differ by stays with its own base, a whole power.
-        let shift = &second - &first;
-        if !shift.is_zero() {
-            monomial.insert(right.clone(), shift);
-        }
+        monomial.multiply(right.clone(), &second - &first);
         let exponent = first;
         let product = Polynomial::expand(&left, &frame)?.times(&Polynomial::expand(&right, &frame)?)?;
         let rest = Polynomial::single(monomial, number.clone(), &frame);

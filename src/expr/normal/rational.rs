@@ -46,25 +46,21 @@ fn parted(monomial: &Monomial, number: &Number, frame: &Frame) -> Result<(Monomi
     let (mut cofactor, mut free, mut shift, mut sums) = (Monomial::new(), Monomial::new(), 0, Vec::new());
     for (atom, power) in monomial {
         if power.contains(frame.variable()) {
-            cofactor.insert(atom.clone(), power.clone());
+            cofactor.multiply(atom.clone(), power.clone());
         } else if *atom == radius {
             let (fixed, whole) = split_exponent(power, 0);
             shift = whole;
-            if !fixed.is_zero() {
-                cofactor.insert(atom.clone(), fixed);
-            }
+            cofactor.multiply(atom.clone(), fixed);
         } else if !atom.contains(frame.variable()) {
-            free.insert(atom.clone(), power.clone());
+            free.multiply(atom.clone(), power.clone());
         } else if is_sum(atom) && Univariate::read(&Polynomial::expand(atom, frame)?).is_some() {
             let (fixed, whole) = if power.as_integer().is_some() { split_exponent(power, 0) } else { split_exponent(power, -1) };
-            if !fixed.is_zero() {
-                cofactor.insert(atom.clone(), fixed);
-            }
+            cofactor.multiply(atom.clone(), fixed);
             if whole != 0 {
                 sums.push((atom.clone(), whole));
             }
         } else {
-            cofactor.insert(atom.clone(), power.clone());
+            cofactor.multiply(atom.clone(), power.clone());
         }
     }
     Ok((cofactor, Part { free: Polynomial::single(free, number.clone(), frame), shift, sums }))
@@ -84,28 +80,19 @@ fn split_exponent(power: &Expr, lowest: i64) -> (Expr, i64) {
 fn unchanged(cofactor: &Monomial, parts: &[Part], result: &mut Polynomial) -> Result<(), ExprError> {
     for part in parts {
         let mut total = cofactor.clone();
-        raise_by(&mut total, &Expr::from(result.frame().variable().clone()), part.shift);
+        total.multiply(Expr::from(result.frame().variable().clone()), Expr::integer(part.shift));
         for (atom, n) in &part.sums {
-            raise_by(&mut total, atom, *n);
+            total.multiply(atom.clone(), Expr::integer(*n));
         }
         add_product(result, &part.free, &total);
     }
     Ok(())
 }
 
-fn raise_by(monomial: &mut Monomial, atom: &Expr, n: i64) {
-    let total = monomial.remove(atom).map_or_else(|| Expr::integer(n), |own| own + Expr::integer(n));
-    if !total.is_zero() {
-        monomial.insert(atom.clone(), total);
-    }
-}
-
-/// Adds coefficient · product, which have no atom in common.
+/// Adds coefficient · product.
 fn add_product(result: &mut Polynomial, coefficient: &Polynomial, product: &Monomial) {
     for (monomial, number) in coefficient.terms() {
-        let mut total = product.clone();
-        total.extend(monomial.clone());
-        result.add_term(total, number);
+        result.add_term(product.times(monomial), number);
     }
 }
 
@@ -143,7 +130,7 @@ fn fractions(cofactor: &Monomial, parts: &[Part], frame: &Frame) -> Result<Optio
     }
     for (k, coefficient) in found.polynomial.coefficients().iter().enumerate() {
         let mut total = cofactor.clone();
-        raise_by(&mut total, &Expr::from(frame.variable().clone()), k as i64);
+        total.multiply(Expr::from(frame.variable().clone()), Expr::integer(k as i64));
         add_product(&mut result, coefficient, &total);
     }
     Ok(Some(result))
@@ -316,8 +303,8 @@ fn add_fraction(result: &mut Polynomial, cofactor: &Monomial, remainder: &Univar
     }
     for (m, coefficient) in remainder.coefficients().iter().enumerate() {
         let mut total = cofactor.clone();
-        raise_by(&mut total, &radius, m as i64);
-        raise_by(&mut total, &atom, -i64::from(k));
+        total.multiply(radius.clone(), Expr::integer(m as i64));
+        total.multiply(atom.clone(), Expr::integer(-i64::from(k)));
         add_product(result, &coefficient.scaled(&Number::integer(sign)), &total);
     }
     Ok(())

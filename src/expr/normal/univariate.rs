@@ -56,9 +56,7 @@ impl Univariate {
         for (k, coefficient) in self.coefficients.iter().enumerate() {
             for (monomial, number) in coefficient.terms() {
                 let mut total = monomial.clone();
-                if k > 0 {
-                    total.insert(radius.clone(), Expr::integer(k as i64));
-                }
+                total.multiply(radius.clone(), Expr::integer(k as i64));
                 result.add_term(total, number);
             }
         }

@@ -111,10 +111,7 @@ fn quotient(monomial: &Monomial, waves: &[Wave<'_>], frame: &Frame) -> Result<Op
             let mut rest = monomial.clone();
             for (name, n) in [sine, cosine, tangent].into_iter().zip(by) {
                 let atom = call(name);
-                let total = rest.remove(&atom).and_then(|p| p.as_integer()).unwrap_or(0) + n;
-                if total != 0 {
-                    rest.insert(atom, Expr::integer(total));
-                }
+                rest.multiply(atom, Expr::integer(n));
             }
             Polynomial::single(Monomial::new(), Number::integer(1), frame).times(&Polynomial::single(rest, Number::integer(1), frame))
         };
@@ -172,9 +169,8 @@ fn bessel(monomial: &Monomial, wave: &Wave<'_>, frame: &Frame) -> Result<Option<
     let part = |factor: Expr, shift: i64, n: i64| {
         let mut rest = monomial.clone();
         rest.remove(wave.atom);
-        rest.insert(Expr::call(wave.name, [Expr::integer(n), u.clone()]), Expr::one());
-        rest.insert(radius.clone(), Expr::integer(m + shift));
-        rest.retain(|_, power| !power.is_zero());
+        rest.multiply(Expr::call(wave.name, [Expr::integer(n), u.clone()]), Expr::one());
+        rest.multiply(radius.clone(), Expr::integer(shift));
         Polynomial::expand(&factor, frame)?.times(&Polynomial::single(rest, Number::integer(1), frame))
     };
     let mut result;
