@@ -303,7 +303,7 @@ fn rewriting_changes_nothing() {
             }
             // Setting the numbers first must not change what is recognised.
             let set = derived_with(text, &values);
-            if status(0)[0] == Status::Exact {
+            if status(0)[0] == Some(Status::Exact) {
                 assert!(set.is_closed(), "{text}");
             }
             let numeric = contact(&set, &[], 1.0, None).evaluator().slope(2.5).unwrap().estimate.value;
