@@ -114,11 +114,11 @@ fn force_pressure_depth_and_energy_obey_their_laws() {
         // dF/dd = 2E* a, by differences.
         let h = 1e-5 * a;
         let rise = |name| quantity(&own, name, 0.0, a + h).value - quantity(&own, name, 0.0, a - h).value;
-        close(Estimate { value: rise("F") / rise("g"), error: 0.0, evaluations: 0 }, a, 1e-8, "dF/dd");
+        close(Estimate::exact(rise("F") / rise("g")), a, 1e-8, "dF/dd");
         // dU/dd = F: U = ∫ (d − g)², F/(2E*) = ∫ (d − g).
         let energy = |d: f64| own.squared_gap(a, sneddon::num::Bounded::exact(d)).unwrap().unwrap().estimate;
         let slope = (energy(g.value + 1e-3).value - energy(g.value - 1e-3).value) / 4e-3;
-        close(Estimate { value: slope, error: 0.0, evaluations: 0 }, force.value, 1e-9, "dU/dd");
+        close(Estimate::exact(slope), force.value, 1e-9, "dU/dd");
     }
 }
 

@@ -152,7 +152,7 @@ fn closed(work: &str, profile: &str, low: f64, high: f64) {
     let evaluator = evaluator(&solution, Method::Exact);
     let x: Vec<f64> = (0..POINTS).map(|i| low + (high - low) * (i as f64 + 0.5) / POINTS as f64).collect();
     let mut g = vec![0.0; POINTS];
-    let mut fill = || evaluator.slopes(black_box(&x), Slice { values: &mut g, errors: None, methods: None, evaluations: None }).is_ok();
+    let mut fill = || evaluator.slopes(black_box(&x), Slice::values(&mut g)).is_ok();
     if fill() {
         line(work, "slice", median_ns(fill) / POINTS as f64, 0.0, 0);
     }

@@ -74,5 +74,5 @@ fn reading(curve: &Curve<'_>, pressures: Option<&PressureCurve<'_>>, asked: &Ask
         }
         _ => twice * place,
     };
-    Ok(Ok(Reading { estimate: Estimate::from_bounded(value, 0), method: "curve" }))
+    Ok(Ok(Reading { estimate: Estimate::estimated(value.value, value.error, 0), method: "curve" }))
 }

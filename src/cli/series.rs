@@ -30,8 +30,7 @@ pub(super) fn readings(
     let failed = |error: SeriesFailure| Failure::new(error.to_string());
     let series = SeriesEvaluator::new(profile, order).map_err(failed)?;
     let modulus = Bounded::exact(effective_modulus);
-    let times =
-        |reading: Reading, factor: Bounded| Reading { estimate: Estimate::from_bounded(reading.estimate.bounded() * factor, 0), ..reading };
+    let times = |reading: Reading, factor: Bounded| Reading { estimate: reading.estimate.times(factor), ..reading };
     let value = |at: f64| -> Result<Measured, SeriesFailure> {
         Ok(Ok(match symbol {
             "f" => series.height(at)?,
@@ -41,7 +40,7 @@ pub(super) fn readings(
             "p" => {
                 let a = radius.unwrap_or(at);
                 let over_pi = modulus / Bounded::rounded(std::f64::consts::PI);
-                let outside = Reading { estimate: Estimate { value: 0.0, error: 0.0, evaluations: 0 }, method: "series" };
+                let outside = Reading { estimate: Estimate::exact(0.0), method: "series" };
                 if at >= a { outside } else { times(series.pressure(at, a)?, over_pi) }
             }
             "k" => {

@@ -123,7 +123,7 @@ fn compare_at(
             // Under the flat part of a worn tip every radius has the depth 0.
             for own in found.iter_mut().filter(|_| depth.value > 0.0) {
                 let (expr, known) = match own.quantity {
-                    "a_of_d" => (&inverse.contact_radius, Estimate { value: a, error: 0.0, evaluations: 0 }),
+                    "a_of_d" => (&inverse.contact_radius, Estimate::exact(a)),
                     "F_of_d" => (&inverse.force, plain.force(a)?.estimate),
                     _ => continue,
                 };

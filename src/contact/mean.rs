@@ -102,17 +102,15 @@ impl<'c, P: Quantities> PartialForce<'c, P> {
         }
         ends.sort_by(f64::total_cmp);
         ends.dedup();
-        let (mut total, mut evaluations) = (Bounded::exact(0.0), 0);
+        let mut total = Estimate::exact(0.0);
         for pair in ends.windows(2) {
             let [from, to] = *pair else { continue };
             if from >= self.a {
                 break;
             }
-            let part = self.between(from, to, &arc)?;
-            total = total + part.bounded();
-            evaluations += part.evaluations;
+            total = total + self.between(from, to, &arc)?;
         }
-        Ok(Estimate::from_bounded(total, evaluations))
+        Ok(total)
     }
 
     fn between(&self, from: f64, to: f64, arc: &impl Fn(f64) -> Bounded) -> Result<Estimate, ContactError> {
@@ -164,7 +162,7 @@ impl<'c, P: Quantities> PartialForce<'c, P> {
                 NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations },
             ) if error.is_finite() => {
                 let factor = if rough { 1.0 } else { length };
-                Ok(Estimate { value: value * factor, error: error * factor, evaluations })
+                Ok(Estimate::estimated(value * factor, error * factor, evaluations))
             }
             Err(other) => Err(failure.unwrap_or_else(|| ContactError::Transform(TransformError::from(other)))),
         }

@@ -117,14 +117,12 @@ impl<P: Quantities> Contact<'_, P> {
     pub fn force(&self, a: f64) -> Result<Reading, ContactError> {
         let smooth = self.evaluator.force(a)?;
         let twice = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus);
-        let mut total = smooth.estimate.bounded() * twice;
-        let mut evaluations = smooth.estimate.evaluations;
+        let mut total = smooth.estimate.times(twice);
         if let Some(depth) = self.depth {
-            let g = self.evaluator.slope(a)?;
-            evaluations += g.estimate.evaluations;
-            total = total + (Bounded::exact(depth) - g.estimate.bounded()) * Bounded::exact(a) * twice;
+            let excess = Estimate::exact(depth) + self.evaluator.slope(a)?.estimate.scaled(-1.0);
+            total = total + excess.scaled(a).times(twice);
         }
-        Ok(Reading { estimate: Estimate::from_bounded(total, evaluations), method: smooth.method })
+        Ok(Reading { estimate: total, method: smooth.method })
     }
 
     /// k = 2E*a (3.1), (3.22).
@@ -142,8 +140,8 @@ impl<P: Quantities> Contact<'_, P> {
             return Ok(Ok(exact(0.0)));
         }
         let excess = match self.depth {
-            Some(depth) => Bounded::exact(depth) - self.evaluator.slope(a)?.estimate.bounded(),
-            None => Bounded::exact(0.0),
+            Some(depth) => Estimate::exact(depth) + self.evaluator.slope(a)?.estimate.scaled(-1.0),
+            None => Estimate::exact(0.0),
         };
         if r == a {
             return Ok(if excess.value == 0.0 { Ok(exact(0.0)) } else { Err(Reason::Rim) });
@@ -152,14 +150,13 @@ impl<P: Quantities> Contact<'_, P> {
             return Ok(Err(if r == 0.0 { Reason::Apex } else { Reason::Kink }));
         };
         let factor = Bounded::exact(self.effective_modulus) / Bounded::rounded(std::f64::consts::PI);
-        let mut total = smooth.estimate.bounded();
+        let mut total = smooth.estimate;
         if self.depth.is_some() {
             // Two roots: the product of both lengths may leave the range of doubles.
             let (gap, sum) = (Bounded::exact(a) - Bounded::exact(r), Bounded::exact(a) + Bounded::exact(r));
-            total = total + excess / gap.sqrt() / sum.sqrt();
+            total = total + excess.times(Bounded::exact(1.0) / gap.sqrt() / sum.sqrt());
         }
-        let total = total * factor;
-        Ok(Ok(Reading { estimate: Estimate::from_bounded(total, smooth.estimate.evaluations), method: smooth.method }))
+        Ok(Ok(Reading { estimate: total.times(factor), method: smooth.method }))
     }
 
     /// u_z(r): d − f(r) inside the contact, (2/π)∫₀^a (d − g)/√(r²−x²) dx outside.
@@ -170,20 +167,16 @@ impl<P: Quantities> Contact<'_, P> {
         let d = self.depth(a)?;
         if r <= a {
             let f = self.profile(r)?;
-            let value = d.estimate.bounded() - f.estimate.bounded();
-            return Ok(Reading {
-                estimate: Estimate::from_bounded(value, d.estimate.evaluations + f.estimate.evaluations),
-                method: d.method,
-            });
+            return Ok(Reading { estimate: d.estimate + f.estimate.scaled(-1.0), method: d.method });
         }
         let smooth = self.evaluator.displacement(r, a)?;
-        let mut total = smooth.estimate.bounded();
+        let mut total = smooth.estimate;
         if let Some(depth) = self.depth {
-            let excess = Bounded::exact(depth) - self.evaluator.slope(a)?.estimate.bounded();
+            let excess = Estimate::exact(depth) + self.evaluator.slope(a)?.estimate.scaled(-1.0);
             let angle = (Bounded::exact(a) / Bounded::exact(r)).apply(f64::asin, 2.0);
-            total = total + excess * angle * Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI);
+            total = total + excess.times(angle * Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI));
         }
-        Ok(Reading { estimate: Estimate::from_bounded(total, smooth.estimate.evaluations), method: smooth.method })
+        Ok(Reading { estimate: total, method: smooth.method })
     }
 
     /// G(a) = ∫₀^a g dx.
@@ -202,8 +195,7 @@ impl<P: Quantities> Contact<'_, P> {
         let d = self.depth(a)?.estimate.bounded();
         if let Some(own) = self.evaluator.squared_gap(a, d) {
             let Reading { estimate, method } = own?;
-            let total = estimate.bounded() * Bounded::exact(self.effective_modulus);
-            return Ok(Reading { estimate: Estimate::from_bounded(total, estimate.evaluations), method });
+            return Ok(Reading { estimate: estimate.scaled(self.effective_modulus), method });
         }
         let mut failure = None;
         let mut inner = 0;
@@ -230,11 +222,11 @@ impl<P: Quantities> Contact<'_, P> {
             Ok(found) => found,
             Err(
                 NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations },
-            ) if error.is_finite() => Estimate { value, error, evaluations },
+            ) if error.is_finite() => Estimate::estimated(value, error, evaluations),
             Err(other) => return Err(failure.map_or_else(|| other.into(), Into::into)),
         };
-        let total = found.bounded() * Bounded::exact(self.effective_modulus);
-        Ok(Reading { estimate: Estimate::from_bounded(total, found.evaluations + inner), method: "quadrature" })
+        let total = found.scaled(self.effective_modulus);
+        Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
     }
 
     /// a(d): the first root of g(a) = d beyond the last flat part of the tip, as far as 64 steps outward tell.
@@ -282,7 +274,7 @@ impl<P: Quantities> Contact<'_, P> {
         let (lower, upper) = first_crossing(&mut gap, start, upper, depth)?;
         let a = bracketed(&mut gap, lower, upper, &RootOptions::default())?.x;
         let error = self.certain(&mut gap, a, start, limit, depth)?;
-        Ok(Reading { estimate: Estimate { value: a, error, evaluations }, method: "root" })
+        Ok(Reading { estimate: Estimate::estimated(a, error, evaluations), method: "root" })
     }
 }
 
@@ -346,5 +338,5 @@ impl<P: Quantities> Contact<'_, P> {
 }
 
 fn exact(value: f64) -> Reading {
-    Reading { estimate: Estimate { value, error: 0.0, evaluations: 0 }, method: "exact" }
+    Reading { estimate: Estimate::exact(value), method: "exact" }
 }

@@ -1,7 +1,7 @@
 //! The numbers of a contact over long lists of points, block by block where closed forms answer.
 
 use super::{Contact, ContactError, Measured, Reason};
-use crate::num::{Bounded, Estimate};
+use crate::num::{Bound, Bounded, Estimate};
 use crate::transform::{Reading, Slice, TransformError};
 
 /// Points that are computed before their readings are written down: what they need beside the readings stays small.
@@ -63,8 +63,7 @@ impl Contact<'_> {
 }
 
 fn scaled(reading: Reading, factor: Bounded) -> Reading {
-    let total = reading.estimate.bounded() * factor;
-    Reading { estimate: Estimate::from_bounded(total, reading.estimate.evaluations), method: reading.method }
+    Reading { estimate: reading.estimate.times(factor), method: reading.method }
 }
 
 /// The readings of a list, in parts.
@@ -76,6 +75,7 @@ fn readings(
     let part = points.len().min(PART);
     let (mut values, mut errors) = (vec![0.0; part], vec![0.0; part]);
     let (mut methods, mut counts) = (vec!["exact"; part], vec![0; part]);
+    let mut bounds = vec![Bound::Proven; part];
     let mut list = Vec::with_capacity(points.len());
     for points in points.chunks(PART) {
         for buffer in [&mut values, &mut errors] {
@@ -83,11 +83,18 @@ fn readings(
         }
         methods.resize(points.len(), "exact");
         counts.resize(points.len(), 0);
-        let out = Slice { values: &mut values, errors: Some(&mut errors), methods: Some(&mut methods), evaluations: Some(&mut counts) };
+        bounds.resize(points.len(), Bound::Proven);
+        let out = Slice {
+            values: &mut values,
+            errors: Some(&mut errors),
+            methods: Some(&mut methods),
+            evaluations: Some(&mut counts),
+            bounds: Some(&mut bounds),
+        };
         run(points, out)?;
-        let numbers = points.iter().zip(&values).zip(&errors).zip(methods.iter().zip(&counts));
-        list.extend(numbers.map(|(((point, value), error), (method, evaluations))| {
-            let estimate = Estimate { value: *value, error: *error, evaluations: *evaluations };
+        let numbers = points.iter().zip(&values).zip(&errors).zip(methods.iter().zip(&counts).zip(&bounds));
+        list.extend(numbers.map(|(((point, value), error), ((method, evaluations), bound))| {
+            let estimate = Estimate { value: *value, error: *error, evaluations: *evaluations, bound: *bound };
             measured(*point, Reading { estimate, method })
         }));
     }

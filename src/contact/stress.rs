@@ -35,15 +35,13 @@ impl<P: Quantities> Contact<'_, P> {
             return Ok(self.pressure(0.0, a)?.map(negative));
         }
         let smooth = self.evaluator().axial(z, a)?;
-        let mut total = smooth.estimate.bounded();
-        let mut evaluations = smooth.estimate.evaluations;
+        let mut total = smooth.estimate;
         if let Some(depth) = self.depth_of_rim() {
-            let g = self.evaluator().slope(a)?.estimate;
-            evaluations += g.evaluations;
-            total = total + (Bounded::exact(depth) - g.bounded()) * edge(z, a);
+            let excess = Estimate::exact(depth) + self.evaluator().slope(a)?.estimate.scaled(-1.0);
+            total = total + excess.times(edge(z, a));
         }
         let factor = Bounded::exact(self.effective_modulus()) / Bounded::rounded(std::f64::consts::PI);
-        let estimate = Estimate::from_bounded(-(total * factor), evaluations);
+        let estimate = total.times(factor).scaled(-1.0);
         Ok(Ok(Reading { estimate, method: smooth.method }))
     }
 }

@@ -2,16 +2,44 @@
 
 use super::bounded::Bounded;
 
-/// A computed number, an absolute bound on its distance to the true one, and the number of
+/// What the error of a number rests on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Bound {
+    /// It follows from IEEE arithmetic and the stated bounds of the functions that were computed.
+    #[default]
+    Proven,
+    /// It rests on values at some places: a narrow feature between them may have been missed.
+    Estimated,
+}
+
+impl Bound {
+    /// What a number rests on that was computed from two others.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    /// `proven` or `estimated`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Proven => "proven",
+            Self::Estimated => "estimated",
+        }
+    }
+}
+
+/// A computed number, an absolute bound on its distance to the true one, what the bound rests on, and the number of
 /// function evaluations spent on it.
 ///
 /// ```
-/// use sneddon::num::Estimate;
-/// let half = Estimate { value: 0.5, error: 1e-16, evaluations: 21 };
+/// use sneddon::num::{Bound, Bounded, Estimate};
+/// let half = Estimate::estimated(0.5, 1e-16, 21);
 /// let sum = half + half.scaled(2.0);
-/// assert_eq!(sum.value, 1.5);
+/// assert_eq!((sum.value, sum.evaluations), (1.5, 42));
 /// assert!(sum.error >= 3e-16);
-/// assert_eq!(sum.evaluations, 42);
+/// // A sum is proven where both of its parts are.
+/// let exact = Estimate::from_bounded(Bounded::exact(1.0), 0);
+/// assert_eq!((exact.bound, (exact + sum).bound), (Bound::Proven, Bound::Estimated));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
@@ -21,19 +49,46 @@ pub struct Estimate {
     pub error: f64,
     /// Calls of the user's function that the value cost.
     pub evaluations: u64,
+    /// Whether the error is proven or rests on samples.
+    pub bound: Bound,
 }
 
 impl Estimate {
-    /// An estimate that cost `evaluations` calls, from an error-carrying number.
+    /// A number that is what it is said to be.
     #[must_use]
-    pub fn from_bounded(number: Bounded, evaluations: u64) -> Self {
-        Self { value: number.value, error: number.error, evaluations }
+    pub fn exact(value: f64) -> Self {
+        Self { value, error: 0.0, evaluations: 0, bound: Bound::Proven }
     }
 
-    /// The same number without the count of evaluations, for further arithmetic.
+    /// A number whose error was judged by samples.
+    #[must_use]
+    pub fn estimated(value: f64, error: f64, evaluations: u64) -> Self {
+        Self { value, error, evaluations, bound: Bound::Estimated }
+    }
+
+    /// A proven number that cost `evaluations` calls, from an error-carrying number.
+    #[must_use]
+    pub fn from_bounded(number: Bounded, evaluations: u64) -> Self {
+        Self { value: number.value, error: number.error, evaluations, bound: Bound::Proven }
+    }
+
+    /// The same number without the count of evaluations and without what its error rests on, for further arithmetic.
     #[must_use]
     pub fn bounded(self) -> Bounded {
         Bounded { value: self.value, error: self.error }
+    }
+
+    /// The same number, computed from something with that bound too.
+    #[must_use]
+    pub fn resting_on(self, bound: Bound) -> Self {
+        Self { bound: self.bound.and(bound), ..self }
+    }
+
+    /// The estimate of the true value times `factor`, which may have an error; evaluations and bound stay.
+    #[must_use]
+    pub fn times(self, factor: Bounded) -> Self {
+        let Bounded { value, error } = self.bounded() * factor;
+        Self { value, error, ..self }
     }
 
     /// The estimate of `factor` · true value, `factor` taken as exact. The count of evaluations stays.
@@ -46,15 +101,15 @@ impl Estimate {
         if value.is_normal() && error.is_normal() && self.error > 0.0 {
             return Self { value, error, ..self };
         }
-        Self::from_bounded(self.bounded() * Bounded::exact(factor), self.evaluations)
+        self.times(Bounded::exact(factor))
     }
 
     /// error / |value|: 0 for an exact value (zero included), infinite for an inexact zero.
     ///
     /// ```
     /// use sneddon::num::Estimate;
-    /// assert_eq!(Estimate { value: -4.0, error: 1.0, evaluations: 1 }.relative_error(), 0.25);
-    /// assert_eq!(Estimate { value: 0.0, error: 0.0, evaluations: 1 }.relative_error(), 0.0);
+    /// assert_eq!(Estimate::estimated(-4.0, 1.0, 1).relative_error(), 0.25);
+    /// assert_eq!(Estimate::exact(0.0).relative_error(), 0.0);
     /// ```
     #[must_use]
     pub fn relative_error(self) -> f64 {
@@ -65,9 +120,10 @@ impl Estimate {
 impl std::ops::Add for Estimate {
     type Output = Self;
 
-    /// The sum of two independent estimates: errors and evaluations add up.
+    /// The sum of two independent estimates: errors and evaluations add up, and it is proven where both are.
     fn add(self, other: Self) -> Self {
-        Self::from_bounded(self.bounded() + other.bounded(), self.evaluations.saturating_add(other.evaluations))
+        let Bounded { value, error } = self.bounded() + other.bounded();
+        Self { value, error, evaluations: self.evaluations.saturating_add(other.evaluations), bound: self.bound.and(other.bound) }
     }
 }
 
@@ -77,8 +133,8 @@ mod tests {
 
     #[test]
     fn adding_counts_the_rounding_of_the_sum() {
-        let tiny = Estimate { value: 1e-20, error: 0.0, evaluations: 1 };
-        let one = Estimate { value: 1.0, error: 0.0, evaluations: 2 };
+        let tiny = Estimate { evaluations: 1, ..Estimate::exact(1e-20) };
+        let one = Estimate { evaluations: 2, ..Estimate::exact(1.0) };
         let sum = one + tiny;
         assert_eq!(sum.value, 1.0);
         assert!(sum.error >= 1e-20 && sum.error < 1e-15);
@@ -87,7 +143,7 @@ mod tests {
 
     #[test]
     fn relative_error_of_an_inexact_zero_is_infinite() {
-        let zero = Estimate { value: 0.0, error: 1e-300, evaluations: 0 };
+        let zero = Estimate::estimated(0.0, 1e-300, 0);
         assert_eq!(zero.relative_error(), f64::INFINITY);
     }
 }

@@ -21,7 +21,7 @@ mod wide;
 pub use bounded::Bounded;
 pub use double_double::{DoubleDouble, Precise};
 pub use error::NumError;
-pub use estimate::Estimate;
+pub use estimate::{Bound, Estimate};
 pub use real_power::real_power;
 pub(crate) use real_power::{corrected_power, real_power_part};
 pub use region::Region;

@@ -1,7 +1,7 @@
 //! What `invert` found, and how it is written: text, LaTeX and JSON.
 
 use super::json::{Check, Quantity, Readings, Typeset, write};
-use super::text::{number, outcome, short, sources, table};
+use super::text::{error, number, outcome, sources, table};
 use crate::expr::{Expr, Formula};
 use crate::print;
 use crate::transform::{self, Derived, Reading};
@@ -85,12 +85,13 @@ pub fn text(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
         return Ok(());
     }
     writeln!(out)?;
-    let rows =
-        || {
-            record.at.iter().zip(&record.readings).map(|(at, reading)| {
-                [number(*at), number(reading.estimate.value), short(reading.estimate.error), reading.method.to_owned()]
-            })
-        };
+    let rows = || {
+        record
+            .at
+            .iter()
+            .zip(&record.readings)
+            .map(|(at, reading)| [number(*at), number(reading.estimate.value), error(&reading.estimate), reading.method.to_owned()])
+    };
     table(&["r", "f", "error", "method"], rows, out)
 }
 

@@ -230,6 +230,8 @@ struct Point {
     at: f64,
     value: Option<f64>,
     error_estimate: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bound: Option<&'static str>,
     method: Option<&'static str>,
     evaluations: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -246,9 +248,12 @@ impl Point {
                     (_, None) => Some("no error bound can be promised"),
                     _ => None,
                 };
-                Self { at, value, error_estimate, method: Some(reading.method), evaluations: reading.estimate.evaluations, why }
+                let bound = error_estimate.map(|_| reading.estimate.bound.name());
+                Self { at, value, error_estimate, bound, method: Some(reading.method), evaluations: reading.estimate.evaluations, why }
             }
-            Err(reason) => Self { at, value: None, error_estimate: None, method: None, evaluations: 0, why: Some(reason.text()) },
+            Err(reason) => {
+                Self { at, value: None, error_estimate: None, bound: None, method: None, evaluations: 0, why: Some(reason.text()) }
+            }
         }
     }
 }

@@ -200,6 +200,7 @@ struct FieldEntry {
     quantity: &'static str,
     values: Rows,
     error_estimates: Rows,
+    bound: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     why: Option<&'static str>,
 }
@@ -232,7 +233,7 @@ impl Loads<'_, '_, '_> {
                 _ => Rows::Line(Vec::new()),
             };
             let (values, error_estimates) = (rows(|own| own.0), rows(|own| own.1));
-            FieldEntry { quantity: curve.name(), values, error_estimates, why }
+            FieldEntry { quantity: curve.name(), values, error_estimates, bound: field.bound().name(), why }
         });
         LoadEntry {
             fields: fields.collect(),

@@ -189,11 +189,13 @@ impl Serialize for Points<'_, '_> {
             value: Option<f64>,
             error_estimate: Option<f64>,
             #[serde(skip_serializing_if = "Option::is_none")]
+            bound: Option<&'static str>,
+            #[serde(skip_serializing_if = "Option::is_none")]
             model_error: Option<Option<f64>>,
             #[serde(skip_serializing_if = "Option::is_none")]
             why: Option<&'static str>,
         }
-        serializer.collect_seq(self.run.points(self.curve, self.state).map(|(at, Point { at: shown, value })| {
+        serializer.collect_seq(self.run.points(self.curve, self.state).map(|(at, Point { at: shown, value, bound })| {
             let model_error = self
                 .run
                 .scene()
@@ -201,8 +203,10 @@ impl Serialize for Points<'_, '_> {
                 .as_ref()
                 .map(|_| self.run.point_model_error(self.curve, self.state.as_ref().zip(self.second.as_ref()), at));
             match value {
-                Ok((value, error)) => Entry { at: shown, value: Some(value), error_estimate: Some(error), model_error, why: None },
-                Err(why) => Entry { at: shown, value: None, error_estimate: None, model_error, why: Some(why) },
+                Ok((value, error)) => {
+                    Entry { at: shown, value: Some(value), error_estimate: Some(error), bound: Some(bound.name()), model_error, why: None }
+                }
+                Err(why) => Entry { at: shown, value: None, error_estimate: None, bound: None, model_error, why: Some(why) },
             }
         }))
     }

@@ -2,6 +2,7 @@
 
 use super::solved::{ASSUMPTIONS, Verdict};
 use super::solved_tip::{self, Changes};
+use super::text::marked;
 use crate::contact::{Boundary, Severity};
 use crate::scene::{Curve, Dimension, Row, Run};
 use std::io::{self, Write};
@@ -120,7 +121,9 @@ fn curve_table(run: &Run<'_>, curve: Curve, formally: bool, out: &mut dyn Write)
                 None => format!("{:>16}", "-"),
             };
             match point.value {
-                Ok((value, error)) => writeln!(out, "{:>24}{value:>24?}{error:>16.1e}{more}", format!("{:?}", point.at))?,
+                Ok((value, error)) => {
+                    writeln!(out, "{:>24}{value:>24?}{:>16}{more}", format!("{:?}", point.at), marked(format!("{error:.1e}"), point.bound))?
+                }
                 Err(why) => writeln!(out, "{:>24}{:>24}  {why}", format!("{:?}", point.at), "-")?,
             }
         }
@@ -164,7 +167,7 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
         if rows {
             writeln!(out)?;
         }
-        writeln!(out, "quantity,{},{},value,error,unit", named("d", &length), named("at", &length))?;
+        writeln!(out, "quantity,{},{},value,error,unit,bound", named("d", &length), named("at", &length))?;
         for curve in curves.iter().filter(|own| !own.needs_load()) {
             points(run, *curve, None, formally, out)?;
         }
@@ -189,7 +192,8 @@ fn points(run: &Run<'_>, curve: Curve, index: Option<usize>, formally: bool, out
     for (_, point) in run.points(curve, state) {
         let (value, error) =
             point.value.map_or((String::new(), String::new()), |(value, error)| (format!("{value:?}"), format!("{error:?}")));
-        writeln!(out, "{},{depth},{:?},{value},{error},{unit}", curve.name(), point.at)?;
+        let bound = point.value.map_or("", |_| point.bound.name());
+        writeln!(out, "{},{depth},{:?},{value},{error},{unit},{bound}", curve.name(), point.at)?;
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! Records as plain text, made to be read in a terminal.
 
 use super::{Compared, Derivation, Evaluation};
+use crate::num::{Bound, Estimate};
 use crate::print;
 use crate::transform::{Check, Derived, Rule};
 use std::io::{self, Write};
@@ -56,7 +57,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
         record.at.iter().zip(&record.readings).map(|(at, reading)| match reading {
             Ok(reading) => {
                 let estimate = reading.estimate;
-                [number(*at), number(estimate.value), short(estimate.error), reading.method.to_owned()]
+                [number(*at), number(estimate.value), error(&estimate), reading.method.to_owned()]
             }
             Err(reason) => [number(*at), "-".to_owned(), "-".to_owned(), reason.text().to_owned()],
         })
@@ -134,6 +135,19 @@ pub(super) fn outcome(check: &Result<Check, String>, out: &mut dyn Write) -> io:
 /// Two digits of an error or a difference.
 pub(super) fn short(value: f64) -> String {
     if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") }
+}
+
+/// The error of an estimate, with a tilde where it is not proven.
+pub(super) fn error(estimate: &Estimate) -> String {
+    marked(short(estimate.error), estimate.bound)
+}
+
+/// An error as it is shown, with a tilde where it is not proven.
+pub(super) fn marked(error: String, bound: Bound) -> String {
+    match bound {
+        Bound::Proven => error,
+        Bound::Estimated => format!("~{error}"),
+    }
 }
 
 /// Writes rows under a header, every column as wide as its widest entry.

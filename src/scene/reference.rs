@@ -2,8 +2,10 @@
 
 use super::load::Steps;
 use super::quantity::to_double_double;
-use super::{Curve, Dimension, Loads, Quantity, Run, Scene, SceneError};
+use super::{Curve, Dimension, Loads, Point, Quantity, Run, Scene, SceneError};
 use crate::contact::{PartialForce, State};
+use crate::num::Bound;
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// Places of a solver's values, in computed units.
@@ -30,6 +32,7 @@ const MOST_RADII: usize = 10_000_000;
 pub struct Field {
     values: Vec<Result<(f64, f64), &'static str>>,
     square: Option<Square>,
+    bound: Bound,
 }
 
 /// Index arithmetic of a square grid.
@@ -174,6 +177,11 @@ impl Field {
         };
         self.values.get(index).copied().unwrap_or(Err("there is no such place"))
     }
+
+    /// What the errors rest on: they are proven where all of them are.
+    pub fn bound(&self) -> Bound {
+        self.bound
+    }
 }
 
 /// The index of the pair i ≥ j ≥ 0 in the octant.
@@ -206,9 +214,15 @@ impl Run<'_> {
             (PartialForce::new(&self.contact(state), state.radius, self.kinks().into_iter().map(|own| own.0 / length)), state)
         });
         let factor = self.scene().system.out(Dimension::PRESSURE);
+        let bound = Cell::new(Bound::Proven);
+        let seen = |point: Point| {
+            bound.set(bound.get().and(point.bound));
+            point.value
+        };
         let mean = |force: Result<crate::num::Estimate, crate::contact::ContactError>, area: f64| match force {
             Ok(own) if own.value.is_finite() && own.error.is_finite() => {
                 self.told();
+                bound.set(bound.get().and(own.bound));
                 Ok((own.value / area * factor, (own.error / area + 2.0 * f64::EPSILON * own.value.abs() / area) * factor.abs()))
             }
             _ => Err("it cannot be computed to any digit"),
@@ -216,11 +230,11 @@ impl Run<'_> {
         let mut values = Vec::new();
         match grid.square() {
             None => {
-                let Grid::Radial(radii) = grid else { return Field { values, square: None } };
+                let Grid::Radial(radii) = grid else { return Field { values, square: None, bound: bound.get() } };
                 for index in 0..radii.len() {
                     let Some(r) = radii.get(index) else { continue };
                     values.push(match &means {
-                        None => self.point(curve, state, r).value,
+                        None => seen(self.point(curve, state, r)),
                         Some((Err(_), _)) => Err("it cannot be computed to any digit"),
                         Some((Ok(force), _)) => {
                             let [inner, outer] = ring(radii, index);
@@ -228,16 +242,16 @@ impl Run<'_> {
                         }
                     });
                 }
-                Field { values, square: None }
+                Field { values, square: None, bound: bound.get() }
             }
             Some(square) => {
-                let Grid::Square { side, count, .. } = grid else { return Field { values, square: None } };
+                let Grid::Square { side, count, .. } = grid else { return Field { values, square: None, bound: bound.get() } };
                 let step = side / *count as f64;
                 for i in 0..=square.reach() {
                     for j in 0..=i {
                         let (x, y) = (square.distance(i), square.distance(j));
                         values.push(match &means {
-                            None => self.point(curve, state, (x * step).hypot(y * step)).value,
+                            None => seen(self.point(curve, state, (x * step).hypot(y * step))),
                             Some((Err(_), _)) => Err("it cannot be computed to any digit"),
                             // A cell on an axis is twice its half.
                             Some((Ok(_), state)) if (x - 0.5).max(0.0).hypot((y - 0.5).max(0.0)) * step >= state.radius => Ok((0.0, 0.0)),
@@ -249,7 +263,7 @@ impl Run<'_> {
                         });
                     }
                 }
-                Field { values, square: Some(square) }
+                Field { values, square: Some(square), bound: bound.get() }
             }
         }
     }

@@ -5,6 +5,7 @@ use super::regime::{Regime, Simple};
 use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, MeasuredTip, Row, Scene, SceneError, Work};
 use crate::contact::in_unit;
 use crate::contact::{Boundary, Contact, ContactError, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State};
+use crate::num::{Bound, Estimate};
 use crate::transform::{Reading, Solution, Superposition, TableProfile, TransformError};
 use std::cell::{Cell, OnceCell};
 use std::f64::consts::PI;
@@ -28,6 +29,8 @@ pub struct Point {
     pub at: f64,
     /// Value and error in the units of the answers, or why there is none.
     pub value: Result<(f64, f64), &'static str>,
+    /// What the error rests on.
+    pub bound: Bound,
 }
 
 impl<'a> Run<'a> {
@@ -264,15 +267,16 @@ impl<'a> Run<'a> {
         let found = self.curve(curve, state, at);
         self.told();
         let factor = system.out(curve.dimension());
+        let bound = found.map_or(Bound::Proven, |own| own.estimate.bound);
         let value = found.and_then(|own| {
             let (value, error) = (own.estimate.value * factor, own.estimate.error * factor.abs());
             if value.is_finite() && error.is_finite() { Ok((value, error)) } else { Err("no finite value was found") }
         });
-        Point { at: at * system.out(Dimension::LENGTH), value }
+        Point { at: at * system.out(Dimension::LENGTH), value, bound }
     }
 
     fn curve(&self, curve: Curve, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
-        let zero = || Reading { estimate: crate::num::Estimate { value: 0.0, error: 0.0, evaluations: 0 }, method: "exact" };
+        let zero = || Reading { estimate: Estimate::exact(0.0), method: "exact" };
         let outside = "the profile ends before this radius";
         if !curve.needs_load() {
             self.count(|work| work.shapes += 1);

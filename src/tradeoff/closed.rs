@@ -28,7 +28,7 @@ pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladd
     let slices = new()?;
     let radius = problem.radius;
     let by_slices = move |at: &[f64], out: &mut [f64]| {
-        let out = Slice { values: out, errors: None, methods: None, evaluations: None };
+        let out = Slice::values(out);
         let done = match (problem.quantity, radius) {
             (Quantity::Equivalent, _) => slices.slopes(at, out),
             (Quantity::Force, _) => slices.forces(at, out),

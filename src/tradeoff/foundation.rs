@@ -39,7 +39,7 @@ pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladd
                 None => foundation.insert(own()?),
             };
             // 2E* with E* = 1 stands before the transform's value.
-            Ok(Estimate { value: 0.5 * ready.indent(depth).force, error: f64::INFINITY, evaluations: springs as u64 })
+            Ok(Estimate::estimated(0.5 * ready.indent(depth).force, f64::INFINITY, springs as u64))
         };
         steps.push(Candidate {
             method: METHOD,

@@ -134,7 +134,7 @@ fn errors(problem: &Problem<'_>, truths: &[Truth], candidate: &mut Candidate<'_>
             // What the first slice makes for those after it.
             made = pass()? - pass()?;
             values.truncate(problem.points.len());
-            found.extend(values.into_iter().map(|value| Estimate { value, error: f64::INFINITY, evaluations: 0 }));
+            found.extend(values.into_iter().map(|value| Estimate::estimated(value, f64::INFINITY, 0)));
         }
     }
     if found.iter().any(|own| !own.value.is_finite()) {

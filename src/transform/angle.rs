@@ -74,7 +74,7 @@ impl NumericSegment {
         let (left_out, noise) = (scale_of * left_out, scale_of * noise);
         // No more is promised than was asked for where the rules leave out more than rounding noise.
         let least = if left_out > noise { 0.97 * tolerance * largest(value) } else { 0.0 };
-        Ok(Some(with_rounding(Estimate { value, error: least.max(left_out + noise), evaluations })))
+        Ok(Some(with_rounding(Estimate::estimated(value, least.max(left_out + noise), evaluations))))
     }
 }
 

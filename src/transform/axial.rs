@@ -16,14 +16,11 @@ impl NumericProfile {
     /// # Errors
     /// [`TransformError`] where f′ is not finite below a, or no digits can be promised.
     pub fn axial(&self, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        let mut total = Bounded::exact(0.0);
-        let mut evaluations = 0;
+        let mut total = Estimate::exact(0.0);
         for segment in &self.segments {
-            let part = segment.axial(z, a, tolerance)?;
-            total = total + part.bounded();
-            evaluations += part.evaluations;
+            total = total + segment.axial(z, a, tolerance)?;
         }
-        Ok(Estimate::from_bounded(total, evaluations))
+        Ok(total)
     }
 }
 
@@ -43,7 +40,7 @@ impl NumericSegment {
     fn axial(&self, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
         let end = self.upper.map_or(a, |upper| upper.value.min(a));
-        let zero = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
+        let zero = Estimate::exact(0.0);
         let heaviest = |r: f64| weight(r, ((a - r) * (a + r)).max(0.0).sqrt() / a, z, a);
         let smear = self.smear(a, Weight::Slope);
         let smear = if smear > 0.0 { smear * heaviest(lower.min(a)).max(heaviest(end)) } else { 0.0 };
@@ -60,15 +57,12 @@ impl NumericSegment {
             at *= WIDER;
         }
         places.push(end);
-        let mut total = Bounded { value: 0.0, error: smear };
-        let mut evaluations = 0;
+        let mut total = Estimate { error: smear, ..zero };
         for pair in places.windows(2) {
             let [from, to] = pair else { continue };
-            let part = self.axial_between(*from, *to, z, a, tolerance)?;
-            total = total + part.bounded();
-            evaluations += part.evaluations;
+            total = total + self.axial_between(*from, *to, z, a, tolerance)?;
         }
-        Ok(Estimate::from_bounded(total, evaluations))
+        Ok(total)
     }
 
     fn axial_between(&self, from: f64, to: f64, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {

@@ -7,7 +7,7 @@ use super::slope_source::Numbers;
 use crate::eval::{FloatAlgebra, RegionAlgebra, Tape};
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{Extent, Form, Known};
-use crate::num::{Estimate, Region};
+use crate::num::{Bound, Estimate, Region};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -123,7 +123,7 @@ impl NumericSegment {
         let left_out = if matches!(weight, Weight::Force) { x * x * found.left_out } else { found.left_out };
         let value = scale * found.value;
         let error = scale * (left_out + found.noise) + 8.0 * UNIT * value.abs();
-        let estimate = Estimate { value, error, evaluations: found.evaluations };
+        let estimate = Estimate { value, error, evaluations: found.evaluations, bound: Bound::Proven };
         Ok(Found { estimate, mean: found.value, scale, left_out, noise: found.noise })
     }
 

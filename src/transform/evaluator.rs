@@ -214,7 +214,7 @@ impl<'a> Evaluator<'a> {
     pub fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
         self.check_domain("a", a)?;
         if r >= a {
-            let zero = Estimate { value: 0.0, error: 0.0, evaluations: 0 };
+            let zero = Estimate::exact(0.0);
             return Ok(Some(Reading { estimate: zero, method: "exact" }));
         }
         let singular = || r == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == r));
@@ -287,9 +287,10 @@ impl<'a> Evaluator<'a> {
         if self.method != Method::Quadrature {
             let (slope, force) = (self.slope(a)?, self.force(a)?);
             let closed = Bounded::exact(a) * slope.estimate.bounded() - force.estimate.bounded();
-            let evaluations = slope.estimate.evaluations + force.estimate.evaluations;
+            let (evaluations, bound) =
+                (slope.estimate.evaluations + force.estimate.evaluations, slope.estimate.bound.and(force.estimate.bound));
             let closed = refined(closed, closed.value, good_enough(self.tolerance), || self.precise_integral(a).unwrap_or(Precise::nan()));
-            let estimate = Estimate::from_bounded(closed, evaluations);
+            let estimate = Estimate::from_bounded(closed, evaluations).resting_on(bound);
             let own = Reading { estimate, method: slope.method };
             if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
                 return Ok(own);
@@ -395,7 +396,7 @@ impl<'a> Evaluator<'a> {
         }
         let whole = || self.integrated(typed(), &integrate, contact);
         let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
-        let (mut closed, mut open, mut evaluations, mut any_open) = (Bounded::exact(0.0), Bounded::exact(0.0), 0, false);
+        let (mut closed, mut open, mut any_open) = (Bounded::exact(0.0), Estimate::exact(0.0), false);
         let mut overflow = false;
         let mut forms = Vec::new();
         let mut slots = Vec::new();
@@ -421,13 +422,12 @@ impl<'a> Evaluator<'a> {
                     return Err(TransformError::NoClosedForm { quantity: quantity.name() });
                 }
                 let Some(found) = integrate(&part.open)? else { return Ok(None) };
-                open = open + found.bounded();
-                evaluations += found.evaluations;
+                open = open + found;
                 any_open = true;
             }
         }
         let closed = if closed.value.is_finite() {
-            refined(closed, (closed + open).value, good_enough(self.tolerance), || precise_total(&forms, inputs))
+            refined(closed, (closed + open.bounded()).value, good_enough(self.tolerance), || precise_total(&forms, inputs))
         } else {
             // What overflows on the way may be a number all the same.
             let exact = precise_total(&forms, inputs);
@@ -436,8 +436,8 @@ impl<'a> Evaluator<'a> {
             }
             rounded(exact)
         };
-        let total = if any_open { closed + open } else { closed };
-        let estimate = Estimate::from_bounded(total, evaluations);
+        let closed = Estimate::from_bounded(closed, 0);
+        let estimate = if any_open { closed + open } else { closed };
         let method = match (!forms.is_empty(), any_open) {
             (true, true) => "mixed",
             (false, true) => "quadrature",

@@ -15,17 +15,14 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn height(&self, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        let mut total = Bounded::exact(0.0);
-        let mut evaluations = 0;
+        let mut total = Estimate::exact(0.0);
         for segment in &self.segments {
             let length = segment.upper.map_or(r, |u| u.value.min(r)) - segment.lower.value;
             if length > 0.0 {
-                let part = segment.rise(length, r, tolerance)?;
-                total = total + part.bounded();
-                evaluations += part.evaluations;
+                total = total + segment.rise(length, r, tolerance)?;
             }
         }
-        Ok(Estimate::from_bounded(total, evaluations))
+        Ok(total)
     }
 }
 

@@ -164,7 +164,7 @@ impl NumericProfile {
     pub fn displacement(&self, r: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         let found = self.over_angle(a, Weight::Outside(r), tolerance, None)?;
         let factor = Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a);
-        Ok(Estimate::from_bounded(found.bounded() * factor, found.evaluations))
+        Ok(found.times(factor))
     }
 
     /// ∫ f′(x sin t)·weight dt over all intervals below x.
@@ -172,14 +172,11 @@ impl NumericProfile {
         if let [segment] = self.segments.as_slice() {
             return segment.over_angle(x, weight, tolerance, rule);
         }
-        let mut total = Bounded::exact(0.0);
-        let mut evaluations = 0;
+        let mut total = Estimate::exact(0.0);
         for segment in &self.segments {
-            let part = segment.over_angle(x, weight, tolerance, rule)?;
-            total = total + part.bounded();
-            evaluations += part.evaluations;
+            total = total + segment.over_angle(x, weight, tolerance, rule)?;
         }
-        Ok(Estimate::from_bounded(total, evaluations))
+        Ok(total)
     }
 }
 
@@ -229,7 +226,7 @@ impl NumericSegment {
         let lower = self.lower.value;
         let smear = self.smear(x, weight);
         if lower >= x {
-            return Ok(Estimate { value: 0.0, error: smear, evaluations: 0 });
+            return Ok(Estimate { error: smear, ..Estimate::exact(0.0) });
         }
         if rule.is_none() {
             let found = match self.by_known_rule(x, weight, tolerance)? {
@@ -417,7 +414,7 @@ pub(super) fn reached(result: Result<Estimate, NumError>, at: f64) -> Result<Est
     match result {
         Ok(found) => Ok(found),
         Err(NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations }) => {
-            Ok(Estimate { value, error, evaluations })
+            Ok(Estimate::estimated(value, error, evaluations))
         }
         Err(NumError::NotFinite { .. }) => Err(TransformError::NotComputable { at }),
         Err(other) => Err(other.into()),

@@ -150,7 +150,7 @@ impl SeriesEvaluator {
             return Err(SeriesFailure::BeyondFirstPiece { symbol, at: x, end: self.end });
         }
         if x == 0.0 {
-            return Ok(Reading { estimate: Estimate { value: 0.0, error: 0.0, evaluations: 0 }, method: "series" });
+            return Ok(Reading { estimate: Estimate::exact(0.0), method: "series" });
         }
         let radii: Vec<f64> = (0..FIRST_ROUND).map(|k| x * 2.0_f64.powf(0.25 * f64::from(k + 1))).collect();
         let groups = power_series(&self.expr, self.order + 1, &radii)?;
@@ -170,7 +170,7 @@ impl SeriesEvaluator {
         if !remainder.is_finite() || !total.is_finite() {
             return Err(SeriesFailure::NoBound { symbol, at: x });
         }
-        let estimate = Estimate { value: total.value, error: (total.error + remainder) * (1.0 + MARGIN), evaluations: 0 };
+        let estimate = Estimate::from_bounded(Bounded { error: (total.error + remainder) * (1.0 + MARGIN), ..total }, 0);
         Ok(Reading { estimate, method: "series" })
     }
 

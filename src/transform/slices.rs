@@ -6,7 +6,7 @@ use super::quantity::Quantity;
 use super::{Evaluator, Method, Reading, TransformError, dense};
 use crate::eval::{BlockInput, BlockScratch};
 use crate::num::spectral::Plan;
-use crate::num::{Bounded, Estimate};
+use crate::num::{Bound, Bounded, Estimate};
 
 /// The caller's buffers for the numbers of a slice, each as long as the slice.
 ///
@@ -24,22 +24,24 @@ pub struct Slice<'a> {
     pub methods: Option<&'a mut [&'static str]>,
     /// Evaluations of f′ that each value cost, if they are wanted; 0 for a closed form.
     pub evaluations: Option<&'a mut [u64]>,
+    /// What each error rests on, if that is wanted.
+    pub bounds: Option<&'a mut [Bound]>,
 }
 
 impl<'a> Slice<'a> {
     /// Values alone.
     pub fn values(values: &'a mut [f64]) -> Self {
-        Self { values, errors: None, methods: None, evaluations: None }
+        Self { values, errors: None, methods: None, evaluations: None, bounds: None }
     }
 
     /// Whether nothing but values is wanted.
     fn is_plain(&self) -> bool {
-        self.errors.is_none() && self.methods.is_none() && self.evaluations.is_none()
+        self.errors.is_none() && self.methods.is_none() && self.evaluations.is_none() && self.bounds.is_none()
     }
 
     /// Values and bounds of their errors.
     pub fn bounded(values: &'a mut [f64], errors: &'a mut [f64]) -> Self {
-        Self { values, errors: Some(errors), methods: None, evaluations: None }
+        Self { values, errors: Some(errors), methods: None, evaluations: None, bounds: None }
     }
 }
 
@@ -130,8 +132,12 @@ impl Evaluator<'_> {
         out: Slice<'_>,
         scalar: &(impl Fn(f64) -> Result<Option<Reading>, TransformError> + Sync),
     ) -> Result<(), TransformError> {
-        let wanted_too =
-            [out.errors.as_ref().map(|e| e.len()), out.methods.as_ref().map(|m| m.len()), out.evaluations.as_ref().map(|n| n.len())];
+        let wanted_too = [
+            out.errors.as_ref().map(|e| e.len()),
+            out.methods.as_ref().map(|m| m.len()),
+            out.evaluations.as_ref().map(|n| n.len()),
+            out.bounds.as_ref().map(|b| b.len()),
+        ];
         if let Some(buffer) = wanted_too.into_iter().flatten().chain([out.values.len()]).find(|length| *length != points.len()) {
             return Err(TransformError::Buffer { points: points.len(), buffer });
         }
@@ -224,7 +230,11 @@ impl Evaluator<'_> {
             let Some(values) = out.values.get_mut(range.clone()) else { continue };
             let mut errors = out.errors.as_deref_mut().and_then(|errors| errors.get_mut(range.clone()));
             let mut methods = out.methods.as_deref_mut().and_then(|methods| methods.get_mut(range.clone()));
-            let mut evaluations = out.evaluations.as_deref_mut().and_then(|evaluations| evaluations.get_mut(range));
+            let mut evaluations = out.evaluations.as_deref_mut().and_then(|evaluations| evaluations.get_mut(range.clone()));
+            let mut bounds = out.bounds.as_deref_mut().and_then(|bounds| bounds.get_mut(range));
+            if let Some(bounds) = &mut bounds {
+                bounds.fill(Bound::Proven);
+            }
             if let Some(evaluations) = &mut evaluations {
                 evaluations.fill(0);
             }
@@ -248,7 +258,7 @@ impl Evaluator<'_> {
                 }
                 let (found, method) = match scalar(*point)? {
                     Some(reading) => (reading.estimate, reading.method),
-                    None => (Estimate { value: f64::INFINITY, error: f64::INFINITY, evaluations: 0 }, "infinite"),
+                    None => (Estimate { error: f64::INFINITY, ..Estimate::exact(f64::INFINITY) }, "infinite"),
                 };
                 *value = found.value;
                 if let Some(error) = error {
@@ -259,6 +269,9 @@ impl Evaluator<'_> {
                 }
                 if let Some(count) = evaluations.as_deref_mut().and_then(|evaluations| evaluations.get_mut(place)) {
                     *count = found.evaluations;
+                }
+                if let Some(bound) = bounds.as_deref_mut().and_then(|bounds| bounds.get_mut(place)) {
+                    *bound = found.bound;
                 }
             }
         }
@@ -456,12 +469,14 @@ fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), Transfo
     let mut errors = out.errors.map(|errors| errors.chunks_mut(TASK));
     let mut methods = out.methods.map(|methods| methods.chunks_mut(TASK));
     let mut counts = out.evaluations.map(|evaluations| evaluations.chunks_mut(TASK));
+    let mut bounds = out.bounds.map(|bounds| bounds.chunks_mut(TASK));
     let tasks: Vec<(&[f64], Slice<'_>)> = points
         .chunks(TASK)
         .zip(out.values.chunks_mut(TASK))
         .map(|(points, values)| {
             let (errors, methods) = (errors.as_mut().and_then(Iterator::next), methods.as_mut().and_then(Iterator::next));
-            (points, Slice { values, errors, methods, evaluations: counts.as_mut().and_then(Iterator::next) })
+            let (evaluations, bounds) = (counts.as_mut().and_then(Iterator::next), bounds.as_mut().and_then(Iterator::next));
+            (points, Slice { values, errors, methods, evaluations, bounds })
         })
         .collect();
     // The first error by place, whichever thread is faster.

@@ -29,7 +29,7 @@ impl NumericProfile {
     /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
     pub fn stress_direct(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let mut total = Bounded::exact(0.0);
-        let mut evaluations = 0;
+        let mut parts = Estimate::exact(0.0);
         for (at, jump) in self.jumps(a) {
             if jump.value == 0.0 {
                 continue;
@@ -50,12 +50,11 @@ impl NumericProfile {
         let mut size = total.value.abs();
         for segment in &self.segments {
             for part in segment.pressure(s, a, tolerance)? {
-                total = total + part.bounded();
                 size += part.value.abs();
-                evaluations += part.evaluations;
+                parts = parts + part;
             }
         }
-        let found = Estimate::from_bounded(total, evaluations);
+        let found = Estimate::from_bounded(total, 0) + parts;
         settled(found, a, || size).map(Some)
     }
 

@@ -41,7 +41,7 @@ impl NumericProfile {
             if found.doubt + found.left_out <= 0.95 * tolerance * found.value.abs() {
                 // No more is promised than was asked for where more is left out than rounding noise.
                 let least = if found.left_out > found.doubt { 0.97 * tolerance * found.value.abs() } else { 0.0 };
-                return Some(Estimate { value: found.value, error: least.max(found.doubt + found.left_out), evaluations });
+                return Some(Estimate::estimated(found.value, least.max(found.doubt + found.left_out), evaluations));
             }
             if found.doubt > tolerance * found.value.abs() {
                 return None;

@@ -29,7 +29,7 @@ impl NumericProfile {
         // No more is promised than was asked for where the rules leave out more than rounding noise.
         let least = if left_out > noise { 0.97 * tolerance * value.abs() } else { 0.0 };
         let error = least.max(left_out + noise) + 8.0 * UNIT * value.abs();
-        reached.then_some(Estimate { value, error, evaluations: slopes.evaluations })
+        reached.then_some(Estimate::estimated(value, error, slopes.evaluations))
     }
 }
 
@@ -57,7 +57,7 @@ impl EvenIntegrand for Slopes<'_> {
             let tolerance = INNER * self.tolerance;
             let found = self.segment.nested(self.bend, x, Weight::Slope, (tolerance, stricter(tolerance)), self.largest);
             // Where there is no value the rules above give up.
-            let found = found.ok().flatten().unwrap_or(Estimate { value: f64::NAN, error: f64::NAN, evaluations: 0 });
+            let found = found.ok().flatten().unwrap_or(Estimate::estimated(f64::NAN, f64::NAN, 0));
             (*value, *error) = (found.value, found.error);
             self.largest = if found.value.abs() > self.largest { found.value.abs() } else { self.largest };
             self.evaluations += found.evaluations;

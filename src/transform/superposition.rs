@@ -43,14 +43,13 @@ impl<'a> Superposition<'a> {
 }
 
 fn sum(parts: impl Iterator<Item = Result<Reading, TransformError>>) -> Result<Reading, TransformError> {
-    let (mut total, mut evaluations, mut method) = (Bounded::exact(0.0), 0, None);
+    let (mut total, mut method) = (Estimate::exact(0.0), None);
     for part in parts {
         let Reading { estimate, method: own } = part?;
-        total = total + estimate.bounded();
-        evaluations += estimate.evaluations;
+        total = total + estimate;
         method = Some(method.map_or(own, |known| if known == own { own } else { "mixed" }));
     }
-    Ok(Reading { estimate: Estimate::from_bounded(total, evaluations), method: method.unwrap_or("exact") })
+    Ok(Reading { estimate: total, method: method.unwrap_or("exact") })
 }
 
 impl Quantities for Superposition<'_> {
@@ -147,6 +146,6 @@ impl Superposition<'_> {
             total = total + own;
         }
         total.error += doubt;
-        Ok(Reading { estimate: Estimate::from_bounded(total, evaluations), method: "quadrature" })
+        Ok(Reading { estimate: Estimate::estimated(total.value, total.error, evaluations), method: "quadrature" })
     }
 }

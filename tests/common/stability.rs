@@ -125,7 +125,7 @@ fn indented(name: &str, quantity: &str, values: &[(&str, f64)]) -> Result<Readin
     let row = Run::new(&scene, &solution).map_err(|error| error.to_string())?.row(0).unwrap();
     let Some(state) = row.indented.state else { return Err(row.why().unwrap_or("no state").to_owned()) };
     let value = if quantity == "a(d)" { state.radius } else { state.force };
-    Ok(Reading { estimate: Estimate { value, error: f64::INFINITY, evaluations: 0 }, method: "state" })
+    Ok(Reading { estimate: Estimate::estimated(value, f64::INFINITY, 0), method: "state" })
 }
 
 fn judged(truth: &str, found: Result<Reading, String>) -> Outcome {

@@ -186,7 +186,15 @@ impl Indentation<'_> {
         let mut gap = |r: f64| match (contact.evaluator().height(r), contact.evaluator().displacement(r, a)) {
             (Ok(f), Ok(u)) => {
                 let value = f.estimate.value - depth + u.estimate.value;
-                surely(Estimate { value, error: f.estimate.error + u.estimate.error, evaluations: 0 }, NOISE * depth.abs())
+                surely(
+                    Estimate {
+                        value,
+                        error: f.estimate.error + u.estimate.error,
+                        evaluations: 0,
+                        bound: f.estimate.bound.and(u.estimate.bound),
+                    },
+                    NOISE * depth.abs(),
+                )
             }
             _ => f64::NAN,
         };

@@ -100,7 +100,7 @@ impl Work {
     /// The answer if this piece is all there is.
     pub(super) fn alone(&self, piece: &Piece, options: &Options) -> Estimate {
         let noise = piece.found.noise + self.cut;
-        let found = Estimate { value: piece.found.value, error: piece.found.quadrature + noise, evaluations: self.evaluations };
+        let found = Estimate::estimated(piece.found.value, piece.found.quadrature + noise, self.evaluations);
         modest(found, piece.found.quadrature > noise, options)
     }
 
@@ -150,7 +150,7 @@ impl Work {
             let only_noise = self.totals.quadrature <= noise && noise > 0.99 * requested;
             let worst = if only_noise { None } else { self.open.pop() };
             let Some(worst) = worst else {
-                let Estimate { value, error, evaluations } = self.answer();
+                let Estimate { value, error, evaluations, .. } = self.answer();
                 return Err(NumError::ToleranceNotReached { value, error, requested, evaluations });
             };
             if worst.hopeless() {
@@ -159,7 +159,7 @@ impl Work {
             }
             if self.evaluations + 2 * order.points().max(Order::Points31.points()) > options.max_evaluations {
                 self.open.push(worst);
-                let Estimate { value, error, evaluations } = self.answer();
+                let Estimate { value, error, evaluations, .. } = self.answer();
                 return Err(NumError::EvaluationLimit { value, error, evaluations });
             }
             self.improve(worst, order, requested, options, integrand)?;
@@ -225,7 +225,7 @@ impl Work {
         let pieces = self.open.iter().chain(&self.closed);
         let terms = pieces.map(|piece| Bounded { value: piece.found.value, error: piece.found.quadrature + piece.found.noise });
         let sum = Bounded::sum(terms.chain([Bounded { value: 0.0, error: self.cut }]));
-        Estimate::from_bounded(sum, self.evaluations)
+        Estimate::estimated(sum.value, sum.error, self.evaluations)
     }
 }
 

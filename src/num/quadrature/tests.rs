@@ -23,7 +23,7 @@ fn best(result: Result<Estimate, NumError>) -> Estimate {
     match result {
         Ok(found) => found,
         Err(NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations }) => {
-            Estimate { value, error, evaluations }
+            Estimate::estimated(value, error, evaluations)
         }
         Err(other) => panic!("{other}"),
     }

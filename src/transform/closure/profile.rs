@@ -134,7 +134,7 @@ impl Quantities for ClosureProfile {
         self.check_domain("r", r)?;
         self.check_domain("a", a)?;
         if r >= a {
-            return Ok(Some(Reading { estimate: Estimate { value: 0.0, error: 0.0, evaluations: 0 }, method: "exact" }));
+            return Ok(Some(Reading { estimate: Estimate::exact(0.0), method: "exact" }));
         }
         match self.numeric.pressure(r, a, self.closure.tolerance) {
             Ok(None) => Ok(None),
@@ -167,7 +167,7 @@ impl Quantities for ClosureProfile {
         let exact = self.at_axis == 0.0;
         let shift = Bounded::checked(self.at_axis, if exact { 0.0 } else { unit * self.at_axis.abs() });
         let found = Bounded::checked(own, unit * own.abs()) - shift;
-        let plain = Reading { estimate: Estimate::from_bounded(found, 1), method: "exact" };
+        let plain = Reading { estimate: Estimate::estimated(found.value, found.error, 1), method: "exact" };
         if plain.estimate.relative_error() <= self.closure.tolerance {
             return Ok(plain);
         }

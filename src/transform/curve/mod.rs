@@ -213,7 +213,7 @@ impl<'a> Curve<'a> {
     fn estimate(&self, table: &Table, x: f64, kind: Integral) -> Estimate {
         let (value, error) = table.at(x);
         let moved: f64 = self.smears.iter().map(|smeared| smear(*smeared, x, kind)).sum();
-        Estimate { value, error: error + moved, evaluations: 0 }
+        Estimate::estimated(value, error + moved, 0)
     }
 
     fn check(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {

@@ -135,7 +135,7 @@ impl<'a> PressureCurve<'a> {
     /// [`TransformError`] where that quadrature has no digits.
     pub fn at(&self, r: f64) -> Result<Option<Estimate>, TransformError> {
         if r >= self.a {
-            return Ok(Some(Estimate { value: 0.0, error: 0.0, evaluations: 0 }));
+            return Ok(Some(Estimate::exact(0.0)));
         }
         if (r == 0.0 && self.steep) || self.jumps.iter().any(|(at, jump)| at.value == r && jump.value != 0.0) {
             return Ok(None);
@@ -163,7 +163,7 @@ impl<'a> PressureCurve<'a> {
             let moved = at.error / distances.difference / self.a + own.value.abs() * at.error / distances.below_edge;
             sum + *at * *jump * Bounded { value: own.value, error: own.error + moved }
         });
-        Ok(Some(Estimate { value: total.value, error: total.error, evaluations: 0 }))
+        Ok(Some(Estimate::estimated(total.value, total.error, 0)))
     }
 
     /// The radius of the contact.

@@ -74,7 +74,7 @@ impl InverseNumbers {
         if self.method == Method::Quadrature {
             return whole();
         }
-        let (mut open, mut evaluations, mut any_open) = (Bounded::exact(0.0), 0, false);
+        let (mut open, mut any_open) = (Estimate::exact(0.0), false);
         let mut forms = Vec::new();
         for chain in &self.chains {
             // A breakpoint that may lie below r counts, because the formula beyond it carries the doubt in its error.
@@ -86,13 +86,13 @@ impl InverseNumbers {
                 }
                 // The recognition form of what is left may cancel where g as typed does not.
                 let Ok(found) = transformed(&chain.open, r, self.tolerance) else { return whole() };
-                open = open + found.bounded();
-                evaluations += found.evaluations;
+                open = open + found;
                 any_open = true;
             }
         }
         let closed = total(&forms, &[r], good_enough(self.tolerance));
-        let estimate = Estimate::from_bounded(if any_open { closed + open } else { closed }, evaluations);
+        let closed = Estimate::from_bounded(closed, 0);
+        let estimate = if any_open { closed + open } else { closed };
         let method = match (!forms.is_empty(), any_open) {
             (true, true) => "mixed",
             (false, true) => "quadrature",
@@ -126,7 +126,7 @@ impl InverseNumbers {
 fn transformed(g: &NumericProfile, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {
     let found = g.slope(r, tolerance)?;
     let factor = Bounded::exact(2.0) / (Bounded::rounded(std::f64::consts::PI) * Bounded::exact(r));
-    Ok(Estimate::from_bounded(found.bounded() * factor, found.evaluations))
+    Ok(found.times(factor))
 }
 
 /// Compares the closed form with quadrature of g as typed, at the set values or at seeded random admissible ones.

@@ -37,7 +37,7 @@ impl TableProfile {
 }
 
 fn exact(number: Bounded, evaluations: u64) -> Reading {
-    Reading { estimate: Estimate::from_bounded(number, evaluations), method: "exact" }
+    Reading { estimate: Estimate::estimated(number.value, number.error, evaluations), method: "exact" }
 }
 
 impl Quantities for TableProfile {
@@ -70,7 +70,7 @@ impl Quantities for TableProfile {
             return Ok(None);
         }
         let (total, evaluations) = pressure(&self.pieces, tree, bends, r, a)?;
-        Ok(Some(Reading { estimate: Estimate::from_bounded(total, evaluations), method: "quadrature" }))
+        Ok(Some(Reading { estimate: Estimate::estimated(total.value, total.error, evaluations), method: "quadrature" }))
     }
 
     fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
@@ -149,6 +149,6 @@ impl Quantities for TableProfile {
             total = total + own;
         }
         total.error += doubt;
-        Some(Ok(Reading { estimate: Estimate::from_bounded(total, evaluations), method: "quadrature" }))
+        Some(Ok(Reading { estimate: Estimate::estimated(total.value, total.error, evaluations), method: "quadrature" }))
     }
 }

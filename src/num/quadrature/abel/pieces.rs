@@ -22,7 +22,7 @@ pub(super) fn over_angle<const FORCE: bool>(
     }
     let from = options.from.max(0.0);
     if from >= x {
-        return Ok(Estimate { value: 0.0, error: 0.0, evaluations: 0 });
+        return Ok(Estimate::exact(0.0));
     }
     let inner = |b: &&f64| **b > from && **b < x;
     if !options.breakpoints.iter().any(|b| inner(&b)) {
@@ -37,14 +37,14 @@ pub(super) fn over_angle<const FORCE: bool>(
         evaluations += part.evaluations;
         lower = end;
     }
-    finished(Estimate::from_bounded(total, evaluations), options)
+    finished(Estimate::estimated(total.value, total.error, evaluations), options)
 }
 
 /// The value that an early end still has.
 fn best(part: Result<Estimate, NumError>) -> Result<Estimate, NumError> {
     match part {
         Err(NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations }) => {
-            Ok(Estimate { value, error, evaluations })
+            Ok(Estimate::estimated(value, error, evaluations))
         }
         other => other,
     }
@@ -52,7 +52,7 @@ fn best(part: Result<Estimate, NumError>) -> Result<Estimate, NumError> {
 
 /// The estimate, if it is good enough.
 fn finished(found: Estimate, options: &AbelOptions<'_>) -> Result<Estimate, NumError> {
-    let Estimate { value, error, evaluations } = found;
+    let Estimate { value, error, evaluations, .. } = found;
     let requested = target(options, value);
     if error <= requested {
         Ok(found)
@@ -119,7 +119,7 @@ fn last<const FORCE: bool>(
         if scale * left_out > noise {
             error = error.max(MODEST * requested);
         }
-        return Ok(Estimate { value, error, evaluations });
+        return Ok(Estimate::estimated(value, error, evaluations));
     }
     if noise + rounding > 0.99 * requested && scale * left_out <= noise {
         return Err(NumError::ToleranceNotReached { value, error, requested, evaluations });
@@ -178,7 +178,7 @@ pub(super) fn by_a_known_rule<const FORCE: bool>(
     let found = known.mean(&mut integrand)?;
     let value = scale * found.value;
     let error = scale * (found.left_out + found.noise) + 8.0 * UNIT * value.abs();
-    Ok(Estimate { value, error, evaluations: found.evaluations })
+    Ok(Estimate::estimated(value, error, found.evaluations))
 }
 
 /// Units that the weight (r/x)² may be off.

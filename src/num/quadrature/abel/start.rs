@@ -105,7 +105,7 @@ pub(crate) fn from_the_axis(
         let left_out = if seems_enough { left_out.max(10.0 * size * work.unresolved(ladder, step, h / size)) } else { left_out };
         if seems_enough && left_out + noise <= accepted {
             let least = if left_out > noise { 0.999 * accepted } else { 0.0 };
-            let found = Estimate { value, error: least.max(left_out + noise), evaluations: work.evaluations };
+            let found = Estimate::estimated(value, least.max(left_out + noise), work.evaluations);
             return Ok((Some(found), work.evaluations));
         }
         before = [value, before[0]];
