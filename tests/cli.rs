@@ -183,6 +183,10 @@ fn derive_answers_by_the_agreed_keys() {
     assert_eq!(answer["k"]["text"], "2*E*a");
     assert_eq!(answer["check"]["points"], 64);
     assert_eq!(answer["check"]["passed"], true);
+    assert_eq!(answer["check"]["verdict"], "passed");
+    let open = json(&["derive", "ln(cosh(r))", "--json"]);
+    assert_eq!((&open["check"]["verdict"], &open["check"]["passed"]), (&Value::from("not compared"), &Value::Null));
+    assert!(open["check"]["why"].as_str().is_some_and(|why| why.contains("closed")));
     assert!(answer["check"]["max_relative_difference"].as_f64().unwrap() < 1e-12);
     // The two ways to ask for JSON are one.
     assert_eq!(run(&["derive", "r^2", "--json"]).stdout, run(&["derive", "r^2", "--format", "json"]).stdout);

@@ -5,7 +5,7 @@ use sneddon::contact::{Edge, relations};
 use sneddon::expr::{Bindings, Expr};
 use sneddon::parse;
 use sneddon::print;
-use sneddon::transform::{Evaluator, Method, Profile, Solution, derive};
+use sneddon::transform::{Evaluator, Method, Profile, Solution, Verdict, check, derive};
 
 fn solution(text: &str) -> Solution {
     derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
@@ -48,5 +48,43 @@ fn no_pressure_is_printed_where_the_equivalent_profile_jumps() {
         if let Some(found) = found {
             assert!(!print::text(&found.formula).contains("sqrt(0)"), "{profile}");
         }
+    }
+}
+
+/// What is compared with what: a pass needs something closed, and a reference that could contradict it.
+#[test]
+fn the_check_says_what_it_proves() {
+    let verdict = |text: &str| check(&solution(text)).unwrap();
+    for text in [
+        // Nothing is closed: quadrature would be compared with itself.
+        "ln(cosh(r))",
+        "sin((2+r)^10)",
+        "h*sqrt(sqrt(r^2+w^2)-w)",
+        "(1-exp(-r))/r",
+        // The reference cannot see what lies next to the axis.
+        "r^0.001",
+        "r^0.01",
+        "C*r^(1/500)",
+    ] {
+        let found = verdict(text);
+        assert!(found.verdict == Verdict::NotCompared && found.points == 0 && found.why.is_some(), "{text}: {found:?}");
+    }
+    for text in ["r^0.1", "r^2/2+ln(cosh(r))", "R-sqrt(R^2-r^2)", "piecewise(0,r<2*b,r-2*b,r<c/3,2*r-2*b-c/3)"] {
+        let found = verdict(text);
+        assert!(found.passed() && found.points == 64 && found.max_relative_difference < 1e-11, "{text}: {found:?}");
+    }
+}
+
+/// Breakpoints that must rise are drawn in order, however many there are.
+#[test]
+fn ordered_breakpoints_are_drawn_in_order() {
+    for count in [2, 7, 20] {
+        let pieces = |k: usize| (1..=k).map(|i| format!("-b{i}")).collect::<String>();
+        let mut text = "piecewise(0".to_owned();
+        for k in 1..=count {
+            text += &format!(",r<b{k},{k}*r{}", pieces(k));
+        }
+        let found = check(&solution(&format!("{text})"))).unwrap();
+        assert!(found.passed() && found.points == 64, "{count}: {found:?}");
     }
 }

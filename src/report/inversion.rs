@@ -4,7 +4,7 @@ use super::json::{Check, Quantity, Readings, Typeset, write};
 use super::text::{error, number, outcome, sources, table};
 use crate::expr::{Expr, Formula};
 use crate::print;
-use crate::transform::{self, Derived, Reading};
+use crate::transform::{self, Derived, Reading, Verdict};
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -39,9 +39,9 @@ pub struct Wanted<'a> {
 }
 
 impl Inversion<'_> {
-    /// True where the check was made and passed.
-    pub fn passed(&self) -> bool {
-        self.check.as_ref().is_ok_and(|check| check.passed)
+    /// True where the check found a difference.
+    pub fn failed(&self) -> bool {
+        self.check.as_ref().is_ok_and(|check| check.verdict == Verdict::Failed)
     }
 
     /// What a reader of the formulas must know.

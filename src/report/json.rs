@@ -4,7 +4,7 @@ use super::{Compared, Derivation, Evaluation};
 use crate::contact::Measured;
 use crate::expr::{Expr, Formula};
 use crate::print;
-use crate::transform::{self, Derived, Reading, Rule};
+use crate::transform::{self, Derived, Reading, Rule, Verdict};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::collections::BTreeMap;
@@ -187,8 +187,9 @@ impl<'a> Quantity<'a> {
 pub(super) struct Check<'a> {
     points: u32,
     max_relative_difference: Option<f64>,
-    passed: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Null where nothing was compared.
+    passed: Option<bool>,
+    verdict: &'static str,
     why: Option<&'a str>,
 }
 
@@ -197,9 +198,16 @@ impl<'a> Check<'a> {
         match outcome {
             Ok(check) => {
                 let max_relative_difference = finite(check.max_relative_difference);
-                Self { points: check.points, max_relative_difference, passed: check.passed, why: None }
+                let passed = match check.verdict {
+                    Verdict::Passed => Some(true),
+                    Verdict::Failed => Some(false),
+                    Verdict::NotCompared => None,
+                };
+                Self { points: check.points, max_relative_difference, passed, verdict: check.verdict.name(), why: check.why }
             }
-            Err(reason) => Self { points: 0, max_relative_difference: None, passed: false, why: Some(reason) },
+            Err(reason) => {
+                Self { points: 0, max_relative_difference: None, passed: None, verdict: Verdict::NotCompared.name(), why: Some(reason) }
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Derivation;
 use crate::print;
+use crate::transform::{Check, Verdict};
 use std::io::{self, Write};
 
 /// Writes a fragment that compiles inside a document with the package amsmath.
@@ -25,15 +26,18 @@ pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()
         writeln!(out, "% {note}")?;
     }
     match &record.check {
+        Ok(Check { verdict: Verdict::NotCompared, why, .. }) => {
+            writeln!(out, "% check against quadrature: not compared: {}", why.unwrap_or_default())?;
+        }
         Ok(check) => {
-            let verdict = if check.passed { "passed" } else { "FAILED" };
+            let verdict = if check.passed() { "passed" } else { "FAILED" };
             writeln!(
                 out,
                 "% check against quadrature: {} points, largest relative difference {:e}, {verdict}",
                 check.points, check.max_relative_difference
             )?;
         }
-        Err(reason) => writeln!(out, "% check against quadrature: not possible: {reason}")?,
+        Err(reason) => writeln!(out, "% check against quadrature: not compared: {reason}")?,
     }
     writeln!(out, "\\begin{{align*}}\n{}\n\\end{{align*}}", lines.join(" \\\\\n"))
 }

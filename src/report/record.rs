@@ -2,7 +2,7 @@
 
 use crate::contact::{Comparison, Edge, Measured, Relations};
 use crate::expr::{Expr, Formula};
-use crate::transform::{Check, Derived, Profile};
+use crate::transform::{Check, Derived, Profile, Verdict};
 
 /// Everything that `derive` found.
 pub struct Derivation<'a> {
@@ -74,9 +74,9 @@ impl Derivation<'_> {
         matches!(self.edge, Edge::Rim(_))
     }
 
-    /// True where the check was made and passed.
-    pub fn passed(&self) -> bool {
-        self.check.as_ref().is_ok_and(|check| check.passed)
+    /// True where the check found a difference.
+    pub fn failed(&self) -> bool {
+        self.check.as_ref().is_ok_and(|check| check.verdict == Verdict::Failed)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Compared, Derivation, Evaluation};
 use crate::num::{Bound, Estimate};
 use crate::print;
-use crate::transform::{Check, Derived, Rule};
+use crate::transform::{Check, Derived, Rule, Verdict};
 use std::io::{self, Write};
 
 /// Writes what was derived: one quantity after the other with its sources, then conditions, notes and the check.
@@ -125,10 +125,14 @@ pub(super) fn sources(derived: &Derived, out: &mut dyn Write) -> io::Result<()> 
 pub(super) fn outcome(check: &Result<Check, String>, out: &mut dyn Write) -> io::Result<()> {
     match check {
         Ok(check) => {
-            let verdict = if check.passed { "passed" } else { "FAILED" };
+            let verdict = match (check.verdict, check.why) {
+                (Verdict::NotCompared, why) => return writeln!(out, "  not compared: {}", why.unwrap_or_default()),
+                (Verdict::Passed, _) => "passed",
+                (Verdict::Failed, _) => "FAILED",
+            };
             writeln!(out, "  {} points, largest relative difference {}: {verdict}", check.points, short(check.max_relative_difference))
         }
-        Err(reason) => writeln!(out, "  FAILED: {reason}"),
+        Err(reason) => writeln!(out, "  not compared: {reason}"),
     }
 }
 

@@ -112,6 +112,22 @@ impl NumericProfile {
         self.segments.is_empty()
     }
 
+    /// The share of ∫ f′ dr that may lie next to a lower end below the smallest doubles, where f′ is a power just above −1.
+    pub(super) fn unseen_share(&self, x: f64) -> f64 {
+        // The second where f′ as typed has left the range of doubles at the first.
+        const TINY: [f64; 2] = [1e-290, 1e-100];
+        let share = |segment: &NumericSegment| {
+            let reach = segment.upper.map_or(x, |upper| upper.value.min(x)) - segment.lower.value;
+            if !segment.singular || reach <= 0.0 {
+                return 0.0;
+            }
+            let far = segment.slope.plain(reach);
+            let near = TINY.into_iter().map(|tiny| segment.slope.plain(tiny * reach) * tiny).find(|near| near.is_finite());
+            near.filter(|near| *near != 0.0).map_or(0.0, |near| (near / far).abs())
+        };
+        self.segments.iter().map(share).fold(0.0, f64::max)
+    }
+
     /// True where a piece that is not flat lies below the contact's end, so that no integral is exactly 0 but by underflow.
     pub(super) fn reaches(&self, contact: f64) -> bool {
         self.segments.iter().any(|segment| segment.lower.value < contact)

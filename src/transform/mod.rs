@@ -40,7 +40,7 @@ mod table;
 mod term;
 
 pub use assemble::{Derived, Status};
-pub use check::{Check, check};
+pub use check::{Check, Verdict, check};
 pub use closed::ClosedForm;
 pub use closure::{Closure, ClosureProfile, Parity};
 pub use curve::{Curve, PressureCurve};

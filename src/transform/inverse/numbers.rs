@@ -1,5 +1,6 @@
 //! Numbers of an inverse: closed shares with their error bounds, quadrature for the rest, and the check of one by the other.
 
+use super::super::check::{NO_REFERENCE, NOT_ADMISSIBLE, Tally};
 use super::super::closed::{ClosedForm, for_second_pass, good_enough, total};
 use super::super::term::Segment;
 use super::super::{Check, Method, NumericProfile, Reading, Sampler, Solution, TransformError};
@@ -137,43 +138,35 @@ pub fn check_inverse(inverse: &Inverse) -> Result<Check, TransformError> {
     let mut sampler = Sampler::new(0x0c4e_c4ed);
     let solution = Solution { profile: inverse.equivalent.clone(), chains: Vec::new(), conditions: inverse.conditions.clone() };
     let draws = if solution.profile.parameters().is_empty() { 1 } else { DRAWS };
-    let mut outcome = Check { points: 0, max_relative_difference: 0.0, passed: true };
-    let mut trouble = None;
+    let (mut tally, mut visited, mut trouble) = (Tally::default(), 0, None);
     for _ in 0..2 * draws {
-        let Some(bindings) = sampler.parameters(&solution) else { break };
-        let mut own = outcome;
-        match compare(inverse, &bindings, POINTS / draws, &mut sampler, &mut own) {
-            Ok(()) => outcome = own,
+        let Some(bindings) = sampler.parameters(&solution) else { return Ok(tally.outcome(NOT_ADMISSIBLE)) };
+        match compare(inverse, &bindings, POINTS / draws, &mut sampler, &mut tally) {
+            Ok(()) => visited += POINTS / draws,
             Err(error) => trouble = Some(error),
         }
-        if outcome.points >= POINTS {
+        if visited >= POINTS {
             break;
         }
     }
     match trouble {
-        Some(error) if outcome.points == 0 => Err(error),
-        _ => Ok(Check { passed: outcome.passed && outcome.points > 0, ..outcome }),
+        Some(error) if visited == 0 => Err(error),
+        _ => Ok(tally.outcome(NO_REFERENCE)),
     }
 }
 
-fn compare(inverse: &Inverse, bindings: &Bindings, points: u32, sampler: &mut Sampler, outcome: &mut Check) -> Result<(), TransformError> {
+fn compare(inverse: &Inverse, bindings: &Bindings, points: u32, sampler: &mut Sampler, tally: &mut Tally) -> Result<(), TransformError> {
     let closed = InverseNumbers::new(inverse, bindings, Method::Auto, TOLERANCE)?;
     let plain = InverseNumbers::new(inverse, bindings, Method::Quadrature, TOLERANCE)?;
     let numeric = closed.chains.iter().all(|chain| !chain.open.is_empty());
     for r in sampler.points(closed.reach(), points) {
         let (one, other) = (closed.value(r)?, plain.value(r)?);
-        outcome.points += 1;
         if numeric && one.method == "quadrature" {
             continue;
         }
-        let difference = (one.estimate.value - other.estimate.value).abs();
-        let size = one.estimate.value.abs().max(other.estimate.value.abs());
-        if size > 0.0 {
-            outcome.max_relative_difference = outcome.max_relative_difference.max(difference / size);
-        }
-        // Written so that a NaN fails.
-        let within = difference <= one.estimate.error + other.estimate.error;
-        outcome.passed &= within;
+        let before = tally.compared;
+        tally.take(one.estimate, other.estimate);
+        tally.points += u32::from(tally.compared > before);
     }
     Ok(())
 }
