@@ -164,7 +164,7 @@ fn general_hypergeometric_functions_keep_their_lists() {
     let text = "hyper([1/2, 1], [3/2], -x^2/b^2)";
     let formula = parse::formula(text).unwrap();
     assert_eq!(print::text(&formula), text);
-    assert_eq!(print::latex(&formula), r"{}_{2}F_{1}\left(\frac{1}{2},1;\frac{3}{2};-\frac{x^{2}}{b^{2}}\right)");
+    assert_eq!(print::latex(&formula), r"{}_{2}F_{1}\left(\frac{1}{2}, 1; \frac{3}{2}; -\frac{x^{2}}{b^{2}}\right)");
 }
 
 #[test]
@@ -180,6 +180,9 @@ fn the_deepest_expressions_print_on_the_stack_of_a_program() {
         let run = move || {
             let formula = parse::profile(&text).unwrap();
             assert!(balanced(&print::latex(&formula)), "{what}");
+            for written in [print::unicode(&formula), print::typst(&formula), print::mathml(&formula)] {
+                assert!(written.contains('k') || written.contains('r'), "{what}");
+            }
             assert_eq!(parse::formula(&print::text(&formula)).unwrap(), formula, "{what}");
         };
         std::thread::Builder::new().stack_size(8 << 20).spawn(run).unwrap().join().unwrap();

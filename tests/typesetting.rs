@@ -84,26 +84,26 @@ const TABLE: &[(&str, &str, &str)] = &[
     ("exp(-x*tan(theta)/2)", r"e^{-x \tan(\theta)/2}", "exp(-x/2*tan(theta))"),
     ("exp(r)*sin(r)*(b+c)", r"(b + c) e^{r} \sin r", "(b + c)*exp(r)*sin(r)"),
     ("abs(r-b)", r"\left|r - b\right|", "abs(r - b)"),
-    ("max(0, r-b)", r"\max(0,\,r - b)", "max(0, r - b)"),
+    ("max(0, r-b)", r"\max(0, r - b)", "max(0, r - b)"),
     ("gamma(n)^2", r"\Gamma^{2}(n)", "gamma(n)^2"),
-    ("x*struveh(0, k*x)", r"x \mathbf{H}_{0}\left(k x\right)", "x*struveh(0, k*x)"),
-    ("x*struvel(1, k*x)", r"x \mathbf{L}_{1}\left(k x\right)", "x*struvel(1, k*x)"),
+    ("x*struveh(0, k*x)", r"x \mathbf{H}_{0}(k x)", "x*struveh(0, k*x)"),
+    ("x*struvel(1, k*x)", r"x \mathbf{L}_{1}(k x)", "x*struvel(1, k*x)"),
     ("x*besselj(0, x/w)", r"x J_{0}\left(\frac{x}{w}\right)", "x*besselj(0, x/w)"),
     ("x/w*dawson(x/w)", r"\frac{x}{w} \operatorname{D}\left(\frac{x}{w}\right)", "x/w*dawson(x/w)"),
     ("erfi(k*x)", r"\operatorname{erfi}(k x)", "erfi(k*x)"),
     ("fresnelc(k*x)-fresnels(k*x)", r"C(k x) - S(k x)", "fresnelc(k*x) - fresnels(k*x)"),
     ("digamma(n)", r"\psi(n)", "digamma(n)"),
-    ("polygamma(2, n)", r"\psi^{(2)}\left(n\right)", "polygamma(2, n)"),
-    ("betainc(n, 1/2, 0, z)", r"\mathrm{B}\left(n,\frac{1}{2};0,z\right)", "betainc(n, 1/2, 0, z)"),
-    ("hyp1f1(n, 2, -k)", r"{}_1F_1\left(n;2;-k\right)", "hyp1f1(n, 2, -k)"),
-    ("hyp2f1(n, 1, 1/2, -k)", r"{}_2F_1\left(n,1;\frac{1}{2};-k\right)", "hyp2f1(n, 1, 1/2, -k)"),
-    ("hyper([n], [1/2, k], z)", r"{}_{1}F_{2}\left(n;\frac{1}{2},k;z\right)", "hyper([n], [1/2, k], z)"),
+    ("polygamma(2, n)", r"\psi^{(2)}(n)", "polygamma(2, n)"),
+    ("betainc(n, 1/2, 0, z)", r"\operatorname{B}\left(n, \frac{1}{2}; 0, z\right)", "betainc(n, 1/2, 0, z)"),
+    ("hyp1f1(n, 2, -k)", r"{}_{1}F_{1}(n; 2; -k)", "hyp1f1(n, 2, -k)"),
+    ("hyp2f1(n, 1, 1/2, -k)", r"{}_{2}F_{1}\left(n, 1; \frac{1}{2}; -k\right)", "hyp2f1(n, 1, 1/2, -k)"),
+    ("hyper([n], [1/2, k], z)", r"{}_{1}F_{2}\left(n; \frac{1}{2}, k; z\right)", "hyper([n], [1/2, k], z)"),
     ("ellipk(k)", "K(k)", "ellipk(k)"),
     ("ellipe(phi, k)", r"E(\phi \mid k)", "ellipe(phi, k)"),
     ("ellipf(phi, b/c)", r"F\left(\phi \mid \frac{b}{c}\right)", "ellipf(phi, b/c)"),
-    ("elliprc(b, c)", r"R_{C}(b,\,c)", "elliprc(b, c)"),
-    ("polylog(2, z)", r"\operatorname{Li}_{2}\left(z\right)", "polylog(2, z)"),
-    ("clsin(2, theta)", r"\operatorname{Cl}_{2}\left(\theta\right)", "clsin(2, theta)"),
+    ("elliprc(b, c)", r"R_{C}(b, c)", "elliprc(b, c)"),
+    ("polylog(2, z)", r"\operatorname{Li}_{2}(z)", "polylog(2, z)"),
+    ("clsin(2, theta)", r"\operatorname{Cl}_{2}(\theta)", "clsin(2, theta)"),
     // Signs and sums.
     ("-r", "-r", "-r"),
     ("-(r+b)/2", r"-\frac{r + b}{2}", "-(r + b)/2"),
@@ -162,5 +162,55 @@ fn the_printed_text_is_set_alike() {
     for (typed, ..) in TABLE {
         let text = print::text(&parse::formula(typed).unwrap());
         assert_eq!(latex(&text), latex(typed));
+    }
+}
+
+/// What is typed, and how Unicode and Typst show it.
+const OTHER_NOTATIONS: &[(&str, &str, &str)] = &[
+    ("r^2/(2*R)", "r²/(2·R)", "frac(r^(2), 2 R)"),
+    ("1e-6*r^(n/2)", "10⁻⁶·r^(n/2)", "10^(-6) r^(n slash 2)"),
+    ("-(r+b)/2", "−(r + b)/2", "-frac(r + b, 2)"),
+    ("E^2*sqrt(2*R)", "E*²·√(2·R)", "(E^*)^(2) sqrt(2 R)"),
+    ("(r^2+b^2)^(1/3)", "³√(r² + b²)", "root(3, r^(2) + b^(2))"),
+    ("x*tan(theta_0)", "x·tan θ₀", "x tan θ_(0)"),
+    ("sin(k*r)^2", "sin²(k·r)", "sin^(2) lr((k r))"),
+    ("R_tip*exp(-r^2/w^2)", "R_tip·e^(−r²/w²)", "upright(\"tip\")"),
+    ("x*struveh(0, k*x)", "x·H₀(k·x)", "x upright(bold(H))_(0) lr((k x))"),
+    ("ellipf(phi, k)", "F(φ | k)", "F lr((φ | k))"),
+    ("hyp2f1(n, 1, b, -k)", "₂F₁(n, 1; b; −k)", "attach(F, bl: 2, br: 1) lr((n, 1\\; b\\; -k))"),
+    ("abs(r-b)", "|r − b|", "abs(r - b)"),
+    ("piecewise(0, r<b, r-b)", "{ 0 for r < b; r − b beyond }", "cases(0 & \"if\" r < b, r - b & \"if\" r >= b)"),
+    ("integral(r+1, r, 0, a)", "∫[0, a] (1 + r) dr", "integral_(0)^(a) (1 + r) dif r"),
+];
+
+#[test]
+fn unicode_and_typst_show_the_same_formulas() {
+    for (typed, unicode, typst) in OTHER_NOTATIONS {
+        let formula = parse::formula(typed).unwrap_or_else(|error| panic!("{typed}: {error}"));
+        assert_eq!(print::unicode(&formula), *unicode);
+        assert!(print::typst(&formula).contains(typst), "{typed}: {}", print::typst(&formula));
+    }
+}
+
+#[test]
+fn mathml_is_well_formed_and_has_every_number_and_name() {
+    let rules =
+        sneddon::transform::rules::RULES.iter().flat_map(|rule| [rule.pattern, rule.slope, rule.force].into_iter().chain(rule.pressure));
+    for typed in TABLE.iter().map(|(typed, ..)| *typed).chain(rules) {
+        let formula = parse::formula(typed).unwrap_or_else(|error| panic!("{typed}: {error}"));
+        let mathml = print::mathml(&formula);
+        let mut open = Vec::new();
+        for part in mathml.split('<').skip(1) {
+            let (tag, _) = part.split_once('>').unwrap_or_else(|| panic!("{typed}: {part}"));
+            match tag.strip_prefix('/') {
+                Some(name) => assert_eq!(open.pop(), Some(name), "{typed}: {mathml}"),
+                None if tag.ends_with('/') => {}
+                None => open.push(tag.split(' ').next().unwrap()),
+            }
+        }
+        assert!(open.is_empty(), "{typed}: {open:?}");
+        // A fraction, a power and an index have exactly two parts each.
+        assert_eq!(mathml.matches("<mfrac>").count(), print::latex(&formula).matches("\\frac").count(), "{typed}");
+        assert_eq!(mathml.matches("<msqrt>").count(), print::latex(&formula).matches("\\sqrt{").count(), "{typed}");
     }
 }

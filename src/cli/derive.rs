@@ -36,7 +36,11 @@ const EXAMPLES: &str = "Examples:
 #[derive(Clone, Copy, ValueEnum)]
 enum Format {
     Text,
+    Unicode,
     Latex,
+    Markdown,
+    Typst,
+    Mathml,
     Json,
 }
 
@@ -54,6 +58,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         _ if arguments.json => report::json::derivation(&record, out),
         Format::Json => report::json::derivation(&record, out),
         Format::Latex => report::latex::derivation(&record, out),
+        Format::Markdown => report::markdown::derivation(&record, out),
+        Format::Typst => report::typst::derivation(&record, out),
+        Format::Mathml => report::mathml::derivation(&record, out),
+        Format::Unicode => report::text::derivation_in_unicode(&record, out),
         Format::Text => report::text::derivation(&record, out),
     })?;
     if !record.failed() {

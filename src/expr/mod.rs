@@ -24,6 +24,6 @@ pub use formula::{Condition, Formula, Relation};
 pub use function::{Function, Growth, Row, SliceLaw};
 pub use node::{Constant, Expr, Node, Symbol};
 pub use number::Number;
-pub use shown::{has_30_digits, shown, shown_in_latex, shown_to_30_digits};
+pub use shown::{has_30_digits, shown, shown_as_mathematics, shown_to_30_digits};
 pub use sign::{Sign, sign};
 pub use substitute::Bindings;

@@ -13,9 +13,9 @@ pub fn shown(expr: &Expr) -> Expr {
     replaced(expr, &|row, a| row.shown.map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
 }
 
-/// The expression that LaTeX sets: functions that have a sign of their own there are kept.
-pub fn shown_in_latex(expr: &Expr) -> Expr {
-    replaced(expr, &|row, a| row.shown.filter(|_| !row.in_latex).map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
+/// The expression that mathematics shows: functions that have a sign of their own there are kept.
+pub fn shown_as_mathematics(expr: &Expr) -> Expr {
+    replaced(expr, &|row, a| row.shown.filter(|_| !row.has_sign).map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
 }
 
 /// The expression that is evaluated with 30 digits: functions that have no value of that kind give way to what they equal,

@@ -1,205 +1,120 @@
-//! Expressions in LaTeX.
+//! Formulas in LaTeX, for math mode.
 
-use super::latex_symbol::symbol;
-use super::layout::{Factor, Layout, layout};
-use super::number::digits;
-use super::order;
-use crate::expr::function::Latex;
-use crate::expr::{Constant, Expr, Function, Node, Number};
+use super::latex_symbol::{letters, symbol};
+use super::math::{Call, Math};
+use crate::expr::function::Setting;
+use crate::expr::{Constant, Relation};
 
-/// Where an expression stands.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Style {
-    /// On the line, with built-up fractions.
-    Display,
-    /// In an exponent, with fractions on one line.
-    Exponent,
-}
-
-/// Functions whose name stands before a single symbol without parentheses.
-const BARE: [&str; 13] = ["ln", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"];
-
-pub(super) fn expr(expr: &Expr) -> String {
-    styled(expr, Style::Display)
-}
-
-fn styled(expr: &Expr, style: Style) -> String {
-    if let Node::Sum(_) = expr.node() {
-        let mut sum = String::new();
-        for term in order::terms(expr) {
-            append(&mut sum, product(&term, style));
+/// Writes a formula in LaTeX.
+pub(super) fn write(math: &Math) -> String {
+    match math {
+        Math::Number { mantissa, exponent: None } => mantissa.clone(),
+        Math::Number { mantissa, exponent: Some(exponent) } if mantissa == "1" => format!("10^{{{exponent}}}"),
+        Math::Number { mantissa, exponent: Some(exponent) } => format!("{mantissa} \\cdot 10^{{{exponent}}}"),
+        Math::Name(name) => symbol(name),
+        Math::Constant(Constant::Pi) => "\\pi".to_owned(),
+        Math::Constant(Constant::Euler) => "e".to_owned(),
+        Math::Sum(terms) => super::signed_terms(terms, "-", write),
+        Math::Negative(inner) => format!("-{}", write(inner)),
+        Math::Product(factors) => product(factors),
+        Math::Fraction(upper, lower) => format!("\\frac{{{}}}{{{}}}", write(upper), write(lower)),
+        Math::Slash(upper, lower) => format!("{}/{}", write(upper), write(lower)),
+        Math::Root(2, inner) => format!("\\sqrt{{{}}}", write(inner)),
+        Math::Root(degree, inner) => format!("\\sqrt[{degree}]{{{}}}", write(inner)),
+        Math::Power(base, exponent) => match base.as_ref() {
+            // A second superscript needs braces.
+            Math::Name(name) if symbol(name).contains('^') => format!("{{{}}}^{{{}}}", symbol(name), write(exponent)),
+            _ => format!("{}^{{{}}}", write(base), write(exponent)),
+        },
+        Math::Parentheses(inner) => parenthesised(&write(inner), is_tall(inner)),
+        Math::Call(call) => write_call(call),
+        Math::Cases { variable, pieces, last } => {
+            let name = symbol(variable);
+            let mut start: Option<String> = None;
+            let mut rows = Vec::with_capacity(pieces.len() + 1);
+            for (value, end) in pieces {
+                let end = write(end);
+                let range = start.map_or_else(|| format!("{name} < {end}"), |start| format!("{start} \\le {name} < {end}"));
+                rows.push(format!("{}, & {range}", write(value)));
+                start = Some(end);
+            }
+            rows.push(format!("{}, & {name} \\ge {}", write(last), start.unwrap_or_default()));
+            format!("\\begin{{cases}} {} \\end{{cases}}", rows.join(" \\\\ "))
         }
-        return sum;
+        Math::Integral { integrand, variable, lower, upper } => {
+            let integrand = integrand.as_ref().map_or(String::new(), |integrand| write(integrand) + " ");
+            format!("\\int_{{{}}}^{{{}}} {integrand}\\,\\mathrm{{d}}{}", write(lower), write(upper), symbol(variable))
+        }
+        Math::Relation(left, relation, right) => format!("{} {} {}", write(left), sign(*relation), write(right)),
     }
-    let (negative, body) = product(expr, style);
-    if negative { format!("-{body}") } else { body }
 }
 
-/// Adds a term with its sign to a sum.
-pub(super) fn append(sum: &mut String, (negative, body): (bool, String)) {
-    sum.push_str(match (sum.is_empty(), negative) {
-        (true, true) => "-",
-        (true, false) => "",
-        (false, true) => " - ",
-        (false, false) => " + ",
-    });
-    sum.push_str(&body);
+fn sign(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Less => "<",
+        Relation::LessOrEqual => "\\le",
+        Relation::Equal => "=",
+    }
 }
 
-/// The expression in parentheses that are as tall as it is.
-pub(super) fn parenthesised(inner: &str) -> String {
-    let tall = ["\\frac", "\\sqrt", "\\left", "\\int", "\\begin"].iter().any(|part| inner.contains(part));
+/// Factors beside each other, with the space that each pair needs.
+fn product(factors: &[Math]) -> String {
+    let mut text = String::new();
+    for (place, factor) in factors.iter().enumerate() {
+        let before = place.checked_sub(1).and_then(|before| factors.get(before));
+        text.push_str(match before {
+            None => "",
+            Some(_) if matches!(factor.first(), Math::Number { .. }) => " \\cdot ",
+            // After a root a letter needs a little space; an index in front would cling to what precedes it.
+            Some(before) if matches!(before.last(), Math::Root(..)) || factor.first().has_prescript() => "\\, ",
+            Some(_) => " ",
+        });
+        text.push_str(&write(factor));
+    }
+    text
+}
+
+/// True where parentheses around a part must grow with it.
+fn is_tall(math: &Math) -> bool {
+    math.any(&|part| match part {
+        Math::Fraction(..) | Math::Root(..) | Math::Cases { .. } | Math::Integral { .. } => true,
+        Math::Call(call) => call.function.row().typeset.setting == Setting::Absolute,
+        _ => false,
+    })
+}
+
+fn parenthesised(inner: &str, tall: bool) -> String {
     if tall { format!("\\left({inner}\\right)") } else { format!("({inner})") }
 }
 
-/// The sign of a product and the rest of it.
-pub(super) fn product(expr: &Expr, style: Style) -> (bool, String) {
-    let layout = layout(expr);
-    let body = if layout.lower.is_empty() {
-        alone(&layout.upper, style)
-    } else if style == Style::Exponent {
-        slashed(&layout)
-    } else {
-        let upper = if layout.upper.is_empty() { "1".to_owned() } else { alone(&layout.upper, style) };
-        let fraction = format!("\\frac{{{upper}}}{{{}}}", alone(&layout.lower, style));
-        std::iter::once(fraction).chain(layout.behind.iter().map(|f| factor(f, style, true))).reduce(beside).unwrap_or_default()
-    };
-    (layout.negative, body)
-}
-
-/// A product where nothing stands beside it; a single sum needs no parentheses then.
-fn alone(factors: &[Factor], style: Style) -> String {
-    match factors {
-        [] => "1".to_owned(),
-        [Factor { base, exponent }] if exponent.is_one() && matches!(base.node(), Node::Sum(_)) => styled(base, style),
-        _ => joined(factors, style, true),
-    }
-}
-
-fn joined(factors: &[Factor], style: Style, bare: bool) -> String {
-    factors.iter().map(|f| factor(f, style, bare)).reduce(beside).unwrap_or_default()
-}
-
-/// A fraction on one line.
-fn slashed(layout: &Layout) -> String {
-    let upper: Vec<Factor> = layout.upper.iter().chain(&layout.behind).cloned().collect();
-    let upper = if upper.is_empty() { "1".to_owned() } else { joined(&upper, Style::Exponent, false) };
-    let lower = joined(&layout.lower, Style::Exponent, false);
-    if layout.lower.len() == 1 { format!("{upper}/{lower}") } else { format!("{upper}/{}", parenthesised(&lower)) }
-}
-
-/// Two factors beside each other.
-fn beside(left: String, right: String) -> String {
-    if right.starts_with(|c: char| c.is_ascii_digit()) {
-        format!("{left} \\cdot {right}")
-    } else if ends_with_root(&left) || right.starts_with("\\int") || right.starts_with("{}_") {
-        // An index in front, as of ₂F₁, would cling to what stands before it.
-        format!("{left}\\, {right}")
-    } else {
-        format!("{left} {right}")
-    }
-}
-
-/// True where the last thing set is a root, after which a letter needs a little space.
-fn ends_with_root(left: &str) -> bool {
-    let mut depth = 0usize;
-    for (at, c) in left.char_indices().rev() {
-        match c {
-            '}' => depth += 1,
-            '{' => depth = depth.saturating_sub(1),
-            _ => continue,
-        }
-        if depth == 0 {
-            let before = left.get(..at).unwrap_or("");
-            return left.ends_with('}') && (before.ends_with("\\sqrt") || before.ends_with(']'));
-        }
-    }
-    false
-}
-
-fn factor(factor: &Factor, style: Style, bare: bool) -> String {
-    let Factor { base, exponent } = factor;
-    match factor.root() {
-        Some(2) => return format!("\\sqrt{{{}}}", styled(base, style)),
-        Some(k @ 3..=9) => return format!("\\sqrt[{k}]{{{}}}", styled(base, style)),
+fn write_call(call: &Call) -> String {
+    let typeset = call.function.row().typeset;
+    let list = |group: &Vec<Math>| group.iter().map(write).collect::<Vec<_>>().join(", ");
+    let arguments = || call.groups.iter().map(list).collect::<Vec<_>>();
+    match typeset.setting {
+        Setting::Exponential => return format!("e^{{{}}}", arguments().join(", ")),
+        Setting::Absolute => return format!("\\left|{}\\right|", arguments().join(", ")),
         _ => {}
     }
-    if exponent.is_one() {
-        return unit(base, style, bare, None);
+    let mut name = letters(typeset.letters);
+    if let Some((upper, lower)) = call.prescript() {
+        name = format!("{{}}_{{{upper}}}{name}_{{{lower}}}");
     }
-    let power = styled(exponent, Style::Exponent);
-    match base.node() {
-        Node::Function(function, _) if factor.whole().is_some() && matches!(function.row().latex, Latex::Operator(_)) => {
-            unit(base, style, bare, Some(&power))
-        }
-        Node::Symbol(symbol) if symbol.name() == "E" => format!("{{E^{{*}}}}^{{{power}}}"),
-        Node::Number(number) if is_plain(number) => format!("{}^{{{power}}}", unit(base, style, bare, None)),
-        Node::Symbol(_) | Node::Constant(_) | Node::Sum(_) => format!("{}^{{{power}}}", unit(base, style, bare, None)),
-        Node::Function(function, _)
-            if matches!(function.row().latex, Latex::Custom(_)) && closes_itself(&unit(base, style, bare, None)) =>
-        {
-            format!("{}^{{{power}}}", unit(base, style, bare, None))
-        }
-        _ => format!("{}^{{{power}}}", parenthesised(&styled(base, style))),
+    if let Some(index) = &call.index {
+        let index = write(index);
+        name = if typeset.setting == Setting::Ordered { format!("{name}^{{({index})}}") } else { format!("{name}_{{{index}}}") };
     }
-}
-
-/// True where an exponent behind the last sign can only belong to the whole.
-fn closes_itself(set: &str) -> bool {
-    set.ends_with(')') || set.ends_with('|')
-}
-
-fn is_plain(number: &Number) -> bool {
-    !number.is_negative() && (number.is_integer() || number.is_decimal()) && digits(number).exponent.is_none()
-}
-
-/// A base without its exponent; `power` belongs to the name of an operator.
-fn unit(base: &Expr, style: Style, bare: bool, power: Option<&str>) -> String {
-    match base.node() {
-        Node::Number(number) => {
-            let digits = digits(number);
-            match (digits.mantissa.as_str(), digits.exponent) {
-                (_, None) => digits.mantissa,
-                ("1", Some(exponent)) => format!("10^{{{exponent}}}"),
-                (mantissa, Some(exponent)) => format!("{mantissa} \\cdot 10^{{{exponent}}}"),
-            }
-        }
-        Node::Constant(Constant::Pi) => "\\pi".to_owned(),
-        Node::Constant(Constant::Euler) => "e".to_owned(),
-        Node::Symbol(name) => symbol(name.name()),
-        Node::Function(function, arguments) => call(*function, arguments, style, bare, power),
-        Node::Power(..) | Node::Product(_) | Node::Sum(_) => parenthesised(&styled(base, style)),
+    if let Some(power) = &call.power {
+        name = format!("{name}^{{{}}}", write(power));
     }
-}
-
-fn call(function: Function, arguments: &[Expr], style: Style, bare: bool, power: Option<&str>) -> String {
-    if let ("exp", [argument]) = (function.name(), arguments) {
-        return format!("e^{{{}}}", styled(argument, Style::Exponent));
+    if call.groups.is_empty() {
+        return name;
     }
-    let arguments = order::arguments(function, arguments);
-    let set: Vec<String> = arguments.iter().map(|argument| styled(argument, style)).collect();
-    let operator = match function.row().latex {
-        Latex::Custom(set_by_row) => return set_by_row(&set),
-        Latex::Operator(operator) => operator,
-    };
-    let operator = power.map_or_else(|| operator.to_owned(), |power| format!("{operator}^{{{power}}}"));
-    match (arguments.as_slice(), set.as_slice()) {
-        ([argument], [set]) if bare && BARE.contains(&function.name()) && is_single(argument, function) => {
-            if set.starts_with('\\') {
-                format!("{operator}{set}")
-            } else {
-                format!("{operator} {set}")
-            }
-        }
-        _ => format!("{operator}{}", parenthesised(&set.join(", "))),
+    let between = if typeset.setting == Setting::Parameter { " \\mid " } else { "; " };
+    let inside = arguments().join(between);
+    if call.bare {
+        let space = if inside.starts_with('\\') { "" } else { " " };
+        return format!("{name}{space}{inside}");
     }
-}
-
-/// True for what a function takes without parentheses.
-fn is_single(argument: &Expr, function: Function) -> bool {
-    match argument.node() {
-        Node::Symbol(_) | Node::Constant(_) => true,
-        Node::Number(number) => function.name() == "ln" && is_plain(number),
-        _ => false,
-    }
+    format!("{name}{}", parenthesised(&inside, call.groups.iter().flatten().any(is_tall)))
 }

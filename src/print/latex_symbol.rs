@@ -1,19 +1,41 @@
-//! Names of parameters and variables in LaTeX.
+//! Names of parameters, variables and functions in LaTeX.
+
+use crate::expr::function::{Font, Letters};
 
 /// A name: Greek letters as such, indices below, words upright, the effective modulus with its star.
 pub(super) fn symbol(name: &str) -> String {
     if name == "E" {
         return "E^{*}".to_owned();
     }
-    let (letter, index) = match name.split_once('_') {
-        Some((letter, index)) => (letter, index.to_owned()),
-        None => {
-            let end = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-            (name.get(..end).unwrap_or(name), name.get(end..).unwrap_or("").to_owned())
-        }
-    };
-    let indices: Vec<String> = index.split('_').filter(|part| !part.is_empty()).map(word).collect();
+    let (letter, indices) = parts(name);
+    let indices: Vec<String> = indices.into_iter().map(word).collect();
     if indices.is_empty() { word(letter) } else { format!("{}_{{{}}}", word(letter), indices.join(",")) }
+}
+
+/// The letter or word of a name and the parts of its index.
+pub(super) fn parts(name: &str) -> (&str, Vec<&str>) {
+    let (letter, index) = name.split_once('_').unwrap_or_else(|| {
+        let end = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+        (name.get(..end).unwrap_or(name), name.get(end..).unwrap_or(""))
+    });
+    (letter, index.split('_').filter(|part| !part.is_empty()).collect())
+}
+
+/// The name of a function.
+pub(super) fn letters(letters: Letters) -> String {
+    /// Names that LaTeX has a command for.
+    const COMMANDS: [&str; 13] = ["ln", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "exp", "max", "min"];
+    let name = match (letters.text, letters.font) {
+        ("Γ", _) => "\\Gamma".to_owned(),
+        ("ψ", _) => "\\psi".to_owned(),
+        ("κ", _) => "\\kappa".to_owned(),
+        ("χ", _) => "\\chi".to_owned(),
+        (text, Font::Bold) => format!("\\mathbf{{{text}}}"),
+        (text, Font::Italic) => text.to_owned(),
+        (text, Font::Upright) if COMMANDS.contains(&text) => format!("\\{text}"),
+        (text, Font::Upright) => format!("\\operatorname{{{text}}}"),
+    };
+    if letters.index.is_empty() { name } else { format!("{name}_{{{}}}", letters.index) }
 }
 
 /// True for a letter that is named in full, as `theta`.

@@ -1,18 +1,26 @@
-//! Formulas to text and LaTeX, in the order in which they are read.
+//! Formulas in every notation: text, Unicode, LaTeX, Typst and MathML.
 //!
-//! Both print the *shown* form: functions that exist only for stable evaluation are replaced by what they equal.
-//! Text reads back as an equal expression; LaTeX is set as a careful author would set it.
+//! An expression is laid out once as mathematics ([`math`]), in the order in which it is read, and each notation writes that.
+//! Functions that exist only for stable evaluation are replaced by what they equal.
+//! Text reads back as an equal expression; the others look as a careful author would set them.
 
+mod compose;
+mod greek;
 mod latex;
-mod latex_formula;
 mod latex_symbol;
 mod layout;
+mod math;
+mod mathml;
 mod number;
 mod order;
 mod roots;
 mod text;
+mod typst;
+mod unicode;
 
-use crate::expr::{Condition, Expr, Formula, shown, shown_in_latex};
+use crate::expr::{Condition, Expr, Formula, shown, shown_as_mathematics};
+use compose::Style;
+use math::Math;
 
 /// The formula in the program's own grammar.
 ///
@@ -23,7 +31,7 @@ use crate::expr::{Condition, Expr, Formula, shown, shown_in_latex};
 /// assert_eq!(print::text(&sphere.into()), "R - sqrt(R^2 - r^2)");
 /// ```
 pub fn text(formula: &Formula) -> String {
-    text::formula(&formula.map(&shown))
+    text::write(&compose::formula(&formula.map(&shown), Style::Grammar))
 }
 
 /// The expression in the program's own grammar.
@@ -33,7 +41,7 @@ pub fn text(formula: &Formula) -> String {
 /// assert_eq!(print::text_expr(&(Expr::pi() * Expr::symbol("x") / Expr::integer(2))), "pi/2*x");
 /// ```
 pub fn text_expr(expr: &Expr) -> String {
-    text::expr(&shown(expr))
+    text::write(&compose::expr(&shown(expr), Style::Grammar))
 }
 
 /// The condition in the program's own grammar.
@@ -44,8 +52,7 @@ pub fn text_expr(expr: &Expr) -> String {
 /// assert_eq!(print::text_condition(&inside), "r < R");
 /// ```
 pub fn text_condition(condition: &Condition) -> String {
-    let (left, right) = (shown(&condition.left), shown(&condition.right));
-    format!("{} {} {}", text::expr(&left), text::relation(condition.relation), text::expr(&right))
+    text::write(&compose::condition(&mapped(condition, shown), Style::Grammar))
 }
 
 /// The formula in LaTeX, for math mode.
@@ -57,7 +64,7 @@ pub fn text_condition(condition: &Condition) -> String {
 /// assert_eq!(print::latex(&sphere.into()), r"R - \sqrt{R^{2} - r^{2}}");
 /// ```
 pub fn latex(formula: &Formula) -> String {
-    latex_formula::formula(&formula.map(&shown_in_latex))
+    latex::write(&laid_out(formula))
 }
 
 /// The expression in LaTeX, for math mode.
@@ -68,7 +75,7 @@ pub fn latex(formula: &Formula) -> String {
 /// assert_eq!(print::latex_expr(&cone), r"\frac{\pi}{2} x \tan\theta");
 /// ```
 pub fn latex_expr(expr: &Expr) -> String {
-    latex::expr(&shown_in_latex(expr))
+    latex::write(&compose::expr(&shown_as_mathematics(expr), Style::Display))
 }
 
 /// The condition in LaTeX, for math mode.
@@ -79,6 +86,81 @@ pub fn latex_expr(expr: &Expr) -> String {
 /// assert_eq!(print::latex_condition(&inside), r"r < R_{\mathrm{tip}}");
 /// ```
 pub fn latex_condition(condition: &Condition) -> String {
-    let (left, right) = (shown_in_latex(&condition.left), shown_in_latex(&condition.right));
-    format!("{} {} {}", latex::expr(&left), latex_formula::relation(condition.relation), latex::expr(&right))
+    latex::write(&compose::condition(&mapped(condition, shown_as_mathematics), Style::Display))
+}
+
+/// The formula on one line of Unicode text.
+///
+/// ```
+/// use sneddon::{expr::Expr, print};
+/// let cone = Expr::pi() / Expr::integer(2) * Expr::symbol("x").power(2) * Expr::call("tan", [Expr::symbol("theta")]);
+/// assert_eq!(print::unicode(&cone.into()), "π/2·x²·tan θ");
+/// ```
+pub fn unicode(formula: &Formula) -> String {
+    unicode::write(&laid_out(formula))
+}
+
+/// The formula in Typst, for math mode.
+///
+/// ```
+/// use sneddon::{expr::Expr, print};
+/// let (r, radius) = (Expr::symbol("r"), Expr::symbol("R"));
+/// let sphere = &radius - (radius.power(2) - r.power(2)).sqrt();
+/// assert_eq!(print::typst(&sphere.into()), "R - sqrt(R^(2) - r^(2))");
+/// ```
+pub fn typst(formula: &Formula) -> String {
+    typst::write(&laid_out(formula))
+}
+
+/// The formula as a `math` element of MathML Core, on a line of its own.
+///
+/// ```
+/// use sneddon::{expr::Expr, print};
+/// let root = Expr::symbol("a").sqrt();
+/// assert!(print::mathml(&root.into()).contains("<msqrt><mi>a</mi></msqrt>"));
+/// ```
+pub fn mathml(formula: &Formula) -> String {
+    mathml::formula(&laid_out(formula))
+}
+
+/// An equation as a `math` element of MathML Core; `left` is a name, or a name with an argument.
+///
+/// ```
+/// use sneddon::{expr::Expr, print};
+/// assert!(print::mathml_equation("d(a)", &Expr::symbol("a").into()).contains("<mo>=</mo><mi>a</mi>"));
+/// ```
+pub fn mathml_equation(left: &str, formula: &Formula) -> String {
+    mathml::equation(left, &laid_out(formula))
+}
+
+/// The text with those characters escaped that mean something in HTML and XML.
+///
+/// ```
+/// assert_eq!(sneddon::print::escaped("r < R & <b>"), "r &lt; R &amp; &lt;b&gt;");
+/// ```
+pub fn escaped(text: &str) -> String {
+    mathml::escaped(text)
+}
+
+fn laid_out(formula: &Formula) -> Math {
+    compose::formula(&formula.map(&shown_as_mathematics), Style::Display)
+}
+
+fn mapped(condition: &Condition, form: fn(&Expr) -> Expr) -> Condition {
+    Condition { left: form(&condition.left), right: form(&condition.right), ..condition.clone() }
+}
+
+/// The terms of a sum with their signs, and no sign before a first term that is added.
+fn signed_terms(terms: &[(bool, Math)], minus: &str, write: impl Fn(&Math) -> String) -> String {
+    let mut sum = String::new();
+    for (place, (negative, term)) in terms.iter().enumerate() {
+        match (place, negative) {
+            (0, true) => sum.push_str(minus),
+            (0, false) => {}
+            (_, true) => sum.push_str(&format!(" {minus} ")),
+            (_, false) => sum.push_str(" + "),
+        }
+        sum.push_str(&write(term));
+    }
+    sum
 }

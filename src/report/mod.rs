@@ -6,6 +6,7 @@ pub mod inversion;
 pub mod json;
 pub mod latex;
 pub mod markdown;
+pub mod mathml;
 mod record;
 #[cfg(feature = "cli")]
 mod reference;
@@ -23,6 +24,7 @@ mod statement;
 pub mod text;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
+pub mod typst;
 #[cfg(feature = "cli")]
 pub mod validation;
 

@@ -1,6 +1,7 @@
 //! Records as plain text, made to be read in a terminal.
 
 use super::{Compared, Derivation, Evaluation};
+use crate::expr::Formula;
 use crate::num::{Bound, Estimate};
 use crate::print;
 use crate::transform::{Check, Derived, Rule, Verdict};
@@ -11,7 +12,19 @@ use std::io::{self, Write};
 /// # Errors
 /// As the writer.
 pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "f(r) = {}", print::text(record.formula()))?;
+    derivation_in(print::text, record, out)
+}
+
+/// Writes the same with formulas as Unicode shows them; they do not read back.
+///
+/// # Errors
+/// As the writer.
+pub fn derivation_in_unicode(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
+    derivation_in(print::unicode, record, out)
+}
+
+fn derivation_in(formula: fn(&Formula) -> String, record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "f(r) = {}", formula(record.formula()))?;
     if let Some(shift) = record.shift() {
         let shift = print::text_expr(shift);
         writeln!(out, "       f(0) = {shift} is subtracted, so that f starts at 0")?;
@@ -22,7 +35,7 @@ pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()
             writeln!(out, "{}: no explicit form", entry.left)?;
             continue;
         };
-        writeln!(out, "{} = {}", entry.left, print::text(&derived.formula))?;
+        writeln!(out, "{} = {}", entry.left, formula(&derived.formula))?;
         sources(derived, out)?;
     }
     writeln!(out, "\nConditions")?;

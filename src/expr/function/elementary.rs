@@ -1,7 +1,8 @@
 //! Rows of the elementary functions.
 
 use super::precise::{self, one, to_edge, to_one, to_pole};
-use super::{Function, Latex, PLAIN, Row, slices};
+use super::typeset::{self, Setting};
+use super::{Function, PLAIN, Row, slices};
 use crate::expr::{Expr, Node, Number, Sign, sign};
 use crate::num::{DoubleDouble, Region, precise as thirty};
 use num_complex::Complex64;
@@ -13,7 +14,7 @@ const LIBRARY: f64 = 2.0;
 pub(super) static ROWS: &[Row] = &[
     Row {
         name: "exp",
-        latex: Latex::Custom(|a| format!("e^{{{}}}", a.first().map_or("", String::as_str))),
+        typeset: typeset::upright("exp").set(Setting::Exponential),
         value: |a| unary(a, f64::exp),
         ulps: LIBRARY,
         precise: Some(precise::exp),
@@ -34,7 +35,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "ln",
         spellings: &["log"],
-        latex: Latex::Operator("\\ln"),
+        typeset: typeset::upright("ln"),
         value: |a| unary(a, f64::ln),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::ln)),
@@ -63,7 +64,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "sin",
-        latex: Latex::Operator("\\sin"),
+        typeset: typeset::upright("sin"),
         value: |a| unary(a, f64::sin),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::sin)),
@@ -77,7 +78,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "cos",
-        latex: Latex::Operator("\\cos"),
+        typeset: typeset::upright("cos"),
         value: |a| unary(a, f64::cos),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::cos)),
@@ -91,7 +92,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "tan",
-        latex: Latex::Operator("\\tan"),
+        typeset: typeset::upright("tan"),
         value: |a| unary(a, f64::tan),
         ulps: LIBRARY,
         precise: Some(precise::tan),
@@ -111,7 +112,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "asin",
         spellings: &["arcsin"],
-        latex: Latex::Operator("\\arcsin"),
+        typeset: typeset::upright("arcsin"),
         value: |a| unary(a, f64::asin),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::asin)),
@@ -128,7 +129,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "acos",
         spellings: &["arccos"],
-        latex: Latex::Operator("\\arccos"),
+        typeset: typeset::upright("arccos"),
         value: |a| unary(a, f64::acos),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::acos)),
@@ -144,7 +145,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "atan",
         spellings: &["arctan"],
-        latex: Latex::Operator("\\arctan"),
+        typeset: typeset::upright("arctan"),
         value: |a| unary(a, f64::atan),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::atan)),
@@ -159,7 +160,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "sinh",
-        latex: Latex::Operator("\\sinh"),
+        typeset: typeset::upright("sinh"),
         value: |a| unary(a, f64::sinh),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::sinh)),
@@ -174,7 +175,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "cosh",
-        latex: Latex::Operator("\\cosh"),
+        typeset: typeset::upright("cosh"),
         value: |a| unary(a, f64::cosh),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::cosh)),
@@ -189,7 +190,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "tanh",
-        latex: Latex::Operator("\\tanh"),
+        typeset: typeset::upright("tanh"),
         value: |a| unary(a, f64::tanh),
         ulps: LIBRARY,
         precise: Some(|a| precise::unary(a, thirty::tanh)),
@@ -206,7 +207,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "asinh",
         spellings: &["arcsinh", "arsinh"],
-        latex: Latex::Operator("\\operatorname{arsinh}"),
+        typeset: typeset::upright("arsinh"),
         value: |a| unary(a, libm::asinh),
         ulps: 4.0,
         precise: Some(|a| precise::unary(a, thirty::asinh)),
@@ -222,7 +223,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "acosh",
         spellings: &["arccosh", "arcosh"],
-        latex: Latex::Operator("\\operatorname{arcosh}"),
+        typeset: typeset::upright("arcosh"),
         value: |a| unary(a, libm::acosh),
         ulps: 4.0,
         precise: Some(|a| precise::unary(a, thirty::acosh)),
@@ -237,7 +238,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "atanh",
         spellings: &["arctanh", "artanh"],
-        latex: Latex::Operator("\\operatorname{artanh}"),
+        typeset: typeset::upright("artanh"),
         value: |a| unary(a, libm::atanh),
         ulps: 4.0,
         precise: Some(|a| precise::unary(a, thirty::atanh)),
@@ -253,7 +254,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "abs",
-        latex: Latex::Custom(|a| format!("\\left|{}\\right|", a.first().map_or("", String::as_str))),
+        typeset: typeset::upright("abs").set(Setting::Absolute),
         value: |a| unary(a, f64::abs),
         ulps: 0.0,
         precise: Some(precise::abs),
@@ -278,7 +279,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "max",
         arity: (2, 2),
-        latex: Latex::Custom(|a| format!("\\max({})", a.join(",\\,"))),
+        typeset: typeset::upright("max"),
         value: |a| pick(a, |u, v| u >= v),
         ulps: 0.0,
         precise: Some(|a| precise::extreme(a, false)),
@@ -290,7 +291,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "min",
         arity: (2, 2),
-        latex: Latex::Custom(|a| format!("\\min({})", a.join(",\\,"))),
+        typeset: typeset::upright("min"),
         value: |a| pick(a, |u, v| u <= v),
         ulps: 0.0,
         precise: Some(|a| precise::extreme(a, true)),
@@ -302,7 +303,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "atan2",
         arity: (2, 2),
-        latex: Latex::Custom(|a| format!("\\operatorname{{atan2}}({})", a.join(",\\,"))),
+        typeset: typeset::upright("atan2"),
         value: |a| binary(a, f64::atan2),
         ulps: LIBRARY,
         precise: Some(precise::atan2),

@@ -1,7 +1,8 @@
 //! Rows of the elliptic integrals, in the parameter m = k² as in mpmath.
 
 use super::elementary::{binary, first, ternary, unary};
-use super::{Latex, PLAIN, Row};
+use super::typeset::{self, Setting};
+use super::{PLAIN, Row};
 use crate::expr::{Expr, Sign, sign};
 use crate::num::{DoubleDouble, Precise, special};
 
@@ -9,7 +10,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprf",
         arity: (3, 3),
-        latex: Latex::Custom(|a| bracketed("R_{F}", a, ",\\,")),
+        typeset: typeset::italic("R").with_index("F"),
         value: |a| ternary(a, special::rf),
         ulps: 8.0,
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rf_precise)),
@@ -23,7 +24,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprd",
         arity: (3, 3),
-        latex: Latex::Custom(|a| bracketed("R_{D}", a, ",\\,")),
+        typeset: typeset::italic("R").with_index("D"),
         value: |a| ternary(a, special::rd),
         ulps: 11.0,
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rd_precise)),
@@ -34,7 +35,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprc",
         arity: (2, 2),
-        latex: Latex::Custom(|a| bracketed("R_{C}", a, ",\\,")),
+        typeset: typeset::italic("R").with_index("C"),
         value: |a| binary(a, special::rc),
         ulps: 6.0,
         precise: Some(|a| <[DoubleDouble; 2]>::try_from(a).map_or_else(|_| Precise::nan(), special::rc_precise)),
@@ -49,7 +50,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "ellipk",
-        latex: Latex::Operator("K"),
+        typeset: typeset::italic("K"),
         value: |a| unary(a, special::ellipk),
         ulps: 6.0,
         precise: Some(|a| match a {
@@ -69,7 +70,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "ellipf",
         arity: (2, 2),
-        latex: Latex::Custom(|a| bracketed("F", a, " \\mid ")),
+        typeset: typeset::italic("F").set(Setting::Parameter),
         value: |a| binary(a, special::ellipf),
         ulps: 8.0,
         precise: Some(|a| match a {
@@ -87,7 +88,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "ellipe",
         arity: (1, 2),
-        latex: Latex::Custom(|a| bracketed("E", a, " \\mid ")),
+        typeset: typeset::italic("E").set(Setting::Parameter),
         value: |a| match a {
             [m] => special::ellipe(*m),
             [phi, m] => special::ellipe_inc(*phi, *m),
@@ -117,12 +118,6 @@ pub(super) static ROWS: &[Row] = &[
         ..PLAIN
     },
 ];
-
-/// Arguments in parentheses that grow with fractions.
-fn bracketed(letter: &str, arguments: &[String], between: &str) -> String {
-    let inside = arguments.join(between);
-    if inside.contains("\\frac") { format!("{letter}\\left({inside}\\right)") } else { format!("{letter}({inside})") }
-}
 
 fn call(name: &'static str, arguments: &[&Expr]) -> Expr {
     Expr::call(name, arguments.iter().map(|u| (*u).clone()))

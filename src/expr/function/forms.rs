@@ -2,7 +2,8 @@
 
 use super::elementary::{binary, ternary, unary};
 use super::precise::order;
-use super::{Latex, PLAIN, Row, precise, slices};
+use super::typeset::{self, Setting};
+use super::{PLAIN, Row, precise, slices};
 use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
 use crate::num::double_double::two_sum;
@@ -27,13 +28,13 @@ fn angle_from(b: f64, x: f64) -> f64 {
 const NEAR_ONE: f64 = 0.5;
 
 /// What these rows have in common: positive values, no LaTeX of their own because the shown expression is set.
-const FORM: Row = Row { latex: Latex::Operator("\\operatorname{form}"), sign: Some(|_| Sign::Positive), ..PLAIN };
+const FORM: Row = Row { typeset: typeset::upright("form"), sign: Some(|_| Sign::Positive), ..PLAIN };
 
 pub(super) static ROWS: &[Row] = &[
     Row {
         name: "kappa",
         ulps: 1.1,
-        latex: Latex::Custom(|a| format!("\\kappa_{{{}}}", a.join(","))),
+        typeset: typeset::italic("κ").set(Setting::Index),
         value: |a| unary(a, kappa::kappa),
         precise: Some(|a| match a {
             [n] => kappa::kappa_precise(*n),

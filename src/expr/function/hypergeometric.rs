@@ -2,7 +2,8 @@
 
 use super::elementary::{first, unary};
 use super::precise::single;
-use super::{Latex, PLAIN, Row};
+use super::typeset::{self, Setting};
+use super::{PLAIN, Row};
 use crate::expr::{Expr, Sign, sign};
 use crate::num::{DoubleDouble, Precise, special};
 
@@ -14,10 +15,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "betainc",
         arity: (4, 4),
-        latex: Latex::Custom(|a| match a {
-            [a, b, low, high] => format!("\\mathrm{{B}}\\left({a},{b};{low},{high}\\right)"),
-            _ => String::new(),
-        }),
+        typeset: typeset::upright("B").set(Setting::Groups(&[2, 2])),
         value: |a| match a {
             [a, b, low, high] => special::betainc(*a, *b, *low, *high),
             _ => f64::NAN,
@@ -38,10 +36,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "hyp1f1",
         arity: (3, 3),
-        latex: Latex::Custom(|a| match a {
-            [a, b, z] => format!("{{}}_1F_1\\left({a};{b};{z}\\right)"),
-            _ => String::new(),
-        }),
+        typeset: typeset::italic("F").set(Setting::Groups(&[1, 1, 1])),
         value: |a| match a {
             [a, b, z] => special::hyp1f1(*a, *b, *z),
             _ => f64::NAN,
@@ -70,10 +65,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "hyp2f1",
         arity: (4, 4),
-        latex: Latex::Custom(|a| match a {
-            [a, b, c, z] => format!("{{}}_2F_1\\left({a},{b};{c};{z}\\right)"),
-            _ => String::new(),
-        }),
+        typeset: typeset::italic("F").set(Setting::Groups(&[2, 1, 1])),
         value: |a| match a {
             [a, b, c, z] => special::hyp2f1(*a, *b, *c, *z),
             _ => f64::NAN,
@@ -108,12 +100,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "hyper",
         arity: (3, 64),
-        latex: Latex::Custom(|a| {
-            let [p, q, rest @ ..] = a else { return String::new() };
-            let (upper, rest) = rest.split_at(p.parse().unwrap_or(0).min(rest.len()));
-            let (lower, argument) = rest.split_at(q.parse().unwrap_or(0).min(rest.len()));
-            format!("{{}}_{{{p}}}F_{{{q}}}\\left({};{};{}\\right)", upper.join(","), lower.join(","), argument.join(","))
-        }),
+        typeset: typeset::italic("F").set(Setting::CountedGroups),
         value: |a| match split(a, |n| *n) {
             Some((upper, lower, z)) => special::hyper(upper, lower, *z),
             None => f64::NAN,
@@ -135,7 +122,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "polylog",
         arity: (2, 2),
-        latex: Latex::Custom(|a| order_and_argument("\\operatorname{Li}", a)),
+        typeset: typeset::upright("Li").set(Setting::Indexed),
         value: |a| second_order(a, special::polylog2),
         ulps: 3.5,
         precise: Some(|a| second_order_precise(a, special::polylog2_precise)),
@@ -164,7 +151,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "clsin",
         arity: (2, 2),
-        latex: Latex::Custom(|a| order_and_argument("\\operatorname{Cl}", a)),
+        typeset: typeset::upright("Cl").set(Setting::Indexed),
         value: |a| second_order(a, special::clsin2),
         ulps: OWN_BOUND,
         precise: Some(|a| second_order_precise(a, special::clsin2_precise)),
@@ -185,7 +172,7 @@ pub(super) static ROWS: &[Row] = &[
     // χ₂(z) = Σ z^(2k+1)/(2k+1)², for |z| ≤ 1.
     Row {
         name: "legendre_chi2",
-        latex: Latex::Operator("\\chi_{2}"),
+        typeset: typeset::italic("χ").with_index("2"),
         value: |a| unary(a, special::legendre_chi2),
         ulps: 3.0,
         precise: Some(|a| single(a, special::legendre_chi2_precise)),
@@ -194,13 +181,13 @@ pub(super) static ROWS: &[Row] = &[
         fold: Some(zero_at_zero),
         sign: Some(|a| sign(&first(a))),
         shown: Some(|a| dilogarithm(a, 1)),
-        in_latex: true,
+        has_sign: true,
         ..PLAIN
     },
     // Ti₂(z) = ∫₀^z atan(t)/t dt.
     Row {
         name: "inverse_tangent_integral",
-        latex: Latex::Operator("\\operatorname{Ti}_{2}"),
+        typeset: typeset::upright("Ti").with_index("2"),
         value: |a| unary(a, special::inverse_tangent_integral),
         ulps: 3.0,
         precise: Some(|a| single(a, special::inverse_tangent_integral_precise)),
@@ -208,7 +195,7 @@ pub(super) static ROWS: &[Row] = &[
         fold: Some(zero_at_zero),
         sign: Some(|a| sign(&first(a))),
         shown: Some(|a| dilogarithm(a, -1)),
-        in_latex: true,
+        has_sign: true,
         ..PLAIN
     },
 ];
@@ -240,14 +227,6 @@ fn second_order_precise(a: &[DoubleDouble], f: fn(DoubleDouble) -> Precise) -> P
 
 fn zero_at_zero(a: &[Expr]) -> Option<Expr> {
     first(a).is_zero().then(Expr::zero)
-}
-
-/// Li_s(z) or Cl_s(z).
-fn order_and_argument(letters: &str, a: &[String]) -> String {
-    match a {
-        [s, z] => format!("{letters}_{{{s}}}\\left({z}\\right)"),
-        _ => String::new(),
-    }
 }
 
 /// Upper parameters, lower parameters and argument of `hyper`; the counts must be whole and leave exactly one argument.

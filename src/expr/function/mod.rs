@@ -7,10 +7,12 @@ mod hypergeometric;
 mod precise;
 mod slices;
 mod special;
+mod typeset;
 mod waves;
 
 pub(crate) use forms::elliptic_moment_parts;
 pub use slices::{Growth, SliceLaw};
+pub use typeset::{Font, Letters, Setting, Typeset};
 
 use super::{Expr, Sign};
 use crate::num::{DoubleDouble, Precise, Region};
@@ -26,8 +28,8 @@ pub struct Row {
     pub spellings: &'static [&'static str],
     /// Smallest and largest number of arguments.
     pub arity: (usize, usize),
-    /// How LaTeX sets it.
-    pub latex: Latex,
+    /// How mathematics sets it.
+    pub typeset: Typeset,
     /// The value; NaN outside the domain.
     pub value: fn(&[f64]) -> f64,
     /// Error bound of the value in ulps: twice the measured maximum.
@@ -54,8 +56,8 @@ pub struct Row {
     pub domain: Option<DomainLaw>,
     /// The expression that a reader sees in place of a function which exists only for stable evaluation.
     pub shown: Option<fn(&[Expr]) -> Expr>,
-    /// True where LaTeX has a sign for the function itself, so that only text shows what it equals.
-    pub in_latex: bool,
+    /// True where mathematics has a sign for the function itself, so that only text shows what it equals.
+    pub has_sign: bool,
 }
 
 impl Row {
@@ -79,21 +81,12 @@ pub type FoldLaw = fn(&[Expr]) -> Option<Expr>;
 /// What must be positive for f(arguments) to be real.
 pub type DomainLaw = fn(&[Expr]) -> Vec<Expr>;
 
-/// How a function is set in LaTeX.
-#[derive(Clone, Copy)]
-pub enum Latex {
-    /// An operator name before its argument, e.g. `\sin`.
-    Operator(&'static str),
-    /// Set from its arguments, already set themselves.
-    Custom(fn(&[String]) -> String),
-}
-
 /// What a plain row leaves open; rows are written as changes of this one.
 pub(super) const PLAIN: Row = Row {
     name: "",
     spellings: &[],
     arity: (1, 1),
-    latex: Latex::Operator(""),
+    typeset: typeset::upright(""),
     value: |_| f64::NAN,
     ulps: 1.0,
     precise: None,
@@ -107,7 +100,7 @@ pub(super) const PLAIN: Row = Row {
     sign: None,
     domain: None,
     shown: None,
-    in_latex: false,
+    has_sign: false,
 };
 
 /// A function of the table; compared by name.

@@ -1,14 +1,15 @@
 //! Rows of the special functions that users type or answers show, spelled as in mpmath.
 
 use super::elementary::{binary, first, unary};
-use super::{Latex, PLAIN, Row};
+use super::typeset::{self, Setting};
+use super::{PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
 use crate::num::{Precise, special};
 
 pub(super) static ROWS: &[Row] = &[
     Row {
         name: "gamma",
-        latex: Latex::Operator("\\Gamma"),
+        typeset: typeset::upright("Γ"),
         value: |a| unary(a, libm::tgamma),
         ulps: 10.0,
         precise: Some(|a| match a {
@@ -25,7 +26,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "digamma",
-        latex: Latex::Operator("\\psi"),
+        typeset: typeset::italic("ψ"),
         value: |a| unary(a, special::digamma),
         ulps: 6.0,
         precise: Some(|a| match a {
@@ -39,10 +40,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "polygamma",
         arity: (2, 2),
-        latex: Latex::Custom(|a| match a {
-            [m, z] => format!("\\psi^{{({m})}}\\left({z}\\right)"),
-            _ => String::new(),
-        }),
+        typeset: typeset::italic("ψ").set(Setting::Ordered),
         value: |a| binary(a, special::polygamma),
         ulps: 6.0,
         precise: Some(|a| match a {

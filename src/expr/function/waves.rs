@@ -2,14 +2,15 @@
 
 use super::elementary::{binary, first, negated, odd, region, unary};
 use super::precise::{pair, single};
-use super::{Latex, PLAIN, ROUNDED, Row};
+use super::typeset::{self, Setting};
+use super::{PLAIN, ROUNDED, Row};
 use crate::expr::{Expr, Number, Sign, sign};
 use crate::num::{DoubleDouble, Region, special};
 
 pub(super) static ROWS: &[Row] = &[
     Row {
         name: "erf",
-        latex: Latex::Operator("\\operatorname{erf}"),
+        typeset: typeset::upright("erf"),
         value: |a| unary(a, libm::erf),
         ulps: 2.0,
         precise: Some(|a| single(a, special::erf_precise)),
@@ -21,7 +22,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "erfi",
-        latex: Latex::Operator("\\operatorname{erfi}"),
+        typeset: typeset::upright("erfi"),
         value: |a| unary(a, special::erfi),
         ulps: ROUNDED,
         precise: Some(|a| single(a, special::erfi_precise)),
@@ -33,7 +34,7 @@ pub(super) static ROWS: &[Row] = &[
     // e^(−z²) ∫₀^z e^(t²) dt.
     Row {
         name: "dawson",
-        latex: Latex::Operator("\\operatorname{D}"),
+        typeset: typeset::upright("D"),
         value: |a| unary(a, special::dawson),
         ulps: ROUNDED,
         precise: Some(|a| single(a, special::dawson_precise)),
@@ -45,7 +46,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫₀^z cos(πt²/2) dt.
     Row {
         name: "fresnelc",
-        latex: Latex::Operator("C"),
+        typeset: typeset::italic("C"),
         value: |a| unary(a, special::fresnelc),
         ulps: ROUNDED,
         precise: Some(|a| single(a, special::fresnelc_precise)),
@@ -57,7 +58,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫₀^z sin(πt²/2) dt.
     Row {
         name: "fresnels",
-        latex: Latex::Operator("S"),
+        typeset: typeset::italic("S"),
         value: |a| unary(a, special::fresnels),
         ulps: ROUNDED,
         precise: Some(|a| single(a, special::fresnels_precise)),
@@ -69,7 +70,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "besselj",
         arity: (2, 2),
-        latex: Latex::Custom(|a| order_and_argument("J", a)),
+        typeset: typeset::italic("J").set(Setting::Indexed),
         value: |a| binary(a, special::besselj),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::besselj_precise)),
@@ -82,7 +83,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "besseli",
         arity: (2, 2),
-        latex: Latex::Custom(|a| order_and_argument("I", a)),
+        typeset: typeset::italic("I").set(Setting::Indexed),
         value: |a| binary(a, special::besseli),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::besseli_precise)),
@@ -96,7 +97,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "besseli_scaled",
         arity: (2, 2),
-        latex: Latex::Operator("\\operatorname{form}"),
+        typeset: typeset::upright("form"),
         value: |a| binary(a, special::besseli_scaled),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::besseli_scaled_precise)),
@@ -110,7 +111,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "struveh",
         arity: (2, 2),
-        latex: Latex::Custom(|a| order_and_argument("\\mathbf{H}", a)),
+        typeset: typeset::bold("H").set(Setting::Indexed),
         value: |a| binary(a, special::struveh),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::struveh_precise)),
@@ -122,7 +123,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "struvel",
         arity: (2, 2),
-        latex: Latex::Custom(|a| order_and_argument("\\mathbf{L}", a)),
+        typeset: typeset::bold("L").set(Setting::Indexed),
         value: |a| binary(a, special::struvel),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::struvel_precise)),
@@ -135,7 +136,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "bessel_struve",
         arity: (2, 2),
-        latex: Latex::Operator("\\operatorname{form}"),
+        typeset: typeset::upright("form"),
         value: |a| binary(a, special::bessel_struve),
         ulps: ROUNDED,
         precise: Some(|a| pair(a, special::bessel_struve_precise)),
@@ -161,14 +162,6 @@ fn gaussian(a: &[Expr], sign: i64) -> Expr {
 /// π z²/2.
 fn half_turns(a: &[Expr]) -> Expr {
     Expr::pi() / Expr::integer(2) * first(a).power(2)
-}
-
-/// J_n(z), I_n(z) and their kin.
-fn order_and_argument(letter: &str, a: &[String]) -> String {
-    match a {
-        [n, z] => format!("{letter}_{{{n}}}\\left({z}\\right)"),
-        _ => String::new(),
-    }
 }
 
 /// Positive where the argument is and the order is not negative.
