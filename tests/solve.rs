@@ -127,7 +127,7 @@ fn csv_has_rows_and_points() {
     let text = String::from_utf8(done.stdout).unwrap();
     let (rows, points) = text.split_once("\n\n").unwrap();
     assert_eq!(rows.lines().count(), 11);
-    assert_eq!(points.lines().next(), Some("quantity,d_um,at_um,value,error,unit"));
+    assert_eq!(points.lines().next(), Some("quantity,d_um,at_um,value,error,unit,bound"));
     assert_eq!(points.lines().count(), 1 + 2 * 5 + 2 * 10 * 5);
     let alone = EXAMPLE.replace("\"F\", \"a\", \"k\", \"p_mean\", \"U\", ", "");
     let done = run_in(Path::new("."), &alone, &["solve", "-", "--csv"]);
