@@ -1,0 +1,194 @@
+"""Attacks the program with generated profiles: python3 attack.py PROGRAM typed|hidden FIRST COUNT [--out FILE] [--no-formulas] [--table CSV].
+
+Every number of g, d, F and p at three places is compared with an enclosure of the true value; printed formulas are evaluated by mpmath.
+Faults are written as JSON lines; the summary is printed at the end and every 200 profiles.
+"""
+import argparse
+import json
+import random
+import resource
+import subprocess
+import sys
+import time
+from collections import Counter
+import flint
+import formulas
+import mpmath
+import shapes
+from truth import NoTruth, Truth, acb, arb
+
+
+def run(command, limit=12):
+    """Runs a command that may take `limit` seconds of processor time."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    try:
+        lid = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
+        done = subprocess.run(command, capture_output=True, text=True, timeout=30 * limit, preexec_fn=lid)
+        code, out, err = done.returncode, done.stdout, done.stderr
+        if code in (-24, -9):
+            code, err = None, "hang"
+    except subprocess.TimeoutExpired:
+        code, out, err = None, "", "hang"
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return code, out, err, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+class Attack:
+    def __init__(self, program, out):
+        self.program, self.out, self.count, self.slowest = program, out, Counter(), (0.0, None)
+        self.refusals, self.table, self.start = Counter(), None, time.time()
+
+    def report(self, kind, seed, profile, **more):
+        self.count[kind] += 1
+        self.out.write(json.dumps({"kind": kind, "seed": seed, "profile": profile.text, "set": profile.values, **more}) + "\n")
+        self.out.flush()
+
+    def call(self, seed, profile, command):
+        code, out, err, seconds = run(command)
+        shown = " ".join(f"'{part}'" if set(part) & set("()^* ") else part for part in ["sneddon", *command[1:]])
+        if seconds > self.slowest[0]:
+            self.slowest = (seconds, shown)
+        if code is None or seconds > 5:
+            self.report("slow", seed, profile, command=shown, seconds=seconds)
+        if code not in (None, 0, 1, 2) or "panicked" in err:
+            self.report("crash", seed, profile, command=shown, code=code, stderr=err[:400])
+        return code, out, err, shown
+
+    def profile(self, seed, profile, printed):
+        self.count["profiles"] += 1
+        bits = 700 if profile.removable else 240 if profile.marks else 140
+        try:
+            truth = Truth(profile.tree, profile.values, profile.end, profile.marks, profile.singular, bits)
+            places = profile.places
+            values = {("g", x): truth.g(x) for x in places}
+            values.update({("F", x): truth.force(x) for x in places})
+            for x in places:
+                values["d", x] = values["g", x]
+            a, chance = max(places), random.Random(seed)
+            radii = sorted(a * chance.uniform(0.02, 0.98) for _ in places)
+            if getattr(profile, "feature", None) and profile.places[0] < a:
+                radii[0] = profile.places[0]
+            for r in radii:
+                values["p", r] = truth.pressure(r, a)
+            deeper = lambda key: self.again(profile, bits, key, a)
+        except (NoTruth, ZeroDivisionError, ValueError, OverflowError, IndexError) as error:
+            self.count["without a reference"] += 1
+            return
+        sets = [part for name, value in profile.values.items() for part in ("--set", f"{name}={value!r}")]
+        for quantity in "gdFp":
+            at = radii if quantity == "p" else places
+            command = [self.program, "eval", profile.text, "--quantity", quantity, "--at", ",".join(map(repr, at)), "--json", *sets]
+            if quantity == "p":
+                command += ["--radius", repr(a)]
+            code, out, err, shown = self.call(seed, profile, command)
+            if code != 0 and not out.strip():
+                self.count["refused calls"] += 1
+                self.refusals[err.strip().split("\n")[0][:90]] += 1
+                if self.refusals.total() < 400:
+                    self.out.write(json.dumps({"kind": "refused", "seed": seed, "command": shown, "why": err.strip()[:300]}) + "\n")
+                continue
+            for point in json.loads(out)["points"]:
+                self.number(seed, profile, quantity, point, values[quantity, point["at"]], deeper, shown)
+        if printed:
+            self.printed(seed, profile, truth, values, a, sets)
+
+    def again(self, profile, bits, key, a):
+        """The value once more, with twice the digits and other panels."""
+        truth = Truth(profile.tree, profile.values, profile.end, profile.marks + [profile.end * 0.37], profile.singular, 2 * bits)
+        quantity, at = key
+        return truth.pressure(at, a) if quantity == "p" else truth.force(at) if quantity == "F" else truth.g(at)
+
+    def number(self, seed, profile, quantity, point, true, deeper, shown):
+        if point.get("value") is None:
+            self.count["null"] += 1
+            self.out.write(json.dumps({"kind": "null", "seed": seed, "at": point["at"], "command": shown, "why": point.get("why")}) + "\n")
+            return
+        self.count["numbers"] += 1
+        self.count[point.get("bound", "bound not told")] += 1
+        value, bound = arb(point["value"]), arb(point["error_estimate"])
+        if not abs(value - true) <= bound:
+            try:
+                true = deeper((quantity, point["at"]))
+            except NoTruth:
+                self.count["without a reference"] += 1
+                return
+            error = abs(value - true)
+            if error > bound:
+                wrong = error > abs(true) * arb("1e-9")
+                self.report("wrong" if wrong else "beyond bound", seed, profile, quantity=quantity, at=point["at"], printed=point["value"],
+                            bound=point["error_estimate"], says=point.get("bound"), truth=true.mid().str(30, radius=False), method=point.get("method"), command=shown)
+            elif not error <= bound:
+                self.count["undecided"] += 1
+        if not bound <= abs(true) * arb("1e-6") + arb("1e-300"):
+            self.count["bound above 1e-6"] += 1
+        if self.table is not None:
+            radius = shown.split("--radius ")[1].split()[0] if quantity == "p" else ""
+            sets = " ".join(f"{k}={v!r}" for k, v in profile.values.items())
+            self.table.write(f"{profile.text};{sets};{quantity};{radius};{point['at']!r};{true.mid().str(30, radius=False)}\n")
+
+    def printed(self, seed, profile, truth, values, a, sets):
+        code, out, err, shown = self.call(seed, profile, [self.program, "derive", profile.text, "--json"])
+        if not out.strip():
+            code, out, err, shown = self.call(seed, profile, [self.program, "derive", profile.text, "--json", *sets])
+        if not out.strip():
+            self.count["refused derivations"] += 1
+            self.out.write(json.dumps({"kind": "refused", "seed": seed, "command": shown, "why": err.strip()[:300]}) + "\n")
+            return
+        record = json.loads(out)
+        check = record.get("check") or {}
+        if check.get("passed") is False or code == 1:
+            self.report("failed check", seed, profile, command=shown, check=check)
+        self.count["check " + str(check.get("verdict", check.get("passed")))] += 1
+        for quantity in "gFp":
+            if record[quantity]["status"] != "exact" and (quantity != "g" or seed % 8):
+                continue
+            for (name, at), true in values.items():
+                if name != quantity:
+                    continue
+                scope = {**profile.values, "E": 1.0, "x": at, "a": a if name == "p" else at, "r": at}
+                try:
+                    found = formulas.number(record[quantity]["text"], scope)
+                except (formulas.NoNumber, ZeroDivisionError, ValueError, TypeError, mpmath.libmp.libhyper.NoConvergence, AttributeError, SyntaxError) as error:
+                    self.count["formulas not read"] += 1
+                    self.out.write(json.dumps({"kind": "not read", "seed": seed, "command": shown, "text": record[quantity]["text"], "why": f"{error}"[:100]}) + "\n")
+                    continue
+                self.count["formulas"] += 1
+                reference = mpmath.mpf(true.mid().str(30, radius=False))
+                loose = 1e-17 if "integral(" in record[quantity]["text"] else 1e-22
+                if not abs(found - reference) <= 1e-13 * abs(reference) + loose:
+                    self.report("wrong formula", seed, profile, quantity=quantity, at=at, radius=a, text=record[quantity]["text"],
+                                gives=mpmath.nstr(found, 20), truth=mpmath.nstr(reference, 20), command=shown)
+
+    def summary(self, mode, first, count):
+        count = dict(sorted(self.count.items()))
+        proven, told = count.get("proven", 0), count.get("proven", 0) + count.get("estimated", 0)
+        share = f"{100 * proven / told:.3f} %" if told else "not told"
+        print(f"{mode} {first}+{self.count['profiles']}: {count}; proven {share}; slowest call {self.slowest[0]:.2f} s: {self.slowest[1]}; {time.time() - self.start:.0f} s", flush=True)
+        for why, times in self.refusals.most_common(8):
+            print(f"    refused {times}: {why}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("mode", choices=["typed", "hidden"])
+    parser.add_argument("first", type=int)
+    parser.add_argument("count", type=int)
+    parser.add_argument("--out", default="/dev/null")
+    parser.add_argument("--no-formulas", action="store_true")
+    parser.add_argument("--table")
+    own = parser.parse_args()
+    with open(own.out, "w") as out:
+        attack = Attack(own.program, out)
+        if own.table:
+            attack.table = open(own.table, "w")
+        for seed in range(own.first, own.first + own.count):
+            profile = getattr(shapes, own.mode)(seed)
+            attack.profile(seed, profile, own.mode == "typed" and not own.no_formulas)
+            if attack.count["profiles"] % 200 == 0:
+                attack.summary(own.mode, own.first, own.count)
+        attack.summary(own.mode, own.first, own.count)
+
+
+if __name__ == "__main__":
+    main()
