@@ -341,7 +341,7 @@ class Speller:
         if kind == "bessel":
             inner = self.write(tree[3])[0]
             letter = tree[1].upper()
-            if tree[2] < 3 and chance < 0.5:
+            if tree[2] < 2 and chance < 0.5:
                 return f"{letter}{tree[2]}({inner})", 5
             return f"bessel{tree[1]}({tree[2]},{self.spaces}{inner})", 5
         if kind == "abs":
