@@ -344,8 +344,8 @@ fn compare_answers_by_the_agreed_keys_and_fails_with_exit_code_one() {
 
 #[test]
 fn rules_are_listed() {
-    let list = json(&["rules", "--json"]);
-    let list = list.as_array().unwrap();
+    let document = json(&["rules", "--json"]);
+    let list = document["rules"].as_array().unwrap();
     assert!(list.iter().any(|rule| rule["id"] == "heß-power"));
     for rule in list {
         for key in ["id", "name", "title", "pattern", "guard"] {

@@ -290,7 +290,7 @@ fn files_appear_whole_or_not_at_all() {
     assert_eq!(fs::read_to_string(place.join("out.json")).unwrap(), "old");
     let done = run_in(&place, EXAMPLE, &["solve", "-", "--json", "-o", "out.json"]);
     assert!(done.status.success());
-    assert!(fs::read_to_string(place.join("out.json")).unwrap().starts_with("{\"units\""));
+    assert!(fs::read_to_string(place.join("out.json")).unwrap().starts_with("{\"schema\":\"sneddon/solve/1\",\"units\""));
     assert_eq!(fs::read_dir(&place).unwrap().count(), 1);
     assert_eq!(run_in(&place, EXAMPLE, &["solve", "-", "-o", "no/such/place"]).status.code(), Some(2));
 }

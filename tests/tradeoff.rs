@@ -143,7 +143,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         (&["r^2", "--tol", "0"], "not positive"),
         (&["r^2", "--json", "--csv"], "cannot be used with"),
         (&["r^2", "--at", "0"], "no reference value"),
-        (&["r^2", "-o", "plot.png"], ".svg would be accepted"),
+        (&["r^2", "-o", "plot.png"], ".svg, .txt"),
         (&["r^2", "-o", nowhere.to_str().unwrap()], "no directory"),
     ];
     for (arguments, part) in cases {

@@ -1,9 +1,11 @@
 //! `sneddon compare`: closed forms against quadrature.
 
-use super::{Failure, Outcome, input, output};
+use super::output::{Destination, Endings};
+use super::{Failure, Outcome, input};
 use crate::contact::{self, ContactError, Setting};
 use crate::report::{self, Compared};
 use crate::transform::{self, TransformError};
+use std::path::PathBuf;
 
 /// Compares the closed forms with quadrature of the profile as typed, at 64 points per quantity.
 ///
@@ -29,13 +31,25 @@ pub(super) struct Arguments {
     /// Writes JSON.
     #[arg(long)]
     json: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt or .json.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "Examples:
   sneddon compare 'R-sqrt(R^2-r^2)'
   sneddon compare 'piecewise(0, r<b, (r^2-b^2)/(2*R))' --set R=2 --set b=0.6 --tol 1e-9 --json";
 
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Json,
+}
+
+const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("json", Format::Json)];
+
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let answer = Destination::choose(arguments.output.as_deref(), arguments.json.then_some(Format::Json), Format::Text, ENDINGS)?;
     let setting = Setting {
         radius: arguments.radius.as_deref().map(|text| input::positive("--radius", text)).transpose()?,
         depth: arguments.depth.as_deref().map(|text| input::constant("--depth", text).map(|(_, value)| value)).transpose()?,
@@ -51,9 +65,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
     let comparisons = contact::compare(&solution, &setting).map_err(failed)?;
     let record = Compared { profile: &typed.formula, comparisons: &comparisons };
-    output::print(|out| match arguments.json {
-        true => report::json::comparison(&record, out),
-        false => report::text::comparison(&record, out),
+    answer.write(|format, out| match format {
+        Format::Json => report::json::comparison(&record, out),
+        Format::Text => report::text::comparison(&record, out),
     })?;
     Ok(if comparisons.iter().all(|own| own.passed) { Outcome::Done } else { Outcome::Failed })
 }

@@ -1,11 +1,13 @@
 //! `sneddon derive`: the formulas of a profile.
 
 use super::failure::warn;
-use super::{Failure, Outcome, input, output};
+use super::output::{Destination, Endings};
+use super::{Failure, Outcome, input};
 use crate::contact::{ContactError, Edge, relations};
 use crate::report::{self, Derivation};
 use crate::transform;
 use clap::ValueEnum;
+use std::path::PathBuf;
 
 /// Derives g, d, F, p, k and, where they are explicit, a(d) and F(d) as formulas.
 #[derive(clap::Args)]
@@ -20,12 +22,15 @@ pub(super) struct Arguments {
     /// A punch with a rim at the contact radius, at this depth: a number, or the symbol d.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
-    /// How the answer is written.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    /// How the answer is written [default: text].
+    #[arg(long, value_enum)]
+    format: Option<Format>,
     /// The same as --format json.
     #[arg(long, conflicts_with = "format")]
     json: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex or .json.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -33,7 +38,7 @@ const EXAMPLES: &str = "Examples:
   sneddon derive '-h*r^2/c^2' --depth d --format latex
   echo 'R-sqrt(R^2-r^2)' | sneddon derive - --set R=2 --json";
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Format {
     Text,
     Unicode,
@@ -44,7 +49,11 @@ enum Format {
     Json,
 }
 
+const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("tex", Format::Latex), ("json", Format::Json)];
+
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.format.or(arguments.json.then_some(Format::Json));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let edge = arguments.depth.as_deref().map(input::depth).transpose()?.map_or(Edge::Smooth, Edge::Rim);
     let typed = input::profile(&arguments.profile)?;
     let settings = input::Settings::read(&arguments.set, &typed)?;
@@ -54,8 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let relations = relations(&solution, &edge).map_err(failed)?;
     let check = transform::check(&solution).map_err(|error| error.to_string());
     let record = Derivation { profile: &profile, edge: &edge, relations: &relations, check };
-    output::print(|out| match arguments.format {
-        _ if arguments.json => report::json::derivation(&record, out),
+    answer.write(|format, out| match format {
         Format::Json => report::json::derivation(&record, out),
         Format::Latex => report::latex::derivation(&record, out),
         Format::Markdown => report::markdown::derivation(&record, out),

@@ -1,13 +1,15 @@
 //! `sneddon eval`: the numbers of one quantity.
 
 use super::failure::warn;
-use super::{Failure, Outcome, curve, input, output, points, series};
+use super::output::{Destination, Endings};
+use super::{Failure, Outcome, curve, input, points, series};
 use crate::contact::{self, Contact, ContactError, Explicit, Measured};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
 use crate::report::{self, Evaluation, Shift};
 use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError};
 use clap::ValueEnum;
+use std::path::PathBuf;
 
 /// Computes numbers, each with a bound of its error.
 ///
@@ -47,8 +49,14 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     tol: Option<String>,
     /// Writes JSON.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "csv")]
     json: bool,
+    /// Writes comma-separated values.
+    #[arg(long)]
+    csv: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv or .json.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -110,7 +118,18 @@ enum Way {
     Curve,
 }
 
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Csv,
+    Json,
+}
+
+const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
+
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let quantity = arguments.quantity;
     let at = points::read(&arguments.at)?;
     let radius = arguments.radius.as_deref().map(|text| input::positive("--radius", text)).transpose()?;
@@ -175,9 +194,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         at,
         readings,
     };
-    output::print(|out| match arguments.json {
-        true => report::json::evaluation(&record, out),
-        false => report::text::evaluation(&record, out),
+    answer.write(|format, out| match format {
+        Format::Json => report::json::evaluation(&record, out),
+        Format::Csv => report::text::evaluation_as_csv(&record, out),
+        Format::Text => report::text::evaluation(&record, out),
     })?;
     Ok(Outcome::Done)
 }

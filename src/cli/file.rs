@@ -11,28 +11,6 @@ pub(super) struct Target {
 }
 
 impl Target {
-    /// A file for a plot.
-    pub(super) fn svg(path: &Path) -> Result<Self, Failure> {
-        let fits = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"));
-        if !fits {
-            return Err(
-                Failure::new(format!("-o {}: the plot is an SVG file", path.display())).help("a name that ends in .svg would be accepted")
-            );
-        }
-        Self::new(path)
-    }
-
-    /// A file for a page.
-    pub(super) fn html(path: &Path) -> Result<Self, Failure> {
-        let fits = path.extension().is_some_and(|own| own.eq_ignore_ascii_case("html") || own.eq_ignore_ascii_case("htm"));
-        if !fits {
-            return Err(
-                Failure::new(format!("-o {}: the report is a page", path.display())).help("a name that ends in .html would be accepted")
-            );
-        }
-        Self::new(path)
-    }
-
     /// Any file whose directory exists.
     pub(super) fn new(path: &Path) -> Result<Self, Failure> {
         let own = Self { path: path.to_owned() };
@@ -53,12 +31,9 @@ impl Target {
         }
     }
 
-    /// Writes the whole beside the file and puts it in its place at once, so that a reader never sees a part of it.
-    pub(super) fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
-        self.fill(&mut |out| out.write_all(bytes))
-    }
-
-    /// The same piece by piece; what was written is gone where it ends early, be it by an error or by Ctrl-C.
+    /// Writes beside the file and puts the whole in its place at once, so that a reader never sees a part of it.
+    ///
+    /// What was written is gone where it ends early, be it by an error or by a signal.
     pub(super) fn fill(&self, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
         self.replace(write).map_err(|error| Failure::new(format!("-o {} cannot be written: {error}", self.path.display())))
     }

@@ -1,12 +1,14 @@
 //! `sneddon invert`: the profile that has a given equivalent profile, or that presses with a given pressure.
 
 use super::failure::warn;
-use super::{Failure, Outcome, input, output, points};
+use super::output::{Destination, Endings};
+use super::{Failure, Outcome, input, points};
 use crate::expr::{Bindings, Expr, Formula};
 use crate::report::{Inversion, Wanted, inversion};
 use crate::transform::{self, Inverse, InverseNumbers, Method, TransformError};
 use crate::{parse, print};
 use clap::ValueEnum;
+use std::path::PathBuf;
 
 /// Finds f(r) from g(x), or from a wanted pressure p(r).
 ///
@@ -26,12 +28,15 @@ pub(super) struct Arguments {
     /// Radii at which f is computed: 0.1,0.5 or start:stop:count or log:start:stop:count.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: Option<String>,
-    /// How the answer is written.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    /// How the answer is written [default: text].
+    #[arg(long, value_enum)]
+    format: Option<Format>,
     /// The same as --format json.
     #[arg(long, conflicts_with = "format")]
     json: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex or .json.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -43,14 +48,18 @@ const EXAMPLES: &str = "Examples:
 /// The relative tolerance of numbers.
 const TOLERANCE: f64 = 1e-13;
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Format {
     Text,
     Latex,
     Json,
 }
 
+const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("tex", Format::Latex), ("json", Format::Json)];
+
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.format.or(arguments.json.then_some(Format::Json));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let at = arguments.at.as_deref().map(points::read).transpose()?.unwrap_or_default();
     let asked = Asked::read(arguments)?;
     let settings = input::Settings::read(&arguments.set, &asked.typed)?;
@@ -80,8 +89,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         at,
         readings,
     };
-    output::print(|out| match arguments.format {
-        _ if arguments.json => inversion::json(&record, out),
+    answer.write(|format, out| match format {
         Format::Json => inversion::json(&record, out),
         Format::Latex => inversion::latex(&record, out),
         Format::Text => inversion::text(&record, out),

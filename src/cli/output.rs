@@ -1,14 +1,103 @@
-//! Answers on stdout: buffered, and quiet when the reader has gone.
+//! Where an answer goes, and in which format: stdout or a file whose ending decides.
 
 use super::Failure;
+use super::file::Target;
 use std::io::{self, BufWriter, Write};
+use std::path::Path;
 
-/// Writes the answer; a closed pipe means that the reader has enough.
+/// Writes the answer to stdout; a closed pipe means that the reader has enough.
 pub(super) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
     let mut out = BufWriter::new(io::stdout().lock());
     match write(&mut out).and_then(|()| out.flush()) {
         Ok(()) => Ok(()),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         Err(error) => Err(Failure::new(format!("the answer cannot be written: {error}"))),
+    }
+}
+
+/// The endings of file names that a command knows, each with its format.
+pub(super) type Endings<F> = [(&'static str, F)];
+
+/// The place and the format of an answer.
+pub(super) struct Destination<F> {
+    format: F,
+    target: Option<Target>,
+}
+
+impl<F: Copy + PartialEq> Destination<F> {
+    /// Chooses the format: the ending of `file` decides, else the flag, else what is usual.
+    ///
+    /// `-` is stdout. A pipe or a device has no ending and takes what the flag says.
+    ///
+    /// # Errors
+    /// [`Failure`] for an ending that the command does not know, for one that contradicts the flag, and for a file that
+    /// cannot be written.
+    pub(super) fn choose(file: Option<&Path>, flag: Option<F>, usual: F, endings: &Endings<F>) -> Result<Self, Failure> {
+        let Some(path) = file.filter(|path| path.as_os_str() != "-") else {
+            return Ok(Self { format: flag.unwrap_or(usual), target: None });
+        };
+        let shown = path.display();
+        let special = path.metadata().is_ok_and(|own| !own.is_file() && !own.is_dir());
+        let format = match (ending(path, endings), flag) {
+            (Some(format), Some(flag)) if format != flag => {
+                return Err(Failure::new(format!("-o {shown}: the ending of the name asks for another format than the options"))
+                    .help(format!("leave out the option for the format, or choose a name that fits it: {}", listed(endings))));
+            }
+            (Some(format), _) => format,
+            (None, flag) if special => flag.unwrap_or(usual),
+            (None, _) => return Err(unknown(path, endings)),
+        };
+        Ok(Self { format, target: Some(Target::new(path)?) })
+    }
+
+    /// The same where one ending, that of a picture or a page, stands beside the answer on stdout: the flag is about the answer then.
+    ///
+    /// # Errors
+    /// As [`Self::choose`].
+    pub(super) fn beside(file: Option<&Path>, flag: Option<F>, usual: F, endings: &Endings<F>, picture: F) -> Result<Self, Failure> {
+        let is_picture = file.and_then(|path| ending(path, endings)).is_some_and(|own| own == picture);
+        Self::choose(file, flag.filter(|_| !is_picture), usual, endings)
+    }
+
+    /// The format.
+    pub(super) fn format(&self) -> F {
+        self.format
+    }
+
+    /// True where the answer goes to stdout.
+    pub(super) fn is_stdout(&self) -> bool {
+        self.target.is_none()
+    }
+
+    /// Writes the answer; a file appears when it is complete.
+    pub(super) fn write(&self, mut write: impl FnMut(F, &mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+        let mut formatted = |out: &mut dyn Write| write(self.format, out);
+        match &self.target {
+            Some(target) => target.fill(&mut formatted),
+            None => print(formatted),
+        }
+    }
+}
+
+/// The format that the ending of a name stands for.
+fn ending<F: Copy>(path: &Path, endings: &Endings<F>) -> Option<F> {
+    let own = path.extension()?.to_str()?;
+    endings.iter().find(|(known, _)| known.eq_ignore_ascii_case(own)).map(|(_, format)| *format)
+}
+
+fn unknown<F>(path: &Path, endings: &Endings<F>) -> Failure {
+    let shown = path.display();
+    let message = match path.extension() {
+        Some(own) => format!("-o {shown}: this command writes no .{} files", own.to_string_lossy()),
+        None => format!("-o {shown}: the name has no ending that tells the format"),
+    };
+    Failure::new(message).help(format!("a name that ends in {} is accepted; - is stdout", listed(endings)))
+}
+
+fn listed<F>(endings: &Endings<F>) -> String {
+    let names: Vec<String> = endings.iter().map(|(name, _)| format!(".{name}")).collect();
+    match names.as_slice() {
+        [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+        _ => names.concat(),
     }
 }

@@ -1,14 +1,13 @@
 //! `sneddon reference`: exact data on a solver's grid.
 
 use super::failure::warn;
-use super::file::Target;
+use super::output::{Destination, Endings};
 use super::progress::Progress;
 use super::solve::{failure, read};
-use super::{Failure, Outcome, output, tip};
+use super::{Failure, Outcome, tip};
 use crate::report::Reference;
 use crate::scene::{self, Curve, Grid, Run, SceneError};
-use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Exact pressure, displacement and shape on the grid of a solver, each value with its error bound.
 ///
@@ -34,7 +33,7 @@ pub(super) struct Arguments {
     /// Writes JSON to stdout.
     #[arg(long)]
     json: bool,
-    /// Writes into this file: .csv, .json or .npy, a NumPy array.
+    /// Writes into this file instead of stdout; its ending decides the format: .csv, .json or .npy, a NumPy array.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -46,32 +45,18 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 done, 1 a load has no valid contact, 2 bad input (the reason is on stderr).";
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Format {
     Csv,
     Json,
     Npy,
 }
 
-impl Format {
-    fn of(path: &Path) -> Result<Self, Failure> {
-        let extension = path.extension().map(|own| own.to_string_lossy().to_lowercase()).unwrap_or_default();
-        match extension.as_str() {
-            "csv" => Ok(Self::Csv),
-            "json" => Ok(Self::Json),
-            "npy" => Ok(Self::Npy),
-            _ => Err(Failure::new(format!("-o {}: the name says no format", path.display()))
-                .help("a name that ends in .csv, .json or .npy would be accepted")),
-        }
-    }
-}
+const ENDINGS: &Endings<Format> = &[("csv", Format::Csv), ("json", Format::Json), ("npy", Format::Npy)];
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let format = match &arguments.output {
-        Some(path) => Format::of(path)?,
-        None if arguments.json => Format::Json,
-        None => Format::Csv,
-    };
+    let flag = arguments.json.then_some(Format::Json);
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Csv, ENDINGS)?;
     let text = read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let failed = |error: SceneError| failure(&name, &text, &error);
@@ -98,25 +83,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
-    let target = arguments.output.as_deref().map(Target::new).transpose()?;
     let run = Run::new(&scene, &solution).map_err(failed)?;
     let steps = scene.loads.len() as u64 * (1 + curves.len() as u64 * grid.distinct() as u64);
-    let progress = Progress::new(steps, target.is_none());
+    let progress = Progress::new(steps, answer.is_stdout());
     let run = run.watched(|| progress.step());
     let reference = Reference { run: &run, grid: &grid, curves: &curves, cells };
     let mut missing = 0;
-    let mut write = |out: &mut dyn Write| -> io::Result<()> {
+    answer.write(|format, out| {
         missing = match format {
             Format::Csv => reference.csv(out)?,
             Format::Json => reference.json(out)?,
             Format::Npy => reference.npy(out)?,
         };
         Ok(())
-    };
-    match &target {
-        Some(target) => target.fill(&mut write)?,
-        None => output::print(&mut write)?,
-    }
+    })?;
     drop(run);
     drop(progress);
     if missing == 0 {

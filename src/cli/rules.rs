@@ -1,30 +1,37 @@
 //! `sneddon rules`: the catalogue of exact solutions.
 
-use super::{Failure, Outcome, output};
+use super::output::{Destination, Endings};
+use super::{Failure, Outcome};
 use crate::parse;
 use crate::report::{self, Statement};
 use crate::transform::Rule;
 use crate::transform::rules::RULES;
 use clap::ValueEnum;
+use std::path::PathBuf;
 
 /// Lists the exact solutions that the program knows, with their sources.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// How the catalogue is written.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    /// How the catalogue is written [default: text].
+    #[arg(long, value_enum)]
+    format: Option<Format>,
     /// The same as --format json.
     #[arg(long, conflicts_with = "format")]
     json: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .md or .json.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Format {
     Text,
     Json,
     Markdown,
 }
+
+const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("md", Format::Markdown), ("json", Format::Json)];
 
 const EXAMPLES: &str = "Examples:
   sneddon rules
@@ -32,12 +39,13 @@ const EXAMPLES: &str = "Examples:
   sneddon rules --format markdown";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let statements = match arguments.format {
+    let flag = arguments.format.or(arguments.json.then_some(Format::Json));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let statements = match answer.format() {
         Format::Markdown => RULES.iter().map(|rule| statement(rule)).collect::<Result<Vec<_>, _>>()?,
         Format::Text | Format::Json => Vec::new(),
     };
-    output::print(|out| match arguments.format {
-        _ if arguments.json => report::json::rules(RULES, out),
+    answer.write(|format, out| match format {
         Format::Json => report::json::rules(RULES, out),
         Format::Text => report::text::rules(RULES, out),
         Format::Markdown => report::markdown::rules(&statements, out),

@@ -1,13 +1,13 @@
 //! `sneddon solve`: from a scene file to every quantity that it asks for.
 
 use super::failure::warn;
-use super::file::Target;
+use super::output::{Destination, Endings};
 use super::progress::Progress;
-use super::{Failure, Outcome, output, tip};
-use crate::report::{Verdict, solved_json, solved_text};
+use super::{Failure, Outcome, tip};
+use crate::report::{Verdict, solved_json, solved_npz, solved_text};
 use crate::scene::{self, Run, SceneError};
 use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// Solves a contact scene: loads in, depth, force, contact radius and curves out.
@@ -25,7 +25,7 @@ pub(super) struct Arguments {
     /// Writes CSV: the rows, then behind an empty line the points of curves; the points alone where nothing else is asked for.
     #[arg(long, conflicts_with = "json")]
     csv: bool,
-    /// Writes into this file instead of stdout; it appears when it is complete.
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv, .json or .npz.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Shows the numbers of invalid rows beside what is wrong with them.
@@ -39,11 +39,23 @@ pub(super) struct Arguments {
 const EXAMPLES: &str = "Examples:
   sneddon scene new sphere > sphere.toml
   sneddon solve sphere.toml
-  sneddon solve sphere.toml --json -o sphere.json
+  sneddon solve sphere.toml -o sphere.json
 
 Exit codes: 0 done, 1 a row is not valid, 2 bad input (the reason is on stderr).";
 
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Csv,
+    Json,
+    Npz,
+}
+
+const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json), ("npz", Format::Npz)];
+
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let text = read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let failed = |error: SceneError| failure(&name, &text, &error);
@@ -53,23 +65,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
-    let target = arguments.output.as_deref().map(Target::new).transpose()?;
     let run = Run::new(&scene, &solution).map_err(failed)?;
-    let progress = Progress::new(run.steps(), target.is_none());
+    let progress = Progress::new(run.steps(), answer.is_stdout());
     let run = run.watched(|| progress.step());
     let mut verdict = Verdict::default();
-    let mut write = |out: &mut dyn Write| -> io::Result<()> {
-        verdict = match (arguments.json, arguments.csv) {
-            (true, _) => solved_json::solved(&run, arguments.force, out)?,
-            (_, true) => solved_text::csv(&run, arguments.force, out)?,
-            _ => solved_text::table(&run, arguments.force, out)?,
+    answer.write(|format, out| {
+        verdict = match format {
+            Format::Json => solved_json::solved(&run, arguments.force, out)?,
+            Format::Csv => solved_text::csv(&run, arguments.force, out)?,
+            Format::Npz => solved_npz::npz(&run, arguments.force, out)?,
+            Format::Text => solved_text::table(&run, arguments.force, out)?,
         };
         Ok(())
-    };
-    match &target {
-        Some(target) => target.fill(&mut write)?,
-        None => output::print(&mut write)?,
-    }
+    })?;
     drop(run);
     drop(progress);
     if verdict.is_valid() {

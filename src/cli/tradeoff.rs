@@ -1,12 +1,14 @@
 //! `sneddon tradeoff`: what accuracy costs, method by method.
 
-use super::{Failure, Outcome, file, input, output, points};
+use super::output::{self, Destination, Endings};
+use super::{Failure, Outcome, input, points};
 use crate::contact::ContactError;
 use crate::expr::Bindings;
 use crate::report::{self, Tradeoff};
 use crate::tradeoff::{self, Options, Problem, TradeoffError};
 use crate::transform::{self, Evaluator, Method, TransformError};
 use clap::ValueEnum;
+use std::io::Write;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -43,7 +45,7 @@ pub(super) struct Arguments {
     /// Writes comma-separated values.
     #[arg(long)]
     csv: bool,
-    /// Draws the plot into this file, which ends in .svg.
+    /// Writes into this file; its ending decides the format: .svg, the plot beside the answer on stdout, or .txt, .csv or .json.
     #[arg(short, long, value_name = "PLOT.svg")]
     output: Option<PathBuf>,
 }
@@ -55,6 +57,16 @@ const EXAMPLES: &str = "Examples:
 
 /// The longest budget in seconds.
 const LONGEST: f64 = 86_400.0;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Csv,
+    Json,
+    Svg,
+}
+
+const ENDINGS: &Endings<Format> = &[("svg", Format::Svg), ("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Quantity {
@@ -78,7 +90,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let wanted = arguments.tol.as_deref().map(input::tolerance).transpose()?;
     let budget = budget(&arguments.budget)?;
-    let file = arguments.output.as_deref().map(file::Target::svg).transpose()?;
+    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
+    let answer = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Svg)?;
     let typed = input::profile(&arguments.profile)?;
     let settings = input::Settings::read(&arguments.set, &typed)?;
     settings.demand_all(&typed)?;
@@ -100,15 +113,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         other => Failure::new(other.to_string()),
     })?;
     let record = Tradeoff { profile: &typed.formula, parameters: settings.values(), study: &study };
-    if let Some(file) = file {
-        let plot = report::tradeoff::plot::svg(&record).map_err(Failure::new)?;
-        file.write(plot.as_bytes())?;
+    let has_plot = answer.format() == Format::Svg;
+    let plot = if has_plot { report::tradeoff::plot::svg(&record).map_err(Failure::new)? } else { String::new() };
+    let mut write = |format, out: &mut dyn Write| match format {
+        Format::Svg => out.write_all(plot.as_bytes()),
+        Format::Json => report::tradeoff::json::tradeoff(&record, out),
+        Format::Csv => report::tradeoff::csv::tradeoff(&record, out),
+        Format::Text => report::tradeoff::text::tradeoff(&record, out),
+    };
+    answer.write(&mut write)?;
+    if has_plot {
+        output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
     }
-    output::print(|out| match (arguments.json, arguments.csv) {
-        (true, _) => report::tradeoff::json::tradeoff(&record, out),
-        (_, true) => report::tradeoff::csv::tradeoff(&record, out),
-        _ => report::tradeoff::text::tradeoff(&record, out),
-    })?;
     Ok(Outcome::Done)
 }
 

@@ -1,7 +1,7 @@
 //! `sneddon validate`: a solver's data beside the exact solution.
 
-use super::file::Target;
-use super::{Failure, Outcome, output};
+use super::output::{self, Destination, Endings};
+use super::{Failure, Outcome};
 use crate::report::validation::{html, json, text as screen};
 use crate::scene::{Change, SceneError, scene_for_data};
 use crate::validate::{Request, Source, ValidationError, validate};
@@ -31,7 +31,7 @@ pub(super) struct Arguments {
     /// Writes JSON.
     #[arg(long)]
     json: bool,
-    /// Writes a page with plots into this file as well.
+    /// Writes into this file; its ending decides the format: .html, a page with plots beside the answer on stdout, or .txt or .json.
     #[arg(short, long, value_name = "REPORT.html")]
     output: Option<PathBuf>,
 }
@@ -43,6 +43,15 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 passed, 1 failed, 2 bad input (the reason is on stderr).";
 
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Json,
+    Html,
+}
+
+const ENDINGS: &Endings<Format> = &[("html", Format::Html), ("htm", Format::Html), ("txt", Format::Text), ("json", Format::Json)];
+
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(tolerance) = arguments.tol
         && !(tolerance > 0.0 && tolerance.is_finite())
@@ -52,7 +61,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(bad) = arguments.grid.iter().find(|own| !(**own >= 1.0 && own.is_finite())) {
         return Err(Failure::new(format!("--grid has {bad}")).help("numbers of pixels such as 64,128,256 would be accepted"));
     }
-    let target = arguments.output.as_deref().map(Target::html).transpose()?;
+    let flag = arguments.json.then_some(Format::Json);
+    let report = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Html)?;
     let text = super::solve::read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let sources: Vec<Source<'_>> = arguments.data.iter().map(|path| source(path)).collect::<Result<_, _>>()?;
@@ -61,13 +71,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let scene = super::tip::with_points(scene, &arguments.scene, failed)?;
     let request = Request { text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &arguments.grid };
     let found = validate(&request).map_err(|error| failure(&name, &text, &error))?;
-    if let Some(target) = target {
-        target.write(html::html(&found).map_err(Failure::new)?.as_bytes())?;
+    let page = if report.format() == Format::Html { html::html(&found).map_err(Failure::new)? } else { String::new() };
+    let mut write = |format, out: &mut dyn io::Write| match format {
+        Format::Html => out.write_all(page.as_bytes()),
+        Format::Json => json::validation(&found, out),
+        Format::Text => screen::text(&found, out),
+    };
+    report.write(&mut write)?;
+    if report.format() == Format::Html {
+        output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
     }
-    output::print(|out: &mut dyn io::Write| match arguments.json {
-        true => writeln!(out, "{:#}", json::json(&found)),
-        false => screen::text(&found, out),
-    })?;
     Ok(if found.passed { Outcome::Done } else { Outcome::Failed })
 }
 

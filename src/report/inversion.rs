@@ -147,5 +147,5 @@ pub fn json(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
         check: Check::of(&record.check),
         points: (!record.at.is_empty()).then_some(Readings { at: &record.at, readings: &record.readings }),
     };
-    write(&document, out)
+    write("invert", &document, out)
 }

@@ -33,7 +33,7 @@ pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()
         notes: record.notes(),
         check: Check::of(&record.check),
     };
-    write(&document, out)
+    write("derive", &document, out)
 }
 
 /// Writes the numbers of one quantity.
@@ -72,7 +72,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
         shift: record.shift.as_ref().map(|shift| Shift { formula: Typeset::of_expr(&shift.expr), value: shift.value }),
         points: Points(record),
     };
-    write(&document, out)
+    write("eval", &document, out)
 }
 
 /// Writes the comparisons, one key per quantity.
@@ -80,10 +80,10 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
 /// # Errors
 /// As the writer.
 pub fn comparison(record: &Compared<'_>, out: &mut dyn Write) -> io::Result<()> {
-    write(record, out)
+    write("compare", record, out)
 }
 
-/// Writes the catalogue of rules as a list.
+/// Writes the catalogue of rules.
 ///
 /// # Errors
 /// As the writer.
@@ -127,11 +127,24 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
             specializes: rule.specializes,
         })
         .collect();
-    write(&entries, out)
+    #[derive(Serialize)]
+    struct Document {
+        rules: Vec<Entry>,
+    }
+    write("rules", &Document { rules: entries }, out)
 }
 
-pub(super) fn write(document: &impl Serialize, mut out: &mut dyn Write) -> io::Result<()> {
-    serde_json::to_writer(&mut out, document)?;
+/// Writes a document of a command on one line, with the version of its schema in front.
+///
+/// The schema stands in `docs/schemas`; its number rises where a key changes its meaning or goes away.
+pub(super) fn write(command: &'static str, document: &impl Serialize, mut out: &mut dyn Write) -> io::Result<()> {
+    #[derive(Serialize)]
+    struct Versioned<'a, D> {
+        schema: String,
+        #[serde(flatten)]
+        document: &'a D,
+    }
+    serde_json::to_writer(&mut out, &Versioned { schema: format!("sneddon/{command}/1"), document })?;
     writeln!(out)
 }
 

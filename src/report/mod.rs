@@ -7,6 +7,8 @@ pub mod json;
 pub mod latex;
 pub mod markdown;
 pub mod mathml;
+#[cfg(feature = "cli")]
+mod npy;
 mod record;
 #[cfg(feature = "cli")]
 mod reference;
@@ -14,6 +16,8 @@ mod reference;
 mod solved;
 #[cfg(feature = "cli")]
 pub mod solved_json;
+#[cfg(feature = "cli")]
+pub mod solved_npz;
 #[cfg(feature = "scene")]
 pub mod solved_text;
 #[cfg(feature = "scene")]

@@ -128,7 +128,7 @@ impl Reference<'_, '_> {
         let missing = Cell::new(0);
         let loads = Loads { own: self, missing: &missing };
         let document = Document { units, effective_modulus: scene.effective_modulus * scene.system.out(Dimension::PRESSURE), grid, loads };
-        super::json::write(&document, out)?;
+        super::json::write("reference", &document, out)?;
         Ok(missing.get())
     }
 
@@ -140,9 +140,8 @@ impl Reference<'_, '_> {
     /// As the writer; [`io::ErrorKind::InvalidData`] with the reason where there is no number.
     pub fn npy(&self, out: &mut dyn Write) -> io::Result<usize> {
         let grid = self.places();
-        let shape: Vec<String> =
-            [self.run.scene().loads.len(), self.curves.len(), 2].iter().chain(&grid).map(|own| format!("{own}, ")).collect();
-        out.write_all(&npy_header(&shape.concat()))?;
+        let shape = [&[self.run.scene().loads.len(), self.curves.len(), 2], grid.as_slice()].concat();
+        out.write_all(&super::npy::header("<f8", &shape))?;
         for (index, state) in self.states() {
             for curve in self.curves {
                 let field = self.field(*curve, state.as_ref());
@@ -165,20 +164,6 @@ impl Reference<'_, '_> {
         }
         Ok(0)
     }
-}
-
-/// Version 1.0 of the format: magic, length, and a Python literal that is padded to 64 bytes and ends with a line feed.
-fn npy_header(shape: &str) -> Vec<u8> {
-    const BEFORE: usize = 10;
-    let mut text = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({shape}), }}");
-    let rest = (BEFORE + text.len() + 1) % 64;
-    text.push_str(&" ".repeat((64 - rest) % 64));
-    text.push('\n');
-    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-    // Five numbers of a shape stay far below 65536 bytes.
-    bytes.extend((text.len() as u16).to_le_bytes());
-    bytes.extend(text.as_bytes());
-    bytes
 }
 
 struct Loads<'a, 'b, 'r> {

@@ -42,7 +42,7 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
         curves: Curves { run, formally },
         validity: Validity { run, verdict: &verdict },
     };
-    super::json::write(&document, out)?;
+    super::json::write("solve", &document, out)?;
     Ok(verdict.into_inner())
 }
 

@@ -78,6 +78,18 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     table(&header, rows, out)
 }
 
+/// Writes the same numbers as comma-separated values; where there is no number the field is empty.
+///
+/// # Errors
+/// As the writer.
+pub fn evaluation_as_csv(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{},{},error,method", record.coordinate, record.quantity)?;
+    record.at.iter().zip(&record.readings).try_for_each(|(at, reading)| match reading {
+        Ok(reading) => writeln!(out, "{at:?},{:?},{:?},{}", reading.estimate.value, reading.estimate.error, reading.method),
+        Err(_) => writeln!(out, "{at:?},,,"),
+    })
+}
+
 /// Writes the comparisons as a table.
 ///
 /// # Errors

@@ -514,7 +514,7 @@ def main():
         shapes()
     if not ONLY or "rims" in ONLY:
         rims()
-    for entry in json.load(sys.stdin):
+    for entry in json.load(sys.stdin)["rules"]:
         rule = Rule(entry)
         if ONLY and rule.id not in ONLY:
             continue

@@ -225,7 +225,7 @@ def rows_of(rule):
 
 ONLY = sys.argv[2:]
 print("rule,quantity,arguments,value,condition")
-for entry in json.load(sys.stdin):
+for entry in json.load(sys.stdin)["rules"]:
     if ONLY and entry["id"] not in ONLY:
         continue
     for line in rows_of(entry):

@@ -131,5 +131,5 @@ pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
             .collect(),
         sentences: record.sentences(),
     };
-    write(&document, out)
+    write("tradeoff", &document, out)
 }

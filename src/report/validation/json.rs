@@ -2,10 +2,14 @@
 
 use crate::validate::{Column, FileReport, Order, Suspicion, Validation};
 use serde_json::{Map, Value, json};
+use std::io::{self, Write};
 
-/// The document.
-pub fn json(validation: &Validation) -> Value {
-    json!({
+/// Writes the document.
+///
+/// # Errors
+/// As the writer.
+pub fn validation(validation: &Validation, out: &mut dyn Write) -> io::Result<()> {
+    let document = json!({
         "passed": validation.passed,
         "reason": validation.reason,
         "suspicion": validation.suspicion.as_ref().map(|own| own.text.clone()),
@@ -14,7 +18,8 @@ pub fn json(validation: &Validation) -> Value {
         "order": validation.orders.as_ref().map(|own| own.iter().map(|(name, order)| ((*name).to_owned(), one_order(order))).collect::<Map<_, _>>()),
         "files": validation.files.iter().map(file).collect::<Vec<_>>(),
         "notes": validation.notes,
-    })
+    });
+    super::super::json::write("validate", &document, out)
 }
 
 fn suspicion(own: &Suspicion) -> Value {
