@@ -56,10 +56,6 @@ const COMMANDS: &[(&[&str], &[Ending])] = &[
         &[("csv", "r_um,p_GPa"), ("json", "{\"schema\":\"sneddon/reference/1\""), ("npy", "\u{93}NUMPY")],
     ),
     (&["validate", "scene.toml", "rows.csv"], &[("txt", ""), ("json", "{\"schema\":\"sneddon/validate/1\""), ("html", "<!DOCTYPE html>")]),
-    (
-        &["tradeoff", "2-sqrt(4-r^2)", "--budget", "0.1"],
-        &[("txt", ""), ("csv", ""), ("json", "{\"schema\":\"sneddon/tradeoff/1\""), ("svg", "<svg")],
-    ),
 ];
 
 #[test]
@@ -93,7 +89,7 @@ fn the_ending_decides_everywhere() {
 #[test]
 fn a_dash_is_stdout() {
     let place = room("dash");
-    for (command, _) in COMMANDS.iter().filter(|(command, _)| command[0] != "tradeoff") {
+    for (command, _) in COMMANDS {
         let plain = run(&place, command);
         let dash = run(&place, &[command, &["-o", "-"][..]].concat());
         assert!(dash.status.success(), "{command:?}: {}", String::from_utf8_lossy(&dash.stderr));

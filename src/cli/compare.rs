@@ -13,12 +13,8 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
-    #[arg(value_name = "PROFILE", allow_hyphen_values = true)]
-    profile: String,
-    /// Gives a parameter a value; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
+    #[command(flatten)]
+    profile: input::ProfileArguments,
     /// The contact radius; without it the points spread over the reach of the profile.
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
@@ -55,8 +51,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         depth: arguments.depth.as_deref().map(|text| input::constant("--depth", text).map(|(_, value)| value)).transpose()?,
         tolerance: arguments.tol.as_deref().map(input::tolerance).transpose()?,
     };
-    let typed = input::profile(&arguments.profile)?;
-    let settings = input::Settings::read(&arguments.set, &typed)?;
+    let (typed, settings) = arguments.profile.read()?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.bound_profile(&typed)?;
     if profile.is_flat() && setting.depth.is_none() {

@@ -3,7 +3,8 @@
 use super::failure::warn;
 use super::output::{Destination, Endings};
 use super::{Failure, Outcome, input};
-use crate::contact::{ContactError, Edge, relations};
+use crate::contact::{ContactError, Edge, RIM, relations};
+use crate::expr::{Bindings, Expr};
 use crate::report::{self, Derivation};
 use crate::transform;
 use clap::ValueEnum;
@@ -13,12 +14,8 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
-    #[arg(value_name = "PROFILE", allow_hyphen_values = true)]
-    profile: String,
-    /// Gives a parameter a value; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
+    #[command(flatten)]
+    profile: input::ProfileArguments,
     /// A punch with a rim at the contact radius, at this depth: a number, or the symbol d.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
@@ -55,14 +52,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.format.or(arguments.json.then_some(Format::Json));
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let edge = arguments.depth.as_deref().map(input::depth).transpose()?.map_or(Edge::Smooth, Edge::Rim);
-    let typed = input::profile(&arguments.profile)?;
-    let settings = input::Settings::read(&arguments.set, &typed)?;
+    let (typed, settings) = if edge == Edge::Smooth { arguments.profile.read()? } else { arguments.profile.read_punch()? };
+    let shown = typed.formula.substitute(&settings.exact()).substitute(&Bindings::one(RIM, Expr::symbol("a")));
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
     let relations = relations(&solution, &edge).map_err(failed)?;
     let check = transform::check(&solution).map_err(|error| error.to_string());
-    let record = Derivation { profile: &profile, edge: &edge, relations: &relations, check };
+    let record = Derivation { profile: &profile, typed: &shown, edge: &edge, relations: &relations, check };
     answer.write(|format, out| match format {
         Format::Json => report::json::derivation(&record, out),
         Format::Latex => report::latex::derivation(&record, out),

@@ -13,24 +13,20 @@ use std::path::PathBuf;
 
 /// Computes numbers, each with a bound of its error.
 ///
-/// The points are r for f, x for g and G, the contact radius a for d, F, k and U, r for p and u (which need --radius),
-/// and the depth d for a.
+/// The points are r for f, x for g and G, the contact radius a for d, F, k, U and p_mean, r for p and u, x for q and u_1d and
+/// z for sigma_zz (these five need --radius), and the depth d for a.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
-    #[arg(value_name = "PROFILE", allow_hyphen_values = true)]
-    profile: String,
+    #[command(flatten)]
+    profile: input::ProfileArguments,
     /// What is computed.
     #[arg(long, value_enum)]
     quantity: Quantity,
     /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: String,
-    /// Gives a parameter a value; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
-    /// The contact radius, for p and u.
+    /// The contact radius, for p, u, q, u_1d and sigma_zz.
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
     /// The depth of a punch with a rim at the contact radius.
@@ -102,6 +98,18 @@ enum Quantity {
     /// The contact radius a(d).
     #[value(name = "a")]
     Radius,
+    /// The mean pressure F/(pi a^2), by a.
+    #[value(name = "p_mean")]
+    MeanPressure,
+    /// The stress sigma_zz(z) on the axis below the surface, negative in compression.
+    #[value(name = "sigma_zz")]
+    AxialStress,
+    /// The line load q(x) = E* (d - g(x)) of the one-dimensional model.
+    #[value(name = "q")]
+    LineLoad,
+    /// The displacement d - g(x) of the one-dimensional model.
+    #[value(name = "u_1d")]
+    LineDisplacement,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -152,8 +160,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(Failure::new("with a rim the contact radius does not depend on the depth")
             .help("leave out --depth, or ask for another quantity"));
     }
-    let typed = input::profile(&arguments.profile)?;
-    let settings = input::Settings::read(&arguments.set, &typed)?;
+    let (typed, settings) = arguments.profile.read()?;
     settings.demand_all(&typed)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.bound_profile(&typed)?;
@@ -293,6 +300,10 @@ impl Quantity {
             Self::Energy if asked.method == Method::Exact => return Err(TransformError::NoClosedForm { quantity: "U" }.into()),
             Self::Energy => contact.energy(at)?,
             Self::Radius => asked.contact_radius(at)?,
+            Self::MeanPressure => return contact.mean_pressure(at),
+            Self::AxialStress => return contact.axial_stress(at, a),
+            Self::LineLoad => contact.line_load(at, a)?,
+            Self::LineDisplacement => contact.line_displacement(at, a)?,
         }))
     }
 
@@ -315,20 +326,25 @@ impl Quantity {
             Self::Integral => "G",
             Self::Energy => "U",
             Self::Radius => "a",
+            Self::MeanPressure => "p_mean",
+            Self::AxialStress => "sigma_zz",
+            Self::LineLoad => "q",
+            Self::LineDisplacement => "u_1d",
         }
     }
 
     fn coordinate(self) -> &'static str {
         match self {
             Self::Profile | Self::Pressure | Self::Displacement => "r",
-            Self::Equivalent | Self::Integral => "x",
-            Self::Depth | Self::Force | Self::Stiffness | Self::Energy => "a",
+            Self::Equivalent | Self::Integral | Self::LineLoad | Self::LineDisplacement => "x",
+            Self::AxialStress => "z",
+            Self::Depth | Self::Force | Self::Stiffness | Self::Energy | Self::MeanPressure => "a",
             Self::Radius => "d",
         }
     }
 
     fn needs_radius(self) -> bool {
-        matches!(self, Self::Pressure | Self::Displacement)
+        matches!(self, Self::Pressure | Self::Displacement | Self::AxialStress | Self::LineLoad | Self::LineDisplacement)
     }
 
     /// False where the quantity belongs to the shape alone.

@@ -80,15 +80,15 @@ impl Failure {
     fn write(&self, colour: bool, out: &mut dyn Write) -> io::Result<()> {
         let (bold, plain) = if colour { ("\x1b[1;31m", "\x1b[0m") } else { ("", "") };
         match &self.place {
-            None => writeln!(out, "{bold}error{plain}: {}", self.message)?,
+            None => writeln!(out, "{bold}error{plain}: {}", line(&self.message))?,
             Some(place) => {
-                writeln!(out, "{bold}error{plain}: {}: {}", place.position(), self.message)?;
+                writeln!(out, "{bold}error{plain}: {}: {}", line(&place.position()), line(&self.message))?;
                 let (shown, offset, marks) = place.excerpt();
                 writeln!(out, "  | {shown}")?;
                 writeln!(out, "  | {}{bold}{}{plain}", " ".repeat(offset), "^".repeat(marks))?;
             }
         }
-        self.help.iter().try_for_each(|help| writeln!(out, "help: {help}"))
+        self.help.iter().try_for_each(|help| writeln!(out, "help: {}", shown(help)))
     }
 }
 
@@ -123,13 +123,32 @@ impl Place {
 fn visible(c: char) -> char {
     match c {
         '\t' => ' ',
-        c if c.is_control() => '\u{fffd}',
+        // Besides controls, marks that turn the direction of what is written.
+        c if c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}') => '\u{fffd}',
         c => c,
     }
+}
+
+/// The most characters of a message.
+const MESSAGE: usize = 280;
+
+/// A message as one line of moderate length: what names, keys and paths bring along moves no cursor and hides nothing.
+fn line(message: &str) -> String {
+    let mut characters = message.chars();
+    let mut text: String = characters.by_ref().take(MESSAGE).map(visible).collect();
+    if characters.next().is_some() {
+        text.push_str(" ...");
+    }
+    text
+}
+
+/// The same without a limit, for advice that lists what is known.
+fn shown(message: &str) -> String {
+    message.chars().map(visible).collect()
 }
 
 /// Something that is worth knowing, on stderr.
 pub(super) fn warn(message: &str) {
     // A warning that cannot be written is no reason to stop.
-    let _ = writeln!(io::stderr(), "warning: {message}");
+    let _ = writeln!(io::stderr(), "warning: {}", line(message));
 }

@@ -62,7 +62,8 @@ impl Target {
             out.flush()
         })();
         unfinished::end(|| match done {
-            Ok(()) => beside.persist(&place).map(drop).map_err(|error| error.error),
+            // What a crash of the machine leaves is the old file or the new one, never an empty one.
+            Ok(()) => beside.as_file().sync_all().and_then(|()| beside.persist(&place).map(drop).map_err(|error| error.error)),
             Err(error) => Err(error),
         })
     }

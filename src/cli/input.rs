@@ -1,9 +1,11 @@
 //! What comes in: the profile's text, values of parameters and other numbers.
 
 use super::Failure;
+use crate::contact::RIM;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Formula, Number, Symbol};
-use crate::parse;
+use crate::parse::{self, ParseError};
+use crate::scene::{Shape, known_shape};
 use crate::transform::{Profile, TransformError};
 use std::io::{self, Read};
 
@@ -13,11 +15,66 @@ pub(super) struct Typed {
     pub(super) formula: Formula,
 }
 
-/// Reads PROFILE: the argument itself, or stdin for `-`.
-pub(super) fn profile(argument: &str) -> Result<Typed, Failure> {
-    let text = text(argument)?;
-    let formula = parse::profile(&text).map_err(|error| Failure::parse("PROFILE", &text, &error))?;
-    Ok(Typed { text, formula })
+/// The profile of a command, as an expression or as a named shape, with the values of its parameters.
+#[derive(clap::Args)]
+pub(super) struct ProfileArguments {
+    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
+    #[arg(value_name = "PROFILE", allow_hyphen_values = true, required_unless_present = "shape")]
+    profile: Option<String>,
+    /// A named shape in place of PROFILE, such as cone; `sneddon scene new` lists them.
+    #[arg(long, value_name = "NAME", conflicts_with = "profile")]
+    shape: Option<String>,
+    /// Gives a parameter a value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+}
+
+impl ProfileArguments {
+    /// Reads the profile and the values.
+    pub(super) fn read(&self) -> Result<(Typed, Settings), Failure> {
+        self.read_with(parse::profile)
+    }
+
+    /// The same for a punch with a rim, whose radius a may stand in f.
+    pub(super) fn read_punch(&self) -> Result<(Typed, Settings), Failure> {
+        // In f the radius of the rim is a constant, which no value is set of; in the formulas it is the contact radius.
+        let named = |text: &str| Ok(parse::punch(text)?.substitute(&Bindings::one("a", Expr::symbol(RIM))));
+        self.read_with(named)
+    }
+
+    fn read_with(&self, read: impl Fn(&str) -> Result<Formula, ParseError>) -> Result<(Typed, Settings), Failure> {
+        let text = match &self.shape {
+            Some(name) => self.formula_of(shape(name)?).to_owned(),
+            None => text(self.profile.as_deref().unwrap_or_default())?,
+        };
+        let formula = read(&text).map_err(|error| Failure::parse("PROFILE", &text, &error))?;
+        let typed = Typed { text, formula };
+        let settings = Settings::read(&self.set, &typed)?;
+        Ok((typed, settings))
+    }
+
+    /// The f(r) of a shape that has the parameters that were set.
+    fn formula_of(&self, shape: &Shape) -> &'static str {
+        let names: Vec<Symbol> = self.set.iter().filter_map(|item| symbol(item.split_once('=')?.0)).collect();
+        let names: Vec<&str> = names.iter().map(Symbol::name).collect();
+        shape.way(&names).map_or("", |way| way.f)
+    }
+}
+
+/// The shape of a name.
+pub(super) fn shape(name: &str) -> Result<&'static Shape, Failure> {
+    known_shape(name).map_err(|error| {
+        let failure = Failure::new(error.to_string());
+        match error.accepted() {
+            Some(help) => failure.help(help),
+            None => failure,
+        }
+    })
+}
+
+/// A parameter's name, read as an expression so that theta and its letter are one name here as well.
+fn symbol(name: &str) -> Option<Symbol> {
+    parse::formula(name).ok().and_then(|formula| formula.as_closed().and_then(|expr| expr.as_symbol().cloned()))
 }
 
 /// The text of an expression: the argument itself, or stdin for `-`.
@@ -72,9 +129,7 @@ impl Settings {
             let Some((name, text)) = item.split_once('=') else {
                 return Err(Failure::new(format!("--set {item} has no value")).help(form));
             };
-            // Read as an expression, so that theta and its letter are one name here as well.
-            let symbol = parse::formula(name).ok().and_then(|formula| formula.as_closed().and_then(|expr| expr.as_symbol().cloned()));
-            let Some(symbol) = symbol.filter(|symbol| parameters.contains(symbol)) else {
+            let Some(symbol) = symbol(name).filter(|symbol| parameters.contains(symbol)) else {
                 let own = match parameters.as_slice() {
                     [] => "it has no parameters".to_owned(),
                     [only] => format!("it has {only}"),
@@ -142,7 +197,7 @@ impl Settings {
 
 /// The parameters of a profile, or of an equivalent profile over x, by name.
 fn parameters(formula: &Formula) -> Vec<Symbol> {
-    formula.symbols().into_iter().filter(|symbol| !matches!(symbol.name(), "r" | "x")).collect()
+    formula.symbols().into_iter().filter(|symbol| !matches!(symbol.name(), "r" | "x" | RIM)).collect()
 }
 
 /// A finite number, with what was typed as an exact expression.

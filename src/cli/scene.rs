@@ -1,7 +1,7 @@
 //! `sneddon scene`: scenes to start from.
 
-use super::{Failure, Outcome, output};
-use crate::scene::{SHAPES, shape, template};
+use super::{Failure, Outcome, input, output};
+use crate::scene::{SHAPES, template};
 use clap::Subcommand;
 
 /// Writes scene files to start from.
@@ -38,8 +38,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         })?;
         return Ok(Outcome::Done);
     };
-    let names = SHAPES.iter().map(|shape| shape.name).collect::<Vec<_>>().join(", ");
-    let shape = shape(name).ok_or_else(|| Failure::new(format!("there is no shape {name:?}")).help(format!("known are {names}")))?;
+    let shape = input::shape(name)?;
     output::print(|out| out.write_all(template(shape).as_bytes()))?;
     Ok(Outcome::Done)
 }

@@ -17,6 +17,10 @@ pub(super) fn with_points(scene: Scene, scene_file: &Path, failed: impl Fn(Scene
     let mut bytes = Vec::new();
     let limit = LONGEST_TIP as u64;
     // A directory opens on some systems, and fails only when it is read.
+    // A pipe or a device that a scene names could block for ever, or be changed by the reading.
+    if std::fs::metadata(&path).is_ok_and(|own| !own.is_file()) {
+        return refused(format!("{} is no regular file", path.display()), "a file of points would be accepted");
+    }
     let done = File::open(&path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes));
     if let Err(error) = done {
         let message = format!("{} cannot be read: {error}", path.display());

@@ -18,12 +18,8 @@ use std::time::Duration;
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
-    #[arg(value_name = "PROFILE", allow_hyphen_values = true)]
-    profile: String,
-    /// Gives a parameter a value; may be repeated.
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
+    #[command(flatten)]
+    profile: input::ProfileArguments,
     /// What is computed; only forces have the spring foundation beside them.
     #[arg(long, value_enum, default_value_t = Quantity::Force)]
     quantity: Quantity,
@@ -92,8 +88,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let budget = budget(&arguments.budget)?;
     let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
     let answer = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Svg)?;
-    let typed = input::profile(&arguments.profile)?;
-    let settings = input::Settings::read(&arguments.set, &typed)?;
+    let (typed, settings) = arguments.profile.read()?;
     settings.demand_all(&typed)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let refused = |error: TransformError| failed(error.into());

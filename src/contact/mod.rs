@@ -20,4 +20,4 @@ pub use indentation::{Boundary, Finding, Indentation, Indented, Load, Naming, Pa
 pub use material::{ElasticBody, TransverselyIsotropic, effective_modulus};
 pub use mean::PartialForce;
 pub use problem::{Contact, Measured, Reason};
-pub use report::{Edge, Relations, relations};
+pub use report::{Edge, RIM, Relations, relations};

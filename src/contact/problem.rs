@@ -36,6 +36,8 @@ pub enum Reason {
     Kink,
     /// The pressure diverges at the rim of a punch.
     Rim,
+    /// A mean over a contact without area.
+    NoArea,
 }
 
 impl Reason {
@@ -44,6 +46,7 @@ impl Reason {
         match self {
             Self::Apex => "the pressure is infinite at the apex of a pointed tip (logarithmically)",
             Self::Kink => "the pressure is infinite at a kink of the profile (logarithmically)",
+            Self::NoArea => "the contact has no area",
             Self::Rim => "the pressure is infinite at the rim of a punch (as an inverse square root)",
         }
     }
@@ -129,6 +132,40 @@ impl<P: Quantities> Contact<'_, P> {
     pub fn stiffness(&self, a: f64) -> Reading {
         let value = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus) * Bounded::exact(a);
         Reading { estimate: Estimate::from_bounded(value, 0), method: "exact" }
+    }
+
+    /// F/(π a²); a contact without area has none.
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn mean_pressure(&self, a: f64) -> Result<Measured, ContactError> {
+        if a == 0.0 {
+            return Ok(Err(Reason::NoArea));
+        }
+        let force = self.force(a)?;
+        let area = Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a) * Bounded::exact(a);
+        Ok(Ok(Reading { estimate: force.estimate.times(Bounded::exact(1.0) / area), ..force }))
+    }
+
+    /// The displacement of the one-dimensional model, d − g(x) within the contact and 0 outside (3.7).
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn line_displacement(&self, x: f64, a: f64) -> Result<Reading, ContactError> {
+        if x > a || (x == a && self.depth.is_none()) {
+            return Ok(exact(0.0));
+        }
+        let (d, g) = (self.depth(a)?, self.evaluator.slope(x)?);
+        Ok(Reading { estimate: d.estimate + g.estimate.scaled(-1.0), method: g.method })
+    }
+
+    /// The line load of the one-dimensional model, q(x) = E* (d − g(x)); F is its integral from −a to a.
+    ///
+    /// # Errors
+    /// As the evaluator.
+    pub fn line_load(&self, x: f64, a: f64) -> Result<Reading, ContactError> {
+        let Reading { estimate, method } = self.line_displacement(x, a)?;
+        Ok(Reading { estimate: estimate.scaled(self.effective_modulus), method })
     }
 
     /// p(r), positive in compression: (E*/π)(∫_r^a g′/√(x²−r²) dx + (d − g(a))/√(a²−r²)) (3.37) with its edge term.

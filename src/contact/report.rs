@@ -5,6 +5,9 @@ use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, de
 use crate::print;
 use crate::transform::{Derived, Solution, Status, TransformError};
 
+/// The name of the rim's radius in a profile that contains it: there it is a constant, and the relations call it a.
+pub const RIM: &str = "a_rim";
+
 /// How the contact ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Edge {
@@ -53,8 +56,14 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
     }
     let (modulus, a) = (Expr::symbol("E"), Expr::symbol("a"));
     let at_edge = Bindings::one("x", a.clone());
-    let g = solution.equivalent_profile();
+    let rim_is_edge = Bindings::one(RIM, a.clone());
+    let at_rim = |derived: Derived| Derived { formula: derived.formula.substitute(&rim_is_edge), ..derived };
+    let g = at_rim(solution.equivalent_profile());
     let g_at_edge = at_edge_of(&g.formula, &at_edge);
+    let in_words = |own: &Condition| {
+        let side = |expr: &Expr| rim_is_edge.apply(expr);
+        print::text_condition(&Condition { left: side(&own.left), relation: own.relation, right: side(&own.right) })
+    };
     let mut conditions: Vec<Condition> = solution.conditions.clone();
     let stiffness = Derived {
         formula: Formula::Closed(Expr::integer(2) * &modulus * &a),
@@ -72,7 +81,7 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
         rules: g.rules.clone(),
         reference: found.reference.clone(),
     };
-    let mut texts: Vec<String> = conditions.iter().map(print::text_condition).collect();
+    let mut texts: Vec<String> = conditions.iter().map(in_words).collect();
     texts.sort();
     texts.dedup();
     let (d, force, pressure) = match edge {
@@ -86,7 +95,7 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
             texts.extend(complete_contact(solution, depth, &g_at_edge));
             let d = Derived { formula: Formula::Closed(depth.clone()), status: Status::Exact, rules: Vec::new(), reference: Vec::new() };
             let excess = Formula::sum([Formula::Closed(depth.clone()), g_at_edge.scaled(&Expr::integer(-1))]);
-            let (force, pressure) = (solution.force(), solution.pressure());
+            let (force, pressure) = (at_rim(solution.force()), solution.pressure().map(at_rim));
             let extra = excess.clone().scaled(&(Expr::integer(2) * &modulus * &a));
             let edge_term = excess.scaled(&(&modulus / (Expr::pi() * (a.power(2) - Expr::symbol("r").power(2)).sqrt())));
             let force = Derived {
@@ -104,7 +113,11 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
     };
     Ok(Relations {
         contact_radius_of_depth: inverse.as_ref().map(|found| closed(&found.contact_radius, found)),
-        force_of_depth: inverse.as_ref().map(|found| closed(&found.force, found)),
+        // Under a rim the contact radius does not change, and F(a) is the answer for every depth.
+        force_of_depth: match edge {
+            Edge::Smooth => inverse.as_ref().map(|found| closed(&found.force, found)),
+            Edge::Rim(_) => Some(force.clone()),
+        },
         g,
         d,
         force,

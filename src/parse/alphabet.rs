@@ -55,13 +55,25 @@ pub(super) fn greek(letter: char) -> Option<&'static str> {
     })
 }
 
+/// The character that a superscript stands for.
+pub(super) fn raised(character: char) -> Option<char> {
+    Some(match character {
+        '⁰' => '0',
+        '¹' => '1',
+        '²' => '2',
+        '³' => '3',
+        '⁴'..='⁹' => char::from_digit(u32::from(character) - 0x2070, 10)?,
+        '⁻' => '-',
+        'ⁿ' => 'n',
+        _ => return None,
+    })
+}
+
 /// What to type instead of a character that is not accepted.
 pub(super) fn instead_of(character: char) -> &'static str {
     match character {
-        '⁰' | '¹' | '²' | '³' | '⁴' | '⁵' | '⁶' | '⁷' | '⁸' | '⁹' | '⁻' | 'ⁿ' => "write a power with ^, as in r^2",
         '₀'..='₉' => "write an index with _, as in c_1",
         '½' | '¼' | '¾' => "write a fraction with /, as in 1/2",
-        '√' => "write a root as sqrt(r)",
         '∞' => "use finite numbers",
         '|' => "write a magnitude as abs(r)",
         '≤' | '≥' => "write <= or >=",

@@ -1,6 +1,7 @@
 //! What can go wrong while text is read: the place, the reason, and what would be accepted.
 
 use super::limits;
+use super::repair::Repair;
 use std::ops::Range;
 use thiserror::Error;
 
@@ -185,8 +186,8 @@ pub enum Reason {
 /// let error = parse::profile("r^2/(2R)").unwrap_err();
 /// assert_eq!(error.span(), 6..7);
 /// assert!(matches!(error.reason(), Reason::MissingOperator { .. }));
-/// assert_eq!(error.accepted(), "write 2*R");
-/// assert_eq!(error.to_string(), "an operator is missing before \"R\"; write 2*R");
+/// assert_eq!(error.accepted(), "write r^2/(2*R)");
+/// assert_eq!(error.to_string(), "an operator is missing before \"R\"; write r^2/(2*R)");
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[error("{}; {}", .0.reason, .0.accepted)]
@@ -197,11 +198,28 @@ struct Details {
     span: Range<usize>,
     reason: Reason,
     accepted: String,
+    repair: Option<Repair>,
 }
 
 impl ParseError {
     pub(super) fn new(span: Range<usize>, reason: Reason, accepted: impl Into<String>) -> Self {
-        Self(Box::new(Details { span, reason, accepted: accepted.into() }))
+        Self(Box::new(Details { span, reason, accepted: accepted.into(), repair: None }))
+    }
+
+    /// The same with the edit of the text that it calls for.
+    pub(super) fn with_repair(mut self, repair: Repair) -> Self {
+        self.0.repair = Some(repair);
+        self
+    }
+
+    pub(super) fn repair(&self) -> Option<Repair> {
+        self.0.repair
+    }
+
+    /// The same with other advice.
+    pub(super) fn advising(mut self, accepted: String) -> Self {
+        self.0.accepted = accepted;
+        self
     }
 
     /// The place, as a range of bytes of the text; empty at the end of the text.

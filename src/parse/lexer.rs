@@ -1,6 +1,6 @@
 //! Bytes to tokens, one at a time.
 
-use super::alphabet::{describe, greek, instead_of};
+use super::alphabet::{describe, greek, instead_of, raised};
 use super::{ParseError, Reason, limits};
 use crate::expr::Number;
 use std::ops::Range;
@@ -39,17 +39,25 @@ impl Token {
 pub(super) struct Lexer<'t> {
     text: &'t str,
     at: usize,
+    /// Tokens that one sign stands for, last one first, at its place.
+    pending: Vec<(Token, Range<usize>)>,
     number_work: u64,
 }
 
 impl<'t> Lexer<'t> {
-    pub(super) fn new(text: &'t str) -> Result<Self, ParseError> {
+    /// The tokens from a place of the text on.
+    pub(super) fn from(text: &'t str, at: usize) -> Result<Self, ParseError> {
         if text.len() > limits::TEXT_BYTES {
             let end = text.char_indices().map(|(at, _)| at).find(|at| *at >= limits::TEXT_BYTES).unwrap_or(text.len());
             let reason = Reason::TextTooLong { bytes: text.len() };
             return Err(ParseError::new(end..text.len(), reason, "a shorter expression is accepted"));
         }
-        Ok(Self { text, at: 0, number_work: 0 })
+        Ok(Self { text, at, pending: Vec::new(), number_work: 0 })
+    }
+
+    /// The whole text.
+    pub(super) fn text(&self) -> &'t str {
+        self.text
     }
 
     /// The text of a span.
@@ -59,6 +67,9 @@ impl<'t> Lexer<'t> {
 
     /// The next token and its place.
     pub(super) fn next(&mut self) -> Result<(Token, Range<usize>), ParseError> {
+        if let Some(token) = self.pending.pop() {
+            return Ok(token);
+        }
         let rest = self.slice(self.at..self.text.len());
         let start = self.text.len() - rest.trim_start().len();
         let mut characters = self.slice(start..self.text.len()).chars();
@@ -79,6 +90,8 @@ impl<'t> Lexer<'t> {
             '*' | '·' | '⋅' | '×' => Token::Times,
             '/' => Token::Divide,
             '^' => Token::Caret,
+            '√' => return self.root(start),
+            _ if raised(first).is_some() => return self.raised(start),
             '(' => Token::Open,
             ')' => Token::Close,
             '[' => Token::OpenList,
@@ -97,6 +110,52 @@ impl<'t> Lexer<'t> {
 
     fn unknown(&self, span: Range<usize>, character: String, accepted: &str) -> ParseError {
         ParseError::new(span, Reason::Character { character }, accepted)
+    }
+
+    /// `²` for `^2`, `⁻¹` for `^-1`: a caret, and what it raises to.
+    fn raised(&mut self, start: usize) -> Result<(Token, Range<usize>), ParseError> {
+        let rest = self.slice(start..self.text.len());
+        let length = rest.find(|c| raised(c).is_none()).unwrap_or(rest.len());
+        let (span, text) =
+            (start..start + length, rest.chars().take_while(|c| raised(*c).is_some()).filter_map(raised).collect::<String>());
+        self.at = span.end;
+        let (negative, digits) = text.strip_prefix('-').map_or((false, text.as_str()), |digits| (true, digits));
+        let exponent = match digits {
+            "n" => Token::Name("n".to_owned()),
+            _ if digits.len() <= 9 => match Number::parse_decimal(digits).filter(|_| digits.bytes().all(|byte| byte.is_ascii_digit())) {
+                Some(number) => Token::Number(number),
+                None => return Err(self.unknown(span.clone(), format!("{:?}", self.slice(span)), "write a power with ^, as in r^2")),
+            },
+            _ => return Err(self.unknown(span.clone(), format!("{:?}", self.slice(span)), "write a power with ^, as in r^2")),
+        };
+        self.pending.push((exponent, span.clone()));
+        if negative {
+            self.pending.push((Token::Minus, span.clone()));
+        }
+        Ok((Token::Caret, span))
+    }
+
+    /// `√(…)`, or `√2` and `√R` where nothing behind could belong under the root as well.
+    fn root(&mut self, start: usize) -> Result<(Token, Range<usize>), ParseError> {
+        const WRITE: &str = "write what stands under the root in parentheses, as in sqrt(r)";
+        let sign = start..self.at;
+        let call = Token::Name("sqrt".to_owned());
+        if self.slice(self.at..self.text.len()).trim_start().starts_with('(') {
+            return Ok((call, sign));
+        }
+        // A root of a root needs its parentheses; so no run of signs nests calls of this function.
+        if self.slice(self.at..self.text.len()).trim_start().starts_with('√') {
+            return Err(self.unknown(sign, describe('√'), WRITE));
+        }
+        let (operand, span) = self.next()?;
+        let behind = self.slice(self.at..self.text.len()).trim_start().chars().next();
+        let ends = behind.is_none_or(|c| !c.is_alphanumeric() && greek(c).is_none() && raised(c).is_none() && !"^(√_.".contains(c));
+        if !ends || !matches!(operand, Token::Number(_) | Token::Name(_)) {
+            return Err(self.unknown(sign, describe('√'), WRITE));
+        }
+        let end = span.end..span.end;
+        self.pending.extend([(Token::Close, end), (operand, span.clone()), (Token::Open, span.start..span.start)]);
+        Ok((call, sign))
     }
 
     fn name(&mut self, start: usize) -> (Token, Range<usize>) {

@@ -10,6 +10,7 @@ mod lexer;
 mod lower;
 mod parser;
 mod position;
+mod repair;
 mod syntax;
 
 pub use error::{ParseError, Reason};
@@ -17,6 +18,7 @@ pub use position::position;
 
 use crate::expr::{Expr, Formula};
 use lower::{Lowering, Names};
+use parser::Left;
 
 /// The limits of the grammar; each is a typed error.
 pub mod limits {
@@ -51,7 +53,24 @@ pub mod limits {
 /// assert_eq!(sneddon::parse::profile("2r").unwrap_err().span(), 1..2);
 /// ```
 pub fn profile(text: &str) -> Result<Formula, ParseError> {
-    Lowering::new(Names::Profile, text).formula(parser::parse(text)?)
+    read_profile(text, Names::Profile)
+}
+
+/// Reads the shape of a punch with a rim: `a`, the radius of the rim, may stand in f and is a constant.
+///
+/// # Errors
+/// As [`profile`], with `a` among the names that f may have.
+///
+/// ```
+/// assert!(sneddon::parse::punch("-h*r^2/a^2").is_ok());
+/// assert!(sneddon::parse::profile("-h*r^2/a^2").is_err());
+/// ```
+pub fn punch(text: &str) -> Result<Formula, ParseError> {
+    read_profile(text, Names::Punch)
+}
+
+fn read_profile(text: &str, names: Names) -> Result<Formula, ParseError> {
+    repair::advised(text, |text| Lowering::new(names, text).formula(parser::parse(text, Some(Left("f", "r")))?))
 }
 
 /// Reads an equivalent profile g(x): `x` is the coordinate, other names are positive parameters.
@@ -66,7 +85,7 @@ pub fn profile(text: &str) -> Result<Formula, ParseError> {
 /// assert!(sneddon::parse::equivalent("r^2").is_err());
 /// ```
 pub fn equivalent(text: &str) -> Result<Formula, ParseError> {
-    Lowering::new(Names::Equivalent, text).formula(parser::parse(text)?)
+    repair::advised(text, |text| Lowering::new(Names::Equivalent, text).formula(parser::parse(text, Some(Left("g", "x")))?))
 }
 
 /// Reads a pressure p(r) in a contact of radius `a`, with `E` for the effective modulus.
@@ -79,7 +98,7 @@ pub fn equivalent(text: &str) -> Result<Formula, ParseError> {
 /// assert!(sneddon::parse::pressure("p_0*x").is_err());
 /// ```
 pub fn pressure(text: &str) -> Result<Expr, ParseError> {
-    Lowering::new(Names::Pressure, text).closed(parser::parse(text)?, "a pressure")
+    repair::advised(text, |text| Lowering::new(Names::Pressure, text).closed(parser::parse(text, Some(Left("p", "r")))?, "a pressure"))
 }
 
 /// Reads a formula as the program prints it: all variables, integrals and the functions of the table.
@@ -93,7 +112,7 @@ pub fn pressure(text: &str) -> Result<Expr, ParseError> {
 /// assert!(matches!(force, Formula::Integral { .. }));
 /// ```
 pub fn formula(text: &str) -> Result<Formula, ParseError> {
-    Lowering::new(Names::Formula, text).formula(parser::parse(text)?)
+    Lowering::new(Names::Formula, text).formula(parser::parse(text, None)?)
 }
 
 /// Reads a closed constant, as the value of a parameter: `0.3`, `3/2`, `1e-6`, `-1`, `pi/6`, `sqrt(2)`.
@@ -107,5 +126,5 @@ pub fn formula(text: &str) -> Result<Formula, ParseError> {
 /// assert!(parse::constant("inf").is_err());
 /// ```
 pub fn constant(text: &str) -> Result<Expr, ParseError> {
-    Lowering::new(Names::None, text).closed(parser::parse(text)?, "a constant")
+    Lowering::new(Names::None, text).closed(parser::parse(text, None)?, "a constant")
 }

@@ -1,13 +1,17 @@
 //! Tokens to what was typed: operator precedence with an explicit stack, which counts the depth of nesting.
 
 use super::lexer::{Lexer, Token};
+use super::lower::is_function;
+use super::repair::Repair;
 use super::syntax::{Item, Kind};
 use super::{ParseError, Reason, limits};
 use std::ops::Range;
 
 /// Reads a whole text as one expression.
-pub(super) fn parse(text: &str) -> Result<Vec<Item>, ParseError> {
-    let mut lexer = Lexer::new(text)?;
+///
+/// A left side such as `f(r) =` may stand in front, as the program prints it.
+pub(super) fn parse(text: &str, left: Option<Left>) -> Result<Vec<Item>, ParseError> {
+    let mut lexer = Lexer::from(text, left.map_or(0, |left| left.length(text)))?;
     let (token, span) = lexer.next()?;
     if token == Token::End {
         return Err(ParseError::new(0..text.len(), Reason::Empty, "an expression such as r^2/(2*R) is accepted"));
@@ -18,6 +22,21 @@ pub(super) fn parse(text: &str) -> Result<Vec<Item>, ParseError> {
         if parser.operator()? {
             return Ok(parser.items);
         }
+    }
+}
+
+/// The left side of an equation that may stand before an expression: a function's name and its variable.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Left(pub(super) &'static str, pub(super) &'static str);
+
+impl Left {
+    /// The bytes of `f(r) =` or `f =` at the beginning of a text; 0 where neither stands there.
+    fn length(self, text: &str) -> usize {
+        let Some(rest) = text.trim_start().strip_prefix(self.0) else { return 0 };
+        let rest = rest.trim_start();
+        let behind = rest.strip_prefix('(').and_then(|rest| rest.trim_start().strip_prefix(self.1)?.trim_start().strip_prefix(')'));
+        let Some(right) = behind.unwrap_or(rest).trim_start().strip_prefix('=') else { return 0 };
+        text.len() - right.len()
     }
 }
 
@@ -290,16 +309,61 @@ impl Parser<'_> {
         ParseError::new(self.span.clone(), Reason::Unexpected { found }, accepted)
     }
 
+    /// Two operands side by side: what was meant is written out, so that the help can be followed literally.
     fn missing_operator(&self) -> ParseError {
         let (first, second) = (self.lexer.slice(self.last.clone()), self.lexer.slice(self.span.clone()));
-        let found = format!("{second:?}");
-        let accepted = if first.len() + second.len() > 40 {
-            "write every product with *, as in 2*r".to_owned()
-        } else if matches!(self.token, Token::Open | Token::OpenList) {
-            format!("write every product with *, as in {first}*(…)")
-        } else {
-            format!("write {first}*{second}")
+        let reason = Reason::MissingOperator { found: format!("{second:?}") };
+        let error = |repair: Repair| {
+            let local = repair.local(self.lexer.text(), &self.last, &self.span);
+            ParseError::new(self.span.clone(), reason.clone(), local).with_repair(repair)
         };
-        ParseError::new(self.span.clone(), Reason::MissingOperator { found }, accepted)
+        let end = group_end(self.lexer.text(), self.span.start);
+        if is_function(first) {
+            return error(Repair::Enclose { from: self.span.start, to: end, at: None });
+        }
+        // The divisor, with the powers and signs that are open in it.
+        let mut start = self.last.start;
+        let mut frames = self.open.iter().rev();
+        let product = loop {
+            match frames.next() {
+                Some(Frame { kind: Waiting::Power | Waiting::Sign { tight: true, .. }, start: begun }) => start = *begun,
+                Some(Frame { kind: Waiting::Product(divides), start: begun }) => break Some((divides, *begun)),
+                _ => break None,
+            }
+        };
+        let at = self.span.start;
+        match product {
+            Some((divides, begun)) if divides.last() == Some(&true) => {
+                let above = self.lexer.slice(begun..start).trim_end().trim_end_matches('/').trim_end();
+                let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
+                let apart = self.last.end < at;
+                // 1/2 r^2 is a half of r^2: a fraction of numbers stands before what it multiplies.
+                if is_number(above) && is_number(first) && (apart || second == "r" || second == "x") {
+                    return error(Repair::Insert { at });
+                }
+                error(Repair::Enclose { from: start, to: end, at: Some(at) })
+            }
+            _ => error(Repair::Insert { at }),
+        }
     }
+}
+
+/// Where a run of factors side by side ends: at the next operator, comma or closing parenthesis.
+fn group_end(text: &str, from: usize) -> usize {
+    let Ok(mut lexer) = Lexer::from(text, from) else { return text.len() };
+    let (mut depth, mut end, mut raised) = (0_usize, from, false);
+    while let Ok((token, span)) = lexer.next() {
+        match token {
+            Token::End => break,
+            Token::Open | Token::OpenList => depth += 1,
+            Token::Close | Token::CloseList if depth == 0 => break,
+            Token::Close | Token::CloseList => depth -= 1,
+            Token::Plus | Token::Minus if depth == 0 && !raised => break,
+            Token::Times | Token::Divide | Token::Comma | Token::Below | Token::Above if depth == 0 => break,
+            _ => {}
+        }
+        raised = token == Token::Caret;
+        end = span.end.max(end);
+    }
+    end
 }

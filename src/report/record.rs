@@ -8,6 +8,8 @@ use crate::transform::{Check, Derived, Profile, Verdict};
 pub struct Derivation<'a> {
     /// The profile, with set parameters in place.
     pub profile: &'a Profile,
+    /// f as it was typed, with set parameters in place.
+    pub typed: &'a Formula,
     /// How the contact ends.
     pub edge: &'a Edge,
     /// The derived relations.
@@ -49,7 +51,7 @@ impl Derivation<'_> {
 
     /// f as it was typed.
     pub fn formula(&self) -> &Formula {
-        &self.profile.typed
+        self.typed
     }
 
     /// What a reader of the formulas must know.
@@ -70,7 +72,8 @@ impl Derivation<'_> {
         notes
     }
 
-    fn has_rim(&self) -> bool {
+    /// True for a punch with a rim at the contact radius.
+    pub(super) fn has_rim(&self) -> bool {
         matches!(self.edge, Edge::Rim(_))
     }
 

@@ -38,7 +38,7 @@ pub use reference::{Field, Grid, LARGEST_GRID};
 pub use regime::{Regime, Simple};
 pub use row::{Row, Work};
 pub use run::{Point, Run};
-pub use shape::{Parameter, SHAPES, Shape, Way, shape};
+pub use shape::{Parameter, SHAPES, Shape, Way, known_shape, shape};
 pub use system::{Names, System};
 pub use template::template;
 pub use unit::Unit;

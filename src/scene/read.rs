@@ -10,7 +10,7 @@ use super::measured::{self, Measured};
 use super::punch::Punch;
 use super::quantity::to_f64;
 use super::reading::Asked;
-use super::shape::{SHAPES, Shape, Way, shape};
+use super::shape::{Shape, Way, known_shape};
 use super::{Control, Curve, Datum, Dimension, Quantity, Scene, SceneError, Simple, System, Unit};
 use crate::contact::ContactError;
 use crate::expr::{Bindings, Expr, Formula, Symbol};
@@ -303,14 +303,7 @@ impl Tip {
     /// The named shape, and the way that fits the parameters that were given.
     fn named(entry: &Entry<'_>, parameters: &mut Vec<Parameter>, table: &Table<'_>) -> Result<(&'static Shape, &'static Way), SceneError> {
         let text = entry.string()?;
-        let Some(found) = shape(text) else {
-            let names: Vec<&str> = SHAPES.iter().map(|shape| shape.name).collect();
-            let near = nearest(text, &names).map_or(String::new(), |near| format!("did you mean {near}? "));
-            let shown: String = text.chars().take(60).collect();
-            return Err(SceneError::value(format!("there is no shape {shown:?}"))
-                .help(format!("{near}known are {}", names.join(", ")))
-                .at(entry.span()));
-        };
+        let found = known_shape(text).map_err(|error| error.at(entry.span()))?;
         // The radius of the cylinder may stand as the parameter or as [profile] radius.
         if let (Some(rim), Some(radius)) = (found.rim, table.get("radius"))
             && parameters.iter().all(|own| own.symbol.name() != rim)
@@ -318,8 +311,7 @@ impl Tip {
         {
             parameters.push(Parameter { symbol: Symbol::new(rim), quantity: radius.quantity()?, span: radius.span() });
         }
-        let fits = |way: &&Way| parameters.iter().all(|own| way.parameters.iter().any(|known| known.name == own.symbol.name()));
-        let way = found.ways.iter().find(fits).or(found.ways.first());
+        let way = found.way(&parameters.iter().map(|own| own.symbol.name()).collect::<Vec<_>>());
         for own in parameters.iter() {
             let is_angle = way.is_some_and(|way| way.parameters.iter().any(|known| known.is_angle() && known.name == own.symbol.name()));
             if is_angle && to_f64(&own.quantity.in_base()).is_ok_and(|angle| angle >= FRAC_PI_2) {

@@ -1,5 +1,8 @@
 //! Named shapes: their parameters, their f(r) and where they come from.
 
+use super::SceneError;
+use super::document::nearest;
+
 /// A named shape.
 #[derive(Debug)]
 pub struct Shape {
@@ -63,6 +66,37 @@ pub const SHAPES: &[Shape] = &[
             Way { f: "r*tan(theta)", parameters: &[p("theta", "12 deg", "angle between flank and surface")] },
             Way { f: "r/tan(alpha)", parameters: &[p("alpha", "78 deg", "half-opening angle")] },
         ],
+        rim: None,
+    },
+    Shape {
+        name: "berkovich",
+        title: "cone with the area of a Berkovich pyramid at every depth (half-angle 70.3 deg)",
+        source: "Oliver & Pharr (1992): A = 3 sqrt(3) tan(65.27 deg)^2 h^2 = pi r^2",
+        ways: &[Way { f: "r*sqrt(pi/(3*sqrt(3)))/tan(65.27*pi/180)", parameters: &[] }],
+        rim: None,
+    },
+    Shape {
+        name: "vickers",
+        title: "cone with the area of a Vickers pyramid at every depth (half-angle 70.3 deg)",
+        source: "faces at 68 deg to the axis: A = 4 tan(68 deg)^2 h^2 = pi r^2",
+        ways: &[Way { f: "r*sqrt(pi)/(2*tan(68*pi/180))", parameters: &[] }],
+        rim: None,
+    },
+    Shape {
+        name: "cube-corner",
+        title: "cone with the area of the corner of a cube at every depth (half-angle 42.3 deg)",
+        source: "faces whose angle to the axis has the tangent 1/sqrt(2): A = (3 sqrt(3)/2) h^2 = pi r^2",
+        ways: &[Way { f: "r*sqrt(2*pi/(3*sqrt(3)))", parameters: &[] }],
+        rim: None,
+    },
+    Shape {
+        name: "oliver-pharr",
+        title: "tip with the area function A = C0 h^2 + C1 h of Oliver and Pharr, its first two terms",
+        source: "Oliver & Pharr (1992), solved for h with A = pi r^2: a hyperboloid",
+        ways: &[Way {
+            f: "(sqrt(C1^2+4*pi*C0*r^2)-C1)/(2*C0)",
+            parameters: &[p("C0", "24.5", "coefficient of h^2, 24.5 for a Berkovich tip"), p("C1", "1 um", "coefficient of h, a length")],
+        }],
         rim: None,
     },
     Shape {
@@ -137,7 +171,7 @@ pub const SHAPES: &[Shape] = &[
         title: "cone that ends in a sphere, without a kink",
         source: "pieces of Popov & Heß (3.42) and (3.71)",
         ways: &[Way {
-            f: "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), r*tan(theta)-R*(1/cos(theta)-1))",
+            f: "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), (r-R*sin(theta))*tan(theta)+R-sqrt(R^2-R^2*sin(theta)^2))",
             parameters: &[p("R", "0.2 um", "radius of the tip"), p("theta", "12 deg", "angle between flank and surface")],
         }],
         rim: None,
@@ -210,6 +244,46 @@ pub const SHAPES: &[Shape] = &[
     },
 ];
 
+/// The shape of a name, or an error that suggests the nearest one.
+///
+/// # Errors
+/// [`SceneError`] for a name that no shape has.
+pub fn known_shape(name: &str) -> Result<&'static Shape, SceneError> {
+    shape(name).ok_or_else(|| {
+        let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
+        let meant = OTHER_NAMES.iter().find(|(other, _)| *other == plain).map(|(_, own)| *own);
+        let names: Vec<&str> = SHAPES.iter().map(|shape| shape.name).collect();
+        let near = meant.or_else(|| nearest(&plain, &names)).map_or(String::new(), |near| format!("did you mean {near}? "));
+        let shown: String = name.chars().take(60).collect();
+        SceneError::value(format!("there is no shape {shown:?}")).help(format!("{near}known are {}", names.join(", ")))
+    })
+}
+
+/// Names under which a shape may be looked for, although they do not say exactly which one is meant.
+const OTHER_NAMES: &[(&str, &str)] = &[
+    ("rounded-cone", "cone-with-spherical-cap"),
+    ("blunt-cone", "cone-with-spherical-cap"),
+    ("blunted-cone", "cone-with-spherical-cap"),
+    ("conospherical", "cone-with-spherical-cap"),
+    ("spheroconical", "cone-with-spherical-cap"),
+    ("worn-cone", "truncated-cone"),
+    ("frustum", "truncated-cone"),
+    ("worn-sphere", "truncated-paraboloid"),
+    ("ball", "sphere"),
+    ("pyramid", "berkovich"),
+    ("area-function", "oliver-pharr"),
+    ("rounded-punch", "flat-with-rounded-edge"),
+    ("spheroid", "ellipsoid"),
+];
+
+impl Shape {
+    /// The way of giving its parameters that has all of these names; the usual one where none has.
+    pub fn way(&self, names: &[&str]) -> Option<&'static Way> {
+        let fits = |way: &&Way| names.iter().all(|name| way.parameters.iter().any(|known| known.name == *name));
+        self.ways.iter().find(fits).or(self.ways.first())
+    }
+}
+
 /// The shape of a name; blanks and underscores count as hyphens.
 pub fn shape(name: &str) -> Option<&'static Shape> {
     let own = name.trim().to_lowercase().replace([' ', '_'], "-");
@@ -220,6 +294,9 @@ pub fn shape(name: &str) -> Option<&'static Shape> {
         "spherical" => "sphere",
         "power-law" => "power",
         "concave" => "concave-paraboloid",
+        "berkovich-equivalent-cone" => "berkovich",
+        "vickers-equivalent-cone" => "vickers",
+        "cube-corner-equivalent-cone" => "cube-corner",
         "rounded-flat" | "rounded-edge-punch" | "flat-punch-with-rounded-edge" => "flat-with-rounded-edge",
         other => other,
     };

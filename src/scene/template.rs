@@ -38,6 +38,9 @@ fn write(shape: &Shape, out: &mut String) -> std::fmt::Result {
         for own in way.parameters {
             writeln!(out, "#   {}: {}", own.name, own.meaning)?;
         }
+        if list.is_empty() {
+            continue;
+        }
         writeln!(out, "{}parameters = {{ {} }}", if index == 0 { "" } else { "# " }, list.join(", "))?;
     }
     match shape.rim {

@@ -74,8 +74,10 @@ impl Unit {
     /// # Errors
     /// [`SceneError`] for a name that is not known.
     pub fn parse(text: &str) -> Result<Self, SceneError> {
-        let bad =
-            || SceneError::unit(format!("{} is no unit", if text.trim().is_empty() { "an empty text" } else { text.trim() })).help(KNOWN);
+        let bad = || {
+            let shown: String = if text.trim().is_empty() { "an empty text".to_owned() } else { text.trim().chars().take(60).collect() };
+            SceneError::unit(format!("{shown} is no unit")).help(format!("{}{KNOWN}", suggestion(text)))
+        };
         let (mut factor, mut dimension) = (Expr::one(), Dimension::NONE);
         let mut divide = false;
         let mut rest = text.trim();
@@ -148,6 +150,43 @@ fn exponent(text: &str) -> Option<Ratio<i64>> {
     };
     let (above, below) = (part(above)?, part(below)?);
     (*below.numer() != 0).then(|| above / below)
+}
+
+/// The units that were probably meant: spelled out, or in other capitals.
+fn suggestion(text: &str) -> String {
+    const SPELLED: &[(&str, &str)] = &[
+        ("meter", "m"),
+        ("metre", "m"),
+        ("micrometer", "um"),
+        ("micrometre", "um"),
+        ("nanometer", "nm"),
+        ("nanometre", "nm"),
+        ("millimeter", "mm"),
+        ("millimetre", "mm"),
+        ("micron", "um"),
+        ("inch", "in"),
+        ("foot", "ft"),
+        ("newton", "N"),
+        ("millinewton", "mN"),
+        ("micronewton", "uN"),
+        ("pascal", "Pa"),
+        ("gigapascal", "GPa"),
+        ("megapascal", "MPa"),
+        ("kilopascal", "kPa"),
+        ("joule", "J"),
+        ("degree", "deg"),
+        ("radian", "rad"),
+    ];
+    let wanted: String = text.trim().chars().take(60).collect::<String>().to_lowercase();
+    let plain = wanted.strip_suffix('s').unwrap_or(&wanted);
+    let spelled = SPELLED.iter().find(|(name, _)| *name == plain).map(|(_, unit)| (*unit).to_owned());
+    let prefixes = PREFIXES.iter().map(|(prefix, _)| *prefix).filter(|prefix| prefix.is_ascii());
+    let names = std::iter::once("")
+        .chain(prefixes)
+        .flat_map(|prefix| TABLE.iter().filter(move |row| prefix.is_empty() || row.5).map(move |row| format!("{prefix}{}", row.0)));
+    let mut meant: Vec<String> = names.filter(|name| name.to_lowercase() == wanted).collect();
+    meant.extend(spelled);
+    if meant.is_empty() { String::new() } else { format!("did you mean {}? ", meant.join(" or ")) }
 }
 
 fn named(name: &str) -> Option<Unit> {

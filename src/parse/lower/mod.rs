@@ -7,7 +7,7 @@ mod known;
 mod names;
 mod piecewise;
 
-pub(super) use names::Names;
+pub(super) use names::{Names, is_function};
 
 use super::syntax::{Item, Kind};
 use super::{ParseError, Reason};

@@ -9,6 +9,8 @@ use std::ops::Range;
 pub(in crate::parse) enum Names {
     /// `r` and parameters.
     Profile,
+    /// `r`, `a` and parameters.
+    Punch,
     /// `x` and parameters.
     Equivalent,
     /// `r`, `a`, `E` and parameters.
@@ -46,7 +48,7 @@ impl Names {
         }
         match self {
             Self::None => error(Reason::NotConstant { name: owned }, CONSTANTS.to_owned()),
-            Self::Profile | Self::Equivalent | Self::Pressure => match self.reserved(name) {
+            Self::Profile | Self::Punch | Self::Equivalent | Self::Pressure => match self.reserved(name) {
                 Some((meaning, accepted)) => error(Reason::Reserved { name: owned, meaning }, accepted.to_owned()),
                 None => Ok(Expr::symbol(name)),
             },
@@ -59,14 +61,14 @@ impl Names {
         match self {
             Self::Formula => matches!(name, "r" | "x" | "a" | "d"),
             Self::Equivalent => name == "x",
-            Self::Profile | Self::Pressure | Self::None => name == "r",
+            Self::Profile | Self::Punch | Self::Pressure | Self::None => name == "r",
         }
     }
 
     /// Meaning and better names of the names that this kind of text may not use.
     fn reserved(self, name: &str) -> Option<(&'static str, &'static str)> {
         match (self, name) {
-            (Self::Equivalent, "x") | (Self::Pressure, "a" | "E") => None,
+            (Self::Equivalent, "x") | (Self::Pressure, "a" | "E") | (Self::Punch, "a") => None,
             (Self::Equivalent, "r") => Some(("the radius", "the coordinate of g is x; for a parameter write r_0")),
             _ => reserved(name),
         }
@@ -91,7 +93,7 @@ impl Names {
 }
 
 /// True for a name that needs parentheses.
-fn is_function(name: &str) -> bool {
+pub(in crate::parse) fn is_function(name: &str) -> bool {
     let built_in = matches!(name, "sqrt" | "piecewise" | "integral");
     built_in || (!GREEK.contains(&name) && Function::named(name).is_some())
 }
@@ -100,7 +102,7 @@ fn is_function(name: &str) -> bool {
 fn reserved(name: &str) -> Option<(&'static str, &'static str)> {
     Some(match name {
         "x" => ("the coordinate of the transformed profile g(x)", "the radius is r; for a parameter write x_0"),
-        "a" => ("the contact radius", "the radius is r; for a parameter write a_0 or b"),
+        "a" => ("the contact radius", "the radius is r; for a parameter write a_0 or b; with --depth, a is the radius of the rim"),
         "d" => ("the depth", "for a parameter write d_0 or h"),
         "E" => ("the effective modulus", "for a parameter write E_0; Euler's number is e"),
         _ => return None,
