@@ -1,7 +1,7 @@
 //! Where a profile is real and finite: its value at the axis, the limits of r, and tests at random admissible points.
 
 use super::stream::Stream;
-use super::{Chain, TransformError};
+use super::{Chain, TransformError, angles};
 use crate::eval::{BoundedAlgebra, constant_value, walk};
 use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Sign, Symbol, normal, sign};
 use crate::num::Bounded;
@@ -224,7 +224,7 @@ fn solve(demand: &Expr, lower: &Expr, upper: Option<&Expr>) -> Result<Option<Con
             let room = &limit - end;
             Ok(match (sign(&room), numeric_sign(&room)) {
                 (Sign::Positive | Sign::Zero, _) | (_, Some(1.0)) => None,
-                _ if normal::is_proven_zero(&room, &radius) => None,
+                _ if angles::is_proven_zero(&room, &radius) || angles::is_proven_below(end, &limit) => None,
                 (Sign::Negative, _) | (_, Some(_)) => Some(Condition::less(r, limit)),
                 _ => Some(Condition { left: end.clone(), relation: Relation::LessOrEqual, right: limit }),
             })
@@ -270,7 +270,14 @@ pub(super) fn numeric_sign(expr: &Expr) -> Option<f64> {
 pub(super) fn sample_bindings(expr: &Expr, count: usize) -> Vec<Bindings> {
     let names: Vec<Symbol> = expr.symbols().into_iter().filter(|s| s.name() != "r").collect();
     let mut stream = Stream::new(0x5eed_0d0e);
-    (0..count).map(|_| names.iter().map(|s| (s.name(), Expr::number(stream.dyadic()))).collect()).collect()
+    let largest: Vec<Option<f64>> = names.iter().map(|name| angles::largest(expr, name)).collect();
+    let mut draw = |largest: Option<f64>| {
+        let value = stream.dyadic();
+        // A slope angle is acute.
+        let acute = largest.and_then(|end| Number::from_f64(end * value.to_f64() / (1.0 + value.to_f64())));
+        Expr::number(acute.unwrap_or(value))
+    };
+    (0..count).map(|_| names.iter().zip(&largest).map(|(name, largest)| (name.name(), draw(*largest))).collect()).collect()
 }
 
 fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {

@@ -1,9 +1,10 @@
 //! The kinks of abs, min and max: located exactly where the equation solves, numerically where it has no parameters.
 
+use super::angles::{self, Positive};
 use super::domain::numeric_sign;
 use super::{Chain, TransformError};
 use crate::eval::{BoundedAlgebra, Tape};
-use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, normal, sign};
+use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, normal};
 use crate::num::Bounded;
 
 /// The largest number of kinks that are resolved in one chain.
@@ -72,7 +73,9 @@ fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]
     let lower = if index == 0 { None } else { chain.breakpoints.get(index - 1).cloned() };
     let upper = chain.breakpoints.get(index).cloned();
     let Some(piece) = chain.pieces.get(index).cloned() else { return Err(failure(name, "the piece is missing")) };
-    let (roots, mut positive) = sign_changes(&difference, name)?;
+    let constants = Positive::of(&difference);
+    let (roots, mut positive) = sign_changes(&constants.replaced(&difference), name).or_else(|_| sign_changes(&difference, name))?;
+    let roots: Vec<Expr> = roots.iter().map(|root| constants.restored(root)).collect();
     // Keep the roots inside the piece; those before it flip the sign that holds at its lower end.
     let mut inside = Vec::new();
     for root in roots {
@@ -103,16 +106,13 @@ fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]
 
 /// The order of two breakpoints: proven, numeric, or an error.
 fn order(root: &Expr, end: &Expr) -> Result<Sign, TransformError> {
-    match sign(&(root - end)) {
-        Sign::Unknown => match numeric_sign(&(root - end)) {
-            Some(s) if s > 0.0 => Ok(Sign::Positive),
-            Some(_) => Ok(Sign::Negative),
-            None if normal::is_proven_zero(&(root - end), &Symbol::new("r")) => Ok(Sign::Zero),
-            None => {
-                Err(crate::expr::ExprError::UnknownOrder { left: crate::print::text_expr(root), right: crate::print::text_expr(end) }
-                    .into())
-            }
-        },
+    match angles::known_sign(&(root - end)) {
+        Sign::Unknown if angles::is_proven_zero(&(root - end), &Symbol::new("r")) => Ok(Sign::Zero),
+        Sign::Unknown if angles::is_proven_below(root, end) => Ok(Sign::Negative),
+        Sign::Unknown if angles::is_proven_below(end, root) => Ok(Sign::Positive),
+        Sign::Unknown => {
+            Err(crate::expr::ExprError::UnknownOrder { left: crate::print::text_expr(root), right: crate::print::text_expr(end) }.into())
+        }
         known => Ok(known),
     }
 }
@@ -125,7 +125,7 @@ fn failure(function: &'static str, reason: &str) -> TransformError {
 fn sign_changes(difference: &Expr, name: &'static str) -> Result<(Vec<Expr>, bool), TransformError> {
     let radius = Symbol::new("r");
     let expanded = normal::expanded(difference, &radius)?;
-    match sign(&expanded) {
+    match angles::known_sign(&expanded) {
         Sign::Positive | Sign::Zero => return Ok((Vec::new(), true)),
         Sign::Negative => return Ok((Vec::new(), false)),
         Sign::Unknown => {}
@@ -138,9 +138,9 @@ fn sign_changes(difference: &Expr, name: &'static str) -> Result<(Vec<Expr>, boo
         // A r^p + B r^q = 0 at r = (−A/B)^(1/(q−p)).
         let gap = &two.exponent - &one.exponent;
         let ratio = -&one.coefficient / &two.coefficient;
-        match (sign(&ratio), sign(&gap)) {
+        match (angles::known_sign(&ratio), angles::known_sign(&gap)) {
             (Sign::Positive, Sign::Positive | Sign::Negative) => {
-                let first = if sign(&gap) == Sign::Positive { one } else { two };
+                let first = if angles::known_sign(&gap) == Sign::Positive { one } else { two };
                 let starts = known_sign(&first.coefficient, name)?;
                 return Ok((vec![ratio.pow(&gap.recip())], starts == Sign::Positive));
             }
@@ -162,10 +162,9 @@ fn sign_changes(difference: &Expr, name: &'static str) -> Result<(Vec<Expr>, boo
 }
 
 fn known_sign(expr: &Expr, name: &'static str) -> Result<Sign, TransformError> {
-    match (sign(expr), numeric_sign(expr)) {
-        (Sign::Unknown, Some(s)) => Ok(if s > 0.0 { Sign::Positive } else { Sign::Negative }),
-        (Sign::Unknown, None) => Err(failure(name, &format!("the sign of {} is not known", crate::print::text_expr(expr)))),
-        (known, _) => Ok(known),
+    match angles::known_sign(expr) {
+        Sign::Unknown => Err(failure(name, &format!("the sign of {} is not known", crate::print::text_expr(expr)))),
+        known => Ok(known),
     }
 }
 

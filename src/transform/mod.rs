@@ -1,6 +1,7 @@
 //! The heart: from a profile to its terms, from terms to exact answers or integrals, and from both to numbers.
 
 mod angle;
+mod angles;
 mod assemble;
 mod axial;
 mod check;

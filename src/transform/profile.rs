@@ -1,8 +1,8 @@
 //! The profile as chains of smooth pieces, read from a formula and examined for jumps, kinks and poles.
 
-use super::{TransformError, domain, kinks};
+use super::{TransformError, angles, domain, kinks};
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative, normal, sign};
+use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative};
 use crate::print;
 
 /// The largest number of pieces of one chain.
@@ -81,6 +81,10 @@ impl Profile {
         }
         for chain in &resolved {
             domain::collect(chain, &mut conditions)?;
+        }
+        // Pieces are put in order and joined for acute slope angles only.
+        if resolved.iter().any(|chain| !chain.breakpoints.is_empty()) {
+            conditions.extend(angles::conditions(resolved.iter().flat_map(|chain| chain.breakpoints.iter().chain(&chain.pieces))));
         }
         conditions.sort();
         conditions.dedup();
@@ -168,8 +172,9 @@ impl Chain {
     fn refuse_disorder(&self, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
         for pair in self.breakpoints.windows(2) {
             let [lower, upper] = pair else { continue };
-            match sign(&(upper - lower)) {
+            match angles::sign(&(upper - lower)) {
                 Sign::Positive => {}
+                Sign::Unknown if angles::is_proven_below(lower, upper) => {}
                 Sign::Unknown => match domain::numeric_sign(&(upper - lower)) {
                     Some(s) if s > 0.0 => {}
                     Some(_) => return Err(disorder(lower, upper)),
@@ -186,7 +191,7 @@ impl Chain {
         for ((before, beyond), at) in self.pieces.iter().zip(self.pieces.iter().skip(1)).zip(&self.breakpoints) {
             let place = Bindings::one(radius.name(), at.clone());
             let jump = place.apply(beyond) - place.apply(before);
-            if normal::is_proven_zero(&jump, radius) {
+            if angles::is_proven_zero(&jump, radius) {
                 continue;
             }
             match domain::vanishes_at_random_points(&jump) {
