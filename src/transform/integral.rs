@@ -247,7 +247,10 @@ impl NumericSegment {
         if rule.is_none() {
             let found = match self.by_known_rule(x, weight, tolerance)? {
                 Some(found) => Some(found),
-                None => self.by_nested_rules(x, weight, tolerance)?,
+                None => match self.by_pieces(x, weight, tolerance) {
+                    Ok(Some(found)) => Some(found),
+                    _ => self.by_nested_rules(x, weight, tolerance)?,
+                },
             };
             if let Some(found) = found {
                 return Ok(Estimate { error: found.error + smear, ..found });

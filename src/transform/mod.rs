@@ -4,6 +4,7 @@ mod angle;
 mod angles;
 mod assemble;
 mod axial;
+mod bisected;
 mod check;
 mod closed;
 mod closure;

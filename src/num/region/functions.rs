@@ -7,6 +7,9 @@ impl Region {
     /// √z, the principal branch: unknown where the rectangle meets (−∞, 0].
     #[must_use]
     pub fn sqrt(self) -> Self {
+        if self.is_on_the_axis() && self.re.low >= 0.0 {
+            return Self::rectangle(self.re.rising(f64::sqrt).from_zero_on(), Interval::point(0.0));
+        }
         if self.meets_the_cut() {
             return Self::unknown();
         }
@@ -19,7 +22,8 @@ impl Region {
         if re.low.is_nan() || re.low <= 0.0 {
             return Self::unknown();
         }
-        Self { re, im: self.im.multiply(re.scaled(2.0).inverse()) }
+        let im = self.im.multiply(re.scaled(2.0).inverse());
+        Self { re, im, ..Self::sized(self.least().sqrt(), self.largest().sqrt()) }
     }
 
     /// ln z, the principal branch: unknown where the rectangle meets (−∞, 0].
@@ -28,24 +32,39 @@ impl Region {
         if self.meets_the_cut() {
             return Self::unknown();
         }
-        Self { re: Interval::loose(self.least().ln(), self.largest().ln()), im: self.angle() }
+        Self::rectangle(Interval::loose(self.least().ln(), self.largest().ln()), self.angle())
     }
 
     /// e^z.
     #[must_use]
     pub fn exp(self) -> Self {
-        Self::polar(self.re.rising(f64::exp), self.im)
+        // |e^z| is known where the argument may be anything and where it overflows.
+        let own = Self::polar(self.re.rising(f64::exp), self.im);
+        if !(self.re.low <= self.re.high && self.im.low <= self.im.high) {
+            return Self::unknown();
+        }
+        let sizes = Self::sized(self.re.low.exp() * (1.0 - 8.0 * f64::EPSILON), self.re.high.exp() * (1.0 + 8.0 * f64::EPSILON));
+        if own.is_known() { Self { least: sizes.least, most: sizes.most, ..own } } else { sizes }
     }
 
     /// z^w.
     #[must_use]
     pub fn power(self, exponent: Self) -> Self {
         let Some(own) = exponent.as_real() else {
+            let (base, by) = (self.re, exponent.re);
+            if self.is_on_the_axis() && exponent.is_on_the_axis() && base.low == 0.0 && by.low > 0.0 {
+                let most = base.high.powf(by.low).max(base.high.powf(by.high));
+                return Self::rectangle(Interval::loose(0.0, most).from_zero_on(), Interval::point(0.0));
+            }
             return (exponent * self.ln()).exp();
         };
         const MOST: f64 = 1e6;
         if own.fract() == 0.0 && own.abs() <= MOST {
             return self.powi(own as i32);
+        }
+        if self.is_on_the_axis() && self.re.low >= 0.0 && own > 0.0 {
+            let power = Interval::loose(self.re.low.powf(own), self.re.high.powf(own)).from_zero_on();
+            return Self::rectangle(power, Interval::point(0.0));
         }
         if self.meets_the_cut() {
             return Self::unknown();
@@ -57,13 +76,16 @@ impl Region {
     /// sin z = sin x cosh y + i cos x sinh y.
     #[must_use]
     pub fn sin(self) -> Self {
-        Self { re: self.re.sin().multiply(self.im.cosh()), im: self.re.cos().multiply(self.im.rising(f64::sinh)) }
+        // |sin z| lies between |sinh y| and cosh y.
+        let sizes = Self::between(self.im);
+        Self { re: self.re.sin().multiply(self.im.cosh()), im: self.re.cos().multiply(self.im.rising(f64::sinh)), ..sizes }
     }
 
     /// cos z = cos x cosh y − i sin x sinh y.
     #[must_use]
     pub fn cos(self) -> Self {
-        Self { re: self.re.cos().multiply(self.im.cosh()), im: self.re.sin().multiply(self.im.rising(f64::sinh)).negated() }
+        let sizes = Self::between(self.im);
+        Self { re: self.re.cos().multiply(self.im.cosh()), im: self.re.sin().multiply(self.im.rising(f64::sinh)).negated(), ..sizes }
     }
 
     /// sinh z = −i sin(i z).
@@ -82,6 +104,12 @@ impl Region {
     #[must_use]
     pub fn tanh(self) -> Self {
         let (size, turn) = (self.re.scaled(2.0).cosh().low, self.im.scaled(2.0).cos().low);
+        // Away from the imaginary axis ±1 is near: tanh z = 1 − 2/(e^(2z) + 1).
+        let near = (-2.0 * self.re.least()).exp() * (1.0 + 8.0 * f64::EPSILON);
+        if near < 0.1 && self.re.largest() <= f64::MAX && self.im.largest() <= f64::MAX {
+            let off = 2.0 * near / (1.0 - near) * (1.0 + 8.0 * f64::EPSILON);
+            return Self::real(if self.re.low > 0.0 { 1.0 } else { -1.0 }) + Self::within(off);
+        }
         // The quotient rises as either falls, to 1 where the cosine is 0.
         let below = size + turn - 4.0 * f64::EPSILON * size;
         if !(below > 0.0 && self.is_known()) {
@@ -147,7 +175,7 @@ impl Region {
     fn through(self, least: impl FnOnce(Self) -> f64) -> Self {
         let square = self.square();
         let zero = Interval::point(0.0);
-        let hull = Self { re: square.re.hull(zero), im: square.im.hull(zero) };
+        let hull = Self::rectangle(square.re.hull(zero), square.im.hull(zero));
         let least = if square.is_known() { least(hull) } else { 0.0 };
         if least > 0.0 { Self::within(self.largest() / least * (1.0 + 8.0 * f64::EPSILON)) } else { Self::unknown() }
     }
@@ -166,16 +194,21 @@ impl Region {
 
     /// Numbers of these magnitudes and arguments.
     fn polar(size: Interval, angle: Interval) -> Self {
-        Self { re: size.multiply(angle.cos()), im: size.multiply(angle.sin()) }
+        Self { re: size.multiply(angle.cos()), im: size.multiply(angle.sin()), ..Self::sized(size.low, size.high) }
+    }
+
+    /// Numbers whose magnitude lies between |sinh y| and cosh y.
+    fn between(y: Interval) -> Self {
+        Self::sized(y.least().sinh() * (1.0 - 8.0 * f64::EPSILON), y.largest().cosh() * (1.0 + 8.0 * f64::EPSILON))
     }
 
     /// i z.
     fn turned(self) -> Self {
-        Self { re: self.im.negated(), im: self.re }
+        Self { re: self.im.negated(), im: self.re, ..self }
     }
 
     /// −i z.
     fn turned_back(self) -> Self {
-        Self { re: self.im, im: self.re.negated() }
+        Self { re: self.im, im: self.re.negated(), ..self }
     }
 }

@@ -100,6 +100,12 @@ impl Interval {
         if self.is_known() { Self { low: self.low.max(-most), high: self.high.min(most) } } else { self }
     }
 
+    /// What lies in both.
+    pub(super) fn and(self, other: Self) -> Self {
+        let own = Self { low: self.low.max(other.low), high: self.high.min(other.high) };
+        if own.low <= own.high { own } else { self }
+    }
+
     /// From the lowest to the highest of both.
     pub(super) fn hull(self, other: Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
@@ -107,6 +113,11 @@ impl Interval {
 
     pub(super) fn is_known(self) -> bool {
         self.low >= f64::MIN && self.high <= f64::MAX && self.low <= self.high
+    }
+
+    /// Without its negative numbers.
+    pub(super) fn from_zero_on(self) -> Self {
+        Self { low: self.low.max(0.0), high: self.high }
     }
 
     /// A function that rises.

@@ -23,12 +23,16 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Region {
     re: Interval,
     im: Interval,
+    /// No |z| is less: more than the rectangle tells where the argument may be anything. 0 where nothing is known.
+    least: f64,
+    /// No |z| is more, where that is a number.
+    most: f64,
 }
 
 impl Region {
     /// The rectangle between these bounds, lowest first.
     pub fn new(re: (f64, f64), im: (f64, f64)) -> Self {
-        Self { re: Interval::new(re.0, re.1), im: Interval::new(im.0, im.1) }
+        Self::rectangle(Interval::new(re.0, re.1), Interval::new(im.0, im.1))
     }
 
     /// One real number.
@@ -38,7 +42,12 @@ impl Region {
 
     /// Everything, or what is not analytic.
     pub fn unknown() -> Self {
-        Self { re: Interval::UNKNOWN, im: Interval::UNKNOWN }
+        Self::rectangle(Interval::UNKNOWN, Interval::UNKNOWN)
+    }
+
+    /// Numbers of which nothing is known but the rectangle.
+    fn rectangle(re: Interval, im: Interval) -> Self {
+        Self { re, im, least: 0.0, most: f64::INFINITY }
     }
 
     /// Every z with |z| ≤ `radius`, and more.
@@ -48,13 +57,53 @@ impl Region {
             return Self::unknown();
         }
         let own = Interval::new(-radius, radius);
-        Self { re: own, im: own }
+        Self { re: own, im: own, least: 0.0, most: radius }
     }
 
     /// The largest |z|; infinite where it is not known.
     pub fn largest(self) -> f64 {
         let size = self.re.largest().hypot(self.im.largest()).next_up();
-        if size.is_nan() { f64::INFINITY } else { size.next_up() }
+        if size.is_nan() || self.re.low.is_nan() || self.im.low.is_nan() { f64::INFINITY } else { size.next_up().min(self.most) }
+    }
+
+    /// What lies in both rectangles, of which each has all values of one function.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        if self.is_known() && other.is_known() {
+            Self {
+                re: self.re.and(other.re),
+                im: self.im.and(other.im),
+                ..Self::sized(self.least.max(other.least), self.most.min(other.most))
+            }
+        } else if self.is_known() {
+            self
+        } else {
+            other
+        }
+    }
+
+    /// The numbers of it that are not negative, where it is real.
+    #[must_use]
+    pub fn from_zero_on(self) -> Self {
+        if self.im.is(0.0) && self.re.low < 0.0 && self.re.high >= 0.0 {
+            Self { re: Interval::new(0.0, self.re.high), ..self }
+        } else {
+            self
+        }
+    }
+
+    /// Whether it is a part of the real axis.
+    fn is_on_the_axis(self) -> bool {
+        self.im.is(0.0) && self.re.low <= self.re.high
+    }
+
+    /// Numbers of which the magnitude alone is known.
+    fn sized(least: f64, most: f64) -> Self {
+        // What is not a number bounds nothing.
+        let least = if least > 0.0 { (least * (1.0 - 4.0 * f64::EPSILON)).min(f64::MAX) } else { 0.0 };
+        let most = if most < f64::MAX { most * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE } else { f64::INFINITY };
+        let own = Interval::new(-most, most);
+        Self { re: own, im: own, least, most }
     }
 
     /// Whether all bounds are numbers.
@@ -65,7 +114,7 @@ impl Region {
     /// A bound from below on |z|.
     fn least(self) -> f64 {
         let size = self.re.least().hypot(self.im.least());
-        if size > 0.0 { (size * (1.0 - 4.0 * f64::EPSILON)).max(0.0) } else { 0.0 }
+        if size > 0.0 { (size * (1.0 - 4.0 * f64::EPSILON)).max(self.least) } else { self.least }
     }
 
     /// The real number that this is.
@@ -76,21 +125,26 @@ impl Region {
     /// z².
     fn square(self) -> Self {
         let re = self.re.square().add(self.im.square().negated());
-        Self { re, im: self.re.multiply(self.im).scaled(2.0) }
+        let im = self.re.multiply(self.im).scaled(2.0);
+        Self { re, im, ..Self::sized(self.least() * self.least(), self.largest() * self.largest()) }
     }
 
     /// 1/z.
     #[must_use]
     pub fn recip(self) -> Self {
         let size = self.re.square().add(self.im.square());
-        if !(self.least() > 0.0 && size.low > 0.0) {
+        let sized = Self::sized(1.0 / self.largest(), 1.0 / self.least());
+        if self.least() <= 0.0 {
             return Self::unknown();
+        }
+        if !(size.low > 0.0 && size.high < f64::MAX) {
+            return sized;
         }
         // Each part as a fraction of |z|², and never more than 1/|z|.
         let most = (1.0 / self.least()).next_up();
         let inverse = size.inverse();
         let part = |own: Interval| own.multiply(inverse).cut(most);
-        Self { re: part(self.re), im: part(self.im).negated() }
+        Self { re: part(self.re), im: part(self.im).negated(), ..sized }
     }
 
     /// zⁿ.
@@ -116,14 +170,17 @@ impl Region {
 impl Add for Region {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self { re: self.re.add(other.re), im: self.im.add(other.im) }
+        let (re, im) = (self.re.add(other.re), self.im.add(other.im));
+        let least = (self.least() - other.largest()).max(other.least() - self.largest());
+        // The difference is rounded.
+        Self { re, im, ..Self::sized(least - 2.0 * f64::EPSILON * (self.least() + other.least()), self.largest() + other.largest()) }
     }
 }
 
 impl Neg for Region {
     type Output = Self;
     fn neg(self) -> Self {
-        Self { re: self.re.negated(), im: self.im.negated() }
+        Self { re: self.re.negated(), im: self.im.negated(), ..self }
     }
 }
 
@@ -139,7 +196,7 @@ impl Mul for Region {
     fn mul(self, other: Self) -> Self {
         let re = self.re.multiply(other.re).add(self.im.multiply(other.im).negated());
         let im = self.re.multiply(other.im).add(self.im.multiply(other.re));
-        Self { re, im }
+        Self { re, im, ..Self::sized(self.least() * other.least(), self.largest() * other.largest()) }
     }
 }
 
