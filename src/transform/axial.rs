@@ -7,7 +7,8 @@ use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::{Bounded, Estimate, forms};
 
 impl NumericProfile {
-    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz(z)·π/E* at the depth z > 0 on the axis under a smooth edge.
+    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz(z)·π/E* at the depth z ≥ 0 on the axis under a smooth edge; at z = 0 it
+    /// is p(0)·π/E*, for a profile whose slope vanishes at the axis like a power of r.
     ///
     /// With g′ by (r f′)′ the inner integral is
     /// K(r) = ∫_r^a W(x)/√(x²−r²) dx = (1/Q)(1 + z²/Q²) arctan(w/Q) + z² w/(Q² H), Q² = r² + z², w² = a² − r², H = a² + z²;
@@ -50,7 +51,7 @@ impl NumericSegment {
         // The weight turns from r² to a constant about r = z: both sides are smooth in their own scale.
         let mut places = vec![lower];
         let mut at = z;
-        while at < end {
+        while at > 0.0 && at < end {
             if at > lower {
                 places.push(at);
             }

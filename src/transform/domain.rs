@@ -3,7 +3,7 @@
 use super::stream::Stream;
 use super::{Chain, TransformError, angles};
 use crate::eval::{BoundedAlgebra, constant_value, walk};
-use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Sign, Symbol, normal, sign};
+use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Sign, Symbol, leading_term, normal, sign};
 use crate::num::Bounded;
 use crate::print;
 
@@ -27,7 +27,15 @@ pub(super) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
     if let Some(value) = limit_of_regular_terms(piece, &radius) {
         return Ok(value);
     }
-    // 0·ln 0, sin(r)/r and the like: look at the sequence r → 0.
+    // sin(k r)/(k r) and the like: the leading term of their power series.
+    if let Some(term) = leading_term(piece) {
+        return match term.exponent {
+            own if own.is_positive() => Ok(Expr::zero()),
+            own if own.is_zero() => Ok(term.coefficient),
+            _ => Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) }),
+        };
+    }
+    // r^n ln(1 + 1/r) and the like: look at the sequence r → 0.
     let settled = sample_bindings(piece, 3).iter().all(|set| {
         let near = |r: f64| value_at(piece, set, r);
         let (u, v, w) = (near(1e-80), near(1e-120), near(1e-160));

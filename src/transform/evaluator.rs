@@ -1,5 +1,6 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
+use super::admit::{beyond_the_edge, finite_and_not_negative, tolerance_in_range};
 use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, rounded, total};
 use super::dense::Kept;
 use super::engine::SolvedInterval;
@@ -16,6 +17,9 @@ use std::sync::OnceLock;
 const ORDER: usize = 24;
 /// The same for the pressure, which has nothing else next to the axis.
 const PRESSURE_ORDER: usize = 64;
+
+/// Where a quadrature has fewer digits than this relative error says, the series is asked too.
+const SCANT: f64 = 1e-10;
 
 /// How a number may be computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,6 +50,7 @@ pub struct Evaluator<'a> {
     typed: OnceLock<NumericProfile>,
     recognised: OnceLock<NumericProfile>,
     heights: OnceLock<Heights>,
+    pub(super) steep: OnceLock<bool>,
     pub(super) dense: Kept,
     pub(super) tolerance: f64,
     pub(super) method: Method,
@@ -83,8 +88,9 @@ impl<'a> Evaluator<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value.
+    /// [`TransformError::Evaluation`] where a parameter has no value; [`TransformError::Statement`] for a tolerance outside (0, 1).
     pub fn new(solution: &'a Solution, bindings: &Bindings, method: Method, tolerance: f64) -> Result<Self, TransformError> {
+        tolerance_in_range(tolerance)?;
         let number = |expr: &Expr| constant_value(expr, bindings).map(|b| b.value);
         let mut chains = Vec::new();
         for chain in &solution.chains {
@@ -106,6 +112,7 @@ impl<'a> Evaluator<'a> {
             typed: OnceLock::new(),
             recognised: OnceLock::new(),
             heights: OnceLock::new(),
+            steep: OnceLock::new(),
             dense: Kept::default(),
             tolerance,
             method,
@@ -136,7 +143,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The profile by the recognition form of f′.
-    fn recognised(&self) -> Result<&NumericProfile, TransformError> {
+    pub(super) fn recognised(&self) -> Result<&NumericProfile, TransformError> {
         if let Some(ready) = self.recognised.get() {
             return Ok(ready);
         }
@@ -204,35 +211,6 @@ impl<'a> Evaluator<'a> {
                 let found = self.by_quadrature(quantity, at, &[at], typed.map(Some), |open| integrate(open).map(Some));
                 found.and_then(|reading| finite(reading, quantity.coordinate(), at))
             }
-        }
-    }
-
-    /// p(r)·π/E* under a smooth edge of radius a; `None` where it is infinite by theory.
-    ///
-    /// # Errors
-    /// As [`Self::slope`].
-    pub fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
-        self.check_domain("a", a)?;
-        if r >= a {
-            let zero = Estimate::exact(0.0);
-            return Ok(Some(Reading { estimate: zero, method: "exact" }));
-        }
-        let singular = || r == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == r));
-        let mut found = self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance));
-        let poor = |own: &Reading| own.method != "exact" && own.estimate.relative_error() > self.tolerance;
-        if self.method == Method::Auto
-            && found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(poor))
-            && let Some(estimate) = self.pressure_by_closed_slope(r, a)
-            && found.as_ref().is_ok_and(|own| own.is_some_and(|own| estimate.error < own.estimate.error))
-        {
-            found = Ok(Some(Reading { estimate, method: "quadrature" }));
-        }
-        match found? {
-            // Infinite by theory; closed terms of both signs may meet there in a number without any digit.
-            Some(own) if !own.estimate.error.is_finite() && singular() => Ok(None),
-            Some(own) if own.estimate.value.is_nan() => Err(TransformError::NotComputable { at: a }),
-            Some(own) if own.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol: "a", at: a }),
-            other => Ok(other),
         }
     }
 
@@ -356,6 +334,7 @@ impl<'a> Evaluator<'a> {
     /// As [`Self::slope`].
     pub fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
+        beyond_the_edge("r", r, a)?;
         let found = self.combine(Quantity::Outside, a, &[r, a], |open| open.displacement(r, a, self.tolerance).map(Some));
         found.and_then(|reading| finite(reading, "r", r))
     }
@@ -366,6 +345,11 @@ impl<'a> Evaluator<'a> {
     /// As [`Self::slope`]; [`TransformError::NoClosedForm`] where a closed form is demanded.
     pub fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
+        finite_and_not_negative("z", z)?;
+        if z == 0.0 {
+            let infinite = || TransformError::Statement { what: "z", got: z, accepted: "a depth z > 0 below the apex of a pointed tip" };
+            return self.pressure(0.0, a)?.ok_or_else(infinite);
+        }
         if self.method == Method::Exact {
             return Err(TransformError::NoClosedForm { quantity: "the stress below the surface" });
         }
@@ -383,7 +367,7 @@ impl<'a> Evaluator<'a> {
     /// Closed terms plus the integrals of the others; or the whole by quadrature where that is demanded or has more digits.
     ///
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
-    fn combine(
+    pub(super) fn combine(
         &self,
         quantity: Quantity,
         contact: f64,
@@ -406,10 +390,8 @@ impl<'a> Evaluator<'a> {
             if let Some(form) = part.closed.get(interval).and_then(Option::as_ref) {
                 let value = form.in_doubles(&exact, &mut slots);
                 if value.value.is_infinite() {
-                    // Infinite by theory at the apex and at kinks, too large for a float elsewhere.
-                    let at = inputs.first().copied().unwrap_or(0.0);
-                    let singular = at == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == at));
-                    if quantity == Quantity::Pressure && singular {
+                    // Terms that are infinite apart, at the apex or at a kink; elsewhere the value is too large for a float.
+                    if quantity == Quantity::Pressure && self.may_be_infinite(inputs.first().copied().unwrap_or(0.0)) {
                         return Ok(None);
                     }
                     overflow = true;
@@ -421,7 +403,15 @@ impl<'a> Evaluator<'a> {
                 if self.method == Method::Exact {
                     return Err(TransformError::NoClosedForm { quantity: quantity.name() });
                 }
-                let Some(found) = integrate(&part.open)? else { return Ok(None) };
+                let found = match integrate(&part.open) {
+                    Ok(Some(found)) => found,
+                    Ok(None) => return Ok(None),
+                    // A term that underflows, or is 0/0 next to the axis: the whole may have its digits all the same.
+                    Err(TransformError::NoDigits { .. } | TransformError::NotComputable { .. }) => {
+                        return self.by_quadrature(quantity, contact, inputs, typed(), &integrate);
+                    }
+                    Err(error) => return Err(error),
+                };
                 open = open + found;
                 any_open = true;
             }
@@ -451,8 +441,12 @@ impl<'a> Evaluator<'a> {
                 Some(_) => Err(TransformError::NoClosedForm { quantity: quantity.name() }),
             };
         }
-        if method == "quadrature" || self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
+        if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
             return Ok(Some(own));
+        }
+        if method == "quadrature" {
+            let better = if estimate.relative_error() > SCANT { self.by_series(quantity, inputs) } else { None };
+            return Ok(better.filter(|other| other.estimate.error < estimate.error).or(Some(own)));
         }
         // The closed form lost digits here, or left its domain: quadrature may have them, and next to the axis the series.
         let mut other = whole();
@@ -537,11 +531,13 @@ impl<'a> Evaluator<'a> {
         found.filter(|own| own.estimate.value != 0.0 || own.estimate.error > 0.0)
     }
 
-    /// Refuses a place that the profile does not reach.
+    /// Refuses a place that is no length, or that the profile does not reach.
     ///
     /// # Errors
-    /// [`TransformError::OutOfDomain`] at the limit of r and beyond it.
+    /// [`TransformError::Statement`] for a place that is negative, infinite or NaN, [`TransformError::OutOfDomain`] at the limit of r and
+    /// beyond it.
     pub fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
+        finite_and_not_negative(symbol, at)?;
         let limit = self.limit();
         if at >= limit {
             return Err(TransformError::OutOfDomain { symbol, at, limit: format!(", which ends at r = {limit}") });

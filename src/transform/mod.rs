@@ -1,5 +1,6 @@
 //! The heart: from a profile to its terms, from terms to exact answers or integrals, and from both to numbers.
 
+mod admit;
 mod angle;
 mod angles;
 mod assemble;
@@ -21,6 +22,7 @@ mod integral;
 mod inverse;
 mod kinks;
 mod parity;
+mod pressure;
 mod profile;
 mod quantities;
 mod quantity;

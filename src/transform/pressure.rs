@@ -1,0 +1,133 @@
+//! The pressure, and where theory makes it infinite: under a tip whose slope does not vanish at the axis, and where f′ jumps.
+//!
+//! p(0) is an integral of f′/r, and p(b) has the jump of f′ at b before a logarithm; both are decided from the expressions, never by
+//! the error of a computed value.
+
+use super::admit::finite_and_not_negative;
+use super::quantity::Quantity;
+use super::{Chain, Evaluator, Method, Reading, TransformError, domain};
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Expr, Symbol, normal};
+use crate::num::Estimate;
+
+impl Evaluator<'_> {
+    /// p(r)·π/E* under a smooth edge of radius a; `None` where it is infinite by theory.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
+        self.check_domain("a", a)?;
+        finite_and_not_negative("r", r)?;
+        if r >= a {
+            let zero = Estimate::exact(0.0);
+            return Ok(Some(Reading { estimate: zero, method: "exact" }));
+        }
+        let special = self.may_be_infinite(r);
+        if special && self.is_infinite_at(r)? {
+            return Ok(None);
+        }
+        let mut found = self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance));
+        let poor = |own: &Reading| own.method != "exact" && own.estimate.relative_error() > self.tolerance;
+        if self.method == Method::Auto
+            && found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(poor))
+            && let Some(estimate) = self.pressure_by_closed_slope(r, a)
+            && found.as_ref().is_ok_and(|own| own.is_some_and(|own| estimate.error < own.estimate.error))
+        {
+            found = Ok(Some(Reading { estimate, method: "quadrature" }));
+        }
+        if special && self.method != Method::Exact {
+            // Parts that are infinite one by one may meet in a number without any digit, or in none.
+            let digits = |own: &Reading| own.estimate.relative_error() <= self.tolerance;
+            if !found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(digits))
+                && let Ok(other) = self.finite_pressure(r, a)
+                && found.as_ref().map_or(true, |own| own.is_none_or(|own| own.estimate.error.is_nan() || other.error < own.estimate.error))
+            {
+                found = Ok(Some(Reading { estimate: other, method: "quadrature" }));
+            }
+        }
+        match found? {
+            Some(own) if own.estimate.value.is_nan() => Err(TransformError::NotComputable { at: a }),
+            Some(own) if own.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol: "a", at: a }),
+            Some(own) => Ok(Some(own)),
+            None if self.method == Method::Exact => Err(TransformError::NoClosedForm { quantity: "p" }),
+            None => Err(TransformError::NotComputable { at: a }),
+        }
+    }
+
+    /// True where r is the axis or a breakpoint, the only places at which the pressure below a smooth edge may be infinite.
+    pub(super) fn may_be_infinite(&self, r: f64) -> bool {
+        r == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == r))
+    }
+
+    /// True where the pressure is infinite by theory.
+    ///
+    /// # Errors
+    /// [`TransformError`] where f′ cannot be formed.
+    pub(super) fn is_infinite_at(&self, r: f64) -> Result<bool, TransformError> {
+        if r == 0.0 {
+            if let Some(ready) = self.steep.get() {
+                return Ok(*ready);
+            }
+            let mut first = Vec::new();
+            for chain in &self.solution.profile.chains {
+                first.extend(chain.slopes()?.into_iter().next());
+            }
+            let slope = self.bindings.apply(&Expr::sum(first));
+            // A limit that does not exist is that of a pole, or of a logarithm.
+            let steep = limit(&slope).is_none_or(|own| !is_zero(&own));
+            return Ok(*self.steep.get_or_init(|| steep));
+        }
+        let mut jump = Vec::new();
+        for (numeric, chain) in self.chains.iter().zip(&self.solution.profile.chains) {
+            let places = numeric.breakpoints.iter().enumerate().filter(|(_, b)| b.value == r);
+            for (index, _) in places {
+                match self.jump(chain, index)? {
+                    Some(own) => jump.push(own),
+                    None => return Ok(true),
+                }
+            }
+        }
+        Ok(!is_zero(&Expr::sum(jump)))
+    }
+
+    /// p·π/E* by quadrature at a place where it is finite by theory, though some of its parts may not be.
+    ///
+    /// # Errors
+    /// [`TransformError`] where quadrature has no digits.
+    pub(super) fn finite_pressure(&self, r: f64, a: f64) -> Result<Estimate, TransformError> {
+        if r > 0.0 {
+            return self.typed()?.stress_direct(r, a, self.tolerance)?.ok_or(TransformError::NotComputable { at: a });
+        }
+        let typed = self.typed()?.axial(0.0, a, self.tolerance);
+        if typed.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance) {
+            return typed;
+        }
+        match self.recognised().and_then(|own| own.axial(0.0, a, self.tolerance)) {
+            Ok(other) if typed.as_ref().map_or(true, |own| other.error < own.error) => Ok(other),
+            _ => typed,
+        }
+    }
+
+    /// f′ beyond a breakpoint less f′ before it; `None` where one of them is infinite.
+    fn jump(&self, chain: &Chain, index: usize) -> Result<Option<Expr>, TransformError> {
+        let (Some(place), slopes) = (chain.breakpoints.get(index), chain.slopes()?) else { return Ok(None) };
+        let (Some(below), Some(beyond)) = (slopes.get(index), slopes.get(index + 1)) else { return Ok(None) };
+        let place = self.bindings.apply(place);
+        let distance = Expr::symbol("r");
+        let at = |slope: &Expr, distance: Expr| limit(&Bindings::one("r", &place + distance).apply(&self.bindings.apply(slope)));
+        Ok(at(beyond, distance.clone()).and_then(|beyond| Some(beyond - at(below, -distance)?)))
+    }
+}
+
+fn limit(slope: &Expr) -> Option<Expr> {
+    domain::value_at_axis(slope, &mut Vec::new()).ok()
+}
+
+/// True for what is zero exactly, or within the error of its value where it is no rational number.
+fn is_zero(value: &Expr) -> bool {
+    if value.as_number().is_some() {
+        return value.is_zero();
+    }
+    normal::is_proven_zero(value, &Symbol::new("r"))
+        || constant_value(value, &Bindings::default()).is_ok_and(|own| own.value.abs() <= own.error)
+}
