@@ -481,7 +481,8 @@ impl<'a> Evaluator<'a> {
         match self.integrated(typed, &integrate, contact) {
             // An integrand that is 0/0 in doubles next to the axis may have a series.
             Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                self.by_series(quantity, inputs).map(Some).ok_or(error)
+                let own = self.by_series(quantity, inputs).filter(|own| own.estimate.error < own.estimate.value.abs());
+                own.map(Some).ok_or(error)
             }
             other => other,
         }
