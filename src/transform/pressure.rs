@@ -102,10 +102,15 @@ impl Evaluator<'_> {
         if typed.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance) {
             return typed;
         }
-        match self.recognised().and_then(|own| own.axial(0.0, a, self.tolerance)) {
-            Ok(other) if typed.as_ref().map_or(true, |own| other.error < own.error) => Ok(other),
-            _ => typed,
-        }
+        let recognised = self.recognised().and_then(|own| own.axial(0.0, a, self.tolerance));
+        // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
+        let direct = self.typed()?.pressure(0.0, a, self.tolerance).and_then(|own| own.ok_or(TransformError::NotComputable { at: a }));
+        let better = |best: Result<Estimate, TransformError>, other: Result<Estimate, TransformError>| match (&best, &other) {
+            (Ok(own), Ok(next)) if next.error < own.error => other,
+            (Err(_), Ok(_)) => other,
+            _ => best,
+        };
+        better(better(typed, recognised), direct)
     }
 
     /// f′ beyond a breakpoint less f′ before it; `None` where one of them is infinite.
