@@ -1,5 +1,6 @@
 //! `sneddon compare`: closed forms against quadrature.
 
+use super::failure::warn;
 use super::output::{Destination, Endings};
 use super::{Failure, Outcome, input};
 use crate::contact::{self, ContactError, Setting};
@@ -58,6 +59,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(failed(TransformError::Flat.into()));
     }
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    solution.warnings().iter().for_each(|text| warn(text));
     let comparisons = contact::compare(&solution, &setting).map_err(failed)?;
     let record = Compared { profile: &typed.formula, comparisons: &comparisons };
     answer.write(|format, out| match format {

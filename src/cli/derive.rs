@@ -57,6 +57,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    solution.warnings().iter().for_each(|text| warn(text));
     let relations = relations(&solution, &edge).map_err(failed)?;
     let check = transform::check(&solution).map_err(|error| error.to_string());
     let record = Derivation { profile: &profile, typed: &shown, edge: &edge, relations: &relations, check };

@@ -168,6 +168,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(failed(TransformError::Flat.into()));
     }
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    solution.warnings().iter().for_each(|text| warn(text));
     let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
     let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
     // Known beforehand and cheap: a long list fails at once.

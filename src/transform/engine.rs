@@ -3,6 +3,7 @@
 use super::kinks;
 use super::rules;
 use super::term::{self, Segment};
+use super::verification::{Demotion, Place, Verification};
 use super::{Answer, Chain, Profile, Rule, Term, TransformError};
 use crate::expr::normal::NormalTerm;
 use crate::expr::{Condition, Expr, Symbol, derivative, normal};
@@ -16,6 +17,8 @@ pub struct Solution {
     pub chains: Vec<SolvedChain>,
     /// What must hold: the profile's conditions and the rules'.
     pub conditions: Vec<Condition>,
+    /// What the comparison of every term with quadrature found.
+    pub verification: Verification,
 }
 
 /// A chain whose intervals are split into terms.
@@ -60,10 +63,18 @@ pub struct SolvedTerm {
 /// ```
 pub fn derive(profile: &Profile) -> Result<Solution, TransformError> {
     let mut conditions = profile.conditions.clone();
-    let mut chains = Vec::new();
+    let (mut chains, mut verification) = (Vec::new(), Verification::default());
+    let place = Place::draw(profile, &profile.conditions);
     for chain in &profile.chains {
-        chains.extend(solve_chain(chain)?);
+        let slopes = chain.slopes()?;
+        let mut solved = solve_chain(chain, &slopes, normal_parts);
+        if place.as_ref().is_some_and(|place| !place.recognition_holds(chain, &slopes, &solved)) {
+            verification.demoted.push(Demotion { rule: "recognition", quantity: "f'" });
+            solved = solve_chain(chain, &slopes, |_| None);
+        }
+        chains.extend(solved);
     }
+    verify(&mut chains, place.as_ref(), &mut verification);
     for term in chains.iter().flat_map(|chain| &chain.intervals).flat_map(|interval| &interval.terms) {
         if let Some((_, answer)) = &term.answer {
             conditions.extend(answer.conditions.iter().cloned());
@@ -76,15 +87,28 @@ pub fn derive(profile: &Profile) -> Result<Solution, TransformError> {
     conditions.sort();
     conditions.dedup();
     conditions.retain(|c| c.decided() != Some(true));
-    Ok(Solution { profile: profile.clone(), chains, conditions })
+    Ok(Solution { profile: profile.clone(), chains, conditions, verification })
+}
+
+/// Compares every solved term with quadrature, and gives up what is wrong.
+fn verify(chains: &mut [SolvedChain], place: Option<&Place>, found: &mut Verification) {
+    for term in chains.iter_mut().flat_map(|chain| &mut chain.intervals).flat_map(|interval| &mut interval.terms) {
+        match place {
+            Some(place) => place.judge(term, found),
+            None => found.not_compared += usize::from(term.answer.is_some()),
+        }
+    }
+}
+
+/// The terms of f′; what cannot be expanded stays one term without a rule.
+fn normal_parts(slope: &Expr) -> Option<Vec<NormalTerm>> {
+    normal::normal_terms(slope, &Symbol::new("r")).ok()
 }
 
 /// Splits a chain into terms; what every interval has in common acts on the whole axis and becomes a chain of its own.
-fn solve_chain(chain: &Chain) -> Result<Vec<SolvedChain>, TransformError> {
+fn solve_chain(chain: &Chain, slopes: &[Expr], parts: impl Fn(&Expr) -> Option<Vec<NormalTerm>>) -> Vec<SolvedChain> {
     let radius = Symbol::new("r");
-    let slopes = chain.slopes()?;
-    // What cannot be expanded stays one term without a rule.
-    let mut parts: Vec<Option<Vec<NormalTerm>>> = slopes.iter().map(|slope| normal::normal_terms(slope, &radius).ok()).collect();
+    let mut parts: Vec<Option<Vec<NormalTerm>>> = slopes.iter().map(parts).collect();
     let mut common: Vec<NormalTerm> = Vec::new();
     if let [Some(first), others @ ..] = parts.as_slice()
         && !others.is_empty()
@@ -102,7 +126,7 @@ fn solve_chain(chain: &Chain) -> Result<Vec<SolvedChain>, TransformError> {
         chains.push(SolvedChain { breakpoints: Vec::new(), intervals });
     }
     let mut intervals = Vec::new();
-    for (index, (slope, list)) in slopes.into_iter().zip(parts).enumerate() {
+    for (index, (slope, list)) in slopes.iter().cloned().zip(parts).enumerate() {
         let lower = index.checked_sub(1).and_then(|i| chain.breakpoints.get(i)).cloned().unwrap_or_else(Expr::zero);
         let segment = Segment { lower, upper: chain.breakpoints.get(index).cloned() };
         let slope = match (&list, common.is_empty()) {
@@ -112,7 +136,7 @@ fn solve_chain(chain: &Chain) -> Result<Vec<SolvedChain>, TransformError> {
         intervals.push(solve_interval(segment, slope, list));
     }
     chains.push(SolvedChain { breakpoints: chain.breakpoints.clone(), intervals });
-    Ok(chains)
+    chains
 }
 
 fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>) -> SolvedInterval {
@@ -133,6 +157,11 @@ fn whole(slope: &Expr, segment: &Segment) -> Term {
 }
 
 impl Solution {
+    /// What a reader must know of closed forms that were given up.
+    pub fn warnings(&self) -> Vec<String> {
+        self.verification.demoted.iter().map(super::Demotion::text).collect()
+    }
+
     /// True where every term has an exact answer for g and F.
     pub fn is_closed(&self) -> bool {
         self.terms().all(|term| term.answer.is_some())

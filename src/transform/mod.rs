@@ -42,6 +42,7 @@ mod stress_slopes;
 mod superposition;
 mod table;
 mod term;
+mod verification;
 
 pub use assemble::{Derived, Status};
 pub use check::{Check, Verdict, check};
@@ -66,3 +67,4 @@ pub use slopes::Slopes;
 pub use superposition::Superposition;
 pub use table::{Cubic, Interpolation, Penalty, TableError, TableProfile};
 pub use term::{Segment, Term};
+pub use verification::{Demotion, Verification};

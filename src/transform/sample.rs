@@ -25,12 +25,16 @@ impl Sampler {
 
     /// Values for every parameter that the conditions of the solution admit; `None` where none was found.
     pub fn parameters(&mut self, solution: &Solution) -> Option<Bindings> {
-        let parameters = solution.profile.parameters();
+        self.admissible(&solution.profile.parameters(), &solution.conditions)
+    }
+
+    /// The same for a list of parameters and conditions.
+    pub(super) fn admissible(&mut self, parameters: &[Symbol], conditions: &[Condition]) -> Option<Bindings> {
         for _ in 0..TRIES {
             let mut values: BTreeMap<Symbol, Number> = parameters.iter().map(|s| (s.clone(), self.stream.dyadic())).collect();
-            put_in_order(&mut values, &solution.conditions);
+            put_in_order(&mut values, conditions);
             let bindings: Bindings = values.iter().map(|(s, value)| (s.name(), Expr::number(value.clone()))).collect();
-            if solution.conditions.iter().all(|condition| admissible(&condition.substitute(&bindings))) {
+            if conditions.iter().all(|condition| admissible(&condition.substitute(&bindings))) {
                 return Some(bindings);
             }
         }

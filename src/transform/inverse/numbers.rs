@@ -3,7 +3,7 @@
 use super::super::check::{NO_REFERENCE, NOT_ADMISSIBLE, Tally};
 use super::super::closed::{ClosedForm, for_second_pass, good_enough, total};
 use super::super::term::Segment;
-use super::super::{Check, Method, NumericProfile, Reading, Sampler, Solution, TransformError};
+use super::super::{Check, Method, NumericProfile, Reading, Sampler, Solution, TransformError, Verification};
 use super::Inverse;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol};
@@ -136,7 +136,12 @@ fn transformed(g: &NumericProfile, r: f64, tolerance: f64) -> Result<Estimate, T
 /// [`TransformError`] where g cannot be evaluated at any admissible value of its parameters.
 pub fn check_inverse(inverse: &Inverse) -> Result<Check, TransformError> {
     let mut sampler = Sampler::new(0x0c4e_c4ed);
-    let solution = Solution { profile: inverse.equivalent.clone(), chains: Vec::new(), conditions: inverse.conditions.clone() };
+    let solution = Solution {
+        profile: inverse.equivalent.clone(),
+        chains: Vec::new(),
+        conditions: inverse.conditions.clone(),
+        verification: Verification::default(),
+    };
     let draws = if solution.profile.parameters().is_empty() { 1 } else { DRAWS };
     let (mut tally, mut visited, mut trouble) = (Tally::default(), 0, None);
     for _ in 0..2 * draws {

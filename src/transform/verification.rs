@@ -1,0 +1,393 @@
+//! The gate: every solved term meets quadrature of that term when it is derived, before anything uses it.
+
+use super::engine::{SolvedChain, SolvedTerm};
+use super::sample::Sampler;
+use super::{Answer, Chain, NumericProfile, Pair, Profile, Segment};
+use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
+use crate::expr::{Bindings, Condition, Expr, Symbol};
+use crate::num::{Bound, Bounded};
+use std::sync::LazyLock;
+
+/// What the gate found for the terms of a solution.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Verification {
+    /// Closed forms that were given up, because a proven quadrature contradicts them.
+    pub demoted: Vec<Demotion>,
+    /// Terms whose closed forms agree with quadrature.
+    pub compared: usize,
+    /// Terms for which no comparison could be had.
+    pub not_compared: usize,
+}
+
+/// A closed form that was given up.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Demotion {
+    /// The rule that gave it, or `recognition` where the terms did not add up to f′.
+    pub rule: &'static str,
+    /// `g`, `F`, `p`, or `f'` for the terms themselves.
+    pub quantity: &'static str,
+}
+
+impl Demotion {
+    /// What a reader must know.
+    pub fn text(&self) -> String {
+        let Self { rule, quantity } = self;
+        match *quantity {
+            "f'" => "the terms of f' do not add up to it: they were given up, and the profile is integrated as it was typed".to_owned(),
+            _ => format!("the closed {quantity} of the rule {rule} disagrees with quadrature: it was given up and is an integral here"),
+        }
+    }
+}
+
+/// Agreement within this share of ∫|integrand| is agreement: two independent computations do not share nine digits by chance.
+const ENOUGH: f64 = 1e-9;
+/// Bounds beyond this share prove nothing.
+const TELLING: f64 = 1e-6;
+/// What the proven quadrature is asked for.
+const TOLERANCE: f64 = 1e-10;
+
+/// Numbers for the parameters at which terms are looked at.
+pub(super) struct Place {
+    bindings: Bindings,
+    names: Vec<Symbol>,
+    values: Vec<f64>,
+    limit: f64,
+}
+
+/// Agrees, contradicts, or nothing is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Verdict {
+    Agrees,
+    Wrong,
+    Unknown,
+}
+
+impl Place {
+    /// Seeded admissible values; `None` where none were found.
+    pub(super) fn draw(profile: &Profile, conditions: &[Condition]) -> Option<Self> {
+        let names = profile.parameters();
+        let bindings = Sampler::new(0x6a7e).admissible(&names, conditions)?;
+        let number = |expr: &Expr| constant_value(expr, &bindings).map(|own| own.value).ok();
+        let values = names.iter().map(|name| number(&Expr::from(name.clone()))).collect::<Option<Vec<_>>>()?;
+        let limits = profile.limits().map(number).collect::<Option<Vec<_>>>()?;
+        let limit = limits.into_iter().fold(f64::INFINITY, f64::min);
+        Some(Self { bindings, names, values, limit })
+    }
+
+    fn number(&self, expr: &Expr) -> Option<f64> {
+        if expr.is_zero() { Some(0.0) } else { constant_value(expr, &self.bindings).ok().map(|own| own.value) }
+    }
+
+    /// A tape over the named variables and the parameters.
+    fn compile(&self, expressions: &[Expr], variables: &[&str]) -> Option<Tape> {
+        let inputs: Vec<Symbol> = variables.iter().map(|name| Symbol::new(name)).chain(self.names.iter().cloned()).collect();
+        Tape::compile(expressions, &inputs).ok()
+    }
+
+    fn bounded(&self, tape: &Tape, variables: &[f64]) -> Option<Vec<Bounded>> {
+        let inputs: Vec<Bounded> = variables.iter().chain(&self.values).copied().map(Bounded::exact).collect();
+        tape.run_all(&mut BoundedAlgebra, &inputs, &mut Vec::new())
+    }
+
+    /// Places within a segment and, where it ends, beyond it.
+    fn places(&self, segment: &Segment) -> Option<(f64, Option<f64>, Vec<f64>)> {
+        let lower = self.number(&segment.lower)?;
+        let upper = match &segment.upper {
+            Some(upper) => Some(self.number(upper)?),
+            None => None,
+        };
+        let top = upper.unwrap_or(f64::INFINITY).min(self.limit);
+        let within = match (top.is_finite(), lower > 0.0) {
+            (true, _) => lower + 0.613 * (top - lower),
+            (false, true) => 1.617 * lower,
+            (false, false) => 1.093,
+        };
+        let beyond = upper.into_iter().flat_map(|upper| [1.21 * upper, 2.63 * upper]).filter(|x| *x < self.limit);
+        Some((lower, upper, std::iter::once(within).chain(beyond).collect()))
+    }
+
+    /// True unless the terms are proven not to add up to f′ as it was typed.
+    pub(super) fn recognition_holds(&self, chain: &Chain, slopes: &[Expr], solved: &[SolvedChain]) -> bool {
+        let of = |interval: usize| {
+            let own = |chain: &SolvedChain| {
+                let place = if chain.breakpoints.is_empty() { 0 } else { interval };
+                chain.intervals.get(place).map(|own| own.terms.iter().map(|solved| solved.term.slope()).collect::<Vec<_>>())
+            };
+            solved.iter().filter_map(own).flatten().collect::<Vec<_>>()
+        };
+        chain.intervals().zip(slopes).enumerate().all(|(index, ((lower, upper, _), slope))| {
+            let terms = of(index);
+            if Expr::sum(terms.iter().cloned()) == *slope {
+                return true;
+            }
+            let Some((_, _, places)) = self.places(&Segment { lower, upper: upper.cloned() }) else { return true };
+            let mut outputs = vec![slope.clone()];
+            outputs.extend(terms);
+            let Some(tape) = self.compile(&outputs, &["r"]) else { return true };
+            // Beyond the upper end this piece is not f.
+            places.first().is_none_or(|r| {
+                let Some(values) = self.bounded(&tape, &[*r]) else { return true };
+                let Some((typed, parts)) = values.split_first() else { return true };
+                let sum = parts.iter().fold(Bounded::exact(0.0), |sum, part| sum + *part);
+                // Written so that a NaN proves nothing.
+                let apart = (typed.value - sum.value).abs() > typed.error + sum.error;
+                !apart
+            })
+        })
+    }
+
+    /// Looks at a solved term and gives up what is wrong.
+    pub(super) fn judge(&self, solved: &mut SolvedTerm, found: &mut Verification) {
+        let Some((rule, answer)) = &solved.answer else { return };
+        let [slope, force] = self.compare(&solved.term.slope(), &solved.term.segment, answer).unwrap_or([Verdict::Unknown; 2]);
+        for (verdict, quantity) in [(slope, "g"), (force, "F")] {
+            if verdict == Verdict::Wrong {
+                found.demoted.push(Demotion { rule: rule.id, quantity });
+                solved.answer = None;
+                return;
+            }
+        }
+        let pressure = self.compare_pressure(&solved.term.segment, answer);
+        if slope == Verdict::Agrees && pressure == Some(Verdict::Wrong) {
+            found.demoted.push(Demotion { rule: rule.id, quantity: "p" });
+            if let Some((_, answer)) = &mut solved.answer {
+                answer.pressure = None;
+            }
+        }
+        if slope == Verdict::Agrees && force == Verdict::Agrees { found.compared += 1 } else { found.not_compared += 1 }
+    }
+
+    /// g and F/(2E*) of a term at its places.
+    fn compare(&self, slope: &Expr, segment: &Segment, answer: &Answer) -> Option<[Verdict; 2]> {
+        let (lower, upper, places) = self.places(segment)?;
+        let tape = self.compile(std::slice::from_ref(slope), &["r"])?;
+        let forms = |slope: &Pair, force: &Pair| {
+            self.compile(&[slope.evaluated.clone(), force.evaluated.clone(), slope.shown.clone(), force.shown.clone()], &["x", "a"])
+        };
+        let within = forms(&answer.slope.within, &answer.force.within)?;
+        let beyond = if upper.is_some() { Some(forms(&answer.slope.beyond, &answer.force.beyond)?) } else { None };
+        let mut verdicts = [Verdict::Agrees; 2];
+        for (index, x) in places.into_iter().enumerate() {
+            let own = if index == 0 { &within } else { beyond.as_ref()? };
+            let values = self.bounded(own, &[x, x])?;
+            let integrals = self.integrals(&tape, lower, upper, x);
+            for (quantity, verdict) in verdicts.iter_mut().enumerate() {
+                let (Some(evaluated), Some(shown), Some((value, size))) =
+                    (values.get(quantity), values.get(quantity + 2), integrals.get(quantity).copied())
+                else {
+                    continue;
+                };
+                let is_telling = |own: &Bounded| own.error <= TELLING * size;
+                let agrees = |own: &Bounded| is_telling(own) && (own.value - value).abs() <= ENOUGH * size + own.error;
+                if agrees(evaluated) && (agrees(shown) || !is_telling(shown)) {
+                    continue;
+                }
+                let proven = self.proven(slope, segment, quantity, x);
+                let is_wrong = |own: &Bounded| proven.is_some_and(|truth| (own.value - truth.value).abs() > own.error + truth.error);
+                if is_wrong(evaluated) || is_wrong(shown) {
+                    *verdict = Verdict::Wrong;
+                } else if *verdict == Verdict::Agrees && !proven.is_some_and(|truth| truth.error <= TELLING * size && is_telling(evaluated))
+                {
+                    *verdict = Verdict::Unknown;
+                }
+            }
+        }
+        Some(verdicts)
+    }
+
+    /// x ∫ f′ dt and ∫ r² f′ dt with their sizes, r = x sin t, by one double exponential rule in plain doubles.
+    fn integrals(&self, tape: &Tape, lower: f64, upper: Option<f64>, x: f64) -> [(f64, f64); 2] {
+        let angle = |end: f64| if end < x { end.atan2(((x - end) * (x + end)).sqrt()) } else { std::f64::consts::FRAC_PI_2 };
+        let (from, to) = (angle(lower), angle(upper.unwrap_or(f64::INFINITY)));
+        let mut found = [(0.0, 0.0); 2];
+        let (mut slots, mut inputs) = (Vec::new(), Vec::with_capacity(1 + self.values.len()));
+        inputs.push(0.0);
+        inputs.extend(&self.values);
+        for (u, weight) in RULE.iter() {
+            let r = x * (from + (to - from) * u).sin();
+            if let Some(first) = inputs.first_mut() {
+                *first = r;
+            }
+            let slope = tape.run(&mut FloatAlgebra, &inputs, &mut slots).unwrap_or(f64::NAN) * weight * (to - from);
+            for ((sum, size), factor) in found.iter_mut().zip([x, r * r]) {
+                *sum += slope * factor;
+                *size += (slope * factor).abs();
+            }
+        }
+        found
+    }
+
+    /// g or F/(2E*) of a term by quadrature whose bound is proven; beyond an upper end as a difference.
+    fn proven(&self, slope: &Expr, segment: &Segment, quantity: usize, x: f64) -> Option<Bounded> {
+        let from = |lower: &Expr| {
+            let endless = Segment { lower: lower.clone(), upper: None };
+            let profile = NumericProfile::new(&[(endless, slope.clone())], &self.bindings).ok()?;
+            let found = if quantity == 0 { profile.slope(x, TOLERANCE) } else { profile.force(x, TOLERANCE) };
+            found.ok().filter(|own| own.bound == Bound::Proven && own.error.is_finite()).map(|own| own.bounded())
+        };
+        let whole = from(&segment.lower)?;
+        match &segment.upper {
+            Some(upper) if self.number(upper)? < x => Some(whole - from(upper)?),
+            _ => Some(whole),
+        }
+    }
+
+    /// ∫ g′/√(x²−r²) dx from the closed g, which has been compared before: P(r; a₂) − P(r; a₁) is that integral from a₁ to a₂,
+    /// by parts over g, and P is 0 where the contact or the segment begins.
+    fn compare_pressure(&self, segment: &Segment, answer: &Answer) -> Option<Verdict> {
+        let pressure = answer.pressure.as_ref()?;
+        let (lower, _, places) = self.places(segment)?;
+        let end = *places.first()?;
+        let begin = lower + 0.7 * (end - lower);
+        let r = 0.57 * begin;
+        let forms = self.compile(&[pressure.within.evaluated.clone(), pressure.within.shown.clone()], &["r", "a"])?;
+        let slope = self.compile(std::slice::from_ref(&answer.slope.within.evaluated), &["x"])?;
+        let g = |x: f64| self.bounded(&slope, &[x]).and_then(|own| own.first().copied()).filter(|own| own.error.is_finite());
+        let root = |x: f64| ((x - r) * (x + r)).sqrt();
+        let mut truth = g(end)?.value / root(end) - g(begin)?.value / root(begin);
+        for (z, weight) in GAUSS.iter().flat_map(|(z, weight)| [(*z, *weight), (-*z, *weight)]) {
+            let x = 0.5 * (end + begin) + 0.5 * (end - begin) * z;
+            truth += 0.5 * (end - begin) * weight * g(x)?.value * x / root(x).powi(3);
+        }
+        let start = r.max(lower) * (1.0 + 1e-12);
+        let [far, near, none] = [end, begin, start].map(|a| self.bounded(&forms, &[r, a]));
+        let (far, near, none) = (far?, near?, none?);
+        let mut verdict = Verdict::Agrees;
+        for ((far, near), none) in far.iter().zip(&near).zip(&none) {
+            let size = far.value.abs().max(near.value.abs()).max(truth.abs());
+            let error = far.error + near.error;
+            if !(error + none.error).is_finite() || error > TELLING * size {
+                verdict = Verdict::Unknown;
+                continue;
+            }
+            // The part from the beginning on is of the order of the root of the distance.
+            let wrong = (far.value - near.value - truth).abs() > TELLING * size + error || none.value.abs() > 1e-3 * size + none.error;
+            if wrong {
+                return Some(Verdict::Wrong);
+            }
+        }
+        Some(verdict)
+    }
+}
+
+/// Nodes in (0, 1) and weights of the double exponential rule.
+static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
+    const STEPS: i32 = 24;
+    const STEP: f64 = 0.13;
+    let half_pi = std::f64::consts::FRAC_PI_2;
+    (-STEPS..=STEPS)
+        .map(|k| {
+            let t = STEP * f64::from(k);
+            let (inner, slope) = (half_pi * t.sinh(), half_pi * t.cosh());
+            (1.0 / (1.0 + (-2.0 * inner).exp()), 0.5 * STEP * slope / inner.cosh().powi(2))
+        })
+        .collect()
+});
+
+/// The positive nodes and the weights of the Gauss rule with eight nodes.
+static GAUSS: [(f64, f64); 4] = [
+    (0.183_434_642_495_649_8, 0.362_683_783_378_361_98),
+    (0.525_532_409_916_329, 0.313_706_645_877_887_29),
+    (0.796_666_477_413_626_7, 0.222_381_034_453_374_47),
+    (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse;
+    use crate::transform::rules::RULES;
+    use crate::transform::{Branches, Solution, derive};
+
+    fn solution(text: &str) -> Solution {
+        derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
+    }
+
+    fn judged(solved: &SolvedTerm, solution: &Solution) -> (SolvedTerm, Verification) {
+        let place = Place::draw(&solution.profile, &solution.profile.conditions).unwrap();
+        let (mut own, mut found) = (solved.clone(), Verification::default());
+        place.judge(&mut own, &mut found);
+        (own, found)
+    }
+
+    /// No rule's own statement is given up, and nearly all of them are compared.
+    #[test]
+    fn right_answers_pass() {
+        let (mut compared, mut open) = (0, Vec::new());
+        for rule in RULES {
+            let found = solution(rule.pattern).verification;
+            assert!(found.demoted.is_empty(), "{}: {found:?}", rule.id);
+            compared += found.compared;
+            if found.not_compared > 0 {
+                open.push(rule.id);
+            }
+        }
+        assert!(compared >= 75 && open.len() <= 3, "{compared} compared, not compared: {open:?}");
+    }
+
+    /// A planted wrong answer is given up, whatever part of it is wrong and however little.
+    #[test]
+    fn planted_answers_are_given_up() {
+        type Fault = (&'static str, fn(&mut Answer, &Expr));
+        fn scaled(branches: &mut Branches, factor: &Expr) {
+            *branches = branches.scaled(factor);
+        }
+        let faults: [Fault; 5] = [
+            ("g", |answer, factor| scaled(&mut answer.slope, factor)),
+            ("F", |answer, factor| scaled(&mut answer.force, factor)),
+            ("p", |answer, factor| answer.pressure = answer.pressure.as_ref().map(|own| own.scaled(factor))),
+            ("g", |answer, factor| answer.slope.within.shown = factor * &answer.slope.within.shown),
+            ("g", |answer, factor| answer.slope.beyond = answer.slope.beyond.scaled(factor)),
+        ];
+        let profiles = ["r^2/(2*R)", "R-sqrt(R^2-r^2)", "h*(sqrt(1+r^2/b^2)-1)", "C*r^3", "h*ln(1+r^2/w^2)", "h*(1-cos(k*r))"];
+        for text in profiles {
+            let own = solution(text);
+            for solved in own.terms() {
+                let (_, right) = judged(solved, &own);
+                assert!(right.demoted.is_empty() && right.compared == 1, "{text}: {right:?}");
+                let has_pressure = solved.answer.as_ref().is_some_and(|(_, answer)| answer.pressure.is_some());
+                for (quantity, plant) in faults.iter().take(4).filter(|(quantity, _)| *quantity != "p" || has_pressure) {
+                    for factor in [Expr::integer(2), Expr::integer(-1), Expr::ratio(1_000_003, 1_000_000)] {
+                        // The law of the pressure has no proven bound: it is trusted to six digits.
+                        if *quantity == "p" && factor == Expr::ratio(1_000_003, 1_000_000) {
+                            continue;
+                        }
+                        let mut wrong = solved.clone();
+                        if let Some((_, answer)) = &mut wrong.answer {
+                            plant(answer, &factor);
+                        }
+                        let (after, found) = judged(&wrong, &own);
+                        let [only] = found.demoted.as_slice() else { panic!("{text}, {quantity} times {factor:?}: {found:?}") };
+                        assert_eq!(only.quantity, *quantity, "{text}");
+                        assert!(*quantity == "p" && after.has_open_pressure() || after.is_open(), "{text}");
+                    }
+                }
+            }
+        }
+        // Beyond the end of a segment.
+        let cap = solution("piecewise(r^2/(2*R), r<b, b*(r-b/2)/R)");
+        let (_, plant) = faults[4];
+        let mut given_up = 0;
+        for solved in cap.terms().filter(|solved| solved.term.segment.upper.is_some()) {
+            let mut wrong = solved.clone();
+            if let Some((_, answer)) = &mut wrong.answer {
+                plant(answer, &Expr::integer(2));
+            }
+            given_up += judged(&wrong, &cap).1.demoted.len();
+        }
+        assert!(given_up > 0);
+    }
+
+    /// Terms that do not add up to f′ are given up together.
+    #[test]
+    fn lost_factors_are_noticed() {
+        let own = solution("r*besselj(1,r)^2+r^2");
+        let chain = own.profile.chains.first().unwrap();
+        let place = Place::draw(&own.profile, &[]).unwrap();
+        let slopes = chain.slopes().unwrap();
+        assert!(place.recognition_holds(chain, &slopes, &own.chains));
+        let mut lost = own.chains.clone();
+        lost.first_mut().unwrap().intervals.first_mut().unwrap().terms.pop();
+        assert!(!place.recognition_holds(chain, &slopes, &lost));
+    }
+}
