@@ -20,10 +20,10 @@ fn setting(name: &str, otherwise: u64) -> u64 {
 /// One profile: a product with a power, of two patterns, or a pattern of a power of r.
 fn drawn(stream: &mut Stream) -> String {
     let smooth: Vec<&str> = RULES.iter().map(|rule| rule.pattern).filter(|pattern| !pattern.contains("piecewise")).collect();
-    let mut pick = || smooth[(stream.uniform() * smooth.len() as f64) as usize];
+    let mut pick = || smooth[(stream.unit() * smooth.len() as f64) as usize];
     let (first, second) = (pick(), pick());
-    let power = (stream.uniform() * 5.0) as u32;
-    match (stream.uniform() * 4.0) as u32 {
+    let power = (stream.unit() * 5.0) as u32;
+    match (stream.unit() * 4.0) as u32 {
         0 => format!("r^{power}*({first})"),
         1 => format!("({first})*({second})"),
         2 => format!("r^{}*({first})^2", power / 2),
