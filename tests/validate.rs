@@ -354,6 +354,74 @@ fn a_fault_without_a_name_is_given_none() {
     assert_eq!((code, &found["suspicion"]), (1, &Value::Null), "{found:#}");
 }
 
+/// Without a comparison there is no pass, and the first line says which columns were not read.
+#[test]
+fn what_was_not_compared_does_not_pass() {
+    let place = room("nothing");
+    let reason = |found: &Value| found["reason"].as_str().unwrap().to_owned();
+    // A contact of six pixels: all its places are next to the edge or the apex; those beyond have no pressure to be wrong.
+    // A quadrant with a gap makes no force either.
+    for (tip, factor) in [(Tip::Cone, 1e3), (Tip::Cone, 1.0), (Tip::Paraboloid, 0.0)] {
+        let (a, h) = (1.5, 0.25);
+        let mut text = "r,p\n".to_owned();
+        for i in 0..16 {
+            let r = h * f64::from(i);
+            if r < 0.7 && matches!(tip, Tip::Paraboloid) {
+                continue;
+            }
+            writeln!(text, "{r:?},{:?}", factor * tip.pressure(r, a)).unwrap();
+        }
+        fs::write(place.join("p.csv"), text).unwrap();
+        let (code, found) = validated(&place, &tip.scene("contact_radius = 1.5", 32), &["p.csv".to_owned()], &[]);
+        assert_eq!(code, 1, "{found:#}");
+        assert!(reason(&found).contains("nothing was judged"), "{found:#}");
+        assert_eq!(found["suspicion"], Value::Null);
+    }
+    // Contact radii without a pixel, beside a force under a name that nothing knows.
+    let rows = loads(Tip::Paraboloid, 128, &|_, [d, f, a]| [d, 10.0 * f, a]).replace("d,F,a", "d,strength,a");
+    fs::write(place.join("data.csv"), rows).unwrap();
+    let scene = Tip::Paraboloid.scene("depth = 0.3", 128);
+    let blind = scene.split("[data]").next().unwrap();
+    let (code, found) = validated(&place, blind, &["data.csv".to_owned()], &[]);
+    assert!(reason(&found).contains("not read: strength"), "{found:#}");
+    assert!(code == 1 || found["columns"]["a"]["passed"] == true, "{found:#}");
+    let (_, found) = validated(&place, &scene, &["data.csv".to_owned()], &[]);
+    assert!(reason(&found).contains("not read: strength"), "{found:#}");
+    // Under a name that is known the force is read, and fails.
+    for name in ["P", "Fn", "normal_force"] {
+        let rows = loads(Tip::Paraboloid, 128, &|_, [d, f, a]| [d, 10.0 * f, a]).replace("d,F,a", &format!("penetration,{name},a"));
+        fs::write(place.join("data.csv"), rows).unwrap();
+        let (code, found) = validated(&place, blind, &["data.csv".to_owned()], &[]);
+        assert!(code == 1 && found["columns"]["F"]["passed"] == false, "{name}: {found:#}");
+    }
+}
+
+/// Wrong rows at small loads weigh next to nothing in a norm, but each is far beyond what its grid excuses.
+#[test]
+fn no_norm_hides_rows_that_are_wrong() {
+    let place = room("rows");
+    let sweep = |wrong: &dyn Fn(usize) -> f64| -> String {
+        let row = |i: usize| {
+            let a = 0.2 * 10f64.powf(i as f64 / 16.0);
+            format!("{:?},{:?}\n", Tip::Paraboloid.depth(a), wrong(i) * Tip::Paraboloid.force(a))
+        };
+        format!("d,F\n{}", (0..17).map(row).collect::<String>())
+    };
+    let scene = Tip::Paraboloid.scene("depth = 0.3", 512);
+    let blind = scene.split("[data]").next().unwrap().to_owned();
+    let eight = |factor: f64| move |i: usize| if i < 8 { factor } else { 1.0 };
+    for (scene, factor, expected) in [(&blind, 1.0, 0), (&scene, 1.0, 0), (&blind, 10.0, 1), (&scene, 10.0, 1), (&scene, 0.5, 1)] {
+        fs::write(place.join("data.csv"), sweep(&eight(factor))).unwrap();
+        let (code, found) = validated(&place, scene, &["data.csv".to_owned()], &[]);
+        assert_eq!(code, expected, "{factor}: {found:#}");
+    }
+    for wrong in [0, 5, 16] {
+        fs::write(place.join("data.csv"), sweep(&|i| if i == wrong { 2.0 } else { 1.0 })).unwrap();
+        let (code, found) = validated(&place, &blind, &["data.csv".to_owned()], &[]);
+        assert_eq!(code, 1, "row {wrong}: {found:#}");
+    }
+}
+
 #[test]
 fn the_force_of_a_complete_lattice_is_the_sum_of_its_pressures() {
     let place = room("lattice");

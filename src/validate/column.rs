@@ -17,13 +17,13 @@ pub(super) enum Kind {
 
 /// Names of columns; the first one of each is its symbol.
 const NAMES: &[(Kind, &[&str])] = &[
-    (Kind::Depth, &["d", "depth", "indentation", "delta"]),
-    (Kind::Force, &["F", "force", "load"]),
+    (Kind::Depth, &["d", "depth", "indentation", "penetration", "delta"]),
+    (Kind::Force, &["F", "force", "load", "normal_force", "Fn", "P"]),
     (Kind::ContactRadius, &["a", "contact_radius"]),
     (Kind::Distance, &["r", "radius"]),
-    (Kind::X, &["x"]),
-    (Kind::Y, &["y"]),
-    (Kind::Pressure, &["p", "pressure"]),
+    (Kind::X, &["x", "X"]),
+    (Kind::Y, &["y", "Y"]),
+    (Kind::Pressure, &["p", "pressure", "traction"]),
     (Kind::Displacement, &["u", "displacement"]),
 ];
 

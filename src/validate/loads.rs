@@ -45,10 +45,26 @@ pub(super) struct Judge {
 pub(super) const BLIND: f64 = 1e-2;
 /// Contact radii without a known grid decide only where they are out of any proportion.
 pub(super) const BLIND_RADIUS: f64 = 0.15;
+/// The error of a single load, relative to what its grid excuses.
+const HEADROOM: f64 = 4.0;
+/// The error of a single load where no grid is known.
+const BLIND_ROW: f64 = 0.5;
 /// Rows that are kept for orders, plots and the diagnosis.
 const KEPT: usize = 256;
 
 impl Judge {
+    /// The relative error that no single load may exceed, however small its share of the norm.
+    ///
+    /// The errors of single loads scatter around what their grid excuses, hence the headroom.
+    /// Without a known pixel only an error that no resolved contact has is proof.
+    pub(super) fn limit(&self, pixel: Option<f64>, state: &State) -> f64 {
+        let grid = Self { demanded: None, ..*self }.allowed(pixel, state);
+        match pixel {
+            Some(_) => (HEADROOM * grid).max(HEADROOM * self.demanded.unwrap_or(0.0)),
+            None => BLIND_ROW.max(HEADROOM * self.demanded.unwrap_or(0.0)),
+        }
+    }
+
     /// The relative error that a grid excuses at a contact radius.
     pub(super) fn allowed(&self, pixel: Option<f64>, state: &State) -> f64 {
         let Some(pixel) = pixel else { return self.demanded.unwrap_or(BLIND + self.solver) };
@@ -101,13 +117,16 @@ pub(super) fn compare(
             continue;
         };
         let (at, allowed) = (survey.shown(control_kind, load), judge.allowed(pixel.pixel, &state));
+        let limit = judge.limit(pixel.pixel, &state);
         let mut deciding = None;
         if control == Control::Depth && !row.force.is_nan() {
             force.add(at, load, row.force, state.force, allowed);
+            force.limit(at, row.force, state.force, limit);
             deciding = Some((row.force, state.force));
         }
         if control == Control::Force && !row.depth.is_nan() {
             depth.add(at, load, row.depth, exact.depth(&state), allowed);
+            depth.limit(at, row.depth, exact.depth(&state), limit);
             deciding = Some((row.depth, exact.depth(&state)));
             // The same error as one of the force, for comparison with other runs; it decides nothing.
             if let Some(own) = exact.state(Load::Depth(row.depth)) {
@@ -167,7 +186,7 @@ pub(super) fn compare(
 
 /// A column with its norms.
 pub(super) fn decided(name: &'static str, norms: &Norms, decides: bool) -> Column {
-    let tolerance = decides.then(|| norms.allowed());
+    let tolerance = (decides && norms.decisive()).then(|| norms.allowed());
     Column {
         name,
         l1: norms.l1(),
@@ -178,7 +197,8 @@ pub(super) fn decided(name: &'static str, norms: &Norms, decides: bool) -> Colum
         rows: norms.rows,
         at_largest_load: norms.at_largest_load(),
         tolerance,
-        passed: tolerance.map(|own| norms.rows > 0 && norms.l2() <= own),
+        passed: tolerance.map(|own| norms.l2() <= own && norms.beyond().is_none()),
+        beyond: norms.beyond(),
         pixels: None,
         excluded: None,
     }

@@ -21,6 +21,6 @@ mod verdict;
 
 pub use error::ValidationError;
 pub use order::Order;
-pub use record::{Column, Excluded, FileReport, Plot, Suspicion, Validation};
+pub use record::{Beyond, Column, Excluded, FileReport, Plot, Suspicion, Validation};
 pub use run::{Request, validate};
 pub use table::Source;

@@ -1,5 +1,7 @@
 //! Sums over the rows of one column: errors in L1, L2 and max, where the worst stands, and how large they may be.
 
+use super::record::Beyond;
+
 /// Errors of one column; nothing is kept per row.
 #[derive(Clone, Debug)]
 pub(super) struct Norms {
@@ -19,6 +21,9 @@ pub(super) struct Norms {
     signed: f64,
     /// The largest distance from the exact value.
     pub(super) farthest: f64,
+    /// Rows whose exact value is not 0: the others have no scale to judge an error by.
+    inside: u64,
+    beyond: Option<Beyond>,
 }
 
 impl Norms {
@@ -38,6 +43,8 @@ impl Norms {
             at_largest_load: 0.0,
             signed: 0.0,
             farthest: 0.0,
+            inside: 0,
+            beyond: None,
         }
     }
 
@@ -45,6 +52,7 @@ impl Norms {
     pub(super) fn add(&mut self, at: f64, load: f64, data: f64, exact: f64, allowed: f64) {
         let error = data - exact;
         self.rows += 1;
+        self.inside += u64::from(exact != 0.0);
         self.absolute += error.abs();
         self.absolute_exact += exact.abs();
         self.square += error * error;
@@ -60,6 +68,24 @@ impl Norms {
         if load > self.largest_load {
             (self.largest_load, self.at_largest_load) = (load, ratio(error.abs(), exact.abs()));
         }
+    }
+
+    /// Compares one row with a limit for that row alone, which no mean over many rows can hide.
+    pub(super) fn limit(&mut self, at: f64, data: f64, exact: f64, limit: f64) {
+        let error = ratio((data - exact).abs(), exact.abs());
+        if exact != 0.0 && error > limit && self.beyond.is_none_or(|other| error / limit > other.error / other.limit) {
+            self.beyond = Some(Beyond { at, error, limit });
+        }
+    }
+
+    /// The worst of the rows beyond their own limit.
+    pub(super) fn beyond(&self) -> Option<Beyond> {
+        self.beyond
+    }
+
+    /// Whether the rows allow a verdict: a value that should not be 0 was compared, or one that should be 0 is not.
+    pub(super) fn decisive(&self) -> bool {
+        self.inside > 0 || self.absolute > 0.0
     }
 
     /// Σ|e|/Σ|exact|.

@@ -27,8 +27,21 @@ pub struct Column {
     pub passed: Option<bool>,
     /// The largest distance in pixels, for contact radii on a known grid.
     pub pixels: Option<f64>,
+    /// The row whose error exceeds its own limit by the largest factor.
+    pub beyond: Option<Beyond>,
     /// Rows next to apex, kink and rim.
     pub excluded: Option<Excluded>,
+}
+
+/// The row whose error exceeds its own limit by the largest factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beyond {
+    /// Where it is: the load, or r.
+    pub at: f64,
+    /// Its relative error.
+    pub error: f64,
+    /// The largest relative error that is acceptable there.
+    pub limit: f64,
 }
 
 /// Rows next to a singular place, where a pixel cannot follow the exact pressure.

@@ -11,6 +11,7 @@ use super::verdict::{Verdict, verdict};
 use super::{FileReport, Source, Suspicion, Validation, ValidationError, column::Kind, field, loads};
 use crate::contact::{Load, State};
 use crate::scene::{Control, Scene, Walls};
+use std::collections::BTreeSet;
 
 /// What is validated, and how.
 pub struct Request<'a> {
@@ -55,7 +56,13 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     if scene.data.as_ref().is_some_and(|own| own.walls == Walls::Periodic) {
         notes.push("the box is said to repeat: its images are no part of the exact solution".to_owned());
     }
-    Ok(together(parts, request.sources.len(), notes))
+    let mut found = together(parts, request.sources.len(), notes);
+    let unread: BTreeSet<&str> = surveys.iter().flat_map(|survey| survey.unread.iter().map(String::as_str)).collect();
+    if !unread.is_empty() {
+        let names: Vec<&str> = unread.into_iter().collect();
+        found.reason = format!("{}; columns that are not read: {}", found.reason, names.join(", "));
+    }
+    Ok(found)
 }
 
 fn judge(request: &Request<'_>, scene: &Scene) -> loads::Judge {

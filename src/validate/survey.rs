@@ -30,6 +30,8 @@ pub(super) struct Survey<'s> {
     /// The pixel that contact radii betray.
     pub(super) counted: Option<f64>,
     pub(super) notes: Vec<String>,
+    /// Names of the columns that are not read.
+    pub(super) unread: Vec<String>,
 }
 
 /// The smallest distances that are kept, and the distinct contact radii.
@@ -67,12 +69,15 @@ impl<'s> Survey<'s> {
                     xs.insert(Ordered(*x));
                 }
             } else if let (Some(a), Some(load), true) = (a.and_then(|a| row.get(a)), load.and_then(|own| row.get(own)), radii.len() < RADII)
+                // A row before contact has no area to count.
+                && *a > 0.0
                 && radii.iter().all(|own: &(f64, f64)| own.0 != *a)
             {
                 radii.push((*a, *load));
             }
         }
         let mut notes = std::mem::take(&mut table.notes);
+        let unread = std::mem::take(&mut table.unread);
         if rows == 0 {
             return Err(ValidationError::data(
                 &source.name,
@@ -89,7 +94,7 @@ impl<'s> Survey<'s> {
             lattice = Some(Lattice { pixel: gap, offset: lattice.map_or(Offset::Centre, |own| own.offset) });
         }
         let counted = lattice::of_areas(&radii);
-        Ok(Self { source, content, factors, columns, rows, largest, lattice, counted, notes })
+        Ok(Self { source, content, factors, columns, rows, largest, lattice, counted, notes, unread })
     }
 
     /// The place of a kind of column.

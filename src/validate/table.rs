@@ -17,6 +17,8 @@ pub(super) struct Table<'s> {
     name: &'s str,
     pub(super) columns: Vec<Column>,
     pub(super) notes: Vec<String>,
+    /// Names of the columns that are not read.
+    pub(super) unread: Vec<String>,
     names: Vec<String>,
     reader: csv::Reader<BufReader<Box<dyn Read>>>,
     record: csv::ByteRecord,
@@ -43,7 +45,8 @@ impl<'s> Table<'s> {
             .delimiter(header.delimiter)
             .trim(csv::Trim::None)
             .from_reader(file);
-        let (columns, mut notes) = understood(name, &header)?;
+        let (columns, unread) = understood(name, &header)?;
+        let mut notes: Vec<String> = unread.iter().map(|name| format!("column {name:?} is not read")).collect();
         if header.commented {
             notes.push("the names of the columns stand in a comment".to_owned());
         }
@@ -51,6 +54,7 @@ impl<'s> Table<'s> {
             name,
             columns,
             notes,
+            unread,
             names: header.names,
             reader,
             record: csv::ByteRecord::new(),
@@ -205,10 +209,10 @@ impl Header {
     }
 }
 
-/// The columns that are understood, and what is said of the others.
+/// The columns that are understood, and the names of the others.
 fn understood(file: &str, header: &Header) -> Result<(Vec<Column>, Vec<String>), ValidationError> {
     let fault = |message: String, help: &str| ValidationError::data(file, Some(header.lines), message, help);
-    let (mut columns, mut notes): (Vec<Column>, Vec<String>) = (Vec::new(), Vec::new());
+    let (mut columns, mut unread): (Vec<Column>, Vec<String>) = (Vec::new(), Vec::new());
     for (index, name) in header.names.iter().enumerate() {
         match read(name, index) {
             Reading::Known(column) => {
@@ -223,10 +227,10 @@ fn understood(file: &str, header: &Header) -> Result<(Vec<Column>, Vec<String>),
             Reading::BadUnit(why) => {
                 return Err(fault(format!("column {name}: {why}"), "a name such as d_um, F_mN or p_GPa would be accepted"));
             }
-            Reading::Unknown => notes.push(format!("column {name:?} is not read")),
+            Reading::Unknown => unread.push(name.clone()),
         }
     }
-    Ok((columns, notes))
+    Ok((columns, unread))
 }
 
 fn unreadable(name: &str, line: Option<u64>, error: &io::Error) -> ValidationError {

@@ -1,7 +1,7 @@
 //! The verdict on the files of one kind: the finest within its tolerance, and errors that shrink with the pixel.
 
 use super::order::{Level, Order, order};
-use super::record::Column;
+use super::record::{Beyond, Column};
 
 /// What one kind of file says.
 pub(super) struct Verdict {
@@ -30,12 +30,12 @@ pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level],
     let tolerance = finest.iter().find(|own| own.name == column).and_then(|own| own.tolerance);
     let settled = found.is_some() && !converges && vanishing(levels, tolerance.map_or(0.0, |own| NOTHING_LEFT * own));
     let converges = converges || settled;
-    let none_compared = finest.iter().all(|own| own.rows == 0);
-    let passed = failed.is_empty() && converges && unmatched == 0 && !none_compared;
-    let reason = if none_compared {
-        "no row could be compared with an exact value".to_owned()
-    } else if unmatched > 0 {
+    let none_judged = finest.iter().all(|own| own.passed.is_none());
+    let passed = failed.is_empty() && converges && unmatched == 0 && !none_judged;
+    let reason = if unmatched > 0 {
         format!("no valid contact belongs to {unmatched} of the loads")
+    } else if none_judged {
+        nothing_judged(column)
     } else {
         match (settled, failed.first()) {
             (true, None) => {
@@ -46,6 +46,16 @@ pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level],
         }
     };
     Verdict { passed, reason, order: found.map(|own| (column, own)) }
+}
+
+/// Why no column has a verdict.
+fn nothing_judged(column: &str) -> String {
+    let why = match column {
+        "a" => "the file has contact radii only, which need the pixel: [data] box and grid give it",
+        "p" => "no compared place lies inside the contact, because all of them are within 4 pixels of its edge, a kink or the apex",
+        _ => "no row has an exact value to compare with",
+    };
+    format!("nothing was judged: {why}")
 }
 
 /// True where even the coarsest errors are no larger than this.
@@ -66,6 +76,10 @@ fn sentence(column: &str, finest: &[Column], failed: Option<&Column>, found: Opt
         }
         _ => format!("the error of {} is {:.3e} in L2", own.name, own.l2),
     };
+    if let Some((name, row)) = finest.iter().find_map(|own| Some((own.name, own.beyond.filter(|_| own.passed == Some(false))?))) {
+        let Beyond { at, error, limit } = row;
+        return format!("the error of {name} is {error:.3e} at the load {at}, more than the {limit:.3e} that a single row may have");
+    }
     match (failed, order, converges) {
         (None, Some(order), true) => {
             let own = finest.iter().find(|own| own.name == column);
@@ -80,7 +94,7 @@ fn sentence(column: &str, finest: &[Column], failed: Option<&Column>, found: Opt
                 Some((name, error, tolerance)) => {
                     format!("every column is within its tolerance ({name}: {error:.3e} of {tolerance:.3e})")
                 }
-                None => "no column has a tolerance, and so nothing is held against it: [data] box and grid would give one".to_owned(),
+                None => nothing_judged(column),
             }
         }
         (None, order, false) => {
