@@ -1,0 +1,137 @@
+//! Tips whose flanks are given by slope angles: kinks and joins are found for symbolic angles, and numbers agree with mpmath.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, clippy::excessive_precision)]
+
+use sneddon::expr::{Bindings, Expr};
+use sneddon::parse;
+use sneddon::transform::{Evaluator, Method, Profile, check, derive};
+
+/// Profile, x, g(x) and F(x)/E* at theta = 0.3, R = 2, h = 0.2, b = 0.5: the defining integrals with 40 digits, split at the kink.
+const VALUES: &[(&str, f64, f64, f64)] = &[
+    ("min(r^2/(2*R), r*tan(theta))", 0.4, 0.08, 0.04266666666666666666666667),
+    ("min(r^2/(2*R), r*tan(theta))", 1.5, 0.7678191409809263498369789, 1.28807397567211702065236),
+    ("min(r^2/(2*R), r*tan(theta))", 3.0, 1.463764608261153698485774, 4.443196215436028358474417),
+    ("min(r*tan(theta), h)", 0.4, 0.194361697852522179086593, 0.07774467914100887163463722),
+    ("min(r*tan(theta), h)", 1.5, 0.2067763157831103637667143, 0.03946325462013864937917776),
+    ("min(r*tan(theta), h)", 3.0, 0.2015815103635033430681798, 0.0188442409407210134334672),
+    ("max(0, r*sin(2*theta) - h)", 0.4, 0.1091324406522356048355088, 0.08082167186987035304576072),
+    ("max(0, r*sin(2*theta) - h)", 1.5, 1.12850053688354851687012, 1.984266691570434158331413),
+    ("max(0, r*sin(2*theta) - h)", 3.0, 2.460347355287148332676829, 7.976845315209140919140127),
+    ("abs(r*cos(theta) - b)", 0.4, -0.6002556191886538534447557, -0.2401022476754615413779023),
+    ("abs(r*cos(theta) - b)", 1.5, 1.229468541804796322290458, 3.249933146437445613336654),
+    ("abs(r*cos(theta) - b)", 3.0, 3.496773749365893394267059, 13.44431477740158900298525),
+    (
+        "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), r*tan(theta)-R*(1/cos(theta)-1))",
+        0.4,
+        0.08109302162163287639560262,
+        0.04336742486498191451426728,
+    ),
+    (
+        "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), r*tan(theta)-R*(1/cos(theta)-1))",
+        1.5,
+        0.6340530341770106837059829,
+        1.085611106993243956740828,
+    ),
+    (
+        "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), r*tan(theta)-R*(1/cos(theta)-1))",
+        3.0,
+        1.363896475842419096623078,
+        4.369396427256857302660237,
+    ),
+    ("piecewise(r^2*tan(theta)/(2*b), r<b, (r-b/2)*tan(theta))", 0.4, 0.09898759987507943457129718, 0.05279338660004236510469183),
+    ("piecewise(r^2*tan(theta)/(2*b), r<b, (r-b/2)*tan(theta))", 1.5, 0.6507811190213933156102112, 1.088888214111664641060688),
+    ("piecewise(r^2*tan(theta)/(2*b), r<b, (r-b/2)*tan(theta))", 3.0, 1.380198146890627673502562, 4.370977963867001411179854),
+    (
+        "piecewise(R-sqrt(R^2-r^2), r<R*cos(pi/2-theta), (r-R*sin(theta))*tan(theta)+R*(1-cos(theta)))",
+        0.4,
+        0.08109302162163287639560262,
+        0.04336742486498191451426728,
+    ),
+    (
+        "piecewise(R-sqrt(R^2-r^2), r<R*cos(pi/2-theta), (r-R*sin(theta))*tan(theta)+R*(1-cos(theta)))",
+        1.5,
+        0.6340530341770106837059829,
+        1.085611106993243956740828,
+    ),
+    (
+        "piecewise(R-sqrt(R^2-r^2), r<R*cos(pi/2-theta), (r-R*sin(theta))*tan(theta)+R*(1-cos(theta)))",
+        3.0,
+        1.363896475842419096623078,
+        4.369396427256857302660237,
+    ),
+];
+
+fn set() -> Bindings {
+    [("theta", (3, 10)), ("R", (2, 1)), ("h", (1, 5)), ("b", (1, 2))].into_iter().map(|(name, (p, q))| (name, Expr::ratio(p, q))).collect()
+}
+
+#[test]
+fn kinks_are_found_while_the_angle_is_a_symbol() {
+    for (text, x, g, force) in VALUES {
+        let profile = Profile::new(&parse::profile(text).unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"));
+        let solution = derive(&profile).unwrap();
+        assert!(solution.is_closed(), "{text}");
+        let evaluator = Evaluator::new(&solution, &set(), Method::Exact, 1e-13).unwrap();
+        for (what, found, expected) in [("g", evaluator.slope(*x), *g), ("F", evaluator.force(*x), force / 2.0)] {
+            let found = found.unwrap_or_else(|error| panic!("{what} of {text} at {x}: {error}")).estimate;
+            let error = (found.value - expected).abs();
+            assert!(error <= found.error + 1e-15 * expected.abs(), "{what} of {text} at {x}: {} for {expected}", found.value);
+        }
+    }
+}
+
+#[test]
+fn the_condition_on_the_angle_is_stated_and_the_check_draws_acute_angles() {
+    let text = "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), r*tan(theta)-R*(1/cos(theta)-1))";
+    let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+    let conditions: Vec<String> = solution.conditions.iter().map(sneddon::print::text_condition).collect();
+    assert!(conditions.iter().any(|condition| condition == "theta < pi/2"), "{conditions:?}");
+    let outcome = check(&solution).unwrap();
+    assert!(outcome.points >= 64, "{outcome:?}");
+}
+
+#[test]
+fn numeric_angles_give_exact_pieces() {
+    for text in
+        ["min(r*tan(0.3), h)", "min(r^2/(2*R), r*tan(0.3))", "piecewise(R-sqrt(R^2-r^2), r<R*sin(0.3), r*tan(0.3)-R*(1/cos(0.3)-1))"]
+    {
+        let profile = Profile::new(&parse::profile(text).unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"));
+        assert!(derive(&profile).unwrap().is_closed(), "{text}");
+    }
+}
+
+#[test]
+fn a_real_jump_is_still_refused() {
+    for text in ["piecewise(0, r<b, r*tan(theta))", "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), r*tan(theta)-R*(1/sin(theta)-1))"] {
+        assert!(Profile::new(&parse::profile(text).unwrap()).is_err(), "{text}");
+    }
+}
+
+/// A join is accepted without a condition only where the identity is proven.
+#[test]
+fn identities_of_trigonometric_constants_are_proven() {
+    let conditions = |jump: &str| {
+        let text = format!("piecewise(r, r<b, r + b*({jump}))");
+        let profile = Profile::new(&parse::profile(&text).unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"));
+        profile.conditions.iter().map(sneddon::print::text_condition).collect::<Vec<_>>()
+    };
+    for zero in [
+        "sin(theta)^2 + cos(theta)^2 - 1",
+        "tan(theta) - sin(theta)/cos(theta)",
+        "sqrt(1 + tan(theta)^2) - 1/cos(theta)",
+        "sin(2*theta) - 2*sin(theta)*cos(theta)",
+        "cos(2*theta) - 1 + 2*sin(theta)^2",
+        "tan(theta/2)*sin(theta) - (1 - cos(theta))",
+        "sin(pi/2 - theta) - cos(theta)",
+        "sin(alpha + beta) - sin(alpha)*cos(beta) - cos(alpha)*sin(beta)",
+        "sqrt(1 - sin(theta)^2) - cos(theta)",
+        "sin(2/5) - 2*sin(1/5)*cos(1/5)",
+        "tan(theta*pi/180) - sin(theta*pi/180)/cos(theta*pi/180)",
+    ] {
+        let found = conditions(zero);
+        assert!(!found.iter().any(|condition| condition.contains(" = ")), "{zero}: {found:?}");
+    }
+    for jump in ["sin(theta)^2 - cos(theta)^2", "tan(theta) - sin(theta)", "sqrt(1 - sin(theta)^2) - sin(theta)"] {
+        let text = format!("piecewise(r, r<b, r + b*({jump}))");
+        assert!(Profile::new(&parse::profile(&text).unwrap()).is_err(), "{text}");
+    }
+}
