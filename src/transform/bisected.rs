@@ -88,6 +88,9 @@ impl NumericSegment {
         let width = forms::angle_between(self.lower.value, end, x);
         let beyond = if end < x { ((x - end) * (x + end)).sqrt().atan2(end) } else { 0.0 };
         let mut range = Range { segment: self, tape, x, weight, width, beyond, slots: Vec::new(), enclosures: 0 };
+        if !range.has_enclosures() {
+            return Ok(None);
+        }
         let (mut scale, mut widest) = (range.scale(), None);
         let (mut best, mut spent): (Option<Estimate>, u64) = (None, 0);
         for _ in 0..TRIALS {
@@ -129,6 +132,16 @@ impl Range<'_> {
         });
         let sampled = width / PLACES as f64 * sizes.filter(|size| size.is_finite()).sum::<f64>();
         (sampled > FAINT * self.x).then_some(sampled)
+    }
+
+    /// False where f′ has no enclosure even around single places, as where a function of it has none.
+    fn has_enclosures(&mut self) -> bool {
+        const PLACES: [f64; 3] = [0.29, 0.53, 0.71];
+        let width = self.width;
+        PLACES.iter().any(|share| {
+            let v = share * width;
+            self.largest(Piece { from: v, to: v, from_above: false }, 0.0).is_finite()
+        })
     }
 
     /// A bound on the integral of the magnitude, from enclosures; infinite where these have none.
@@ -180,7 +193,7 @@ impl Range<'_> {
         let by_product = x * Region::real(2.0) * half_v.sin() * (beyond + width - half_v).sin() + doubt;
         let r = x * rest.cos();
         let delta = by_product.and(r - lower);
-        let delta = if sigma == 0.0 { delta.from_zero_on() } else { delta };
+        let delta = if sigma == 0.0 { delta.above_zero() } else { delta };
         let slope = self.tape.run(&mut RegionAlgebra, &[delta], &mut self.slots).map_or(f64::INFINITY, Region::largest);
         let weight = match self.weight {
             Weight::Force => r.largest() * r.largest(),
@@ -278,7 +291,7 @@ impl Range<'_> {
         };
         let mut own = Sum::default();
         for (((node, value), error), factor) in nodes.iter().zip(&values[..count]).zip(&errors[..count]).zip(&factors) {
-            if !(value.is_finite() && !error.is_nan()) {
+            if !value.is_finite() || error.is_nan() {
                 return Err(TransformError::NotComputable { at: self.x });
             }
             own.value += node.weight * value * factor;

@@ -8,7 +8,7 @@ impl Region {
     #[must_use]
     pub fn sqrt(self) -> Self {
         if self.is_on_the_axis() && self.re.low >= 0.0 {
-            return Self::rectangle(self.re.rising(f64::sqrt).from_zero_on(), Interval::point(0.0));
+            return Self::rectangle(self.re.rising(f64::sqrt).above_zero(), Interval::point(0.0));
         }
         if self.meets_the_cut() {
             return Self::unknown();
@@ -54,7 +54,7 @@ impl Region {
             let (base, by) = (self.re, exponent.re);
             if self.is_on_the_axis() && exponent.is_on_the_axis() && base.low == 0.0 && by.low > 0.0 {
                 let most = base.high.powf(by.low).max(base.high.powf(by.high));
-                return Self::rectangle(Interval::loose(0.0, most).from_zero_on(), Interval::point(0.0));
+                return Self::rectangle(Interval::loose(0.0, most).above_zero(), Interval::point(0.0));
             }
             return (exponent * self.ln()).exp();
         };
@@ -63,7 +63,7 @@ impl Region {
             return self.powi(own as i32);
         }
         if self.is_on_the_axis() && self.re.low >= 0.0 && own > 0.0 {
-            let power = Interval::loose(self.re.low.powf(own), self.re.high.powf(own)).from_zero_on();
+            let power = Interval::loose(self.re.low.powf(own), self.re.high.powf(own)).above_zero();
             return Self::rectangle(power, Interval::point(0.0));
         }
         if self.meets_the_cut() {

@@ -116,7 +116,7 @@ impl Interval {
     }
 
     /// Without its negative numbers.
-    pub(super) fn from_zero_on(self) -> Self {
+    pub(super) fn above_zero(self) -> Self {
         Self { low: self.low.max(0.0), high: self.high }
     }
 

@@ -84,7 +84,7 @@ impl Region {
 
     /// The numbers of it that are not negative, where it is real.
     #[must_use]
-    pub fn from_zero_on(self) -> Self {
+    pub fn above_zero(self) -> Self {
         if self.im.is(0.0) && self.re.low < 0.0 && self.re.high >= 0.0 {
             Self { re: Interval::new(0.0, self.re.high), ..self }
         } else {
