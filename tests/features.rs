@@ -26,6 +26,7 @@ fn no_narrow_feature_is_missed() {
         assert!(off <= own.error + f64::EPSILON * truth.abs(), "{row}: {own:?} is off by {off:e}");
         proven += usize::from(own.bound == Bound::Proven);
     }
-    // What is refused are closed backgrounds beside a feature that the recognition form multiplies out.
-    assert!(seen == 80 && refused <= 9 && proven + refused == seen, "{proven} proven, {refused} refused");
+    // What is refused are closed backgrounds beside a feature that the recognition form multiplies out; what is estimated lies next to
+    // the end of f′ or begins with a fractional power.
+    assert!(seen == 80 && refused <= 9 && proven >= 68, "{proven} proven, {refused} refused");
 }

@@ -1,6 +1,7 @@
 //! Integrals over the angle by pieces, each with a rule that an enclosure of f′ around it proves to suffice: nothing narrow can hide.
 
 use super::TransformError;
+use super::angle::NEAR_THE_LIMIT;
 use super::integral::{NumericSegment, Weight};
 use super::slope_source::{Numbers, Scratch};
 use crate::eval::{RegionAlgebra, Tape};
@@ -82,6 +83,12 @@ impl NumericSegment {
     pub(super) fn by_pieces(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let Numbers::Tape(tape) = &self.slope else { return Ok(None) };
         if matches!(weight, Weight::Outside(_)) || !(x.is_normal() && self.lower.value < x) {
+            return Ok(None);
+        }
+        // Next to the end of f′ its distance to that end has the digits, and from a fractional power on no polynomial rule is good:
+        // rules that know these places answer there.
+        let near_the_end = self.limit.as_ref().is_some_and(|limit| x > NEAR_THE_LIMIT * limit.value.value);
+        if self.singular || near_the_end {
             return Ok(None);
         }
         let end = self.upper.map_or(f64::INFINITY, |upper| upper.value);

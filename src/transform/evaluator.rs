@@ -10,7 +10,7 @@ use super::quantity::Quantity;
 use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::{constant_value, first_double_from};
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
-use crate::num::{Bounded, Estimate, Precise};
+use crate::num::{Bound, Bounded, Estimate, Precise};
 use std::sync::OnceLock;
 
 /// The order of the power series at the axis.
@@ -407,8 +407,10 @@ impl<'a> Evaluator<'a> {
                     Ok(Some(found)) => found,
                     Ok(None) => return Ok(None),
                     // A term that underflows, or is 0/0 next to the axis: the whole may have its digits all the same.
-                    Err(TransformError::NoDigits { .. } | TransformError::NotComputable { .. }) => {
-                        return self.by_quadrature(quantity, contact, inputs, typed(), &integrate);
+                    // An estimate would hide what could not be resolved alone.
+                    Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
+                        let whole = self.by_quadrature(quantity, contact, inputs, typed(), &integrate)?;
+                        return whole.filter(|whole| whole.estimate.bound == Bound::Proven).map(Some).ok_or(error);
                     }
                     Err(error) => return Err(error),
                 };

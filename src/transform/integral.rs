@@ -449,8 +449,8 @@ pub(super) fn settled(found: Estimate, at: f64, scale: impl FnOnce() -> f64) -> 
 
 /// An error of this share of the value leaves no digit worth the name, and …
 const LOST: f64 = 0.01;
-/// … one of this share of the integral of the magnitude says nothing about the value: a pole, or oscillations that are not resolved.
-const BEYOND: f64 = 0.5;
+/// … one of this multiple of the integral of the magnitude is no rounding noise but a pole or an unseen feature.
+const BEYOND: f64 = 3.0;
 
 /// The integral of |f| over (0, width) by its values at 32 midpoints.
 pub(super) fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
