@@ -1,6 +1,6 @@
 //! Formulas in every notation: text, Unicode, LaTeX, Typst and MathML.
 //!
-//! An expression is laid out once as mathematics ([`math`]), in the order in which it is read, and each notation writes that.
+//! An expression is laid out once as mathematics (`math.rs`), in the order in which it is read, and each notation writes that.
 //! Functions that exist only for stable evaluation are replaced by what they equal.
 //! Text reads back as an equal expression; the others look as a careful author would set them.
 
