@@ -13,6 +13,12 @@ check:
 test filter='':
     cargo test {{filter}}
 
+# The Python package and its tests, in an environment of its own.
+python:
+    python3 -m venv target/python-venv
+    target/python-venv/bin/pip install "./python[test]"
+    target/python-venv/bin/python -m pytest python/tests
+
 # Format, then lint as strictly as the acceptance run.
 lint:
     cargo fmt

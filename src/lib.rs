@@ -6,6 +6,7 @@
 
 #[cfg(feature = "cli")]
 pub mod cli;
+pub mod code;
 pub mod contact;
 pub mod eval;
 pub mod expr;

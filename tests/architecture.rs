@@ -27,6 +27,8 @@ const ROOMS: &[Room] = &[
     Room { name: "transform", may_use: &["num", "expr", "eval", "print"] },
     // print for the texts of conditions, as in transform.
     Room { name: "contact", may_use: &["num", "expr", "eval", "print", "transform"] },
+    // Beside scene: closed forms as programs in other languages, with claims that the sampled error bounds support.
+    Room { name: "code", may_use: &["num", "expr", "eval", "print", "transform", "contact"] },
     // A scene file holds expressions: with cli the only room that reads text.
     Room { name: "scene", may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact"] },
     // Measures what stands below it; text and formats are no concern of it.
@@ -38,7 +40,7 @@ const ROOMS: &[Room] = &[
     // The only room with input and output.
     Room {
         name: "cli",
-        may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact", "scene", "tradeoff", "validate", "report"],
+        may_use: &["num", "expr", "parse", "print", "eval", "transform", "contact", "code", "scene", "tradeoff", "validate", "report"],
     },
 ];
 

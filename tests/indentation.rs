@@ -353,3 +353,35 @@ fn a_force_computes_no_pressure() {
     assert!(force + integral <= 2 * u64::from(loads as u32), "{force} forces and {integral} integrals for {loads} loads");
     assert!(slope - looked <= 12 * u64::from(loads as u32), "{} slopes for {loads} loads", slope - looked);
 }
+
+/// Narrow rings and grooves as mpmath judges them: the verdicts agree, those on rings are proven, and the radius is the first one.
+#[test]
+fn narrow_features_are_judged_as_by_mpmath() {
+    let (mut valid, mut rings, mut proven, mut count) = (0, 0, 0, 0);
+    for line in include_str!("oracle/verdicts.csv").lines().skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [text, radius, verdict, at] = fields[..] else { panic!("{line}") };
+        let found = solve(text, None, Load::Radius(radius.parse().unwrap()));
+        count += 1;
+        if verdict == "valid" {
+            assert!(found.is_valid(), "{line}: {found:?}");
+            valid += 1;
+            // Pressures next to a groove are often too close to 0 for the bounds.
+            if !line.contains("exp") {
+                rings += 1;
+                proven += u32::from(found.radii.is_none());
+            }
+            continue;
+        }
+        assert!(!found.is_valid(), "{line}: {found:?}");
+        let first = found.findings.first().unwrap();
+        assert_eq!(first.rule, verdict, "{line}");
+        let at: f64 = at.parse().unwrap();
+        // Where u has no digits, a bound on it shows the overlap a little later.
+        let late = first.at.unwrap() / at - 1.0;
+        assert!(-3e-9 < late && late < 1e-4, "{line}: {:?}", first.at);
+    }
+    assert!(count > 30 && valid > 10 && count - valid > 10);
+    // So may be the gap below a very narrow ring.
+    assert!(proven + 1 >= rings && rings > 10, "{proven} of {rings} are proven");
+}

@@ -207,3 +207,15 @@ fn a_wanted_pressure_is_reached() {
         assert!(matches!(one(text), Err(TransformError::NoProfileForPressure { .. })), "{text}");
     }
 }
+
+/// An argument outside the domain of its function at the axis is an error, whatever its form away from it.
+#[test]
+fn what_is_not_real_at_the_axis_is_refused() {
+    for kernel in ["atanh(x/R - 9)", "asin(x - 8)", "acos(2 + x^2)", "ln(x/R - 8)", "sqrt(x - 8)", "acosh(x/R)"] {
+        let (g, f) = (format!("x*{kernel}"), format!("r*{}", kernel.replace('x', "r")));
+        let inverse = invert(&parse::equivalent(&g).unwrap(), read);
+        assert!(matches!(inverse, Err(TransformError::NotReal { .. })), "{g}");
+        let derived = sneddon::transform::Profile::new(&parse::profile(&f).unwrap());
+        assert!(matches!(derived, Err(TransformError::NotReal { .. })), "{f}");
+    }
+}

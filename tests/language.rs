@@ -102,6 +102,25 @@ fn has_idle_one(latex: &str) -> bool {
         .any(|pair| matches!(pair, [one, next] if (*one == "1" || one.ends_with("(1") || one.ends_with("{1")) && begins_factor(next)))
 }
 
+/// Whole decimals in exponents and powers of ten in denominators have one printed form.
+#[test]
+fn what_was_printed_prints_the_same_again() {
+    for typed in [
+        "ellipk(a^2)^5.0",
+        "sin(a)^2.0",
+        "sqrt(a)^3.0",
+        "a^2.0",
+        "9145049221509676025181914925780525387*pi/1.6e15*a",
+        "7/2.5e20*a + 3/1e21",
+        "12345678901234567890/3.2e18*a",
+        "1.6e15*a",
+        "2.5e-7*a^1.50",
+    ] {
+        let printed = print::text(&parse::formula(typed).unwrap());
+        assert_eq!(print::text(&parse::formula(&printed).unwrap()), printed, "{typed}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -392,3 +392,171 @@ fn the_document_has_a_scene() {
         assert_eq!(found["validity"]["valid"], true);
     }
 }
+
+/// A scene with two bodies of steel, each with a shape.
+fn two_bodies(indenter: &str, counterbody: &str, load: &str) -> String {
+    format!(
+        "[profile]\nf = \"{indenter}\"\nparameters = {{ R = \"10 mm\" }}\n[material]\nE = \"200 GPa\"\nnu = 0.3\n\
+         [counterbody]\nE = \"200 GPa\"\nnu = 0.3\nf = \"{counterbody}\"\nparameters = {{ R = \"10.01 mm\" }}\n\
+         [load]\n{load}\n[outputs]\nquantities = [\"d\", \"F\", \"a\"]\nunits = {{ length = \"mm\", force = \"N\", pressure = \"MPa\" }}\n"
+    )
+}
+
+fn rules(answer: &Value) -> Vec<String> {
+    answer["rows"][0]["findings"].as_array().unwrap().iter().map(|own| own["rule"].as_str().unwrap().to_owned()).collect()
+}
+
+/// The slope of a ball in a socket is that of the ball, not that of the thin gap between them.
+#[test]
+fn the_slope_of_each_body_counts() {
+    let sphere = "R-sqrt(R^2-r^2)";
+    let parabola = "r^2/(2*R)";
+    for (ball, load, steep_from) in [
+        // r/√(R² − r²) = 0.3 at r = 0.3 R/√1.09
+        (sphere, "force = \"10 kN\"", 3.0 / 1.09f64.sqrt()),
+        (parabola, "force = \"300 kN\"", 3.0),
+    ] {
+        let answer = json(&two_bodies(ball, &format!("-({ball})"), load), 0, &[]);
+        assert_eq!(rules(&answer), ["steep_slope"], "{ball}");
+        let at = answer["rows"][0]["findings"][0]["at"].as_f64().unwrap();
+        assert!((at / steep_from - 1.0).abs() < 1e-6, "{at}");
+    }
+    // Shallow contacts have no warning.
+    let answer = json(&two_bodies(sphere, &format!("-({sphere})"), "force = \"1 N\""), 0, &[]);
+    assert!(rules(&answer).is_empty() && answer["rows"][0]["a"].as_f64().unwrap() < 2.8);
+}
+
+/// A contact cannot be larger than either of the bodies, even where the part that ends cancels in the sum of both shapes.
+#[test]
+fn the_end_of_each_body_counts() {
+    let hidden = "R-sqrt(R^2-r^2)";
+    for (indenter, counterbody, radius, code) in [
+        (hidden.to_owned(), format!("-({hidden})"), 10.005, 1),
+        (format!("r^2/(20*R)+({hidden})"), format!("-({hidden})"), 9.9, 0),
+        // asin(r/(2 mm)) ends at 2 mm in both bodies, and only there.
+        ("r^2/(20*R)+R*asin(r^2/R^2*25)^2/1000".to_owned(), "-r^2/(20*R)".to_owned(), 1.99, 0),
+        ("r^2/(20*R)+R*asin(r^2/R^2*25)^2/1000".to_owned(), "-r^2/(20*R)".to_owned(), 2.01, 1),
+    ] {
+        let answer = json(&two_bodies(&indenter, &counterbody, &format!("contact_radius = \"{radius} mm\"")), code, &[]);
+        assert_eq!(rules(&answer).contains(&"unreachable".to_owned()), code == 1, "{indenter} {radius}");
+    }
+    let same = "\nparameters = { R = \"10 mm\" }\n";
+    let cancelled = two_bodies(&format!("r^2/(20*R)+({hidden})"), &format!("-({hidden})"), "contact_radius = \"11 mm\"");
+    let cancelled = cancelled.replace("\nparameters = { R = \"10.01 mm\" }\n", same);
+    assert_eq!(rules(&json(&cancelled, 1, &[])), ["unreachable"]);
+    assert!(rules(&json(&cancelled.replace("11 mm", "1 mm"), 0, &[])).is_empty());
+}
+
+fn bare(profile: &str, load: &str) -> String {
+    format!("[profile]\n{profile}\n[material]\neffective_modulus = 1.0\n[load]\n{load}\n[outputs]\nquantities = [\"d\", \"F\", \"a\"]\n")
+}
+
+/// What a narrow feature does to a contact shows at no sample; an enclosure misses none.
+#[test]
+fn no_narrow_feature_escapes_the_verdict() {
+    for (feature, radius, rule) in [
+        ("4/(1+((r-3)/0.01)^2)", 0.9, "outside_gap"),
+        // A groove inside the contact: the pressure would have to pull where its slope turns.
+        ("0.05*exp(-((r-0.317)/0.004)^2)", 0.9, "tension_inside"),
+    ] {
+        let answer = json(&bare(&format!("f = \"r^2/2-{feature}\""), &format!("contact_radius = {radius}")), 1, &[]);
+        assert!(rules(&answer).contains(&rule.to_owned()), "{feature}: {answer}");
+        assert_eq!(answer["validity"]["verdict"], "not valid");
+    }
+    // Where the ring stays above the deformed surface the contact is valid, and that is proven: u(3) = (2/π)((d − 9/2) asin 0.3 + …) < 0.05.
+    let answer = json(&bare("f = \"r^2/2-0.0001/(1+((r-3)/0.001)^2)\"", "contact_radius = 0.9"), 0, &[]);
+    assert_eq!(answer["rows"][0]["verdict"], "valid");
+}
+
+/// What has an enclosure is proven; what is only looked at says so, and at how many radii.
+#[test]
+fn verdicts_say_what_they_rest_on() {
+    for profile in [
+        "f = \"r^2/2\"",
+        "f = \"cosh(r)-1\"",
+        "f = \"(r+1)*ln(1+r)-r\"",
+        "f = \"r*atan(r)\"",
+        "f = \"1-exp(-r^2)\"",
+        "f = \"atan(r^2)\"",
+        "f = \"1-sqrt(1-r^2)\"",
+        "f = \"piecewise(r^2/2, r<1, r-1/2)\"",
+        "f = \"-0.05*r^2\"\nradius = 1.0",
+        "f = \"0\"\nradius = 1.0",
+        "shape = \"ellipsoid\"\nparameters = { b = 1.0, c = 2.0 }",
+    ] {
+        let answer = json(&bare(profile, "depth = 0.25"), 0, &[]);
+        assert_eq!((&answer["rows"][0]["verdict"], &answer["validity"]["verdict"]), (&"valid".into(), &"valid".into()), "{profile}");
+    }
+    // gamma has no enclosure.
+    let sampled = bare("f = \"r^2*gamma(2+r)\"", "depth = 0.01");
+    let answer = json(&sampled, 0, &[]);
+    let radii = answer["validity"]["radii"].as_u64().unwrap();
+    assert!(radii > 50 && answer["rows"][0]["verdict"] == format!("valid at {radii} radii"));
+    let text = run_in(Path::new("."), &sampled, &["solve", "-"]);
+    assert!(String::from_utf8_lossy(&text.stdout).contains(&format!("\nvalid at {radii} radii: ")));
+}
+
+/// The first touch is a root of f′, a kink or the rim, and no sample: heights from the closed minima of each shape.
+#[test]
+fn the_first_touch_is_exact() {
+    let touching = |profile: &str| {
+        let scene = bare(profile, "depth = 0.6\ndepth_from = \"first_touch\"");
+        let answer = run_in(Path::new("."), &scene, &["solve", "-", "--json", "--force"]);
+        let answer: Value = serde_json::from_slice(&answer.stdout).unwrap();
+        0.6 - answer["rows"][0]["d"].as_f64().unwrap()
+    };
+    for (profile, depth) in [
+        // −0.1 at r = 1, between the samples
+        ("f = \"0.1*(r^4-2*r^2)\"\nradius = 1.2", 0.1),
+        // x³ − 2x² has its minimum −32/27 at x = 4/3; here x = r²
+        ("f = \"0.01*(r^6-2*r^4)\"\nradius = 1.3", 0.01 * 32.0 / 27.0),
+        // the rim, and a kink beside the axis
+        ("f = \"-0.05*r^2\"\nradius = 1.3", 0.05 * 1.69),
+        ("f = \"0.1*(abs(r-0.7)-0.7)\"\nradius = 1.3", 0.07),
+    ] {
+        let found = touching(profile);
+        assert!((found - depth).abs() <= 4.0 * f64::EPSILON * 0.6, "{profile}: {found:?} for {depth:?}");
+    }
+    // Two rings, the outer one deeper: 0.02 (1 − cos 5r) − 0.01 r, at the second root of 0.1 sin 5r = 0.01, r = (2π + asin 0.1)/5.
+    let r = (std::f64::consts::TAU + 0.1f64.asin()) / 5.0;
+    let lowest = 0.02 * (1.0 - (5.0 * r).cos()) - 0.01 * r;
+    let found = touching("f = \"0.02*(1-cos(5*r))-0.01*r\"\nradius = 1.7");
+    assert!((found + lowest).abs() <= 4.0 * f64::EPSILON * 0.6, "{found:?} for {lowest:?}");
+    let answer = json(&bare("f = \"0.1*(r^4-2*r^2)\"\nradius = 1.2", "depth = 0.6\ndepth_from = \"first_touch\""), 0, &[]);
+    let row = &answer["rows"][0];
+    assert_eq!(row["d"].as_f64(), Some(0.5));
+    // F = 2(a d − ∫₀^a g) with g = 0.1(8/3 x⁴ − 4 x²) and a = 1.2
+    let integral = 0.1 * (8.0 / 15.0 * 1.2f64.powi(5) - 4.0 / 3.0 * 1.2f64.powi(3));
+    assert!((row["F"].as_f64().unwrap() - 2.0 * (0.6 - integral)).abs() < 1e-15);
+}
+
+/// A flat punch is not taken for a flat punch, and none but round indenters are axially symmetric.
+#[test]
+fn a_shape_is_not_compared_with_itself() {
+    let flat = json(&bare("f = \"0\"\nradius = 2.0", "depth = 0.1"), 0, &[]);
+    assert!(flat["rows"][0].get("regime").is_none());
+    for section in ["square", "triangle"] {
+        let scene = bare(&format!("cross_section = \"{section}\"\narea = 4.0"), "depth = 0.1").replace("\"F\", \"a\"", "\"F\"");
+        let answer = json(&scene, 0, &[]);
+        assert!(answer["rows"][0].get("regime").is_none(), "{section}");
+        let assumptions = answer["validity"]["assumptions"].as_str().unwrap();
+        assert!(!assumptions.contains("axially symmetric") && assumptions.contains("cross-section"), "{assumptions}");
+    }
+    // F of a concave punch beside the flat one of the same rim, both from the first touch: 2Ec(d + h) to 2Ec(d + 2h/3), h = 0.1.
+    let concave = json(&bare("f = \"-0.1*r^2\"\nradius = 1.0", "depth = 0.5"), 0, &[]);
+    let regime = &concave["validity"]["regime"];
+    assert!((regime["force_error"].as_f64().unwrap() - (0.6 / (0.5 + 0.2 / 3.0) - 1.0)).abs() < 1e-14);
+    assert!(regime["message"].as_str().unwrap().ends_with("at the same depth since the first touch"));
+}
+
+/// Bodies apart are called apart everywhere, and no number is missing without a reason.
+#[test]
+fn apart_and_too_small_are_said() {
+    let apart = json(&bare("f = \"r^2/2\"", "depth = -0.1"), 0, &[]);
+    assert_eq!(apart["rows"][0]["edge"], "apart");
+    let tiny = bare("f = \"r^2/2\"", "depth = 1e-300");
+    let answer = json(&tiny, 0, &[]);
+    assert!(answer["rows"][0]["F"].is_null() && answer["rows"][0]["why"].as_str().unwrap().starts_with("F: it is too small"));
+    let text = run_in(Path::new("."), &tiny, &["solve", "-"]);
+    assert!(String::from_utf8_lossy(&text.stdout).contains("F: no value in some rows: it is too small"));
+}

@@ -2,7 +2,7 @@
 
 use super::failure::warn;
 use super::output::{Destination, Endings};
-use super::{Failure, Outcome, input};
+use super::{Failure, Outcome, budget, input};
 use crate::contact::{self, ContactError, Setting};
 use crate::report::{self, Compared};
 use crate::transform::{self, TransformError};
@@ -31,6 +31,8 @@ pub(super) struct Arguments {
     /// Writes into this file instead of stdout; its ending decides the format: .txt or .json.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) budget: budget::BudgetArguments,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -47,12 +49,14 @@ const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("json", Format::Json
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let answer = Destination::choose(arguments.output.as_deref(), arguments.json.then_some(Format::Json), Format::Text, ENDINGS)?;
+    let units = arguments.profile.units(&[arguments.radius.as_deref(), arguments.depth.as_deref()], None);
+    units.tell();
     let setting = Setting {
-        radius: arguments.radius.as_deref().map(|text| input::positive("--radius", text)).transpose()?,
-        depth: arguments.depth.as_deref().map(|text| input::constant("--depth", text).map(|(_, value)| value)).transpose()?,
+        radius: arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?,
+        depth: arguments.depth.as_deref().map(|text| units.length("--depth", text)).transpose()?,
         tolerance: arguments.tol.as_deref().map(input::tolerance).transpose()?,
     };
-    let (typed, settings) = arguments.profile.read()?;
+    let (typed, settings) = arguments.profile.read(&units)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.bound_profile(&typed)?;
     if profile.is_flat() && setting.depth.is_none() {

@@ -1,10 +1,12 @@
 //! `sneddon derive`: the formulas of a profile.
 
 use super::failure::warn;
-use super::output::{Destination, Endings};
-use super::{Failure, Outcome, input};
-use crate::contact::{ContactError, Edge, RIM, relations};
+use super::output::Destination;
+use super::typesetting::{ENDINGS, Format, TypesettingArguments};
+use super::{Failure, Outcome, budget, input};
+use crate::contact::{ContactError, Edge, RIM, RelationKey, relations, steps};
 use crate::expr::{Bindings, Expr};
+use crate::report::page::Page;
 use crate::report::{self, Derivation};
 use crate::transform;
 use clap::ValueEnum;
@@ -25,50 +27,108 @@ pub(super) struct Arguments {
     /// The same as --format json.
     #[arg(long, conflicts_with = "format")]
     json: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex or .json.
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex, .md, .typ, .html or .json.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    typesetting: TypesettingArguments,
+    /// Shows the way from f to every result, step by step.
+    #[arg(long)]
+    steps: bool,
+    /// Derives these quantities, separated by commas, of f g G d F a k p u U p_mean sigma_zz q u_1d; a is a(d).
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    quantity: Vec<Quantity>,
+    #[command(flatten)]
+    pub(super) budget: budget::BudgetArguments,
 }
 
 const EXAMPLES: &str = "Examples:
   sneddon derive 'r^2/(2*R)'
   sneddon derive '-h*r^2/c^2' --depth d --format latex
+  sneddon derive 'r^2/(2*R)' --quantity F,p --symbols 'E=E_r,d=\\delta' --steps
+  sneddon derive --shape cone --format latex --standalone
   echo 'R-sqrt(R^2-r^2)' | sneddon derive - --set R=2 --json";
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Format {
-    Text,
-    Unicode,
-    Latex,
-    Markdown,
-    Typst,
-    Mathml,
-    Json,
+/// What `--quantity` takes: the keys of `eval`, and those of JSON for the relations over the depth.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Quantity {
+    #[value(name = "f")]
+    Profile,
+    #[value(name = "g")]
+    Equivalent,
+    #[value(name = "G")]
+    Integral,
+    #[value(name = "d")]
+    Depth,
+    #[value(name = "F")]
+    Force,
+    #[value(name = "a", alias = "a_of_d")]
+    ContactRadius,
+    #[value(name = "F_of_d")]
+    ForceOfDepth,
+    #[value(name = "k")]
+    Stiffness,
+    #[value(name = "p")]
+    Pressure,
+    #[value(name = "u")]
+    Displacement,
+    #[value(name = "U")]
+    Energy,
+    #[value(name = "p_mean")]
+    MeanPressure,
+    #[value(name = "sigma_zz")]
+    AxialStress,
+    #[value(name = "q")]
+    LineLoad,
+    #[value(name = "u_1d")]
+    LineDisplacement,
 }
 
-const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("tex", Format::Latex), ("json", Format::Json)];
+impl Quantity {
+    fn key(self) -> RelationKey {
+        match self {
+            Self::Profile => RelationKey::Profile,
+            Self::Equivalent => RelationKey::Equivalent,
+            Self::Integral => RelationKey::Integral,
+            Self::Depth => RelationKey::Depth,
+            Self::Force => RelationKey::Force,
+            Self::ContactRadius => RelationKey::ContactRadius,
+            Self::ForceOfDepth => RelationKey::ForceOfDepth,
+            Self::Stiffness => RelationKey::Stiffness,
+            Self::Pressure => RelationKey::Pressure,
+            Self::Displacement => RelationKey::Displacement,
+            Self::Energy => RelationKey::Energy,
+            Self::MeanPressure => RelationKey::MeanPressure,
+            Self::AxialStress => RelationKey::AxialStress,
+            Self::LineLoad => RelationKey::LineLoad,
+            Self::LineDisplacement => RelationKey::LineDisplacement,
+        }
+    }
+}
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.format.or(arguments.json.then_some(Format::Json));
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
-    let edge = arguments.depth.as_deref().map(input::depth).transpose()?.map_or(Edge::Smooth, Edge::Rim);
-    let (typed, settings) = if edge == Edge::Smooth { arguments.profile.read()? } else { arguments.profile.read_punch()? };
+    let style = arguments.typesetting.style(answer.format().page())?;
+    let asked: Vec<RelationKey> = arguments.quantity.iter().map(|own| own.key()).collect();
+    let units = arguments.profile.units(&[arguments.depth.as_deref()], None);
+    units.tell();
+    let edge = arguments.depth.as_deref().map(|text| units.depth(text)).transpose()?.map_or(Edge::Smooth, Edge::Rim);
+    let (typed, settings) = if edge == Edge::Smooth { arguments.profile.read(&units)? } else { arguments.profile.read_punch(&units)? };
     let shown = typed.formula.substitute(&settings.exact()).substitute(&Bindings::one(RIM, Expr::symbol("a")));
+    let names = arguments.typesetting.names(&shown)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
     solution.warnings().iter().for_each(|text| warn(text));
     let relations = relations(&solution, &edge).map_err(failed)?;
-    let check = transform::check(&solution).map_err(|error| error.to_string());
-    let record = Derivation { profile: &profile, typed: &shown, edge: &edge, relations: &relations, check };
-    answer.write(|format, out| match format {
-        Format::Json => report::json::derivation(&record, out),
-        Format::Latex => report::latex::derivation(&record, out),
-        Format::Markdown => report::markdown::derivation(&record, out),
-        Format::Typst => report::typst::derivation(&record, out),
-        Format::Mathml => report::mathml::derivation(&record, out),
-        Format::Unicode => report::text::derivation_in_unicode(&record, out),
-        Format::Text => report::text::derivation(&record, out),
+    let check = budget::part(|| transform::check(&solution).map_err(|error| error.to_string()));
+    let steps = arguments.steps.then(|| steps(&shown, &solution, &edge, &relations)).transpose().map_err(|error| failed(error.into()))?;
+    let record = Derivation { profile: &profile, typed: &shown, edge: &edge, relations: &relations, asked: &asked, names: &names, check };
+    answer.write(|format, out| match (format.page(), &steps) {
+        (None, steps) => report::json::derivation(&record, steps.as_deref(), out),
+        (Some(format), None) => Page::of_derivation(&record).write(format, style, out),
+        (Some(format), Some(steps)) => Page::of_steps(&record, steps).write(format, style, out),
     })?;
     if !record.failed() {
         return Ok(Outcome::Done);

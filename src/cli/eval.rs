@@ -2,11 +2,13 @@
 
 use super::failure::warn;
 use super::output::{Destination, Endings};
-use super::{Failure, Outcome, curve, input, points, series};
-use crate::contact::{self, Contact, ContactError, Explicit, Measured};
+use super::{Failure, Outcome, budget, curve, input, points, series};
+use crate::contact::{self, Contact, ContactError, Explicit, Measured, Reason};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
-use crate::report::{self, Evaluation, Shift};
+use crate::num::work;
+use crate::report::{self, Evaluation, Shift, Units};
+use crate::scene::Dimension;
 use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError};
 use clap::ValueEnum;
 use std::path::PathBuf;
@@ -53,6 +55,8 @@ pub(super) struct Arguments {
     /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv or .json.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) budget: budget::BudgetArguments,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -61,6 +65,8 @@ const EXAMPLES: &str = "Examples:
   sneddon eval 'h*ln(1+r/w)' --quantity g --at log:0.01:1:5 --set h=0.4 --set w=1.3
   sneddon eval 'ln(cosh(r))' --quantity p --at 0:2.9:30 --radius 3 --method curve";
 
+/// Work that each further point may be.
+const STEPS_PER_POINT: u64 = 100_000;
 /// The relative tolerance where none was given.
 const TOLERANCE: f64 = 1e-13;
 /// The relative error that is worth a warning where no tolerance was given.
@@ -139,10 +145,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let quantity = arguments.quantity;
-    let at = points::read(&arguments.at)?;
-    let radius = arguments.radius.as_deref().map(|text| input::positive("--radius", text)).transpose()?;
-    let depth = arguments.depth.as_deref().map(|text| input::constant("--depth", text).map(|(_, value)| value)).transpose()?;
-    let effective_modulus = input::positive("--effective-modulus", &arguments.effective_modulus)?;
+    let lengths = [Some(arguments.at.as_str()), arguments.radius.as_deref(), arguments.depth.as_deref()];
+    let units = arguments.profile.units(&lengths, Some(&arguments.effective_modulus));
+    let at = points::read(&arguments.at, &units)?;
+    budget::allow(at.len() as u64, STEPS_PER_POINT);
+    let radius = arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?;
+    let depth = arguments.depth.as_deref().map(|text| units.length("--depth", text)).transpose()?;
+    let effective_modulus = units.modulus("--effective-modulus", &arguments.effective_modulus)?;
     let demanded = arguments.tol.as_deref().map(input::tolerance).transpose()?;
     let (method, tolerance) = (arguments.method.method(), demanded.unwrap_or(TOLERANCE));
     let by_series = matches!(arguments.method, Way::Series);
@@ -160,7 +169,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(Failure::new("with a rim the contact radius does not depend on the depth")
             .help("leave out --depth, or ask for another quantity"));
     }
-    let (typed, settings) = arguments.profile.read()?;
+    let (typed, settings) = arguments.profile.read(&units)?;
     settings.demand_all(&typed)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.bound_profile(&typed)?;
@@ -185,7 +194,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let own = curve::Asked { symbol, at: &at, radius, depth, effective_modulus, tolerance: demanded };
         curve::readings(&asked.contact, &own, failed)?
     } else {
-        quantity.read_all(&asked, &at).map_err(failed)?
+        quantity.read_within_budget(&asked, &at).map_err(failed)?
     };
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
@@ -201,12 +210,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         shift,
         at,
         readings,
+        units: Units {
+            at: units.name(Dimension::LENGTH),
+            value: units.name(quantity.dimension()),
+            modulus: units.name(Dimension::PRESSURE),
+            parameters: settings.units(&units),
+        },
     };
     answer.write(|format, out| match format {
         Format::Json => report::json::evaluation(&record, out),
         Format::Csv => report::text::evaluation_as_csv(&record, out),
         Format::Text => report::text::evaluation(&record, out),
     })?;
+    if record.is_cut() {
+        warn(Reason::Unfinished.text());
+        return Ok(Outcome::Failed);
+    }
     Ok(Outcome::Done)
 }
 
@@ -273,7 +292,35 @@ impl Way {
     }
 }
 
+/// This part of the budget is left for writing the answer.
+const FOR_THE_ANSWER: u64 = 16;
+
 impl Quantity {
+    /// The readings of a list; where the budget does not suffice for all of them, of those points for which it does.
+    fn read_within_budget(self, asked: &Asked<'_>, at: &[f64]) -> Result<Vec<Measured>, ContactError> {
+        let most = work::left() / FOR_THE_ANSWER * (FOR_THE_ANSWER - 1);
+        // One point has no part that could be given.
+        if at.len() == 1 {
+            return self.read_all(asked, at);
+        }
+        if let Some(whole) = work::share(most / 4 * 3, || self.read_all(asked, at)) {
+            return whole;
+        }
+        let mut readings = Vec::with_capacity(at.len());
+        for point in at {
+            let own = work::share(work::left() / 3, || self.read_all(asked, std::slice::from_ref(point)));
+            match own {
+                Some(own) => readings.extend(own?),
+                None => readings.push(Err(Reason::Unfinished)),
+            }
+        }
+        if readings.iter().all(|own| matches!(own, Err(Reason::Unfinished))) {
+            // Not one point has an answer.
+            return Err(work::exhausted().into());
+        }
+        Ok(readings)
+    }
+
     /// The readings of a list, block by block where closed forms answer.
     fn read_all(self, asked: &Asked<'_>, at: &[f64]) -> Result<Vec<Measured>, ContactError> {
         match (self, asked.radius) {
@@ -341,6 +388,19 @@ impl Quantity {
             Self::AxialStress => "z",
             Self::Depth | Self::Force | Self::Stiffness | Self::Energy | Self::MeanPressure => "a",
             Self::Radius => "d",
+        }
+    }
+
+    fn dimension(self) -> Dimension {
+        match self {
+            Self::Profile | Self::Equivalent | Self::Depth | Self::Displacement | Self::LineDisplacement | Self::Radius => {
+                Dimension::LENGTH
+            }
+            Self::Force => Dimension::FORCE,
+            Self::Pressure | Self::MeanPressure | Self::AxialStress => Dimension::PRESSURE,
+            Self::Stiffness | Self::LineLoad => Dimension::STIFFNESS,
+            Self::Integral => Dimension::AREA,
+            Self::Energy => Dimension::ENERGY,
         }
     }
 

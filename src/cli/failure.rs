@@ -1,17 +1,19 @@
 //! Bad input: what is said about it, with the place marked under the text.
 
 use crate::contact::ContactError;
+use crate::num::{Budget, Exhausted};
 use crate::parse::{self, ParseError};
 use crate::transform::TransformError;
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
-/// Why a command did not do its work; the exit code is 2.
+/// Why a command did not do its work; the exit code is 2, or 1 where its budget did not suffice.
 #[derive(Debug)]
 pub(super) struct Failure {
     message: String,
     help: Option<String>,
     place: Option<Place>,
+    incomplete: bool,
 }
 
 /// A piece of text with the part of it that is meant.
@@ -30,7 +32,12 @@ const BEFORE: usize = 50;
 impl Failure {
     /// A message that needs no place.
     pub(super) fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), help: None, place: None }
+        Self { message: message.into(), help: None, place: None, incomplete: false }
+    }
+
+    /// True where the input may be good, but the budget did not suffice; the exit code is 1.
+    pub(super) fn is_incomplete(&self) -> bool {
+        self.incomplete
     }
 
     /// Adds what would be accepted.
@@ -53,6 +60,7 @@ impl Failure {
                 | TransformError::NotComputable { .. }
                 | TransformError::NoDigits { .. }
                 | TransformError::NoClosedForm { .. }
+                | TransformError::Exhausted(_)
                 | TransformError::Number(_)
                 | TransformError::Evaluation(_),
             ) => false,
@@ -116,6 +124,15 @@ impl Place {
         let (left, right) = (if skipped > 0 { "... " } else { "" }, if line.len() > skipped + SHOWN { " ..." } else { "" });
         let room = line.len().min(skipped + SHOWN).saturating_sub(offset);
         (format!("{left}{shown}{right}"), left.len() + offset - skipped, marked.min(room).max(1))
+    }
+}
+
+impl From<Exhausted> for Failure {
+    fn from(error: Exhausted) -> Self {
+        let seconds = error.steps as f64 / Budget::seconds(1.0).count() as f64;
+        let failure = Self::new(format!("the work was stopped: the budget of {} steps is used up", error.steps))
+            .help(format!("a larger --budget SECONDS would be accepted (this one stands for {seconds:.1} s), or a simpler profile"));
+        Self { incomplete: true, ..failure }
     }
 }
 

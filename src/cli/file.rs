@@ -69,6 +69,8 @@ impl Target {
     }
 }
 
+pub(super) use unfinished::{answer_interrupts, remove as remove_unfinished};
+
 /// The file that is being written: Ctrl-C takes it away.
 mod unfinished {
     use std::fs;
@@ -87,16 +89,26 @@ mod unfinished {
         FILE.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Makes the file. While the lock is held the signal waits, so that no file is unknown to it.
-    pub(super) fn create(make: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<NamedTempFile> {
-        // Without a handler a signal leaves the file behind; that is no reason not to write.
+    /// Ends the program at once when a signal asks for it, and takes the file that is being written away.
+    pub(in crate::cli) fn answer_interrupts() {
+        // Without a handler a signal ends the program as well, but leaves the file behind.
         let _ = ctrlc::set_handler(|| {
-            let own = file();
-            if let Some(path) = own.as_ref() {
-                let _ = fs::remove_file(path);
-            }
+            remove();
             process::exit(INTERRUPTED);
         });
+    }
+
+    /// Takes the file away; the lock stays so that no other one is begun.
+    pub(in crate::cli) fn remove() {
+        let own = file();
+        if let Some(path) = own.as_ref() {
+            let _ = fs::remove_file(path);
+        }
+        std::mem::forget(own);
+    }
+
+    /// Makes the file. While the lock is held the signal waits, so that no file is unknown to it.
+    pub(super) fn create(make: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<NamedTempFile> {
         let mut own = file();
         let made = make()?;
         *own = Some(made.path().to_owned());

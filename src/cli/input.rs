@@ -1,11 +1,12 @@
 //! What comes in: the profile's text, values of parameters and other numbers.
 
 use super::Failure;
+use super::units::Units;
 use crate::contact::RIM;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Formula, Number, Symbol};
 use crate::parse::{self, ParseError};
-use crate::scene::{Shape, known_shape};
+use crate::scene::{Dimension, Shape, known_shape};
 use crate::transform::{Profile, TransformError};
 use std::io::{self, Read};
 
@@ -24,33 +25,35 @@ pub(super) struct ProfileArguments {
     /// A named shape in place of PROFILE, such as cone; `sneddon scene new` lists them.
     #[arg(long, value_name = "NAME", conflicts_with = "profile")]
     shape: Option<String>,
-    /// Gives a parameter a value; may be repeated.
+    /// Gives a parameter a value, with a unit or without: R=2, R='20 nm', theta='20 deg'; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
 }
 
 impl ProfileArguments {
+    /// The units of the values, of other lengths of the call, and of its modulus.
+    pub(super) fn units(&self, lengths: &[Option<&str>], modulus: Option<&str>) -> Units {
+        Units::of(&self.set, lengths, modulus)
+    }
+
     /// Reads the profile and the values.
-    pub(super) fn read(&self) -> Result<(Typed, Settings), Failure> {
-        self.read_with(parse::profile)
+    pub(super) fn read(&self, units: &Units) -> Result<(Typed, Settings), Failure> {
+        self.read_with(parse::profile, units)
     }
 
     /// The same for a punch with a rim, whose radius a may stand in f.
-    pub(super) fn read_punch(&self) -> Result<(Typed, Settings), Failure> {
+    pub(super) fn read_punch(&self, units: &Units) -> Result<(Typed, Settings), Failure> {
         // In f the radius of the rim is a constant, which no value is set of; in the formulas it is the contact radius.
         let named = |text: &str| Ok(parse::punch(text)?.substitute(&Bindings::one("a", Expr::symbol(RIM))));
-        self.read_with(named)
+        self.read_with(named, units)
     }
 
-    fn read_with(&self, read: impl Fn(&str) -> Result<Formula, ParseError>) -> Result<(Typed, Settings), Failure> {
+    fn read_with(&self, read: impl Fn(&str) -> Result<Formula, ParseError>, units: &Units) -> Result<(Typed, Settings), Failure> {
         let text = match &self.shape {
             Some(name) => self.formula_of(shape(name)?).to_owned(),
             None => text(self.profile.as_deref().unwrap_or_default())?,
         };
-        let formula = read(&text).map_err(|error| Failure::parse("PROFILE", &text, &error))?;
-        let typed = Typed { text, formula };
-        let settings = Settings::read(&self.set, &typed)?;
-        Ok((typed, settings))
+        profile_of(text, &self.set, read, units)
     }
 
     /// The f(r) of a shape that has the parameters that were set.
@@ -59,6 +62,31 @@ impl ProfileArguments {
         let names: Vec<&str> = names.iter().map(Symbol::name).collect();
         shape.way(&names).map_or("", |way| way.f)
     }
+}
+
+/// A profile of several, as text, with those of the values that are about its parameters.
+pub(super) fn one_profile(argument: &str, set: &[String], units: &Units) -> Result<(Typed, Settings), Failure> {
+    let text = text(argument)?;
+    let own: Vec<String> = set.iter().filter(|item| is_about(item, &text)).cloned().collect();
+    profile_of(text, &own, parse::profile, units)
+}
+
+/// True where a value is set of a parameter that stands in the text.
+pub(super) fn is_about(item: &str, text: &str) -> bool {
+    let name = item.split_once('=').and_then(|(name, _)| symbol(name));
+    name.is_some_and(|name| parse::parameters(text).contains(&name))
+}
+
+fn profile_of(
+    text: String,
+    set: &[String],
+    read: impl Fn(&str) -> Result<Formula, ParseError>,
+    units: &Units,
+) -> Result<(Typed, Settings), Failure> {
+    let formula = read(&text).map_err(|error| Failure::parse("PROFILE", &text, &error))?;
+    let typed = Typed { text, formula };
+    let settings = Settings::read(set, &typed, units)?;
+    Ok((typed, settings))
 }
 
 /// The shape of a name.
@@ -117,11 +145,12 @@ struct Setting {
     symbol: Symbol,
     exact: Expr,
     value: f64,
+    dimension: Dimension,
 }
 
 impl Settings {
     /// Reads `--set NAME=VALUE`; every name must be a parameter of the profile, and every value positive.
-    pub(super) fn read(list: &[String], typed: &Typed) -> Result<Self, Failure> {
+    pub(super) fn read(list: &[String], typed: &Typed, units: &Units) -> Result<Self, Failure> {
         let parameters = parameters(&typed.formula);
         let mut settings: Vec<Setting> = Vec::new();
         for item in list {
@@ -129,7 +158,9 @@ impl Settings {
             let Some((name, text)) = item.split_once('=') else {
                 return Err(Failure::new(format!("--set {item} has no value")).help(form));
             };
-            let Some(symbol) = symbol(name).filter(|symbol| parameters.contains(symbol)) else {
+            // A parameter that cancels was typed all the same.
+            let known = |symbol: &Symbol| parameters.contains(symbol) || parse::parameters(&typed.text).contains(symbol);
+            let Some(symbol) = symbol(name).filter(known) else {
                 let own = match parameters.as_slice() {
                     [] => "it has no parameters".to_owned(),
                     [only] => format!("it has {only}"),
@@ -141,7 +172,7 @@ impl Settings {
                 return Err(Failure::new(format!("{symbol} is set twice")).help(form));
             }
             let place = format!("--set {symbol}");
-            let (exact, value) = constant(&place, text)?;
+            let (exact, value, dimension) = units.parameter(&place, text)?;
             if value <= 0.0 {
                 let message = format!("{symbol} = {} is not positive", text.trim());
                 return Err(Failure::new(message).help("parameters are positive; write the sign into the profile").at(
@@ -150,7 +181,11 @@ impl Settings {
                     0..text.len(),
                 ));
             }
-            settings.push(Setting { symbol, exact, value });
+            settings.push(Setting { symbol, exact, value, dimension });
+        }
+        // What is not set may have any dimension.
+        if settings.len() == parameters.len() {
+            units.check(&typed.text, &typed.formula, settings.iter().map(|own| (own.symbol.clone(), own.dimension)).collect())?;
         }
         Ok(Self(settings))
     }
@@ -182,6 +217,11 @@ impl Settings {
         self.0.iter().map(|own| (own.symbol.name().to_owned(), own.value)).collect()
     }
 
+    /// The units of the values, in their order.
+    pub(super) fn units(&self, units: &Units) -> Vec<String> {
+        self.0.iter().map(|own| units.name(own.dimension)).collect()
+    }
+
     /// An error that names the parameters without value, if there are any.
     pub(super) fn demand_all(&self, typed: &Typed) -> Result<(), Failure> {
         let missing: Vec<Symbol> = parameters(&typed.formula).into_iter().filter(|p| self.0.iter().all(|own| own.symbol != *p)).collect();
@@ -203,20 +243,22 @@ fn parameters(formula: &Formula) -> Vec<Symbol> {
 /// A finite number, with what was typed as an exact expression.
 pub(super) fn constant(place: &str, text: &str) -> Result<(Expr, f64), Failure> {
     let exact = parse::constant(text).map_err(|error| Failure::parse(place, text, &error))?;
+    let value = finite(place, text, &exact)?;
+    Ok((exact, value))
+}
+
+/// The finite number that an expression without symbols stands for.
+pub(super) fn finite(place: &str, text: &str, exact: &Expr) -> Result<f64, Failure> {
     let value = match exact.as_number() {
         Some(number) => number.to_f64(),
-        None => constant_value(&exact, &Bindings::default()).map_or(f64::NAN, |bounded| bounded.value),
+        None => constant_value(exact, &Bindings::default()).map_or(f64::NAN, |bounded| bounded.value),
     };
     let lost = value == 0.0 && !exact.is_zero();
     if !value.is_finite() || lost {
-        let message = format!("{} is no number that a 64-bit float can hold", text.trim());
-        return Err(Failure::new(message).help("a finite number such as 0.5, 3/2 or 1e-6 would be accepted").at(
-            place,
-            text,
-            0..text.len(),
-        ));
+        let message = format!("{} is outside the range of 64-bit floating-point numbers", text.trim());
+        return Err(Failure::new(message).help("a finite number such as 0.5, 3/2 or 1e-6 is accepted").at(place, text, 0..text.len()));
     }
-    Ok((exact, value))
+    Ok(value)
 }
 
 /// A finite number above zero.
@@ -239,12 +281,4 @@ pub(super) fn tolerance(text: &str) -> Result<f64, Failure> {
         return Ok(value);
     }
     Err(Failure::new(format!("--tol {} is not below 1", text.trim())).help("a relative tolerance such as 1e-10 would be accepted"))
-}
-
-/// The depth of a punch with a rim, as an expression; the symbol d stands for any depth.
-pub(super) fn depth(text: &str) -> Result<Expr, Failure> {
-    if text.trim() == "d" {
-        return Ok(Expr::symbol("d"));
-    }
-    constant("--depth", text).map(|(exact, _)| exact)
 }

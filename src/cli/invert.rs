@@ -1,13 +1,16 @@
 //! `sneddon invert`: the profile that has a given equivalent profile, or that presses with a given pressure.
 
 use super::failure::warn;
-use super::output::{Destination, Endings};
-use super::{Failure, Outcome, input, points};
+use super::output::Destination;
+use super::typesetting::{ENDINGS, Format, TypesettingArguments};
+use super::units::Units;
+use super::{Failure, Outcome, budget, input, points};
+use crate::contact::inverse_steps;
 use crate::expr::{Bindings, Expr, Formula};
+use crate::report::page::Page;
 use crate::report::{Inversion, Wanted, inversion};
 use crate::transform::{self, Inverse, InverseNumbers, Method, TransformError};
 use crate::{parse, print};
-use clap::ValueEnum;
 use std::path::PathBuf;
 
 /// Finds f(r) from g(x), or from a wanted pressure p(r).
@@ -34,9 +37,16 @@ pub(super) struct Arguments {
     /// The same as --format json.
     #[arg(long, conflicts_with = "format")]
     json: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex or .json.
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex, .md, .typ, .html or .json.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    typesetting: TypesettingArguments,
+    /// Shows the way from g to f, step by step.
+    #[arg(long)]
+    steps: bool,
+    #[command(flatten)]
+    pub(super) budget: budget::BudgetArguments,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -48,21 +58,15 @@ const EXAMPLES: &str = "Examples:
 /// The relative tolerance of numbers.
 const TOLERANCE: f64 = 1e-13;
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Format {
-    Text,
-    Latex,
-    Json,
-}
-
-const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("tex", Format::Latex), ("json", Format::Json)];
-
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.format.or(arguments.json.then_some(Format::Json));
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
-    let at = arguments.at.as_deref().map(points::read).transpose()?.unwrap_or_default();
+    let units = Units::of(&arguments.set, &[arguments.at.as_deref()], None);
+    units.tell();
+    let at = arguments.at.as_deref().map(|list| points::read(list, &units)).transpose()?.unwrap_or_default();
+    let style = arguments.typesetting.style(answer.format().page())?;
     let asked = Asked::read(arguments)?;
-    let settings = input::Settings::read(&arguments.set, &asked.typed)?;
+    let settings = input::Settings::read(&arguments.set, &asked.typed, &units)?;
     if !at.is_empty() {
         settings.demand_all(&asked.typed)?;
     }
@@ -79,20 +83,28 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let set = settings.exact();
         [&own.0, &own.1.depth, &own.1.force].map(|expr| set.apply(expr))
     });
+    let names = arguments.typesetting.names(&equivalent)?;
     let record = Inversion {
         pressure: pressure.as_ref().map(|[pressure, depth, force]| Wanted { pressure, depth, force }),
         equivalent: &equivalent,
         profile: found.profile(),
         at_axis: found.at_axis(),
-        conditions: found.conditions.iter().map(print::text_condition).collect(),
-        check: transform::check_inverse(&found).map_err(|error| error.to_string()),
+        conditions: found.conditions.clone(),
+        check: budget::part(|| transform::check_inverse(&found).map_err(|error| error.to_string())),
         at,
         readings,
     };
-    answer.write(|format, out| match format {
-        Format::Json => inversion::json(&record, out),
-        Format::Latex => inversion::latex(&record, out),
-        Format::Text => inversion::text(&record, out),
+    let steps = arguments.steps.then(|| inverse_steps(&equivalent, &record.profile, record.at_axis));
+    answer.write(|format, out| {
+        let Some(page) = format.page() else {
+            return inversion::json(&record, steps.as_deref(), &names, out);
+        };
+        let whole = match &steps {
+            None => Page::of_inversion(&record, &names),
+            Some(steps) => Page::of_inverse_steps(&record, steps, &names),
+        };
+        whole.write(page, style, out)?;
+        if matches!(format, Format::Text | Format::Unicode) { inversion::readings(&record, out) } else { Ok(()) }
     })?;
     if !record.failed() {
         return Ok(Outcome::Done);

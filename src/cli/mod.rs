@@ -1,5 +1,7 @@
 //! The command line: one file per subcommand, and the only place with input and output.
 
+mod budget;
+mod code;
 mod compare;
 mod completions;
 mod curve;
@@ -10,6 +12,7 @@ mod file;
 mod input;
 mod invert;
 mod output;
+mod plot;
 mod points;
 mod progress;
 mod reference;
@@ -19,6 +22,8 @@ mod series;
 mod solve;
 mod tip;
 mod tradeoff;
+mod typesetting;
+mod units;
 mod validate;
 
 use clap::{Parser, Subcommand};
@@ -39,7 +44,7 @@ const EXAMPLES: &str = "Examples:
   sneddon derive 'r^2/(2*R)'
   sneddon eval 'R-sqrt(R^2-r^2)' --quantity F --at 0.1,0.5 --set R=2
 
-Exit codes: 0 done, 1 a comparison or validation failed, 2 bad input (the reason is on stderr).";
+Exit codes: 0 done, 1 a comparison or validation failed or the work is incomplete, 2 bad input (the reason is on stderr).";
 
 #[derive(Subcommand)]
 enum Command {
@@ -47,6 +52,8 @@ enum Command {
     Eval(eval::Arguments),
     Compare(compare::Arguments),
     Invert(invert::Arguments),
+    Code(code::Arguments),
+    Plot(plot::Arguments),
     Tradeoff(tradeoff::Arguments),
     Rules(rules::Arguments),
     Solve(solve::Arguments),
@@ -74,16 +81,19 @@ pub fn main() -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
+    file::answer_interrupts();
     let outcome = match arguments.command {
-        Command::Derive(own) => derive::run(&own),
-        Command::Eval(own) => eval::run(&own),
-        Command::Compare(own) => compare::run(&own),
-        Command::Invert(own) => invert::run(&own),
+        Command::Derive(own) => own.budget.run(|| derive::run(&own)),
+        Command::Eval(own) => own.budget.run(|| eval::run(&own)),
+        Command::Compare(own) => own.budget.run(|| compare::run(&own)),
+        Command::Invert(own) => own.budget.run(|| invert::run(&own)),
+        Command::Code(own) => own.budget.run(|| code::run(&own)),
+        Command::Plot(own) => own.budget.run(|| plot::run(&own)),
         Command::Tradeoff(own) => tradeoff::run(&own),
         Command::Rules(own) => rules::run(&own),
-        Command::Solve(own) => solve::run(&own),
-        Command::Reference(own) => reference::run(&own),
-        Command::Validate(own) => validate::run(&own),
+        Command::Solve(own) => own.budget.run(|| solve::run(&own)),
+        Command::Reference(own) => own.budget.run(|| reference::run(&own)),
+        Command::Validate(own) => own.budget.run(|| validate::run(&own)),
         Command::Scene(own) => scene::run(&own),
         Command::Completions(own) => completions::run(&own),
     };
@@ -92,7 +102,7 @@ pub fn main() -> ExitCode {
         Ok(Outcome::Failed) => ExitCode::from(1),
         Err(failure) => {
             failure.report();
-            ExitCode::from(2)
+            ExitCode::from(if failure.is_incomplete() { 1 } else { 2 })
         }
     }
 }

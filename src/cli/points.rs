@@ -1,14 +1,15 @@
 //! The list of points: numbers, linear ranges and logarithmic ones.
 
-use super::{Failure, input};
+use super::Failure;
+use super::units::Units;
 
 /// The largest number of points.
 const MOST: usize = 1_000_000;
 
 const ACCEPTED: &str = "numbers such as 0.1,0.5, a range start:stop:count, or log:start:stop:count would be accepted";
 
-/// Reads LIST; every point is finite and not negative.
-pub(super) fn read(list: &str) -> Result<Vec<f64>, Failure> {
+/// Reads LIST; every point is a finite length that is not negative.
+pub(super) fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
     if list.trim().is_empty() {
         return Err(Failure::new("--at is empty").help(ACCEPTED));
     }
@@ -16,7 +17,7 @@ pub(super) fn read(list: &str) -> Result<Vec<f64>, Failure> {
     let mut start = 0;
     for item in list.split(',') {
         let bad = |message: String| Failure::new(message).help(ACCEPTED).at("--at", list, start..start + item.len());
-        let number = |text: &str| input::constant("--at", text).map(|(_, value)| value);
+        let number = |text: &str| units.length("--at", text);
         let parts: Vec<&str> = item.split(':').collect();
         match parts.as_slice() {
             [blank] if blank.trim().is_empty() => return Err(bad("a number is missing".to_owned())),
@@ -65,14 +66,18 @@ fn range(count: usize, at: impl Fn(f64) -> f64, first: f64, last: f64, points: &
 
 #[cfg(test)]
 mod tests {
-    use super::read;
+    use super::{Failure, Units, read};
+
+    fn bare(list: &str) -> Result<Vec<f64>, Failure> {
+        read(list, &Units::of(&[], &[], None))
+    }
 
     #[test]
     fn lists_and_ranges() {
-        assert_eq!(read("0.1, 3/2,1e-6").unwrap(), [0.1, 1.5, 1e-6]);
-        assert_eq!(read("0:1:5").unwrap(), [0.0, 0.25, 0.5, 0.75, 1.0]);
-        assert_eq!(read("2:1:1").unwrap(), [2.0]);
-        let log = read("log:0.01:100:5").unwrap();
+        assert_eq!(bare("0.1, 3/2,1e-6").unwrap(), [0.1, 1.5, 1e-6]);
+        assert_eq!(bare("0:1:5").unwrap(), [0.0, 0.25, 0.5, 0.75, 1.0]);
+        assert_eq!(bare("2:1:1").unwrap(), [2.0]);
+        let log = bare("log:0.01:100:5").unwrap();
         assert_eq!((log[0], log[4], log.len()), (0.01, 100.0, 5));
         assert!((log[2] - 1.0).abs() < 1e-15);
     }
@@ -97,7 +102,7 @@ mod tests {
             "0:1:10000001",
             "2,0:-1:3",
         ] {
-            assert!(read(text).is_err(), "{text}");
+            assert!(bare(text).is_err(), "{text}");
         }
     }
 }

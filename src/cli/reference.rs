@@ -4,7 +4,7 @@ use super::failure::warn;
 use super::output::{Destination, Endings};
 use super::progress::Progress;
 use super::solve::{failure, read};
-use super::{Failure, Outcome, tip};
+use super::{Failure, Outcome, budget, tip};
 use crate::report::Reference;
 use crate::scene::{self, Curve, Grid, Run, SceneError};
 use std::path::PathBuf;
@@ -36,6 +36,8 @@ pub(super) struct Arguments {
     /// Writes into this file instead of stdout; its ending decides the format: .csv, .json or .npy, a NumPy array.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) budget: budget::BudgetArguments,
 }
 
 const EXAMPLES: &str = "Examples:
@@ -44,6 +46,9 @@ const EXAMPLES: &str = "Examples:
   sneddon reference sphere.toml --grid 64 --box '4 um' --cells -o sphere.npy
 
 Exit codes: 0 done, 1 a load has no valid contact, 2 bad input (the reason is on stderr).";
+
+/// Work that each place of a grid may be, means over cells included.
+const STEPS_PER_PLACE: u64 = 2_000_000;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
@@ -83,8 +88,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
+    solution.warnings().iter().for_each(|text| warn(text));
     let run = Run::new(&scene, &solution).map_err(failed)?;
     let steps = scene.loads.len() as u64 * (1 + curves.len() as u64 * grid.distinct() as u64);
+    budget::allow(steps, STEPS_PER_PLACE);
     let progress = Progress::new(steps, answer.is_stdout());
     let run = run.watched(|| progress.step());
     let reference = Reference { run: &run, grid: &grid, curves: &curves, cells };

@@ -3,9 +3,14 @@
 use super::failure::warn;
 use super::output::{Destination, Endings};
 use super::progress::Progress;
-use super::{Failure, Outcome, tip};
-use crate::report::{Verdict, solved_json, solved_npz, solved_text};
+use super::{Failure, Outcome, budget, tip};
+use crate::contact::{Edge, relations, steps};
+use crate::expr::Expr;
+use crate::print::Renaming;
+use crate::report::solved_html::{self, Sheet};
+use crate::report::{Derivation, Verdict, solved_json, solved_npz, solved_text};
 use crate::scene::{self, Run, SceneError};
+use crate::transform;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -25,9 +30,11 @@ pub(super) struct Arguments {
     /// Writes CSV: the rows, then behind an empty line the points of curves; the points alone where nothing else is asked for.
     #[arg(long, conflicts_with = "json")]
     csv: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv, .json or .npz.
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv, .json, .npz, or .html for a page with pictures and formulas.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) budget: budget::BudgetArguments,
     /// Shows the numbers of invalid rows beside what is wrong with them.
     #[arg(long)]
     force: bool,
@@ -40,8 +47,12 @@ const EXAMPLES: &str = "Examples:
   sneddon scene new sphere > sphere.toml
   sneddon solve sphere.toml
   sneddon solve sphere.toml -o sphere.json
+  sneddon solve sphere.toml -o report.html
 
 Exit codes: 0 done, 1 a row is not valid, 2 bad input (the reason is on stderr).";
+
+/// Work that each row and each point of a curve may be.
+const STEPS_PER_ROW: u64 = 1_000_000;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
@@ -49,9 +60,11 @@ enum Format {
     Csv,
     Json,
     Npz,
+    Html,
 }
 
-const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json), ("npz", Format::Npz)];
+const ENDINGS: &Endings<Format> =
+    &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json), ("npz", Format::Npz), ("html", Format::Html)];
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
@@ -65,8 +78,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
+    solution.warnings().iter().for_each(|text| warn(text));
     let run = Run::new(&scene, &solution).map_err(failed)?;
     let progress = Progress::new(run.steps(), answer.is_stdout());
+    budget::allow(run.steps(), STEPS_PER_ROW);
     let run = run.watched(|| progress.step());
     let mut verdict = Verdict::default();
     answer.write(|format, out| {
@@ -75,6 +90,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Format::Csv => solved_text::csv(&run, arguments.force, out)?,
             Format::Npz => solved_npz::npz(&run, arguments.force, out)?,
             Format::Text => solved_text::table(&run, arguments.force, out)?,
+            Format::Html => page(&file_name(&arguments.scene), &text, &run, arguments.force, out)?,
         };
         Ok(())
     })?;
@@ -87,6 +103,39 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let first = verdict.findings().iter().find(|(own, _)| own.severity == crate::contact::Severity::Error);
     warn(&format!("{invalid} of {rows} rows are not valid{}", first.map_or_else(String::new, |(own, _)| format!(": {}", own.message))));
     Ok(Outcome::Failed)
+}
+
+/// The name of a file without its folders.
+fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+/// Loads of the pictures on a page.
+const PICTURED: usize = 41;
+
+/// The page of a solved scene; formulas stand there where the profile has any.
+fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io::Write) -> io::Result<Verdict> {
+    let scene = run.scene();
+    let swept = scene.swept(PICTURED);
+    let solution = swept.solution().map_err(io::Error::other)?;
+    let pictured = Run::new(&swept, &solution).map_err(io::Error::other)?;
+    let edge = if scene.rim.is_some() { Edge::Rim(Expr::symbol("d")) } else { Edge::Smooth };
+    let typed = scene.profile.typed.clone();
+    // A measured tip and a cross-section that is not round have no formula.
+    let found = relations(&solution, &edge).ok().filter(|_| scene.round && scene.measured.is_none());
+    let steps = found.as_ref().and_then(|found| steps(&typed, &solution, &edge, found).ok());
+    let names = Renaming::default();
+    let record = found.as_ref().map(|relations| Derivation {
+        profile: &scene.profile,
+        typed: &typed,
+        edge: &edge,
+        relations,
+        asked: &[],
+        names: &names,
+        check: budget::part(|| transform::check(&solution).map_err(|error| error.to_string())),
+    });
+    let formulas = record.as_ref().zip(steps.as_deref());
+    solved_html::html(&Sheet { text, name, run, swept: &pictured, formulas }, formally, out)
 }
 
 pub(super) fn read(path: &Path) -> Result<String, Failure> {

@@ -1,7 +1,7 @@
 //! `sneddon tradeoff`: what accuracy costs, method by method.
 
 use super::output::{self, Destination, Endings};
-use super::{Failure, Outcome, input, points};
+use super::{Failure, Outcome, budget, input, points};
 use crate::contact::ContactError;
 use crate::expr::Bindings;
 use crate::report::{self, Tradeoff};
@@ -51,9 +51,6 @@ const EXAMPLES: &str = "Examples:
   sneddon tradeoff 'ln(cosh(r))' --quantity g --tol 1e-9 --budget 1 -o ln_cosh.svg
   sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --budget 1 --csv";
 
-/// The longest budget in seconds.
-const LONGEST: f64 = 86_400.0;
-
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
     Text,
@@ -79,16 +76,18 @@ enum Quantity {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let quantity = arguments.quantity.studied();
-    let at = arguments.at.as_deref().map(points::read).transpose()?;
-    let radius = arguments.radius.as_deref().map(|text| input::positive("--radius", text)).transpose()?;
+    let units = arguments.profile.units(&[arguments.at.as_deref(), arguments.radius.as_deref()], None);
+    units.tell();
+    let at = arguments.at.as_deref().map(|list| points::read(list, &units)).transpose()?;
+    let radius = arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?;
     if radius.is_some() && arguments.quantity != Quantity::Pressure {
         return Err(Failure::new("--radius belongs to --quantity p").help("leave it out, or add --quantity p"));
     }
     let wanted = arguments.tol.as_deref().map(input::tolerance).transpose()?;
-    let budget = budget(&arguments.budget)?;
+    let budget = Duration::from_secs_f64(budget::seconds(&arguments.budget)?);
     let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
     let answer = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Svg)?;
-    let (typed, settings) = arguments.profile.read()?;
+    let (typed, settings) = arguments.profile.read(&units)?;
     settings.demand_all(&typed)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let refused = |error: TransformError| failed(error.into());
@@ -121,15 +120,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
     }
     Ok(Outcome::Done)
-}
-
-fn budget(text: &str) -> Result<Duration, Failure> {
-    let seconds = input::positive("--budget", text)?;
-    if seconds <= LONGEST {
-        return Ok(Duration::from_secs_f64(seconds));
-    }
-    let help = format!("seconds up to {LONGEST} would be accepted");
-    Err(Failure::new(format!("--budget {} is too long", text.trim())).help(help).at("--budget", text, 0..text.len()))
 }
 
 impl Quantity {

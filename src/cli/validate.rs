@@ -1,13 +1,15 @@
 //! `sneddon validate`: a solver's data beside the exact solution.
 
+use super::failure::warn;
 use super::output::{self, Destination, Endings};
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, budget};
 use crate::report::validation::{html, json, text as screen};
-use crate::scene::{Change, SceneError, scene_for_data};
-use crate::validate::{Request, Source, ValidationError, validate};
+use crate::scene::{Change, Declared, Dimension, SceneError, scene_for_data};
+use crate::validate::{Layout, Origin, Request, Source, ValidationError, validate};
 use std::fs::File;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Compares a contact solver's results with the exact solution of a scene, and says what is wrong with them.
 ///
@@ -28,12 +30,40 @@ pub(super) struct Arguments {
     /// Pixels along a side of the solver's domain, per file.
     #[arg(long, value_name = "N,N,…", value_delimiter = ',')]
     grid: Vec<f64>,
+    /// The column of a quantity, as in p=press or p_GPa=press; columns without names are counted from 1.
+    #[arg(long, value_name = "NAME=COLUMN", value_parser = mapped)]
+    map: Vec<(String, String)>,
+    /// The side of the solver's domain, as "8 um", in the place of that of [data].
+    #[arg(long = "box", value_name = "LENGTH")]
+    side: Option<String>,
+    /// The load of files of places, as d=0.4, F="2 mN" or a=1, in the place of that of [load].
+    #[arg(long, value_name = "SYMBOL=VALUE")]
+    load: Option<String>,
+    /// Where the axis lies: in the middle of a box whose coordinates begin in a corner, or, in fields without coordinates, in the
+    /// middle between pixels (centre) or on a pixel.
+    #[arg(long, value_name = "PLACE")]
+    origin: Option<Place>,
     /// Writes JSON.
     #[arg(long)]
     json: bool,
     /// Writes into this file; its ending decides the format: .html, a page with plots beside the answer on stdout, or .txt or .json.
     #[arg(short, long, value_name = "REPORT.html")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(super) budget: budget::BudgetArguments,
+}
+
+/// [`Origin`] as an argument.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Place {
+    Corner,
+    Centre,
+    Pixel,
+}
+
+fn mapped(text: &str) -> Result<(String, String), String> {
+    let found = text.split_once('=').filter(|own| !own.0.trim().is_empty() && !own.1.is_empty());
+    found.map(|(name, column)| (name.trim().to_owned(), column.to_owned())).ok_or_else(|| "p=press would be accepted".to_owned())
 }
 
 const EXAMPLES: &str = "Examples:
@@ -42,6 +72,11 @@ const EXAMPLES: &str = "Examples:
   sneddon validate tip.toml rows.csv --json
 
 Exit codes: 0 passed, 1 failed, 2 bad input (the reason is on stderr).";
+
+/// Most bytes of data that can be read only once.
+const LONGEST: u64 = 100_000_000;
+/// Work that each byte of a file may be, all suspicions included.
+const STEPS_PER_BYTE: u64 = 10_000;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
@@ -69,8 +104,31 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let failed = |error: SceneError| super::solve::failure(&name, &text, &error);
     let scene = scene_for_data(&text, &Change::None).map_err(failed)?;
     let scene = super::tip::with_points(scene, &arguments.scene, failed)?;
-    let request = Request { text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &arguments.grid };
+    let mut scene = match &arguments.load {
+        Some(text) => scene.under(text).map_err(failed)?,
+        None => scene,
+    };
+    if let Some(text) = &arguments.side {
+        let side = scene.length("box", text).map_err(failed)?;
+        let data = scene.data.take().unwrap_or_else(Declared::nothing);
+        scene.data = Some(Declared { side: Some(side), ..data });
+    }
+    let side = scene.data.as_ref().and_then(|own| own.side);
+    let layout = Layout {
+        map: arguments.map.clone(),
+        side,
+        shown_side: side.map(|own| own * scene.system.out(Dimension::LENGTH)),
+        origin: arguments.origin.map(|own| match own {
+            Place::Corner => Origin::Corner,
+            Place::Centre => Origin::Centre,
+            Place::Pixel => Origin::Pixel,
+        }),
+    };
+    let layout = layout.checked().map_err(|error| failure(&name, &text, &error))?;
+    let request =
+        Request { layout: &layout, text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &arguments.grid };
     let found = validate(&request).map_err(|error| failure(&name, &text, &error))?;
+    found.warnings.iter().for_each(|text| warn(text));
     let page = if report.format() == Format::Html { html::html(&found).map_err(Failure::new)? } else { String::new() };
     let mut write = |format, out: &mut dyn io::Write| match format {
         Format::Html => out.write_all(page.as_bytes()),
@@ -92,15 +150,27 @@ fn source(path: &Path) -> Result<Source<'_>, Failure> {
             .help("a CSV file with names of columns in its first line would be accepted")
     };
     let stdin = path.as_os_str() == "-";
-    if !stdin && std::fs::metadata(path).map_err(failed)?.is_file() {
+    let known = if stdin { None } else { Some(std::fs::metadata(path).map_err(failed)?) };
+    if let Some(own) = known.filter(std::fs::Metadata::is_file) {
+        budget::allow(own.len(), STEPS_PER_BYTE);
         File::open(path).map_err(failed)?;
         return Ok(Source { name, open: Box::new(move || Ok(Box::new(File::open(path)?) as Box<dyn Read>)) });
     }
+    // What cannot be read twice is kept, and what has no end is not read to its end.
     let mut bytes = Vec::new();
-    let read =
-        if stdin { io::stdin().lock().read_to_end(&mut bytes) } else { File::open(path).and_then(|mut own| own.read_to_end(&mut bytes)) };
+    let read = if stdin {
+        io::stdin().lock().take(LONGEST + 1).read_to_end(&mut bytes)
+    } else {
+        File::open(path).and_then(|own| own.take(LONGEST + 1).read_to_end(&mut bytes))
+    };
     read.map_err(failed)?;
-    Ok(Source { name, open: Box::new(move || Ok(Box::new(Cursor::new(bytes.clone())) as Box<dyn Read>)) })
+    if bytes.len() as u64 > LONGEST {
+        let message = format!("the data {name} are more than {LONGEST} bytes from a pipe or a device");
+        return Err(Failure::new(message).help("a regular file of any length would be accepted"));
+    }
+    budget::allow(bytes.len() as u64, STEPS_PER_BYTE);
+    let bytes: Arc<[u8]> = bytes.into();
+    Ok(Source { name, open: Box::new(move || Ok(Box::new(Cursor::new(Arc::clone(&bytes))) as Box<dyn Read>)) })
 }
 
 fn failure(name: &str, text: &str, error: &ValidationError) -> Failure {

@@ -2,7 +2,7 @@
 
 use super::{Contact, ContactError, Explicit, Measured, explicit};
 use crate::expr::Bindings;
-use crate::num::Estimate;
+use crate::num::{Estimate, work};
 use crate::transform::{Evaluator, Method, Sampler, Solution, Status, TransformError, reach};
 
 /// How one quantity fared.
@@ -46,6 +46,10 @@ const LOOSEST: f64 = 1e-12;
 /// # Errors
 /// [`ContactError`] where the profile cannot be evaluated at any admissible value of its parameters.
 pub fn compare(solution: &Solution, setting: &Setting) -> Result<Vec<Comparison>, ContactError> {
+    work::bounded(|| compared(solution, setting))
+}
+
+fn compared(solution: &Solution, setting: &Setting) -> Result<Vec<Comparison>, ContactError> {
     let mut sampler = Sampler::new(0x0c0a_9a6e);
     let draws = if solution.profile.parameters().is_empty() { 1 } else { DRAWS };
     let inverse = if setting.depth.is_none() { explicit(solution) } else { None };

@@ -1,6 +1,6 @@
 //! What can go wrong in a contact problem.
 
-use crate::num::NumError;
+use crate::num::{Exhausted, NumError};
 use crate::transform::TransformError;
 use thiserror::Error;
 
@@ -48,6 +48,12 @@ pub enum ContactError {
 
 impl From<NumError> for ContactError {
     fn from(error: NumError) -> Self {
+        Self::Transform(error.into())
+    }
+}
+
+impl From<Exhausted> for ContactError {
+    fn from(error: Exhausted) -> Self {
         Self::Transform(error.into())
     }
 }

@@ -14,6 +14,8 @@ pub struct Explicit {
     pub contact_radius: Expr,
     /// The force over d and E.
     pub force: Expr,
+    /// What kind of equation g(a) = d is, and how it was solved.
+    pub equation: &'static str,
     /// The equations of the source.
     pub reference: Vec<&'static str>,
     /// Conditions on the parameters.
@@ -63,6 +65,7 @@ fn single_power(term: &Term) -> Option<Explicit> {
     Some(Explicit {
         contact_radius: (d / &c).pow(&n.recip()),
         force,
+        equation: "One power of the contact radius: its root",
         reference: vec!["Popov & Heß (3.24)", "Popov & Heß (3.45)–(3.46)"],
         conditions: positive(&c)?,
     })
@@ -97,7 +100,13 @@ fn two_powers(one: &Term, two: &Term) -> Option<Explicit> {
     };
     let mut conditions = positive(&a)?;
     conditions.extend(positive(&b)?);
-    Some(Explicit { contact_radius, force, reference: vec!["Popov & Heß (3.48)–(3.52)"], conditions })
+    Some(Explicit {
+        contact_radius,
+        force,
+        equation: "Quadratic in a power of the contact radius; of its two roots the positive one, in the form that does not cancel",
+        reference: vec!["Popov & Heß (3.48)–(3.52)"],
+        conditions,
+    })
 }
 
 /// g = c x√(x²−b²): with S = √(b⁴ + 4d²/c²), a = √((b² + S)/2), F = (2√2/3) E d (2b² + S)/√(b² + S), which equals (3.35).
@@ -113,6 +122,7 @@ fn worn_paraboloid(term: &Term) -> Option<Explicit> {
     Some(Explicit {
         contact_radius: ((square + s) / two).sqrt(),
         force,
+        equation: "Squared, it is quadratic in the square of the contact radius; of its two roots the positive one",
         reference: vec!["Popov & Heß (3.32), (3.35)"],
         conditions: positive(&c)?,
     })
@@ -162,6 +172,7 @@ impl Explicit {
         let own = Self {
             contact_radius: bindings.apply(&self.contact_radius),
             force: bindings.apply(&self.force),
+            equation: self.equation,
             reference: self.reference.clone(),
             conditions: self.conditions.iter().map(|own| own.substitute(bindings)).collect(),
         };

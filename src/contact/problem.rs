@@ -3,7 +3,7 @@
 use super::ContactError;
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::roots::{RootOptions, bracketed, expand_bracket};
-use crate::num::{Bounded, Estimate, NumError};
+use crate::num::{Bounded, Estimate, NumError, work};
 use crate::transform::{Evaluator, Quantities, Reading, TransformError};
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -38,6 +38,8 @@ pub enum Reason {
     Rim,
     /// A mean over a contact without area.
     NoArea,
+    /// The budget of work was used up before the point was reached.
+    Unfinished,
 }
 
 impl Reason {
@@ -47,6 +49,7 @@ impl Reason {
             Self::Apex => "the pressure is infinite at the apex of a pointed tip (logarithmically)",
             Self::Kink => "the pressure is infinite at a kink of the profile (logarithmically)",
             Self::NoArea => "the contact has no area",
+            Self::Unfinished => "the budget of work does not suffice for this point",
             Self::Rim => "the pressure is infinite at the rim of a punch (as an inverse square root)",
         }
     }
@@ -229,6 +232,10 @@ impl<P: Quantities> Contact<'_, P> {
     /// # Errors
     /// As the evaluator.
     pub fn energy(&self, a: f64) -> Result<Reading, ContactError> {
+        work::bounded(|| self.nested_energy(a))
+    }
+
+    fn nested_energy(&self, a: f64) -> Result<Reading, ContactError> {
         let d = self.depth(a)?.estimate.bounded();
         if let Some(own) = self.evaluator.squared_gap(a, d) {
             let Reading { estimate, method } = own?;
@@ -271,6 +278,10 @@ impl<P: Quantities> Contact<'_, P> {
     /// # Errors
     /// [`ContactError::Unreachable`] where g never reaches d on the profile.
     pub fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
+        work::bounded(|| self.root_of_depth(depth))
+    }
+
+    fn root_of_depth(&self, depth: f64) -> Result<Reading, ContactError> {
         if depth < 0.0 {
             return Err(ContactError::Unreachable { depth, reason: "a negative depth means no contact; d >= 0 would be accepted" });
         }

@@ -2,7 +2,8 @@
 
 use super::{ContactError, Explicit, explicit};
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative, normal, sign};
-use crate::print;
+use crate::num::work;
+use crate::print::Prose;
 use crate::transform::{Derived, Solution, Status, TransformError};
 
 /// The name of the rim's radius in a profile that contains it: there it is a constant, and the relations call it a.
@@ -34,8 +35,8 @@ pub struct Relations {
     pub contact_radius_of_depth: Option<Derived>,
     /// F(d), where it is explicit.
     pub force_of_depth: Option<Derived>,
-    /// Conditions as text, the edge among them.
-    pub conditions: Vec<String>,
+    /// What must hold, the edge among it.
+    pub conditions: Vec<Prose>,
 }
 
 /// Collects the relations of a solution under the given edge.
@@ -51,6 +52,10 @@ pub struct Relations {
 /// # Errors
 /// [`TransformError::Flat`] for a flat profile without a depth.
 pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> {
+    work::bounded(|| collect(solution, edge))
+}
+
+fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> {
     if solution.profile.is_flat() && *edge == Edge::Smooth {
         return Err(TransformError::Flat.into());
     }
@@ -60,9 +65,9 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
     let at_rim = |derived: Derived| Derived { formula: derived.formula.substitute(&rim_is_edge), ..derived };
     let g = at_rim(solution.equivalent_profile());
     let g_at_edge = at_edge_of(&g.formula, &at_edge);
-    let in_words = |own: &Condition| {
+    let at_rim_of = |own: &Condition| {
         let side = |expr: &Expr| rim_is_edge.apply(expr);
-        print::text_condition(&Condition { left: side(&own.left), relation: own.relation, right: side(&own.right) })
+        Condition { left: side(&own.left), relation: own.relation, right: side(&own.right) }
     };
     let mut conditions: Vec<Condition> = solution.conditions.clone();
     let stiffness = Derived {
@@ -81,18 +86,21 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
         rules: g.rules.clone(),
         reference: found.reference.clone(),
     };
-    let mut texts: Vec<String> = conditions.iter().map(in_words).collect();
-    texts.sort();
-    texts.dedup();
+    let mut stated: Vec<Condition> = conditions.iter().map(at_rim_of).collect();
+    stated.sort();
+    stated.dedup();
+    let mut stated: Vec<Prose> = stated.into_iter().map(|own| Prose::default().condition(own)).collect();
     let (d, force, pressure) = match edge {
         Edge::Smooth => {
-            texts.push("smooth edge: d = g(a)".to_owned());
+            let on_the_surface = Condition::equal(Expr::symbol("d"), Expr::symbol("g(a)"));
+            stated.push(Prose::words("smooth edge: ").condition(on_the_surface));
             let d = Derived { formula: g_at_edge, reference: with_first(&g.reference, "Popov & Heß (3.26)"), ..g.clone() };
             (d, solution.force(), solution.pressure())
         }
         Edge::Rim(depth) => {
-            texts.push(format!("rim at r = a: the depth {} is free", print::text_expr(depth)));
-            texts.extend(complete_contact(solution, depth, &g_at_edge));
+            let rim = Condition::equal(Expr::symbol("r"), a.clone());
+            stated.push(Prose::words("rim at ").condition(rim).then(": the depth ").formula(depth.clone()).then(" is free"));
+            stated.extend(complete_contact(solution, depth, &g_at_edge));
             let d = Derived { formula: Formula::Closed(depth.clone()), status: Status::Exact, rules: Vec::new(), reference: Vec::new() };
             let excess = Formula::sum([Formula::Closed(depth.clone()), g_at_edge.scaled(&Expr::integer(-1))]);
             let (force, pressure) = (at_rim(solution.force()), solution.pressure().map(at_rim));
@@ -123,7 +131,7 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
         force,
         pressure,
         stiffness,
-        conditions: texts,
+        conditions: stated,
     })
 }
 
@@ -131,7 +139,7 @@ pub fn relations(solution: &Solution, edge: &Edge) -> Result<Relations, ContactE
 ///
 /// Under a rising g the first is enough. A concave parabola −h r²/c² is in tension first at the centre, which gives
 /// d ≥ 2h a²/c² (3.63); elsewhere the place is not known beforehand and the demand is stated as it is.
-fn complete_contact(solution: &Solution, depth: &Expr, g_at_edge: &Formula) -> Vec<String> {
+fn complete_contact(solution: &Solution, depth: &Expr, g_at_edge: &Formula) -> Vec<Prose> {
     if let Some(own) = g_at_edge.as_closed()
         && sign(own) == Sign::Negative
     {
@@ -139,17 +147,29 @@ fn complete_contact(solution: &Solution, depth: &Expr, g_at_edge: &Formula) -> V
         if let [only] = terms.as_slice()
             && only.term.single().is_some_and(|part| part.exponent.is_one() && part.kernel.is_one())
         {
-            return vec![print::text_condition(&Condition { left: -own, relation: Relation::LessOrEqual, right: depth.clone() })];
+            let enough = Condition { left: -own, relation: Relation::LessOrEqual, right: depth.clone() };
+            return vec![Prose::default().condition(enough)];
         }
     }
-    let edge = format!("{} <= {}", print::text(g_at_edge), print::text_expr(depth));
+    let edge = match g_at_edge.as_closed() {
+        Some(own) => Prose::default().condition(Condition { left: own.clone(), relation: Relation::LessOrEqual, right: depth.clone() }),
+        None => Prose::default().formula(g_at_edge.clone()).then(" <= ").formula(depth.clone()),
+    };
     // (r f′)′ ≥ 0 makes g rise, and a rising g presses everywhere.
     let radius = Symbol::new("r");
     let rising = solution.terms().all(|solved| {
         let bend = derivative(&(Expr::symbol("r") * solved.term.slope()), &radius);
         bend.is_ok_and(|bend| bend.terms().iter().all(|term| sign(term) == Sign::Positive))
     });
-    if rising { vec![edge] } else { vec![edge, "complete contact: p(r) >= 0 for every r < a".to_owned()] }
+    if rising {
+        vec![edge]
+    } else {
+        {
+            let pressed = Condition { left: Expr::zero(), relation: Relation::LessOrEqual, right: Expr::symbol("p(r)") };
+            let inside = Condition::less(Expr::symbol("r"), Expr::symbol("a"));
+            vec![edge, Prose::words("complete contact: ").condition(pressed).then(" for every ").condition(inside)]
+        }
+    }
 }
 
 /// g with x = a, its pieces over a.

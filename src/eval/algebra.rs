@@ -9,6 +9,8 @@ use std::sync::OnceLock;
 pub trait Algebra {
     /// The values.
     type Value: Copy;
+    /// About how many times longer an operation takes than one in plain doubles.
+    const COST: u64 = 1;
     /// A number of the tree to 30 digits.
     fn constant(&mut self, number: Precise) -> Self::Value;
     /// a + b.
@@ -29,6 +31,10 @@ pub trait Algebra {
         let (power, correction) = (self.power(a, nearest), self.power(a, rest));
         self.multiply(power, correction)
     }
+    /// Whether a power is one operation, even a square: an enclosure of z·z is wider than one of z².
+    fn keeps_powers(&self) -> bool {
+        false
+    }
     /// A function of the table.
     fn call(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value;
     /// Where a tape keeps the values of this algebra that do not depend on its inputs.
@@ -45,6 +51,10 @@ pub type KeptValues<V> = OnceLock<Vec<Option<V>>>;
 pub struct Kept {
     pub(super) bounded: KeptValues<Bounded>,
     pub(super) precise: KeptValues<Precise>,
+    /// About how many quarters of a step of work one run in plain doubles is.
+    pub(super) weight: u64,
+    /// Whether the tape calls functions whose work depends on their arguments.
+    pub(super) special: bool,
 }
 
 /// Plain `f64` values.
@@ -88,6 +98,7 @@ pub struct BoundedAlgebra;
 
 impl Algebra for BoundedAlgebra {
     type Value = Bounded;
+    const COST: u64 = 4;
     fn kept(tape: &Kept) -> Option<&KeptValues<Bounded>> {
         Some(&tape.bounded)
     }
@@ -217,12 +228,16 @@ impl Algebra for ComplexAlgebra {
     }
 }
 
+/// Most arguments of a function of numbers.
+const FEW: usize = 8;
+
 /// Rectangles that hold every value for arguments in rectangles; unknown where the expression is, or may be, not analytic.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RegionAlgebra;
 
 impl Algebra for RegionAlgebra {
     type Value = Region;
+    const COST: u64 = 16;
     fn constant(&mut self, number: Precise) -> Region {
         let (value, error) = (number.value.hi, number.value.lo.abs() + number.error);
         if error == 0.0 { Region::real(value) } else { Region::new(((value - error).next_down(), (value + error).next_up()), (0.0, 0.0)) }
@@ -245,7 +260,53 @@ impl Algebra for RegionAlgebra {
     fn power(&mut self, a: Region, b: Region) -> Region {
         a.power(b)
     }
+    fn real_power(&mut self, a: Region, nearest: f64, rest: Precise) -> Region {
+        let by = rest.value.hi.abs() + rest.value.lo.abs() + rest.error;
+        a.power(Region::new(((nearest - by).next_down(), (nearest + by).next_up()), (0.0, 0.0)))
+    }
     fn call(&mut self, function: Function, arguments: &[Region]) -> Region {
-        function.row().region.map_or_else(Region::unknown, |region| region(arguments))
+        let row = function.row();
+        // Of numbers every function has a value.
+        let mut numbers = [0.0; FEW];
+        if let Some(numbers) = numbers.get_mut(..arguments.len())
+            && numbers.iter_mut().zip(arguments).all(|(slot, argument)| argument.as_real().map(|value| *slot = value).is_some())
+        {
+            let value = (row.value)(numbers);
+            let error = (row.ulps + 1.0) * f64::EPSILON * value.abs();
+            return if value.is_finite() { Region::new((value - error, value + error), (0.0, 0.0)) } else { Region::unknown() };
+        }
+        row.region.map_or_else(Region::unknown, |region| region(arguments))
+    }
+}
+
+/// Intervals of real numbers that hold every value for arguments in intervals; unknown where the expression is, or may be, not analytic.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct IntervalAlgebra;
+
+impl Algebra for IntervalAlgebra {
+    type Value = Region;
+    fn constant(&mut self, number: Precise) -> Region {
+        RegionAlgebra.constant(number)
+    }
+    fn add(&mut self, a: Region, b: Region) -> Region {
+        a + b
+    }
+    fn subtract(&mut self, a: Region, b: Region) -> Region {
+        a - b
+    }
+    fn multiply(&mut self, a: Region, b: Region) -> Region {
+        (a * b).on_the_axis()
+    }
+    fn divide(&mut self, a: Region, b: Region) -> Region {
+        (a / b).on_the_axis()
+    }
+    fn square_root(&mut self, a: Region) -> Region {
+        a.sqrt().on_the_axis()
+    }
+    fn power(&mut self, a: Region, b: Region) -> Region {
+        a.power(b).on_the_axis()
+    }
+    fn call(&mut self, function: Function, arguments: &[Region]) -> Region {
+        RegionAlgebra.call(function, arguments).on_the_axis()
     }
 }

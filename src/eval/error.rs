@@ -1,5 +1,6 @@
 //! What can go wrong while an expression becomes a number.
 
+use crate::num::Exhausted;
 use thiserror::Error;
 
 /// Errors of evaluation.
@@ -11,4 +12,7 @@ pub enum EvalError {
         /// The symbol.
         name: String,
     },
+    /// The budget of work is used up.
+    #[error(transparent)]
+    Exhausted(#[from] Exhausted),
 }

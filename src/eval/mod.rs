@@ -11,7 +11,9 @@ mod tape;
 mod third;
 mod walk;
 
-pub use algebra::{Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra, Kept, KeptValues, RegionAlgebra, RoundingAlgebra};
+pub use algebra::{
+    Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra, IntervalAlgebra, Kept, KeptValues, RegionAlgebra, RoundingAlgebra,
+};
 pub use blocks::{BlockInput, BlockScratch};
 pub use error::EvalError;
 pub use second::PreciseAlgebra;

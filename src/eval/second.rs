@@ -28,11 +28,13 @@ pub struct PreciseAlgebra;
 
 /// Most arguments that need no memory of their own.
 const FEW: usize = 8;
-/// Steps of the slope as parts of the argument: the first balances curvature and rounding, the second is for edges.
-const STEPS: [f64; 2] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64];
+/// Steps of the slope as parts of the argument: the first balances curvature and rounding, the others are for edges.
+/// The last two are for functions with a 30-digit value, whose arguments are known far better than to such a step.
+const STEPS: [f64; 4] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64, 1.0 / (1_u64 << 44) as f64, f64::EPSILON];
 
 impl Algebra for PreciseAlgebra {
     type Value = Precise;
+    const COST: u64 = 30;
     fn kept(tape: &Kept) -> Option<&KeptValues<Precise>> {
         Some(&tape.precise)
     }
@@ -124,9 +126,17 @@ fn probed(row: &Row, values: &[DoubleDouble], distances: &[f64]) -> f64 {
             at(value.hi);
             continue;
         }
-        let slope = STEPS.iter().find_map(|step| {
+        let steps = if row.precise.is_some() { STEPS.as_slice() } else { &STEPS[..2] };
+        let slope = steps.iter().find_map(|step| {
             let step = (step * value.hi.abs()).max(*distance);
-            let (up, down) = (at(value.hi + step), at(value.hi - step));
+            // The next double is a step of its own: one ulp above 1 − 2⁻⁵² is still below 1.
+            let (above, below) = if step <= f64::EPSILON * value.hi.abs() {
+                (value.hi.next_up(), value.hi.next_down())
+            } else {
+                (value.hi + step, value.hi - step)
+            };
+            let step = (above - value.hi).min(value.hi - below);
+            let (up, down) = (at(above), at(below));
             let noise = row.ulps * f64::EPSILON * up.abs().max(down.abs());
             // Each side for itself: an even function shows no slope across its axis.
             let change = (up - here).abs() + (down - here).abs();

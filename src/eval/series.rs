@@ -6,7 +6,7 @@
 mod functions;
 
 use super::{EvalError, constant_value};
-use crate::expr::{Bindings, Expr, Node, Symbol};
+use crate::expr::{Bindings, Expr, Node, Symbol, leading_term};
 use crate::num::Bounded;
 use thiserror::Error;
 
@@ -103,6 +103,14 @@ impl Frame {
                 let mut total = self.constant(Bounded::exact(0.0));
                 for term in terms {
                     total = self.sum(&total, &self.series(term)?)?;
+                }
+                // What vanishes at the axis exactly, though its parts are rounded, as in √(1.21 + r²) − 1.1.
+                let rounded = total.coefficients.iter().find(|own| own.value != 0.0 || own.error > 0.0);
+                if rounded.is_some_and(|own| own.value.abs() <= own.error)
+                    && let Some(order) = leading_term(expr).map(|term| term.exponent.to_f64())
+                {
+                    let below = total.coefficients.iter_mut().enumerate().filter(|(n, _)| total.shift + (*n as f64) < order - 0.5);
+                    below.for_each(|(_, own)| *own = Bounded::exact(0.0));
                 }
                 Ok(total)
             }

@@ -4,7 +4,7 @@ use super::blocks::Program;
 use super::walk::walk_with;
 use super::{Algebra, EvalError, Kept};
 use crate::expr::{Expr, Function, Node, Symbol};
-use crate::num::Precise;
+use crate::num::{Precise, work};
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
@@ -43,13 +43,44 @@ pub(super) enum Operation {
     Call(Function, u32, u32),
 }
 
+impl Operation {
+    /// About how many quarters of a step of work it is in plain doubles.
+    fn weight(&self) -> u64 {
+        match self {
+            Self::Call(function, ..) if function.row().slice.is_some() => 10,
+            Self::Call(..) => 60,
+            Self::Power(..) | Self::RealPower(..) => 10,
+            _ => 1,
+        }
+    }
+
+    /// Whether it is a function other than the elementary ones.
+    fn is_special(&self) -> bool {
+        matches!(self, Self::Call(function, ..) if function.row().slice.is_none())
+    }
+}
+
 impl Tape {
     /// Records the expressions over the given inputs.
     ///
     /// # Errors
     /// [`EvalError::Unbound`] for a symbol that is no input.
     pub fn compile(expressions: &[Expr], inputs: &[Symbol]) -> Result<Self, EvalError> {
+        Self::compile_with(expressions, inputs, false)
+    }
+
+    /// Records the expressions for enclosures: a power is one operation, and no difference of squares is factored, because an
+    /// argument that occurs once is enclosed without loss.
+    ///
+    /// # Errors
+    /// [`EvalError::Unbound`] for a symbol that is no input.
+    pub fn for_enclosures(expressions: &[Expr], inputs: &[Symbol]) -> Result<Self, EvalError> {
+        Self::compile_with(expressions, inputs, true)
+    }
+
+    fn compile_with(expressions: &[Expr], inputs: &[Symbol], keeps_powers: bool) -> Result<Self, EvalError> {
         let mut recorder = Recorder {
+            keeps_powers,
             tape: Self {
                 operations: Vec::new(),
                 constants: Vec::new(),
@@ -69,7 +100,11 @@ impl Tape {
             let slot = record(expr, &mut recorder, inputs, &mut seen)?;
             outputs.push(slot);
         }
+        // An expression that was built after the budget was used up means nothing.
+        work::check()?;
         recorder.tape.outputs = outputs;
+        recorder.tape.kept.weight = recorder.tape.operations.iter().map(Operation::weight).sum();
+        recorder.tape.kept.special = recorder.tape.operations.iter().any(Operation::is_special);
         Ok(recorder.tape)
     }
 
@@ -99,10 +134,11 @@ impl Tape {
         if inputs.len() != self.inputs {
             return None;
         }
+        work::spend(1 + self.kept.weight * A::COST / 4);
         slots.clear();
         slots.reserve(self.operations.len());
         let mut gathered = Vec::new();
-        let kept = A::kept(&self.kept).map(|own| own.get_or_init(|| self.constant_values(algebra)));
+        let kept = A::kept(&self.kept).map(|own| own.get_or_init(|| work::unbroken(|| self.constant_values(algebra))));
         for (index, operation) in self.operations.iter().enumerate() {
             let value = match kept.and_then(|list| list.get(index).copied().flatten()) {
                 Some(known) => known,
@@ -181,6 +217,16 @@ impl Tape {
         self.program.get_or_init(|| Program::new(self)).as_ref()
     }
 
+    /// Whether a run may take long for some arguments: it calls functions other than the elementary ones.
+    pub(crate) fn is_special(&self) -> bool {
+        self.kept.special
+    }
+
+    /// About how many quarters of a step of work a point is in plain doubles.
+    pub(super) fn weight(&self) -> u64 {
+        self.kept.weight
+    }
+
     /// About how many nanoseconds a point of a block takes, in doubles and with 30 digits.
     pub(crate) fn cost(&self) -> (f64, f64) {
         self.program().map_or((0.0, 0.0), Program::cost)
@@ -209,6 +255,7 @@ fn record(expr: &Expr, recorder: &mut Recorder, inputs: &[Symbol], seen: &mut Ha
 /// The algebra whose values are slots: it writes operations down instead of doing them.
 struct Recorder {
     tape: Tape,
+    keeps_powers: bool,
 }
 
 impl Recorder {
@@ -250,6 +297,9 @@ impl Algebra for Recorder {
     fn real_power(&mut self, a: u32, nearest: f64, rest: Precise) -> u32 {
         let (nearest, rest) = (self.keep(Precise::exact(nearest)), self.keep(rest));
         self.push(Operation::RealPower(a, nearest, rest))
+    }
+    fn keeps_powers(&self) -> bool {
+        self.keeps_powers
     }
     fn call(&mut self, function: Function, arguments: &[u32]) -> u32 {
         let from = u32::try_from(self.tape.arguments.len()).unwrap_or(u32::MAX);

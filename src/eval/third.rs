@@ -30,6 +30,7 @@ const SEGMENTS: [(&str, f64); 4] =
 
 impl Algebra for WideAlgebra {
     type Value = Wide;
+    const COST: u64 = 60;
     fn constant(&mut self, number: Precise) -> Wide {
         Wide::new(number)
     }

@@ -1,6 +1,6 @@
 //! The walk over the tree: which operations stand for a node, in which order.
 
-use super::{Algebra, BoundedAlgebra, EvalError, PreciseAlgebra};
+use super::{Algebra, BoundedAlgebra, EvalError, PreciseAlgebra, WideAlgebra};
 use crate::expr::{Bindings, Constant, Expr, Function, Node, Number, Symbol, shown_to_30_digits};
 use crate::num::{Bounded, DoubleDouble, Precise, precise};
 
@@ -34,7 +34,14 @@ pub fn walk<A: Algebra>(
 /// # Errors
 /// As [`walk`].
 pub fn constant_value(expr: &Expr, bindings: &Bindings) -> Result<Bounded, EvalError> {
-    walk(&bindings.apply(expr), &mut BoundedAlgebra, &mut |_| None)
+    let bound = bindings.apply(expr);
+    let own = walk(&bound, &mut BoundedAlgebra, &mut |_| None)?;
+    if own.is_finite() {
+        return Ok(own);
+    }
+    // What leaves the range of doubles on its way, as e^1000/(1 + e^1000) does, may be a number all the same.
+    let wide = walk(&bound, &mut WideAlgebra, &mut |_| None)?.precise().bounded();
+    Ok(if wide.is_finite() { wide } else { own })
 }
 
 /// The same with 30 digits.
@@ -42,7 +49,13 @@ pub fn constant_value(expr: &Expr, bindings: &Bindings) -> Result<Bounded, EvalE
 /// # Errors
 /// As [`walk`].
 pub fn precise_value(expr: &Expr, bindings: &Bindings) -> Result<Precise, EvalError> {
-    walk(&shown_to_30_digits(&bindings.apply(expr)), &mut PreciseAlgebra, &mut |_| None)
+    let bound = shown_to_30_digits(&bindings.apply(expr));
+    let own = walk(&bound, &mut PreciseAlgebra, &mut |_| None)?;
+    if own.is_finite() {
+        return Ok(own);
+    }
+    let wide = walk(&bound, &mut WideAlgebra, &mut |_| None)?.precise();
+    Ok(if wide.is_finite() { wide } else { own })
 }
 
 /// The smallest double that is not below the value of a constant, as far as 30 digits tell: r ≥ b means that r is this one or larger.
@@ -89,7 +102,9 @@ pub(super) fn walk_with<A: Algebra>(
             Ok(algebra.call(*function, &values))
         }
         Node::Sum(terms) => {
-            if let Some((u, v)) = difference_of_squares(terms) {
+            if !algebra.keeps_powers()
+                && let Some((u, v)) = difference_of_squares(terms)
+            {
                 let (u, v) = (walk_with(&u, algebra, known)?, walk_with(&v, algebra, known)?);
                 let (difference, sum) = (algebra.subtract(u, v), algebra.add(u, v));
                 return Ok(algebra.multiply(difference, sum));
@@ -237,7 +252,7 @@ fn raise<A: Algebra>(
     let value = walk_with(base, algebra, known)?;
     let half = Number::ratio(1, 2);
     match (power.to_i64(), (power - &half).to_i64()) {
-        (Some(n @ 1..=3), _) => into.extend(std::iter::repeat_n(value, n.unsigned_abs() as usize)),
+        (Some(n @ 1..=3), _) if n == 1 || !algebra.keeps_powers() => into.extend(std::iter::repeat_n(value, n.unsigned_abs() as usize)),
         (None, Some(n @ 0..=3)) => {
             into.extend(std::iter::repeat_n(value, n.unsigned_abs() as usize));
             into.push(algebra.square_root(value));

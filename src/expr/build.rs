@@ -1,12 +1,24 @@
 //! Canonical constructors: flatten, collect, fold and sort, locally and without expanding.
 
 use super::{Constant, Expr, Function, Node, Number, Sign, sign};
+use crate::num::work::is_exhausted;
 use std::collections::BTreeMap;
+
+/// What a constructor returns once the budget is used up.
+///
+/// Constructors have no error to return. The smallest expression ends every loop that builds a larger one from the last, and
+/// [`within`](crate::num::work::within) throws away what is made of it.
+fn nothing() -> Expr {
+    Expr::zero()
+}
 
 /// The sum of the terms: nested sums flattened, like terms collected, numbers folded.
 ///
 /// −1 times a sum is distributed, so that a difference of sums is one sum.
 pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
+    if is_exhausted() {
+        return nothing();
+    }
     let mut constant = Number::integer(0);
     let mut collected: BTreeMap<Expr, Number> = BTreeMap::new();
     let mut pending: Vec<Expr> = terms.into_iter().collect();
@@ -63,6 +75,9 @@ fn scaled(coefficient: Number, rest: Expr) -> Expr {
 
 /// The product of the factors: flattened, powers of one base added up, numbers folded.
 pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
+    if is_exhausted() {
+        return nothing();
+    }
     let mut coefficient = Number::integer(1);
     let mut exponents: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
     let mut pending: Vec<Expr> = factors.into_iter().collect();
@@ -136,6 +151,9 @@ fn rejoin(base: &Expr, exponent: &Expr) -> Expr {
 ///
 /// (u^p)^q becomes u^(pq) only for whole q or u proven positive; √(u²) of unknown sign becomes |u|.
 pub(super) fn power(base: &Expr, exponent: &Expr) -> Expr {
+    if is_exhausted() {
+        return nothing();
+    }
     if exponent.is_zero() || base.is_one() {
         return Expr::one();
     }

@@ -1,6 +1,6 @@
 //! Sums as an author writes them: one coefficient before each root or function, what is common in front.
 
-use super::{Expr, Node, Number};
+use super::{Expr, Node, Number, Symbol};
 use std::collections::BTreeMap;
 
 /// Larger sums are left as they are.
@@ -22,7 +22,7 @@ pub fn collected(expr: &Expr) -> Expr {
     if !matches!(expr.node(), Node::Sum(_)) {
         return expr.clone();
     }
-    let Some(terms) = products(expr) else { return expr.clone() };
+    let Some(terms) = products(expr, &|_| true) else { return expr.clone() };
     let size = |own: &Expr| own.size_up_to(SIZE);
     let mut result = grouped(&terms);
     if let Some(other) = over_one_root(&terms).map(|terms| grouped(&terms)).filter(|other| size(other) < size(&result)) {
@@ -87,7 +87,28 @@ fn over_one_root(terms: &[Expr]) -> Option<Vec<Expr>> {
 /// assert_eq!(multiplied_out(&(&r * (Expr::one() + r.power(-1)))), Expr::one() + &r);
 /// ```
 pub fn multiplied_out(expr: &Expr) -> Expr {
-    products(expr).map_or_else(|| expr.clone(), Expr::sum)
+    products(expr, &|_| true).map_or_else(|| expr.clone(), Expr::sum)
+}
+
+/// The sum in which powers of one symbol are joined where they would be infinite apart: a factor is distributed that is a sum with
+/// roots or poles of the symbol.
+///
+/// Polynomials stay factors, since r − b outside the brackets has digits next to b that the difference of two products has not.
+///
+/// ```
+/// use sneddon::expr::{Expr, Symbol, joined_powers};
+/// let r = Expr::symbol("r");
+/// let radius = Symbol::new("r");
+/// assert_eq!(joined_powers(&(&r * (Expr::one() + r.power(-1))), &radius), Expr::one() + &r);
+/// let factored = &r * (&r - Expr::integer(3));
+/// assert_eq!(joined_powers(&factored, &radius), factored);
+/// ```
+pub fn joined_powers(expr: &Expr, symbol: &Symbol) -> Expr {
+    let singular = |factor: &Expr| {
+        let (base, exponent) = factor.split_power();
+        base.as_symbol() == Some(symbol) && exponent.as_integer().is_none_or(|n| n < 0)
+    };
+    products(expr, &|sum| sum.terms().iter().any(|term| term.factors().iter().any(singular))).map_or_else(|| expr.clone(), Expr::sum)
 }
 
 /// Roots, functions, and what stands in a denominator: all that is not a plain monomial.
@@ -99,13 +120,14 @@ fn is_kernel(factor: &Expr) -> bool {
     }
 }
 
-/// The terms of the sum with every factor that is a sum distributed; `None` where they would be too many.
-fn products(expr: &Expr) -> Option<Vec<Expr>> {
+/// The terms of the sum with every such factor that is a sum distributed; `None` where they would be too many.
+fn products(expr: &Expr, is_distributed: &dyn Fn(&Expr) -> bool) -> Option<Vec<Expr>> {
     let mut done = Vec::new();
     for term in expr.terms() {
         let mut list = vec![Expr::one()];
         for factor in term.factors() {
-            let inner = if matches!(factor.node(), Node::Sum(_)) { products(&factor)? } else { vec![factor] };
+            let distributed = matches!(factor.node(), Node::Sum(_)) && is_distributed(&factor);
+            let inner = if distributed { products(&factor, is_distributed)? } else { vec![factor] };
             list = list.iter().flat_map(|left| inner.iter().map(move |right| left * right)).collect();
             if list.len() + done.len() > TERMS {
                 return None;

@@ -1,11 +1,12 @@
 //! The order of expressions by content.
 
 use super::{Expr, Node};
+use crate::num::work;
 use std::cmp::Ordering;
 
 impl PartialEq for Expr {
     fn eq(&self, other: &Self) -> bool {
-        compare(self, other) == Ordering::Equal
+        compare::<false>(self, other) == Ordering::Equal
     }
 }
 
@@ -19,23 +20,27 @@ impl PartialOrd for Expr {
 
 impl Ord for Expr {
     fn cmp(&self, other: &Self) -> Ordering {
-        compare(self, other)
+        compare::<true>(self, other)
     }
 }
 
 /// Kinds in the order of [`Node`], then operands one by one; a shared tree equals itself without a look inside.
 ///
+/// What asks for the order is counted as work; what asks for equality is not, since a hash table asks by chance.
 /// One function and one frame per level, so that the deepest expression that is read compares on a small stack.
-fn compare(left: &Expr, right: &Expr) -> Ordering {
+fn compare<const COUNTED: bool>(left: &Expr, right: &Expr) -> Ordering {
     if left.address() == right.address() {
         return Ordering::Equal;
+    }
+    if COUNTED {
+        work::spend(1);
     }
     let (left, right): (&[Expr], &[Expr]) = match (left.node(), right.node()) {
         (Node::Number(l), Node::Number(r)) => return l.cmp(r),
         (Node::Constant(l), Node::Constant(r)) => return l.cmp(r),
         (Node::Symbol(l), Node::Symbol(r)) => return l.cmp(r),
-        (Node::Power(base, exponent), Node::Power(other_base, other_exponent)) => match compare(base, other_base) {
-            Ordering::Equal => return compare(exponent, other_exponent),
+        (Node::Power(base, exponent), Node::Power(other_base, other_exponent)) => match compare::<COUNTED>(base, other_base) {
+            Ordering::Equal => return compare::<COUNTED>(exponent, other_exponent),
             unequal => return unequal,
         },
         (Node::Function(l, inner), Node::Function(r, other_inner)) => match l.cmp(r) {
@@ -46,7 +51,7 @@ fn compare(left: &Expr, right: &Expr) -> Ordering {
         (l, r) => return rank(l).cmp(&rank(r)),
     };
     for (l, r) in left.iter().zip(right) {
-        match compare(l, r) {
+        match compare::<COUNTED>(l, r) {
             Ordering::Equal => {}
             unequal => return unequal,
         }

@@ -1,5 +1,6 @@
 //! What can go wrong while an expression is rewritten.
 
+use crate::num::Exhausted;
 use thiserror::Error;
 
 /// Errors of the expression layer.
@@ -27,4 +28,7 @@ pub enum ExprError {
         /// The other one.
         right: String,
     },
+    /// The budget of work is used up.
+    #[error(transparent)]
+    Exhausted(#[from] Exhausted),
 }

@@ -3,6 +3,7 @@
 //! Constructors are local and cheap: they flatten, sort by content, collect and fold, and never expand.
 //! Every symbol stands for a positive real number; [`sign`] proves what follows from that and says `Unknown` otherwise.
 
+mod balanced;
 mod build;
 mod collected;
 mod compare;
@@ -18,7 +19,8 @@ mod shown;
 mod sign;
 mod substitute;
 
-pub use collected::{collected, multiplied_out};
+pub use balanced::balanced;
+pub use collected::{collected, joined_powers, multiplied_out};
 pub use derivative::derivative;
 pub use error::ExprError;
 pub use formula::{Condition, Formula, Relation};

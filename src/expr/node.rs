@@ -1,6 +1,7 @@
 //! The expression tree: seven kinds of node behind a shared pointer.
 
 use super::{Function, Number, build};
+use crate::num::work;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
@@ -71,8 +72,18 @@ impl fmt::Display for Symbol {
     }
 }
 
+/// Steps of work that one node costs, from its construction to its end …
+const NODE: u64 = 20;
+/// … and each of its operands, which is sorted and compared.
+const CHILD: u64 = 5;
+
 impl Expr {
     pub(super) fn raw(node: Node) -> Self {
+        let children = match &node {
+            Node::Function(_, list) | Node::Product(list) | Node::Sum(list) => list.len(),
+            _ => 0,
+        };
+        work::spend(NODE + CHILD * children as u64);
         Self(Arc::new(node))
     }
 

@@ -1,5 +1,6 @@
 //! Exact rational numbers that remember whether they were typed as decimals.
 
+use crate::num::work;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -62,7 +63,8 @@ impl Number {
         let power = BigInt::from(10).pow(u32::try_from(scale.unsigned_abs()).ok()?);
         let integer: BigInt = digits.parse().ok()?;
         let value = if scale >= 0 { BigRational::from_integer(integer * power) } else { BigRational::new(integer, power) };
-        let decimal = mantissa.contains('.') || exponent < 0;
+        // A whole number in powers of ten, as in 1.6e15, is no decimal: it may be the denominator of a fraction.
+        let decimal = !value.is_integer() || (mantissa.contains('.') && exponent == 0);
         Some(Self { value, decimal })
     }
 
@@ -284,11 +286,68 @@ fn small_sum(one: &Number, other: &Number, sign: i128) -> Option<BigRational> {
     one.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * m + sign * n * q, q * m))
 }
 
+/// p/q ± n/m for numbers of many words: only the common divisor of the denominators can be common to the sum.
+fn long_sum(one: &Number, other: &Number, subtract: bool) -> BigRational {
+    if !charge(one, other) {
+        return BigRational::zero();
+    }
+    let ((p, q), (n, m)) = (parts(one), parts(other));
+    let combined = |left: BigInt, right: BigInt| if subtract { left - right } else { left + right };
+    let common = common_divisor(q, m);
+    if common.is_one() {
+        return BigRational::new_raw(combined(p * m, n * q), q * m);
+    }
+    let (own, others) = (q / &common, m / &common);
+    let sum = combined(p * &others, n * &own);
+    if sum.is_zero() {
+        return BigRational::zero();
+    }
+    let rest = common_divisor(&sum, &common);
+    BigRational::new_raw(sum / &rest, own * (m / &rest))
+}
+
+/// p/q · n/m for numbers of many words, reduced before they are multiplied.
+fn long_product(one: &Number, other: &Number) -> BigRational {
+    if !charge(one, other) || one.is_zero() || other.is_zero() {
+        return BigRational::zero();
+    }
+    let ((p, q), (n, m)) = (parts(one), parts(other));
+    let (first, second) = (common_divisor(p, m), common_divisor(n, q));
+    BigRational::new_raw((p / &first) * (n / &second), (q / &second) * (m / &first))
+}
+
+fn parts(own: &Number) -> (&BigInt, &BigInt) {
+    (own.value.numer(), own.value.denom())
+}
+
+/// The largest positive number that divides both; Euclid's division is fast where one is short or both are much alike in length.
+fn common_divisor(one: &BigInt, other: &BigInt) -> BigInt {
+    if one.is_one() || other.is_one() {
+        return BigInt::one();
+    }
+    let (mut large, mut small) = (one.magnitude().clone(), other.magnitude().clone());
+    while !small.is_zero() {
+        if let (Some(p), Some(q)) = (large.to_u64(), small.to_u64()) {
+            return BigInt::from(p.gcd(&q));
+        }
+        let rest = &large % &small;
+        large = std::mem::replace(&mut small, rest);
+    }
+    BigInt::from(large)
+}
+
+/// Counts the work of an operation on numbers of many words; false where the budget is used up.
+fn charge(one: &Number, other: &Number) -> bool {
+    let words = 1 + (one.bits() + other.bits()) / 64;
+    work::spend(5 + words * words / 2);
+    !work::is_exhausted()
+}
+
 impl Add for &Number {
     type Output = Number;
     fn add(self, other: Self) -> Number {
         let small = small_sum(self, other, 1);
-        Number::keep(small.unwrap_or_else(|| &self.value + &other.value), self.decimal || other.decimal)
+        Number::keep(small.unwrap_or_else(|| long_sum(self, other, false)), self.decimal || other.decimal)
     }
 }
 
@@ -296,7 +355,7 @@ impl Sub for &Number {
     type Output = Number;
     fn sub(self, other: Self) -> Number {
         let small = small_sum(self, other, -1);
-        Number::keep(small.unwrap_or_else(|| &self.value - &other.value), self.decimal || other.decimal)
+        Number::keep(small.unwrap_or_else(|| long_sum(self, other, true)), self.decimal || other.decimal)
     }
 }
 
@@ -304,7 +363,7 @@ impl Mul for &Number {
     type Output = Number;
     fn mul(self, other: Self) -> Number {
         let small = self.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * n, q * m));
-        Number::keep(small.unwrap_or_else(|| &self.value * &other.value), self.decimal || other.decimal)
+        Number::keep(small.unwrap_or_else(|| long_product(self, other)), self.decimal || other.decimal)
     }
 }
 
@@ -336,6 +395,25 @@ mod tests {
         ] {
             let number = Number::parse_decimal(text).unwrap();
             assert_eq!(number.to_f64(), text.parse::<f64>().unwrap(), "{text}");
+        }
+    }
+
+    #[test]
+    fn long_numbers_add_and_multiply_as_fractions_do() {
+        let powers = [(3_i64, 200_u32), (7, 90), (-10, 77), (12, 60), (1, 0)];
+        let all: Vec<BigRational> = powers
+            .iter()
+            .flat_map(|(base, n)| {
+                powers.iter().map(|(other, m)| BigRational::new(BigInt::from(*base).pow(*n), BigInt::from(*other).pow(*m)))
+            })
+            .collect();
+        for one in &all {
+            for other in &all {
+                let (left, right) = (Number::from(one.clone()), Number::from(other.clone()));
+                for (found, expected) in [(&left + &right, one + other), (&left - &right, one - other), (&left * &right, one * other)] {
+                    assert_eq!((found.value.numer(), found.value.denom()), (expected.numer(), expected.denom()));
+                }
+            }
         }
     }
 

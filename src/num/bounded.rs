@@ -13,6 +13,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// The four operations and `sqrt` are rigorous; the arguments' errors are taken as independent,
 /// so correlated errors (x − x) give a valid but wide bound.
 /// NaN gives NaN with error NaN; overflow gives an infinite value. Callers turn both into errors.
+/// Where the overflow is certain the error is finite: it bounds the reciprocal of the true value, which has the sign of the infinity.
+/// 1/cosh 1000 is a 0 with a bound, therefore.
 ///
 /// ```
 /// use sneddon::num::Bounded;
@@ -33,6 +35,8 @@ pub struct Bounded {
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 /// The smallest positive number; what an underflow can lose.
 const TINY: f64 = f64::from_bits(1);
+/// The reciprocal of what overflows is smaller than this, or nothing is said of it.
+const LEAST_INVERSE: f64 = 1e-280;
 /// Below this the spacing no longer shrinks with the number.
 const UNIFORM: f64 = 2.0 * f64::MIN_POSITIVE;
 
@@ -63,6 +67,35 @@ impl Bounded {
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.value.is_finite() && self.error.is_finite()
+    }
+
+    /// Whether the value overflows for certain.
+    fn is_beyond(self) -> bool {
+        self.value.is_infinite() && self.error.is_finite()
+    }
+
+    /// An overflow; its reciprocal is at most `inverse`, which counts only where it is small.
+    fn beyond(value: f64, inverse: f64) -> Self {
+        let error = if inverse < LEAST_INVERSE { widen_inexact(inverse) } else { f64::INFINITY };
+        Self { value, error }
+    }
+
+    /// A bound on 1/|true value|; infinite where there is none.
+    fn most_inverse(self) -> f64 {
+        if self.is_beyond() {
+            return self.error;
+        }
+        let least = self.value.abs() - self.error;
+        if least > 0.0 { (1.0 / least) * (1.0 + 4.0 * UNIT) + TINY } else { f64::INFINITY }
+    }
+
+    /// The sum where one of the two overflows for certain.
+    fn plus_beyond(self, other: Self) -> Self {
+        let value = self.value + other.value;
+        let (large, other) = if self.is_beyond() { (self, other) } else { (other, self) };
+        // At least half of it remains where the other is at most half as large.
+        let enough = other.value == large.value || (other.value.abs() + other.error) * large.error <= 0.5;
+        Self::beyond(value, if enough { 2.0 * large.error } else { f64::INFINITY })
     }
 
     /// The sum of many terms, compensated: rounded as if summed with twice the digits.
@@ -108,6 +141,9 @@ impl Add for Bounded {
         let (value, rest) = two_sum(self.value, other.value);
         // The rest is the rounding error itself; it is NaN only next to the overflow threshold.
         let rounding = if rest.is_nan() { half_ulp(value) } else { rest.abs() };
+        if value.is_infinite() && (self.is_beyond() || other.is_beyond()) {
+            return self.plus_beyond(other);
+        }
         Self::checked(value, widen(self.error + other.error + rounding))
     }
 }
@@ -133,6 +169,9 @@ impl Mul for Bounded {
 
     fn mul(self, other: Self) -> Self {
         let value = self.value * other.value;
+        if value.is_infinite() {
+            return Self::beyond(value, self.most_inverse() * other.most_inverse());
+        }
         let exact_zero = (self.value == 0.0 && self.error == 0.0) || (other.value == 0.0 && other.error == 0.0);
         if exact_zero && value == 0.0 {
             return Self::exact(value);
@@ -152,6 +191,9 @@ impl Div for Bounded {
 
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
+        if other.is_beyond() && self.is_finite() {
+            return Self { value: 0.0, error: widen_inexact((self.value.abs() + self.error) * other.error) };
+        }
         if self.value == 0.0 && self.error == 0.0 && other.value.abs() > other.error {
             return Self::exact(value);
         }

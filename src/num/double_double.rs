@@ -12,7 +12,7 @@
 /// let third = DoubleDouble::ONE.div(3.0.into());
 /// assert!(third.mul(3.0.into()).sub(DoubleDouble::ONE).value().abs() < 1e-31);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DoubleDouble {
     /// The nearest double.
     pub hi: f64,

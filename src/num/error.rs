@@ -1,5 +1,6 @@
 //! What can go wrong in the numeric layer, as one type.
 
+use super::work::Exhausted;
 use thiserror::Error;
 
 /// Why a numeric routine has no answer, or only a worse one than was asked for.
@@ -64,6 +65,9 @@ pub enum NumError {
         /// What would be accepted, in words or as an inequality.
         accepted: &'static str,
     },
+    /// The budget of work is used up.
+    #[error(transparent)]
+    Exhausted(#[from] Exhausted),
 }
 
 #[cfg(test)]

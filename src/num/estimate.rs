@@ -54,6 +54,9 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// A proven error of at most this share of the value is better than any estimated one.
+    pub const TRUSTED: f64 = 1e-8;
+
     /// A number that is what it is said to be.
     #[must_use]
     pub fn exact(value: f64) -> Self {
@@ -102,6 +105,46 @@ impl Estimate {
             return Self { value, error, ..self };
         }
         self.times(Bounded::exact(factor))
+    }
+
+    /// Whether this is the better answer to the question that `other` answers too.
+    ///
+    /// Of two numbers whose errors rest on the same ground the smaller error is better.
+    /// A proven error of at most [`Self::TRUSTED`] of the value, or one that shows that the estimate is wrong, is better than any estimated one.
+    ///
+    /// ```
+    /// use sneddon::num::{Bound, Estimate};
+    /// let proven = Estimate { error: 1e-10, ..Estimate::exact(1.0) };
+    /// assert!(proven.is_better_than(Estimate::estimated(1.1, 1e-15, 21)));
+    /// let rough = Estimate { error: 1e-3, ..proven };
+    /// assert!(Estimate::estimated(1.0001, 1e-15, 21).is_better_than(rough));
+    /// assert!(rough.is_better_than(Estimate::estimated(1.1, 1e-15, 21)));
+    /// ```
+    #[must_use]
+    pub fn is_better_than(self, other: Self) -> bool {
+        let wins = |proven: Self, estimated: Self| {
+            proven.relative_error() <= Self::TRUSTED
+                || proven.error <= estimated.error
+                || (proven.value - estimated.value).abs() > proven.error
+        };
+        match (self.bound, other.bound) {
+            (Bound::Proven, Bound::Estimated) if self.error.is_finite() => wins(self, other),
+            (Bound::Estimated, Bound::Proven) if other.error.is_finite() => !wins(other, self),
+            _ => self.error < other.error || (other.error.is_nan() && !self.error.is_nan()),
+        }
+    }
+
+    /// This proven number with the value of an estimate that lies within its error and claims a smaller one; else this number.
+    ///
+    /// The error grows by the distance of both values, so that it stays proven.
+    #[must_use]
+    pub fn sharpened_by(self, other: Self) -> Self {
+        let distance = (self.value - other.value).abs();
+        if self.bound == Bound::Proven && other.bound == Bound::Estimated && other.error < self.error && distance <= self.error {
+            Self { value: other.value, error: (self.error + distance).next_up(), ..self }
+        } else {
+            self
+        }
     }
 
     /// error / |value|: 0 for an exact value (zero included), infinite for an inexact zero.

@@ -17,6 +17,7 @@ pub mod special;
 pub(crate) mod spectral;
 pub(crate) mod stable;
 mod wide;
+pub mod work;
 
 pub use bounded::Bounded;
 pub use double_double::{DoubleDouble, Precise};
@@ -26,3 +27,4 @@ pub use real_power::real_power;
 pub(crate) use real_power::{corrected_power, real_power_part};
 pub use region::Region;
 pub use wide::Wide;
+pub use work::{Budget, Exhausted};

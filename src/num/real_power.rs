@@ -62,6 +62,10 @@ impl Bounded {
     /// self^(nearest + rest), where the rest has an error of its own; see [`real_power`].
     #[must_use]
     pub fn real_power(self, nearest: f64, rest: Self) -> Self {
+        if self.value == 0.0 && nearest > 0.0 {
+            // 0 to a tiny negative rest of the exponent would be infinite.
+            return Self { value: 0.0, error: if self.error > 0.0 { self.error.powf(nearest) * (1.0 + 1e-9) } else { 0.0 } };
+        }
         let power = self.powf(Self::exact(nearest));
         if power.value == 0.0 || !power.is_finite() || self.value < f64::MIN_POSITIVE {
             return power * self.powf(rest);

@@ -7,6 +7,7 @@ mod tests;
 pub use bracket::{Bracket, expand_bracket};
 
 use super::error::NumError;
+use super::work;
 
 /// What is asked of [`bracketed`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,6 +99,7 @@ pub fn bracketed<E: From<NumError>>(
     // Bracket to be halved, and how many steps it has already had for that.
     let (mut wide, mut slow) = (state.gap(), 0);
     loop {
+        work::check().map_err(NumError::from)?;
         let best = state.best();
         let width = (state.newest.x - state.other.x).abs();
         let wanted = options.abs_tol.max(options.rel_tol * best.x.abs());

@@ -16,9 +16,33 @@ mod syntax;
 pub use error::{ParseError, Reason};
 pub use position::position;
 
-use crate::expr::{Expr, Formula};
+use crate::expr::{Expr, Formula, Symbol};
 use lower::{Lowering, Names};
 use parser::Left;
+
+/// The parameters that a profile or an equivalent profile names, also those that cancel in what it means, in the order in which they
+/// come; none for a text that does not read.
+///
+/// ```
+/// use sneddon::{expr::Symbol, parse};
+/// // f is r², whatever h is.
+/// assert_eq!(parse::parameters("h*(r^2/h)"), [Symbol::new("h")]);
+/// ```
+pub fn parameters(text: &str) -> Vec<Symbol> {
+    let items = parser::parse(text, Some(Left("f", "r"))).or_else(|_| parser::parse(text, Some(Left("g", "x"))));
+    let mut found = Vec::new();
+    for item in items.unwrap_or_default() {
+        if let syntax::Kind::Name(name) = item.kind
+            && let Ok(expr) = Names::Formula.resolve(&name, &item.span)
+            && let Some(symbol) = expr.as_symbol()
+            && !matches!(symbol.name(), "r" | "x")
+            && !found.contains(symbol)
+        {
+            found.push(symbol.clone());
+        }
+    }
+    found
+}
 
 /// The limits of the grammar; each is a typed error.
 pub mod limits {

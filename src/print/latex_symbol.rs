@@ -1,11 +1,15 @@
 //! Names of parameters, variables and functions in LaTeX.
 
+use super::named;
 use crate::expr::function::{Font, Letters};
 
 /// A name: Greek letters as such, indices below, words upright, the effective modulus with its star.
 pub(super) fn symbol(name: &str) -> String {
     if name == "E" {
         return "E^{*}".to_owned();
+    }
+    if let Some((function, primes, argument)) = named::parts(name) {
+        return format!("{}{}({})", symbol(function), "'".repeat(primes), named::arguments(argument, ", ", symbol));
     }
     let (letter, indices) = parts(name);
     let indices: Vec<String> = indices.into_iter().map(word).collect();

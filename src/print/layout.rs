@@ -24,9 +24,9 @@ impl Factor {
         Self { base, exponent: Expr::one() }
     }
 
-    /// The exponent's number, where it is no decimal.
+    /// The exponent's number, where it is a fraction or a whole number, 5.0 included.
     pub(super) fn fraction(&self) -> Option<&Number> {
-        self.exponent.as_number().filter(|number| !number.is_decimal())
+        self.exponent.as_number().filter(|number| !number.is_decimal() || number.is_integer())
     }
 
     /// k, where the factor is the k-th root of its base.

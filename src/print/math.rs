@@ -74,6 +74,37 @@ impl Math {
         }
     }
 
+    /// About how many letters wide it is set.
+    pub(super) fn breadth(&self) -> usize {
+        let script = |inner: &Self| (2 * inner.breadth()).div_ceil(3);
+        match self {
+            Self::Number { mantissa, exponent } => mantissa.chars().count() + exponent.map_or(0, |own| 3 + own.to_string().len()),
+            Self::Name(name) => {
+                // A Greek letter is one letter, and an index is small.
+                let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+                words.map(|word| if super::greek::letter(word).is_some() { 1 } else { word.chars().count() }).sum::<usize>().max(1)
+            }
+            Self::Constant(_) => 1,
+            Self::Sum(terms) => terms.iter().map(|(_, term)| term.breadth() + 3).sum(),
+            Self::Fraction(upper, lower) => upper.breadth().max(lower.breadth()) + 1,
+            Self::Power(base, exponent) => base.breadth() + script(exponent),
+            Self::Cases { pieces, last, .. } => {
+                let row = |value: &Self, end: usize| value.breadth() + end + 8;
+                let end = pieces.iter().map(|(_, end)| 2 * end.breadth()).max().unwrap_or(0);
+                pieces.iter().map(|(value, _)| row(value, end)).chain([row(last, end)]).max().unwrap_or(0)
+            }
+            Self::Integral { integrand, lower, upper, .. } => {
+                integrand.as_ref().map_or(0, |own| own.breadth()) + script(lower).max(script(upper)) + 4
+            }
+            Self::Call(call) => {
+                let name = call.function.row().typeset.letters.text.chars().count();
+                let scripts: usize = call.index.iter().chain(&call.power).map(|own| script(own)).sum();
+                name + scripts + 2 + call.groups.iter().flatten().map(|own| own.breadth() + 2).sum::<usize>()
+            }
+            other => other.children().iter().map(|child| child.breadth()).sum::<usize>() + 2,
+        }
+    }
+
     /// The first thing on the line.
     pub(super) fn first(&self) -> &Self {
         match self {

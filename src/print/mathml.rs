@@ -2,6 +2,7 @@
 
 use super::greek;
 use super::math::{Call, Math};
+use super::named;
 use crate::expr::function::{Font, Letters, Setting};
 use crate::expr::{Constant, Relation};
 
@@ -12,11 +13,7 @@ const THIN: &str = "<mspace width=\"0.1667em\"/>";
 
 /// Writes an equation as a `math` element on a line of its own; its left side is a name, or a name with an argument, as in `g(x)`.
 pub(super) fn equation(left: &str, right: &Math) -> String {
-    let left = match left.strip_suffix(')').and_then(|left| left.split_once('(')) {
-        Some((name, argument)) => format!("{}{APPLY}{}", symbol(name), fenced("(", &word(argument), ")")),
-        None => symbol(left),
-    };
-    document(&row(&[left, operator("="), write(right)]))
+    document(&row(&[symbol(left), operator("="), write(right)]))
 }
 
 /// Writes a formula as a `math` element on a line of its own.
@@ -28,7 +25,7 @@ fn document(inner: &str) -> String {
     format!("<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\">{inner}</math>")
 }
 
-fn write(math: &Math) -> String {
+pub(super) fn write(math: &Math) -> String {
     match math {
         Math::Number { mantissa, exponent: None } => number(mantissa),
         Math::Number { mantissa, exponent: Some(exponent) } => {
@@ -125,9 +122,14 @@ fn word(word: &str) -> String {
     }
 }
 
-fn symbol(name: &str) -> String {
+pub(super) fn symbol(name: &str) -> String {
     if name == "E" {
         return "<msup><mi>E</mi><mo>*</mo></msup>".to_owned();
+    }
+    if let Some((function, primes, argument)) = named::parts(name) {
+        let primes = if primes == 0 { String::new() } else { format!("<mo>{}</mo>", "′".repeat(primes)) };
+        let function = if primes.is_empty() { symbol(function) } else { format!("<msup>{}{primes}</msup>", symbol(function)) };
+        return row(&[function, APPLY.to_owned(), fenced("(", &named::arguments(argument, "<mo separator=\"true\">,</mo>", symbol), ")")]);
     }
     let (letter, indices) = super::latex_symbol::parts(name);
     let indices: Vec<String> = indices.into_iter().map(word).collect();

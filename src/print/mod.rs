@@ -11,8 +11,12 @@ mod latex_symbol;
 mod layout;
 mod math;
 mod mathml;
+mod named;
+mod notation;
 mod number;
 mod order;
+mod prose;
+mod renaming;
 mod roots;
 mod text;
 mod typst;
@@ -21,6 +25,10 @@ mod unicode;
 use crate::expr::{Condition, Expr, Formula, shown, shown_as_mathematics};
 use compose::Style;
 use math::Math;
+
+pub use notation::Notation;
+pub use prose::Prose;
+pub use renaming::Renaming;
 
 /// The formula in the program's own grammar.
 ///
@@ -140,6 +148,15 @@ pub fn mathml_equation(left: &str, formula: &Formula) -> String {
 /// ```
 pub fn escaped(text: &str) -> String {
     mathml::escaped(text)
+}
+
+/// The words as LaTeX sets them in a text, every character that means something to it escaped.
+///
+/// ```
+/// assert_eq!(sneddon::print::latex_words("R_1 & 5 %"), r"R\_1 \& 5 \%");
+/// ```
+pub fn latex_words(words: &str) -> String {
+    prose::latex_words(words)
 }
 
 fn laid_out(formula: &Formula) -> Math {

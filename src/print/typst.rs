@@ -2,6 +2,7 @@
 
 use super::greek;
 use super::math::{Call, Math};
+use super::named;
 use crate::expr::function::{Font, Letters, Setting};
 use crate::expr::{Constant, Relation};
 
@@ -76,9 +77,13 @@ fn word(word: &str) -> String {
     }
 }
 
-fn symbol(name: &str) -> String {
+pub(super) fn symbol(name: &str) -> String {
     if name == "E" {
         return "E^*".to_owned();
+    }
+    if let Some((function, primes, argument)) = named::parts(name) {
+        // The space keeps the argument out of an index.
+        return format!("{}{} ({})", symbol(function), "'".repeat(primes), named::arguments(argument, ", ", symbol));
     }
     let (letter, indices) = super::latex_symbol::parts(name);
     let indices: Vec<String> = indices.into_iter().map(word).collect();

@@ -2,6 +2,7 @@
 
 use super::greek;
 use super::math::{Call, Math};
+use super::named;
 use crate::expr::function::Setting;
 use crate::expr::{Constant, Relation};
 
@@ -111,9 +112,12 @@ fn index(text: &str) -> String {
     lowered.unwrap_or_else(|| format!("_{text}"))
 }
 
-fn symbol(name: &str) -> String {
+pub(super) fn symbol(name: &str) -> String {
     if name == "E" {
         return "E*".to_owned();
+    }
+    if let Some((function, primes, argument)) = named::parts(name) {
+        return format!("{}{}({})", symbol(function), "′".repeat(primes), named::arguments(argument, ", ", symbol));
     }
     let (letter, indices) = super::latex_symbol::parts(name);
     let indices: Vec<&str> = indices.into_iter().map(|part| greek::letter(part).unwrap_or(part)).collect();

@@ -1,9 +1,10 @@
-//! What `invert` found, and how it is written: text, LaTeX and JSON.
+//! What `invert` found, and how it is written as JSON.
 
-use super::json::{Check, Quantity, Readings, Typeset, write};
-use super::text::{error, number, outcome, sources, table};
-use crate::expr::{Expr, Formula};
-use crate::print;
+use super::json::{Check, Quantity, Readings, Step, Typeset, write};
+use super::text::{error, number, table};
+use crate::contact;
+use crate::expr::{Condition, Expr, Formula};
+use crate::print::{self, Notation, Prose, Renaming};
 use crate::transform::{self, Derived, Reading, Verdict};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -18,8 +19,8 @@ pub struct Inversion<'a> {
     pub profile: Derived,
     /// f(0) = g(0).
     pub at_axis: &'a Expr,
-    /// Conditions as text.
-    pub conditions: Vec<String>,
+    /// What must hold.
+    pub conditions: Vec<Condition>,
     /// The outcome of the check, or why it could not be made.
     pub check: Result<transform::Check, String>,
     /// The radii at which f was asked for.
@@ -45,42 +46,26 @@ impl Inversion<'_> {
     }
 
     /// What a reader of the formulas must know.
-    fn notes(&self) -> Vec<String> {
+    pub(super) fn notes(&self) -> Vec<Prose> {
         let zero = if self.at_axis.is_zero() { "" } else { "; it shifts the shape and is not seen by a contact" };
         let mut notes = vec![
-            format!("f(0) = g(0) = {}{zero}", print::text_expr(self.at_axis)),
-            "the formulas hold for x >= 0 and r >= 0; both functions are even".to_owned(),
+            Prose::read("$f(0)$ = $g(0)$ = ").formula(self.at_axis.clone()).then(zero),
+            Prose::read("the formulas hold for $x$ >= 0 and $r$ >= 0; both functions are even"),
         ];
         if self.pressure.is_some() {
-            notes.push(
-                "E is the effective modulus E*, a the contact radius; f holds for r < a, outside anything below the surface".to_owned(),
-            );
+            notes.push(Prose::read(
+                "$E$ is the effective modulus E*, $a$ the contact radius; $f$ holds for $r$ < $a$, outside anything below the surface",
+            ));
         }
         notes
     }
 }
 
-/// Writes it to be read in a terminal.
+/// Writes f at the radii that were asked for, as a table.
 ///
 /// # Errors
 /// As the writer.
-pub fn text(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
-    if let Some(wanted) = &record.pressure {
-        writeln!(out, "p(r) = {}\n", print::text_expr(wanted.pressure))?;
-        writeln!(out, "d = {}", print::text_expr(wanted.depth))?;
-        writeln!(out, "F = {}\n", print::text_expr(wanted.force))?;
-    }
-    writeln!(out, "g(x) = {}\n", print::text(record.equivalent))?;
-    writeln!(out, "f(r) = {}", print::text(&record.profile.formula))?;
-    sources(&record.profile, out)?;
-    if !record.conditions.is_empty() {
-        writeln!(out, "\nConditions")?;
-        record.conditions.iter().try_for_each(|condition| writeln!(out, "  {condition}"))?;
-    }
-    writeln!(out, "\nNotes")?;
-    record.notes().iter().try_for_each(|note| writeln!(out, "  {note}"))?;
-    writeln!(out, "\nCheck against quadrature of g as typed")?;
-    outcome(&record.check, out)?;
+pub fn readings(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
     if record.at.is_empty() {
         return Ok(());
     }
@@ -95,28 +80,11 @@ pub fn text(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
     table(&["r", "f", "error", "method"], rows, out)
 }
 
-/// Writes a LaTeX fragment that compiles with the package amsmath.
-///
-/// # Errors
-/// As the writer.
-pub fn latex(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
-    let mut lines = Vec::new();
-    if let Some(wanted) = &record.pressure {
-        let named = [("p(r)", wanted.pressure), ("d", wanted.depth), ("F", wanted.force)];
-        lines.extend(named.map(|(left, expr)| format!("  {left} &= {}", print::latex(&Formula::Closed(expr.clone())))));
-    }
-    lines.push(format!("  g(x) &= {}", print::latex(record.equivalent)));
-    lines.push(format!("  f(r) &= {}", print::latex(&record.profile.formula)));
-    record.conditions.iter().try_for_each(|condition| writeln!(out, "% condition: {condition}"))?;
-    record.notes().iter().try_for_each(|note| writeln!(out, "% {note}"))?;
-    writeln!(out, "\\begin{{align*}}\n{}\n\\end{{align*}}", lines.join(" \\\\\n"))
-}
-
 /// Writes one JSON document.
 ///
 /// # Errors
 /// As the writer.
-pub fn json(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
+pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, names: &Renaming, out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Document<'a> {
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -128,23 +96,27 @@ pub fn json(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
         g: Typeset,
         f: Quantity<'a>,
         at_axis: Typeset,
-        conditions: &'a [String],
+        conditions: Vec<String>,
         notes: Vec<String>,
         check: Check<'a>,
         #[serde(skip_serializing_if = "Option::is_none")]
+        steps: Option<Vec<Step<'a>>>,
+        #[serde(skip_serializing_if = "Option::is_none")]
         points: Option<Readings<'a>>,
     }
+    let typeset = |expr: &Expr| Typeset::of(&names.formula(&expr.clone().into()));
     let wanted = record.pressure.as_ref();
     let document = Document {
-        p: wanted.map(|own| Typeset::of_expr(own.pressure)),
-        d: wanted.map(|own| Typeset::of_expr(own.depth)),
-        force: wanted.map(|own| Typeset::of_expr(own.force)),
-        g: Typeset::of(record.equivalent),
-        f: Quantity::of(&record.profile),
-        at_axis: Typeset::of_expr(record.at_axis),
-        conditions: &record.conditions,
-        notes: record.notes(),
+        p: wanted.map(|own| typeset(own.pressure)),
+        d: wanted.map(|own| typeset(own.depth)),
+        force: wanted.map(|own| typeset(own.force)),
+        g: Typeset::of(&names.formula(record.equivalent)),
+        f: Quantity::named(&record.profile, names),
+        at_axis: typeset(record.at_axis),
+        conditions: record.conditions.iter().map(|own| print::text_condition(&names.condition(own))).collect(),
+        notes: record.notes().iter().map(|own| own.renamed(names).written(Notation::Text)).collect(),
         check: Check::of(&record.check),
+        steps: steps.map(|list| list.iter().map(|own| Step::of(own, names)).collect()),
         points: (!record.at.is_empty()).then_some(Readings { at: &record.at, readings: &record.readings }),
     };
     write("invert", &document, out)

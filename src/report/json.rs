@@ -1,37 +1,55 @@
 //! Records as JSON: one document, numbers as the shortest decimals that read back, null with a reason where there is none.
 
 use super::{Compared, Derivation, Evaluation};
-use crate::contact::Measured;
+use crate::contact::{self, Measured, Reason};
 use crate::expr::{Expr, Formula};
-use crate::print;
+use crate::print::{self, Notation, Prose, Renaming};
 use crate::transform::{self, Derived, Reading, Rule, Verdict};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Writes what was derived.
+/// Nothing where a result is complete; else that it is not, and why.
+pub(super) struct Completion(pub(super) Option<&'static str>);
+
+impl Serialize for Completion {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        if let Some(why) = self.0 {
+            map.serialize_entry("complete", &false)?;
+            map.serialize_entry("why", why)?;
+        }
+        map.end()
+    }
+}
+
+/// Writes what was derived, with the steps where they were asked for.
 ///
 /// # Errors
 /// As the writer.
-pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
+pub fn derivation(record: &Derivation<'_>, steps: Option<&[contact::Step]>, out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Document<'a> {
         profile: Typeset,
         shift: Option<Typeset>,
-        conditions: &'a [String],
+        conditions: Vec<String>,
         #[serde(flatten)]
         entries: Entries<'a>,
-        notes: Vec<&'static str>,
+        notes: Vec<String>,
         check: Check<'a>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        steps: Option<Vec<Step<'a>>>,
     }
+    let in_text = |list: Vec<Prose>| list.iter().map(|own| own.written(Notation::Text)).collect();
     let document = Document {
-        profile: Typeset::of(record.formula()),
-        shift: record.shift().map(Typeset::of_expr),
-        conditions: &record.relations.conditions,
+        profile: Typeset::of(&record.names.formula(record.formula())),
+        shift: record.shift().map(|shift| Typeset::of(&record.names.formula(&shift.clone().into()))),
+        conditions: in_text(record.conditions()),
         entries: Entries(record),
-        notes: record.notes(),
+        notes: in_text(record.notes()),
         check: Check::of(&record.check),
+        steps: steps.map(|list| list.iter().map(|own| Step::of(own, record.names)).collect()),
     };
     write("derive", &document, out)
 }
@@ -52,7 +70,18 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
         radius: Option<f64>,
         depth: Option<f64>,
         shift: Option<Shift>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        units: Option<Units<'a>>,
         points: Points<'a>,
+        #[serde(flatten)]
+        completion: Completion,
+    }
+    #[derive(Serialize)]
+    struct Units<'a> {
+        at: &'a str,
+        value: &'a str,
+        effective_modulus: &'a str,
+        parameters: BTreeMap<&'a str, &'a str>,
     }
     #[derive(Serialize)]
     struct Shift {
@@ -60,6 +89,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
         formula: Typeset,
         value: f64,
     }
+    let names = record.parameters.iter().map(|(name, _)| name.as_str());
     let document = Document {
         quantity: record.quantity,
         method: record.method(),
@@ -70,7 +100,14 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
         radius: record.radius,
         depth: record.depth,
         shift: record.shift.as_ref().map(|shift| Shift { formula: Typeset::of_expr(&shift.expr), value: shift.value }),
+        units: (!record.units.at.is_empty() || !record.units.modulus.is_empty()).then(|| Units {
+            at: &record.units.at,
+            value: &record.units.value,
+            effective_modulus: &record.units.modulus,
+            parameters: names.zip(record.units.parameters.iter().map(String::as_str)).collect(),
+        }),
         points: Points(record),
+        completion: Completion(record.is_cut().then(|| Reason::Unfinished.text())),
     };
     write("eval", &document, out)
 }
@@ -175,7 +212,9 @@ struct Entries<'a>(&'a Derivation<'a>);
 
 impl Serialize for Entries<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.entries().iter().map(|entry| (entry.key, entry.derived.map(Quantity::of))))
+        let names = self.0.names;
+        serializer
+            .collect_map(self.0.entries().iter().map(|entry| (entry.key, entry.derived.as_deref().map(|own| Quantity::named(own, names)))))
     }
 }
 
@@ -190,8 +229,34 @@ pub(super) struct Quantity<'a> {
 }
 
 impl<'a> Quantity<'a> {
-    pub(super) fn of(derived: &'a Derived) -> Self {
-        Self { formula: Typeset::of(&derived.formula), status: derived.status.name(), rules: &derived.rules, reference: &derived.reference }
+    pub(super) fn named(derived: &'a Derived, names: &Renaming) -> Self {
+        let formula = Typeset::of(&names.formula(&derived.formula));
+        Self { formula, status: derived.status.name(), rules: &derived.rules, reference: &derived.reference }
+    }
+}
+
+/// A step of a derivation.
+#[derive(Serialize)]
+pub(super) struct Step<'a> {
+    title: &'a str,
+    left: Option<Typeset>,
+    right: Option<Typeset>,
+    reason: String,
+    reference: &'a [&'static str],
+    steps: Vec<Self>,
+}
+
+impl<'a> Step<'a> {
+    pub(super) fn of(step: &'a contact::Step, names: &Renaming) -> Self {
+        let left = step.left.as_ref().map(|left| names.name(left));
+        Self {
+            title: &step.title,
+            left: left.map(|left| Typeset { text: Notation::Text.name(&left), latex: Notation::Latex.name(&left) }),
+            right: step.right.as_ref().map(|right| Typeset::of(&names.formula(right))),
+            reason: step.reason.renamed(names).written(Notation::Text),
+            reference: &step.reference,
+            steps: step.steps.iter().map(|own| Self::of(own, names)).collect(),
+        }
     }
 }
 

@@ -1,36 +1,8 @@
-//! Markdown: a derivation, and the catalogue of exact solutions as a document.
+//! Markdown: the catalogue of exact solutions as a document.
 
-use super::{Derivation, Statement, text};
+use super::Statement;
 use crate::print;
 use std::io::{self, Write};
-
-/// Writes a derivation, every formula as a block of mathematics with its sources below it.
-///
-/// # Errors
-/// As the writer.
-pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "```math\nf(r) = {}\n```", print::latex(record.formula()))?;
-    if let Some(shift) = record.shift() {
-        writeln!(out, "\nThe value $f(0) = {}$ is subtracted, so that $f$ starts at 0.", print::latex_expr(shift))?;
-    }
-    for entry in record.entries() {
-        match entry.derived {
-            None => writeln!(out, "\n${}$: no explicit form", entry.left)?,
-            Some(derived) => {
-                writeln!(out, "\n```math\n{} = {}\n```\n", entry.left, print::latex(&derived.formula))?;
-                let mut sources = Vec::new();
-                text::sources(derived, &mut sources)?;
-                writeln!(out, "{}", String::from_utf8_lossy(&sources).trim())?;
-            }
-        }
-    }
-    writeln!(out, "\nConditions:\n")?;
-    record.relations.conditions.iter().try_for_each(|condition| writeln!(out, "- {condition}"))?;
-    writeln!(out, "\nNotes:\n")?;
-    record.notes().iter().try_for_each(|note| writeln!(out, "- {note}"))?;
-    write!(out, "\nCheck against quadrature of f as typed:")?;
-    text::outcome(&record.check, out)
-}
 
 /// Writes the catalogue: a table of contents, then every rule with its formulas, domain and sources.
 ///

@@ -4,16 +4,22 @@
 pub mod inversion;
 #[cfg(feature = "cli")]
 pub mod json;
-pub mod latex;
 pub mod markdown;
-pub mod mathml;
 #[cfg(feature = "cli")]
 mod npy;
+pub mod page;
+#[cfg(feature = "cli")]
+mod palette;
+#[cfg(feature = "cli")]
+pub mod picture;
 mod record;
 #[cfg(feature = "cli")]
 mod reference;
+mod sheet;
 #[cfg(feature = "scene")]
 mod solved;
+#[cfg(feature = "cli")]
+pub mod solved_html;
 #[cfg(feature = "cli")]
 pub mod solved_json;
 #[cfg(feature = "cli")]
@@ -28,13 +34,12 @@ mod statement;
 pub mod text;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
-pub mod typst;
 #[cfg(feature = "cli")]
 pub mod validation;
 
 #[cfg(feature = "cli")]
 pub use inversion::{Inversion, Wanted};
-pub use record::{Compared, Derivation, Entry, Evaluation, Shift};
+pub use record::{Compared, Derivation, Entry, Evaluation, Shift, Units};
 #[cfg(feature = "cli")]
 pub use reference::Reference;
 #[cfg(feature = "scene")]

@@ -1,8 +1,10 @@
 //! The records that every output format reads: what was derived, evaluated and compared.
 
-use crate::contact::{Comparison, Edge, Measured, Relations};
+use crate::contact::{Comparison, Edge, Measured, Reason, RelationKey, Relations};
 use crate::expr::{Expr, Formula};
+use crate::print::{Prose, Renaming};
 use crate::transform::{Check, Derived, Profile, Verdict};
+use std::borrow::Cow;
 
 /// Everything that `derive` found.
 pub struct Derivation<'a> {
@@ -14,6 +16,10 @@ pub struct Derivation<'a> {
     pub edge: &'a Edge,
     /// The derived relations.
     pub relations: &'a Relations,
+    /// The quantities that were asked for, in this order; empty for the usual ones.
+    pub asked: &'a [RelationKey],
+    /// Names that are shown in place of the program's own.
+    pub names: &'a Renaming,
     /// The outcome of the check, or why it could not be made.
     pub check: Result<Check, String>,
 }
@@ -25,23 +31,23 @@ pub struct Entry<'a> {
     /// The left side of the equation.
     pub left: &'static str,
     /// The right side with its sources.
-    pub derived: Option<&'a Derived>,
+    pub derived: Option<Cow<'a, Derived>>,
 }
 
 impl Derivation<'_> {
-    /// The quantities in the order of reading.
-    pub fn entries(&self) -> [Entry<'_>; 7] {
-        let all = self.relations;
-        let entry = |key, left, derived| Entry { key, left, derived };
-        [
-            entry("g", "g(x)", Some(&all.g)),
-            entry("d", if self.has_rim() { "d" } else { "d(a)" }, Some(&all.d)),
-            entry("F", "F(a)", Some(&all.force)),
-            entry("p", "p(r)", all.pressure.as_ref()),
-            entry("k", "k(a)", Some(&all.stiffness)),
-            entry("a_of_d", "a(d)", all.contact_radius_of_depth.as_ref()),
-            entry("F_of_d", "F(d)", all.force_of_depth.as_ref()),
-        ]
+    /// The quantities in the order of reading, or in that in which they were asked for.
+    pub fn entries(&self) -> Vec<Entry<'_>> {
+        let usual;
+        let list = if self.asked.is_empty() {
+            usual = RelationKey::USUAL;
+            usual.as_slice()
+        } else {
+            self.asked
+        };
+        let rim = self.has_rim();
+        list.iter()
+            .map(|own| Entry { key: own.key(), left: own.left(rim), derived: own.of(self.relations, self.typed, self.profile, rim) })
+            .collect()
     }
 
     /// f(0), where something had to be subtracted.
@@ -55,21 +61,27 @@ impl Derivation<'_> {
     }
 
     /// What a reader of the formulas must know.
-    pub fn notes(&self) -> Vec<&'static str> {
+    pub fn notes(&self) -> Vec<Prose> {
         let mut notes = vec![
-            "the formulas hold for x >= 0; g is even",
-            "E is the effective modulus E*",
-            "p = -sigma_zz is positive in compression and 0 for r > a",
+            "the formulas hold for $x$ >= 0; $g$ is even",
+            "$E$ is the effective modulus E*",
+            "$p$ = -$sigma_zz$ is positive in compression and 0 for $r$ > $a$",
         ];
         if self.relations.pressure.is_none() {
-            notes.push("f' is infinite at a breakpoint and g jumps there, or is not known to be continuous: p(r) has no formula here");
+            notes
+                .push("$f'$ is infinite at a breakpoint and $g$ jumps there, or is not known to be continuous: $p(r)$ has no formula here");
         }
         if self.has_rim() {
-            notes.push("a is the radius of the rim, whatever the depth is");
+            notes.push("$a$ is the radius of the rim, whatever the depth is");
         } else if self.relations.contact_radius_of_depth.is_none() {
-            notes.push("a(d) and F(d) have no explicit form that is known here; eval --quantity a solves g(a) = d in numbers");
+            notes.push("$a(d)$ and $F(d)$ have no explicit form that is known here; eval --quantity a solves $g(a)$ = $d$ in numbers");
         }
-        notes
+        notes.into_iter().map(|own| Prose::read(own).renamed(self.names)).collect()
+    }
+
+    /// The conditions under the names that are shown.
+    pub fn conditions(&self) -> Vec<Prose> {
+        self.relations.conditions.iter().map(|own| own.renamed(self.names)).collect()
     }
 
     /// True for a punch with a rim at the contact radius.
@@ -105,6 +117,21 @@ pub struct Evaluation<'a> {
     pub at: Vec<f64>,
     /// The readings, one per coordinate.
     pub readings: Vec<Measured>,
+    /// The units in which all of these are counted.
+    pub units: Units,
+}
+
+/// Names of units, empty where numbers are bare.
+#[derive(Default)]
+pub struct Units {
+    /// Of the coordinates, the radius and the depth.
+    pub at: String,
+    /// Of the values.
+    pub value: String,
+    /// Of the effective modulus.
+    pub modulus: String,
+    /// Of the parameters, in their order.
+    pub parameters: Vec<String>,
 }
 
 /// f(0), which was subtracted.
@@ -116,6 +143,11 @@ pub struct Shift {
 }
 
 impl Evaluation<'_> {
+    /// True where the budget of work did not suffice for a point.
+    pub fn is_cut(&self) -> bool {
+        self.readings.iter().any(|own| matches!(own, Err(Reason::Unfinished)))
+    }
+
     /// The way that all finite values were found, or `mixed`.
     pub fn method(&self) -> &'static str {
         let mut methods = self.readings.iter().filter_map(|reading| reading.as_ref().ok()).map(|reading| reading.method);

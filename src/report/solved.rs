@@ -1,7 +1,7 @@
 //! What every format of a solved scene shares: the findings of all rows together, one per rule.
 
-use crate::contact::{Finding, Severity, in_unit};
-use crate::scene::{Dimension, Regime, Row, Run};
+use crate::contact::{Boundary, Finding, Severity, in_unit};
+use crate::scene::{Dimension, Regime, Row, Run, Scene};
 
 /// The verdict on all rows that were seen.
 #[derive(Default)]
@@ -10,17 +10,48 @@ pub struct Verdict {
     rows: u64,
     invalid: u64,
     largest: f64,
+    /// The fewest radii at which a row without a proof was looked at.
+    radii: Option<u64>,
     regime: Option<Regime>,
 }
 
-/// What every answer takes for granted.
+/// A verdict in words: what is not proven says at how many radii it was looked at.
+pub(super) fn words(valid: bool, radii: Option<u64>) -> String {
+    match (valid, radii) {
+        (false, _) => "not valid".to_owned(),
+        (true, None) => "valid".to_owned(),
+        (true, Some(radii)) => format!("valid at {radii} radii"),
+    }
+}
+
+/// What every answer about an axially symmetric indenter takes for granted.
 pub const ASSUMPTIONS: &str = "frictionless contact of an axially symmetric indenter with an elastic half-space, without adhesion";
+/// The same for a flat punch that is not round.
+const ASSUMPTIONS_OF_PUNCH: &str =
+    "frictionless contact of a flat punch of the given cross-section with an elastic half-space, without adhesion";
+
+/// What the answers to a scene take for granted.
+pub(super) fn assumptions(scene: &Scene) -> &'static str {
+    if scene.round { ASSUMPTIONS } else { ASSUMPTIONS_OF_PUNCH }
+}
+
+/// How a contact ends, as reports name it.
+pub(super) fn edge(boundary: Boundary) -> &'static str {
+    match boundary {
+        Boundary::Rim => "rim",
+        Boundary::Smooth => "smooth",
+        Boundary::Apart => "apart",
+    }
+}
 
 impl Verdict {
     /// Takes a row into account.
     pub fn take(&mut self, row: &Row) {
         self.rows += 1;
         self.invalid += u64::from(!row.is_valid());
+        if let Some(radii) = row.indented.radii.filter(|_| row.is_valid()) {
+            self.radii = Some(self.radii.map_or(radii, |known| known.min(radii)));
+        }
         if let Some(state) = row.indented.state {
             self.largest = self.largest.max(state.radius);
         }
@@ -52,6 +83,16 @@ impl Verdict {
     /// True where every row is valid.
     pub fn is_valid(&self) -> bool {
         self.invalid == 0
+    }
+
+    /// The verdict on all rows in words.
+    pub fn words(&self) -> String {
+        words(self.is_valid(), self.radii)
+    }
+
+    /// The fewest radii at which a row without a proof was looked at; `None` where every row is proven.
+    pub fn radii(&self) -> Option<u64> {
+        self.radii
     }
 
     /// The first finding of every rule, and in how many rows it stands; none for the profile as a whole.

@@ -1,8 +1,9 @@
 //! A solved scene as JSON, written row by row: nothing is kept, and the verdict stands last.
 
-use super::solved::{ASSUMPTIONS, Verdict};
+use super::json::Completion;
+use super::solved::{Verdict, assumptions, edge, words};
 use super::solved_tip_json::{self, TipEntry};
-use crate::contact::{Boundary, Finding};
+use crate::contact::Finding;
 use crate::scene::{Dimension, Point, Row, Run};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
@@ -25,6 +26,8 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
         rows: Rows<'a, 'r>,
         curves: Curves<'a, 'r>,
         validity: Validity<'a, 'r>,
+        #[serde(flatten)]
+        completion: CompletionOf<'a, 'r>,
     }
     #[derive(Serialize)]
     struct Units<'a> {
@@ -41,9 +44,19 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
         rows: Rows { run, formally, verdict: &verdict },
         curves: Curves { run, formally },
         validity: Validity { run, verdict: &verdict },
+        completion: CompletionOf(run),
     };
     super::json::write("solve", &document, out)?;
     Ok(verdict.into_inner())
+}
+
+/// Whether the rows and curves, which are written by now, are complete.
+struct CompletionOf<'a, 'r>(&'a Run<'r>);
+
+impl Serialize for CompletionOf<'_, '_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Completion(self.0.cut_short()).serialize(serializer)
+    }
 }
 
 struct Rows<'a, 'r> {
@@ -83,7 +96,7 @@ impl Serialize for RowEntry<'_, '_> {
                 Ok(value) if shown => Some(*value),
                 Ok(_) => None,
                 Err(reason) => {
-                    why = why.or(Some(*reason));
+                    why.get_or_insert_with(|| format!("{}: {reason}", datum.name()));
                     None
                 }
             };
@@ -99,13 +112,16 @@ impl Serialize for RowEntry<'_, '_> {
             let changes: BTreeMap<&str, Option<f64>> = changes.into_iter().map(|(datum, own)| (datum.name(), own)).collect();
             map.serialize_entry("model_error", &changes)?;
         }
-        let edge = row.indented.state.filter(|_| shown).map(|state| if state.boundary == Boundary::Rim { "rim" } else { "smooth" });
-        map.serialize_entry("edge", &edge)?;
+        map.serialize_entry("edge", &row.indented.state.filter(|_| shown).map(|state| edge(state.boundary)))?;
         map.serialize_entry("valid", &row.is_valid())?;
+        map.serialize_entry("verdict", &words(row.is_valid(), row.indented.radii))?;
+        if let Some(radii) = row.indented.radii {
+            map.serialize_entry("radii", &radii)?;
+        }
         if let Some(own) = &row.regime {
             map.serialize_entry("regime", &RegimeEntry { shape: own.simple.name(), force_error: own.force_error, message: None })?;
         }
-        if let Some(why) = row.why().or(why) {
+        if let Some(why) = row.why().or(why.as_deref()) {
             map.serialize_entry("why", why)?;
         }
         let findings: Vec<FindingEntry<'_>> = row.indented.findings.iter().map(|own| FindingEntry::of(own, None, self.run)).collect();
@@ -231,7 +247,11 @@ impl Serialize for Validity<'_, '_> {
             .collect();
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("valid", &verdict.is_valid())?;
-        map.serialize_entry("assumptions", ASSUMPTIONS)?;
+        map.serialize_entry("verdict", &verdict.words())?;
+        if let Some(radii) = verdict.radii() {
+            map.serialize_entry("radii", &radii)?;
+        }
+        map.serialize_entry("assumptions", assumptions(self.run.scene()))?;
         if let Some(own) = verdict.regime() {
             let message = Some(own.sentence(&self.run.scene().system));
             map.serialize_entry("regime", &RegimeEntry { shape: own.simple.name(), force_error: own.force_error, message })?;

@@ -1,9 +1,9 @@
 //! A solved scene as a table for the terminal, and as CSV.
 
-use super::solved::{ASSUMPTIONS, Verdict};
+use super::solved::{Verdict, assumptions, edge};
 use super::solved_tip::{self, Changes};
 use super::text::marked;
-use crate::contact::{Boundary, Severity};
+use crate::contact::Severity;
 use crate::scene::{Curve, Dimension, Row, Run};
 use std::io::{self, Write};
 
@@ -24,14 +24,19 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     writeln!(out, "  edge")?;
     let mut verdict = Verdict::default();
     let mut changes = Changes::default();
+    let mut lacking = Vec::new();
     for (index, row) in (0..scene.loads.len()).filter_map(|index| Some((index, run.row(index)?))) {
         verdict.take(&row);
+        if row.is_valid() {
+            let reasons = row.values.iter().filter_map(|(datum, value)| Some((*datum, value.err()?)));
+            lacking.extend(reasons.filter(|own| !lacking.contains(own)).collect::<Vec<_>>());
+        }
         let state = row.indented.state.filter(|_| row.is_valid());
         changes.take(run.row_model_errors(index, state.as_ref()), |datum| row.value(datum));
         for cell in cells(run, &row, formally) {
             write!(out, "{:>24}", cell.map_or_else(|| "-".to_owned(), |value| format!("{value:?}")))?;
         }
-        write!(out, "  {}", edge(&row))?;
+        write!(out, "  {}", edge_of(&row))?;
         if let Some(first) = row.indented.findings.iter().find(|own| own.severity == Severity::Error) {
             write!(out, "  invalid: {}", first.rule)?;
         }
@@ -45,9 +50,9 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     changes.write(run, out)?;
     let (invalid, rows) = verdict.counts();
     if verdict.is_valid() {
-        writeln!(out, "valid: {ASSUMPTIONS}")?;
+        writeln!(out, "{}: {}", verdict.words(), assumptions(scene))?;
     } else {
-        writeln!(out, "not valid in {invalid} of {rows} rows: {ASSUMPTIONS}")?;
+        writeln!(out, "not valid in {invalid} of {rows} rows: {}", assumptions(scene))?;
     }
     if let Some(own) = verdict.regime() {
         writeln!(out, "{}", own.sentence(&scene.system))?;
@@ -55,20 +60,18 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     for (finding, _) in verdict.findings() {
         writeln!(out, "{}: {}: {}", finding.severity.name(), finding.rule, finding.message)?;
     }
+    for (datum, why) in lacking {
+        writeln!(out, "{}: no value in some rows: {why}", datum.name())?;
+    }
     Ok(verdict)
 }
 
-fn edge(row: &Row) -> &'static str {
-    match row.indented.state.map(|state| state.boundary) {
-        Some(Boundary::Rim) => "rim",
-        Some(Boundary::Smooth) => "smooth",
-        Some(Boundary::Apart) => "apart",
-        None => "-",
-    }
+pub(super) fn edge_of(row: &Row) -> &'static str {
+    row.indented.state.map_or("-", |state| edge(state.boundary))
 }
 
 /// Names and units of the columns.
-fn columns(run: &Run<'_>) -> Vec<(String, String)> {
+pub(super) fn columns(run: &Run<'_>) -> Vec<(String, String)> {
     let scene = run.scene();
     let mut list: Vec<_> = scene.outputs.data.iter().map(|own| (own.name().to_owned(), scene.system.unit_name(own.dimension()))).collect();
     if scene.counts_from_touch() {
@@ -80,7 +83,7 @@ fn columns(run: &Run<'_>) -> Vec<(String, String)> {
 }
 
 /// The numbers of a row; the load stands there even where the row is invalid.
-fn cells(run: &Run<'_>, row: &Row, formally: bool) -> Vec<Option<f64>> {
+pub(super) fn cells(run: &Run<'_>, row: &Row, formally: bool) -> Vec<Option<f64>> {
     let scene = run.scene();
     let touch = scene.counts_from_touch();
     let mut list = if touch { vec![Some(row.load)] } else { Vec::new() };
@@ -159,7 +162,7 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
         if rows {
             let numbers: Vec<String> = cells(run, &row, formally).into_iter().map(number).collect();
             let rule = row.indented.findings.iter().find(|own| own.severity == Severity::Error).map_or("", |own| own.rule);
-            writeln!(out, "{},{},{},{rule}", numbers.join(","), edge(&row), row.is_valid())?;
+            writeln!(out, "{},{},{},{rule}", numbers.join(","), edge_of(&row), row.is_valid())?;
         }
     }
     if !curves.is_empty() {

@@ -1,58 +1,10 @@
 //! Records as plain text, made to be read in a terminal.
 
-use super::{Compared, Derivation, Evaluation};
-use crate::expr::Formula;
+use super::{Compared, Evaluation};
 use crate::num::{Bound, Estimate};
 use crate::print;
 use crate::transform::{Check, Derived, Rule, Verdict};
 use std::io::{self, Write};
-
-/// Writes what was derived: one quantity after the other with its sources, then conditions, notes and the check.
-///
-/// # Errors
-/// As the writer.
-pub fn derivation(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
-    derivation_in(print::text, record, out)
-}
-
-/// Writes the same with formulas as Unicode shows them; they do not read back.
-///
-/// # Errors
-/// As the writer.
-pub fn derivation_in_unicode(record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
-    derivation_in(print::unicode, record, out)
-}
-
-fn derivation_in(formula: fn(&Formula) -> String, record: &Derivation<'_>, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "f(r) = {}", formula(record.formula()))?;
-    if let Some(shift) = record.shift() {
-        let shift = print::text_expr(shift);
-        writeln!(out, "       f(0) = {shift} is subtracted, so that f starts at 0")?;
-    }
-    for entry in record.entries() {
-        // Where a is given by a rim there is no a(d) to look for; a note says so.
-        if entry.derived.is_none() && record.has_rim() {
-            continue;
-        }
-        writeln!(out)?;
-        let Some(derived) = entry.derived else {
-            writeln!(out, "{}: no explicit form", entry.left)?;
-            continue;
-        };
-        writeln!(out, "{} = {}", entry.left, formula(&derived.formula))?;
-        sources(derived, out)?;
-    }
-    writeln!(out, "\nConditions")?;
-    for condition in &record.relations.conditions {
-        writeln!(out, "  {condition}")?;
-    }
-    writeln!(out, "\nNotes")?;
-    for note in record.notes() {
-        writeln!(out, "  {note}")?;
-    }
-    writeln!(out, "\nCheck against quadrature of f as typed")?;
-    outcome(&record.check, out)
-}
 
 /// Writes the numbers of one quantity as a table.
 ///
@@ -60,16 +12,24 @@ fn derivation_in(formula: fn(&Formula) -> String, record: &Derivation<'_>, out: 
 /// As the writer.
 pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{} of f(r) = {}", record.quantity, print::text(record.profile))?;
-    let mut given: Vec<String> = record.parameters.iter().map(|(name, value)| format!("{name} = {}", number(*value))).collect();
-    given.push(format!("E* = {}", number(record.effective_modulus)));
-    given.extend(record.radius.map(|a| format!("a = {}", number(a))));
-    given.extend(record.depth.map(|d| format!("d = {} (rim)", number(d))));
+    let units = &record.units;
+    let of_parameters = units.parameters.iter().map(String::as_str).chain(std::iter::repeat(""));
+    let named = record.parameters.iter().zip(of_parameters);
+    let mut given: Vec<String> = named.map(|((name, value), unit)| format!("{name} = {}", with_unit(*value, unit))).collect();
+    // Without a modulus that has a unit, forces are counted in it.
+    if units.modulus != "E*" {
+        given.push(format!("E* = {}", with_unit(record.effective_modulus, &units.modulus)));
+    }
+    given.extend(record.radius.map(|a| format!("a = {}", with_unit(a, &units.at))));
+    given.extend(record.depth.map(|d| format!("d = {} (rim)", with_unit(d, &units.at))));
     writeln!(out, "with {}", given.join(", "))?;
     if let Some(shift) = &record.shift {
         writeln!(out, "f(0) = {} = {} is subtracted, so that f starts at 0", print::text_expr(&shift.expr), number(shift.value))?;
     }
     writeln!(out)?;
-    let header = [record.coordinate, record.quantity, "error", "method"];
+    let titled = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
+    let (coordinate, quantity) = (titled(record.coordinate, &units.at), titled(record.quantity, &units.value));
+    let header = [coordinate.as_str(), quantity.as_str(), "error", "method"];
     let rows = || {
         record.at.iter().zip(&record.readings).map(|(at, reading)| match reading {
             Ok(reading) => {
@@ -87,7 +47,9 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
 /// # Errors
 /// As the writer.
 pub fn evaluation_as_csv(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "{},{},error,method", record.coordinate, record.quantity)?;
+    let titled = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") };
+    let header = [titled(record.coordinate, &record.units.at), titled(record.quantity, &record.units.value)];
+    writeln!(out, "{},{},error,method", header[0], header[1])?;
     record.at.iter().zip(&record.readings).try_for_each(|(at, reading)| match reading {
         Ok(reading) => writeln!(out, "{at:?},{:?},{:?},{}", reading.estimate.value, reading.estimate.error, reading.method),
         Err(_) => writeln!(out, "{at:?},,,"),
@@ -140,28 +102,28 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// The line under a formula: its status, rules and references.
-pub(super) fn sources(derived: &Derived, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn sources(derived: &Derived) -> String {
     let rules = match derived.rules.as_slice() {
         [] => String::new(),
         [rule] => format!(" | rule {rule}"),
         rules => format!(" | rules {}", rules.join(", ")),
     };
     let reference = if derived.reference.is_empty() { String::new() } else { format!(" | {}", derived.reference.join("; ")) };
-    writeln!(out, "       {}{rules}{reference}", derived.status.name())
+    format!("{}{rules}{reference}", derived.status.name())
 }
 
 /// How a check ended.
-pub(super) fn outcome(check: &Result<Check, String>, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn outcome(check: &Result<Check, String>) -> String {
     match check {
         Ok(check) => {
             let verdict = match (check.verdict, check.why) {
-                (Verdict::NotCompared, why) => return writeln!(out, "  not compared: {}", why.unwrap_or_default()),
+                (Verdict::NotCompared, why) => return format!("not compared: {}", why.unwrap_or_default()),
                 (Verdict::Passed, _) => "passed",
                 (Verdict::Failed, _) => "FAILED",
             };
-            writeln!(out, "  {} points, largest relative difference {}: {verdict}", check.points, short(check.max_relative_difference))
+            format!("{} points, largest relative difference {}: {verdict}", check.points, short(check.max_relative_difference))
         }
-        Err(reason) => writeln!(out, "  not compared: {reason}"),
+        Err(reason) => format!("not compared: {reason}"),
     }
 }
 
@@ -201,6 +163,10 @@ pub(super) fn table<const N: usize, I: Iterator<Item = [String; N]>>(
     };
     line(&header.map(str::to_owned))?;
     rows().try_for_each(|row| line(&row))
+}
+
+fn with_unit(value: f64, unit: &str) -> String {
+    if unit.is_empty() { number(value) } else { format!("{} {unit}", number(value)) }
 }
 
 /// The shortest decimal that reads back to the same number, whole numbers without a point.

@@ -36,6 +36,13 @@ pub struct Declared {
     pub tolerance: f64,
 }
 
+impl Declared {
+    /// Nothing is said.
+    pub fn nothing() -> Self {
+        Self { side: None, grid: Vec::new(), walls: Walls::Unknown, control: None, cells: None, tension: false, tolerance: 0.0 }
+    }
+}
+
 /// The table as typed.
 pub(super) struct Typed {
     side: Option<(Quantity, Range<usize>)>,

@@ -22,6 +22,8 @@ impl Dimension {
     pub const NONE: Self = Self::whole(0, 0);
     /// A length.
     pub const LENGTH: Self = Self::whole(1, 0);
+    /// An area.
+    pub const AREA: Self = Self::whole(2, 0);
     /// A force.
     pub const FORCE: Self = Self::whole(0, 1);
     /// A pressure.

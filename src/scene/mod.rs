@@ -1,8 +1,10 @@
 //! Contact scenes: a tip, two materials, loads and the quantities wanted, with units; read from TOML and solved row by row.
 
+mod argument;
 mod body;
 mod change;
 mod check;
+mod counting;
 mod declared;
 mod dimension;
 mod document;
@@ -20,11 +22,13 @@ mod regime;
 mod row;
 mod run;
 mod shape;
+mod sweep;
 mod system;
 mod template;
 mod unit;
 
 pub use change::Change;
+pub use counting::Counting;
 pub use declared::{Declared, Walls};
 pub use dimension::Dimension;
 pub use document::LONGEST;

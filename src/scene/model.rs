@@ -1,9 +1,10 @@
 //! The scene itself: everything that is known about a contact before it is solved, as numbers of one system.
 
 use super::{Control, Declared, Loads, Measured, MeasuredTip, SceneError, Simple, System};
-use crate::contact::ContactError;
-use crate::transform::{Method, Profile, Solution, derive};
+use crate::contact::{Body, ContactError};
+use crate::transform::{Method, Profile, Slopes, Solution, derive};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A number per load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,6 +89,8 @@ pub struct Shown {
 pub struct Scene {
     /// f, with numbers for its parameters.
     pub profile: Profile,
+    /// The shapes of both bodies, where both have one; f is their sum.
+    pub bodies: Vec<Profile>,
     /// A measured tip that is added to f, before its file is read.
     pub measured: Option<Measured>,
     /// The same, read.
@@ -133,6 +136,7 @@ impl Scene {
     pub fn of(profile: Profile) -> Self {
         Self {
             profile,
+            bodies: Vec::new(),
             measured: None,
             tip: None,
             rim: None,
@@ -197,6 +201,19 @@ impl Scene {
     /// [`SceneError`] where the profile has none.
     pub fn solution(&self) -> Result<Solution, SceneError> {
         derive(&self.profile).map_err(|error| self.placed(ContactError::from(error).into()))
+    }
+
+    /// Each body with a shape, where there are two of them.
+    ///
+    /// # Errors
+    /// [`ContactError`] where a shape cannot be evaluated.
+    pub fn parts(&self) -> Result<Vec<Body<'_>>, ContactError> {
+        let names = ["the indenter", "the counterbody"];
+        let mut parts = self.bodies.iter().zip(names).map(|(own, name)| Body::formula(name, own)).collect::<Result<Vec<_>, _>>()?;
+        if let (Some(tip), false) = (&self.tip, parts.is_empty()) {
+            parts.push(Body::other("the measured tip", Arc::clone(tip.profile()) as Arc<dyn Slopes>));
+        }
+        Ok(parts)
     }
 
     /// An error about the profile, with its place.

@@ -128,9 +128,14 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     measured.iter().try_for_each(|own| own.check(&system))?;
     let strict = has_units && named.profile_length.is_none();
     let mut formula = tip.formula(&system, strict)?;
+    let read = |formula: &Formula, place: &Range<usize>| {
+        Profile::new(formula).map_err(|error| SceneError::from(ContactError::from(error)).at(place.clone()))
+    };
+    let mut bodies = Vec::new();
     if let Some(other) = &other {
         let own = other.formula(&system, strict)?;
         let own = if counter_is_socket(counterbody.as_ref())? { own.scaled(&Expr::integer(-1)) } else { own };
+        bodies = vec![read(&formula, &tip.span)?, read(&own, &other.span)?];
         formula = Formula::sum([formula, own]);
     }
     let rim = match (&radius, &tip.rim) {
@@ -146,7 +151,7 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
         Some(punch) => Some(punch.radius(&system)?),
         None => rim,
     };
-    let bound = Profile::new(&formula).map_err(|error| SceneError::from(ContactError::from(error)).at(tip.span.clone()))?;
+    let bound = read(&formula, &tip.span)?;
     if rim.is_none() && bound.is_flat() && measured.is_none() {
         return Err(SceneError::missing("a flat punch needs the radius of its vertical side")
             .help("radius = \"2 um\" in [profile] would be accepted")
@@ -158,7 +163,7 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     let parameters = tip.parameters.iter().map(|own| own.symbol.name().to_owned()).collect();
     let data = declared.map(|own| own.declared(&system)).transpose()?;
     let place = Some(tip.span);
-    let scene = Scene { measured, relatives, rim, effective_modulus, system, place, length, parameters, data, ..Scene::of(bound) };
+    let scene = Scene { bodies, measured, relatives, rim, effective_modulus, system, place, length, parameters, data, ..Scene::of(bound) };
     let mut scene = asked.scene(scene)?;
     if scene.outputs.curves.contains(&Curve::AxialStress)
         && let Some(body) = [&first, &second].into_iter().find(|own| !own.is_isotropic())
@@ -242,6 +247,8 @@ impl Tip {
                 .at(second));
         }
         let [f, shape, points] = ways;
+        // A parameter that cancels was typed all the same.
+        let typed = f.as_ref().and_then(|own| own.string().ok()).map(parse::parameters).unwrap_or_default();
         let mut parameters = Self::parameters(table, change)?;
         let (formula, rim, name, span) = match (f, shape) {
             (Some(f), _) => {
@@ -267,7 +274,7 @@ impl Tip {
         };
         let wanted: Vec<Symbol> = formula.symbols().into_iter().filter(|own| own.name() != "r").collect();
         // The radius of a flat cylinder is no part of f = 0.
-        let known = |own: &Symbol| wanted.contains(own) || rim.as_ref().is_some_and(|(name, _)| *name == own.name());
+        let known = |own: &Symbol| wanted.contains(own) || typed.contains(own) || rim.as_ref().is_some_and(|(name, _)| *name == own.name());
         let names: Vec<&str> = wanted.iter().map(Symbol::name).collect();
         if let Some(unknown) = parameters.iter().find(|own| !known(&own.symbol)) {
             let near = nearest(unknown.symbol.name(), &names).map_or(String::new(), |near| format!("did you mean {near}? "));

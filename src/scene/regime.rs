@@ -33,7 +33,14 @@ pub struct Regime {
     pub simple: Simple,
     /// Its force over that of the indenter at the same depth, less 1.
     pub force_error: f64,
+    /// True where both depths count from the first touch, which is not at the axis.
+    pub since_touch: bool,
 }
+
+/// Forces that agree to rounding are those of the same shape.
+pub(super) const SAME_SHAPE: f64 = 1e-13;
+/// Three decimals of a percentage show nothing below this.
+const LEAST_PERCENT: f64 = 0.001;
 
 /// What the parameters of a named shape make of its simple relatives.
 const RELATIVES: &[(&str, &[(Kind, &str)])] = &[
@@ -143,6 +150,8 @@ impl Regime {
     pub fn sentence(&self, system: &System) -> String {
         let percent = 100.0 * self.force_error.abs();
         let way = if self.force_error < 0.0 { "small" } else { "large" };
-        format!("taken for {}, the indenter's force would be {percent:.3} % too {way} at the same depth", self.simple.phrase(system))
+        let percent = if percent < LEAST_PERCENT { format!("less than {LEAST_PERCENT} %") } else { format!("{percent:.3} %") };
+        let depth = if self.since_touch { "depth since the first touch" } else { "depth" };
+        format!("taken for {}, the indenter's force would be {percent} too {way} at the same {depth}", self.simple.phrase(system))
     }
 }

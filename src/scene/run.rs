@@ -1,11 +1,11 @@
 //! A scene being solved: row by row, curve by curve, nothing before it is asked for and nothing kept.
 
 use super::quantity::to_f64;
-use super::regime::{Regime, Simple};
+use super::regime::{Regime, SAME_SHAPE, Simple};
 use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, MeasuredTip, Row, Scene, SceneError, Work};
 use crate::contact::in_unit;
 use crate::contact::{Boundary, Contact, ContactError, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State};
-use crate::num::{Bound, Estimate};
+use crate::num::{Bound, Estimate, work};
 use crate::transform::{Reading, Solution, Superposition, TableProfile, TransformError};
 use std::cell::{Cell, OnceCell};
 use std::f64::consts::PI;
@@ -18,9 +18,14 @@ pub struct Run<'a> {
     /// The same contact with a measured tip's points joined in another way.
     pub(super) second: Option<Indentation<'a>>,
     work: Cell<Work>,
+    /// Whether the budget of work did not suffice for a row or a point.
+    cut: Cell<bool>,
     watch: Option<Box<dyn Fn() + 'a>>,
     tip: OnceCell<Option<Simple>>,
 }
+
+/// What is said where the budget of work ends.
+const UNFINISHED: &str = "the budget of work does not suffice; a larger one would be accepted";
 
 /// A value of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,12 +62,13 @@ impl<'a> Run<'a> {
         let setup = Setup { effective_modulus, rim, tolerance, method };
         let others = |tip: Option<&Arc<TableProfile>>| tip.map(|own| Part::new(Arc::clone(own))).into_iter().collect();
         let tip = scene.tip.as_ref();
-        let indentation = Indentation::beside(Some(solution), others(tip.map(MeasuredTip::profile)), setup, largest);
+        let bodies = scene.parts().map_err(|error| scene.placed(error.into()))?;
+        let indentation = Indentation::between(&bodies, Some(solution), others(tip.map(MeasuredTip::profile)), setup, largest);
         let indentation = indentation.map_err(|error| scene.placed(tip.map_or_else(|| late(&error, scene), |_| of_tip(&error))))?;
         let named = |dimension| (scene.system.out(dimension), scene.system.unit_name(dimension));
         let indentation = indentation.naming(Naming { length: named(Dimension::LENGTH), force: named(Dimension::FORCE) });
-        let second = tip.and_then(|own| Indentation::beside(Some(solution), others(Some(own.second())), setup, largest).ok());
-        let own = Self { scene, indentation, second, work: Cell::default(), watch: None, tip: OnceCell::new() };
+        let second = tip.and_then(|own| Indentation::between(&bodies, Some(solution), others(Some(own.second())), setup, largest).ok());
+        let own = Self { scene, indentation, second, work: Cell::default(), cut: Cell::default(), watch: None, tip: OnceCell::new() };
         // Bad input is found before anything is written.
         for load in [scene.control.load(smallest), largest] {
             if !matches!(load, Load::Depth(_)) && !scene.loads.is_empty() {
@@ -95,6 +101,11 @@ impl<'a> Run<'a> {
         self.work.get()
     }
 
+    /// Why the answer is not complete so far: a row or a point for which the budget of work did not suffice.
+    pub fn cut_short(&self) -> Option<&'static str> {
+        self.cut.get().then_some(UNFINISHED)
+    }
+
     /// The same run, which tells after every row and every point that it is done.
     #[must_use]
     pub fn watched(self, watch: impl Fn() + 'a) -> Self {
@@ -116,9 +127,9 @@ impl<'a> Run<'a> {
     }
 
     fn count(&self, add: impl FnOnce(&mut Work)) {
-        let mut work = self.work.get();
-        add(&mut work);
-        self.work.set(work);
+        let mut asked = self.work.get();
+        add(&mut asked);
+        self.work.set(asked);
     }
 
     /// The places where f′ jumps, in the units of the answers, and by how much.
@@ -142,8 +153,13 @@ impl<'a> Run<'a> {
 
     fn solved(&self, index: usize) -> Option<(f64, Indented)> {
         let (value, load) = self.load(index)?;
-        self.count(|work| work.loads += 1);
-        let mut indented = self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error));
+        self.count(|asked| asked.loads += 1);
+        // Half of what is left: the rows that follow have their share, however hard this one is.
+        let solved = work::share(work::left() / 2, || self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error)));
+        let mut indented = solved.unwrap_or_else(|| {
+            self.cut.set(true);
+            unfinished()
+        });
         self.told();
         let within = |last: f64| matches!(load, Load::Radius(own) if own <= last) || self.scene.rim.is_some();
         if let (Some(end), Some(tip)) = (self.tip_ends_at(), self.scene.tip.as_ref().filter(|tip| !within(tip.last_radius()))) {
@@ -190,22 +206,23 @@ impl<'a> Run<'a> {
 
     /// The simple shape whose force at the state's depth is nearest, and how wrong it is.
     fn regime(&self, state: &State) -> Option<Regime> {
-        if state.force <= 0.0 || state.radius <= 0.0 {
+        let is_flat = self.scene.tip.is_none() && self.scene.profile.is_flat();
+        if state.force <= 0.0 || state.radius <= 0.0 || is_flat {
             return None;
         }
         let tip =
             || *self.tip.get_or_init(|| Simple::tip(|r| Some(self.indentation.shape().profile(r).ok()?.estimate.value), state.radius));
         let known = &self.scene.relatives;
         let tip = if known.is_empty() { tip() } else { None };
-        let flat = (state.boundary == Boundary::Rim && (self.scene.tip.is_some() || !self.scene.profile.is_flat()))
-            .then_some(Simple::Flat { radius: state.radius });
-        let depth = state.depth - self.indentation.first_touch();
+        let flat = (state.boundary == Boundary::Rim).then_some(Simple::Flat { radius: state.radius });
+        let touch = self.indentation.first_touch();
         let wrong = |simple: Simple| {
-            let force_error = simple.force(self.scene.effective_modulus, depth) / state.force - 1.0;
-            force_error.is_finite().then_some(Regime { simple, force_error })
+            let force_error = simple.force(self.scene.effective_modulus, state.depth - touch) / state.force - 1.0;
+            force_error.is_finite().then_some(Regime { simple, force_error, since_touch: touch != 0.0 })
         };
         let all = known.iter().copied().chain(tip).chain(flat).filter_map(wrong);
-        all.min_by(|one, other| one.force_error.abs().total_cmp(&other.force_error.abs()))
+        let nearest = all.min_by(|one, other| one.force_error.abs().total_cmp(&other.force_error.abs()));
+        nearest.filter(|own| own.force_error.abs() > SAME_SHAPE)
     }
 
     fn datum(&self, datum: Datum, state: &State) -> Result<Result<f64, &'static str>, ContactError> {
@@ -219,7 +236,7 @@ impl<'a> Run<'a> {
             Datum::MeanPressure => Ok(state.force / a / a / PI),
             Datum::Energy if state.force == 0.0 => Ok(0.0),
             Datum::Energy => {
-                self.count(|work| work.energies += 1);
+                self.count(|asked| asked.energies += 1);
                 Ok(self.indentation.energy(state)?.estimate.value)
             }
         })
@@ -276,10 +293,17 @@ impl<'a> Run<'a> {
     }
 
     fn curve(&self, curve: Curve, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
+        work::share(work::left() / 2, || self.curve_point(curve, state, at)).unwrap_or_else(|| {
+            self.cut.set(true);
+            Err(UNFINISHED)
+        })
+    }
+
+    fn curve_point(&self, curve: Curve, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
         let zero = || Reading { estimate: Estimate::exact(0.0), method: "exact" };
         let outside = "the profile ends before this radius";
         if !curve.needs_load() {
-            self.count(|work| work.shapes += 1);
+            self.count(|asked| asked.shapes += 1);
             if self.indentation.rim().is_some_and(|c| at > c) {
                 return Err(outside);
             }
@@ -297,14 +321,14 @@ impl<'a> Run<'a> {
         let contact = self.indentation.contact(state);
         let failed = "it cannot be computed to any digit";
         if curve == Curve::Pressure {
-            self.count(|work| work.pressures += 1);
+            self.count(|asked| asked.pressures += 1);
             return contact.pressure(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.text());
         }
         if curve == Curve::AxialStress {
-            self.count(|work| work.stresses += 1);
+            self.count(|asked| asked.stresses += 1);
             return contact.axial_stress(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.text());
         }
-        self.count(|work| work.displacements += 1);
+        self.count(|asked| asked.displacements += 1);
         contact.displacement(at, state.radius).map_err(|_| failed)
     }
 }
@@ -333,7 +357,8 @@ fn late(error: &ContactError, scene: &Scene) -> SceneError {
     match error {
         ContactError::Transform(TransformError::OutOfDomain { symbol: "radius", at, .. }) => {
             let named = (scene.system.out(Dimension::LENGTH), scene.system.unit_name(Dimension::LENGTH));
-            let end = scene.profile.limits().filter_map(|own| to_f64(own).ok()).min_by(f64::total_cmp);
+            let limits = scene.profile.limits().chain(scene.bodies.iter().flat_map(crate::transform::Profile::limits));
+            let end = limits.filter_map(|own| to_f64(own).ok()).min_by(f64::total_cmp);
             let end = end.map_or_else(String::new, |end| format!(", which ends at r = {}", in_unit(end, &named)));
             SceneError::value(format!("radius = {} lies outside the profile{end}", in_unit(*at, &named)))
                 .help("a radius that the profile reaches would be accepted")
@@ -342,7 +367,13 @@ fn late(error: &ContactError, scene: &Scene) -> SceneError {
     }
 }
 
+/// The row of a load for which the budget did not suffice.
+fn unfinished() -> Indented {
+    let finding = Finding { rule: "unfinished", severity: Severity::Error, message: UNFINISHED.to_owned(), at: None };
+    Indented { state: None, findings: vec![finding], radii: None }
+}
+
 fn not_computable(error: &ContactError) -> Indented {
     let finding = Finding { rule: "not_computable", severity: Severity::Error, message: error.to_string(), at: None };
-    Indented { state: None, findings: vec![finding] }
+    Indented { state: None, findings: vec![finding], radii: None }
 }

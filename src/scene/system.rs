@@ -61,6 +61,12 @@ impl System {
         }
     }
 
+    /// The same with names of the units of length, force and pressure, which fit together; empty names stay bare.
+    pub fn counted([length, force, pressure]: [String; 3]) -> Self {
+        let has_names = !length.is_empty() || !pressure.is_empty();
+        Self { names: has_names.then_some(Names { length, force, pressure }), ..Self::bare() }
+    }
+
     /// The system of a scene in which some number carries a unit, or none does.
     ///
     /// # Errors

@@ -56,7 +56,7 @@ impl Default for Options {
 /// let solution = derive(&profile).unwrap();
 /// let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
 /// let problem = tradeoff::Problem::new(&solution, &evaluator, tradeoff::Quantity::Force, None, None).unwrap();
-/// let options = tradeoff::Options { budget: std::time::Duration::from_millis(200), ..Default::default() };
+/// let options = tradeoff::Options { budget: std::time::Duration::from_secs(1), ..Default::default() };
 /// let study = tradeoff::run(problem, &options).unwrap();
 /// let closed = study.rows.iter().find(|row| row.method == "closed form" && row.honest.is_some()).unwrap();
 /// assert!(closed.error < 5e-16 && closed.honest == Some(true));

@@ -79,11 +79,19 @@ impl NumericSegment {
 }
 
 impl NumericSegment {
-    /// f′ as an even integrand, from its lower end on, with such bounds on the errors of its values.
+    /// f′ or (r f′)′ as an even integrand, from its lower end on, with such bounds on the errors of its values.
     #[inline]
-    pub(super) fn integrand(&self, x: f64, weight: Weight, form: Form, extent: Extent, bounds: Bounds) -> Even<'_> {
+    pub(super) fn integrand<'a>(
+        &self,
+        numbers: &'a Numbers,
+        x: f64,
+        weight: Weight,
+        form: Form,
+        extent: Extent,
+        bounds: Bounds,
+    ) -> Even<'a> {
         let doubt = self.lower.error;
-        let source = Source { numbers: &self.slope, doubt, weight, x, from_limit: None, bounds, scratch: Scratch::take() };
+        let source = Source { numbers, doubt, weight, x, from_limit: None, bounds, scratch: Scratch::take() };
         Even { source, form, extent }
     }
 }

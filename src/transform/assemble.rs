@@ -21,6 +21,11 @@ pub enum Status {
 }
 
 impl Status {
+    /// The status of a formula that leaves an integral over one of this status.
+    pub fn integrated(self) -> Self {
+        if self == Self::Numeric { self } else { Self::Partial }
+    }
+
     /// The word that reports use.
     pub fn name(self) -> &'static str {
         match self {
@@ -90,14 +95,22 @@ impl Solution {
     }
 }
 
+/// From this number of intervals on g′ is not added up for each of them.
+const MANY: usize = 8;
+
 impl SolvedChain {
     fn formula(&self, quantity: Quantity, variable: &str, solution: &Solution) -> Formula {
+        let mut pressures = match quantity {
+            Quantity::Pressure => self.open_pressures(solution),
+            _ => Vec::new(),
+        }
+        .into_iter();
         let mut values = (0..self.intervals.len()).map(|interval| {
             let closed = collected(&self.closed(interval, quantity, |pair| &pair.shown));
             let open = match quantity {
                 Quantity::Slope => self.open_integral(interval, "x"),
                 Quantity::Force => self.open_integral(interval, "a"),
-                Quantity::Pressure => self.open_pressure(interval, solution),
+                Quantity::Pressure => pressures.next().unwrap_or_else(Formula::zero),
                 // No formula of it is shown.
                 Quantity::Outside => Formula::zero(),
             };
@@ -137,76 +150,95 @@ impl SolvedChain {
         }
     }
 
-    /// p π/E* of the terms without a pressure rule: over g′ where g is closed, else straight from f′.
-    fn open_pressure(&self, interval: usize, solution: &Solution) -> Formula {
+    /// p π/E* of the terms without a pressure rule, per interval: over g′ where g is closed, else straight from f′.
+    fn open_pressures(&self, solution: &Solution) -> Vec<Formula> {
         if !self.intervals.iter().flat_map(|i| &i.terms).any(SolvedTerm::has_open_pressure) {
-            return Formula::zero();
+            return vec![Formula::zero(); self.intervals.len()];
         }
-        match self.open_pressure_from_slope(interval) {
-            Ok(Some(formula)) => formula,
+        match self.slopes_of_equivalent() {
+            Ok(Some(slopes)) => self.open_pressures_from_slopes(&slopes),
             // `derive` has made sure that (r f′)′ exists.
-            _ => self.open_pressure_from_profile(interval, solution).unwrap_or_else(|_| Formula::zero()),
+            _ => self.open_pressures_from_profile(solution).unwrap_or_else(|_| vec![Formula::zero(); self.intervals.len()]),
         }
     }
 
-    /// ∫ g′(x)/√(x²−r²) dx interval by interval; `None` where g is not closed.
-    fn open_pressure_from_slope(&self, interval: usize) -> Result<Option<Formula>, TransformError> {
+    /// What the terms of every interval whose pressure is left as an integral add to g′, within the interval and beyond it; `None` where g is
+    /// not closed.
+    fn slopes_of_equivalent(&self) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
+        let x = Symbol::new("x");
+        let mut slopes = Vec::with_capacity(self.intervals.len());
+        for solved in &self.intervals {
+            let (mut within, mut beyond) = (Vec::new(), Vec::new());
+            for term in solved.terms.iter().filter(|t| t.has_open_pressure()) {
+                let Some((_, answer)) = &term.answer else { return Ok(None) };
+                within.push(derivative(&shown(&answer.slope.within.shown), &x)?);
+                beyond.push(derivative(&shown(&answer.slope.beyond.shown), &x)?);
+            }
+            slopes.push([Expr::sum(within), Expr::sum(beyond)]);
+        }
+        Ok(Some(slopes))
+    }
+
+    /// ∫ g′(x)/√(x²−r²) dx for the contacts that end on each interval: over the intervals below the end with all that g′ is there, or, where
+    /// these are many, over what every interval adds, within it and beyond it.
+    fn open_pressures_from_slopes(&self, slopes: &[[Expr; 2]]) -> Vec<Formula> {
         let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
         let root = (x.power(2) - r.power(2)).sqrt();
-        let mut parts = Vec::new();
-        for index in 0..=interval {
-            let mut terms = Vec::new();
-            for (own, solved) in self.intervals.iter().enumerate().take(index + 1) {
-                for term in solved.terms.iter().filter(|t| t.has_open_pressure()) {
-                    let Some((_, answer)) = &term.answer else { return Ok(None) };
-                    let pair = if own < index { &answer.slope.beyond } else { &answer.slope.within };
-                    terms.push(shown(&pair.shown));
-                }
-            }
-            let slope = derivative(&Expr::sum(terms), &Symbol::new("x"))?;
-            let expanded = expanded_or_same(&slope, "x");
-            // Whichever reads shorter.
-            let slope = if expanded.size_up_to(SIZE) <= slope.size_up_to(SIZE) { expanded } else { slope };
-            if slope.is_zero() {
-                continue;
-            }
-            let begin = index.checked_sub(1).and_then(|i| self.breakpoints.get(i));
-            let end = if index < interval { self.breakpoints.get(index) } else { None };
-            let from = match begin {
-                Some(begin) => Expr::call("max", [begin.clone(), r.clone()]),
-                None => r.clone(),
-            };
+        let from = |begin: Option<&Expr>| begin.map_or_else(|| r.clone(), |begin| Expr::call("max", [begin.clone(), r.clone()]));
+        let part = |slope: &Expr, begin: Option<&Expr>, end: Option<&Expr>| {
             let lower = match end {
-                Some(end) => Expr::call("min", [from, end.clone()]),
-                None => from,
+                Some(end) => Expr::call("min", [from(begin), end.clone()]),
+                None => from(begin),
             };
-            parts.push(integral(slope / &root, "x", lower, end.cloned().unwrap_or_else(|| a.clone())));
+            (!slope.is_zero()).then(|| integral(slope / &root, "x", lower, end.cloned().unwrap_or_else(|| a.clone())))
+        };
+        let begin = |index: usize| index.checked_sub(1).and_then(|i| self.breakpoints.get(i));
+        let apart = slopes.len() > MANY;
+        let shorter = |slope: Expr| {
+            let expanded = expanded_or_same(&slope, "x");
+            if expanded.size_up_to(SIZE) <= slope.size_up_to(SIZE) { expanded } else { slope }
+        };
+        let (mut ended, mut before) = (Vec::new(), Vec::new());
+        let mut all = Vec::with_capacity(slopes.len());
+        for (index, [within, beyond]) in slopes.iter().enumerate() {
+            let slope = if apart { within.clone() } else { shorter(Expr::sum(before.iter().chain([within]).cloned())) };
+            all.push(Formula::sum(ended.iter().cloned().chain(part(&slope, begin(index), None))));
+            let end = self.breakpoints.get(index);
+            ended.extend(part(&slope, begin(index), end));
+            if apart {
+                ended.extend(part(beyond, end, None));
+            } else {
+                before.push(beyond.clone());
+            }
         }
-        Ok(Some(Formula::sum(parts)))
+        all
     }
 
-    /// ∫ (s f′(s))′ K(s, r) ds + Σ b δ K(b, r).
-    fn open_pressure_from_profile(&self, interval: usize, solution: &Solution) -> Result<Formula, TransformError> {
+    /// ∫ (s f′(s))′ K(s, r) ds + Σ b δ K(b, r), per interval.
+    fn open_pressures_from_profile(&self, solution: &Solution) -> Result<Vec<Formula>, TransformError> {
         let name = bound_name(solution);
         let (s, a) = (Expr::symbol(name), Expr::symbol("a"));
         let radius = Symbol::new("r");
         let rename = Bindings::one("r", s.clone());
-        let mut parts = Vec::new();
+        let mut ended: Vec<Formula> = Vec::new();
+        let mut all = Vec::with_capacity(self.intervals.len());
         let mut previous = Expr::zero();
-        for (index, (segment, slope)) in self.remainder(SolvedTerm::has_open_pressure).into_iter().enumerate().take(interval + 1) {
+        for (segment, slope) in self.remainder(SolvedTerm::has_open_pressure) {
             if !segment.lower.is_zero() {
                 let place = Bindings::one("r", segment.lower.clone());
                 let jump = expanded_or_same(&(place.apply(&slope) - place.apply(&previous)), "r");
-                parts.push(Formula::Closed(jump * &segment.lower * kernel(&segment.lower)));
+                ended.push(Formula::Closed(jump * &segment.lower * kernel(&segment.lower)));
             }
             let bend = derivative(&(Expr::symbol("r") * &slope), &radius)?;
-            let upper = if index < interval { segment.upper.clone().unwrap_or_else(|| a.clone()) } else { a.clone() };
+            let up_to = |upper: Expr| integral(rename.apply(&bend) * kernel(&s), name, segment.lower.clone(), upper);
+            let own = (!bend.is_zero()).then(|| up_to(a.clone()));
+            all.push(Formula::sum(ended.iter().cloned().chain(own)));
             if !bend.is_zero() {
-                parts.push(integral(rename.apply(&bend) * kernel(&s), name, segment.lower, upper));
+                ended.push(up_to(segment.upper.clone().unwrap_or_else(|| a.clone())));
             }
             previous = slope;
         }
-        Ok(Formula::sum(parts))
+        Ok(all)
     }
 }
 

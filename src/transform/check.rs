@@ -4,7 +4,7 @@ use super::evaluator::{Evaluator, Method, Reading};
 use super::sample::{Sampler, reach};
 use super::{Solution, TransformError};
 use crate::expr::Bindings;
-use crate::num::Estimate;
+use crate::num::{Estimate, work};
 
 /// How a check ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,6 +69,10 @@ const UNSEEN: f64 = 1e-9;
 /// # Errors
 /// [`TransformError`] where the profile cannot be evaluated at any admissible value of its parameters.
 pub fn check(solution: &Solution) -> Result<Check, TransformError> {
+    work::bounded(|| compared(solution))
+}
+
+fn compared(solution: &Solution) -> Result<Check, TransformError> {
     let closed_pressure = solution.terms().any(|term| !term.has_open_pressure());
     if solution.terms().all(|term| term.is_open()) && !closed_pressure {
         return Ok(Check::not_compared(if solution.terms().next().is_some() { NOTHING_CLOSED } else { FLAT }));

@@ -1,9 +1,9 @@
 //! A closed expression as a number: in double precision where that keeps its digits, else with 30 digits, rounded once.
 
 use super::Pair;
-use crate::eval::{BoundedAlgebra, EvalError, PreciseAlgebra, Tape, WideAlgebra};
+use crate::eval::{BoundedAlgebra, EvalError, IntervalAlgebra, PreciseAlgebra, Tape, WideAlgebra};
 use crate::expr::{Expr, Symbol, has_30_digits, shown_to_30_digits};
-use crate::num::{Bounded, Precise, Wide};
+use crate::num::{Bounded, Precise, Region, Wide, work};
 use std::sync::OnceLock;
 
 /// A relative bound of this size is good enough for every digit: four units in the last place of a double.
@@ -59,6 +59,20 @@ impl ClosedForm {
         total(&[self], inputs, GOOD)
     }
 
+    /// The lowest and the highest value that the only input may give between two numbers, or more; `None` where nothing is known.
+    ///
+    /// ```
+    /// use sneddon::{expr::{Expr, Symbol}, transform::ClosedForm};
+    /// let r = Symbol::new("r");
+    /// let form = ClosedForm::new(&(Expr::symbol("r").power(2) - Expr::one()), &[r]).unwrap();
+    /// let (low, high) = form.over(0.5, 2.0).unwrap();
+    /// // The values lie in [−0.75, 3]; the enclosure of (r − 1)(r + 1), by which r² − 1 is evaluated, is wider below.
+    /// assert!((-1.6..=-0.75).contains(&low) && (3.0..3.1).contains(&high));
+    /// ```
+    pub fn over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        self.tape.run(&mut IntervalAlgebra, &[Region::interval(lower, upper)], &mut Vec::new())?.real_range()
+    }
+
     /// In double precision.
     pub(super) fn in_doubles(&self, inputs: &[Bounded], slots: &mut Vec<Bounded>) -> Bounded {
         self.tape.run(&mut BoundedAlgebra, inputs, slots).unwrap_or(Bounded::exact(f64::NAN))
@@ -71,7 +85,8 @@ impl ClosedForm {
 
     /// The tape of the second and third pass, compiled when it is first needed.
     fn precise_tape(&self) -> Option<&Tape> {
-        self.precise.get_or_init(|| Tape::compile(&[shown_to_30_digits(&self.second)], &self.inputs).ok()).as_ref()
+        let compile = || Tape::compile(&[shown_to_30_digits(&self.second)], &self.inputs).ok();
+        self.precise.get_or_init(|| work::unbroken(compile)).as_ref()
     }
 
     /// With 30 digits.

@@ -4,7 +4,6 @@ use super::TransformError;
 use super::angle::{Bounds, NEAR_THE_LIMIT};
 use super::integral::{NumericSegment, Weight};
 use super::slope_source::Numbers;
-use crate::eval::{FloatAlgebra, RegionAlgebra, Tape};
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{Extent, Form, Known};
 use crate::num::{Bound, Estimate, Region};
@@ -14,7 +13,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Rules by the upper end x, one list for each weight: one per sixteenth of a power of two from 2⁻³² to 2³², found when they are first
 /// needed.
 #[derive(Default)]
-pub(super) struct Continued([OnceLock<Box<[Octave]>>; WEIGHTS]);
+pub(super) struct Continued([OnceLock<Box<[Octave]>>; LISTS]);
 
 /// Between one power of two and the next.
 type Octave = OnceLock<Box<[Entry; SIXTEENTHS]>>;
@@ -57,7 +56,10 @@ impl Found {
     }
 }
 
-const WEIGHTS: usize = 3;
+/// The lists: by weight of f′, of (r f′)′, and of the expansion of the pressure.
+const LISTS: usize = 5;
+const OF_THE_BEND: usize = 3;
+const OF_THE_SERIES: usize = 4;
 const SIXTEENTHS: usize = 16;
 const OCTAVES: usize = 64;
 /// Bits of a double below the exponent and the first four of the mantissa.
@@ -100,25 +102,58 @@ impl NumericSegment {
         let Some(own) = self.sufficient(x, weight) else { return Ok(None) };
         let enough = |found: &Estimate| found.error <= tolerance * found.value.abs();
         if own.share <= LITTLE * tolerance {
-            let mut found = self.by(own.known, x, weight, Bounds::None)?;
+            let mut found = self.by(&self.slope, own.known, x, weight, Bounds::None)?;
             found.add_noise(own.noise);
             if enough(&found.estimate) {
                 return Ok(Some(found.estimate));
             }
         }
-        let found = self.by(own.known, x, weight, Bounds::Running)?;
+        let found = self.by(&self.slope, own.known, x, weight, Bounds::Running)?;
         // Of rounding alone no other rule makes less.
         let rounded = found.left_out <= SMALL * found.noise && found.estimate.error <= SMALL * found.estimate.value.abs();
         Ok((rounded || enough(&found.estimate)).then_some(found.estimate))
     }
 
+    /// ∫ (r f′)′ dτ up to x ≤ a by the one rule that suffices up to a, where this segment reaches from the axis to a and is analytic
+    /// around it; `None` where it does not.
+    pub(super) fn bend_rule(&self, bend: &Numbers, a: f64) -> Option<impl Fn(f64) -> Result<Estimate, TransformError>> {
+        if self.singular || self.lower.value > 0.0 || self.upper.is_some_and(|upper| upper.value - upper.error < a) {
+            return None;
+        }
+        let (place, own) = self.cell(a, OF_THE_BEND)?;
+        let rule = match own.rule.load(Ordering::Acquire) {
+            0 => {
+                let high = f64::from_bits((place + 1) << BELOW);
+                let mut slots = Vec::new();
+                let around = |region: Region| self.largest_bend(region, &mut slots);
+                let known = self.fewest(bend, around, (f64::from_bits(place << BELOW), high), false);
+                store(own, known)
+            }
+            rule => rule,
+        };
+        // A smaller x asks for f′ within the same rectangle.
+        let known = known_of(rule)?;
+        Some(move |x: f64| Ok(self.by(bend, known, x, Weight::Slope, Bounds::Running)?.estimate))
+    }
+
+    /// How many terms of the expansion of the pressure in Legendre polynomials suffice for a contact of radius a, and a bound on what they
+    /// leave out of f′/r; found by `find` for all radii of a sixteenth of an octave.
+    pub(super) fn series_rule(&self, a: f64, find: impl FnOnce(f64, f64) -> Option<Known>) -> Option<Known> {
+        let (place, own) = self.cell(a, OF_THE_SERIES)?;
+        let rule = match own.rule.load(Ordering::Acquire) {
+            0 => store(own, find(f64::from_bits(place << BELOW), f64::from_bits((place + 1) << BELOW))),
+            rule => rule,
+        };
+        known_of(rule)
+    }
+
     /// The integral by a rule.
     #[inline]
-    fn by(&self, known: Known, x: f64, weight: Weight, bounds: Bounds) -> Result<Found, TransformError> {
+    fn by(&self, numbers: &Numbers, known: Known, x: f64, weight: Weight, bounds: Bounds) -> Result<Found, TransformError> {
         let extent = Extent::new(self.lower.value, x, None);
         let form = Form::choose(&extent, self.odd, None);
         let scale = form.scale(&extent);
-        let mut integrand = self.integrand(x, weight, form, extent, bounds);
+        let mut integrand = self.integrand(numbers, x, weight, form, extent, bounds);
         let found = known.mean(&mut integrand).map_err(|_| TransformError::NotComputable { at: x })?;
         let left_out = if matches!(weight, Weight::Force) { x * x * found.left_out } else { found.left_out };
         let value = scale * found.value;
@@ -130,57 +165,58 @@ impl NumericSegment {
     /// The rule for x.
     #[inline]
     fn sufficient(&self, x: f64, weight: Weight) -> Option<Sufficient> {
-        let place = usize::try_from((x.to_bits() >> BELOW).checked_sub(LOWEST)?).ok()?;
         let list = match weight {
             Weight::Slope => 0,
             Weight::Force => 1,
             Weight::Integral | Weight::Outside(_) => 2,
         };
-        let list = self.continued.0.get(list)?.get_or_init(|| (0..OCTAVES).map(|_| Octave::new()).collect());
-        let own = list.get(place / SIXTEENTHS)?.get_or_init(Box::default).get(place % SIXTEENTHS)?;
+        let (place, own) = self.cell(x, list)?;
         let rule = match own.rule.load(Ordering::Acquire) {
-            0 => self.entry(place as u64 + LOWEST, weight, own),
+            0 => self.entry(place, weight, own),
             rule => rule,
         };
-        if rule == NONE {
-            return None;
-        }
-        let known = Known { rule: (rule & RULE) as usize - 1, left_out: f64::from_bits(rule & !RULE) };
+        let known = known_of(rule)?;
         let [noise, share] = [&own.noise, &own.share].map(|bits| f64::from_bits(bits.load(Ordering::Relaxed)));
         Some(Sufficient { known, noise, share })
+    }
+
+    /// The number of the sixteenth in which x lies, and its entry.
+    #[inline]
+    fn cell(&self, x: f64, list: usize) -> Option<(u64, &Entry)> {
+        let number = x.to_bits() >> BELOW;
+        let place = usize::try_from(number.checked_sub(LOWEST)?).ok()?;
+        let list = self.continued.0.get(list)?.get_or_init(|| (0..OCTAVES).map(|_| Octave::new()).collect());
+        Some((number, list.get(place / SIXTEENTHS)?.get_or_init(Box::default).get(place % SIXTEENTHS)?))
     }
 
     /// Whether an expression says that no rule of a reasonable size is known to suffice, away from the end of f′.
     pub(super) fn is_intricate(&self, x: f64, weight: Weight) -> bool {
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.9 * NEAR_THE_LIMIT * limit.value.value);
-        let is_tape = matches!(self.slope, Numbers::Tape(_));
-        is_tape && !self.singular && !near_the_end && self.sufficient(x, weight).is_none()
+        self.slope.is_expression() && !self.singular && !near_the_end && self.sufficient(x, weight).is_none()
     }
 
     /// Finds the entry for all x between two neighbours in the list.
     #[cold]
     fn entry(&self, place: u64, weight: Weight, own: &Entry) -> u64 {
         let (low, high) = (f64::from_bits(place << BELOW), f64::from_bits((place + 1) << BELOW));
-        let Some(known) = self.fewest(low.max(self.lower.value), high, !matches!(weight, Weight::Slope)) else {
-            own.rule.store(NONE, Ordering::Release);
-            return NONE;
+        let (weighted, mut slots) = (!matches!(weight, Weight::Slope), Vec::new());
+        let around = |region: Region| self.slope.largest(region, &mut slots);
+        let Some(known) = self.fewest(&self.slope, around, (low.max(self.lower.value), high), weighted) else {
+            return store(own, None);
         };
         let (noise, share) = self.noise(known, (low, high), weight);
         own.noise.store(noise.to_bits(), Ordering::Relaxed);
         own.share.store(share.to_bits(), Ordering::Relaxed);
-        // Rounded up to what is left of the bits.
-        let left_out = (known.left_out.to_bits() & !RULE) + RULE + 1;
-        let rule = left_out | (known.rule as u64 + 1);
-        own.rule.store(rule, Ordering::Release);
-        rule
+        store(own, Some(known))
     }
 
     /// What rounding does to the mean between two places, and the same as a share of it; infinite where that is not known.
     fn noise(&self, known: Known, (low, high): (f64, f64), weight: Weight) -> (f64, f64) {
         // At its lower end a piece is no range.
         let ends = if low > self.lower.value { [low, high] } else { [f64::NAN; 2] };
-        let found =
-            ends.map(|x| self.by(known, x, weight, Bounds::NearBy).map_or((f64::NAN, f64::NAN), |found| (found.noise, found.mean.abs())));
+        let found = ends.map(|x| {
+            self.by(&self.slope, known, x, weight, Bounds::NearBy).map_or((f64::NAN, f64::NAN), |found| (found.noise, found.mean.abs()))
+        });
         let [(one, small), (other, large)] = found;
         let noise = WITHIN * one.max(other);
         let share = noise / small.min(large);
@@ -188,18 +224,19 @@ impl NumericSegment {
     }
 
     /// The smallest rule for all x from `low` to `high`.
-    fn fewest(&self, low: f64, high: f64, weighted: bool) -> Option<Known> {
-        let Numbers::Tape(tape) = &self.slope else { return None };
+    fn fewest(&self, numbers: &Numbers, mut around: impl FnMut(Region) -> f64, (low, high): (f64, f64), weighted: bool) -> Option<Known> {
+        if !numbers.is_expression() {
+            return None;
+        }
         if self.limit.as_ref().is_some_and(|limit| high > NEAR_THE_LIMIT * limit.value.value) || high <= self.lower.value {
             return None;
         }
         let extent = Extent::new(self.lower.value, high, None);
-        let size = self.size(0.5 * (low + high), tape)?;
+        let size = self.size(numbers, 0.5 * (low + high))?;
         let mut best: Option<Known> = None;
-        let mut slots = Vec::new();
         let mut bound = |sigma: f64| {
             let (region, factor) = self.around(low, &extent, sigma, weighted)?;
-            let largest = tape.run(&mut RegionAlgebra, &[region], &mut slots)?.largest() * factor;
+            let largest = around(region) * factor;
             largest.is_finite().then_some(largest)
         };
         let (mut sigma, mut step, mut refined) = (FIRST, STEP, 0);
@@ -229,14 +266,14 @@ impl NumericSegment {
     }
 
     /// The mean of |f′| over the angle, roughly.
-    fn size(&self, x: f64, tape: &Tape) -> Option<f64> {
+    fn size(&self, numbers: &Numbers, x: f64) -> Option<f64> {
         const PLACES: usize = 8;
         let extent = Extent::new(self.lower.value, x, None);
         let angle = extent.angle();
         let mut total = 0.0;
         for i in 0..PLACES {
             let r = x * (angle * (i as f64 + 0.5) / PLACES as f64).cos();
-            total += tape.run(&mut FloatAlgebra, &[r - self.lower.value], &mut Vec::new())?.abs();
+            total += numbers.plain(r - self.lower.value).abs();
         }
         let size = total / PLACES as f64;
         (size.is_normal()).then_some(size)
@@ -246,7 +283,7 @@ impl NumericSegment {
     /// integrand with its weight may exceed |f′|.
     ///
     /// Half or a quarter of it is enough: f′ is real on the axis, and odd where that is said.
-    fn around(&self, low: f64, extent: &Extent, sigma: f64, weighted: bool) -> Option<(Region, f64)> {
+    pub(super) fn around(&self, low: f64, extent: &Extent, sigma: f64, weighted: bool) -> Option<(Region, f64)> {
         let x = extent.x;
         let widen = 1.0 + 1e-9;
         let (angle, turn) = if self.odd { (sigma, 0.0) } else { (extent.angle() * sigma.sinh(), extent.angle() * sigma.cosh()) };
@@ -267,6 +304,20 @@ impl NumericSegment {
         let factor = if self.odd { weight * widen / sigma.sinh() } else { weight };
         (wide.is_finite() && factor.is_finite()).then_some((region, factor))
     }
+}
+
+/// Keeps the rule, or that there is none, and returns what is kept.
+fn store(entry: &Entry, known: Option<Known>) -> u64 {
+    // Rounded up to what is left of the bits.
+    let rule = known.map_or(NONE, |known| ((known.left_out.to_bits() & !RULE) + RULE + 1) | (known.rule as u64 + 1));
+    entry.rule.store(rule, Ordering::Release);
+    rule
+}
+
+/// The rule that is kept so.
+#[inline]
+fn known_of(rule: u64) -> Option<Known> {
+    (rule != NONE).then(|| Known { rule: (rule & RULE) as usize - 1, left_out: f64::from_bits(rule & !RULE) })
 }
 
 #[cfg(test)]
@@ -304,7 +355,7 @@ mod tests {
                     for weight in [Weight::Slope, Weight::Force, Weight::Integral] {
                         let Some(known) = (x > segment.lower.value).then(|| segment.sufficient(x, weight)).flatten() else { continue };
                         if known.noise < f64::INFINITY {
-                            let found = segment.by(known.known, x, weight, Bounds::NearBy).unwrap();
+                            let found = segment.by(&segment.slope, known.known, x, weight, Bounds::NearBy).unwrap();
                             assert!(found.noise <= known.noise, "{slope:?} at {x}, {weight:?}: {} {}", found.noise, known.noise);
                             kept += 1;
                         }

@@ -2,9 +2,9 @@
 
 use super::stream::Stream;
 use super::{Chain, TransformError, angles};
-use crate::eval::{BoundedAlgebra, constant_value, walk};
+use crate::eval::{BoundedAlgebra, WideAlgebra, constant_value, walk};
 use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Sign, Symbol, leading_term, normal, sign};
-use crate::num::Bounded;
+use crate::num::{Bounded, Precise, Wide};
 use crate::print;
 
 /// f(0) of the innermost piece.
@@ -210,6 +210,9 @@ fn solve(demand: &Expr, lower: &Expr, upper: Option<&Expr>) -> Result<Option<Con
             },
         };
     }
+    if lower.is_zero() && starts_negative(demand) {
+        return Err(TransformError::NotReal { detail: print::text_expr(demand) });
+    }
     let Ok(terms) = normal::normal_terms(demand, &radius) else { return Ok(None) };
     let (mut constant, mut power) = (Expr::zero(), None);
     for term in terms {
@@ -241,7 +244,6 @@ fn solve(demand: &Expr, lower: &Expr, upper: Option<&Expr>) -> Result<Option<Con
             let limit = (-constant / power.coefficient).pow(&power.exponent.recip());
             match sign(&(lower - &limit)) {
                 Sign::Positive | Sign::Zero => Ok(None),
-                _ if lower.is_zero() => Err(TransformError::NotReal { detail: print::text_expr(demand) }),
                 _ => Ok(Some(Condition::less(limit, lower.clone()))),
             }
         }
@@ -289,5 +291,12 @@ pub(super) fn sample_bindings(expr: &Expr, count: usize) -> Vec<Bindings> {
 }
 
 fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {
-    walk(&set.apply(expr), &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).map_or(f64::NAN, |v| v.value)
+    let here = set.apply(expr);
+    let own = walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).map_or(f64::NAN, |v| v.value);
+    if !own.is_nan() {
+        return own;
+    }
+    // Infinite parts may meet in a number.
+    let wide = Wide::new(Precise::exact(r));
+    walk(&here, &mut WideAlgebra, &mut |_| Some(wide)).map_or(f64::NAN, |v| v.precise().value.hi)
 }

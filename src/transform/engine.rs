@@ -7,6 +7,7 @@ use super::verification::{Demotion, Place, Verification};
 use super::{Answer, Chain, Profile, Rule, Term, TransformError};
 use crate::expr::normal::NormalTerm;
 use crate::expr::{Condition, Expr, Symbol, derivative, normal};
+use crate::num::work;
 
 /// A profile with the answer of every term: exact where a rule answers, an integral where none does.
 #[derive(Clone)]
@@ -62,6 +63,10 @@ pub struct SolvedTerm {
 /// assert!(solution.is_closed());
 /// ```
 pub fn derive(profile: &Profile) -> Result<Solution, TransformError> {
+    work::bounded(|| solve(profile))
+}
+
+fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     let mut conditions = profile.conditions.clone();
     let (mut chains, mut verification) = (Vec::new(), Verification::default());
     let place = Place::draw(profile, &profile.conditions);

@@ -3,7 +3,7 @@
 use super::TableError;
 use crate::eval::EvalError;
 use crate::expr::ExprError;
-use crate::num::NumError;
+use crate::num::{Exhausted, NumError};
 use thiserror::Error;
 
 /// Errors of the transform layer.
@@ -162,6 +162,9 @@ pub enum TransformError {
         /// What would be accepted.
         accepted: &'static str,
     },
+    /// The budget of work is used up.
+    #[error(transparent)]
+    Exhausted(#[from] Exhausted),
     /// A table of points that makes no profile.
     #[error(transparent)]
     Table(#[from] TableError),

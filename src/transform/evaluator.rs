@@ -1,7 +1,8 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
 use super::admit::{beyond_the_edge, finite_and_not_negative, tolerance_in_range};
-use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, rounded, total};
+use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, total};
+use super::combine::ORDER;
 use super::dense::Kept;
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
@@ -10,16 +11,8 @@ use super::quantity::Quantity;
 use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::{constant_value, first_double_from};
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
-use crate::num::{Bound, Bounded, Estimate, Precise};
+use crate::num::{Bounded, Estimate, Precise, work};
 use std::sync::OnceLock;
-
-/// The order of the power series at the axis.
-const ORDER: usize = 24;
-/// The same for the pressure, which has nothing else next to the axis.
-const PRESSURE_ORDER: usize = 64;
-
-/// Where a quadrature has fewer digits than this relative error says, the series is asked too.
-const SCANT: f64 = 1e-10;
 
 /// How a number may be computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -139,6 +132,10 @@ impl<'a> Evaluator<'a> {
         if let Some((limit, _)) = self.solution.profile.limits().zip(&self.limits).find(|(_, own)| **own == nearest) {
             built = built.ending_at(limit, &self.bindings)?;
         }
+        if built.is_ragged() {
+            built = self.mended(built);
+        }
+        work::check()?;
         Ok(self.typed.get_or_init(|| built))
     }
 
@@ -151,6 +148,7 @@ impl<'a> Evaluator<'a> {
         let slope = |interval: &SolvedInterval| Expr::sum(interval.terms.iter().map(|solved| solved.term.slope()));
         let pieces: Vec<(Segment, Expr)> = intervals.map(|interval| (interval.segment.clone(), slope(interval))).collect();
         let built = NumericProfile::new(&pieces, &self.bindings)?;
+        work::check()?;
         Ok(self.recognised.get_or_init(|| built))
     }
 
@@ -229,6 +227,7 @@ impl<'a> Evaluator<'a> {
             chains.push((breakpoints, chain.pieces.iter().map(compile).collect::<Result<Vec<_>, _>>()?));
             shift = Expr::zero();
         }
+        work::check()?;
         Ok(self.heights.get_or_init(|| Heights { chains }))
     }
 
@@ -252,7 +251,7 @@ impl<'a> Evaluator<'a> {
             return finite(Some(plain), "r", r);
         }
         let other = Reading { estimate: self.typed()?.height(r, self.tolerance)?, method: "quadrature" };
-        let better = if estimate.error <= other.estimate.error { plain } else { other };
+        let better = if other.estimate.is_better_than(estimate) { other } else { plain };
         finite(Some(better), "r", r)
     }
 
@@ -275,7 +274,7 @@ impl<'a> Evaluator<'a> {
             }
             let mut whole = self.typed()?.integral(a, self.tolerance);
             let is_poor = |own: &Result<Estimate, TransformError>| !own.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance);
-            let beats = |other: &Estimate, own: &Result<Estimate, _>| own.as_ref().map_or(true, |own| other.error < own.error);
+            let beats = |other: &Estimate, own: &Result<Estimate, _>| own.as_ref().map_or(true, |own| other.is_better_than(*own));
             // What the typed f′ takes away from itself the recognised one has not.
             if is_poor(&whole)
                 && let Ok(other) = self.recognised().and_then(|own| own.integral(a, self.tolerance))
@@ -293,9 +292,7 @@ impl<'a> Evaluator<'a> {
                 whole = Ok(series);
             }
             return match whole {
-                Ok(whole) if estimate.error.is_nan() || estimate.error > whole.error => {
-                    Ok(Reading { estimate: whole, method: "quadrature" })
-                }
+                Ok(whole) if whole.is_better_than(estimate) => Ok(Reading { estimate: whole, method: "quadrature" }),
                 Err(error) if !estimate.error.is_finite() => Err(error),
                 _ => Ok(own),
             };
@@ -344,6 +341,10 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// As [`Self::slope`]; [`TransformError::NoClosedForm`] where a closed form is demanded.
     pub fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        work::bounded(|| self.stress_on_axis(z, a))
+    }
+
+    fn stress_on_axis(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
         finite_and_not_negative("z", z)?;
         if z == 0.0 {
@@ -357,181 +358,11 @@ impl<'a> Evaluator<'a> {
         let poor = |own: &Estimate| own.relative_error() > self.tolerance;
         if estimate.as_ref().map_or(true, poor)
             && let Ok(other) = self.recognised().and_then(|own| own.axial(z, a, self.tolerance))
-            && estimate.as_ref().map_or(true, |own| other.error < own.error)
+            && estimate.as_ref().map_or(true, |own| other.is_better_than(*own))
         {
             return Ok(Reading { estimate: other, method: "quadrature" });
         }
         Ok(Reading { estimate: estimate?, method: "quadrature" })
-    }
-
-    /// Closed terms plus the integrals of the others; or the whole by quadrature where that is demanded or has more digits.
-    ///
-    /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
-    pub(super) fn combine(
-        &self,
-        quantity: Quantity,
-        contact: f64,
-        inputs: &[f64],
-        integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
-    ) -> Result<Option<Reading>, TransformError> {
-        let typed = || self.typed().and_then(&integrate);
-        if self.method == Method::Quadrature {
-            return self.by_quadrature(quantity, contact, inputs, typed(), &integrate);
-        }
-        let whole = || self.integrated(typed(), &integrate, contact);
-        let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
-        let (mut closed, mut open, mut any_open) = (Bounded::exact(0.0), Estimate::exact(0.0), false);
-        let mut overflow = false;
-        let mut forms = Vec::new();
-        let mut slots = Vec::new();
-        for index in 0..self.chains.len() {
-            let part = self.part(index, quantity)?;
-            let interval = self.interval(index, contact);
-            if let Some(form) = part.closed.get(interval).and_then(Option::as_ref) {
-                let value = form.in_doubles(&exact, &mut slots);
-                if value.value.is_infinite() {
-                    // Terms that are infinite apart, at the apex or at a kink; elsewhere the value is too large for a float.
-                    if quantity == Quantity::Pressure && self.may_be_infinite(inputs.first().copied().unwrap_or(0.0)) {
-                        return Ok(None);
-                    }
-                    overflow = true;
-                }
-                closed = closed + value;
-                forms.push(form);
-            }
-            if !part.open.is_empty() {
-                if self.method == Method::Exact {
-                    return Err(TransformError::NoClosedForm { quantity: quantity.name() });
-                }
-                let found = match integrate(&part.open) {
-                    Ok(Some(found)) => found,
-                    Ok(None) => return Ok(None),
-                    // A term that underflows, or is 0/0 next to the axis: the whole may have its digits all the same.
-                    // An estimate would hide what could not be resolved alone.
-                    Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                        let whole = self.by_quadrature(quantity, contact, inputs, typed(), &integrate)?;
-                        return whole.filter(|whole| whole.estimate.bound == Bound::Proven).map(Some).ok_or(error);
-                    }
-                    Err(error) => return Err(error),
-                };
-                open = open + found;
-                any_open = true;
-            }
-        }
-        let closed = if closed.value.is_finite() {
-            refined(closed, (closed + open.bounded()).value, good_enough(self.tolerance), || precise_total(&forms, inputs))
-        } else {
-            // What overflows on the way may be a number all the same.
-            let exact = precise_total(&forms, inputs);
-            if exact.value.hi.is_infinite() || (overflow && !exact.is_finite()) {
-                return Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact });
-            }
-            rounded(exact)
-        };
-        let closed = Estimate::from_bounded(closed, 0);
-        let estimate = if any_open { closed + open } else { closed };
-        let method = match (!forms.is_empty(), any_open) {
-            (true, true) => "mixed",
-            (false, true) => "quadrature",
-            _ => "exact",
-        };
-        let own = Reading { estimate, method };
-        if estimate.value.is_nan() && self.method == Method::Exact {
-            // Infinite parts of both signs: theory says whether the whole is infinite too.
-            return match whole()? {
-                None => Ok(None),
-                Some(_) => Err(TransformError::NoClosedForm { quantity: quantity.name() }),
-            };
-        }
-        if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
-            return Ok(Some(own));
-        }
-        if method == "quadrature" {
-            let better = if estimate.relative_error() > SCANT { self.by_series(quantity, inputs) } else { None };
-            return Ok(better.filter(|other| other.estimate.error < estimate.error).or(Some(own)));
-        }
-        // The closed form lost digits here, or left its domain: quadrature may have them, and next to the axis the series.
-        let mut other = whole();
-        let poor = |reading: &Result<Option<Reading>, TransformError>| match reading {
-            Ok(reading) => reading.is_some_and(|own| own.estimate.relative_error() > self.tolerance),
-            Err(_) => true,
-        };
-        if poor(&other)
-            && let Some(series) = self.by_series(quantity, inputs)
-            && other.as_ref().map_or(true, |own| own.is_some_and(|own| series.estimate.error < own.estimate.error))
-        {
-            other = Ok(Some(series));
-        }
-        match other {
-            Ok(Some(other)) if own.estimate.error.is_nan() || own.estimate.error > other.estimate.error => Ok(Some(other)),
-            Ok(None) if estimate.value.is_nan() => Ok(None),
-            Err(error) if estimate.value.is_nan() => Err(error),
-            _ => Ok(Some(own)),
-        }
-    }
-
-    /// The whole where quadrature is demanded; `typed` is what f′ as typed has.
-    #[cold]
-    fn by_quadrature(
-        &self,
-        quantity: Quantity,
-        contact: f64,
-        inputs: &[f64],
-        typed: Result<Option<Estimate>, TransformError>,
-        integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
-    ) -> Result<Option<Reading>, TransformError> {
-        match self.integrated(typed, &integrate, contact) {
-            // An integrand that is 0/0 in doubles next to the axis may have a series.
-            Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                let own = self.by_series(quantity, inputs).filter(|own| own.estimate.error < own.estimate.value.abs());
-                own.map(Some).ok_or(error)
-            }
-            other => other,
-        }
-    }
-
-    /// The whole by quadrature of f′ as typed or, where that cancels or leaves the range of doubles, of its recognition form.
-    fn integrated(
-        &self,
-        typed: Result<Option<Estimate>, TransformError>,
-        integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
-        contact: f64,
-    ) -> Result<Option<Reading>, TransformError> {
-        let by_quadrature = |estimate| Reading { estimate, method: "quadrature" };
-        // An exact 0 of a slope that is not 0 is an underflow, or a divisor that is infinite.
-        let own = |profile: &NumericProfile, found: Result<Option<Estimate>, TransformError>| match found {
-            Ok(Some(own)) if own.value == 0.0 && own.error == 0.0 && profile.reaches(contact) => {
-                Err(TransformError::NotComputable { at: contact })
-            }
-            other => other,
-        };
-        let typed = self.typed().and_then(|profile| own(profile, typed));
-        let enough = match &typed {
-            Ok(Some(own)) => own.relative_error() <= self.tolerance,
-            Ok(None) => true,
-            Err(TransformError::NoDigits { .. } | TransformError::NotComputable { .. }) => false,
-            Err(_) => true,
-        };
-        if !enough
-            && let Ok(Some(other)) = self.recognised().and_then(|profile| own(profile, integrate(profile)))
-            && typed.as_ref().map_or(true, |own| own.is_some_and(|own| other.error < own.error))
-        {
-            return Ok(Some(by_quadrature(other)));
-        }
-        Ok(typed?.map(by_quadrature))
-    }
-
-    /// g, F or p by the power series at the axis, with a proven remainder.
-    fn by_series(&self, quantity: Quantity, inputs: &[f64]) -> Option<Reading> {
-        let order = if quantity == Quantity::Pressure { PRESSURE_ORDER } else { ORDER };
-        let series = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order).ok()?;
-        let found = match (quantity, inputs) {
-            (Quantity::Slope, [x]) => series.slope(*x).ok(),
-            (Quantity::Force, [a]) => series.force(*a).ok(),
-            (Quantity::Pressure, [r, a]) if *r > 0.0 => series.pressure(*r, *a).ok(),
-            _ => None,
-        };
-        found.filter(|own| own.estimate.value != 0.0 || own.estimate.error > 0.0)
     }
 
     /// Refuses a place that is no length, or that the profile does not reach.
@@ -582,6 +413,8 @@ impl<'a> Evaluator<'a> {
         }
         let open = chain.remainder(|term| quantity.is_open(term));
         let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
+        // What was compiled after the budget was used up means nothing.
+        work::check()?;
         Ok(cell.get_or_init(|| part))
     }
 }
@@ -589,7 +422,9 @@ impl<'a> Evaluator<'a> {
 /// A value that theory makes infinite, or that left the domain, is an error where a number is needed.
 fn finite(reading: Option<Reading>, symbol: &'static str, at: f64) -> Result<Reading, TransformError> {
     match reading {
-        Some(reading) if reading.estimate.value.is_finite() => Ok(reading),
+        Some(reading) if reading.estimate.value.is_finite() && reading.estimate.error.is_finite() => Ok(reading),
+        // A number without any bound is no answer.
+        Some(reading) if reading.estimate.value.is_finite() => Err(TransformError::NotComputable { at }),
         Some(reading) if reading.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol, at }),
         _ => Err(TransformError::OutOfDomain { symbol, at, limit: String::new() }),
     }

@@ -1,14 +1,18 @@
 //! The fallback: every quantity as one integral straight from f′, by quadrature.
 
 use super::TransformError;
+use super::centred::centred;
 use super::continued::Continued;
+use super::leading_power::LeadingPower;
+use super::limit::Limit;
 use super::parity::{Parity, parity};
+use super::removable::{AxisSeries, Removable, is_ragged};
 use super::slope_source::{NO_BEND, Numbers, Scratch};
 use super::term::Segment;
 use crate::eval::{Tape, constant_value};
-use crate::expr::{Bindings, Expr, Node, Symbol, derivative, multiplied_out, normal};
+use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
 use crate::num::quadrature::{Options, Panel, Point, Rule, integrate_blocks};
-use crate::num::{Bounded, Estimate, NumError, forms};
+use crate::num::{Bound, Bounded, Estimate, NumError, forms, work};
 use std::sync::OnceLock;
 
 /// A profile as numbers: f′ on every interval, compiled over the distance to the interval's lower end.
@@ -24,8 +28,19 @@ pub(super) struct NumericSegment {
     pub(super) slope: Numbers,
     /// f′ and its interval's lower end as expressions in r, for what is compiled only on demand.
     pub(super) source: Option<(Expr, Expr)>,
+    /// f′ over δ for enclosures, compiled when they are first needed.
+    pub(super) enclosing: OnceLock<Option<Tape>>,
+    /// f′ = δ^s h(δ) with h finite at the lower end: s, and h for enclosures.
+    pub(super) power: OnceLock<Option<LeadingPower>>,
     /// (r f′)′ over δ, compiled at the first pressure.
     pub(super) bend: OnceLock<Option<Numbers>>,
+    /// The upper end as an expression.
+    pub(super) end: Option<Expr>,
+    /// (r f′)′ over the distance to the upper end, where it has no finite value there.
+    pub(super) falling: OnceLock<Option<Numbers>>,
+    pub(super) bend_enclosing: OnceLock<Option<Tape>>,
+    /// As `power` for (r f′)′.
+    pub(super) bend_power: OnceLock<Option<LeadingPower>>,
     /// True where f′ behaves like a fractional power of δ at the lower end.
     pub(super) singular: bool,
     /// True where f′ continues to an odd function of r.
@@ -34,13 +49,10 @@ pub(super) struct NumericSegment {
     pub(super) limit: Option<Limit>,
     /// How many nodes suffice.
     pub(super) continued: Continued,
-}
-
-/// The end of f′, as the equator of a sphere.
-pub(super) struct Limit {
-    pub(super) value: Bounded,
-    /// f′ over the distance to the limit.
-    pub(super) slope: Numbers,
+    /// True where f′ begins at the axis and its expression is 0/0 there.
+    pub(super) ragged: bool,
+    /// What has the digits there.
+    pub(super) near: Option<AxisSeries>,
 }
 
 /// What multiplies f′ under the integral over t, r = x sin t.
@@ -70,21 +82,33 @@ impl NumericProfile {
             let lower_expr = bindings.apply(&segment.lower);
             let lower = constant_value(&lower_expr, &Bindings::default())?;
             let upper = segment.upper.as_ref().map(|upper| constant_value(upper, bindings)).transpose()?;
-            let slope_expr = bindings.apply(slope);
-            let slope = Numbers::Tape(compile_shifted(&slope_expr, &lower_expr)?);
+            let slope_expr = centred(&balanced(&bindings.apply(slope)));
+            let tape = compile_shifted(&slope_expr, &lower_expr)?;
+            let slope = Numbers::Tape(tape);
             let singular = is_singular(&slope, lower.value, upper.map(|u| u.value));
+            let scale = upper.map_or(1.0, |upper| upper.value);
+            let ragged = lower_expr.is_zero() && matches!(&slope, Numbers::Tape(tape) if is_ragged(&slope_expr, tape, singular, scale));
             let odd = parity(&slope_expr, &Symbol::new("r")) == Some(Parity::Odd);
             let source = Some((slope_expr, lower_expr));
+            let end = segment.upper.as_ref().map(|upper| bindings.apply(upper));
             segments.push(NumericSegment {
                 lower,
                 upper,
                 slope,
                 source,
+                enclosing: OnceLock::new(),
+                power: OnceLock::new(),
                 bend: OnceLock::new(),
+                end,
+                falling: OnceLock::new(),
+                bend_enclosing: OnceLock::new(),
+                bend_power: OnceLock::new(),
                 singular,
                 odd,
                 limit: None,
                 continued: Continued::default(),
+                ragged,
+                near: None,
             });
         }
         Ok(Self { segments })
@@ -99,10 +123,8 @@ impl NumericProfile {
         let value = constant_value(&limit, &Bindings::default())?;
         for segment in self.segments.iter_mut().filter(|segment| segment.upper.is_none()) {
             let Some((slope, _)) = &segment.source else { continue };
-            let rest = Symbol::new("δ");
-            let below = shifted(slope, &limit, &-Expr::from(rest.clone()));
-            let slope = Numbers::Tape(Tape::compile(&[below], &[rest])?);
-            segment.limit = Some(Limit { value, slope });
+            let below = shifted(slope, &limit, &-Expr::from(Symbol::new("δ")));
+            segment.limit = Some(Limit::new(value, below)?);
         }
         Ok(self)
     }
@@ -239,6 +261,17 @@ pub(super) const MOST: usize = 61;
 impl NumericSegment {
     /// The part of the integral on this interval, by nested rules where no other is named; 0 where it begins beyond x.
     fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
+        let found = self.any_over_angle(x, weight, tolerance, rule)?;
+        self.seen(found, x)
+    }
+
+    /// The estimate, unless every sample of a formula vanished and no enclosure says that the formula does.
+    fn seen(&self, found: Estimate, at: f64) -> Result<Estimate, TransformError> {
+        let nothing = found.value == 0.0 && found.bound == Bound::Estimated && found.evaluations > 0 && self.source.is_some();
+        if nothing { Err(TransformError::NoDigits { at, value: 0.0, error: found.error }) } else { Ok(found) }
+    }
+
+    fn any_over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
         let smear = self.smear(x, weight);
         if lower >= x {
@@ -247,10 +280,7 @@ impl NumericSegment {
         if rule.is_none() {
             let found = match self.by_known_rule(x, weight, tolerance)? {
                 Some(found) => Some(found),
-                None => match self.by_pieces(x, weight, tolerance) {
-                    Ok(Some(found)) => Some(found),
-                    _ => self.by_nested_rules(x, weight, tolerance)?,
-                },
+                None => self.by_pieces_or_nested(x, weight, tolerance)?,
             };
             if let Some(found) = found {
                 return Ok(Estimate { error: found.error + smear, ..found });
@@ -330,6 +360,28 @@ impl NumericSegment {
         Ok(found)
     }
 
+    /// By pieces with a proof, or by nested rules. Next to the end of f′ these have a variable made for it: they come first where nothing
+    /// narrow can hide, and are believed elsewhere where they have more digits and the proof does not exclude them.
+    fn by_pieces_or_nested(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        let end = self.limit.as_ref().filter(|limit| x > super::angle::NEAR_THE_LIMIT * limit.value.value);
+        if end.is_some_and(|end| end.is_featureless(self.lower.value))
+            && let Ok(Some(found)) = self.by_nested_rules(x, weight, tolerance)
+        {
+            return Ok(Some(found));
+        }
+        let near_the_end = end.is_some();
+        let proven = self.by_pieces(x, weight, tolerance).ok().flatten();
+        let nested = match proven {
+            Some(proven) if !near_the_end || proven.error <= tolerance * proven.value.abs() => return Ok(Some(proven)),
+            _ if near_the_end => self.by_nested_rules(x, weight, tolerance).ok().flatten(),
+            _ => self.by_nested_rules(x, weight, tolerance)?,
+        };
+        Ok(match (proven, nested) {
+            (Some(proven), Some(nested)) => Some(if nested.is_better_than(proven) { nested } else { proven }),
+            (proven, nested) => proven.or(nested),
+        })
+    }
+
     /// What the integral may change by while the ends of the interval are known to their errors only.
     pub(super) fn smear(&self, x: f64, weight: Weight) -> f64 {
         let arc = |end: Bounded| {
@@ -350,16 +402,44 @@ impl NumericSegment {
 
     /// (r f′)′ over δ.
     pub(super) fn bend(&self) -> Result<&Numbers, TransformError> {
-        let bend = self.bend.get_or_init(|| {
-            let radius = Symbol::new("r");
-            let (slope, lower) = self.source.as_ref()?;
-            let bend = derivative(&(Expr::symbol("r") * slope), &radius).ok()?;
-            // From the axis on, powers of r that would overflow apart are joined: r·r^(−3/2) = r^(−1/2). Nothing is divided:
-            // r¹⁷/(R² − r²) as a polynomial and a rest would cancel.
-            let joined = if lower.is_zero() { multiplied_out(&bend) } else { bend };
-            compile_shifted(&joined, lower).ok().map(Numbers::Tape)
-        });
-        bend.as_ref().ok_or(NO_BEND)
+        let derive = || {
+            let (_, lower) = self.source.as_ref()?;
+            let tape = compile_shifted(&self.bend_source()?, lower).ok()?;
+            Some(match &self.near {
+                Some(near) => Numbers::Removable(Box::new(Removable::bend(tape, near))),
+                None => Numbers::Tape(tape),
+            })
+        };
+        self.bend.get_or_init(|| work::unbroken(derive)).as_ref().ok_or(NO_BEND)
+    }
+
+    /// (r f′)′ in r.
+    pub(super) fn bend_source(&self) -> Option<Expr> {
+        let (_, lower) = self.source.as_ref()?;
+        let bend = self.bend_expression()?;
+        // From the axis on, powers of r that would overflow apart are joined: r·r^(−3/2) = r^(−1/2). Nothing is divided:
+        // r¹⁷/(R² − r²) as a polynomial and a rest would cancel.
+        Some(if lower.is_zero() { joined_powers(&bend, &Symbol::new("r")) } else { bend })
+    }
+
+    fn bend_expression(&self) -> Option<Expr> {
+        let (slope, _) = self.source.as_ref()?;
+        derivative(&(Expr::symbol("r") * slope), &Symbol::new("r")).ok().map(|bend| balanced(&bend))
+    }
+
+    /// (r f′)′ over the distance to the upper end, where it is infinite there, as that of |r − b|^(3/2) is at b.
+    pub(super) fn falling_bend(&self) -> Option<&Numbers> {
+        let derive = || {
+            let (upper, end, bend) = (self.upper?, self.end.as_ref()?, self.bend().ok()?);
+            let regular = bend.at(upper - self.lower, &mut Vec::new()).is_finite();
+            if regular {
+                return None;
+            }
+            let rest = Symbol::new("δ");
+            let below = shifted(&self.bend_expression()?, end, &-Expr::from(rest.clone()));
+            Tape::compile(&[below], &[rest]).ok().map(Numbers::Tape)
+        };
+        self.falling.get_or_init(|| work::unbroken(derive)).as_ref()
     }
 }
 
@@ -371,7 +451,7 @@ pub(super) fn compile_shifted(expr: &Expr, lower: &Expr) -> Result<Tape, Transfo
 
 /// The expression with lower + δ for r; polynomials that vanish at the lower end lose their constant term before any
 /// rounding, so that neither r − b nor 3r² − 3b² cancels.
-fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
+pub(super) fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
     const HIGHEST: usize = 6;
     let again = |own: &Expr| shifted(own, lower, delta);
     let radius = Symbol::new("r");
@@ -385,7 +465,9 @@ fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
         Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(again).collect()),
         Node::Product(factors) => Expr::product(factors.iter().map(again)),
         Node::Sum(terms) => {
-            let vanishing = normal::polynomial_coefficients(expr, &radius)
+            let vanishing = Some(expr)
+                .filter(|expr| is_typed_polynomial(expr, &radius))
+                .and_then(|expr| normal::polynomial_coefficients(expr, &radius))
                 .filter(|list| list.len() <= HIGHEST)
                 .and_then(|list| normal::shifted_coefficients(&list, lower, &radius))
                 .filter(|list| list.first().is_some_and(|(k, _)| *k > 0));
@@ -394,6 +476,16 @@ fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
                 None => Expr::sum(terms.iter().map(again)),
             }
         }
+    }
+}
+
+/// True for sums, products and whole powers of the variable and of what is free of it: a look that takes no expansion.
+fn is_typed_polynomial(expr: &Expr, variable: &Symbol) -> bool {
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => true,
+        Node::Sum(list) | Node::Product(list) => list.iter().all(|own| is_typed_polynomial(own, variable)),
+        Node::Power(base, exponent) if exponent.as_integer().is_some_and(|n| n > 0) => is_typed_polynomial(base, variable),
+        Node::Power(..) | Node::Function(..) => !expr.contains(variable),
     }
 }
 
@@ -443,14 +535,15 @@ pub(super) fn reached(result: Result<Estimate, NumError>, at: f64) -> Result<Est
 /// The estimate, unless its error leaves no digit.
 pub(super) fn settled(found: Estimate, at: f64, scale: impl FnOnce() -> f64) -> Result<Estimate, TransformError> {
     let Estimate { value, error, .. } = found;
-    let lost = !(value.is_finite() && error.is_finite()) || (error > LOST * value.abs() && error > BEYOND * scale());
+    let lost = !(value.is_finite() && error.is_finite()) || (error > LOST * value.abs() && error > BEYOND * scale().max(value.abs()));
     if lost { Err(TransformError::NoDigits { at, value, error }) } else { Ok(found) }
 }
 
 /// An error of this share of the value leaves no digit worth the name, and …
 const LOST: f64 = 0.01;
-/// … one of this multiple of the integral of the magnitude is no rounding noise but a pole or an unseen feature.
-const BEYOND: f64 = 3.0;
+/// … one of this share of the integral of the magnitude, or of the value where samples see less, is no rounding noise but a pole or an
+/// unseen feature.
+const BEYOND: f64 = 0.5;
 
 /// The integral of |f| over (0, width) by its values at 32 midpoints.
 pub(super) fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {

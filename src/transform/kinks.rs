@@ -3,9 +3,9 @@
 use super::angles::{self, Positive};
 use super::domain::numeric_sign;
 use super::{Chain, TransformError};
-use crate::eval::{BoundedAlgebra, Tape};
-use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, normal};
-use crate::num::Bounded;
+use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape};
+use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, shown_to_30_digits};
+use crate::num::{Bounded, Precise};
 
 /// The largest number of kinks that are resolved in one chain.
 const MOST_KINKS: usize = 200;
@@ -20,13 +20,17 @@ pub(super) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
 
 /// Replaces every abs, min and max that depends on r by pieces.
 ///
+/// Of kinks without end, such as those of |sin r|, the first ones are located; a condition says how far they reach.
+///
 /// # Errors
 /// [`TransformError::Kinks`] where a kink cannot be located.
-pub(super) fn resolve(mut chain: Chain) -> Result<Chain, TransformError> {
+pub(super) fn resolve(mut chain: Chain, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
     for _ in 0..MOST_KINKS {
         let found = chain.pieces.iter().enumerate().find_map(|(i, piece)| Some((i, find(piece)?)));
         let Some((index, (function, arguments))) = found else { return Ok(chain) };
-        split(&mut chain, index, function, &arguments)?;
+        if let Some(end) = split(&mut chain, index, function, &arguments)? {
+            conditions.push(Condition::less(Expr::symbol("r"), end));
+        }
     }
     Err(TransformError::TooManyPieces { limit: MOST_KINKS })
 }
@@ -60,8 +64,8 @@ fn find(expr: &Expr) -> Option<Kink> {
     }
 }
 
-/// Splits one piece at the sign changes of the deciding difference.
-fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]) -> Result<(), TransformError> {
+/// Splits one piece at the sign changes of the deciding difference, and says up to where they are known, if not throughout.
+fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]) -> Result<Option<Expr>, TransformError> {
     let name = function.name();
     // abs(u) is u where u > 0; max(u, v) is u where u − v > 0; min(u, v) is v there.
     let (difference, above, below) = match (name, arguments) {
@@ -74,7 +78,8 @@ fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]
     let upper = chain.breakpoints.get(index).cloned();
     let Some(piece) = chain.pieces.get(index).cloned() else { return Err(failure(name, "the piece is missing")) };
     let constants = Positive::of(&difference);
-    let (roots, mut positive) = sign_changes(&constants.replaced(&difference), name).or_else(|_| sign_changes(&difference, name))?;
+    let found = sign_changes(&constants.replaced(&difference), name).or_else(|_| sign_changes(&difference, name))?;
+    let Changes { roots, starts: mut positive, end } = found;
     let roots: Vec<Expr> = roots.iter().map(|root| constants.restored(root)).collect();
     // Keep the roots inside the piece; those before it flip the sign that holds at its lower end.
     let mut inside = Vec::new();
@@ -101,7 +106,7 @@ fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]
     }
     chain.pieces.splice(index..=index, pieces);
     chain.breakpoints.splice(index..index, inside);
-    Ok(())
+    Ok(end)
 }
 
 /// The order of two breakpoints: proven, numeric, or an error.
@@ -121,13 +126,29 @@ fn failure(function: &'static str, reason: &str) -> TransformError {
     TransformError::Kinks { function, reason: reason.to_owned() }
 }
 
-/// The sign changes on r > 0, rising, and whether the expression is positive just beyond r = 0.
-fn sign_changes(difference: &Expr, name: &'static str) -> Result<(Vec<Expr>, bool), TransformError> {
+/// The sign changes of an expression on r > 0.
+struct Changes {
+    /// Where it changes its sign, rising.
+    roots: Vec<Expr>,
+    /// Whether it is positive just beyond r = 0.
+    starts: bool,
+    /// Up to where all of them are known, if not throughout.
+    end: Option<Expr>,
+}
+
+impl Changes {
+    fn all(roots: Vec<Expr>, starts: bool) -> Self {
+        Self { roots, starts, end: None }
+    }
+}
+
+/// The sign changes on r > 0.
+fn sign_changes(difference: &Expr, name: &'static str) -> Result<Changes, TransformError> {
     let radius = Symbol::new("r");
     let expanded = normal::expanded(difference, &radius)?;
     match angles::known_sign(&expanded) {
-        Sign::Positive | Sign::Zero => return Ok((Vec::new(), true)),
-        Sign::Negative => return Ok((Vec::new(), false)),
+        Sign::Positive | Sign::Zero => return Ok(Changes::all(Vec::new(), true)),
+        Sign::Negative => return Ok(Changes::all(Vec::new(), false)),
         Sign::Unknown => {}
     }
     let terms = normal::normal_terms(&expanded, &radius)?;
@@ -142,17 +163,17 @@ fn sign_changes(difference: &Expr, name: &'static str) -> Result<(Vec<Expr>, boo
             (Sign::Positive, Sign::Positive | Sign::Negative) => {
                 let first = if angles::known_sign(&gap) == Sign::Positive { one } else { two };
                 let starts = known_sign(&first.coefficient, name)?;
-                return Ok((vec![ratio.pow(&gap.recip())], starts == Sign::Positive));
+                return Ok(Changes::all(vec![ratio.pow(&gap.recip())], starts == Sign::Positive));
             }
             (Sign::Negative, _) => {
                 let starts = known_sign(&one.coefficient, name)?;
-                return Ok((Vec::new(), starts == Sign::Positive));
+                return Ok(Changes::all(Vec::new(), starts == Sign::Positive));
             }
             _ => {}
         }
     }
-    if let Some(found) = quadratic(&expanded, &radius) {
-        return Ok(found);
+    if let Some((roots, starts)) = quadratic(&expanded, &radius) {
+        return Ok(Changes::all(roots, starts));
     }
     let others: Vec<Symbol> = expanded.symbols().into_iter().filter(|s| *s != radius).collect();
     if !others.is_empty() {
@@ -193,19 +214,43 @@ pub(super) fn is_approximate(expr: &Expr) -> bool {
         || expr.children().into_iter().any(is_approximate)
 }
 
+/// Most kinks that are located numerically.
+const MOST_LOCATED: usize = 64;
+/// Kinks that are a wave, …
+const WAVE: usize = 4;
+/// … whose shortest distance has at least this many steps of the scan …
+const FINE: f64 = 8.0;
+/// … until this many of its lengths have none.
+const EXPECTED: f64 = 8.0;
+
 /// The range of r that is searched for kinks, and the steps per decade.
 const SEARCH: (i32, i32, u32) = (-30, 30, 300);
 
 /// Sign changes of an expression in r alone: a logarithmic scan, then bisection to the last bit.
-fn isolate(expr: &Expr, name: &'static str) -> Result<(Vec<Expr>, bool), TransformError> {
-    let tape = Tape::compile(std::slice::from_ref(expr), &[Symbol::new("r")])?;
+fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
+    let radius = [Symbol::new("r")];
+    let tape = Tape::compile(std::slice::from_ref(expr), &radius)?;
+    let precise = Tape::compile(&[shown_to_30_digits(expr)], &radius)?;
     let mut slots = Vec::new();
     let mut value = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots).unwrap_or(Bounded::exact(f64::NAN));
+    let mut slots = Vec::new();
+    // Where doubles leave the sign open.
+    let mut sharper = |r: f64| {
+        let own = precise.run(&mut PreciseAlgebra, &[Precise::exact(r)], &mut slots).map(|own| own.bounded());
+        own.unwrap_or(Bounded::exact(f64::NAN))
+    };
     let (first, last, per_decade) = SEARCH;
-    let mut roots = Vec::new();
+    let mut roots: Vec<f64> = Vec::new();
+    let mut end = None;
     let (mut starts, mut before) = (None, None);
-    for step in 0..=(last - first).unsigned_abs() * per_decade {
-        let r = 10f64.powf(f64::from(first) + f64::from(step) / f64::from(per_decade));
+    let mut step = 0;
+    let mut r = 0.0;
+    while step <= (last - first).unsigned_abs() * per_decade {
+        let wide = 10f64.powf(f64::from(first) + f64::from(step) / f64::from(per_decade));
+        // Kinks that come one after another are those of a wave, which steps as wide as its length would pass over.
+        let fine = narrow_step(&roots, r).map_or(f64::INFINITY, |by| r + by);
+        step += u32::from(wide <= fine);
+        r = if wide <= r { continue } else { wide.min(fine) };
         let own = value(r);
         if own.value.is_nan() {
             // The argument's domain ends here, or it overflows on both sides of a difference.
@@ -220,8 +265,9 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<(Vec<Expr>, bool), Transfo
         if let Some((left, was, size)) = before
             && was != positive
         {
-            let root = bisect(&mut value, left, r, was);
-            let (below, above) = (value(root * (1.0 - SHARP)), value(root * (1.0 + SHARP)));
+            let mut sure = |r: f64| Some(value(r)).filter(|own| own.value.abs() > own.error).unwrap_or_else(|| sharper(r));
+            let root = bisect(&mut sure, left, r, was);
+            let (below, above) = (sure(root * (1.0 - SHARP)), sure(root * (1.0 + SHARP)));
             if below.value.abs().min(above.value.abs()) > own.value.abs().max(size) {
                 return Err(failure(name, &format!("its argument has a pole near r = {root:?}")));
             }
@@ -229,18 +275,36 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<(Vec<Expr>, bool), Transfo
             if !certain || (below.value > 0.0) == (above.value > 0.0) {
                 return Err(failure(name, &format!("the one near r = {root:?} is not sharp enough in double precision")));
             }
-            let number = Number::parse_decimal(&format!("{root:?}")).ok_or_else(|| failure(name, "a kink lies out of range"))?;
-            roots.push(Expr::call("approximate", [Expr::number(number)]));
-            if roots.len() > MOST_KINKS {
-                return Err(failure(name, "there are too many of them"));
+            if roots.len() >= MOST_LOCATED {
+                end = Some(located(left, name)?);
+                break;
             }
+            roots.push(root);
         }
         before = Some((r, positive, own.value.abs()));
     }
     match starts {
-        Some(starts) => Ok((roots, starts)),
+        Some(starts) => {
+            let roots = roots.into_iter().map(|root| located(root, name)).collect::<Result<_, _>>()?;
+            Ok(Changes { roots, starts, end })
+        }
         None => Err(failure(name, "the sign of its argument is known nowhere")),
     }
+}
+
+/// The step of the scan beyond the last of several kinks, for as long as more of them are to be expected.
+fn narrow_step(roots: &[f64], r: f64) -> Option<f64> {
+    let last = roots.get(roots.len().checked_sub(WAVE)?..)?;
+    let gap = last.windows(2).filter_map(|pair| Some(pair.get(1)? - pair.first()?)).fold(f64::INFINITY, f64::min);
+    let beyond = r - last.last()?;
+    let whole = last.last()? - last.first()?;
+    (beyond <= EXPECTED * whole).then_some(gap / FINE)
+}
+
+/// A place that was found numerically.
+fn located(place: f64, name: &'static str) -> Result<Expr, TransformError> {
+    let number = Number::parse_decimal(&format!("{place:?}")).ok_or_else(|| failure(name, "a kink lies out of range"))?;
+    Ok(Expr::call("approximate", [Expr::number(number)]))
 }
 
 /// Half of the relative width within which a located kink must lie: 30 ulps.

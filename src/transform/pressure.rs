@@ -8,7 +8,19 @@ use super::quantity::Quantity;
 use super::{Chain, Evaluator, Method, Reading, TransformError, domain};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol, normal};
-use crate::num::Estimate;
+use crate::num::{Bound, Estimate, work};
+
+/// Steps of work that a few more digits of a pressure are worth: some twenty milliseconds …
+pub(super) const MORE_DIGITS: u64 = 2_000_000;
+/// … and the first ones.
+const FIRST_DIGITS: u64 = 50_000_000;
+/// A pressure as rough as this has not many digits yet.
+const ROUGH: f64 = 1e-7;
+
+/// The work that a better value than this one is worth.
+fn worth(found: Option<&Reading>) -> u64 {
+    if found.is_some_and(|own| own.estimate.relative_error() <= ROUGH) { MORE_DIGITS } else { FIRST_DIGITS }
+}
 
 impl Evaluator<'_> {
     /// p(r)·π/E* under a smooth edge of radius a; `None` where it is infinite by theory.
@@ -27,11 +39,12 @@ impl Evaluator<'_> {
             return Ok(None);
         }
         let mut found = self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance));
-        let poor = |own: &Reading| own.method != "exact" && own.estimate.relative_error() > self.tolerance;
+        let poor = |own: &Reading| own.method != "exact" && own.estimate.relative_error() > self.tolerance && !is_trusted(own.estimate);
+        let most = worth(found.as_ref().ok().and_then(Option::as_ref));
         if self.method == Method::Auto
             && found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(poor))
-            && let Some(estimate) = self.pressure_by_closed_slope(r, a)
-            && found.as_ref().is_ok_and(|own| own.is_some_and(|own| estimate.error < own.estimate.error))
+            && let Some(Some(estimate)) = work::share(most, || self.pressure_by_closed_slope(r, a, most))
+            && found.as_ref().is_ok_and(|own| own.is_some_and(|own| estimate.is_better_than(own.estimate)))
         {
             found = Ok(Some(Reading { estimate, method: "quadrature" }));
         }
@@ -40,13 +53,14 @@ impl Evaluator<'_> {
             let digits = |own: &Reading| own.estimate.relative_error() <= self.tolerance;
             if !found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(digits))
                 && let Ok(other) = self.finite_pressure(r, a)
-                && found.as_ref().map_or(true, |own| own.is_none_or(|own| own.estimate.error.is_nan() || other.error < own.estimate.error))
+                && found.as_ref().map_or(true, |own| own.is_none_or(|own| other.is_better_than(own.estimate)))
             {
                 found = Ok(Some(Reading { estimate: other, method: "quadrature" }));
             }
         }
         match found? {
             Some(own) if own.estimate.value.is_nan() => Err(TransformError::NotComputable { at: a }),
+            Some(own) if own.estimate.value.is_finite() && !own.estimate.error.is_finite() => Err(TransformError::NotComputable { at: a }),
             Some(own) if own.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol: "a", at: a }),
             Some(own) => Ok(Some(own)),
             None if self.method == Method::Exact => Err(TransformError::NoClosedForm { quantity: "p" }),
@@ -75,6 +89,7 @@ impl Evaluator<'_> {
             let slope = self.bindings.apply(&Expr::sum(first));
             // A limit that does not exist is that of a pole, or of a logarithm.
             let steep = limit(&slope).is_none_or(|own| !is_zero(&own));
+            work::check()?;
             return Ok(*self.steep.get_or_init(|| steep));
         }
         let mut jump = Vec::new();
@@ -106,7 +121,7 @@ impl Evaluator<'_> {
         // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
         let direct = self.typed()?.pressure(0.0, a, self.tolerance).and_then(|own| own.ok_or(TransformError::NotComputable { at: a }));
         let better = |best: Result<Estimate, TransformError>, other: Result<Estimate, TransformError>| match (&best, &other) {
-            (Ok(own), Ok(next)) if next.error < own.error => other,
+            (Ok(own), Ok(next)) if next.is_better_than(*own) => other,
             (Err(_), Ok(_)) => other,
             _ => best,
         };
@@ -122,6 +137,11 @@ impl Evaluator<'_> {
         let at = |slope: &Expr, distance: Expr| limit(&Bindings::one("r", &place + distance).apply(&self.bindings.apply(slope)));
         Ok(at(beyond, distance.clone()).and_then(|beyond| Some(beyond - at(below, -distance)?)))
     }
+}
+
+/// True for a proven error that no estimate can better.
+fn is_trusted(own: Estimate) -> bool {
+    own.bound == Bound::Proven && own.relative_error() <= Estimate::TRUSTED
 }
 
 fn limit(slope: &Expr) -> Option<Expr> {

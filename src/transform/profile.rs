@@ -3,6 +3,7 @@
 use super::{TransformError, angles, domain, kinks};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative};
+use crate::num::work;
 use crate::print;
 
 /// The largest number of pieces of one chain.
@@ -44,6 +45,10 @@ impl Profile {
     /// # Errors
     /// [`TransformError`] with the place and the reason.
     pub fn new(formula: &Formula) -> Result<Self, TransformError> {
+        work::bounded(|| Self::read(formula))
+    }
+
+    fn read(formula: &Formula) -> Result<Self, TransformError> {
         let radius = Symbol::new("r");
         let mut conditions = Vec::new();
         let mut chains = Vec::new();
@@ -217,7 +222,7 @@ impl Chain {
 
 /// The chain with its kinks resolved; its breakpoints rise and its pieces meet.
 fn examined(chain: Chain, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
-    let chain = kinks::resolve(chain)?;
+    let chain = kinks::resolve(chain, conditions)?;
     if chain.pieces.len() > MOST_PIECES {
         return Err(TransformError::TooManyPieces { limit: MOST_PIECES });
     }

@@ -1,7 +1,7 @@
 //! The quantities that superpose term by term, and the sum of their closed answers.
 
 use super::engine::{SolvedChain, SolvedTerm};
-use super::{Branches, Pair, rules};
+use super::{Branches, Pair, Solution, rules};
 use crate::expr::Expr;
 
 /// The quantities that superpose term by term.
@@ -64,5 +64,37 @@ impl SolvedChain {
             }
         }
         Expr::sum(terms)
+    }
+}
+
+/// The evaluated closed forms of a chain: the values where the contact ends in each of its intervals.
+#[derive(Clone, Debug)]
+pub struct EvaluatedChain {
+    /// The breakpoints, rising.
+    pub breakpoints: Vec<Expr>,
+    /// The values, one more than there are breakpoints; each holds up to its breakpoint.
+    pub values: Vec<Expr>,
+}
+
+impl Solution {
+    /// A quantity in the form in which it is evaluated, chain by chain, to be added up; `None` where something is left to integrate.
+    ///
+    /// g(x) is over x, F/(2E*) over a, and p π/E* over r and a, r < a.
+    ///
+    /// ```
+    /// use sneddon::{parse, transform::{Profile, Quantity, derive}};
+    /// let solution = derive(&Profile::new(&parse::profile("r^2/2").unwrap()).unwrap()).unwrap();
+    /// let chains = solution.evaluated(Quantity::Slope).unwrap();
+    /// assert_eq!(sneddon::print::text_expr(&chains[0].values[0]), "x^2");
+    /// ```
+    pub fn evaluated(&self, quantity: Quantity) -> Option<Vec<EvaluatedChain>> {
+        if self.terms().any(|term| quantity.is_open(term)) {
+            return None;
+        }
+        let evaluated = |chain: &SolvedChain| EvaluatedChain {
+            breakpoints: chain.breakpoints.clone(),
+            values: (0..chain.intervals.len()).map(|index| chain.closed(index, quantity, |pair| &pair.evaluated)).collect(),
+        };
+        Some(self.chains.iter().map(evaluated).collect())
     }
 }

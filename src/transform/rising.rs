@@ -4,17 +4,22 @@ use super::closed::{ClosedForm, good_enough, total};
 use super::evaluator::Evaluator;
 use super::integral::reached;
 use super::kinks::is_below;
+use super::pressure::MORE_DIGITS;
 use super::quantity::Quantity;
 use crate::expr::{Symbol, derivative};
 use crate::num::quadrature::{EndBehaviour, Options, Panel, Point, integrate};
-use crate::num::{Bounded, Estimate};
+use crate::num::{Bounded, Estimate, work};
+
+/// Values of g′ that the smallest rule asks for.
+const FEWEST: u64 = 21;
 
 impl Evaluator<'_> {
     /// p(r) π/E* = ∫_r^a g′(x)/√(x²−r²) dx = ∫₀^U g′(r cosh u) du, cosh U = a/r, with the derivative of the closed g.
     ///
     /// f′ itself may cancel here: the jump that it makes at a kink at b ≪ r is b/r times smaller in g′.
-    /// `None` where a breakpoint lies beyond r, where no g is closed, and where the integral does not settle.
-    pub(super) fn pressure_by_closed_slope(&self, r: f64, a: f64) -> Option<Estimate> {
+    /// `None` where a breakpoint lies beyond r, where no g is closed, where the integral does not settle, and where `most` steps of work do not
+    /// suffice for a first rule.
+    pub(super) fn pressure_by_closed_slope(&self, r: f64, a: f64, most: u64) -> Option<Estimate> {
         let kinks = self.chains.iter().flat_map(|chain| &chain.breakpoints).filter(|b| is_below(**b, a));
         let last = kinks.map(|b| b.value + b.error).fold(0.0, f64::max);
         if r <= last || r >= a {
@@ -22,6 +27,8 @@ impl Evaluator<'_> {
         }
         let forms = self.rising(a)?;
         let forms: Vec<&ClosedForm> = forms.iter().collect();
+        // Values of special functions are too dear for a search.
+        let most = if forms.iter().any(|form| form.tape().is_special()) { most.min(MORE_DIGITS) } else { most };
         let mut slope = |point: Point| {
             let x = r * point.x.cosh();
             // x is right to a few roundings, and g′ changes over the distance to the last kink.
@@ -30,6 +37,12 @@ impl Evaluator<'_> {
             Bounded { error: own.error + moved * own.value.abs(), ..own }
         };
         let reach = (((a - r) * (a + r)).sqrt() / r).asinh();
+        // More digits are no use if not even the first rule can be afforded.
+        let (_, each, _) = work::apart(most, || slope(Point { x: 0.5 * reach, from_lower: 0.5 * reach, from_upper: 0.5 * reach }));
+        work::spend(each);
+        if each.saturating_mul(FEWEST) > most {
+            return None;
+        }
         let panel = Panel { lower: 0.0, upper: reach, kind: EndBehaviour::Smooth };
         let options = Options { rel_tol: self.tolerance, charge_x: false, max_evaluations: 20_000, ..Options::default() };
         let found = reached(integrate(&mut slope, &[panel], &options), a).ok()?;

@@ -6,6 +6,8 @@ use super::quantity::Quantity;
 use super::{Evaluator, Method, Reading, TransformError, dense};
 use crate::eval::{BlockInput, BlockScratch};
 use crate::num::spectral::Plan;
+#[cfg(feature = "parallel")]
+use crate::num::work;
 use crate::num::{Bound, Bounded, Estimate};
 
 /// The caller's buffers for the numbers of a slice, each as long as the slice.
@@ -480,6 +482,11 @@ fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), Transfo
         })
         .collect();
     // The first error by place, whichever thread is faster.
-    let ends: Vec<Result<(), TransformError>> = tasks.into_par_iter().map(|(points, out)| run(points, out)).collect();
-    ends.into_iter().collect()
+    // Threads count on their own; together they may take what this one has left.
+    let most = work::left();
+    let counted = |(points, out)| work::apart(most, || run(points, out));
+    let ends: Vec<(Result<(), TransformError>, u64, bool)> = tasks.into_par_iter().map(counted).collect();
+    ends.iter().for_each(|(_, steps, _)| work::spend(*steps));
+    work::check()?;
+    ends.into_iter().try_for_each(|(end, ..)| end)
 }

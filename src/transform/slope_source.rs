@@ -3,8 +3,9 @@
 use super::TransformError;
 use super::continued::Continued;
 use super::integral::{NumericProfile, NumericSegment};
-use crate::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, RoundingAlgebra, Tape};
-use crate::num::Bounded;
+use super::removable::Removable;
+use crate::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, RegionAlgebra, RoundingAlgebra, Tape, WideAlgebra};
+use crate::num::{Bounded, Precise, Region, Wide};
 use std::cell::Cell;
 use std::sync::{Arc, OnceLock};
 
@@ -48,6 +49,8 @@ pub trait SlopeSource: Send + Sync {
 /// One function of δ on a segment: a tape, or one of the two functions of a source.
 pub(super) enum Numbers {
     Tape(Tape),
+    /// A tape that is 0/0 at the axis, with a series there.
+    Removable(Box<Removable>),
     Slope(Arc<dyn SlopeSource>),
     Bend(Arc<dyn SlopeSource>),
 }
@@ -58,7 +61,8 @@ impl Numbers {
     pub(super) fn at(&self, delta: Bounded, slots: &mut Vec<Bounded>) -> Bounded {
         let nothing = Bounded { value: f64::NAN, error: f64::NAN };
         match self {
-            Self::Tape(tape) => tape.run(&mut BoundedAlgebra, &[delta], slots).unwrap_or(nothing),
+            Self::Tape(tape) => rescued(tape, delta, tape.run(&mut BoundedAlgebra, &[delta], slots).unwrap_or(nothing)),
+            Self::Removable(own) => own.at(delta, slots).unwrap_or(nothing),
             Self::Slope(source) => source.slope(delta),
             Self::Bend(source) => source.bend(delta).unwrap_or(nothing),
         }
@@ -69,8 +73,14 @@ impl Numbers {
         if let Self::Tape(tape) = self {
             let input = BlockInput { values: deltas, errors: doubts };
             if tape.run_block_bounded(&[input], values, errors, &mut scratch.0).is_some() {
+                rescue_block(tape, deltas, doubts, values, errors);
                 return;
             }
+        }
+        if let Self::Removable(own) = self
+            && own.block(deltas, doubts, values, errors, scratch).is_some()
+        {
+            return;
         }
         let mut slots = Vec::new();
         for ((value, error), (delta, doubt)) in values.iter_mut().zip(errors).zip(deltas.iter().zip(doubts)) {
@@ -86,6 +96,7 @@ impl Numbers {
             let delta = Bounded { value: *delta, error: *doubt };
             let own = match self {
                 Self::Tape(tape) => tape.run(&mut RoundingAlgebra, &[delta], &mut slots),
+                Self::Removable(own) => own.near_by(delta, &mut slots),
                 _ => None,
             };
             (*value, *error) = own.map_or((f64::NAN, f64::NAN), |own| (own.value, own.error));
@@ -97,6 +108,9 @@ impl Numbers {
         if let Self::Tape(tape) = self
             && tape.run_block(&[deltas], values, &mut scratch.0).is_some()
         {
+            for (value, delta) in values.iter_mut().zip(deltas).filter(|(value, _)| !value.is_finite()) {
+                *value = rescued(tape, Bounded::exact(*delta), Bounded::exact(*value)).value;
+            }
             return;
         }
         for (value, delta) in values.iter_mut().zip(deltas) {
@@ -107,8 +121,47 @@ impl Numbers {
     /// The value alone.
     pub(super) fn plain(&self, delta: f64) -> f64 {
         match self {
-            Self::Tape(tape) => tape.run(&mut FloatAlgebra, &[delta], &mut Vec::new()).unwrap_or(f64::NAN),
+            Self::Tape(tape) => {
+                let own = tape.run(&mut FloatAlgebra, &[delta], &mut Vec::new()).unwrap_or(f64::NAN);
+                rescued(tape, Bounded::exact(delta), Bounded::exact(own)).value
+            }
+            Self::Removable(own) => own.plain(delta).unwrap_or(f64::NAN),
             _ => self.at(Bounded::exact(delta), &mut Vec::new()).value,
+        }
+    }
+}
+
+/// The value, or where it left the range of doubles on its way the value with exponents that have no end.
+pub(super) fn rescued(tape: &Tape, delta: Bounded, own: Bounded) -> Bounded {
+    if own.value.is_finite() && own.error.is_finite() {
+        return own;
+    }
+    let delta = Wide::new(Precise::checked(delta.value.into(), delta.error));
+    let found = tape.run(&mut WideAlgebra, &[delta], &mut Vec::new()).map(|wide| wide.precise().bounded());
+    found.filter(|found| found.is_finite()).unwrap_or(own)
+}
+
+/// The same for a block of values.
+pub(super) fn rescue_block(tape: &Tape, deltas: &[f64], doubts: &[f64], values: &mut [f64], errors: &mut [f64]) {
+    let all = deltas.iter().zip(doubts).zip(values.iter_mut().zip(errors));
+    for ((delta, doubt), (value, error)) in all.filter(|(_, (value, error))| !(value.is_finite() && error.is_finite())) {
+        let own = rescued(tape, Bounded { value: *delta, error: *doubt }, Bounded { value: *value, error: *error });
+        (*value, *error) = (own.value, own.error);
+    }
+}
+
+impl Numbers {
+    /// True for what has enclosures.
+    pub(super) fn is_expression(&self) -> bool {
+        matches!(self, Self::Tape(_) | Self::Removable(_))
+    }
+
+    /// A bound on the magnitude for δ in a part of the complex plane, where it is analytic there; else infinite.
+    pub(super) fn largest(&self, delta: Region, slots: &mut Vec<Region>) -> f64 {
+        match self {
+            Self::Tape(tape) => tape.run(&mut RegionAlgebra, &[delta], slots).map_or(f64::INFINITY, Region::largest),
+            Self::Removable(own) => own.largest(delta, slots),
+            Self::Slope(_) | Self::Bend(_) => f64::INFINITY,
         }
     }
 }
@@ -124,6 +177,11 @@ impl Scratch {
     /// The thread's own, or a new one while that is in use.
     pub(super) fn take() -> Self {
         Self(KEPT.take().unwrap_or_default())
+    }
+
+    /// The room itself.
+    pub(super) fn room(&mut self) -> &mut BlockScratch {
+        &mut self.0
     }
 }
 
@@ -179,11 +237,19 @@ impl NumericSegment {
             upper: upper.map(Bounded::exact),
             slope,
             source: None,
+            enclosing: OnceLock::new(),
+            power: OnceLock::new(),
             bend,
+            end: None,
+            falling: OnceLock::new(),
+            bend_enclosing: OnceLock::new(),
+            bend_power: OnceLock::new(),
             singular,
             odd: false,
             limit: None,
             continued: Continued::default(),
+            ragged: false,
+            near: None,
         }
     }
 }

@@ -17,6 +17,21 @@ pub trait Slopes: Send + Sync {
 
     /// True where f is 0 throughout.
     fn is_flat(&self) -> bool;
+
+    /// Bounds on f′ and on (r f′)′ between two radii without a kink between them; `None` where there are none.
+    fn over(&self, lower: f64, upper: f64) -> Option<Over> {
+        let _ = (lower, upper);
+        None
+    }
+}
+
+/// The lowest and the highest value between two radii, or more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Over {
+    /// Of f′.
+    pub slope: (f64, f64),
+    /// Of (r f′)′.
+    pub bend: (f64, f64),
 }
 
 impl Slopes for TableProfile {
@@ -38,6 +53,36 @@ impl Slopes for TableProfile {
     fn is_flat(&self) -> bool {
         self.pieces().iter().all(|piece| piece.coefficients.iter().skip(1).all(|c| *c == 0.0))
     }
+
+    /// Both are quadratic on a piece: their extremes are at its ends and at one place within.
+    fn over(&self, lower: f64, upper: f64) -> Option<Over> {
+        let first = self.pieces().partition_point(|piece| piece.upper <= lower);
+        let own = self.pieces().get(first..)?.iter().take_while(|piece| piece.lower < upper);
+        own.map(|piece| {
+            let [_, linear, quadratic, cubic] = piece.coefficients;
+            let (from, to) = (lower.max(piece.lower) - piece.lower, upper.min(piece.upper) - piece.lower);
+            let slope = quadratic_over([linear, 2.0 * quadratic, 3.0 * cubic], from, to);
+            let start = linear + 2.0 * quadratic * piece.lower;
+            let bend = quadratic_over([start, 4.0 * quadratic + 6.0 * cubic * piece.lower, 9.0 * cubic], from, to);
+            Over { slope, bend }
+        })
+        .reduce(|one, other| Over { slope: hull(one.slope, other.slope), bend: hull(one.bend, other.bend) })
+    }
+}
+
+/// The range of a + b δ + c δ² between two δ ≥ 0, rounding included.
+fn quadratic_over([a, b, c]: [f64; 3], from: f64, to: f64) -> (f64, f64) {
+    let value = |delta: f64| a + delta * (b + delta * c);
+    let vertex = -0.5 * b / c;
+    let within = if vertex > from && vertex < to { value(vertex) } else { value(from) };
+    let size = a.abs() + to * (b.abs() + to * c.abs());
+    let rounding = 16.0 * f64::EPSILON * size;
+    let all = [value(from), value(to), within];
+    (all.into_iter().fold(f64::INFINITY, f64::min) - rounding, all.into_iter().fold(f64::NEG_INFINITY, f64::max) + rounding)
+}
+
+fn hull(one: (f64, f64), other: (f64, f64)) -> (f64, f64) {
+    (one.0.min(other.0), one.1.max(other.1))
 }
 
 impl Slopes for ClosureProfile {

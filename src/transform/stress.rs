@@ -15,9 +15,25 @@ impl NumericProfile {
     /// # Errors
     /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
     pub fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
-        match self.pressure_by_series(s, a, tolerance).or_else(|| self.pressure_by_slopes(s, a, tolerance)) {
+        let proven = self.pressure_by_proven_series(s, a, tolerance).or_else(|| self.proven_pressure(s, a, tolerance));
+        let found = proven.or_else(|| self.pressure_by_series(s, a, tolerance)).or_else(|| self.pressure_by_slopes(s, a, tolerance));
+        match found {
             Some(found) => Ok(Some(found)),
             None => self.stress_direct(s, a, tolerance),
+        }
+    }
+
+    /// By values of g′ or by pieces, the better one where neither meets the tolerance.
+    fn proven_pressure(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
+        let enough = |own: &Estimate| own.error <= tolerance * own.value.abs();
+        let slopes = self.pressure_by_proven_slopes(s, a, tolerance);
+        if slopes.as_ref().is_some_and(enough) {
+            return slopes;
+        }
+        let pieces = self.pressure_by_pieces(s, a, tolerance);
+        match (slopes, pieces) {
+            (Some(one), Some(other)) => Some(if one.is_better_than(other) { one } else { other }),
+            (one, other) => one.or(other),
         }
     }
 
@@ -28,22 +44,8 @@ impl NumericProfile {
     /// # Errors
     /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
     pub fn stress_direct(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
-        let mut total = Bounded::exact(0.0);
+        let Some(total) = self.pressure_of_jumps(s, a) else { return Ok(None) };
         let mut parts = Estimate::exact(0.0);
-        for (at, jump) in self.jumps(a) {
-            if jump.value == 0.0 {
-                continue;
-            }
-            if at.value == s {
-                return Ok(None);
-            }
-            let distances = Distances { difference: (at - Bounded::exact(s)).value.abs(), below_edge: a - at.value };
-            let kernel = kernel(at.value, s, a, &distances);
-            // Next to the kink the rounding of b itself moves the logarithm, and next to the edge the root.
-            let moved = at.error / distances.difference / a + kernel.value.abs() * at.error / distances.below_edge;
-            let widened = Bounded { value: kernel.value, error: kernel.error + moved };
-            total = total + at * jump * widened;
-        }
         if s == 0.0 && self.starts_steeply() {
             return Ok(None);
         }
@@ -56,6 +58,26 @@ impl NumericProfile {
         }
         let found = Estimate::from_bounded(total, 0) + parts;
         settled(found, a, || size).map(Some)
+    }
+
+    /// Σ b δ K(b, s) over the jumps δ of f′; `None` at one of them.
+    pub(super) fn pressure_of_jumps(&self, s: f64, a: f64) -> Option<Bounded> {
+        let mut total = Bounded::exact(0.0);
+        for (at, jump) in self.jumps(a) {
+            if jump.value == 0.0 && (jump.error == 0.0 || at.value == s) {
+                continue;
+            }
+            if at.value == s {
+                return None;
+            }
+            let distances = Distances { difference: (at - Bounded::exact(s)).value.abs(), below_edge: a - at.value };
+            let kernel = kernel(at.value, s, a, &distances);
+            // Next to the kink the rounding of b itself moves the logarithm, and next to the edge the root.
+            let moved = at.error / distances.difference / a + kernel.value.abs() * at.error / distances.below_edge;
+            let widened = Bounded { value: kernel.value, error: kernel.error + moved };
+            total = total + at * jump * widened;
+        }
+        Some(total)
     }
 
     /// The jumps of f′ below a: where segments begin, end or meet; a jump within its own error is none.
@@ -133,6 +155,7 @@ impl NumericSegment {
 
     fn pressure_between(&self, bend: &Numbers, from: f64, to: f64, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
+        let falling = self.falling_bend().filter(|_| self.upper.is_some_and(|upper| upper.value == to));
         let mut scratch = Scratch::take();
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
             let (mut deltas, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
@@ -143,6 +166,15 @@ impl NumericSegment {
                 *doubt = with_ulps(*delta, 8.0).error;
             }
             bend.block(&deltas[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
+            if let Some(falling) = falling {
+                // Next to the upper end only the distance to it has the digits.
+                let mut slots = Vec::new();
+                let near = points.iter().zip(values.iter_mut().zip(&mut errors)).filter(|(point, _)| point.from_upper < point.from_lower);
+                for (point, (value, error)) in near {
+                    let own = falling.at(with_ulps(point.from_upper.max(f64::MIN_POSITIVE), 8.0), &mut slots);
+                    (*value, *error) = (own.value, own.error);
+                }
+            }
             for (((point, height), value), error) in points.iter().zip(heights).zip(values).zip(errors) {
                 let (up, down) = (point.from_lower, point.from_upper);
                 let difference = if s <= from { (from - s) + up } else { (s - to) + down };

@@ -4,13 +4,19 @@ use super::integral::{NumericProfile, NumericSegment};
 use super::slope_source::Scratch;
 use crate::num::Estimate;
 use crate::num::bounded::UNIT;
+use crate::num::quadrature::{Extent, Known};
 use crate::num::spectral::{Basis, Rule, pressures, rise, rule};
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-/// Nodes that are tried, rising.
-const COUNTS: [usize; 3] = [24, 48, 96];
+/// Nodes that are tried, fewest first.
+const COUNTS: [usize; 5] = [12, 16, 24, 48, 96];
+/// Those of which samples can judge what is left out.
+const JUDGED: [usize; 3] = [COUNTS[2], COUNTS[3], COUNTS[4]];
 /// Most nodes and guards.
-const MOST: usize = COUNTS[2] + GUARDS;
+const MOST: usize = COUNTS[4] + GUARDS;
+/// Below this f′ may have lost digits at the nodes next to the axis.
+const DEEP: f64 = 1e-150;
 /// Values of f′ that are asked together.
 const BLOCK: usize = 16;
 /// Beyond this share of its way to its limit f′ is left to others.
@@ -34,10 +40,14 @@ impl NumericProfile {
         }
         let segment = self.expandable(a)?;
         let mut evaluations = 0;
-        for count in COUNTS {
-            let expansion = segment.expand(count, a)?;
+        for count in JUDGED {
+            let expansion = segment.expand(count, a, GUARDS)?;
             evaluations += expansion.evaluations;
             let found = expansion.at(s);
+            // Coefficients of f′/r may underflow where f′ does not.
+            if found.value == 0.0 {
+                return None;
+            }
             if found.doubt + found.left_out <= 0.95 * tolerance * found.value.abs() {
                 // No more is promised than was asked for where more is left out than rounding noise.
                 let least = if found.left_out > found.doubt { 0.97 * tolerance * found.value.abs() } else { 0.0 };
@@ -50,13 +60,37 @@ impl NumericProfile {
         None
     }
 
+    /// The same where the enclosure of f′ around [−a, a] proves how many terms suffice; `None` where it does not.
+    ///
+    /// h(u) = f′/r is analytic in the ellipse of ρ = e^(2σ) around u = 2r²/a² − 1 ∈ [−1, 1] where f′ is in that of σ around [−a, a].
+    /// Where |h| ≤ M there, |c_k| ≤ (2k + 1) M √(ρ² + ρ⁻²)/(ρ^(k+1) (1 − ρ⁻²)) (Wang and Xiang, Math. Comp. 81, 2012).
+    /// Gauss's rule adds to c_k what it makes of P_k c_j P_j, j ≥ 2N − k.
+    /// A term gives |Φ_k| ≤ 1 + π/2, because g = ± a x sin((2k+1)θ)/(2k+1), x = a sin θ.
+    pub(super) fn pressure_by_proven_series(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
+        if !(s > 0.0 && s < a) {
+            return None;
+        }
+        let segment = self.expandable(a)?;
+        let known = segment.series_rule(a, |low, high| segment.terms_that_suffice(low, high))?;
+        let expansion = segment.expand(*COUNTS.get(known.rule)?, a, 0)?;
+        let found = expansion.at(s);
+        // f′ and its coefficients may underflow next to the axis long before the pressure does.
+        if !(found.value.abs() > DEEP && expansion.scale > DEEP) {
+            return None;
+        }
+        let left_out = a * known.left_out * (1.0 + FRAC_PI_2) * (1.0 + 1e-9);
+        let error = found.doubt + left_out;
+        let enough = error <= tolerance * found.value.abs() || left_out <= 0.1 * error;
+        enough.then_some(Estimate { error, evaluations: expansion.evaluations, ..Estimate::exact(found.value) })
+    }
+
     /// The expansion for a whole contact of radius a, where one is good enough to leave out no more than rounding does.
     pub(super) fn pressure_terms(&self, a: f64) -> Option<Expansion> {
         // The curve counts in squares of lengths.
         let segment = self.expandable(a).filter(|_| (a * a).is_normal())?;
         let mut evaluations = 0;
-        for count in COUNTS {
-            let expansion = segment.expand(count, a)?;
+        for count in JUDGED {
+            let expansion = segment.expand(count, a, GUARDS)?;
             evaluations += expansion.evaluations;
             let middle = expansion.at(0.5 * a);
             if middle.left_out <= middle.doubt {
@@ -128,12 +162,40 @@ impl Expansion {
 }
 
 impl NumericSegment {
+    /// The fewest terms that leave out next to nothing of f′/r for all radii of contact from `low` to `high`.
+    fn terms_that_suffice(&self, low: f64, high: f64) -> Option<Known> {
+        /// Half-widths of the ellipses.
+        const SIGMAS: [f64; 8] = [3.2, 2.4, 1.8, 1.3, 0.95, 0.7, 0.5, 0.35];
+        /// A share of the largest value that rounding exceeds by far.
+        const NOTHING: f64 = 0.05 * f64::EPSILON;
+        if !self.slope.is_expression() {
+            return None;
+        }
+        let size = [0.3, 0.6, 0.95].map(|share| (self.slope.plain(share * low) / (share * low)).abs());
+        let size = size.into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let extent = Extent::new(0.0, high, None);
+        let mut slots = Vec::new();
+        let bounds: Vec<(f64, f64)> = SIGMAS
+            .into_iter()
+            .filter_map(|sigma| {
+                // The factor divides by |r|/a on the ellipse.
+                let (region, factor) = self.around(low, &extent, sigma, false)?;
+                let largest = self.largest_slope(region, &mut slots) * factor / low;
+                (largest * (1.0 + 1e-9) < f64::INFINITY).then_some((sigma, largest * (1.0 + 1e-9)))
+            })
+            .collect();
+        COUNTS.into_iter().enumerate().find_map(|(rule, count)| {
+            let left_out = bounds.iter().map(|(sigma, largest)| left_out(count, *sigma, *largest)).fold(f64::INFINITY, f64::min);
+            (left_out <= NOTHING * size).then_some(Known { rule, left_out })
+        })
+    }
+
     /// The expansion by so many terms; `None` where f′ is not finite.
-    fn expand(&self, count: usize, a: f64) -> Option<Expansion> {
+    fn expand(&self, count: usize, a: f64, guarded: usize) -> Option<Expansion> {
         let rule = rule(count, 0.0);
         let lowest = rule.nodes().first()?.unit;
         let guards = guards(lowest);
-        let all = count + GUARDS;
+        let all = count + guarded;
         let mut units = [0.0; MOST];
         units.iter_mut().zip(rule.nodes().iter().map(|node| node.unit).chain(guards)).for_each(|(slot, unit)| *slot = unit);
         // f′/r at the nodes and at the guards, with bounds.
@@ -162,9 +224,22 @@ impl NumericSegment {
         let coefficients = rule.coefficients(values);
         // Rounding of the values gives every coefficient about this much.
         let plateau = 2.0 * doubts + 8.0 * UNIT * scale;
-        let missing = tail(&coefficients, plateau) + missed(&coefficients, &guards, seen, seen_errors, plateau);
+        // Without guards another knows what is missing.
+        let missing =
+            if guarded == 0 { 0.0 } else { tail(&coefficients, plateau) + missed(&coefficients, &guards, seen, seen_errors, plateau) };
         Some(Expansion { a, rule, coefficients, errors: errors.to_vec(), scale, missing, evaluations: all as u64 })
     }
+}
+
+/// A bound on all that `count` terms leave out of the coefficients, and that the rule adds to them, for |f′/r| ≤ `largest` in the ellipse.
+fn left_out(count: usize, sigma: f64, largest: f64) -> f64 {
+    let rho = (2.0 * sigma).exp();
+    let q = 1.0 / rho;
+    let front = largest * rho.hypot(q) / (rho * (1.0 - q * q));
+    // Σ_{j ≥ m} (2j + 1) q^j.
+    let from = |m: usize| q.powf(m as f64) * ((2 * m + 1) as f64 / (1.0 - q) + 2.0 * q / (1.0 - q).powi(2));
+    let mixed: f64 = (0..count).map(|k| (2 * k + 1) as f64 * from(2 * count - k)).sum();
+    front * (from(count) + mixed) * (1.0 + 1e-9)
 }
 
 /// What the coefficients that were left out add up to, from the fall of the last ones.

@@ -1,10 +1,12 @@
 //! The pressure as the integral of g′ over u, x = s cosh u, g′ itself by nested rules: no elliptic kernel.
 
+use super::TransformError;
 use super::integral::{NumericProfile, NumericSegment, Weight, stricter};
 use super::slope_source::Numbers;
-use crate::num::Estimate;
 use crate::num::bounded::UNIT;
-use crate::num::quadrature::{EvenIntegrand, Mean, Middles, Nodes, mean};
+use crate::num::quadrature::{EvenIntegrand, Known, Mean, Middles, Nodes, mean};
+use crate::num::{Estimate, Region};
+use std::f64::consts::FRAC_PI_2;
 
 /// Most values of g′ before the single integral is taken instead.
 const MOST: u64 = 80;
@@ -30,6 +32,84 @@ impl NumericProfile {
         let least = if left_out > noise { 0.97 * tolerance * value.abs() } else { 0.0 };
         let error = least.max(left_out + noise) + 8.0 * UNIT * value.abs();
         reached.then_some(Estimate::estimated(value, error, slopes.evaluations))
+    }
+}
+
+impl NumericProfile {
+    /// The same with a proven bound, where the enclosure of (r f′)′ around the contact shows which rules suffice for g′ and for its
+    /// integral; `None` where it does not.
+    pub(super) fn pressure_by_proven_slopes(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
+        /// The largest u: a/s = 10¹³.
+        const FARTHEST: f64 = 30.0;
+        /// A share of the mean that rounding exceeds.
+        const NOTHING: f64 = 0.25 * f64::EPSILON;
+        /// Half-widths of the ellipses.
+        const SIGMAS: [f64; 6] = [1.6, 1.1, 0.75, 0.5, 0.32, 0.2];
+        let [segment] = self.segments.as_slice() else { return None };
+        if !(s > 0.0 && s < a) {
+            return None;
+        }
+        let bend = segment.bend().ok()?;
+        let slope_at = segment.bend_rule(bend, a)?;
+        let reach = (((a - s) * (a + s)).sqrt() / s).asinh();
+        // x is wrong by as many roundings as u has whole units.
+        if reach > FARTHEST {
+            return None;
+        }
+        let size = slope_at(a).ok()?.value.abs().max(slope_at(s).ok()?.value.abs());
+        let (mut best, mut slots): (Option<(Known, f64)>, Vec<Region>) = (None, Vec::new());
+        for sigma in SIGMAS {
+            // r lies between 0 and x = s cosh u, u in the ellipse, of which half is enough.
+            let (wide, high) = (reach * sigma.cosh() * (1.0 + 1e-9), reach * sigma.sinh() * (1.0 + 1e-9));
+            let x = Region::real(s) * Region::new((0.0, wide), (-high, high)).cosh();
+            let largest = segment.largest_bend(x.with_zero(), &mut slots) * FRAC_PI_2;
+            if !largest.is_finite() {
+                continue;
+            }
+            let Some(known) = Known::fewest(sigma, largest, NOTHING * size) else { break };
+            if best.is_some_and(|(own, _)| own.rule <= known.rule) {
+                break;
+            }
+            // A node that is rounded by a share of u moves the value by the derivative, which Cauchy's formula bounds.
+            best = Some((known, largest / (sigma.cosh() - 1.0)));
+        }
+        let (known, steepness) = best?;
+        let mut slopes = ProvenSlopes { slope_at: &slope_at, s, a, reach, evaluations: 0 };
+        let Mean { value, noise, .. } = known.mean(&mut slopes).ok()?;
+        let rounding = (8.0 + 4.0 / reach) * UNIT * steepness;
+        let (value, left_out, noise) = (reach * value, reach * known.left_out, reach * (noise + rounding));
+        let error = (left_out + noise + 8.0 * UNIT * value.abs()) * (1.0 + 8.0 * UNIT);
+        let enough = error <= tolerance * value.abs() || left_out <= 0.1 * error;
+        enough.then_some(Estimate { error, evaluations: slopes.evaluations, ..Estimate::exact(value) })
+    }
+}
+
+/// g′(s cosh u) by one rule.
+struct ProvenSlopes<'a, F> {
+    slope_at: &'a F,
+    s: f64,
+    a: f64,
+    reach: f64,
+    evaluations: u64,
+}
+
+impl<F: Fn(f64) -> Result<Estimate, TransformError>> EvenIntegrand for ProvenSlopes<'_, F> {
+    const BOUNDED: bool = true;
+    const BLOCK: usize = 8;
+    const TOGETHER: bool = false;
+
+    fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], errors: &mut [f64]) {
+        for ((value, error), z) in values.iter_mut().zip(errors).zip(nodes.z) {
+            let x = (self.s * (self.reach * z).cosh()).min(self.a);
+            let found = (self.slope_at)(x).unwrap_or(Estimate::estimated(f64::NAN, f64::NAN, 0));
+            (*value, *error) = (found.value, found.error);
+            self.evaluations += found.evaluations;
+        }
+    }
+
+    fn displacement(&self, _middles: Middles<'_>, _values: &[f64]) -> f64 {
+        // It is bounded for all nodes together.
+        0.0
     }
 }
 

@@ -20,6 +20,7 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub struct Superposition<'a> {
     parts: Vec<Arc<dyn Quantities + 'a>>,
+    end: f64,
 }
 
 /// Nodes between two breakpoints for the energy; fewer judge them.
@@ -30,7 +31,21 @@ const FEW_BREAKPOINTS: usize = 8;
 impl<'a> Superposition<'a> {
     /// The sum of these profiles; without any it is flat.
     pub fn new(parts: Vec<Arc<dyn Quantities + 'a>>) -> Self {
-        Self { parts }
+        Self { parts, end: f64::INFINITY }
+    }
+
+    /// The same sum, which ends at a radius at the latest: where a body ends whose shape is no part of it by itself.
+    #[must_use]
+    pub fn ending_at(self, end: f64) -> Self {
+        Self { end: self.end.min(end), ..self }
+    }
+
+    fn refuse_beyond_end(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
+        if at < self.end {
+            Ok(())
+        } else {
+            Err(TransformError::OutOfDomain { symbol, at, limit: format!(", which ends at r = {}", self.end) })
+        }
     }
 
     /// A part alone answers as it stands.
@@ -54,10 +69,12 @@ fn sum(parts: impl Iterator<Item = Result<Reading, TransformError>>) -> Result<R
 
 impl Quantities for Superposition<'_> {
     fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+        self.refuse_beyond_end("x", x)?;
         self.added(|part| part.slope(x))
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
+        self.refuse_beyond_end("a", a)?;
         self.added(|part| part.force(a))
     }
 
@@ -88,11 +105,12 @@ impl Quantities for Superposition<'_> {
     }
 
     fn height(&self, r: f64) -> Result<Reading, TransformError> {
+        self.refuse_beyond_end("r", r)?;
         self.added(|part| part.height(r))
     }
 
     fn limit(&self) -> f64 {
-        self.parts.iter().map(|part| part.limit()).fold(f64::INFINITY, f64::min)
+        self.parts.iter().map(|part| part.limit()).fold(self.end, f64::min)
     }
 
     fn breakpoints_below(&self, end: f64) -> Vec<f64> {
@@ -105,6 +123,7 @@ impl Quantities for Superposition<'_> {
     }
 
     fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
+        self.refuse_beyond_end(symbol, at)?;
         self.parts.iter().try_for_each(|part| part.check_domain(symbol, at))
     }
 

@@ -54,6 +54,18 @@ pub(super) struct Place {
     limit: f64,
 }
 
+/// Where a place lies with respect to a segment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    Within,
+    Beyond,
+    /// Within, but so far out that a term need not be known there: only a contradiction counts.
+    Far,
+}
+
+/// Radii with where they lie.
+type Places = Vec<(f64, Part)>;
+
 /// Agrees, contradicts, or nothing is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verdict {
@@ -89,21 +101,22 @@ impl Place {
         tape.run_all(&mut BoundedAlgebra, &inputs, &mut Vec::new())
     }
 
-    /// Places within a segment and, where it ends, beyond it.
-    fn places(&self, segment: &Segment) -> Option<(f64, Option<f64>, Vec<f64>)> {
+    /// Places within a segment and, where it ends, beyond it; where nothing ends it, one far out, where other methods of functions answer.
+    fn places(&self, segment: &Segment) -> Option<(f64, Option<f64>, Places)> {
         let lower = self.number(&segment.lower)?;
         let upper = match &segment.upper {
             Some(upper) => Some(self.number(upper)?),
             None => None,
         };
         let top = upper.unwrap_or(f64::INFINITY).min(self.limit);
-        let within = match (top.is_finite(), lower > 0.0) {
-            (true, _) => lower + 0.613 * (top - lower),
-            (false, true) => 1.617 * lower,
-            (false, false) => 1.093,
+        let (within, far) = match (top.is_finite(), lower > 0.0) {
+            (true, _) => (lower + 0.613 * (top - lower), None),
+            (false, true) => (1.617 * lower, Some(23.7 * lower)),
+            (false, false) => (1.093, Some(17.3)),
         };
         let beyond = upper.into_iter().flat_map(|upper| [1.21 * upper, 2.63 * upper]).filter(|x| *x < self.limit);
-        Some((lower, upper, std::iter::once(within).chain(beyond).collect()))
+        let places = std::iter::once((within, Part::Within));
+        Some((lower, upper, places.chain(beyond.map(|x| (x, Part::Beyond))).chain(far.map(|x| (x, Part::Far))).collect()))
     }
 
     /// True unless the terms are proven not to add up to f′ as it was typed.
@@ -125,7 +138,7 @@ impl Place {
             outputs.extend(terms);
             let Some(tape) = self.compile(&outputs, &["r"]) else { return true };
             // Beyond the upper end this piece is not f.
-            places.first().is_none_or(|r| {
+            places.first().is_none_or(|(r, _)| {
                 let Some(values) = self.bounded(&tape, &[*r]) else { return true };
                 let Some((typed, parts)) = values.split_first() else { return true };
                 let sum = parts.iter().fold(Bounded::exact(0.0), |sum, part| sum + *part);
@@ -167,9 +180,9 @@ impl Place {
         let within = forms(&answer.slope.within, &answer.force.within)?;
         let beyond = if upper.is_some() { Some(forms(&answer.slope.beyond, &answer.force.beyond)?) } else { None };
         let mut verdicts = [Verdict::Agrees; 2];
-        for (index, x) in places.into_iter().enumerate() {
-            let own = if index == 0 { &within } else { beyond.as_ref()? };
-            let values = self.bounded(own, &[x, x])?;
+        for (x, part) in places {
+            let own = if part == Part::Beyond { beyond.as_ref()? } else { &within };
+            let Some(values) = self.bounded(own, &[x, x]) else { if part == Part::Far { continue } else { return None } };
             let integrals = self.integrals(&tape, lower, upper, x);
             for (quantity, verdict) in verdicts.iter_mut().enumerate() {
                 let (Some(evaluated), Some(shown), Some((value, size))) =
@@ -186,7 +199,9 @@ impl Place {
                 let is_wrong = |own: &Bounded| proven.is_some_and(|truth| (own.value - truth.value).abs() > own.error + truth.error);
                 if is_wrong(evaluated) || is_wrong(shown) {
                     *verdict = Verdict::Wrong;
-                } else if *verdict == Verdict::Agrees && !proven.is_some_and(|truth| truth.error <= TELLING * size && is_telling(evaluated))
+                } else if *verdict == Verdict::Agrees
+                    && part != Part::Far
+                    && !proven.is_some_and(|truth| truth.error <= TELLING * size && is_telling(evaluated))
                 {
                     *verdict = Verdict::Unknown;
                 }
@@ -237,7 +252,7 @@ impl Place {
     fn compare_pressure(&self, segment: &Segment, answer: &Answer) -> Option<Verdict> {
         let pressure = answer.pressure.as_ref()?;
         let (lower, _, places) = self.places(segment)?;
-        let end = *places.first()?;
+        let (end, _) = *places.first()?;
         let begin = lower + 0.7 * (end - lower);
         let r = 0.57 * begin;
         let forms = self.compile(&[pressure.within.evaluated.clone(), pressure.within.shown.clone()], &["r", "a"])?;

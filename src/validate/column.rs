@@ -15,16 +15,19 @@ pub(super) enum Kind {
     Displacement,
 }
 
+/// Names of columns that hold areas of contact, from which their radii follow.
+const AREAS: &[&str] = &["A", "area", "contact_area"];
+
 /// Names of columns; the first one of each is its symbol.
 const NAMES: &[(Kind, &[&str])] = &[
-    (Kind::Depth, &["d", "depth", "indentation", "penetration", "delta"]),
-    (Kind::Force, &["F", "force", "load", "normal_force", "Fn", "P"]),
+    (Kind::Depth, &["d", "depth", "indentation", "indentation_depth", "penetration", "delta"]),
+    (Kind::Force, &["F", "force", "load", "normal_force", "normal_load", "Fn", "F_n", "Fz", "P"]),
     (Kind::ContactRadius, &["a", "contact_radius"]),
     (Kind::Distance, &["r", "radius"]),
     (Kind::X, &["x", "X"]),
     (Kind::Y, &["y", "Y"]),
-    (Kind::Pressure, &["p", "pressure", "traction"]),
-    (Kind::Displacement, &["u", "displacement"]),
+    (Kind::Pressure, &["p", "pressure", "contact_pressure", "normal_pressure", "traction", "tractions"]),
+    (Kind::Displacement, &["u", "displacement", "uz", "u_z"]),
 ];
 
 impl Kind {
@@ -42,10 +45,29 @@ impl Kind {
     }
 
     fn of(name: &str) -> Option<Self> {
-        // F and f differ; longer words do not.
-        let same = |own: &&str| **own == *name || (own.len() > 1 && own.eq_ignore_ascii_case(name));
+        if is_area(name) {
+            return Some(Self::ContactRadius);
+        }
+        if let Some(name) = up_to_a_constant(name) {
+            return Self::of(name).filter(|own| *own == Self::Displacement);
+        }
+        let same = |own: &&str| is(own, name);
         NAMES.iter().find(|(_, names)| names.iter().any(&same)).map(|(kind, _)| *kind)
     }
+}
+
+/// The name of a column that is known up to a constant, as in `u+c`.
+fn up_to_a_constant(name: &str) -> Option<&str> {
+    name.strip_suffix("+c").map(str::trim_end)
+}
+
+/// F and f differ; longer words do not.
+fn is(own: &str, name: &str) -> bool {
+    own == name || (own.len() > 1 && own.eq_ignore_ascii_case(name))
+}
+
+fn is_area(name: &str) -> bool {
+    AREAS.iter().any(|own| is(own, name))
 }
 
 /// A column that is understood.
@@ -55,6 +77,10 @@ pub(super) struct Column {
     pub(super) unit: Option<Unit>,
     pub(super) name: String,
     pub(super) index: usize,
+    /// True where it holds the area of a contact of this radius; its unit is that of a length all the same.
+    pub(super) is_area: bool,
+    /// True where it is known up to a constant.
+    pub(super) free_constant: bool,
 }
 
 /// How a name can be read.
@@ -68,16 +94,26 @@ pub(super) enum Reading {
 /// Reads a name: `d`, `d_um`, `d (um)`, `d [um]`.
 pub(super) fn read(name: &str, index: usize) -> Reading {
     let name = name.trim();
-    let built = |kind, unit| Reading::Known(Column { kind, unit, name: name.to_owned(), index });
+    let built = |symbol: &str, kind, unit| {
+        let symbol = symbol.trim();
+        let free_constant = up_to_a_constant(symbol).is_some();
+        Reading::Known(Column { kind, unit, name: name.to_owned(), index, is_area: is_area(symbol), free_constant })
+    };
     if let Some(kind) = Kind::of(name) {
-        return built(kind, None);
+        return built(name, kind, None);
     }
     let split = name.rsplit_once('_').or_else(|| name.split_once(['(', '[', '/']));
     let Some((symbol, unit)) = split else { return Reading::Unknown };
     let Some(kind) = Kind::of(symbol.trim()) else { return Reading::Unknown };
     let unit = unit.trim().trim_end_matches([')', ']']);
+    let squared = ["^2", "²", "2"].into_iter().find_map(|power| unit.strip_suffix(power));
+    let unit = match squared.filter(|_| is_area(symbol.trim())) {
+        Some(root) => root,
+        None if is_area(symbol.trim()) => return Reading::BadUnit(format!("{unit} is not the square of a length")),
+        None => unit,
+    };
     match Unit::parse(unit) {
-        Ok(unit) if unit.dimension() == kind.dimension() => built(kind, Some(unit)),
+        Ok(unit) if unit.dimension() == kind.dimension() => built(symbol, kind, Some(unit)),
         Ok(other) => Reading::BadUnit(format!("{} is {}, not {}", other.name(), other.dimension(), kind.dimension())),
         Err(error) => Reading::BadUnit(error.to_string()),
     }

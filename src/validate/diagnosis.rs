@@ -2,8 +2,9 @@
 
 use super::exact::Exact;
 use super::field::Spot;
-use super::hypothesis::{self, Fault, Slip, Taken};
+use super::hypothesis::{self, Exchange, Fault, Slip, Taken};
 use super::loads::Row;
+use super::placing::Placing;
 use super::record::Suspicion;
 use super::score::{self, Gauge, Score};
 use crate::contact::{Load, State};
@@ -13,7 +14,11 @@ use crate::transform::Profile;
 
 /// Data that failed.
 pub(super) enum Evidence {
-    Loads(Vec<Row>),
+    Loads {
+        rows: Vec<Row>,
+        /// Computed units per number of the columns.
+        factors: Row,
+    },
     Field {
         spots: Vec<Spot>,
         /// The state of the scene's load.
@@ -24,6 +29,10 @@ pub(super) enum Evidence {
         side: Option<f64>,
         /// True where the box is said not to repeat.
         free: bool,
+        /// Mistakes about the place of the axis that fit the coordinates.
+        placings: Vec<Placing>,
+        /// Computed units per number of the columns r (or x) and p.
+        factors: (f64, f64),
     },
 }
 
@@ -48,7 +57,7 @@ struct Tried {
 pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &Gauge) -> Option<Suspicion> {
     let trial = Trial { text, scene, gauge };
     let (before, tried) = match evidence {
-        Evidence::Loads(rows) => trial.loads(rows)?,
+        Evidence::Loads { rows, factors } => trial.loads(rows, factors)?,
         Evidence::Field { .. } => trial.field(evidence)?,
     };
     chosen(before, tried)
@@ -96,7 +105,7 @@ struct Trial<'t> {
 type Found = (Option<Score>, Vec<Tried>);
 
 impl Trial<'_> {
-    fn loads(&self, all: &[Row]) -> Option<Found> {
+    fn loads(&self, all: &[Row], factors: &Row) -> Option<Found> {
         let rows = &thinned(all);
         // Neighbours are neighbours only where none is left out.
         let neighbours = all.get(all.len().saturating_sub(TRIED)..)?;
@@ -107,7 +116,7 @@ impl Trial<'_> {
         let mut tried = Vec::new();
         for fault in self.faults(&hypothesis::of_loads()) {
             let level = fault.slip.ahead != 0 || fault.slip.force_ahead != 0;
-            let rows = corrected(if level { neighbours } else { rows }, &fault.slip);
+            let rows = corrected(if level { neighbours } else { rows }, &fault.slip, factors);
             let found = match fault.taken {
                 Taken::AsIs => {
                     let own = Exact::new(self.scene, &solution, score::largest(&rows, self.gauge.by_force)).ok();
@@ -194,7 +203,7 @@ impl Trial<'_> {
     }
 
     fn field(&self, evidence: &Evidence) -> Option<Found> {
-        let Evidence::Field { spots, state, held, side, free } = evidence else { return None };
+        let Evidence::Field { spots, state, held, side, free, placings, factors } = evidence else { return None };
         // Places far outside say nothing; where the unit of r has slipped the pressures tell what lies inside.
         let inside: Vec<Spot> = spots.iter().copied().filter(|spot| spot.p != 0.0).collect();
         let spots = thinned(if inside.len() < 8 { spots } else { &inside });
@@ -202,8 +211,8 @@ impl Trial<'_> {
         let exact = Exact::new(self.scene, &solution, Load::Depth(state.depth)).ok()?;
         let before = score::field(&exact, state, &spots, self.gauge);
         let mut tried = Vec::new();
-        for fault in self.faults(&hypothesis::of_field()) {
-            let spots = placed(&spots, &fault.slip);
+        for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
+            let spots = placed(&spots, &fault.slip, *factors);
             if fault.taken == Taken::AsIs {
                 // A pixel that was read off the places has slipped with them, one that was declared has not.
                 let factor = fault.slip.distance;
@@ -221,6 +230,11 @@ impl Trial<'_> {
                 });
                 tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false }));
             }
+        }
+        for placing in placings {
+            let spots: Vec<Spot> = spots.iter().map(|spot| spot.at(placing.at(spot.x, spot.y))).collect();
+            let found = score::field(&exact, state, &spots, self.gauge);
+            tried.extend(found.map(|score| Tried { id: placing.id, text: placing.text.to_owned(), score, free: false, rough: false }));
         }
         if !free {
             self.images(state, &spots, *side, &mut tried);
@@ -350,7 +364,8 @@ fn held_load(control: Control, state: &State) -> Load {
 }
 
 /// Rows without the slip.
-fn corrected(rows: &[Row], slip: &Slip) -> Vec<Row> {
+fn corrected(rows: &[Row], slip: &Slip, factors: &Row) -> Vec<Row> {
+    let rows: Vec<Row> = rows.iter().filter_map(|row| slip.columns.exchanged(row, factors)).collect();
     let at = |index: usize, ahead: i32| index.checked_add_signed(-ahead as isize).and_then(|own| rows.get(own));
     let one = |(index, row): (usize, &Row)| {
         let (force, radius) = (at(index, slip.ahead + slip.force_ahead)?.force, at(index, slip.ahead)?.radius);
@@ -360,8 +375,12 @@ fn corrected(rows: &[Row], slip: &Slip) -> Vec<Row> {
 }
 
 /// Places without the slip.
-fn placed(spots: &[Spot], slip: &Slip) -> Vec<Spot> {
-    spots.iter().map(|spot| Spot { r: spot.r / slip.distance, p: spot.p / slip.pressure, ..*spot }).collect()
+fn placed(spots: &[Spot], slip: &Slip, (length, pressure): (f64, f64)) -> Vec<Spot> {
+    let one = |spot: &Spot| match slip.columns {
+        Exchange::DistanceAndPressure => Spot { r: (spot.p / pressure * length).abs(), p: spot.r / length * pressure, ..*spot },
+        _ => Spot { r: spot.r / slip.distance, p: spot.p / slip.pressure, ..*spot },
+    };
+    spots.iter().map(one).collect()
 }
 
 /// The smallest value of a function over an interval: the best of evenly spaced trials, made sharp by golden sections.

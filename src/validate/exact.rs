@@ -34,7 +34,8 @@ impl<'a> Exact<'a> {
         let setup = Setup { effective_modulus, rim, tolerance, method };
         // Absurd loads, as of data in wrong units, are no reason to stop.
         let tips = || scene.tip.as_ref().map(MeasuredTip::profile).map(|own| Part::new(Arc::clone(own))).into_iter().collect();
-        let made = |largest| Indentation::beside(Some(solution), tips(), setup, largest);
+        let bodies = scene.parts()?;
+        let made = |largest| Indentation::between(&bodies, Some(solution), tips(), setup, largest);
         // Absurd loads, as of data in wrong units, are no reason to stop.
         let indentation = made(largest).or_else(|_| made(Load::Depth(0.0)))?;
         let formula = scene.tip.is_none().then_some(solution);

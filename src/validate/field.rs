@@ -1,15 +1,16 @@
 //! A file of places under one load: pressures away from apex, kinks and rim, displacements, and the force that the pressures make.
 
 use super::column::Kind;
+use super::displacement::Displacements;
 use super::exact::{Exact, Pressures, Sharp};
 use super::lattice::{self, Lattice, Offset};
-use super::loads::{Judge, decided};
+use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
 use super::norms::{Norms, Sample, ratio};
 use super::pixel::Pixel;
-use super::record::{Column, Excluded, Plot};
+use super::record::{Beyond, Column, Excluded, Plot};
 use super::survey::{Places, Survey};
 use super::table::Table;
-use super::{FileReport, ValidationError};
+use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, State};
 use crate::scene::Scene;
 
@@ -22,6 +23,13 @@ pub(super) struct Spot {
     pub(super) p: f64,
 }
 
+impl Spot {
+    /// The same pressure at another place.
+    pub(super) fn at(&self, (x, y): (f64, f64)) -> Self {
+        Self { x, y, r: if y.is_nan() { x.abs() } else { x.hypot(y) }, ..*self }
+    }
+}
+
 /// A file of places beside the exact solution.
 pub(super) struct Compared {
     pub(super) report: FileReport,
@@ -29,12 +37,18 @@ pub(super) struct Compared {
     pub(super) spots: Vec<Spot>,
     /// Distance, data and exact pressure of the places that were compared, evenly chosen.
     pub(super) errors: Vec<(f64, f64, f64)>,
+    /// The displacements of evenly drawn rows.
+    pub(super) displacements: Displacements,
     /// The distance that is kept from apex, kinks and rim.
     pub(super) margin: f64,
+    /// One place that alone is off.
+    pub(super) single: Option<Suspicion>,
 }
 
 /// The pixels that are kept away from singular places.
 pub(super) const MARGIN: f64 = 4.0;
+/// The share of (h/s)² at the distance s from an inner edge.
+const INNER: f64 = 0.05;
 /// Rows that are computed together.
 const BLOCK: usize = 4096;
 /// Places that are kept for plots and the diagnosis, and for the order.
@@ -80,10 +94,14 @@ pub(super) fn places(r: f64, pixel: Option<f64>, out: &mut Vec<f64>) {
 ///
 /// F has 0.25 (h/a)² under a smooth edge and 0.5 h/a under a rim; next to the edge the length that the pixel must resolve is not a
 /// but (a² − r²)/a, over which p changes by itself.
-pub(super) fn excused(r: f64, a: f64, pixel: Option<f64>, rim: bool) -> f64 {
+///
+/// At the distance s from an apex or a kink, where p has a logarithm, the mean over a pixel differs from p by a share of (h/s)².
+pub(super) fn excused(r: f64, region: &Region, pixel: Option<f64>, rim: bool) -> f64 {
     let Some(pixel) = pixel else { return super::loads::BLIND };
+    let a = region.a;
     let share = pixel / (a * (1.0 - (r / a).powi(2)).abs());
-    if rim { 0.5 * share } else { 0.25 * share * share }
+    let inner = region.kinks.iter().copied().chain(region.apex.then_some(0.0)).map(|at| (pixel / (r - at)).powi(2)).sum::<f64>();
+    INNER * inner + if rim { 0.5 * share } else { 0.25 * share * share }
 }
 
 /// Reads the file once more, beside the exact solution.
@@ -107,7 +125,7 @@ pub(super) fn compare(
     let pressures = Pressures::new(exact, formula.as_ref(), state, survey.rows);
     let contact = exact.contact(state);
     let mut own = Sums::new(state, margin, survey, pixel);
-    let mut table = Table::open(survey.source)?;
+    let mut table = Table::open(survey.source, survey.layout)?;
     let (at_p, at_u) = (survey.index(Kind::Pressure), survey.index(Kind::Displacement));
     let locations = survey.places();
     let value =
@@ -115,9 +133,9 @@ pub(super) fn compare(
     let every = survey.rows.div_ceil(DISPLACEMENTS).max(1);
     // Steps of the golden ratio meet no row and no column of a lattice more often than others.
     let is_drawn = |index: u64| (index.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32).is_multiple_of(every);
-    let mut drawn = 0u64;
     let (mut values, mut index, mut ended) = (Vec::new(), 0u64, false);
-    let mut displaced = Norms::new(false);
+    let free_constant = at_u.and_then(|own| survey.columns.get(own)).is_some_and(|own| own.free_constant);
+    let mut displacements = Displacements::new(free_constant);
     let (mut block, mut wanted, mut found) = (Vec::with_capacity(BLOCK), Vec::new(), Vec::new());
     while !ended {
         block.clear();
@@ -130,8 +148,7 @@ pub(super) fn compare(
             if let (Some(u), true) = (value(&values, at_u), is_drawn(index))
                 && let Ok(reading) = contact.displacement(spot.r, a)
             {
-                drawn += 1;
-                displaced.add(survey.shown(Kind::Distance, spot.r), 0.0, u, reading.estimate.value, judge.allowed(pixel.pixel, state));
+                displacements.push(survey.shown(Kind::Distance, spot.r), u, reading.estimate.value);
             }
             index += 1;
             if at_p.is_some() {
@@ -149,9 +166,14 @@ pub(super) fn compare(
     }
     let mut report = own.report(survey, scene, state, pixel, judge);
     if at_u.is_some() {
-        report.columns.push(decided("u", &displaced, true));
+        report.columns.push(decided("u", &displacements.norms(judge.allowed(pixel.pixel, state)), true));
         if every > 1 {
-            report.notes.push(format!("u is compared in {drawn} of {} rows, drawn evenly", survey.rows));
+            report.notes.push(format!("u is compared in {} of {} rows, drawn evenly", displacements.len(), survey.rows));
+        }
+        if free_constant {
+            let constant = survey.shown(Kind::Displacement, displacements.constant());
+            let unit = super::units::shown("u", &survey.unit(Kind::Displacement, scene));
+            report.notes.push(format!("u is compared up to a constant, which is {constant:.6e} in the data ({unit})"));
         }
     }
     report.notes.push(match (mean_over, declared.and_then(|own| own.cells)) {
@@ -159,12 +181,14 @@ pub(super) fn compare(
         (None, Some(true)) => "the pixel is not known, so pressures are read as values at their places".to_owned(),
         _ => "pressures are read as values at their places".to_owned(),
     });
-    Ok(Compared { report, spots: own.spots.items, errors: own.errors.items, margin })
+    let kind = if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X };
+    let single = single(&own.compared, |p| sign * survey.shown(Kind::Pressure, p), "p", (|r| survey.shown(kind, r), "r"));
+    Ok(Compared { report, spots: own.spots.items, errors: own.errors.items, displacements, margin, single })
 }
 
 fn spot(values: &[f64], survey: &Survey<'_>, places: Places, p: f64) -> Spot {
     let number = |index: Option<usize>| index.and_then(|own| values.get(own).zip(survey.factors.get(own))).map_or(f64::NAN, |(v, f)| v * f);
-    let (x, y) = (number(places.x), if places.y.is_some() { number(places.y) } else { 0.0 });
+    let (x, y) = (number(places.x) - places.axis, if places.y.is_some() { number(places.y) - places.axis } else { 0.0 });
     let r = if places.r.is_some() { number(places.r) } else { x.hypot(y) };
     Spot { x, y, r: r.abs(), p }
 }
@@ -213,8 +237,11 @@ impl Sums {
             self.left_out.add(spot.r, 0.0, spot.p, exact, 0.0);
             return;
         }
-        let allowed = judge.demanded.unwrap_or_else(|| excused(spot.r, self.a, pixel.pixel, self.rim) + judge.solver);
+        let grid = excused(spot.r, region, pixel.pixel, self.rim) + judge.solver;
+        let allowed = judge.demanded.unwrap_or(grid);
         self.compared.add(spot.r, 0.0, spot.p, exact, allowed);
+        let limit = if pixel.pixel.is_some() { HEADROOM * grid } else { BLIND_ROW };
+        self.compared.limit(spot.r, spot.p, exact, limit.max(HEADROOM * judge.demanded.unwrap_or(0.0)));
         self.errors.push((spot.r, spot.p, exact));
     }
 
@@ -225,6 +252,7 @@ impl Sums {
         if survey.index(Kind::Pressure).is_some() {
             let mut column = decided("p", &self.compared, true);
             column.worst_at = at(column.worst_at);
+            column.beyond = column.beyond.map(|own| Beyond { at: at(own.at), ..own });
             column.at_largest_load = column.l2;
             let rows = self.left_out.rows + self.infinite;
             column.excluded =

@@ -1,5 +1,6 @@
 //! What people mistake: one entry per fault, each a change of the scene or of the data that would put things right.
 
+use super::loads::Row;
 use crate::scene::{Change, Scene};
 use std::f64::consts::PI;
 
@@ -27,10 +28,45 @@ pub(super) struct Slip {
     /// Rows by which forces and radii are ahead of the depths, and forces alone.
     pub(super) ahead: i32,
     pub(super) force_ahead: i32,
+    /// Columns under the names of others.
+    pub(super) columns: Exchange,
+}
+
+/// Columns whose names have been exchanged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Exchange {
+    Nothing,
+    DepthAndForce,
+    DepthAndRadius,
+    ForceAndRadius,
+    /// d holds F, F holds a and a holds d.
+    Forwards,
+    /// d holds a, F holds d and a holds F.
+    Backwards,
+    DistanceAndPressure,
+}
+
+impl Exchange {
+    /// The row under its right names; `None` where one of the columns is missing. `factors` are computed units per number of each column.
+    pub(super) fn exchanged(self, row: &Row, factors: &Row) -> Option<Row> {
+        let (d, f, a) = (row.depth / factors.depth, row.force / factors.force, row.radius / factors.radius);
+        let (depth, force, radius) = match self {
+            Self::Nothing | Self::DistanceAndPressure => return Some(*row),
+            Self::DepthAndForce => (f, d, a),
+            Self::DepthAndRadius => (a, f, d),
+            Self::ForceAndRadius => (d, a, f),
+            Self::Forwards => (a, d, f),
+            Self::Backwards => (f, a, d),
+        };
+        let own = Row { depth: depth * factors.depth, force: force * factors.force, radius: radius * factors.radius };
+        let same = |one: f64, other: f64| one.is_nan() == other.is_nan();
+        (same(own.depth, row.depth) && same(own.force, row.force) && same(own.radius, row.radius)).then_some(own)
+    }
 }
 
 impl Slip {
-    pub(super) const NONE: Self = Self { depth: 1.0, force: 1.0, radius: 1.0, distance: 1.0, pressure: 1.0, ahead: 0, force_ahead: 0 };
+    pub(super) const NONE: Self =
+        Self { depth: 1.0, force: 1.0, radius: 1.0, distance: 1.0, pressure: 1.0, ahead: 0, force_ahead: 0, columns: Exchange::Nothing };
 }
 
 /// A fault without a free number.
@@ -163,6 +199,15 @@ pub(super) fn of_loads() -> Vec<Fault> {
     ] {
         list.push(slip(id, text, Slip { radius, ..none }));
     }
+    for (columns, text) in [
+        (Exchange::DepthAndForce, "d holds the forces and F the depths"),
+        (Exchange::DepthAndRadius, "d holds the contact radii and a the depths"),
+        (Exchange::ForceAndRadius, "F holds the contact radii and a the forces"),
+        (Exchange::Forwards, "d holds the forces, F the contact radii and a the depths"),
+        (Exchange::Backwards, "d holds the contact radii, F the depths and a the forces"),
+    ] {
+        list.push(slip("swapped-columns", format!("swapped columns: {text}"), Slip { columns, ..none }));
+    }
     for (ahead, text) in [(1, "next"), (-1, "previous")] {
         let what = "a load level off: the rows of F and a belong to the depth of the";
         list.push(slip("level", format!("{what} {text} row"), Slip { ahead, ..none }));
@@ -175,10 +220,17 @@ pub(super) fn of_loads() -> Vec<Fault> {
     list
 }
 
-/// The faults of files of pressures.
-pub(super) fn of_field() -> Vec<Fault> {
+/// The faults of files of pressures, whose pixel may be known; `factors` are computed units per number of the columns r and p.
+pub(super) fn of_field(pixel: Option<f64>, (length, pressure): (f64, f64)) -> Vec<Fault> {
     let mut list = Vec::new();
     let none = Slip::NONE;
+    if let Some(pixel) = pixel {
+        // Computed numbers, those of the columns, and a force in computed units in the column of p.
+        for area in [pixel * pixel, (pixel / length).powi(2), pixel * pixel * pressure] {
+            let text = "force per pixel for pressure: p times the area of a pixel is in p";
+            list.push(slip("force-per-pixel", text, Slip { pressure: area, ..none }));
+        }
+    }
     for (id, pressure, text) in FACTORS {
         let what = if id == "sign" { "p is turned over" } else { "the exact pressure stands in p" };
         list.push(slip(id, format!("{text} {what}"), Slip { pressure, ..none }));
@@ -202,5 +254,7 @@ pub(super) fn of_field() -> Vec<Fault> {
     for (distance, text) in [(2.0, "twice the distance stands in r"), (0.5, "half of the distance stands in r")] {
         list.push(slip("diameter", format!("diameter for radius: {text}"), Slip { distance, ..none }));
     }
+    let text = "swapped columns: r holds the pressures and p the distances";
+    list.push(slip("swapped-columns", text, Slip { columns: Exchange::DistanceAndPressure, ..none }));
     list
 }

@@ -7,7 +7,7 @@ use super::pixel::Pixel;
 use super::record::{Column, Plot};
 use super::survey::Survey;
 use super::table::Table;
-use super::{FileReport, ValidationError};
+use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, Load, State};
 use crate::scene::{Control, Declared, Scene};
 
@@ -30,6 +30,8 @@ pub(super) struct Compared {
     pub(super) column: &'static str,
     /// Rows to which no contact belongs.
     pub(super) unmatched: u64,
+    /// One row that alone is off.
+    pub(super) single: Option<Suspicion>,
 }
 
 /// How errors are judged.
@@ -46,9 +48,9 @@ pub(super) const BLIND: f64 = 1e-2;
 /// Contact radii without a known grid decide only where they are out of any proportion.
 pub(super) const BLIND_RADIUS: f64 = 0.15;
 /// The error of a single load, relative to what its grid excuses.
-const HEADROOM: f64 = 4.0;
+pub(super) const HEADROOM: f64 = 4.0;
 /// The error of a single load where no grid is known.
-const BLIND_ROW: f64 = 0.5;
+pub(super) const BLIND_ROW: f64 = 0.5;
 /// Rows that are kept for orders, plots and the diagnosis.
 const KEPT: usize = 256;
 
@@ -103,7 +105,7 @@ pub(super) fn compare(
 ) -> Result<Compared, ValidationError> {
     let declared = scene.data.as_ref();
     let control = control(survey, declared);
-    let mut table = Table::open(survey.source)?;
+    let mut table = Table::open(survey.source, survey.layout)?;
     let (mut force, mut depth, mut radius) = (Norms::new(true), Norms::new(true), Norms::new(true));
     let (mut kept, mut errors, mut drawn) = (Sample::new(KEPT), Sample::new(KEPT), Sample::new(KEPT));
     let (mut values, mut unmatched) = (Vec::new(), 0);
@@ -181,7 +183,23 @@ pub(super) fn compare(
     if unmatched > 0 {
         report.notes.push(format!("no valid contact belongs to {unmatched} of {} loads", survey.rows));
     }
-    Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched })
+    let deciding = if column == "d" { &depth } else { &force };
+    let kinds = (kind, control_kind);
+    let single = if column == "a" { None } else { single(deciding, |own| survey.shown(kinds.0, own), column, (|at| at, kinds.1.symbol())) };
+    Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched, single })
+}
+
+/// Names the one row that is off, where without it all others are within their tolerance.
+pub(super) fn single(
+    norms: &Norms,
+    shown: impl Fn(f64) -> f64,
+    name: &str,
+    (place, across): (impl Fn(f64) -> f64, &str),
+) -> Option<Suspicion> {
+    let (own, after) = norms.single().filter(|_| norms.l2() > norms.allowed() || norms.beyond().is_some())?;
+    let (data, exact) = (shown(own.data), shown(own.exact));
+    let text = format!("one row alone is off: {name} = {data} at {across} = {}, where the exact value is {exact:.6e}", place(own.at));
+    Some(Suspicion { id: "single-row", text, before: norms.l2(), after })
 }
 
 /// A column with its norms.

@@ -1,16 +1,20 @@
 //! A solver's data beside the exact solution: errors, order of convergence, a verdict, and what the fault looks like.
 
+mod array;
 mod column;
 mod diagnosis;
+mod displacement;
 mod error;
 mod exact;
 mod field;
 mod hypothesis;
 mod lattice;
+mod layout;
 mod loads;
 mod norms;
 mod order;
 mod pixel;
+mod placing;
 mod record;
 mod run;
 mod score;
@@ -20,6 +24,7 @@ mod units;
 mod verdict;
 
 pub use error::ValidationError;
+pub use layout::{Layout, Origin};
 pub use order::Order;
 pub use record::{Beyond, Column, Excluded, FileReport, Plot, Suspicion, Validation};
 pub use run::{Request, validate};

@@ -24,6 +24,19 @@ pub(super) struct Norms {
     /// Rows whose exact value is not 0: the others have no scale to judge an error by.
     inside: u64,
     beyond: Option<Beyond>,
+    /// How many rows exceed their own limit.
+    rows_beyond: u64,
+    /// The row with the largest share of the L2 error.
+    outlier: Option<Outlier>,
+}
+
+/// The row with the largest share of an L2 error.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outlier {
+    pub(super) at: f64,
+    pub(super) data: f64,
+    pub(super) exact: f64,
+    allowed: f64,
 }
 
 impl Norms {
@@ -45,6 +58,8 @@ impl Norms {
             farthest: 0.0,
             inside: 0,
             beyond: None,
+            rows_beyond: 0,
+            outlier: None,
         }
     }
 
@@ -61,6 +76,9 @@ impl Norms {
         self.signed += error;
         self.largest_exact = self.largest_exact.max(exact.abs());
         self.farthest = self.farthest.max(error.abs());
+        if self.outlier.is_none_or(|own| (own.data - own.exact).abs() < error.abs()) {
+            self.outlier = Some(Outlier { at, data, exact, allowed });
+        }
         let relative = if self.by_row { ratio(error.abs(), exact.abs()) } else { error.abs() };
         if relative > self.worst {
             (self.worst, self.worst_at) = (relative, at);
@@ -73,6 +91,7 @@ impl Norms {
     /// Compares one row with a limit for that row alone, which no mean over many rows can hide.
     pub(super) fn limit(&mut self, at: f64, data: f64, exact: f64, limit: f64) {
         let error = ratio((data - exact).abs(), exact.abs());
+        self.rows_beyond += u64::from(exact != 0.0 && error > limit);
         if exact != 0.0 && error > limit && self.beyond.is_none_or(|other| error / limit > other.error / other.limit) {
             self.beyond = Some(Beyond { at, error, limit });
         }
@@ -81,6 +100,17 @@ impl Norms {
     /// The worst of the rows beyond their own limit.
     pub(super) fn beyond(&self) -> Option<Beyond> {
         self.beyond
+    }
+
+    /// The one row without which all others are within their tolerance, and their L2 error; `None` where more is wrong.
+    pub(super) fn single(&self) -> Option<(Outlier, f64)> {
+        const FEWEST: u64 = 5;
+        let own = self.outlier?;
+        let error = own.data - own.exact;
+        let rest = (self.square - error * error).max(0.0).sqrt();
+        let exact = (self.square_exact - own.exact * own.exact).max(0.0).sqrt();
+        let allowed = (self.square_allowed - (own.allowed * own.exact).powi(2)).max(0.0).sqrt();
+        (self.rows >= FEWEST && self.rows_beyond <= 1 && rest <= allowed).then(|| (own, ratio(rest, exact)))
     }
 
     /// Whether the rows allow a verdict: a value that should not be 0 was compared, or one that should be 0 is not.

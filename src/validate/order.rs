@@ -21,6 +21,49 @@ pub struct Order {
 pub(super) struct Level {
     pub(super) pixel: f64,
     pub(super) errors: Vec<Option<f64>>,
+    /// The same with their signs, where errors of different sign may cancel: in fields, the error of the amplitude.
+    pub(super) signed: Vec<Option<f64>>,
+}
+
+/// Orders that the error of a grid may have.
+const ORDERS: [f64; 6] = [0.5, 0.75, 1.0, 1.5, 2.0, 3.0];
+
+/// The error e₀ that is left on an infinitely fine grid, e = e₀ + C hᵠ with a C per load: an interval that holds it for every order q a grid
+/// may have. `None` for fewer than two files.
+pub(super) fn limit_error(levels: &[Level]) -> Option<(f64, f64)> {
+    let loads = levels.iter().map(|level| level.signed.len()).max()?;
+    let finest = levels.last()?.pixel;
+    let intervals = ORDERS.iter().filter_map(|order| {
+        let at = |load: usize| {
+            let points = levels.iter().filter_map(|level| Some(((level.pixel / finest).powf(*order), level.signed.get(load).copied()??)));
+            intercept(&points.collect::<Vec<_>>())
+        };
+        interval(&(0..loads).filter_map(at).collect::<Vec<_>>())
+    });
+    intervals.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
+}
+
+/// The value at 0 of the line through points by least squares; `None` where all are at one place.
+fn intercept(points: &[(f64, f64)]) -> Option<f64> {
+    let n = points.len() as f64;
+    let mean = points.iter().fold((0.0, 0.0), |sum, own| (sum.0 + own.0 / n, sum.1 + own.1 / n));
+    let (sxx, sxy) = points.iter().fold((0.0, 0.0), |sum, (x, y)| (sum.0 + (x - mean.0).powi(2), sum.1 + (x - mean.0) * (y - mean.1)));
+    (sxx > 0.0).then(|| mean.1 - sxy / sxx * mean.0)
+}
+
+/// The interval of 95 % of a mean; a single value is itself.
+fn interval(values: &[f64]) -> Option<(f64, f64)> {
+    let n = values.len() as f64;
+    if values.is_empty() {
+        return None;
+    }
+    let mean = values.iter().sum::<f64>() / n;
+    if values.len() < 2 {
+        return Some((mean, mean));
+    }
+    let spread = (values.iter().map(|own| (own - mean).powi(2)).sum::<f64>() / (n - 1.0) / n).sqrt();
+    let half = StudentsT::new(0.0, 1.0, n - 1.0).ok()?.inverse_cdf(0.975) * spread;
+    Some((mean - half, mean + half))
 }
 
 impl Level {
@@ -43,7 +86,8 @@ pub(super) fn order(levels: &[Level], noise: f64) -> Option<Order> {
             (Some(coarse), Some(fine), Some(one), Some(other)) => (coarse / fine).ln() / (one.pixel / other.pixel).ln(),
             _ => f64::NAN,
         };
-        if ratio(above - 1) < 0.15 && ratio(above - 2) > 0.5 {
+        // Errors that grow again are no floor.
+        if (-0.25..0.15).contains(&ratio(above - 1)) && ratio(above - 2) > 0.5 {
             above -= 1;
             floor = typical.get(above).copied();
         } else {
@@ -118,9 +162,13 @@ fn ratio_of_ends(levels: &[Level], noise: f64) -> Option<f64> {
 mod tests {
     use super::*;
 
+    fn level(pixel: f64, errors: Vec<Option<f64>>) -> Level {
+        Level { pixel, signed: errors.clone(), errors }
+    }
+
     fn levels(order: f64, noise: [[f64; 3]; 3]) -> Vec<Level> {
         let errors = |h: f64, row: [f64; 3]| row.iter().enumerate().map(|(i, n)| Some((i + 1) as f64 * h.powf(order) * n.exp())).collect();
-        [0.25, 0.125, 0.0625].into_iter().zip(noise).map(|(pixel, row)| Level { pixel, errors: errors(pixel, row) }).collect()
+        [0.25, 0.125, 0.0625].into_iter().zip(noise).map(|(pixel, row)| level(pixel, errors(pixel, row))).collect()
     }
 
     #[test]
@@ -142,7 +190,7 @@ mod tests {
 
     #[test]
     fn a_plateau_is_a_floor_and_a_constant_error_is_none() {
-        let level = |pixel, e: f64| Level { pixel, errors: vec![Some(e), Some(1.1 * e), Some(0.9 * e)] };
+        let level = |pixel, e: f64| level(pixel, vec![Some(e), Some(1.1 * e), Some(0.9 * e)]);
         let found = order(&[level(0.4, 1e-2), level(0.2, 2.5e-3), level(0.1, 1e-3), level(0.05, 1e-3)], 1e-9).unwrap();
         assert!(found.floor.is_some() && found.files == 3);
         let flat = order(&[level(0.4, 1.8e-2), level(0.2, 1.81e-2), level(0.1, 1.79e-2)], 1e-9).unwrap();
@@ -152,8 +200,23 @@ mod tests {
 
     #[test]
     fn one_load_has_ratios() {
-        let level = |pixel, e: f64| Level { pixel, errors: vec![Some(e)] };
+        let level = |pixel, e: f64| level(pixel, vec![Some(e)]);
         let found = order(&[level(0.4, 4e-2), level(0.2, 1e-2), level(0.1, 5e-3)], 1e-9).unwrap();
         assert!((found.low.unwrap() - 1.0).abs() < 1e-12 && (found.high.unwrap() - 2.0).abs() < 1e-12 && (found.value - 1.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn what_no_grid_cures_is_in_its_interval() {
+        let errors = |e0: f64, q: f64| -> Vec<Level> {
+            [0.25, 0.125, 0.0625].map(|h: f64| level(h, (1..5).map(|c| Some(e0 + 0.1 * f64::from(c) * h.powf(q))).collect())).into()
+        };
+        for (e0, q) in [(0.01, 1.0), (-0.01, 2.0), (0.0, 1.0), (-0.02, 0.75)] {
+            let (low, high) = limit_error(&errors(e0, q)).unwrap();
+            assert!(low <= e0 + 1e-15 && e0 <= high + 1e-15, "{e0} {q}: {low} {high}");
+        }
+        // A punch whose force is 1 % too small: 1.1 %, 0.46 % and 0.23 % of the grid hide it, its limit does not.
+        let hidden = [(0.1, 0.001), (0.05, -0.0054), (0.025, -0.0077)].map(|(h, e)| level(h, vec![Some(e), Some(e), Some(e)]));
+        let (_, high) = limit_error(&hidden).unwrap();
+        assert!(high < -0.005, "{high}");
     }
 }

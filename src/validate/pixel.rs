@@ -1,7 +1,7 @@
 //! The pixel of every file: what is declared first, then what the file betrays, else only the order of the files.
 
-use super::ValidationError;
 use super::survey::{Content, Survey};
+use super::{Suspicion, ValidationError};
 use crate::scene::Declared;
 
 /// What is known of a file's grid; the pixel in computed units.
@@ -15,6 +15,40 @@ pub(super) struct Pixel {
     pub(super) relative: f64,
     /// The side of the box.
     pub(super) side: Option<f64>,
+    /// How many times the pixel of the data is as large as the one that box and grid make, where both are known.
+    pub(super) mismatch: Option<f64>,
+}
+
+impl Pixel {
+    /// True where the places of the data cannot belong to the box and the grid that are declared: places may be left out, but not added.
+    fn contradicts(&self) -> bool {
+        const SLACK: f64 = 0.01;
+        self.mismatch.is_some_and(|ratio| (ratio / ratio.round().max(1.0) - 1.0).abs() > SLACK)
+    }
+}
+
+/// What is wrong with the box or the order of the files, where the places of the data contradict what is declared.
+pub(super) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> {
+    let worst = pixels.iter().find(|own| own.contradicts())?;
+    // The product of pixel and number of pixels is the same box in every file, if the numbers belong to other files.
+    let sides: Vec<f64> = pixels.iter().filter_map(|own| Some(own.pixel? * own.grid?)).collect();
+    let mut counts: Vec<f64> = pixels.iter().filter_map(|own| own.grid).collect();
+    let mut sizes: Vec<f64> = pixels.iter().filter_map(|own| own.pixel).collect();
+    counts.sort_by(f64::total_cmp);
+    sizes.sort_by(|one, other| other.total_cmp(one));
+    let sorted: Vec<f64> = counts.iter().zip(&sizes).map(|(count, size)| count * size).collect();
+    let same = |all: &[f64]| all.iter().all(|own| (own / all.first().copied().unwrap_or(1.0) - 1.0).abs() < 0.02);
+    let (id, text) = if pixels.len() > 1 && same(&sorted) && !same(&sides) {
+        let order = "files in the wrong order: the numbers of pixels fit the places of the data only in another order of the files";
+        ("file-order", order.to_owned())
+    } else {
+        let side = worst.pixel.zip(worst.grid).map_or(f64::NAN, |(pixel, count)| pixel * count);
+        let fits = format!(
+            "another box: with that grid the places of the data fit a box of {side:.6} in the scene's unit of length, not the declared one"
+        );
+        ("box", fits)
+    };
+    Some(Suspicion { id, text, before: worst.mismatch.map_or(0.0, |own| (own - 1.0).abs()), after: 0.0 })
 }
 
 /// The pixels of the files of one kind, in the order in which they were given.
@@ -39,7 +73,10 @@ pub(super) fn pixels(
         let count = if given.len() == surveys_len(given, grid, index) { given.get(index).copied() } else { None };
         let betrayed = survey.lattice.map(|own| own.pixel).or(survey.counted);
         let stated = side.zip(count).map(|(side, count)| side / count);
-        let pixel = stated.or(betrayed);
+        let mismatch = survey.lattice.map(|own| own.pixel).zip(stated).map(|(betrayed, stated)| betrayed / stated);
+        // What the data show is true of them, whatever is declared; contact radii tell less surely.
+        let disagrees = Pixel { mismatch, ..Pixel::default() }.contradicts();
+        let pixel = if disagrees { betrayed.or(stated) } else { stated.or(betrayed) };
         match (stated, betrayed, survey.lattice) {
             (Some(stated), Some(betrayed), _) if (stated / betrayed - 1.0).abs() > 0.01 => {
                 survey.notes.push(format!(
@@ -61,7 +98,7 @@ pub(super) fn pixels(
             _ => {}
         }
         let side = side.or_else(|| pixel.zip(count).map(|(pixel, count)| pixel * count));
-        list.push(Pixel { grid: count, pixel, relative: 0.0, side });
+        list.push(Pixel { grid: count, pixel, relative: 0.0, side, mismatch });
     }
     let all_known = list.iter().all(|own| own.pixel.is_some());
     let all_counted = list.iter().all(|own| own.grid.is_some());

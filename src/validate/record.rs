@@ -117,4 +117,6 @@ pub struct Validation {
     pub files: Vec<FileReport>,
     /// How the whole was read, in sentences.
     pub notes: Vec<String>,
+    /// What a reader must know of the exact solution.
+    pub warnings: Vec<String>,
 }

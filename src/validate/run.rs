@@ -2,15 +2,18 @@
 
 use super::diagnosis::{self, Evidence};
 use super::exact::Exact;
+use super::layout::Layout;
+use super::loads::Row;
 use super::order::Level;
-use super::pixel::{Pixel, pixels};
+use super::pixel::{Pixel, contradiction, pixels};
+use super::placing::placings;
 use super::score::Gauge;
 use super::survey::{Content, Survey};
 use super::units::Units;
 use super::verdict::{Verdict, verdict};
 use super::{FileReport, Source, Suspicion, Validation, ValidationError, column::Kind, field, loads};
 use crate::contact::{Load, State};
-use crate::scene::{Control, Scene, Walls};
+use crate::scene::{Change, Control, Scene, Walls, scene_for_data};
 use std::collections::BTreeSet;
 
 /// What is validated, and how.
@@ -25,6 +28,8 @@ pub struct Request<'a> {
     pub tolerance: Option<f64>,
     /// Pixels along a side of the box, per file.
     pub grid: &'a [f64],
+    /// What is said of the files.
+    pub layout: &'a Layout,
 }
 
 /// Compares a solver's data with the exact solution of a scene.
@@ -38,7 +43,11 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     let mut units = Units::default();
     let mut surveys = Vec::new();
     for source in request.sources {
-        surveys.push(Survey::new(source, scene, &mut units)?);
+        surveys.push(Survey::new(source, request.layout, scene, &mut units)?);
+    }
+    let names: Vec<String> = surveys.iter().flat_map(|own| own.names.iter().cloned()).collect();
+    if let Some(error) = request.layout.without_column(&names) {
+        return Err(error);
     }
     let work = Work { request, scene, judge: judge(request, scene) };
     let mut parts = Vec::new();
@@ -48,9 +57,11 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
             continue;
         }
         let pixels = pixels(&mut own, content, scene.data.as_ref(), request.grid)?;
+        let contradiction = contradiction(&pixels);
         let mut files: Vec<(&Survey<'_>, Pixel)> = own.into_iter().map(|own| &*own).zip(pixels).collect();
         files.sort_by(|one, other| other.1.relative.total_cmp(&one.1.relative));
-        parts.push(if content == Content::Loads { work.loads(&files)? } else { work.field(&files)? });
+        let part = if content == Content::Loads { work.loads(&files)? } else { work.field(&files)? };
+        parts.push(part.against(contradiction));
     }
     let mut notes: Vec<String> = units.note.into_iter().collect();
     if scene.data.as_ref().is_some_and(|own| own.walls == Walls::Periodic) {
@@ -74,12 +85,39 @@ struct Part {
     verdict: Verdict,
     suspicion: Option<Suspicion>,
     files: Vec<FileReport>,
+    /// What the exact solution says of itself.
+    warnings: Vec<String>,
+}
+
+impl Part {
+    /// Fails where the places of the data contradict what is declared of them.
+    fn against(mut self, contradiction: Option<Suspicion>) -> Self {
+        if let Some(found) = contradiction {
+            if self.verdict.passed {
+                self.verdict.reason = "the declared box and grid do not fit the places of the data".to_owned();
+            }
+            self.verdict.passed = false;
+            // Coordinates from a corner often miss a pixel as well; the axis is the larger fault.
+            if self.suspicion.as_ref().is_none_or(|own| !matches!(own.id, "origin-corner" | "fftshift")) {
+                self.suspicion = Some(found);
+            }
+        }
+        self
+    }
+
+    /// The reason, with what to try where no fault explains the data.
+    fn reason(&self) -> String {
+        match self.verdict.advice.filter(|_| self.suspicion.is_none()) {
+            Some(advice) => format!("{}: {advice}", self.verdict.reason),
+            None => self.verdict.reason.clone(),
+        }
+    }
 }
 
 /// All kinds together.
 fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
     let passed = parts.iter().all(|own| own.verdict.passed);
-    let telling: Vec<&str> = parts.iter().filter(|own| own.verdict.passed == passed).map(|own| own.verdict.reason.as_str()).collect();
+    let telling: Vec<String> = parts.iter().filter(|own| own.verdict.passed == passed).map(Part::reason).collect();
     let suspicions: Vec<&Suspicion> = parts.iter().filter_map(|own| own.suspicion.as_ref()).collect();
     let agreed = suspicions.first().filter(|first| suspicions.iter().all(|own| own.id == first.id));
     let orders: Vec<_> = parts.iter().filter_map(|own| own.verdict.order).collect();
@@ -88,6 +126,7 @@ fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
         reason: telling.join("; "),
         suspicion: agreed.map(|own| (*own).clone()),
         columns: parts.iter().filter_map(|own| own.files.last()).flat_map(|own| own.columns.clone()).collect(),
+        warnings: parts.iter().flat_map(|own| own.warnings.iter().cloned()).collect::<BTreeSet<_>>().into_iter().collect(),
         orders: (count > parts.len() && !orders.is_empty()).then_some(orders),
         files: parts.into_iter().flat_map(|own| own.files).collect(),
         notes,
@@ -124,14 +163,20 @@ impl Work<'_> {
         let verdict = verdict(finest.column, &finest.report.columns, &levels, self.judge.solver, finest.unmatched);
         let suspicion = if verdict.passed {
             None
+        } else if let Some(own) =
+            finest.single.clone().or_else(|| reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>()))
+        {
+            Some(own)
         } else {
             let pixel = files.last().and_then(|own| own.1.pixel);
             let margin = finest.rows.iter().map(|row| row.radius).fold(0.0, f64::max);
             let reach = exact.state(load).map_or(margin, |own| own.radius);
             let gauge = Gauge { pixel, margin: reach, mean_over: None, solver: self.judge.solver, by_force };
-            diagnosis::diagnose(self.request.text, self.scene, &Evidence::Loads(finest.rows.clone()), &gauge)
+            let factors = files.last().map_or(Row { depth: 1.0, force: 1.0, radius: 1.0 }, |own| own.0.row_factors());
+            let evidence = Evidence::Loads { rows: finest.rows.clone(), factors };
+            diagnosis::diagnose(self.request.text, self.scene, &evidence, &gauge)
         };
-        Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect() })
+        Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect(), warnings: solution.warnings() })
     }
 
     fn field(&self, files: &[(&Survey<'_>, Pixel)]) -> Result<Part, ValidationError> {
@@ -155,17 +200,24 @@ impl Work<'_> {
         let margin = all.iter().map(|own| own.margin).fold(0.0, f64::max);
         let region = field::Region::new(state.radius, margin, &exact.sharp(state.radius));
         let relative = files.iter().map(|(_, pixel)| pixel.relative);
-        let levels: Vec<Level> =
-            all.iter().zip(relative).map(|(own, pixel)| Level { pixel, errors: vec![within(&own.errors, &region)] }).collect();
+        let levels: Vec<Level> = all.iter().zip(relative).map(|(own, pixel)| level(pixel, within(&own.errors, &region))).collect();
         let column = if finest.report.columns.iter().any(|own| own.name == "p") { "p" } else { "u" };
         let levels = if column == "p" { levels } else { Vec::new() };
         let verdict = verdict(column, &finest.report.columns, &levels, self.judge.solver, 0);
-        let suspicion = if verdict.passed || column != "p" { None } else { self.suspicion(finest, files.last().map(|own| own.1), &state) };
-        Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect() })
+        let reversed = reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>());
+        let suspicion = match finest.single.clone().or(reversed) {
+            _ if verdict.passed => None,
+            Some(own) => Some(own),
+            None => files.last().and_then(|(survey, pixel)| self.suspicion(finest, survey, *pixel, &state)),
+        };
+        Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect(), warnings: solution.warnings() })
     }
 
-    fn suspicion(&self, finest: &field::Compared, pixel: Option<Pixel>, state: &State) -> Option<Suspicion> {
-        let pixel = pixel.unwrap_or_default();
+    fn suspicion(&self, finest: &field::Compared, survey: &Survey<'_>, pixel: Pixel, state: &State) -> Option<Suspicion> {
+        let fails = |name: &str| finest.report.columns.iter().any(|own| own.name == name && own.passed == Some(false));
+        if fails("u") && !fails("p") && !fails("F_from_p") {
+            return self.suspicion_of_displacements(finest, survey, pixel, state);
+        }
         let declared = self.scene.data.as_ref();
         let held = match (declared.and_then(|own| own.control), self.scene.control) {
             (Some(Control::Force), _) | (None, Control::Force) => vec![Control::Force],
@@ -176,8 +228,24 @@ impl Work<'_> {
         let gauge =
             Gauge { pixel: pixel.pixel, margin: finest.margin, mean_over, solver: self.judge.solver, by_force: self.declared_force() };
         let free = declared.is_some_and(|own| own.walls == Walls::Free);
-        let evidence = Evidence::Field { spots: finest.spots.clone(), state: *state, held, side: pixel.side, free };
+        let evidence = Evidence::Field {
+            spots: finest.spots.clone(),
+            state: *state,
+            held,
+            side: pixel.side,
+            free,
+            placings: placings(&survey.extent, pixel.pixel, pixel.side),
+            factors: survey.place_factors(),
+        };
         diagnosis::diagnose(self.request.text, self.scene, &evidence, &gauge)
+    }
+
+    fn suspicion_of_displacements(&self, finest: &field::Compared, survey: &Survey<'_>, pixel: Pixel, state: &State) -> Option<Suspicion> {
+        let young =
+            scene_for_data(self.request.text, &Change::NoPoisson).ok().map(|own| own.effective_modulus / self.scene.effective_modulus);
+        let unit = survey.unit(Kind::Displacement, self.scene);
+        let length = |own: f64| format!("{:.4e} {unit}", survey.shown(Kind::Displacement, own)).trim_end().to_owned();
+        finest.displacements.suspicion(self.judge.allowed(pixel.pixel, state), young.filter(|own| (own - 1.0).abs() > 1e-6), &length)
     }
 
     fn single_load(&self) -> Result<Load, ValidationError> {
@@ -190,14 +258,30 @@ impl Work<'_> {
     }
 }
 
-/// The relative L2 error within a region.
-fn within(errors: &[(f64, f64, f64)], region: &field::Region) -> Option<f64> {
-    let (mut error, mut exact) = (0.0, 0.0);
+/// Names the order of the files where the errors grow as the pixel is said to shrink, and the file that is said to be the coarsest
+/// is within the tolerance of the finest.
+fn reversed(verdict: &Verdict, files: &[&FileReport]) -> Option<Suspicion> {
+    let (name, _) = verdict.order.filter(|_| verdict.grows)?;
+    let error = |file: &FileReport| file.columns.iter().find(|own| own.name == name).map(|own| (own.l2, own.tolerance));
+    let (first, last) = (error(files.first()?)?, error(files.last()?)?);
+    let fits = first.0 <= last.1.unwrap_or(f64::MAX);
+    let text = format!("files in the wrong order: the errors of {name} shrink if the files are taken the other way round");
+    fits.then_some(Suspicion { id: "file-order", text, before: last.0, after: first.0 })
+}
+
+/// The relative L2 error within a region, and the error of the amplitude.
+fn within(errors: &[(f64, f64, f64)], region: &field::Region) -> Option<(f64, f64)> {
+    let (mut error, mut exact, mut along) = (0.0, 0.0, 0.0);
     for (_, p, own) in errors.iter().filter(|own| region.holds(own.0)) {
         error += (p - own) * (p - own);
         exact += own * own;
+        along += (p - own) * own;
     }
-    (exact > 0.0).then(|| (error / exact).sqrt())
+    (exact > 0.0).then(|| ((error / exact).sqrt(), along / exact))
+}
+
+fn level(pixel: f64, found: Option<(f64, f64)>) -> Level {
+    Level { pixel, errors: vec![found.map(|own| own.0)], signed: vec![found.map(|own| own.1)] }
 }
 
 /// The errors of every file at the loads of the finest one; solvers may have moved their steps by a little.
@@ -208,9 +292,9 @@ fn paired(files: &[&[(f64, f64)]], pixels: &[f64]) -> Vec<Level> {
         let own = file.iter().min_by(|one, other| (one.0 - load).abs().total_cmp(&(other.0 - load).abs()))?;
         ((own.0 - load).abs() <= NEAR * load.abs()).then_some(own.1)
     };
-    let level = |(file, pixel): (&&[(f64, f64)], &f64)| Level {
-        pixel: *pixel,
-        errors: finest.iter().map(|(load, _)| nearest(file, *load)).collect(),
+    let level = |(file, pixel): (&&[(f64, f64)], &f64)| {
+        let errors: Vec<Option<f64>> = finest.iter().map(|(load, _)| nearest(file, *load)).collect();
+        Level { pixel: *pixel, signed: errors.clone(), errors }
     };
     files.iter().zip(pixels).map(level).collect()
 }

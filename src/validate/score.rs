@@ -98,7 +98,7 @@ pub(super) fn field(exact: &Exact<'_>, state: &State, spots: &[Spot], gauge: &Ga
     for (spot, exact) in inside.iter().zip(found.chunks(each)) {
         let exact = exact.iter().sum::<f64>() / each as f64;
         if exact.is_finite() {
-            let allowed = excused(spot.r, a, gauge.pixel, state.boundary == Boundary::Rim);
+            let allowed = excused(spot.r, &region, gauge.pixel, state.boundary == Boundary::Rim);
             norms.add(0.0, 0.0, spot.p, exact, allowed + gauge.solver);
         }
     }

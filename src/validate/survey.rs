@@ -3,6 +3,9 @@
 use super::ValidationError;
 use super::column::{Column, Kind};
 use super::lattice::{self, Lattice, Offset};
+use super::layout::{Layout, Origin};
+use super::loads::Row;
+use super::placing::Extent;
 use super::table::{Source, Table};
 use super::units::Units;
 use crate::scene::Scene;
@@ -20,6 +23,9 @@ pub(super) enum Content {
 /// What the first look found; lengths in computed units.
 pub(super) struct Survey<'s> {
     pub(super) source: &'s Source<'s>,
+    pub(super) layout: &'s Layout,
+    /// The coordinates of the axis in both directions.
+    axis: f64,
     pub(super) content: Content,
     /// Computed numbers per number of the column.
     pub(super) factors: Vec<f64>,
@@ -27,9 +33,13 @@ pub(super) struct Survey<'s> {
     pub(super) rows: u64,
     pub(super) largest: Vec<f64>,
     pub(super) lattice: Option<Lattice>,
+    /// How far x and y reach, counted from the axis.
+    pub(super) extent: Extent,
     /// The pixel that contact radii betray.
     pub(super) counted: Option<f64>,
     pub(super) notes: Vec<String>,
+    /// Names of all columns.
+    pub(super) names: Vec<String>,
     /// Names of the columns that are not read.
     pub(super) unread: Vec<String>,
 }
@@ -41,20 +51,21 @@ const HELP: &str = "columns such as d_um,F_mN,a_um for loads, or r_um,p_GPa (or 
 
 impl<'s> Survey<'s> {
     /// Reads a file once.
-    pub(super) fn new(source: &'s Source<'s>, scene: &Scene, units: &mut Units) -> Result<Self, ValidationError> {
-        let mut table = Table::open(source)?;
-        let content = content(&source.name, &table)?;
+    pub(super) fn new(source: &'s Source<'s>, layout: &'s Layout, scene: &Scene, units: &mut Units) -> Result<Self, ValidationError> {
+        let mut table = Table::open(source, layout)?;
+        let content = content(&source.name, &table).map_err(|error| layout.without_column(&table.names).unwrap_or(error))?;
         let columns = table.columns.clone();
         let mut factors = Vec::new();
         for column in &columns {
             factors.push(units.factor(scene, &source.name, column)?);
         }
-        let places = Places::of(&table);
+        let axis = axis(&table, layout)?;
+        let places = Places { axis, ..Places::of(&table) };
         let a = table.index(Kind::ContactRadius);
         let load = table.index(Kind::Depth).or(table.index(Kind::Force));
         let (mut rows, mut largest) = (0, vec![0.0_f64; columns.len()]);
         let (mut nearest, mut xs, mut radii) = (Nearest::default(), BTreeSet::new(), Vec::new());
-        let mut row = Vec::new();
+        let (mut row, mut extent) = (Vec::new(), Extent::NONE);
         while table.next(&mut row)?.is_some() {
             rows += 1;
             for ((value, factor), most) in row.iter_mut().zip(&factors).zip(&mut largest) {
@@ -62,6 +73,11 @@ impl<'s> Survey<'s> {
                 *most = most.max(value.abs());
             }
             if content == Content::Field {
+                for (direction, column) in [places.x, places.y].into_iter().enumerate() {
+                    if let Some(own) = column.and_then(|own| row.get(own)) {
+                        extent.take(direction, own - axis);
+                    }
+                }
                 if let Some(r) = places.distance(&row) {
                     nearest.take(r.abs());
                 }
@@ -78,6 +94,7 @@ impl<'s> Survey<'s> {
         }
         let mut notes = std::mem::take(&mut table.notes);
         let unread = std::mem::take(&mut table.unread);
+        let names = std::mem::take(&mut table.names);
         if rows == 0 {
             return Err(ValidationError::data(
                 &source.name,
@@ -94,7 +111,7 @@ impl<'s> Survey<'s> {
             lattice = Some(Lattice { pixel: gap, offset: lattice.map_or(Offset::Centre, |own| own.offset) });
         }
         let counted = lattice::of_areas(&radii);
-        Ok(Self { source, content, factors, columns, rows, largest, lattice, counted, notes, unread })
+        Ok(Self { source, layout, axis, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
     }
 
     /// The place of a kind of column.
@@ -118,9 +135,21 @@ impl<'s> Survey<'s> {
         own.and_then(|own| own.unit.as_ref()).map_or_else(|| scene.system.unit_name(kind.dimension()), |unit| unit.name().to_owned())
     }
 
+    /// Computed units per number of the columns d, F and a.
+    pub(super) fn row_factors(&self) -> Row {
+        let factor = |kind: Kind| self.index(kind).and_then(|own| self.factors.get(own)).copied().unwrap_or(1.0);
+        Row { depth: factor(Kind::Depth), force: factor(Kind::Force), radius: factor(Kind::ContactRadius) }
+    }
+
+    /// Computed units per number of the columns r (or x) and p.
+    pub(super) fn place_factors(&self) -> (f64, f64) {
+        let factor = |kind: Kind| self.index(kind).and_then(|own| self.factors.get(own)).copied();
+        (factor(Kind::Distance).or(factor(Kind::X)).unwrap_or(1.0), factor(Kind::Pressure).unwrap_or(1.0))
+    }
+
     /// Where the distances to the axis stand.
     pub(super) fn places(&self) -> Places {
-        Places { r: self.index(Kind::Distance), x: self.index(Kind::X), y: self.index(Kind::Y) }
+        Places { r: self.index(Kind::Distance), x: self.index(Kind::X), y: self.index(Kind::Y), axis: self.axis }
     }
 }
 
@@ -130,22 +159,35 @@ pub(super) struct Places {
     pub(super) r: Option<usize>,
     pub(super) x: Option<usize>,
     pub(super) y: Option<usize>,
+    /// The coordinate of the axis in both directions.
+    pub(super) axis: f64,
 }
 
 impl Places {
     fn of(table: &Table<'_>) -> Self {
-        Self { r: table.index(Kind::Distance), x: table.index(Kind::X), y: table.index(Kind::Y) }
+        Self { r: table.index(Kind::Distance), x: table.index(Kind::X), y: table.index(Kind::Y), axis: 0.0 }
     }
 
     /// The distance of a row to the axis.
     pub(super) fn distance(&self, row: &[f64]) -> Option<f64> {
         match (self.r, self.x, self.y) {
             (Some(r), _, _) => row.get(r).copied(),
-            (None, Some(x), Some(y)) => Some(row.get(x)?.hypot(*row.get(y)?)),
-            (None, Some(x), None) => row.get(x).map(|x| x.abs()),
+            (None, Some(x), Some(y)) => Some((row.get(x)? - self.axis).hypot(row.get(y)? - self.axis)),
+            (None, Some(x), None) => row.get(x).map(|x| (x - self.axis).abs()),
             _ => None,
         }
     }
+}
+
+/// The coordinate of the axis where coordinates begin in a corner of the box.
+fn axis(table: &Table<'_>, layout: &Layout) -> Result<f64, ValidationError> {
+    if layout.origin != Some(Origin::Corner) || table.placed || table.index(Kind::X).is_none() {
+        return Ok(0.0);
+    }
+    layout.side.map(|side| 0.5 * side).ok_or_else(|| {
+        let message = "coordinates that begin in a corner need the box, in the middle of which the axis lies";
+        ValidationError::request(message, "--box \"8 um\", the side of the domain, would be accepted")
+    })
 }
 
 fn content(file: &str, table: &Table<'_>) -> Result<Content, ValidationError> {

@@ -1,7 +1,9 @@
-//! A data file row by row: names in the first line, numbers below, nothing kept.
+//! A data file row by row: text with names in its first line and numbers below, of which nothing is kept, or the arrays of NumPy's files.
 
 use super::ValidationError;
-use super::column::{Column, Kind, Reading, read};
+use super::array::{NPY, NPZ, arrays};
+use super::column::{Column, Kind, Reading};
+use super::layout::{Layout, columns};
 use std::io::{self, BufRead, BufReader, Read};
 
 /// A file of data that can be opened more than once.
@@ -19,49 +21,105 @@ pub(super) struct Table<'s> {
     pub(super) notes: Vec<String>,
     /// Names of the columns that are not read.
     pub(super) unread: Vec<String>,
-    names: Vec<String>,
+    /// Names of all columns.
+    pub(super) names: Vec<String>,
+    body: Body,
+    repeated: u64,
+    /// True where the places were made from the box, about the axis.
+    pub(super) placed: bool,
+}
+
+/// Where the numbers come from.
+enum Body {
+    Text(Box<Text>),
+    Arrays { columns: Vec<Vec<f64>>, next: usize },
+}
+
+/// Lines of numbers.
+struct Text {
     reader: csv::Reader<BufReader<Box<dyn Read>>>,
     record: csv::ByteRecord,
     skipped: u64,
     decimal_commas: bool,
-    repeated: u64,
 }
 
 /// The longest line before the numbers.
 const LONGEST: u64 = 1 << 16;
+/// The longest file of arrays.
+const LARGEST: u64 = 1_000_000_000;
+/// Characters that begin a comment.
+const COMMENTS: [char; 2] = ['#', '%'];
+const FINITE: &str = "a finite number such as 1.5e-6 would be accepted";
+/// Formats that a line of Python converts: how they begin, their names, and the line.
+const FOREIGN: &[(&[u8], &str, &str)] = &[
+    (b"\x89HDF\r\n\x1a\n", "an HDF5 file", HDF5),
+    (b"CDF\x01", "a NetCDF file", NETCDF),
+    (b"CDF\x02", "a NetCDF file", NETCDF),
+    (b"CDF\x05", "a NetCDF file", NETCDF),
+];
+const HDF5: &str =
+    "import h5py, numpy; f = h5py.File('data.h5'); numpy.savez('data.npz', **{k: f[k][()] for k in f if hasattr(f[k], 'shape')})";
+const NETCDF: &str =
+    "import netCDF4, numpy; f = netCDF4.Dataset('data.nc'); numpy.savez('data.npz', **{k: v[:] for k, v in f.variables.items()})";
 const NAMES: &str = "a first line such as d_um,F_mN,a_um or r_um,p_GPa would be accepted";
 
 impl<'s> Table<'s> {
     /// Opens a file and reads its header.
-    pub(super) fn open(source: &'s Source<'_>) -> Result<Self, ValidationError> {
+    pub(super) fn open(source: &'s Source<'_>, layout: &Layout) -> Result<Self, ValidationError> {
         let name = source.name.as_str();
         let file = (source.open)().map_err(|error| unreadable(name, None, &error))?;
         let mut file = BufReader::with_capacity(1 << 16, file);
-        let header = Header::read(name, &mut file)?;
+        let begin = file.fill_buf().map_err(|error| unreadable(name, None, &error))?;
+        if let Some((_, format, convert)) = FOREIGN.iter().find(|own| begin.starts_with(own.0)) {
+            return Err(ValidationError::data(
+                name,
+                None,
+                format!("this is {format}, which is not read"),
+                format!("python -c \"{convert}\" would convert it"),
+            ));
+        }
+        if begin.starts_with(NPY) || begin.starts_with(NPZ) {
+            return Self::of_arrays(name, file, layout);
+        }
+        let header = Header::read(name, &mut file, layout)?;
+        let blanks = header.delimiter == b' ';
+        let rows: Box<dyn Read> = if blanks { Box::new(Blanks { inner: file, pending: None, at_start: true }) } else { Box::new(file) };
         let reader = csv::ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
             .comment(Some(b'#'))
             .delimiter(header.delimiter)
             .trim(csv::Trim::None)
-            .from_reader(file);
-        let (columns, unread) = understood(name, &header)?;
+            .from_reader(BufReader::with_capacity(1 << 16, rows));
+        let (columns, unread) = understood(name, Some(header.lines), &header.names, layout)?;
         let mut notes: Vec<String> = unread.iter().map(|name| format!("column {name:?} is not read")).collect();
         if header.commented {
             notes.push("the names of the columns stand in a comment".to_owned());
         }
-        Ok(Self {
-            name,
-            columns,
-            notes,
-            unread,
-            names: header.names,
+        let body = Body::Text(Box::new(Text {
             reader,
             record: csv::ByteRecord::new(),
             skipped: header.lines,
             decimal_commas: header.delimiter != b',',
-            repeated: 0,
-        })
+        }));
+        Ok(Self { name, columns, notes, unread, names: header.names, body, repeated: 0, placed: false })
+    }
+
+    fn of_arrays(name: &'s str, mut file: BufReader<Box<dyn Read>>, layout: &Layout) -> Result<Self, ValidationError> {
+        let mut bytes = Vec::new();
+        file.by_ref().take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| unreadable(name, None, &error))?;
+        if bytes.len() as u64 > LARGEST {
+            let message = format!("the file is longer than the {LARGEST} bytes that are read of NumPy's formats");
+            return Err(ValidationError::data(name, None, message, "a CSV file of any length would be accepted"));
+        }
+        let stem = std::path::Path::new(name).file_stem().and_then(|own| own.to_str()).unwrap_or("array");
+        let own = columns(name, arrays(name, stem, bytes)?, layout)?;
+        let (known, unread) = understood(name, None, &own.names, layout)?;
+        let mut notes = own.notes;
+        notes.extend(unread.iter().map(|name| format!("array {name:?} is not read")));
+        let values = known.iter().filter_map(|column| own.values.get(column.index).cloned()).collect();
+        let body = Body::Arrays { columns: values, next: 0 };
+        Ok(Self { name, columns: known, notes, unread, names: own.names, body, repeated: 0, placed: own.placed })
     }
 
     /// The place of a kind of column among those that are understood.
@@ -71,6 +129,44 @@ impl<'s> Table<'s> {
 
     /// Reads the next row into one number per understood column; `None` at the end.
     pub(super) fn next(&mut self, out: &mut Vec<f64>) -> Result<Option<u64>, ValidationError> {
+        let more = match &mut self.body {
+            Body::Text(own) => own.next(self.name, &self.names, &self.columns, &mut self.repeated, out)?,
+            Body::Arrays { columns, next } => {
+                out.clear();
+                out.extend(columns.iter().map_while(|own| own.get(*next).copied()));
+                *next += 1;
+                if let Some((value, column)) = out.iter().zip(&self.columns).find(|own| !own.0.is_finite()) {
+                    let message = format!("row {next} of array {}: {value} is not finite", column.name);
+                    return Err(ValidationError::data(self.name, None, message, FINITE));
+                }
+                (!columns.is_empty() && out.len() == columns.len()).then_some(*next as u64)
+            }
+        };
+        for (value, column) in out.iter_mut().zip(&self.columns).filter(|own| own.1.is_area) {
+            if *value < 0.0 {
+                let message = format!("column {}: the area {value} is negative", column.name);
+                return Err(ValidationError::data(self.name, more, message, "an area of 0 or more would be accepted"));
+            }
+            *value = (*value / std::f64::consts::PI).sqrt();
+        }
+        Ok(more)
+    }
+
+    /// How often the first line stood again among the rows.
+    pub(super) fn repeated(&self) -> u64 {
+        self.repeated
+    }
+}
+
+impl Text {
+    fn next(
+        &mut self,
+        file: &str,
+        names: &[String],
+        columns: &[Column],
+        repeated: &mut u64,
+        out: &mut Vec<f64>,
+    ) -> Result<Option<u64>, ValidationError> {
         loop {
             let more = self.reader.read_byte_record(&mut self.record);
             let line = self.skipped + self.record.position().map_or(0, csv::Position::line);
@@ -78,42 +174,39 @@ impl<'s> Table<'s> {
                 Ok(false) => return Ok(None),
                 Ok(true) => {}
                 Err(error) => {
-                    return Err(ValidationError::data(self.name, Some(line), error.to_string(), "rows of numbers would be accepted"));
+                    return Err(ValidationError::data(file, Some(line), error.to_string(), "rows of numbers would be accepted"));
                 }
             }
-            if self.record.len() == 1 && self.record.iter().all(|field| field.trim_ascii().is_empty()) {
+            let first = self.record.get(0).unwrap_or_default().trim_ascii_start();
+            if first.first().is_some_and(|own| COMMENTS.contains(&char::from(*own))) {
                 continue;
             }
-            if self.record.len() != self.names.len() {
-                return Err(self.wrong_count(line));
+            if self.record.len() == 1 && first.is_empty() {
+                continue;
             }
-            if self.is_header() {
-                self.repeated += 1;
+            if self.record.len() != names.len() {
+                return Err(self.wrong_count(file, names.len(), line));
+            }
+            if self.is_header(names) {
+                *repeated += 1;
                 continue;
             }
             out.clear();
-            for index in 0..self.columns.len() {
-                let value = self.number(index, line)?;
-                out.push(value);
+            for column in columns {
+                out.push(self.number(file, column, line)?);
             }
             return Ok(Some(line));
         }
     }
 
-    /// How often the first line stood again among the rows.
-    pub(super) fn repeated(&self) -> u64 {
-        self.repeated
-    }
-
-    fn is_header(&self) -> bool {
+    fn is_header(&self, names: &[String]) -> bool {
         let first = self.record.get(0).unwrap_or_default();
         // A cheap look first: numbers begin with none of these.
         first.first().is_some_and(u8::is_ascii_alphabetic)
-            && self.record.iter().zip(&self.names).all(|(field, name)| field.trim_ascii() == name.as_bytes())
+            && self.record.iter().zip(names).all(|(field, name)| field.trim_ascii() == name.as_bytes())
     }
 
-    fn number(&self, index: usize, line: u64) -> Result<f64, ValidationError> {
-        let Some(column) = self.columns.get(index) else { return Ok(f64::NAN) };
+    fn number(&self, file: &str, column: &Column, line: u64) -> Result<f64, ValidationError> {
         let field = self.record.get(column.index).unwrap_or_default().trim_ascii();
         let text = std::str::from_utf8(field).unwrap_or("\u{fffd}");
         let parsed = match self.decimal_commas && field.contains(&b',') {
@@ -121,26 +214,24 @@ impl<'s> Table<'s> {
             false => text.parse::<f64>(),
         };
         let shown: String = text.chars().take(40).collect();
-        let help = "a finite number such as 1.5e-6 would be accepted";
+        let fault = |message: String| Err(ValidationError::data(file, Some(line), message, FINITE));
         match parsed {
             Ok(value) if value.is_finite() => Ok(value),
-            Ok(_) => Err(ValidationError::data(self.name, Some(line), format!("column {}: {shown} is not finite", column.name), help)),
-            Err(_) if field.is_empty() => {
-                Err(ValidationError::data(self.name, Some(line), format!("column {} is empty", column.name), help))
-            }
-            Err(_) => Err(ValidationError::data(self.name, Some(line), format!("column {}: {shown:?} is no number", column.name), help)),
+            Ok(_) => fault(format!("column {}: {shown} is not finite", column.name)),
+            Err(_) if field.is_empty() => fault(format!("column {} is empty", column.name)),
+            Err(_) => fault(format!("column {}: {shown:?} is no number", column.name)),
         }
     }
 
-    fn wrong_count(&self, line: u64) -> ValidationError {
-        let (found, wanted) = (self.record.len(), self.names.len());
+    fn wrong_count(&self, file: &str, wanted: usize, line: u64) -> ValidationError {
+        let found = self.record.len();
         let message = format!("{found} fields where the first line names {wanted} columns");
         let help = if !self.decimal_commas && found == 2 * wanted {
             "decimal commas need another separator between the columns, such as a semicolon"
         } else {
             "one number per column would be accepted"
         };
-        ValidationError::data(self.name, Some(line), message, help)
+        ValidationError::data(file, Some(line), message, help)
     }
 }
 
@@ -154,7 +245,7 @@ struct Header {
 }
 
 impl Header {
-    fn read(name: &str, file: &mut BufReader<Box<dyn Read>>) -> Result<Self, ValidationError> {
+    fn read(name: &str, file: &mut BufReader<Box<dyn Read>>, layout: &Layout) -> Result<Self, ValidationError> {
         let (mut lines, mut comment) = (0, None);
         loop {
             let mut bytes = Vec::new();
@@ -165,7 +256,7 @@ impl Header {
             lines += 1;
             let text = String::from_utf8_lossy(&bytes);
             let text = text.trim_start_matches('\u{feff}').trim();
-            if let Some(own) = text.strip_prefix('#') {
+            if let Some(own) = text.strip_prefix(COMMENTS) {
                 comment = Some(own.trim().to_owned());
                 continue;
             }
@@ -180,27 +271,31 @@ impl Header {
             if !numeric {
                 return Ok(own);
             }
-            let help = format!("{NAMES}, also as a comment that begins with #");
-            return Err(ValidationError::data(name, Some(lines), "the first line has numbers where the names of the columns belong", help))
-                .or_else(|error| Self::commented(comment.as_deref(), lines, own.names.len(), file, &bytes).ok_or(error));
+            // The line is a row: it is put back, and names are those of the last comment, or numbers that the user maps.
+            let count = own.names.len();
+            let named = comment
+                .map(|own| Self::split(&own, 0, true).names)
+                .filter(|names| names.len() == count && names.iter().any(|name| matches!(layout.read(name, 0), Reading::Known(_))));
+            let commented = named.is_some();
+            let numbered = || layout.by_number().then(|| (1..=count).map(|own| own.to_string()).collect());
+            let Some(names) = named.or_else(numbered) else {
+                let help = format!("{NAMES}, also as a comment that begins with #, or numbers of columns, as in --map d=1 --map F=2");
+                let message = "the first line has numbers where the names of the columns belong";
+                return Err(ValidationError::data(name, Some(lines), message, help));
+            };
+            let rest = std::mem::replace(file, BufReader::new(Box::new(io::empty())));
+            *file = BufReader::with_capacity(1 << 16, Box::new(io::Cursor::new(bytes).chain(rest)));
+            return Ok(Self { names, delimiter: own.delimiter, lines: lines - 1, commented });
         }
-    }
-
-    /// A header in the last comment before the rows; the row that was read already is put back.
-    fn commented(comment: Option<&str>, lines: u64, count: usize, file: &mut BufReader<Box<dyn Read>>, row: &[u8]) -> Option<Self> {
-        let own = Self::split(comment?, lines - 1, true);
-        let known = own.names.iter().any(|name| matches!(read(name, 0), Reading::Known(_)));
-        if !known || own.names.len() != count {
-            return None;
-        }
-        let rest = std::mem::replace(file, BufReader::new(Box::new(io::empty())));
-        let again = io::Cursor::new(row.to_vec()).chain(rest);
-        *file = BufReader::with_capacity(1 << 16, Box::new(again));
-        Some(own)
     }
 
     fn split(text: &str, lines: u64, commented: bool) -> Self {
-        let delimiter = [b';', b'\t', b','].into_iter().find(|own| text.as_bytes().contains(own)).unwrap_or(b',');
+        let found = [b';', b'\t', b','].into_iter().find(|own| text.as_bytes().contains(own));
+        if found.is_none() && text.contains(' ') {
+            let names = blank_separated(text);
+            return Self { names, delimiter: b' ', lines, commented };
+        }
+        let delimiter = found.unwrap_or(b',');
         let mut reader = csv::ReaderBuilder::new().has_headers(false).delimiter(delimiter).from_reader(text.as_bytes());
         let mut record = csv::StringRecord::new();
         let read = reader.read_record(&mut record).unwrap_or(false);
@@ -209,21 +304,80 @@ impl Header {
     }
 }
 
+/// Words between blanks; a unit in brackets belongs to the word before it, as in `d (um)`.
+fn blank_separated(text: &str) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match names.last_mut().filter(|_| word.starts_with(['(', '['])) {
+            Some(last) => *last = format!("{last} {word}"),
+            None => names.push(word.to_owned()),
+        }
+    }
+    names
+}
+
+/// Text in which a single blank stands for every run of blanks, and none at the ends of lines.
+struct Blanks<R> {
+    inner: R,
+    /// A byte that follows a blank that was handed out.
+    pending: Option<u8>,
+    at_start: bool,
+}
+
+impl<R: BufRead> Read for Blanks<R> {
+    fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
+        let mut count = 0;
+        for place in out.iter_mut() {
+            if let Some(own) = self.pending.take() {
+                (*place, count) = (own, count + 1);
+                continue;
+            }
+            let (mut blank, mut next) = (false, None);
+            while next.is_none() {
+                let bytes = self.inner.fill_buf()?;
+                if bytes.is_empty() {
+                    break;
+                }
+                let blanks = bytes.iter().take_while(|own| matches!(own, b' ' | b'\t')).count();
+                blank |= blanks > 0;
+                next = bytes.get(blanks).copied();
+                self.inner.consume(blanks + usize::from(next.is_some()));
+            }
+            let Some(own) = next else { break };
+            let ends = matches!(own, b'\n' | b'\r');
+            if blank && !ends && !self.at_start {
+                self.pending = Some(own);
+                *place = b' ';
+            } else {
+                *place = own;
+            }
+            self.at_start = ends;
+            count += 1;
+        }
+        Ok(count)
+    }
+}
+
 /// The columns that are understood, and the names of the others.
-fn understood(file: &str, header: &Header) -> Result<(Vec<Column>, Vec<String>), ValidationError> {
-    let fault = |message: String, help: &str| ValidationError::data(file, Some(header.lines), message, help);
+fn understood(file: &str, line: Option<u64>, names: &[String], layout: &Layout) -> Result<(Vec<Column>, Vec<String>), ValidationError> {
+    let fault = |message: String, help: &str| ValidationError::data(file, line, message, help);
     let (mut columns, mut unread): (Vec<Column>, Vec<String>) = (Vec::new(), Vec::new());
-    for (index, name) in header.names.iter().enumerate() {
-        match read(name, index) {
-            Reading::Known(column) => {
-                if let Some(other) = columns.iter().find(|own| own.kind == column.kind) {
+    for (index, name) in names.iter().enumerate() {
+        match layout.read(name, index) {
+            Reading::Known(column) => match columns.iter_mut().find(|own| own.kind == column.kind) {
+                // A contact radius is preferred to an area from which it would follow.
+                Some(other) if other.is_area != column.is_area => {
+                    let less = if column.is_area { column } else { std::mem::replace(other, column) };
+                    unread.push(less.name);
+                }
+                Some(other) => {
                     return Err(fault(
                         format!("the columns {} and {name} are the same quantity", other.name),
-                        "each quantity once would be accepted",
+                        "each quantity once, or --map that says which one is meant, would be accepted",
                     ));
                 }
-                columns.push(column);
-            }
+                None => columns.push(column),
+            },
             Reading::BadUnit(why) => {
                 return Err(fault(format!("column {name}: {why}"), "a name such as d_um, F_mN or p_GPa would be accepted"));
             }

@@ -1,51 +1,109 @@
-//! The verdict on the files of one kind: the finest within its tolerance, and errors that shrink with the pixel.
+//! The verdict on the files of one kind: the finest within its tolerance, and errors that are not proven to stay as the pixel shrinks.
 
-use super::order::{Level, Order, order};
+use super::order::{Level, Order, limit_error, order};
 use super::record::{Beyond, Column};
 
 /// What one kind of file says.
 pub(super) struct Verdict {
     pub(super) passed: bool,
     pub(super) reason: String,
-    /// The column that decides, with its order.
+    /// What to try, where no fault explains the data.
+    pub(super) advice: Option<&'static str>,
+    /// The column that decides, with its order where that is determined.
     pub(super) order: Option<(&'static str, Order)>,
+    /// True where the errors are proven to grow while the pixel shrinks.
+    pub(super) grows: bool,
 }
 
 /// Errors below this are those of printed digits.
 const PRINTED: f64 = 1e-8;
-
-/// An error that is independent of the pixel has an order near 0, however well that is known.
+/// An error whose order is proven to lie below this does not shrink with the pixel.
 const LEAST_ORDER: f64 = 0.25;
 /// Errors of this share of the tolerance in every file are noise that no refinement needs to cure.
 const NOTHING_LEFT: f64 = 0.05;
+/// An order with a wider interval is not determined.
+const WIDEST: f64 = 2.0;
+/// The error on an infinitely fine grid must be proven to exceed this share of the tolerance of the finest file.
+const LEFT: f64 = 0.5;
+
+/// What several files say together.
+enum Convergence {
+    /// There is but one file.
+    One,
+    /// The order, which excludes that the errors stay.
+    Shrinks(Order),
+    /// Errors far below the tolerance in every file.
+    Settled,
+    /// Neither this nor that is proven.
+    Undetermined,
+    /// Errors whose order is proven to be about 0 or less.
+    Stays(Order),
+    /// The interval of what is left on an infinitely fine grid does not hold 0, nor anything small.
+    Left(f64, f64),
+}
+
+impl Convergence {
+    fn of(levels: &[Level], tolerance: Option<f64>, noise: f64) -> Self {
+        if levels.len() < 2 {
+            return Self::One;
+        }
+        let found = order(levels, noise);
+        let small = tolerance.map_or(0.0, |own| NOTHING_LEFT * own).max(10.0 * PRINTED.max(noise));
+        if vanishing(levels, small) {
+            return found.filter(shrinks).map_or(Self::Settled, Self::Shrinks);
+        }
+        let left = limit_error(levels).zip(tolerance).filter(|((low, high), own)| *low > LEFT * own || *high < -LEFT * own);
+        match (found, left) {
+            (Some(own), _) if own.high.is_some_and(|high| high < LEAST_ORDER) => Self::Stays(own),
+            (_, Some(((low, high), _))) => Self::Left(low, high),
+            (Some(own), _) if shrinks(&own) => Self::Shrinks(own),
+            _ => Self::Undetermined,
+        }
+    }
+
+    fn fails(&self) -> bool {
+        matches!(self, Self::Stays(_) | Self::Left(..))
+    }
+
+    /// Whether the errors are proven to grow while the pixel shrinks.
+    fn grows(&self) -> bool {
+        matches!(self, Self::Stays(own) if own.high.is_some_and(|high| high < -LEAST_ORDER))
+    }
+}
+
+fn is_narrow(own: &Order) -> bool {
+    own.low.zip(own.high).is_none_or(|(low, high)| high - low <= WIDEST)
+}
+
+fn shrinks(own: &Order) -> bool {
+    own.low.unwrap_or(own.value) > 0.0 && own.value > LEAST_ORDER && is_narrow(own)
+}
+
+/// True where even the coarsest errors are no larger than this.
+fn vanishing(levels: &[Level], most: f64) -> bool {
+    levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= most))
+}
 
 /// Judges the columns of the finest file, and the levels of all of them.
 pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level], solver: f64, unmatched: u64) -> Verdict {
-    let found = if levels.len() > 1 { order(levels, PRINTED.max(solver)) } else { None };
     let failed: Vec<&Column> = finest.iter().filter(|own| own.passed == Some(false)).collect();
-    let converges = match found {
-        None => levels.len() < 2 || vanishing(levels, 10.0 * PRINTED.max(solver)),
-        Some(own) => own.low.unwrap_or(own.value) > 0.0 && own.value > LEAST_ORDER,
-    };
-    let tolerance = finest.iter().find(|own| own.name == column).and_then(|own| own.tolerance);
-    let settled = found.is_some() && !converges && vanishing(levels, tolerance.map_or(0.0, |own| NOTHING_LEFT * own));
-    let converges = converges || settled;
+    let decisive = finest.iter().find(|own| own.name == column);
+    // Contact radii count in pixels: their relative errors have no tolerance.
+    let tolerance = decisive.filter(|own| own.pixels.is_none()).and_then(|own| own.tolerance);
+    let convergence = Convergence::of(levels, tolerance, PRINTED.max(solver));
     let none_judged = finest.iter().all(|own| own.passed.is_none());
-    let passed = failed.is_empty() && converges && unmatched == 0 && !none_judged;
-    let reason = if unmatched > 0 {
-        format!("no valid contact belongs to {unmatched} of the loads")
+    let passed = failed.is_empty() && !convergence.fails() && unmatched == 0 && !none_judged;
+    let (reason, advice) = if unmatched > 0 {
+        (format!("no valid contact belongs to {unmatched} of the loads"), None)
     } else if none_judged {
-        nothing_judged(column)
+        (nothing_judged(column), None)
+    } else if let Some(first) = failed.iter().find(|own| own.beyond.is_some()).or(failed.first()) {
+        failure(column, first, &convergence)
     } else {
-        match (settled, failed.first()) {
-            (true, None) => {
-                let part = (1.0 / NOTHING_LEFT).round();
-                format!("the errors of {column} are below the tolerance by {part} and more in every file: no order is left to see")
-            }
-            (_, failed) => sentence(column, finest, failed.copied(), found, levels.len(), converges),
-        }
+        (sentence(column, finest, &convergence), None)
     };
-    Verdict { passed, reason, order: found.map(|own| (column, own)) }
+    let found = if levels.len() > 1 { order(levels, PRINTED.max(solver)).filter(is_narrow) } else { None };
+    Verdict { passed, reason, advice, order: found.map(|own| (column, own)), grows: convergence.grows() }
 }
 
 /// Why no column has a verdict.
@@ -58,57 +116,71 @@ fn nothing_judged(column: &str) -> String {
     format!("nothing was judged: {why}")
 }
 
-/// True where even the coarsest errors are no larger than this.
-fn vanishing(levels: &[Level], most: f64) -> bool {
-    levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= most))
-}
-
-fn sentence(column: &str, finest: &[Column], failed: Option<&Column>, found: Option<Order>, files: usize, converges: bool) -> String {
-    let order = found.map(|own| match (own.low, own.high) {
+fn order_text(own: &Order) -> String {
+    match (own.low, own.high) {
         (Some(low), Some(high)) => format!("order {:.2} ({low:.2} to {high:.2})", own.value),
         _ => format!("order {:.2}", own.value),
-    });
-    let floor = found.and_then(|own| own.floor).map_or(String::new(), |own| format!("; below {own:.1e} refinement has no effect"));
-    let size = |own: &Column| match (own.pixels, own.tolerance) {
-        (Some(pixels), Some(tolerance)) => format!("contact radii are {pixels:.2} pixels off, more than {tolerance}"),
-        (None, Some(tolerance)) => {
-            format!("the error of {} is {:.3e} in L2, more than the {tolerance:.3e} that is accepted", own.name, own.l2)
-        }
-        _ => format!("the error of {} is {:.3e} in L2", own.name, own.l2),
-    };
-    if let Some((name, row)) = finest.iter().find_map(|own| Some((own.name, own.beyond.filter(|_| own.passed == Some(false))?))) {
-        let Beyond { at, error, limit } = row;
-        return format!("the error of {name} is {error:.3e} at the load {at}, more than the {limit:.3e} that a single row may have");
     }
-    match (failed, order, converges) {
-        (None, Some(order), true) => {
-            let own = finest.iter().find(|own| own.name == column);
-            let error = own.map_or(String::new(), |own| {
-                format!(" and the finest file is within its tolerance ({:.3e} of {:.3e})", own.l2, own.tolerance.unwrap_or(f64::MAX))
-            });
-            format!("the errors of {column} shrink with the pixel, {order},{error}{floor}").replace(", and", " and")
+}
+
+/// Why data fail whose finest file is beyond its tolerance, and what to try.
+fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String, Option<&'static str>) {
+    let hidden = failed.tolerance.is_some_and(|own| failed.l2 <= own);
+    if let Some(Beyond { at, error, limit }) = failed.beyond.filter(|_| hidden) {
+        let name = failed.name;
+        let place = if matches!(name, "p" | "u") { format!("r = {at}") } else { format!("the load {at}") };
+        return (format!("the error of {name} is {error:.3e} at {place}, more than the {limit:.3e} that a single row may have"), None);
+    }
+    let size = match (failed.pixels, failed.tolerance) {
+        (Some(pixels), Some(tolerance)) => format!("contact radii are {pixels:.2} pixels off, more than {tolerance}"),
+        (_, tolerance) => {
+            let accepted = tolerance.unwrap_or_default();
+            format!("the error of {} is {:.3e} in L2, more than the {accepted:.3e} that is accepted", failed.name, failed.l2)
         }
-        (None, None, true) => {
-            let judged = finest.iter().filter_map(|own| Some((own.name, own.l2, own.tolerance?)));
-            match judged.clone().find(|own| own.0 == column).or(judged.clone().next()) {
-                Some((name, error, tolerance)) => {
-                    format!("every column is within its tolerance ({name}: {error:.3e} of {tolerance:.3e})")
-                }
-                None => nothing_judged(column),
-            }
+    };
+    match convergence {
+        Convergence::One => (size, Some("one file cannot tell a coarse grid from a wrong model")),
+        Convergence::Shrinks(own) if failed.name == column => {
+            let advice = own.floor.is_none().then_some("a finer grid would help");
+            (format!("{size}; the errors of {column} shrink with the pixel, {}", order_text(own)), advice)
         }
-        (None, order, false) => {
-            let order = order.unwrap_or_else(|| "no order".to_owned());
-            format!("the errors of {column} do not shrink with the pixel ({order}): refinement does not cure them")
+        Convergence::Shrinks(_) | Convergence::Settled => (size, None),
+        Convergence::Undetermined => (format!("{size}; order not determined"), None),
+        Convergence::Stays(_) | Convergence::Left(..) => (format!("{size}, and {}", stays(column, convergence)), None),
+    }
+}
+
+/// Why errors do not vanish as the pixel does.
+fn stays(column: &str, convergence: &Convergence) -> String {
+    match convergence {
+        Convergence::Left(low, high) => format!(
+            "the errors of {column} tend to {:.3e} ({low:.3e} to {high:.3e}) as the pixel shrinks, not to 0: refinement does not cure them",
+            0.5 * (low + high)
+        ),
+        Convergence::Stays(own) => {
+            format!("the errors of {column} do not shrink with the pixel ({}): refinement does not cure them", order_text(own))
         }
-        (Some(own), Some(order), true) => {
-            format!("{}; the errors of {column} shrink with the pixel, {order}{floor}: a finer grid would help", size(own))
+        _ => String::new(),
+    }
+}
+
+/// What is said where every column is within its tolerance.
+fn sentence(column: &str, finest: &[Column], convergence: &Convergence) -> String {
+    let judged = finest.iter().filter_map(|own| Some((own.name, own.l2, own.tolerance?)));
+    let shown = judged.clone().find(|own| own.0 == column).or(judged.clone().next());
+    let shown = shown.map_or(String::new(), |(name, error, tolerance)| format!(" ({name}: {error:.3e} of {tolerance:.3e})"));
+    match convergence {
+        Convergence::One => format!("every column is within its tolerance{shown}"),
+        Convergence::Shrinks(own) => {
+            let floor = own.floor.map_or(String::new(), |own| format!("; below {own:.1e} refinement has no effect"));
+            let order = order_text(own);
+            format!("the errors of {column} shrink with the pixel, {order}, and the finest file is within its tolerance{shown}{floor}")
         }
-        (Some(own), Some(order), false) => {
-            format!("{}, and the errors of {column} do not shrink with the pixel ({order}): refinement does not cure them", size(own))
+        Convergence::Settled => {
+            let part = (1.0 / NOTHING_LEFT).round();
+            format!("the errors of {column} are below the tolerance by {part} and more in every file: no order is left to see")
         }
-        (Some(own), None, _) if files > 1 => format!("{}, whatever the grid", size(own)),
-        (Some(own), None, _) if files == 0 => size(own),
-        (Some(own), None, _) => format!("{}; one file cannot tell a coarse grid from a wrong model", size(own)),
+        Convergence::Undetermined => format!("the finest file is within its tolerance{shown}; order not determined"),
+        Convergence::Stays(_) | Convergence::Left(..) => stays(column, convergence),
     }
 }

@@ -72,6 +72,20 @@ def beta_interval(a, b, u, v):
         return mpmath.betainc(a, b, u, v)
 
 
+def many_parameters():
+    """Six and more upper parameters far out on the negative axis, as for r/(c + r^12): products of many gamma functions."""
+    own = random.Random(20261123)
+    for n in (6, 7, 8, 9, 12, 15):
+        upper = [(1 + 2 * k) / (2 * n) for k in range(n)]
+        lower = [k / n for k in range(1, n)]
+        for _ in range(4):
+            z = -math.exp(own.uniform(math.log(31), math.log(1e12)))
+            add(f"hyper {n} {n - 1}", (*upper, *lower, z), lambda *a, n=n: mpmath.hyper(a[:n], a[n:-1], a[-1]))
+        bent = [p + own.uniform(-0.02, 0.02) for p in upper]
+        z = -math.exp(own.uniform(math.log(31), math.log(1e6)))
+        add(f"hyper {n} {n - 1}", (*bent, *lower, z), lambda *a, n=n: mpmath.hyper(a[:n], a[n:-1], a[-1]))
+
+
 def main():
     third, fifth = Pair(mpf(1) / 3), Pair(mpf(1) / 5)
     # gamma and its kin
@@ -218,6 +232,7 @@ def main():
         add("inverse_tangent_integral", (y,), lambda z: mp.im(mpmath.polylog(2, mp.mpc(0, z))))
         t = rng.choice([uni(0, 2 * math.pi), logu(1e-20, 1), math.pi + sg(logu(1e-12, 1)), 2 * math.pi - logu(1e-10, 1), uni(-30, 30)])
         add("clsin", (2.0, t), lambda s, t: mpmath.clsin(2, t))
+    many_parameters()
     target = Path(__file__).with_name("hypergeometric.csv")
     target.write_text("function,arguments,value\n" + "\n".join(rows) + "\n")
     print(f"{len(rows)} rows", file=sys.stderr)

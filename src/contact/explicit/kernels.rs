@@ -6,6 +6,8 @@ use crate::transform::Term;
 use crate::transform::rules::reading;
 
 /// Where they come from.
+/// How g(a) = d was solved.
+const EQUATION: &str = "Monotone in the contact radius, and inverted by an elementary function";
 const REFERENCE: [&str; 1] = ["g(a) = d solved for a"];
 
 /// a(d) and F(d) for atan, artanh, 1 − 1/√(1 + r²/b²), 1 − J₀ and I₀ − 1, on the whole axis.
@@ -58,6 +60,7 @@ fn arctangent(coefficient: &Expr, alpha: &Expr, beta: &Expr, side: i64) -> Optio
     Some(Explicit {
         contact_radius: &width * &s / &root,
         force: Expr::pi() * scale * Expr::symbol("E") * width * s.power(2) / (one + root),
+        equation: EQUATION,
         reference: REFERENCE.to_vec(),
         conditions,
     })
@@ -76,6 +79,7 @@ fn saturation(coefficient: &Expr, alpha: &Expr, beta: &Expr) -> Option<Explicit>
     Some(Explicit {
         contact_radius: &width * &ratio,
         force: Expr::integer(2) * Expr::symbol("E") * width * inner,
+        equation: EQUATION,
         reference: REFERENCE.to_vec(),
         conditions,
     })
@@ -96,5 +100,11 @@ fn bessel(coefficient: &Expr, k: &Expr, side: i64) -> Option<Explicit> {
     }
     let leg = (&d * (&two * &height - &side_expr * &d)).sqrt();
     let inner = &side_expr * (leg - (&height - &side_expr * &d) * &angle);
-    Some(Explicit { contact_radius: &angle / k, force: two * Expr::symbol("E") / k * inner, reference: REFERENCE.to_vec(), conditions })
+    Some(Explicit {
+        contact_radius: &angle / k,
+        force: two * Expr::symbol("E") / k * inner,
+        equation: EQUATION,
+        reference: REFERENCE.to_vec(),
+        conditions,
+    })
 }

@@ -3,8 +3,8 @@
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol, derivative};
 use crate::num::Bounded;
-use crate::transform::{ClosedForm, Profile, Slopes, TransformError};
-use std::sync::Arc;
+use crate::transform::{ClosedForm, Over, Profile, Slopes, TransformError};
+use std::sync::{Arc, OnceLock};
 
 /// f′ and (r f′)′ of a profile whose parameters are all numbers, and of what is no formula beside it.
 ///
@@ -16,8 +16,17 @@ pub(super) struct Curvature<'a> {
 
 struct Pieces {
     breakpoints: Vec<f64>,
+    heights: Vec<ClosedForm>,
     slopes: Vec<ClosedForm>,
     bends: Vec<ClosedForm>,
+    /// (r f′)″, compiled where the sign of (r f′)′ needs it.
+    turns: Vec<Turn>,
+}
+
+/// An expression that may be needed.
+struct Turn {
+    bend: Expr,
+    compiled: OnceLock<Option<ClosedForm>>,
 }
 
 /// A place where f′ jumps.
@@ -41,15 +50,21 @@ impl<'a> Curvature<'a> {
     pub(super) fn with(mut self, profile: &Profile) -> Result<Self, TransformError> {
         let radius = Symbol::new("r");
         let compile = |expr: &Expr| ClosedForm::new(expr, std::slice::from_ref(&radius));
+        let mut shift = -&profile.shift;
         for chain in &profile.chains {
             let number = |b: &Expr| constant_value(b, &Bindings::default()).map(|b| b.value);
             let breakpoints = chain.breakpoints.iter().map(number).collect::<Result<_, _>>()?;
+            let heights = chain.pieces.iter().map(|piece| compile(&(piece + &shift))).collect::<Result<_, _>>()?;
+            shift = Expr::zero();
             let (mut slopes, mut bends) = (Vec::new(), Vec::new());
+            let mut turns = Vec::new();
             for slope in chain.slopes()? {
-                bends.push(compile(&derivative(&(Expr::symbol("r") * &slope), &radius)?)?);
+                let bend = derivative(&(Expr::symbol("r") * &slope), &radius)?;
+                bends.push(compile(&bend)?);
                 slopes.push(compile(&slope)?);
+                turns.push(Turn { bend, compiled: OnceLock::new() });
             }
-            self.chains.push(Pieces { breakpoints, slopes, bends });
+            self.chains.push(Pieces { breakpoints, heights, slopes, bends, turns });
         }
         Ok(self)
     }
@@ -62,6 +77,77 @@ impl<'a> Curvature<'a> {
     /// (r f′)′ at r.
     pub(super) fn bend(&self, r: f64) -> Bounded {
         self.total(r, |pieces| &pieces.bends, |other| other.bend(r))
+    }
+
+    /// The places where the pieces of a formula meet, rising.
+    pub(super) fn breakpoints(&self) -> Vec<f64> {
+        let mut list: Vec<f64> = self.chains.iter().flat_map(|pieces| pieces.breakpoints.iter().copied()).collect();
+        list.sort_by(f64::total_cmp);
+        list.dedup();
+        list
+    }
+
+    /// Bounds on f − f(0) between two radii without a breakpoint between them; `None` where there are none.
+    pub(super) fn height_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        if self.others.is_empty() { self.total_over(lower, upper, |pieces| &pieces.heights, |_| None) } else { None }
+    }
+
+    /// The same of f′.
+    pub(super) fn slope_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        self.total_over(lower, upper, |pieces| &pieces.slopes, |own| Some(own.slope))
+    }
+
+    /// The same of (r f′)′.
+    pub(super) fn bend_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        let (low, high) = self.total_over(lower, upper, |pieces| &pieces.bends, |own| Some(own.bend))?;
+        // Where the sign is open, terms that cancel may do so in the value at the middle: what is then open is their change.
+        let narrow = lower > 0.0 && upper < 2.0 * lower && low < 0.0 && high > 0.0;
+        let near = if narrow { self.bend_around(lower, upper) } else { None };
+        Some(near.map_or((low, high), |near| (low.max(near.0), high.min(near.1))))
+    }
+
+    /// The same by the value at the middle and the enclosed change from there.
+    fn bend_around(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        if !self.others.is_empty() {
+            return None;
+        }
+        let middle = 0.5 * (lower + upper);
+        let radius = Symbol::new("r");
+        let mut change = (0.0, 0.0);
+        for pieces in &self.chains {
+            let turn = pieces.turns.get(pieces.breakpoints.iter().filter(|b| **b <= middle).count())?;
+            let compiled = turn.compiled.get_or_init(|| {
+                let own = derivative(&turn.bend, &radius).ok()?;
+                ClosedForm::new(&own, std::slice::from_ref(&radius)).ok()
+            });
+            let own = compiled.as_ref()?.over(lower, upper)?;
+            change = (change.0 + own.0, change.1 + own.1);
+        }
+        let bend = self.bend(middle);
+        let half = 0.5 * (upper - lower) * (1.0 + 4.0 * f64::EPSILON);
+        let most = half * change.0.abs().max(change.1.abs()) * (1.0 + 8.0 * f64::EPSILON) + bend.error;
+        (most < f64::INFINITY).then_some((bend.value - most, bend.value + most))
+    }
+
+    fn total_over(
+        &self,
+        lower: f64,
+        upper: f64,
+        pick: impl Fn(&Pieces) -> &Vec<ClosedForm>,
+        ask: impl Fn(Over) -> Option<(f64, f64)>,
+    ) -> Option<(f64, f64)> {
+        let middle = 0.5 * (lower + upper);
+        let formulas = self.chains.iter().map(|pieces| {
+            let index = pieces.breakpoints.iter().filter(|b| **b <= middle).count();
+            pick(pieces).get(index)?.over(lower, upper)
+        });
+        let others = self.others.iter().map(|other| other.over(lower, upper).and_then(&ask));
+        formulas.chain(others).try_fold((0.0, 0.0), |(low, high): (f64, f64), own| {
+            let own = own?;
+            let sum = (low + own.0, high + own.1);
+            // One part alone is not rounded.
+            Some(if low == 0.0 && high == 0.0 { own } else { (sum.0.next_down(), sum.1.next_up()) })
+        })
     }
 
     fn total(&self, r: f64, pick: impl Fn(&Pieces) -> &Vec<ClosedForm>, ask: impl Fn(&dyn Slopes) -> Bounded) -> Bounded {

@@ -1,7 +1,11 @@
 //! What a profile looks like to every load of a scene: where g rises, where f has troughs, how far both were looked at.
 
+use super::cells::Cells;
 use super::curvature::{Curvature, Kink};
 use super::root::Horizon;
+use super::verdict::rounded;
+use crate::num::NumError;
+use crate::num::roots::{RootOptions, bracketed};
 use crate::transform::{Quantities, Superposition, TransformError};
 
 /// The shape beyond single loads, looked at once.
@@ -16,7 +20,14 @@ pub(super) struct Landscape<'a> {
     pub(super) followed: Option<f64>,
     /// The flat part around the axis: g is 0 up to here.
     pub(super) flat: f64,
-    /// True where g rises from the flat part to the reach.
+    /// The bend enclosed; `None` where f′ has no enclosures.
+    pub(super) cells: Option<Cells>,
+    /// g is proven to rise up to here.
+    pub(super) risen: f64,
+    /// The radii that were looked at, rising, and how many they are.
+    pub(super) places: Vec<f64>,
+    pub(super) looked: u64,
+    /// True where g rises from the flat part to the reach, as far as was looked.
     pub(super) rising: bool,
     /// Where g was first seen to fall; the reach where it never does.
     pub(super) first_fall: f64,
@@ -40,6 +51,12 @@ const INWARD: i32 = 12;
 const OUTWARD: i32 = 5;
 /// Evenly spaced radii up to twice the largest load.
 const EVEN: i32 = 512;
+/// The bend is enclosed from this share of the largest load on …
+const FLOOR: f64 = 1e-12;
+/// … and finely up to this multiple of it, where it has no sign.
+const FINE: f64 = 4.0;
+/// Most radii next to places where the bend is negative beyond doubt.
+const MOST_DENTS: usize = 200;
 
 impl<'a> Landscape<'a> {
     /// Looks at a profile up to `rim` or its end; an endless one up to the horizon.
@@ -58,10 +75,23 @@ impl<'a> Landscape<'a> {
         let far = (horizon.scale * 10f64.powi(OUTWARD)).min(horizon.followed);
         let (scale, reach) = if end.is_finite() { (end, end) } else { (horizon.scale, far) };
         let flat = Some(evaluator.flat_radius()?).filter(|flat| *flat < end).unwrap_or(0.0);
-        let places = places(evaluator, flat, scale, reach);
+        let mut places = places(evaluator, flat, scale, reach);
+        let cells = Cells::new(&curvature, &kinks, FLOOR * scale, (FINE * scale).min(reach), reach);
+        let bends_up = cells.as_ref().is_some_and(Cells::bends_up);
+        let risen = cells.as_ref().map_or(0.0, |own| if bends_up { reach } else { own.risen() });
+        if let (Some(own), true) = (&cells, risen < reach) {
+            let dents = own.dents(&places, MOST_DENTS);
+            places.extend(dents.into_iter().filter(|r| *r > flat && *r < reach));
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+        }
         let mut own = Self {
             curvature,
             kinks,
+            cells,
+            risen,
+            looked: places.len() as u64,
+            places: Vec::new(),
             reach,
             followed: (!end.is_finite() && reach == horizon.followed).then_some(reach),
             flat,
@@ -72,41 +102,28 @@ impl<'a> Landscape<'a> {
             lowest: 0.0,
             steep: None,
         };
-        own.steep = own.first_steep(&places);
+        own.steep = first_steep(&own.curvature, flat, &places);
+        own.places.clone_from(&places);
+        if risen >= reach {
+            return Ok(own);
+        }
         let concave = own.kinks.iter().any(|kink| kink.jump < 0.0 && kink.at < reach);
         let bent = places.iter().any(|r| {
             let bend = own.curvature.bend(*r);
             bend.value < -bend.error
         });
         if concave || bent {
-            own.sample(evaluator, &places)?;
+            let telling = telling(&places, own.cells.as_ref().map(Cells::rising_ranges).unwrap_or_default());
+            own.sample(evaluator, &places, &telling)?;
         }
         Ok(own)
     }
 
-    /// The first radius at which |f′| exceeds the bound, to about six digits.
-    fn first_steep(&self, places: &[f64]) -> Option<f64> {
-        let steep = |r: f64| self.curvature.slope(r).value.abs() > STEEP;
-        let mut from = self.flat;
-        for place in places {
-            if steep(*place) {
-                let mut to = *place;
-                for _ in 0..24 {
-                    let middle = 0.5 * (from + to);
-                    if steep(middle) { to = middle } else { from = middle }
-                }
-                return Some(to);
-            }
-            from = *place;
-        }
-        None
-    }
-
-    /// g, f and its troughs at every place.
-    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64]) -> Result<(), TransformError> {
+    /// g at the places that tell where it rises, and the troughs of f between all.
+    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &[f64]) -> Result<(), TransformError> {
         let mut before = (self.flat, 0.0, 0.0);
         let mut fallen = None;
-        for x in places {
+        for x in telling {
             // Places without a value are no evidence.
             let Ok(g) = evaluator.slope(*x) else { continue };
             let g = g.estimate;
@@ -122,22 +139,30 @@ impl<'a> Landscape<'a> {
             self.samples.clear();
             return Ok(());
         }
-        let mut falling = false;
-        let mut last = 0.0;
+        let mut falling = None;
         for r in places {
-            if let Ok(f) = evaluator.height(*r) {
-                self.lowest = self.lowest.min(f.estimate.value);
-            }
             let slope = self.curvature.slope(*r);
-            if falling && slope.value > slope.error {
-                self.troughs.push(0.5 * (last + *r));
+            if let Some(from) = falling
+                && slope.value > slope.error
+            {
+                self.troughs.push(self.trough(from, *r));
             }
             if slope.value.abs() > slope.error {
-                falling = slope.value < 0.0;
+                falling = (slope.value < 0.0).then_some(*r);
             }
-            last = *r;
         }
+        // The smallest f is at a root of f′, at a kink, or at the end.
+        let kinks = self.curvature.breakpoints();
+        let candidates = self.troughs.iter().chain(kinks.iter().filter(|at| **at < self.reach)).chain([&self.reach]);
+        let heights = candidates.filter_map(|r| Some(evaluator.height(*r).ok()?.estimate.value));
+        self.lowest = heights.fold(0.0, f64::min);
         Ok(())
+    }
+
+    /// Where f′ changes its sign between a radius at which f falls and one at which it rises.
+    fn trough(&self, from: f64, to: f64) -> f64 {
+        let root = bracketed(|r| Ok::<f64, NumError>(self.curvature.slope(r).value), from, to, &RootOptions::default());
+        root.map_or(0.5 * (from + to), |own| own.x)
     }
 
     /// The brackets in which g rises through `depth`, from the axis outward.
@@ -152,6 +177,39 @@ impl<'a> Landscape<'a> {
         }
         found
     }
+}
+
+/// The places without those inside ranges in which g is proven to rise: between the ends of such a range g has no other root.
+fn telling(places: &[f64], rising: Vec<(f64, f64)>) -> Vec<f64> {
+    let mut ranges = rising.into_iter().peekable();
+    let mut inside = |from: f64, to: f64| {
+        while ranges.next_if(|range| range.1 < to).is_some() {}
+        ranges.peek().is_some_and(|range| range.0 <= from)
+    };
+    let neighbours = places.iter().zip(places.iter().skip(2)).map(|(before, next)| inside(*before, *next));
+    // The outermost places have no neighbours.
+    let between = std::iter::once(false).chain(neighbours).chain([false]);
+    places.iter().copied().zip(between).filter_map(|(place, inside)| (!inside).then_some(place)).collect()
+}
+
+/// The first radius at which |f′| exceeds the bound, to about six digits.
+pub(super) fn first_steep(curvature: &Curvature<'_>, flat: f64, places: &[f64]) -> Option<f64> {
+    first(|r| curvature.slope(r).value.abs() > STEEP, flat, places)
+}
+
+/// The first radius at which something is true that is not so before; places are rising.
+pub(super) fn first(is_so: impl Fn(f64) -> bool, mut from: f64, places: &[f64]) -> Option<f64> {
+    let mut to = places.iter().copied().find(|place| {
+        let found = is_so(*place);
+        from = if found { from } else { *place };
+        found
+    })?;
+    for _ in 0..24 {
+        let middle = 0.5 * (from + to);
+        if is_so(middle) { to = middle } else { from = middle }
+    }
+    // The places are a tenth apart or less.
+    Some(rounded(to, 7))
 }
 
 /// Rising radii: evenly spaced ones about the largest load, geometric ones towards the axis and outward, breakpoints from both sides.

@@ -1,16 +1,21 @@
 //! An indentation: from the depth, the force or the contact radius to the other two, with the verdict whether the answer holds.
 
+mod body;
+mod cells;
 mod curvature;
 mod landscape;
 mod naming;
+mod proof;
 mod root;
 mod verdict;
 
+pub use body::Body;
 pub use naming::{Naming, in_unit};
 pub use verdict::{Finding, Severity};
 
 use super::{Contact, ContactError, Explicit, explicit};
 use crate::expr::{Bindings, Symbol};
+use crate::num::work;
 use crate::transform::{ClosedForm, Evaluator, Method, Quantities, Reading, Slopes, Solution, Superposition};
 use curvature::Curvature;
 use landscape::Landscape;
@@ -60,6 +65,9 @@ pub struct Indented {
     pub state: Option<State>,
     /// What is wrong, or worth knowing.
     pub findings: Vec<Finding>,
+    /// Where no proof was found that pressure and gap are nowhere negative: at how many radii they, or what decides on them,
+    /// were looked at. `None` where the verdict is proven.
+    pub radii: Option<u64>,
 }
 
 impl Indented {
@@ -104,6 +112,8 @@ pub struct Indentation<'a> {
     known: Known,
     at_rim: Option<AtRim>,
     naming: Naming,
+    /// What is too steep for a half-space, and from where on.
+    steep: Option<(&'static str, f64)>,
 }
 
 /// A profile that is no formula, with its transforms and its derivatives.
@@ -165,6 +175,30 @@ impl<'a> Indentation<'a> {
     /// # Errors
     /// As [`Indentation::new`].
     pub fn beside(solution: Option<&'a Solution>, others: Vec<Part<'a>>, setup: Setup, largest: Load) -> Result<Self, ContactError> {
+        Self::between(&[], solution, others, setup, largest)
+    }
+
+    /// The same where the profile is the sum of several bodies: the slope and the end of each count, which may cancel in the sum.
+    ///
+    /// # Errors
+    /// As [`Indentation::new`].
+    pub fn between(
+        bodies: &[Body<'_>],
+        solution: Option<&'a Solution>,
+        others: Vec<Part<'a>>,
+        setup: Setup,
+        largest: Load,
+    ) -> Result<Self, ContactError> {
+        work::bounded(|| Self::look(bodies, solution, others, setup, largest))
+    }
+
+    fn look(
+        bodies: &[Body<'_>],
+        solution: Option<&'a Solution>,
+        others: Vec<Part<'a>>,
+        setup: Setup,
+        largest: Load,
+    ) -> Result<Self, ContactError> {
         // A flat formula adds nothing to a table, not even a limit.
         let formula = solution.filter(|own| others.is_empty() || !own.profile.is_flat());
         let is_flat = formula.is_none_or(|own| own.profile.is_flat()) && others.iter().all(|part| part.slopes.is_flat());
@@ -175,7 +209,8 @@ impl<'a> Indentation<'a> {
             parts.insert(0, Arc::new(Evaluator::new(own, &Bindings::default(), setup.method, setup.tolerance)?));
             curvature = curvature.with(&own.profile)?;
         }
-        let evaluator = Superposition::new(parts);
+        let end = bodies.iter().map(Body::end).fold(f64::INFINITY, f64::min);
+        let evaluator = Superposition::new(parts).ending_at(end);
         if let Some(c) = setup.rim {
             if c.is_nan() || c <= 0.0 {
                 return Err(ContactError::Missing { quantity: "a cylinder", needs: "a positive radius" });
@@ -187,6 +222,13 @@ impl<'a> Indentation<'a> {
         let contact = Contact::new(evaluator, setup.effective_modulus, None, setup.tolerance);
         let horizon = Horizon::of(&contact, &curvature, setup.rim, largest);
         let landscape = Landscape::new(contact.evaluator(), curvature, setup.rim, &horizon)?;
+        let own = landscape.steep.map(|at| ("the profile", at));
+        let steep = if bodies.is_empty() {
+            own
+        } else {
+            let each = bodies.iter().filter_map(|body| body.steep(&landscape.places));
+            each.min_by(|one, other| one.1.total_cmp(&other.1))
+        };
         if setup.rim.is_none() && !landscape.rising && landscape.samples.iter().all(|(_, g)| *g <= 0.0) {
             return Err(ContactError::Missing { quantity: "a concave profile", needs: "a radius: the vertical side of the indenter" });
         }
@@ -213,6 +255,7 @@ impl<'a> Indentation<'a> {
             known: Known::default(),
             at_rim,
             naming: Naming::default(),
+            steep,
         })
     }
 
@@ -227,11 +270,11 @@ impl<'a> Indentation<'a> {
     /// # Errors
     /// [`ContactError`] for a negative force or radius, or where numbers fail; a load that cannot be reached is a finding.
     pub fn solve(&self, load: Load) -> Result<Indented, ContactError> {
-        match load {
+        work::bounded(|| match load {
             Load::Depth(depth) => self.at_depth(depth),
             Load::Force(force) => self.at_force(force),
             Load::Radius(radius) => self.at_radius(radius),
-        }
+        })
     }
 
     /// The contact of a state, for pressure, displacement and energy.
@@ -263,7 +306,7 @@ impl<'a> Indentation<'a> {
     }
 
     fn no_contact(depth: f64) -> Indented {
-        Indented { state: Some(State { depth, force: 0.0, radius: 0.0, boundary: Boundary::Apart }), findings: Vec::new() }
+        Indented { state: Some(State { depth, force: 0.0, radius: 0.0, boundary: Boundary::Apart }), findings: Vec::new(), radii: None }
     }
 
     fn at_depth(&self, depth: f64) -> Result<Indented, ContactError> {
@@ -278,7 +321,7 @@ impl<'a> Indentation<'a> {
                 Some(rim) if rim.slope == 0.0 && rim.force == 0.0 => (rim.radius, Boundary::Rim),
                 _ => (radius, Boundary::Smooth),
             };
-            return Ok(Indented { state: Some(State { depth, force: 0.0, radius, boundary }), findings: Vec::new() });
+            return Ok(Indented { state: Some(State { depth, force: 0.0, radius, boundary }), findings: Vec::new(), radii: None });
         }
         let mut candidates = Vec::new();
         if let Some(rim) = self.at_rim
@@ -394,17 +437,28 @@ impl<'a> Indentation<'a> {
         Ok(self.judged(State { depth, force, radius, boundary: Boundary::Smooth }))
     }
 
-    /// The first candidate that stands the test, else the first one with what speaks against it.
+    /// The first candidate that is proven, else the first that stands the test, else the first one with what speaks against it.
+    ///
+    /// A line load d − g(x) = (2/E*) ∫_x^a r p/√(r²−x²) dr that is negative anywhere below the edge is the sum of a pressure that is:
+    /// where g has been seen above d, a candidate needs no test of its own.
     fn chosen(&self, candidates: &[State]) -> Indented {
-        let mut first = None;
-        for state in candidates {
-            let judged = self.judged(*state);
-            if judged.is_valid() {
-                return judged;
+        let pulled = |state: &State| {
+            let most = state.depth + PULLED * state.depth.abs();
+            self.landscape.samples.iter().take_while(|(x, _)| *x < state.radius).any(|(_, g)| *g > most)
+        };
+        let (mut first, mut looked_at) = (None, None);
+        for (index, state) in candidates.iter().enumerate() {
+            if index > 0 && pulled(state) {
+                continue;
             }
-            first.get_or_insert(judged);
+            let judged = self.judged(*state);
+            match (judged.is_valid(), judged.radii) {
+                (true, None) => return judged,
+                (true, Some(_)) => looked_at = looked_at.or(Some(judged)),
+                (false, _) => first = first.or(Some(judged)),
+            }
         }
-        first.unwrap_or(Indented { state: None, findings: Vec::new() })
+        looked_at.or(first).unwrap_or(Indented { state: None, findings: Vec::new(), radii: None })
     }
 
     /// U = E* ∫₀^a (d − g)² dx of a state.
@@ -416,6 +470,10 @@ impl<'a> Indentation<'a> {
     }
 }
 
+/// g exceeds a depth beyond doubt where it does so by this share.
+const PULLED: f64 = 1e-9;
+
 fn unreachable(message: String) -> Indented {
-    Indented { state: None, findings: vec![Finding { rule: "unreachable", severity: Severity::Error, message, at: None }] }
+    let finding = Finding { rule: "unreachable", severity: Severity::Error, message, at: None };
+    Indented { state: None, findings: vec![finding], radii: None }
 }

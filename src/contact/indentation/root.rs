@@ -4,6 +4,7 @@ use super::curvature::Curvature;
 use super::{Boundary, Indentation, Load, State};
 use crate::contact::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
+use crate::num::work;
 use crate::transform::{Quantities, Superposition, TransformError};
 use std::cell::Cell;
 
@@ -194,10 +195,12 @@ impl Indentation<'_> {
 
     /// F at the places where g was sampled; computed when the first force is asked for.
     fn carried(&self) -> &[(f64, f64)] {
-        self.known.forces.get_or_init(|| {
+        // Kept for later loads, whose budgets are their own.
+        let all = || {
             let places = self.landscape.samples.iter().map(|(x, _)| *x);
             places.filter_map(|x| Some((x, self.contact.force(x).ok()?.estimate.value))).collect()
-        })
+        };
+        self.known.forces.get_or_init(|| work::unbroken(all))
     }
 
     /// The roots of a function that rises with g: the only one where g rises everywhere, else one per bracket.

@@ -1,9 +1,10 @@
 //! Whether a state is the solution: pressure inside, no overlap outside, and d ≥ g(a); Signorini's problem has only one.
 
 use super::landscape::STEEP;
-use super::{Boundary, Indentation, Indented, State};
-use crate::num::Estimate;
-use crate::transform::Quantities;
+use super::proof::Sign;
+use super::{Boundary, Indentation, Indented, Naming, State};
+use crate::num::{Estimate, work};
+use crate::transform::{Quantities, Reading};
 use std::cell::{Cell, OnceCell};
 
 /// How much a finding weighs.
@@ -39,20 +40,82 @@ pub struct Finding {
 }
 
 /// What earlier states have shown.
-#[derive(Default)]
 pub(super) struct Known {
-    /// Contacts with a smooth edge up to here close no gap outside.
-    valid_to: Cell<f64>,
+    /// Contacts with a smooth edge up to here close no gap outside: proven, and looked at, with the number of radii.
+    proven_to: Cell<f64>,
+    valid_to: Cell<(f64, u64)>,
     /// From here on they do.
     invalid_from: Cell<Option<f64>>,
     /// Radii with F there, for profiles whose g falls somewhere.
     pub(super) forces: OnceCell<Vec<(f64, f64)>>,
     /// The smallest depth of a complete contact, and where its pressure vanishes first.
     complete: OnceCell<(f64, f64)>,
+    /// From this depth on a complete contact is proven to press everywhere.
+    complete_from: Cell<f64>,
+}
+
+impl Default for Known {
+    fn default() -> Self {
+        Self {
+            proven_to: Cell::new(0.0),
+            valid_to: Cell::new((0.0, 0)),
+            invalid_from: Cell::new(None),
+            forces: OnceCell::new(),
+            complete: OnceCell::new(),
+            complete_from: Cell::new(f64::INFINITY),
+        }
+    }
+}
+
+impl Known {
+    /// Whether a larger contact that closes no gap is known: `Some(None)` where that is proven, else with the number of radii.
+    fn vouched_for(&self, a: f64) -> Option<Option<u64>> {
+        if a <= self.proven_to.get() {
+            return Some(None);
+        }
+        let (to, radii) = self.valid_to.get();
+        (a <= to).then_some(Some(radii))
+    }
+
+    fn vouch(&self, a: f64, radii: Option<u64>) {
+        match radii {
+            None => self.proven_to.set(a.max(self.proven_to.get())),
+            Some(radii) if a > self.valid_to.get().0 => self.valid_to.set((a, radii)),
+            Some(_) => {}
+        }
+    }
+}
+
+/// What was found about one state so far.
+#[derive(Default)]
+struct Inspection {
+    findings: Vec<Finding>,
+    radii: Option<u64>,
+}
+
+impl Inspection {
+    /// Values at this many radii are all that is known.
+    fn looked_at(&mut self, radii: u64) {
+        self.counts(Some(radii));
+    }
+
+    fn counts(&mut self, radii: Option<u64>) {
+        self.radii = match (self.radii, radii) {
+            (Some(known), Some(more)) => Some(known.saturating_add(more)),
+            (known, more) => known.or(more),
+        };
+    }
+
+    fn finds_tension(&mut self, at: f64, naming: &Naming) {
+        let message = format!("the pressure is negative at r = {}: the contact would open there", naming.length(at));
+        self.findings.push(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) });
+    }
 }
 
 /// Radii at which a pressure or a gap is looked at, before its minima are refined.
 const LOOKS: u32 = 96;
+/// Where a sign changes is found to this share of the radius: nearer to it a value costs more and tells no more.
+const PLACED: f64 = 1e-9;
 /// Steps of the golden section.
 const REFINEMENTS: u32 = 48;
 /// A pressure or gap is negative where it is so by more than this, relative to the mean pressure or the depth.
@@ -61,39 +124,45 @@ const NOISE: f64 = 1e-11;
 impl Indentation<'_> {
     /// The state with all findings about it.
     pub(super) fn judged(&self, state: State) -> Indented {
-        let mut findings = Vec::new();
+        let mut verdict = Inspection::default();
         match state.boundary {
             Boundary::Apart => {}
-            Boundary::Rim => findings.extend(self.tension_of_complete_contact(&state)),
-            Boundary::Smooth if !self.landscape.rising => {
-                findings.extend(self.tension_inside(&state));
-                findings.extend(self.overlap_outside(&state));
+            _ if self.landscape.risen >= self.landscape.reach => {}
+            _ if self.landscape.rising => verdict.looked_at(self.landscape.looked),
+            Boundary::Rim => self.tension_of_complete_contact(&state, &mut verdict),
+            Boundary::Smooth => {
+                self.tension_inside(&state, &mut verdict);
+                self.overlap_outside(&state, &mut verdict);
             }
-            Boundary::Smooth => {}
         }
+        let mut findings = verdict.findings;
         findings.extend(self.steep_slope(&state));
-        Indented { state: Some(state), findings }
+        Indented { state: Some(state), findings, radii: verdict.radii }
     }
 
     /// p ≥ 0 for all r < c, which is a limit of the depth: p rises with d as 1/√(c² − r²).
-    fn tension_of_complete_contact(&self, state: &State) -> Option<Finding> {
-        if self.landscape.rising {
-            return None;
-        }
-        let rim = self.at_rim?;
-        let (least, at) = *self.known.complete.get_or_init(|| self.least_depth(rim.radius, rim.slope));
+    fn tension_of_complete_contact(&self, state: &State, verdict: &mut Inspection) {
+        let Some(rim) = self.at_rim else { return };
+        let (least, at) = *self.known.complete.get_or_init(|| work::unbroken(|| self.least_depth(rim.radius, rim.slope)));
         if state.depth >= least * (1.0 - NOISE * least.signum()) {
-            return None;
+            if state.depth >= self.known.complete_from.get() {
+                return;
+            }
+            let sign = |cells| self.pressure_sign(cells, rim.radius, state.depth - rim.slope, NOISE * state.depth.abs());
+            match self.landscape.cells.as_ref().map_or(Sign::Open(0), sign) {
+                Sign::Proven => self.known.complete_from.set(state.depth),
+                Sign::Open(looks) => verdict.looked_at(looks + u64::from(LOOKS)),
+                Sign::Negative(at) => verdict.finds_tension(at, &self.naming),
+            }
+            return;
         }
         let message = if least.is_infinite() {
             "a complete contact is impossible: the pressure at the axis is negative at every depth".to_owned()
         } else {
-            {
-                let (least, at) = (self.naming.length(least), self.naming.length(at));
-                format!("a complete contact needs d >= {least} (the pressure vanishes first at r = {at}); below it is in tension there")
-            }
+            let (least, at) = (self.naming.length(least), self.naming.length(at));
+            format!("a complete contact needs d >= {least} (the pressure vanishes first at r = {at}); below it is in tension there")
         };
-        Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) })
+        verdict.findings.push(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) });
     }
 
     /// max over r < c of g(c) − √(c² − r²) π p_smooth/E*, and its place.
@@ -114,74 +183,102 @@ impl Indentation<'_> {
         if let Some(kink) = self.landscape.kinks.iter().find(|kink| kink.jump < 0.0 && kink.at < c) {
             return (f64::INFINITY, kink.at);
         }
-        let (at, value) = lowest(&mut needed, &looks(0.0, c));
+        let (at, value) = lowest(&mut needed, &looks_between(0.0, c));
         if -value > slope { (-value, at) } else { (slope, c) }
     }
 
     /// p ≥ 0 inside a contact with a smooth edge.
-    fn tension_inside(&self, state: &State) -> Option<Finding> {
+    fn tension_inside(&self, state: &State, verdict: &mut Inspection) {
         let a = state.radius;
         if let Some(kink) = self.landscape.kinks.iter().find(|kink| kink.jump < 0.0 && kink.at < a) {
             let message = format!("the profile bends away at r = {}: the pressure there is minus infinity", self.naming.length(kink.at));
-            return Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(kink.at) });
+            verdict.findings.push(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(kink.at) });
+            return;
         }
-        if a <= self.landscape.first_fall {
-            return None;
+        if a <= self.landscape.risen {
+            return;
         }
+        let mean = (state.force / (a * a * self.contact.effective_modulus())).abs();
+        let sign = match &self.landscape.cells {
+            Some(cells) => self.pressure_sign(cells, a, 0.0, NOISE * mean),
+            None => Sign::Open(0),
+        };
         let shape = self.contact.evaluator();
-        let mean = state.force / (a * a * self.contact.effective_modulus());
         let mut pressure = |r: f64| match shape.pressure(r, a) {
-            Ok(Some(p)) => surely(p.estimate, NOISE * mean.abs()),
+            Ok(Some(p)) => surely(p.estimate, NOISE * mean),
             _ => f64::NAN,
         };
-        let at = first_negative(&mut pressure, &looks(0.0, a), 1e-3 * mean.abs())?;
-        let message = format!("the pressure is negative at r = {}: the contact would open there", self.naming.length(at));
-        Some(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) })
+        match sign {
+            Sign::Proven => {}
+            Sign::Negative(at) => verdict.finds_tension(at, &self.naming),
+            Sign::Open(looks) => {
+                let places = looks_between(0.0, a);
+                verdict.looked_at(looks + places.len() as u64);
+                if a <= self.landscape.first_fall {
+                    return;
+                }
+                if let Some(at) = first_negative(&mut pressure, &places, 1e-3 * mean) {
+                    verdict.finds_tension(at, &self.naming);
+                }
+            }
+        }
     }
 
     /// f − d + u ≥ 0 for every r > a within the profile.
     ///
     /// The gap is (2/π)∫_a^r (g − d)/√(r² − x²) dx. While g rises up to a, a larger contact that closes no gap vouches for a smaller one.
-    fn overlap_outside(&self, state: &State) -> Option<Finding> {
+    fn overlap_outside(&self, state: &State, verdict: &mut Inspection) {
         let a = state.radius;
         let ordered = a < self.landscape.first_fall;
-        if ordered && a <= self.known.valid_to.get() {
-            return None;
+        let known = &self.known;
+        if ordered && let Some(radii) = known.vouched_for(a) {
+            verdict.counts(radii);
+            return;
         }
-        if ordered && self.known.invalid_from.get().is_none_or(|from| a < from) {
+        if ordered && known.invalid_from.get().is_none_or(|from| a < from) {
             // A larger contact first: what it shows holds for the loads to come.
-            let end = self.known.invalid_from.get().unwrap_or(self.landscape.first_fall).min(self.landscape.reach);
+            let end = known.invalid_from.get().unwrap_or(self.landscape.first_fall).min(self.landscape.reach);
             let ahead = a + 0.5 * (end - a);
-            if ahead > a && ahead < self.landscape.first_fall && self.first_overlap(ahead).is_none() {
-                self.known.valid_to.set(ahead.max(self.known.valid_to.get()));
-                return None;
-            }
             if ahead > a && ahead < self.landscape.first_fall {
-                self.known.invalid_from.set(Some(ahead));
+                let found = self.first_overlap(ahead);
+                // What was cut short is no verdict, and none is kept.
+                if work::is_exhausted() {
+                    return;
+                }
+                match found {
+                    // A proof for this load may still be had where there is none for the larger one.
+                    (None, None) => {
+                        known.vouch(ahead, None);
+                        return;
+                    }
+                    (None, Some(_)) => {}
+                    (Some(_), _) => known.invalid_from.set(Some(ahead)),
+                }
             }
         }
-        let overlap = self.first_overlap(a);
-        if ordered {
+        let (overlap, radii) = self.first_overlap(a);
+        if ordered && !work::is_exhausted() {
             match overlap {
-                None => self.known.valid_to.set(a.max(self.known.valid_to.get())),
-                Some(_) => self.known.invalid_from.set(Some(self.known.invalid_from.get().map_or(a, |from| from.min(a)))),
+                None => known.vouch(a, radii),
+                Some(_) => known.invalid_from.set(Some(known.invalid_from.get().map_or(a, |from| from.min(a)))),
             }
         }
-        let at = overlap?;
+        verdict.counts(radii);
+        let Some(at) = overlap else { return };
         let message =
             format!("the deformed surface reaches the indenter again at r = {}: the contact is not a disc", self.naming.length(at));
-        Some(Finding { rule: "outside_gap", severity: Severity::Error, message, at: Some(at) })
+        verdict.findings.push(Finding { rule: "outside_gap", severity: Severity::Error, message, at: Some(at) });
     }
 
-    /// The first radius beyond a at which the bodies overlap.
-    fn first_overlap(&self, a: f64) -> Option<f64> {
+    /// The first radius beyond a at which the bodies overlap, and at how many radii was looked where nothing is proven.
+    fn first_overlap(&self, a: f64) -> (Option<f64>, Option<u64>) {
         let (contact, reach) = (&self.contact, self.landscape.reach);
-        let depth = contact.evaluator().slope(a).ok()?.estimate.value;
+        let Ok(Reading { estimate: Estimate { value: depth, .. }, .. }) = contact.evaluator().slope(a) else { return (None, Some(0)) };
         if a >= self.landscape.first_fall
             && let Ok(beyond) = contact.evaluator().slope((a * (1.0 + 1e-6)).min(reach))
             && beyond.estimate.value + beyond.estimate.error < depth
         {
-            return Some(a);
+            return (Some(a), None);
         }
         let mut gap = |r: f64| match (contact.evaluator().height(r), contact.evaluator().displacement(r, a)) {
             (Ok(f), Ok(u)) => {
@@ -198,7 +295,13 @@ impl Indentation<'_> {
             }
             _ => f64::NAN,
         };
-        let mut places: Vec<f64> = looks(a, (8.0 * a).min(reach));
+        let looks = match self.landscape.cells.as_ref().map(|cells| self.gap_sign(cells, a, depth, NOISE * depth.abs())) {
+            Some(Sign::Proven) => return (None, None),
+            Some(Sign::Negative(at)) => return (Some(at), None),
+            Some(Sign::Open(looks)) => looks,
+            None => 0,
+        };
+        let mut places: Vec<f64> = looks_between(a, (8.0 * a).min(reach));
         let mut far = 8.0 * a;
         while far < reach {
             places.push(far);
@@ -208,14 +311,14 @@ impl Indentation<'_> {
         places.extend(self.landscape.troughs.iter().copied().filter(|r| *r > a && *r < reach));
         places.sort_by(f64::total_cmp);
         places.dedup();
-        first_negative(&mut gap, &places, f64::INFINITY)
+        (first_negative(&mut gap, &places, f64::INFINITY), Some(looks + places.len() as u64))
     }
 
     /// The slope of the profile inside the contact, where it is too large for a half-space.
     fn steep_slope(&self, state: &State) -> Option<Finding> {
-        let at = self.landscape.steep.filter(|at| *at < state.radius)?;
+        let (what, at) = self.steep.filter(|(_, at)| *at < state.radius)?;
         let message = format!(
-            "the profile's slope exceeds {STEEP} from r = {} on: a half-space is a poor model of the surface there",
+            "{what}'s slope exceeds {STEEP} from r = {} on: a half-space is a poor model of the surface there",
             self.naming.length(at)
         );
         Some(Finding { rule: "steep_slope", severity: Severity::Warning, message, at: Some(at) })
@@ -228,7 +331,7 @@ fn surely(estimate: Estimate, noise: f64) -> f64 {
 }
 
 /// Radii between two ends, denser towards both.
-fn looks(lower: f64, upper: f64) -> Vec<f64> {
+fn looks_between(lower: f64, upper: f64) -> Vec<f64> {
     let count = f64::from(LOOKS);
     (1..LOOKS)
         .map(|step| {
@@ -269,16 +372,21 @@ fn first_negative(function: &mut impl FnMut(f64) -> f64, places: &[f64], shallow
     None
 }
 
-/// Where a function that is positive at `from` becomes negative before `to`.
+/// Where a function that is not negative at `from` becomes so before `to`, as nearly as [`PLACED`].
 fn sign_change(function: &mut impl FnMut(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
-    for _ in 0..REFINEMENTS {
+    while to - from > PLACED * to {
         let middle = 0.5 * (from + to);
         if middle <= from || middle >= to {
             break;
         }
         if function(middle) < 0.0 { to = middle } else { from = middle }
     }
-    to
+    rounded(to, 8)
+}
+
+/// A radius rounded to so many digits after the first.
+pub(super) fn rounded(radius: f64, digits: usize) -> f64 {
+    format!("{radius:.digits$e}").parse().unwrap_or(radius)
 }
 
 /// The place of the smallest value, refined.

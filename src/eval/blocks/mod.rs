@@ -7,6 +7,7 @@ mod program;
 pub(crate) use program::Program;
 
 use super::Tape;
+use crate::num::work;
 
 /// Points that run through the whole tape together: what they need stays in the first-level cache.
 const BLOCK: usize = 256;
@@ -75,6 +76,7 @@ impl Tape {
         if inputs.len() != program.inputs() || inputs.iter().any(|input| input.len() != out.len()) {
             return None;
         }
+        work::spend(1 + self.weight() * out.len() as u64 / 8);
         scratch.prepare(program.registers());
         let mut from = 0;
         for out in out.chunks_mut(BLOCK) {
@@ -111,6 +113,7 @@ impl Tape {
         if inputs.len() != program.inputs() || errors.len() != out.len() || !inputs.iter().all(fits) {
             return None;
         }
+        work::spend(1 + self.weight() * out.len() as u64 / 2);
         scratch.prepare(program.registers());
         let mut from = 0;
         for (out, errors) in out.chunks_mut(BLOCK).zip(errors.chunks_mut(BLOCK)) {

@@ -233,6 +233,7 @@ pub(super) static ROWS: &[Row] = &[
         derivative: Some(|a, _| Some((first(a).power(2) - Expr::one()).sqrt().recip())),
         sign: Some(|_| Sign::Positive),
         domain: Some(|a| vec![first(a) - Expr::one()]),
+        region: Some(|a| region(a, Region::acosh)),
         ..PLAIN
     },
     Row {
@@ -274,6 +275,7 @@ pub(super) static ROWS: &[Row] = &[
             known @ (Sign::Positive | Sign::Zero) => known,
             Sign::Unknown => Sign::Unknown,
         }),
+        region: Some(|a| region(a, Region::abs)),
         ..PLAIN
     },
     Row {

@@ -1,10 +1,10 @@
 //! Rows of the elliptic integrals, in the parameter m = k² as in mpmath.
 
-use super::elementary::{binary, first, ternary, unary};
+use super::elementary::{binary, first, region, ternary, unary};
 use super::typeset::{self, Setting};
 use super::{PLAIN, Row};
 use crate::expr::{Expr, Sign, sign};
-use crate::num::{DoubleDouble, Precise, special};
+use crate::num::{DoubleDouble, Precise, Region, special};
 
 pub(super) static ROWS: &[Row] = &[
     Row {
@@ -19,6 +19,7 @@ pub(super) static ROWS: &[Row] = &[
             _ => None,
         }),
         sign: Some(|_| Sign::Positive),
+        region: Some(|a| <[Region; 3]>::try_from(a).map_or_else(|_| Region::unknown(), |[x, y, z]| Region::elliprf(x, y, z))),
         ..PLAIN
     },
     Row {
@@ -30,6 +31,7 @@ pub(super) static ROWS: &[Row] = &[
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rd_precise)),
         derivative: Some(elliprd_derivative),
         sign: Some(|_| Sign::Positive),
+        region: Some(|a| <[Region; 3]>::try_from(a).map_or_else(|_| Region::unknown(), |[x, y, z]| Region::elliprd(x, y, z))),
         ..PLAIN
     },
     Row {
@@ -46,6 +48,7 @@ pub(super) static ROWS: &[Row] = &[
             _ => None,
         }),
         sign: Some(|_| Sign::Positive),
+        region: Some(|a| <[Region; 2]>::try_from(a).map_or_else(|_| Region::unknown(), |[x, y]| Region::elliprf(x, y, y))),
         ..PLAIN
     },
     Row {
@@ -65,6 +68,7 @@ pub(super) static ROWS: &[Row] = &[
         domain: Some(|a| vec![Expr::one() - first(a)]),
         fold: Some(|a| first(a).is_zero().then(|| Expr::pi() / Expr::integer(2))),
         sign: Some(|_| Sign::Positive),
+        region: Some(|a| region(a, Region::ellipk)),
         ..PLAIN
     },
     Row {
@@ -114,6 +118,10 @@ pub(super) static ROWS: &[Row] = &[
         domain: Some(|a| match a {
             [m] => vec![Expr::one() - m],
             _ => Vec::new(),
+        }),
+        region: Some(|a| match a {
+            [m] => m.ellipe(),
+            _ => Region::unknown(),
         }),
         ..PLAIN
     },

@@ -7,7 +7,7 @@ use super::{PLAIN, Row, precise, slices};
 use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
 use crate::num::double_double::two_sum;
-use crate::num::{Precise, forms, kappa, precise as thirty};
+use crate::num::{Precise, Region, forms, kappa, precise as thirty};
 use num_complex::Complex64;
 
 /// aⁿ arcsin(a/r) − aⁿ⁺¹/((n+1) r) 2F1(1/2, (n+1)/2; (n+3)/2; a²/r²).
@@ -89,6 +89,10 @@ pub(super) static ROWS: &[Row] = &[
         }),
         sign: None,
         shown: Some(|a| with(a, |[_, v]| Expr::call("ln", [v.clone()]))),
+        region: Some(|a| match a {
+            [u, v] => u.ln_1p().and(v.ln()),
+            _ => Region::unknown(),
+        }),
         ..FORM
     },
     // (1 + u)^p for large p, which would multiply the rounding of 1 + u; the evaluation writes it, no tree contains it.
@@ -107,6 +111,10 @@ pub(super) static ROWS: &[Row] = &[
         }),
         sign: None,
         shown: Some(|a| with(a, |[u, p]| (Expr::one() + u).pow(p))),
+        region: Some(|a| match a {
+            [u, p] => (Region::real(1.0) + *u).power(*p),
+            _ => Region::unknown(),
+        }),
         ..FORM
     },
     // A number that is known to 32 ulps only: a kink that was located numerically.
@@ -120,6 +128,10 @@ pub(super) static ROWS: &[Row] = &[
         }),
         spread: Some(|_, by| by.iter().sum()),
         shown: Some(|a| with(a, |[z]| z.clone())),
+        region: Some(|a| match a {
+            [z] => *z * Region::new((1.0 - 64.0 * f64::EPSILON, 1.0 + 64.0 * f64::EPSILON), (0.0, 0.0)),
+            _ => Region::unknown(),
+        }),
         ..FORM
     },
     // ∫_b^x (r−b)^k/√(x²−r²) dr

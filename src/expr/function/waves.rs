@@ -29,6 +29,7 @@ pub(super) static ROWS: &[Row] = &[
         derivative: Some(|a, _| Some(gaussian(a, 1))),
         fold: Some(|a| odd("erfi", a)),
         sign: Some(|a| sign(&first(a))),
+        region: Some(|a| region(a, Region::erfi)),
         ..PLAIN
     },
     // e^(−z²) ∫₀^z e^(t²) dt.
@@ -41,6 +42,7 @@ pub(super) static ROWS: &[Row] = &[
         derivative: Some(|a, _| Some(Expr::one() - Expr::integer(2) * first(a) * Expr::call("dawson", a.to_vec()))),
         fold: Some(|a| odd("dawson", a)),
         sign: Some(|a| sign(&first(a))),
+        region: Some(|a| region(a, Region::dawson)),
         ..PLAIN
     },
     // ∫₀^z cos(πt²/2) dt.
@@ -53,6 +55,7 @@ pub(super) static ROWS: &[Row] = &[
         derivative: Some(|a, _| Some(Expr::call("cos", [half_turns(a)]))),
         fold: Some(|a| odd("fresnelc", a)),
         sign: Some(|a| sign(&first(a))),
+        region: Some(|a| region(a, Region::fresnel)),
         ..PLAIN
     },
     // ∫₀^z sin(πt²/2) dt.
@@ -65,6 +68,7 @@ pub(super) static ROWS: &[Row] = &[
         derivative: Some(|a, _| Some(Expr::call("sin", [half_turns(a)]))),
         fold: Some(|a| odd("fresnels", a)),
         sign: Some(|a| sign(&first(a))),
+        region: Some(|a| region(a, Region::fresnel)),
         ..PLAIN
     },
     Row {
@@ -118,6 +122,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| wave_spread(a, by, special::struveh)),
         derivative: Some(|a, i| struve_derivative("struveh", a, i, -1)),
         fold: Some(|a| struve_fold("struveh", a)),
+        region: Some(|a| of_order(a, Region::struveh)),
         ..PLAIN
     },
     Row {
@@ -130,6 +135,7 @@ pub(super) static ROWS: &[Row] = &[
         derivative: Some(|a, i| struve_derivative("struvel", a, i, 1)),
         fold: Some(|a| struve_fold("struvel", a)),
         sign: Some(positive_order_and_argument),
+        region: Some(|a| of_order(a, Region::struvel)),
         ..PLAIN
     },
     // I_n(z) − L_n(z), which cancels as e^z grows.

@@ -61,6 +61,9 @@ fn logarithm_in(monomial: &Monomial, frame: &Frame) -> Option<(Expr, Monomial)> 
     found.map(|argument| (argument, rest))
 }
 
+/// The largest phase of a hyperbolic function that is split off: e^−2φ of the two products remains.
+const LARGEST_PHASE: f64 = 15.0;
+
 /// sin(u + φ) = sin u cos φ + cos u sin φ and its kin, φ free of the variable.
 fn phase(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
     let frame = u.frame();
@@ -70,6 +73,10 @@ fn phase(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
     }
     let (sine, cosine) = if name.ends_with('h') { ("sinh", "cosh") } else { ("sin", "cos") };
     let (of_u, of_phase) = (dependent.to_expr(), constant.to_expr());
+    // cosh φ cosh u − sinh φ sinh u would have no digits next to u = φ.
+    if name.ends_with('h') && of_phase.as_number().is_some_and(|phase| phase.to_f64().abs() > LARGEST_PHASE) {
+        return Ok(None);
+    }
     let first = |name: &'static str| Expr::call(name, [of_u.clone()]);
     let second = |name: &'static str| exact(name, &of_phase).unwrap_or_else(|| Expr::call(name, [of_phase.clone()]));
     let total = match name {

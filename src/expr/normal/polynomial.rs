@@ -2,6 +2,7 @@
 
 use super::{calls, gather, power};
 use crate::expr::{Expr, ExprError, Node, Number, Symbol};
+use crate::num::work;
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -18,6 +19,9 @@ pub(super) struct Frame {
     canonical: bool,
 }
 
+/// Work of one step of an expansion beside the nodes that it makes.
+const STEP: u64 = 20;
+
 impl Frame {
     fn new(variable: &Symbol, canonical: bool) -> Self {
         Self { variable: variable.clone(), left: Rc::new(Cell::new(Polynomial::WORK)), canonical }
@@ -33,6 +37,8 @@ impl Frame {
 
     /// Takes one step off the budget.
     pub(super) fn charge(&self) -> Result<(), ExprError> {
+        work::spend(STEP);
+        work::check()?;
         let left = self.left.get().checked_sub(1).ok_or(ExprError::TooLarge { limit: Polynomial::LIMIT })?;
         self.left.set(left);
         Ok(())

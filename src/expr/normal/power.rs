@@ -5,13 +5,19 @@ use super::{calls, content, division, factor, is_sum, logarithm, sparse, waves};
 use crate::expr::{Expr, ExprError, Node, Number, Sign, sign};
 use std::collections::BTreeMap;
 
+/// q^(k+1/2) is written as a polynomial over √q up to this k + 1.
+const MOST_HALVES: i64 = 24;
+/// Powers of one term up to this one are multiplied out.
+const FEW: u32 = 3;
+
 /// `base`^`exponent`.
 pub(super) fn raise(base: &Polynomial, exponent: &Expr) -> Result<Polynomial, ExprError> {
     let frame = base.frame().clone();
     if base.is_zero() {
         return Ok(if sign(exponent) == Sign::Positive { base.clone() } else { Polynomial::atom(Expr::zero(), exponent.clone(), &frame) });
     }
-    if let Some(n) = exponent.as_integer().and_then(|n| u32::try_from(n).ok()) {
+    // The power of one term is one term, whose number stays a power where it would be too long.
+    if let Some(n) = exponent.as_integer().and_then(|n| u32::try_from(n).ok()).filter(|n| base.len() > 1 || *n <= FEW) {
         return base.whole_power(n);
     }
     if frame.is_canonical() && exponent.contains(frame.variable()) {
@@ -315,7 +321,8 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
         let natural = if exponent.is_integer() {
             exponent.to_i64().filter(|n| *n > 0)
         } else if depends && exponent.value().denom() == &num_bigint::BigInt::from(2) && exponent.is_positive() {
-            (exponent + &Number::ratio(1, 2)).to_i64()
+            // Beyond this the polynomial says less than the power.
+            (exponent + &Number::ratio(1, 2)).to_i64().filter(|n| *n <= MOST_HALVES)
         } else {
             None
         };

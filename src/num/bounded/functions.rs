@@ -1,6 +1,6 @@
 //! Roots, powers and arbitrary functions of error-carrying numbers.
 
-use super::{Bounded, TINY, half_ulp, widen};
+use super::{Bounded, LEAST_INVERSE, TINY, half_ulp, widen};
 
 /// How often the step towards the edge of a domain is halved before its limit is believed.
 const HALVINGS: u32 = 32;
@@ -67,6 +67,9 @@ impl Bounded {
             base = Self { value: 0.0, error: base.value + base.error };
         }
         let value = base.value.powf(exponent.value);
+        if exponent.error == 0.0 && (base.is_beyond() || value.is_infinite()) {
+            return base.power_beyond(exponent.value, value);
+        }
         let own = ulps(value, 1.0);
         if base.error == 0.0 && exponent.error == 0.0 {
             let exact = base.value == 0.0 || base.value == 1.0 || exponent.value == 0.0;
@@ -102,6 +105,9 @@ impl Bounded {
     #[must_use]
     pub fn apply(self, f: impl Fn(f64) -> f64, own_ulps: f64) -> Self {
         let value = f(self.value);
+        if value.is_infinite() || self.is_beyond() {
+            return self.apply_beyond(f, value, own_ulps);
+        }
         if self.error == 0.0 {
             return Self::checked(value, ulps(value, own_ulps));
         }
@@ -110,6 +116,32 @@ impl Bounded {
         }
         let own = ulps(value, own_ulps);
         Self::checked(value, widen(own + spread(f, self, value, own)))
+    }
+
+    /// The function of a number where either overflows.
+    fn apply_beyond(self, f: impl Fn(f64) -> f64, value: f64, own_ulps: f64) -> Self {
+        // A function that no longer changes has reached its limit, as tanh has; one that is infinite all around has no pole here.
+        let around = if self.is_beyond() {
+            [1.0, 1e-10, 1e-20].map(|factor| f((factor / LEAST_INVERSE).copysign(self.value)))
+        } else {
+            let step = self.error.max(1e-6 * self.value.abs());
+            [f(self.value - step), f(self.value + step), f(self.value)]
+        };
+        match around.iter().all(|own| *own == value) {
+            true if value.is_infinite() && self.value != 0.0 => Self::beyond(value, 1.0 / f64::MAX * 2.0),
+            true if value.is_finite() => Self::checked(value, ulps(value, own_ulps)),
+            _ => Self::checked(value, f64::INFINITY),
+        }
+    }
+
+    /// base^n where that, or the base, overflows.
+    fn power_beyond(self, n: f64, value: f64) -> Self {
+        let inverse = self.most_inverse().powf(n.abs()) * (1.0 + 4.0 * f64::EPSILON) + TINY;
+        match self.value > 0.0 || n.fract() == 0.0 {
+            true if n > 0.0 => Self::beyond(value, inverse),
+            true if n < 0.0 && self.is_beyond() => Self::checked(0.0, inverse),
+            _ => Self::checked(value, f64::INFINITY),
+        }
     }
 
     /// A function of several numbers: like [`Bounded::apply`], moving one inexact argument at a time.

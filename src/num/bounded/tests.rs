@@ -171,10 +171,46 @@ fn nan_and_overflow_show() {
     for number in [nan + nan, nan * Bounded::exact(1.0), nan.sqrt(), nan.apply(f64::exp, 1.0), nan.powi(3)] {
         assert!(number.value.is_nan() && number.error.is_nan());
     }
-    let huge = Bounded { value: 1e300, error: 1e290 };
+    // A pole shows no bound: the function is finite near by, or the divisor may be anything.
+    let pole = |x: f64| if x == 1.0 { f64::INFINITY } else { 1.0 / (x - 1.0) };
+    for number in [
+        Bounded::exact(1.0).apply(pole, 1.0),
+        Bounded::exact(1.0) / Bounded::exact(0.0),
+        Bounded::exact(1e300) / Bounded { value: 1e-100, error: 1e-90 },
+        Bounded { value: 1e300, error: 2e300 } * Bounded::exact(1e300),
+    ] {
+        assert!(number.value == f64::INFINITY && number.error == f64::INFINITY, "{number:?}");
+    }
+}
+
+#[test]
+fn the_reciprocal_of_a_certain_overflow_is_bounded() {
+    let (huge, one) = (Bounded { value: 1e300, error: 1e290 }, Bounded::exact(1.0));
+    let cosh = |x: f64| Bounded { value: x, error: 1e-3 }.apply(f64::cosh, 1.0);
+    // With the true value's decimal logarithm, or less: cosh 1000 = 10^434.0, 0.999^4 and 0.998 of the others.
+    for (over, logarithm) in [
+        (huge * huge, 599.9),
+        (huge * huge * Bounded::exact(1e-2), 597.9),
+        (huge * huge + huge, 599.9),
+        (huge * huge - Bounded::exact(7.0), 599.9),
+        (huge.powi(3), 899.9),
+        (cosh(1000.0), 433.9),
+        (-cosh(-1000.0), 433.9),
+        (cosh(1000.0) * cosh(500.0), 650.5),
+    ] {
+        assert!(over.value.is_infinite() && over.error.is_finite(), "{over:?}");
+        assert!(over.error >= 10_f64.powf(-logarithm) && over.error < 1e-280, "{over:?}");
+        let inverse = one / over;
+        assert!(inverse.value == 0.0 && inverse.error >= over.error && inverse.error < 1e-280, "{inverse:?}");
+        assert!((inverse * Bounded::exact(5.0)).error >= 5.0 * over.error);
+        let limit = over.apply(f64::tanh, 1.0);
+        assert!(limit.value.abs() == 1.0 && limit.error < 1e-15, "{limit:?}");
+    }
+    // What cancels, or is multiplied with what underflows, is not known.
     let over = huge * huge;
-    assert!(over.value == f64::INFINITY && over.error == f64::INFINITY);
-    assert!(Bounded::exact(1.0).apply(|_| f64::INFINITY, 1.0).error == f64::INFINITY);
+    for unknown in [over - over, over * (one / over), over * Bounded::exact(0.0), over / over, over.apply(f64::sin, 1.0)] {
+        assert!(!unknown.is_finite(), "{unknown:?}");
+    }
 }
 
 #[test]

@@ -6,6 +6,7 @@ use std::collections::BinaryHeap;
 use super::super::bounded::Bounded;
 use super::super::error::NumError;
 use super::super::estimate::Estimate;
+use super::super::work;
 use super::sample::{Order, Place, Sample, sample};
 use super::transform::Map;
 use super::{Options, Point, Rule};
@@ -135,6 +136,7 @@ impl Work {
         integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
     ) -> Result<Estimate, NumError> {
         loop {
+            work::check()?;
             if !self.totals.value.is_finite() {
                 return Err(NumError::OutOfDomain { what: "sum of the panels' integrals", got: self.totals.value, accepted: "finite" });
             }

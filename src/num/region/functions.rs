@@ -2,6 +2,7 @@
 
 use super::Region;
 use super::interval::Interval;
+use super::leaves_the_range;
 
 impl Region {
     /// √z, the principal branch: unknown where the rectangle meets (−∞, 0].
@@ -44,7 +45,8 @@ impl Region {
             return Self::unknown();
         }
         let sizes = Self::sized(self.re.low.exp() * (1.0 - 8.0 * f64::EPSILON), self.re.high.exp() * (1.0 + 8.0 * f64::EPSILON));
-        if own.is_known() { Self { least: sizes.least, most: sizes.most, ..own } } else { sizes }
+        let logarithm = if leaves_the_range(sizes.most) { self.re } else { Interval::UNKNOWN };
+        Self { logarithm, ..if own.is_known() { Self { least: sizes.least, most: sizes.most, ..own } } else { sizes } }
     }
 
     /// z^w.
@@ -76,6 +78,9 @@ impl Region {
     /// sin z = sin x cosh y + i cos x sinh y.
     #[must_use]
     pub fn sin(self) -> Self {
+        if self.is_on_the_axis() {
+            return Self::rectangle(self.re.sin(), Interval::point(0.0));
+        }
         // |sin z| lies between |sinh y| and cosh y.
         let sizes = Self::between(self.im);
         Self { re: self.re.sin().multiply(self.im.cosh()), im: self.re.cos().multiply(self.im.rising(f64::sinh)), ..sizes }
@@ -84,6 +89,9 @@ impl Region {
     /// cos z = cos x cosh y − i sin x sinh y.
     #[must_use]
     pub fn cos(self) -> Self {
+        if self.is_on_the_axis() {
+            return Self::rectangle(self.re.cos(), Interval::point(0.0));
+        }
         let sizes = Self::between(self.im);
         Self { re: self.re.cos().multiply(self.im.cosh()), im: self.re.sin().multiply(self.im.rising(f64::sinh)).negated(), ..sizes }
     }
@@ -103,6 +111,9 @@ impl Region {
     /// tanh z, by |tanh z|² = (cosh 2x − cos 2y)/(cosh 2x + cos 2y).
     #[must_use]
     pub fn tanh(self) -> Self {
+        if self.is_on_the_axis() && self.re.least() < 1.2 {
+            return self.rising(f64::tanh);
+        }
         let (size, turn) = (self.re.scaled(2.0).cosh().low, self.im.scaled(2.0).cos().low);
         // Away from the imaginary axis ±1 is near: tanh z = 1 − 2/(e^(2z) + 1).
         let near = (-2.0 * self.re.least()).exp() * (1.0 + 8.0 * f64::EPSILON);
@@ -122,36 +133,57 @@ impl Region {
     /// tan z = −i tanh(i z).
     #[must_use]
     pub fn tan(self) -> Self {
+        if self.is_on_the_axis() && self.re.largest() < 1.57 {
+            return self.rising(f64::tan);
+        }
         self.turned().tanh().turned_back()
     }
 
     /// arctan z = z ∫₀¹ dt/(1 + t² z²).
     #[must_use]
     pub fn atan(self) -> Self {
+        if self.is_on_the_axis() {
+            return self.rising(f64::atan);
+        }
         self.through(|square| (Self::real(1.0) + square).least())
     }
 
     /// artanh z = z ∫₀¹ dt/(1 − t² z²).
     #[must_use]
     pub fn atanh(self) -> Self {
+        if self.is_on_the_axis() && self.re.low > -1.0 && self.re.high < 1.0 {
+            return self.rising(f64::atanh);
+        }
         self.through(|square| (Self::real(1.0) - square).least())
     }
 
     /// arsinh z = z ∫₀¹ dt/√(1 + t² z²).
     #[must_use]
     pub fn asinh(self) -> Self {
+        if self.is_on_the_axis() {
+            return self.rising(libm::asinh);
+        }
         self.through(|square| (Self::real(1.0) + square).sqrt().least())
     }
 
-    /// arcsin z = z ∫₀¹ dt/√(1 − t² z²).
+    /// arcsin z = z ∫₀¹ dt/√(1 − t² z²); its real part lies within ±π/2, and its imaginary part is ±arcosh((|z + 1| + |z − 1|)/2).
     #[must_use]
     pub fn asin(self) -> Self {
-        self.through(|square| (Self::real(1.0) - square).sqrt().least())
+        if self.is_on_the_axis() && self.re.low > -1.0 && self.re.high < 1.0 {
+            return self.rising(f64::asin);
+        }
+        let found = self.through(|square| (Self::real(1.0) - square).sqrt().least());
+        let sum = 0.5 * ((self + Self::real(1.0)).largest() + (self - Self::real(1.0)).largest());
+        let (re, im) = (std::f64::consts::FRAC_PI_2, (sum.max(1.0) * (1.0 + 1e-12)).acosh() * (1.0 + 1e-12));
+        if found.is_known() { found.and(Self::rectangle(Interval::loose(-re, re), Interval::loose(-im, im))) } else { found }
     }
 
     /// erf z = (2/√π) z ∫₀¹ e^(−t² z²) dt.
     #[must_use]
     pub fn erf(self) -> Self {
+        if self.is_on_the_axis() {
+            return self.rising(libm::erf);
+        }
         self.through(|square| 0.88 / (-square).exp().largest())
     }
 
@@ -199,7 +231,16 @@ impl Region {
 
     /// Numbers whose magnitude lies between |sinh y| and cosh y.
     fn between(y: Interval) -> Self {
-        Self::sized(y.least().sinh() * (1.0 - 8.0 * f64::EPSILON), y.largest().cosh() * (1.0 + 8.0 * f64::EPSILON))
+        let (least, most) = (y.least(), y.largest());
+        let sized = Self::sized(least.sinh() * (1.0 - 8.0 * f64::EPSILON), most.cosh() * (1.0 + 8.0 * f64::EPSILON));
+        // e^|y|/2 < cosh y, and sinh |y| is more than half of it where |y| ≥ 1.
+        let logarithm = || Interval::loose(if least >= 1.0 { least - 2.0 * std::f64::consts::LN_2 } else { f64::NEG_INFINITY }, most);
+        if sized.most < f64::MAX { sized } else { Self { logarithm: logarithm(), ..sized } }
+    }
+
+    /// A function that rises, on a part of the real axis.
+    fn rising(self, f: fn(f64) -> f64) -> Self {
+        Self::rectangle(self.re.rising(f), Interval::point(0.0))
     }
 
     /// i z.

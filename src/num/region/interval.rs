@@ -66,6 +66,9 @@ impl Interval {
     }
 
     pub(super) fn scaled(self, by: f64) -> Self {
+        if self.is(0.0) {
+            return self;
+        }
         if by >= 0.0 { Self::rounded(self.low * by, self.high * by) } else { self.negated().scaled(-by) }
     }
 
@@ -74,6 +77,10 @@ impl Interval {
             return Self::point(0.0);
         }
         let all = [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
+        if self.low >= 0.0 && other.low >= 0.0 {
+            // The product of what is not negative is not negative either.
+            return Self { low: (self.low * other.low).next_down().max(0.0), high: (self.high * other.high).next_up() };
+        }
         // Zero times infinity is not a number, and must stay none.
         if all.iter().any(|v| v.is_nan()) {
             return Self::UNKNOWN;
@@ -148,6 +155,10 @@ impl Interval {
 
     /// sin v.
     pub(super) fn sin(self) -> Self {
+        // Up to π/2 it rises, and keeps its digits next to 0.
+        if self.largest() <= 1.57 {
+            return if self.is(0.0) { self } else { self.rising(f64::sin) };
+        }
         // The shift is rounded; the hair of the cosine is larger for all that it looks at.
         let quarter = Self::point(std::f64::consts::FRAC_PI_2);
         let own = Self::loose(self.low, self.high).add(quarter.negated()).cos();

@@ -2,6 +2,7 @@
 
 mod functions;
 mod interval;
+mod special;
 
 use interval::Interval;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -27,7 +28,15 @@ pub struct Region {
     least: f64,
     /// No |z| is more, where that is a number.
     most: f64,
+    /// Bounds on ln|z| where |z| itself leaves the range of doubles; NaN where the magnitudes tell, or nothing is known.
+    logarithm: Interval,
 }
+
+/// Magnitudes between these may be multiplied without a thought of the range of doubles.
+const LARGE: f64 = 1e150;
+const SMALL: f64 = 1e-150;
+/// e^(ln|z|) is right to this many units: the argument of up to 745 is rounded.
+const LOG_UNITS: f64 = 1024.0;
 
 impl Region {
     /// The rectangle between these bounds, lowest first.
@@ -40,6 +49,22 @@ impl Region {
         Self::new((value, value), (0.0, 0.0))
     }
 
+    /// All real numbers between two.
+    pub fn interval(low: f64, high: f64) -> Self {
+        Self::new((low, high), (0.0, 0.0))
+    }
+
+    /// What of it is real, of a function that is real where it is asked; nothing where it is unknown.
+    #[must_use]
+    pub fn on_the_axis(self) -> Self {
+        if self.is_known() { Self { im: Interval::point(0.0), ..self } } else { Self::unknown() }
+    }
+
+    /// The lowest and the highest real part; `None` where nothing is known.
+    pub fn real_range(self) -> Option<(f64, f64)> {
+        self.is_known().then_some((self.re.low, self.re.high))
+    }
+
     /// Everything, or what is not analytic.
     pub fn unknown() -> Self {
         Self::rectangle(Interval::UNKNOWN, Interval::UNKNOWN)
@@ -47,7 +72,7 @@ impl Region {
 
     /// Numbers of which nothing is known but the rectangle.
     fn rectangle(re: Interval, im: Interval) -> Self {
-        Self { re, im, least: 0.0, most: f64::INFINITY }
+        Self { re, im, least: 0.0, most: f64::INFINITY, logarithm: Interval::UNKNOWN }
     }
 
     /// Every z with |z| ≤ `radius`, and more.
@@ -57,7 +82,7 @@ impl Region {
             return Self::unknown();
         }
         let own = Interval::new(-radius, radius);
-        Self { re: own, im: own, least: 0.0, most: radius }
+        Self { re: own, im: own, most: radius, ..Self::rectangle(own, own) }
     }
 
     /// The largest |z|; infinite where it is not known.
@@ -103,7 +128,29 @@ impl Region {
         let least = if least > 0.0 { (least * (1.0 - 4.0 * f64::EPSILON)).min(f64::MAX) } else { 0.0 };
         let most = if most < f64::MAX { most * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE } else { f64::INFINITY };
         let own = Interval::new(-most, most);
-        Self { re: own, im: own, least, most }
+        Self { least, most, ..Self::rectangle(own, own) }
+    }
+
+    /// Numbers with these bounds on ln|z|.
+    fn sized_by_logarithm(logarithm: Interval) -> Self {
+        let sized =
+            Self::sized(logarithm.low.exp() * (1.0 - LOG_UNITS * f64::EPSILON), logarithm.high.exp() * (1.0 + LOG_UNITS * f64::EPSILON));
+        Self { logarithm, ..sized }
+    }
+
+    /// Whether |z| itself tells less than its logarithm.
+    fn is_extreme(self) -> bool {
+        !self.logarithm.high.is_nan()
+    }
+
+    /// Bounds on ln|z|, infinite where there are none.
+    fn logarithm(self) -> Interval {
+        let Interval { low, high } = self.logarithm;
+        let or = |own: f64, other: f64| if own.is_nan() { other } else { own };
+        let largest = self.largest();
+        let by_size = Interval::loose(self.least().ln(), largest.ln());
+        let most = if largest == 0.0 { f64::NEG_INFINITY } else { or(by_size.high, f64::INFINITY) };
+        Interval::new(or(low, or(by_size.low, f64::NEG_INFINITY)), or(high, most))
     }
 
     /// Whether all bounds are numbers.
@@ -126,17 +173,25 @@ impl Region {
     fn square(self) -> Self {
         let re = self.re.square().add(self.im.square().negated());
         let im = self.re.multiply(self.im).scaled(2.0);
-        Self { re, im, ..Self::sized(self.least() * self.least(), self.largest() * self.largest()) }
+        let own = Self { re, im, ..Self::sized(self.least() * self.least(), self.largest() * self.largest()) };
+        if leaves_the_range(own.most) || self.is_extreme() { own.or_by_logarithm(self.logarithm().scaled(2.0)) } else { own }
+    }
+
+    /// With bounds on ln|z| that tell more of what overflows, or is a product of what overflows and what underflows.
+    fn or_by_logarithm(self, logarithm: Interval) -> Self {
+        let sized = Self::sized_by_logarithm(logarithm);
+        if sized.most < self.largest() { sized } else { Self { logarithm, least: self.least.max(sized.least), ..self } }
     }
 
     /// 1/z.
     #[must_use]
     pub fn recip(self) -> Self {
         let size = self.re.square().add(self.im.square());
-        let sized = Self::sized(1.0 / self.largest(), 1.0 / self.least());
+        let logarithm = if leaves_the_range(self.largest()) || self.is_extreme() { self.logarithm().negated() } else { Interval::UNKNOWN };
         if self.least() <= 0.0 {
-            return Self::unknown();
+            return if logarithm.high < f64::INFINITY { Self::sized_by_logarithm(logarithm) } else { Self::unknown() };
         }
+        let sized = Self { logarithm, ..Self::sized(1.0 / self.largest(), 1.0 / self.least()) };
         if !(size.low > 0.0 && size.high < f64::MAX) {
             return sized;
         }
@@ -173,7 +228,16 @@ impl Add for Region {
         let (re, im) = (self.re.add(other.re), self.im.add(other.im));
         let least = (self.least() - other.largest()).max(other.least() - self.largest());
         // The difference is rounded.
-        Self { re, im, ..Self::sized(least - 2.0 * f64::EPSILON * (self.least() + other.least()), self.largest() + other.largest()) }
+        let own =
+            Self { re, im, ..Self::sized(least - 2.0 * f64::EPSILON * (self.least() + other.least()), self.largest() + other.largest()) };
+        if !leaves_the_range(own.most) {
+            return own;
+        }
+        let (a, b) = (self.logarithm(), other.logarithm());
+        // |z + w| is at most twice the larger, and at least more than half of it where that is e times the other.
+        let (large, small) = if a.low >= b.low { (a, b) } else { (b, a) };
+        let low = if large.low > small.high + 1.0 { large.low - 0.5 } else { f64::NEG_INFINITY };
+        own.or_by_logarithm(Interval::loose(low, a.high.max(b.high) + std::f64::consts::LN_2))
     }
 }
 
@@ -196,7 +260,9 @@ impl Mul for Region {
     fn mul(self, other: Self) -> Self {
         let re = self.re.multiply(other.re).add(self.im.multiply(other.im).negated());
         let im = self.re.multiply(other.im).add(self.im.multiply(other.re));
-        Self { re, im, ..Self::sized(self.least() * other.least(), self.largest() * other.largest()) }
+        let own = Self { re, im, ..Self::sized(self.least() * other.least(), self.largest() * other.largest()) };
+        let extreme = leaves_the_range(own.most) || self.is_extreme() || other.is_extreme();
+        if extreme { own.or_by_logarithm(self.logarithm().add(other.logarithm())) } else { own }
     }
 }
 
@@ -205,6 +271,11 @@ impl Div for Region {
     fn div(self, other: Self) -> Self {
         other.recip().mul(self)
     }
+}
+
+/// Whether a magnitude up to this may be part of a product that overflows or underflows.
+fn leaves_the_range(most: f64) -> bool {
+    !(SMALL..LARGE).contains(&most)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::Region;
 use num_complex::Complex64;
+use std::f64::consts::FRAC_PI_2;
 
 type Law = (&'static str, fn(Region) -> Region, fn(Complex64) -> Complex64);
 
@@ -49,6 +50,18 @@ const LAWS: &[Law] = &[
     ("product", |z| z * (z + Region::real(0.7)), |z| z * (z + 0.7)),
     ("quotient", |z| z / (Region::real(2.0) - z), |z| z / (2.0 - z)),
     ("erf", Region::erf, erf),
+    ("ln 1 + z", Region::ln_1p, |z| (1.0 + z).ln()),
+    ("acosh", |z| (z + Region::real(3.0)).acosh(), |z| (z + 3.0).acosh()),
+    ("abs", |z| (z + Region::real(9.0)).abs(), |z| z + 9.0),
+    ("erfi", Region::erfi, |z| -Complex64::i() * erf(Complex64::i() * z)),
+    ("dawson", Region::dawson, |z| -0.5 * std::f64::consts::PI.sqrt() * Complex64::i() * erf(Complex64::i() * z) * (-z * z).exp()),
+    ("fresnel", Region::fresnel, |z| mean(|t| z * (std::f64::consts::FRAC_PI_2 * t * t * z * z).cos())),
+    ("struveh 0", |z| z.struveh(0.0), |z| struve(z, 0)),
+    ("struveh 3", |z| z.struveh(3.0), |z| struve(z, 3)),
+    ("struvel 1", |z| z.struvel(1.0), |z| -struve(Complex64::i() * z, 1)),
+    ("ellipk", Region::ellipk, |z| mean(|t| FRAC_PI_2 / (1.0 - z * (FRAC_PI_2 * t).sin().powi(2)).sqrt())),
+    ("ellipe", Region::ellipe, |z| mean(|t| FRAC_PI_2 * (1.0 - z * (FRAC_PI_2 * t).sin().powi(2)).sqrt())),
+    ("elliprc", |z| Region::elliprf(z, Region::real(0.6), Region::real(0.6)), |z| (z / 0.6).sqrt().acos() / (0.6 - z).sqrt()),
     ("besselj 0", |z| z.besselj(0.0), |z| bessel(z, 0)),
     ("besselj 3", |z| z.besselj(3.0), |z| bessel(z, 3)),
     ("besseli 1", |z| z.besseli(1.0), |z| bessel(Complex64::i() * z, 1) / Complex64::i()),
@@ -62,6 +75,34 @@ fn erf(z: Complex64) -> Complex64 {
         total += term / f64::from(2 * k + 1);
     }
     total * std::f64::consts::FRAC_2_SQRT_PI
+}
+
+/// The mean over t from 0 to 1, by Simpson's rule.
+fn mean(f: impl Fn(f64) -> Complex64) -> Complex64 {
+    const STEPS: usize = 400;
+    let weight = |i: usize| {
+        if i == 0 || i == STEPS {
+            1.0
+        } else if i % 2 == 1 {
+            4.0
+        } else {
+            2.0
+        }
+    };
+    (0..=STEPS).map(|i| weight(i) * f(i as f64 / STEPS as f64)).sum::<Complex64>() / (3.0 * STEPS as f64)
+}
+
+/// The power series of H_n.
+fn struve(z: Complex64, n: i32) -> Complex64 {
+    let half = 0.5 * z;
+    let first = (1..=n).fold(std::f64::consts::FRAC_2_PI, |product, k| product / (f64::from(k) + 0.5));
+    let mut term = first * half.powi(n + 1) * 2.0;
+    let mut total = term;
+    for k in 1..100 {
+        term = -term * half * half / ((f64::from(k) + 0.5) * (f64::from(k + n) + 0.5));
+        total += term;
+    }
+    total
 }
 
 fn bessel(z: Complex64, n: i32) -> Complex64 {
@@ -125,4 +166,36 @@ fn what_is_not_analytic_is_not_known() {
     ] {
         assert!(found.largest().is_infinite(), "{what}: {found:?}");
     }
+}
+
+/// e^(−z²) sin z and its like far out, where one factor overflows and the other one underflows: ln|z| of the product is known, since
+/// |e^w| = e^(Re w) and sinh |y| ≤ |sin z| ≤ cosh y.
+#[test]
+fn products_of_what_overflows_and_what_underflows_have_their_size() {
+    let mut numbers = Numbers(11);
+    let mut tight = 0;
+    for _ in 0..2000 {
+        let (x, y) = (numbers.between(-3000.0, 3000.0), numbers.between(-3000.0, 3000.0));
+        let half = numbers.between(0.0, 0.001);
+        let z = Region::new((x - half, x + half), (y - half, y + half));
+        let gauss = (z.powi(2) * Region::real(-1.0)).exp();
+        // ln of the size at the middle, to 1e-9 and the ln 2 of the sine.
+        let size = y * y - x * x + y.abs() - std::f64::consts::LN_2;
+        let spread = 2.0 * half * (x.abs() + y.abs()) + 0.2;
+        for (own, log) in [
+            (gauss * z.sin(), size),
+            (z.sin() * gauss * z.cos(), size + y.abs() - std::f64::consts::LN_2),
+            ((gauss * z.sinh()).recip() * gauss, std::f64::consts::LN_2 - x.abs()),
+        ] {
+            if y.abs() < 2.0 || x.abs() < 2.0 {
+                continue;
+            }
+            assert!(own.largest() >= (log - 1.0).exp().min(f64::MAX) * 0.4, "{x} {y}: {own:?}");
+            if (-700.0..700.0).contains(&log) && spread < 5.0 {
+                assert!(own.largest() <= (log + 3.0 * spread + 2.0).exp(), "{x} {y} {half}: {own:?} beside e^{log}");
+                tight += 1;
+            }
+        }
+    }
+    assert!(tight > 100, "{tight}");
 }

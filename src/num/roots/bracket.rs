@@ -1,6 +1,7 @@
 //! Finding two points between which a function changes its sign.
 
 use super::super::error::NumError;
+use super::super::work;
 
 /// Two ends with opposite signs of the function, or one of them a root.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +56,7 @@ pub fn expand_bracket<E: From<NumError>>(mut f: impl FnMut(f64) -> Result<f64, E
     let mut factor = 2.0;
     let mut steps = 0;
     let (upper, at_upper) = loop {
+        work::check().map_err(NumError::from)?;
         if at_lower == 0.0 {
             break (lower, at_lower);
         }

@@ -3,6 +3,7 @@
 use super::carried::{TINY, UNIT, exact, multiple, over, quotient, times};
 use super::leading::bessel_leading;
 use crate::num::double_double::{DoubleDouble, Precise};
+use crate::num::work;
 
 /// Beyond this the sequence is scaled down.
 const LARGE: f64 = 1e180;
@@ -27,6 +28,7 @@ pub(super) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble, neumann: bool) 
     let turning = z.hi.max(f64::from(m));
     // Beyond the turning point 24 widths are 36 digits.
     let top = 2 * ((turning + 24.0 * turning.cbrt() + 4.0) / 2.0).ceil() as u32;
+    work::spend(20 + 4 * u64::from(top));
     let weights = weights(f, top / 2);
     let step = DoubleDouble::from(2.0).div(z);
     let (zero, whole) = (DoubleDouble::from(0.0), f.hi == 0.0);

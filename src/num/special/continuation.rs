@@ -3,7 +3,7 @@
 use super::ball::{Ball, UNIT};
 use super::gamma::gamma_ratio;
 use super::series::series;
-use crate::num::DoubleDouble;
+use crate::num::{DoubleDouble, work};
 
 /// `(q+1)Fq(upper; lower; z)` for `z < 0`, no polynomial.
 ///
@@ -43,7 +43,12 @@ fn transformed(upper: &[Ball], lower: &[Ball], w: Ball, exponential: bool) -> Ba
     let (mut local, mut error) = (0.0_f64, 0.0_f64);
     let mut before = nothing;
     let operations = UNIT * 2.0 * (upper.len() + lower.len() + 2) as f64;
+    let each = 3 * (upper.len() + lower.len()) as u64 + 10;
     for step in 0..MAX_TERMS {
+        work::spend(each);
+        if work::is_exhausted() {
+            return Ball::NONE;
+        }
         let n = f64::from(step);
         let back = DoubleDouble::from(if exponential { -1.0 } else { n - 1.0 });
         // U_n with f_n = 0, and the factor of f_n.
@@ -112,7 +117,12 @@ pub(super) fn asymptotic(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
 fn cut(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
     let largest = upper.iter().chain(lower).fold(0.0_f64, |most, p| most.max(p.hi().abs()));
     let (mut sum, mut term, mut last) = (Ball::ONE, Ball::ONE, f64::INFINITY);
+    let each = 4 * (upper.len() + lower.len()) as u64 + 10;
     for k in 0..400_u32 {
+        work::spend(each);
+        if work::is_exhausted() {
+            return Ball::NONE;
+        }
         let k = f64::from(k);
         let above = upper.iter().fold(term * z, |product, p| product * (*p + k));
         term = lower.iter().fold(above / (k + 1.0), |quotient, p| quotient / (*p + k));
@@ -144,7 +154,8 @@ fn far(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
         let above: Vec<Ball> = lower.iter().copied().chain(others().map(|p| p - *own)).collect();
         let below: Vec<Ball> = others().chain(lower.iter().map(|q| *q - *own)).collect();
         let scale = gamma_ratio(&above, &below);
-        if scale.hi() == 0.0 {
+        // A pole below; what merely underflows has an error.
+        if scale.is(0.0) && scale.error == 0.0 {
             continue;
         }
         let first: Vec<Ball> = std::iter::once(*own).chain(lower.iter().map(|q| *own - *q + 1.0)).collect();

@@ -2,7 +2,7 @@
 
 use super::ball::{Ball, UNIT};
 use super::ball_elementary::PI;
-use crate::num::{DoubleDouble, Precise};
+use crate::num::{DoubleDouble, Precise, work};
 
 /// `Gamma(x)` with about 30 digits.
 ///
@@ -40,12 +40,19 @@ pub(super) fn gamma_ratio(above: &[Ball], below: &[Ball]) -> Ball {
         return if above.iter().any(|x| is_pole(*x)) { Ball::NONE } else { Ball::ZERO };
     }
     let (mut sign, mut logarithm, mut product) = (1.0, Ball::ZERO, Ball::ONE);
-    for (list, direction) in [(above, 1.0), (below, -1.0)] {
-        for x in list {
+    let (mut numerators, mut denominators) = (above.iter(), below.iter());
+    // By turns, so that neither the product nor the logarithm leaves the range of doubles where there are many of both.
+    loop {
+        let (numerator, denominator) = (numerators.next(), denominators.next());
+        for (x, direction) in [(numerator, 1.0), (denominator, -1.0)] {
+            let Some(x) = x else { continue };
             let Some((own, part, steps)) = parts(*x) else { return Ball::NONE };
             sign *= own;
             logarithm = logarithm + part * direction;
             product = if direction > 0.0 { product / steps } else { product * steps };
+        }
+        if numerator.is_none() && denominator.is_none() {
+            break;
         }
     }
     logarithm.exp() * product * sign
@@ -95,6 +102,10 @@ fn parts(x: Ball) -> Option<(f64, Ball, Ball)> {
         return None;
     }
     let steps = if x.hi() < FAR { (FAR - x.hi()).ceil() as u32 } else { 0 };
+    work::spend(100 + 3 * u64::from(steps));
+    if work::is_exhausted() {
+        return None;
+    }
     let mut below = Ball::ONE;
     for step in 0..steps {
         below = below * (x + f64::from(step));

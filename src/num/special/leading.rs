@@ -2,7 +2,7 @@
 
 use super::carried::{TINY, TWO_OVER_PI, UNIT, exact, known, over, quotient, times};
 use crate::num::double_double::{DoubleDouble, Precise, words};
-use crate::num::precise;
+use crate::num::{precise, work};
 
 /// (z/2)^n/Γ(n+1) for n > −1, half = z/2 > 0; 0 by underflow for n > 10^4, where z is below 1500 or n.
 pub(super) fn bessel_leading(n: DoubleDouble, half: DoubleDouble) -> Precise {
@@ -27,6 +27,7 @@ pub(super) fn bessel_leading(n: DoubleDouble, half: DoubleDouble) -> Precise {
             break;
         }
     }
+    work::spend(6 * steps as u64);
     let own = if product.hi == 0.0 { 0.0 } else { start.error / start.value.hi.abs() };
     Precise { value: product, error: product.hi.abs() * (own + 5.0 * steps * UNIT) + (1.0 + steps) * TINY }
 }
@@ -41,6 +42,7 @@ pub(super) fn struve_leading(n: f64, half: DoubleDouble) -> Precise {
             break;
         }
     }
+    work::spend(6 * steps as u64);
     Precise { value: product, error: product.hi.abs() * (1.0 + 5.0 * steps) * UNIT + (1.0 + steps) * TINY }
 }
 

@@ -2,6 +2,7 @@
 
 use super::ball::{Ball, UNIT};
 use super::gamma::{is_pole, is_whole};
+use crate::num::work;
 
 /// `Σ Π (upper)_k / Π (lower)_k z^k / k!` summed as it stands; nothing is known where it does not settle.
 ///
@@ -22,7 +23,12 @@ pub(super) fn series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
     let largest = upper.iter().chain(lower).fold(0.0_f64, |most, p| most.max(p.hi().abs()));
     let (mut sum, mut term) = (Ball::ONE.value, Ball::ONE.value);
     let (mut doubt, mut error) = (0.0_f64, 0.0_f64);
+    let each = (upper.len() + lower.len()) as u64 + 8;
     for step in 0..MAX_TERMS {
+        work::spend(each);
+        if work::is_exhausted() {
+            return Ball::NONE;
+        }
         let k = f64::from(step);
         let mut below = Ball::from(k + 1.0).value;
         term = term.mul(z.value);

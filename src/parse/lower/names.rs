@@ -31,7 +31,7 @@ const CONSTANTS: &str = "a closed constant such as 0.3, 3/2, 1e-6, -1, pi/6 or s
 
 impl Names {
     /// The expression that a name without parentheses stands for.
-    pub(super) fn resolve(self, name: &str, span: &Range<usize>) -> Result<Expr, ParseError> {
+    pub(in crate::parse) fn resolve(self, name: &str, span: &Range<usize>) -> Result<Expr, ParseError> {
         let error = |reason, accepted: String| Err(ParseError::new(span.clone(), reason, accepted));
         match name {
             "pi" => return Ok(Expr::pi()),

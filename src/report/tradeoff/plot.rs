@@ -2,6 +2,7 @@
 
 use super::Tradeoff;
 use crate::print;
+use crate::report::palette::{colour, prepare_letters};
 use crate::tradeoff::Row;
 use plotters::prelude::*;
 use std::error::Error;
@@ -12,17 +13,6 @@ const SIZE: (u32, u32) = (860, 560);
 const FLOOR: f64 = 1e-17;
 /// Errors above this are drawn here.
 const CEILING: f64 = 10.0;
-/// One per method: distinct to the colour-blind (Okabe & Ito 2008).
-const COLOURS: [RGBColor; 8] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(110, 110, 110),
-    RGBColor(0, 0, 0),
-];
 /// Characters of a profile in the title.
 const TITLE: usize = 60;
 
@@ -38,10 +28,14 @@ pub fn svg(record: &Tradeoff<'_>) -> Result<String, String> {
 
 fn draw(record: &Tradeoff<'_>, text: &mut String) -> Result<(), Box<dyn Error>> {
     let rows: Vec<&Row> = record.rows().collect();
+    if rows.is_empty() {
+        return Err("no method was measured within the budget; a larger one would be accepted".into());
+    }
     let times = rows.iter().map(|row| row.time.median);
     let (low, high) = times.fold((f64::INFINITY, 1.0_f64), |(low, high), t| (low.min(t), high.max(t)));
     let decade = |t: f64, round: fn(f64) -> f64| 10.0_f64.powf(round(t.log10()));
     let (left, right) = (decade(low * 0.9, f64::floor), decade(high * 1.1, f64::ceil));
+    prepare_letters();
     let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
     area.fill(&WHITE)?;
     let quantity = record.study.problem.quantity;
@@ -74,7 +68,7 @@ fn draw(record: &Tradeoff<'_>, text: &mut String) -> Result<(), Box<dyn Error>> 
     let mut methods: Vec<&str> = rows.iter().map(|row| row.method).collect();
     methods.dedup();
     for (index, method) in methods.iter().enumerate() {
-        let colour = COLOURS.get(index % COLOURS.len()).copied().unwrap_or(BLACK);
+        let colour = colour(index);
         let own: Vec<&&Row> = rows.iter().filter(|row| row.method == *method).collect();
         chart.draw_series(LineSeries::new(own.iter().map(|row| place(row)), colour.mix(0.4)))?;
         let spots =

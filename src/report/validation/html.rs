@@ -1,12 +1,9 @@
 //! A validation as one page that needs nothing else: verdict, tables, and plots of data, exact curve and error.
 
 use super::plot;
+use crate::report::sheet::SHEET;
 use crate::validate::{Column, Validation};
 use std::fmt::Write;
-
-const STYLE: &str = "body{font:15px/1.5 sans-serif;max-width:60em;margin:2em auto;padding:0 1em;color:#222}\
-table{border-collapse:collapse;margin:1em 0}td,th{border:1px solid #ccc;padding:.2em .6em;text-align:right}\
-th:first-child,td:first-child{text-align:left}.passed{color:#006d4e}.failed{color:#b03a00}svg{max-width:100%;height:auto}";
 
 /// The page.
 ///
@@ -18,7 +15,7 @@ pub fn html(own: &Validation) -> Result<String, String> {
     // Writing to a string cannot fail.
     let _ = write!(
         page,
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Validation {word}</title><style>{STYLE}</style></head><body>\n\
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Validation {word}</title><meta name=\"viewport\" content=\"width=device-width\"><style>{SHEET}</style></head><body>\n\
          <h1 class=\"{word}\">Validation {word}</h1>\n<p>{}</p>\n",
         escaped(&own.reason)
     );

@@ -1,5 +1,6 @@
 //! Data over the exact curve, and the error below, as SVG.
 
+use crate::report::palette::prepare_letters;
 use crate::validate::Plot;
 use plotters::prelude::*;
 use std::error::Error;
@@ -33,6 +34,7 @@ fn range(numbers: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
 }
 
 fn draw(plot: &Plot, points: &[(f64, f64, f64)], text: &mut String) -> Result<(), Box<dyn Error>> {
+    prepare_letters();
     let area = SVGBackend::with_string(text, SIZE).into_drawing_area();
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&area)
@@ -69,6 +71,7 @@ fn draw(plot: &Plot, points: &[(f64, f64, f64)], text: &mut String) -> Result<()
 fn draw_errors(plot: &Plot, points: &[(f64, f64, f64)], text: &mut String) -> Result<(), Box<dyn Error>> {
     let scale = points.iter().map(|own| own.2.abs()).fold(f64::MIN_POSITIVE, f64::max);
     let errors: Vec<(f64, f64)> = points.iter().map(|own| (own.0, (own.1 - own.2) / scale)).filter(|own| own.1.is_finite()).collect();
+    prepare_letters();
     let area = SVGBackend::with_string(text, (SIZE.0, 200)).into_drawing_area();
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&area)

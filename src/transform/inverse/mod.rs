@@ -19,6 +19,7 @@ use super::term::{self, Segment};
 use super::{Branches, Chain, Derived, Pair, Profile, Status, Term, TransformError, kinks};
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Bindings, Condition, Expr, Formula, Sign, Symbol, sign};
+use crate::num::work;
 use statement::Found;
 
 /// A profile f(r) that was found from an equivalent profile g(x).
@@ -70,6 +71,10 @@ impl Share {
 /// # Errors
 /// [`TransformError`] where g jumps, has no finite value at the axis, or its pieces cannot be separated.
 pub fn invert(g: &Formula, read: Reader) -> Result<Inverse, TransformError> {
+    work::bounded(|| solve(g, read))
+}
+
+fn solve(g: &Formula, read: Reader) -> Result<Inverse, TransformError> {
     let equivalent = Profile::new(&over_radius(g))?;
     let mut conditions = equivalent.conditions.clone();
     let mut chains = Vec::new();

@@ -7,7 +7,7 @@ use super::super::{Check, Method, NumericProfile, Reading, Sampler, Solution, Tr
 use super::Inverse;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol};
-use crate::num::{Bounded, Estimate};
+use crate::num::{Bounded, Estimate, work};
 
 /// Points of a check, and draws of the parameters that they are spread over.
 const POINTS: u32 = 64;
@@ -91,7 +91,17 @@ impl InverseNumbers {
                 any_open = true;
             }
         }
-        let closed = total(&forms, &[r], good_enough(self.tolerance));
+        // A special function may need many thousand terms here; quadrature is asked before it has them all.
+        let special = self.method == Method::Auto && forms.iter().any(|form| form.tape().is_special());
+        let sum = || total(&forms, &[r], good_enough(self.tolerance));
+        let in_time = if special { work::share(DEAR, sum) } else { Some(sum()) };
+        let closed = match in_time {
+            Some(closed) => closed,
+            None => match whole() {
+                Ok(other) if other.estimate.relative_error() <= self.tolerance => return Ok(other),
+                _ => sum(),
+            },
+        };
         let closed = Estimate::from_bounded(closed, 0);
         let estimate = if any_open { closed + open } else { closed };
         let method = match (!forms.is_empty(), any_open) {
@@ -122,6 +132,9 @@ impl InverseNumbers {
         if last > 0.0 { 2.5 * last } else { 3.0 }
     }
 }
+
+/// Steps of work after which a closed form with special functions is given up where quadrature may answer.
+const DEAR: u64 = 500_000;
 
 /// (2/π) ∫₀^{π/2} g(r sin t) dt.
 fn transformed(g: &NumericProfile, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {

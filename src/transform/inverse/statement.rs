@@ -6,6 +6,7 @@ use super::table::TABLE;
 use super::unify;
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Bindings, Condition, Expr, Formula, Node, Sign, Symbol, sign};
+use crate::num::work;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
@@ -65,7 +66,7 @@ struct Entry {
 
 impl Entry {
     fn statement(&self) -> Option<&Statement> {
-        self.statement.get_or_init(|| Statement::new(self)).as_ref()
+        self.statement.get_or_init(|| work::uncounted(|| Statement::new(self))).as_ref()
     }
 }
 
@@ -74,11 +75,12 @@ impl Entry {
 /// They are read once, when a kernel first asks for them: there is one grammar, so that one reader stands for all.
 fn entries(read: Reader) -> &'static [Entry] {
     static READ: OnceLock<Vec<Entry>> = OnceLock::new();
-    READ.get_or_init(|| {
+    let all = || {
         let table = TABLE.iter().map(|rule| (rule.id, rule.reference, rule.pattern, rule.result, rule.parameters, false));
         let rules = RULES.iter().map(|rule| (rule.id, rule.reference, rule.slope, rule.pattern, rule.parameters, true));
         table.chain(rules).filter_map(|own| entry(own, read)).collect()
-    })
+    };
+    READ.get_or_init(|| work::uncounted(all))
 }
 
 type Stated = (&'static str, &'static [&'static str], &'static str, &'static str, &'static [Parameter], bool);

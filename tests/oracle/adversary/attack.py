@@ -155,7 +155,11 @@ class Attack:
                 self.count["formulas"] += 1
                 reference = mpmath.mpf(true.mid().str(30, radius=False))
                 loose = 1e-17 if "integral(" in record[quantity]["text"] else 1e-22
-                if not abs(found - reference) <= 1e-13 * abs(reference) + loose:
+                wrong = lambda number: not abs(number - reference) <= 1e-13 * abs(reference) + loose
+                if wrong(found):
+                    # A formula whose terms cancel needs more digits than the reader takes at first.
+                    found = formulas.number(record[quantity]["text"], scope, 120)
+                if wrong(found):
                     self.report("wrong formula", seed, profile, quantity=quantity, at=at, radius=a, text=record[quantity]["text"],
                                 gives=mpmath.nstr(found, 20), truth=mpmath.nstr(reference, 20), command=shown)
 

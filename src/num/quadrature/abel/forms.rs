@@ -204,12 +204,24 @@ fn near_a_limit<const N: usize>(
     let (mut r, mut below, mut past, mut factor) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N]);
     let (lower, from_axis, count) = (x * cosine, cosine == 0.0, nodes.z.len());
     let lists = r.iter_mut().zip(&mut past).zip(below.iter_mut().zip(&mut factor));
-    for (((r, past), (below, factor)), z) in lists.zip(nodes.z) {
+    for (((r, past), (below, factor)), (z, rest_of_z)) in lists.zip(nodes.z.iter().zip(nodes.cosine)) {
         let stretched = (small * sinh(reach * z)).min(angle.unwrap_or(sine));
         let s = if angle.is_some() { stretched.sin() } else { stretched };
-        let c = ((1.0 - s) * (1.0 + s)).sqrt();
-        // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b)
-        *past = if from_axis { x * c } else { x * ((sine - s) * (sine + s) / (c + cosine)) };
+        let c = if from_axis {
+            let c = ((1.0 - s) * (1.0 + s)).sqrt();
+            *past = x * c;
+            c
+        } else {
+            // What the variable lacks at its end, from 1 − z: the difference of both would be rounding alone next to the kink.
+            let short = reach * (rest_of_z * rest_of_z / (1.0 + z));
+            let gap = 2.0 * small * (reach - 0.5 * short).cosh() * (0.5 * short).sinh();
+            // sin²τ_b − sin²τ
+            let share = angle.map_or(gap * (sine + s), |angle| gap.sin() * (angle + stretched).sin());
+            let c = (cosine * cosine + share).sqrt();
+            // cos τ − cos τ_b = (sin²τ_b − sin²τ)/(cos τ + cos τ_b)
+            *past = x * (share / (c + cosine));
+            c
+        };
         *r = lower + *past;
         *below = rest + x * (s * s / (1.0 + c));
         let stretch = (small * small + stretched * stretched).sqrt();
@@ -231,9 +243,10 @@ fn from_a_kink_by_sine<const N: usize>(extent: &Extent, nodes: Nodes<'_>, exact:
     let lists = r.iter_mut().zip(&mut past).zip(below.iter_mut().zip(&mut secants));
     for (((r, past), (below, secant)), (z, rest_of_z)) in lists.zip(nodes.z.iter().zip(nodes.cosine)) {
         let s = sine * z;
-        let c = ((1.0 - s) * (1.0 + s)).sqrt();
         // sin²τ_b − sin²τ = sin²τ_b (1 − z²): next to the kink the difference of both sines would be rounding alone.
         let share = (sine * rest_of_z) * (sine * rest_of_z);
+        // Of positive parts: far beyond the kink sin τ is next to 1 there, and 1 − sin²τ would have few digits.
+        let c = (cosine * cosine + share).sqrt();
         // cos τ − cos τ_b = share/(cos τ + cos τ_b), and 1/cos τ by the same division.
         let over = 1.0 / (c * (c + cosine));
         *past = x * (share * (over * c));

@@ -1,0 +1,181 @@
+"""Derived formulas."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from ._arrays import map_over
+from ._errors import SneddonError
+
+if TYPE_CHECKING:
+    from ._profile import Profile
+
+_LEFT = {"g": "g(x)", "d": "d(a)", "F": "F(a)", "p": "p(r)", "k": "k(a)", "a_of_d": "a(d)", "F_of_d": "F(d)"}
+_ARGUMENTS = {"g": ("x",), "d": ("a",), "F": ("a",), "p": ("r", "a"), "k": ("a",), "a_of_d": ("d",), "F_of_d": ("d",)}
+# Quantities in proportion to the effective modulus.
+_WITH_MODULUS = {"F", "p", "k", "F_of_d"}
+
+
+class Formula:
+    """One formula, as text, LaTeX, an expression of SymPy, and a function of arrays.
+
+    Attributes
+    ----------
+    text, latex : str
+        The formula; the text reads back.
+    status : str
+        ``exact`` where the whole formula is closed, ``partial`` where some terms are integrals, ``numeric`` where all are.
+    rules, sources : list of str
+        The rules that closed it, and where they are stated.
+    conditions : list of str
+        Where it holds.
+    """
+
+    def __init__(self, key: str, entry: dict[str, Any], conditions: list[str], profile: Profile) -> None:
+        self.key = key
+        self.text: str = entry["text"]
+        self.latex: str = entry["latex"]
+        self.status: str = entry["status"]
+        self.rules: list[str] = entry["rules"]
+        self.sources: list[str] = entry["reference"]
+        self.conditions = conditions
+        self._profile = profile
+        self._engines: dict[tuple[tuple[str, float], ...], Any] = {}
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<{_LEFT[self.key]} = {self.text}>"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {_LEFT[self.key]} = {self.latex}$"
+
+    def sympy(self) -> Any:
+        """Return an equal expression of SymPy; parameters and coordinates are positive symbols.
+
+        Raises
+        ------
+        SneddonError
+            For a function that SymPy does not have; it is named.
+        """
+        from ._sympy import expression_of
+
+        return expression_of(self.text)
+
+    def __call__(self, *coordinates: Any, with_bound: bool = False, E: float = 1.0, **parameters: Any) -> Any:
+        """Evaluate the formula over arrays.
+
+        Parameters
+        ----------
+        *coordinates : array_like
+            x for g, a for d, F and k, r and a for p, d for a(d) and F(d); they may be given by these names instead.
+        with_bound : bool
+            Whether to return the error bounds beside the values.
+        E : float
+            The effective modulus.
+        **parameters : float
+            The parameters that the profile leaves open.
+        """
+        names = _ARGUMENTS[self.key]
+        given = dict(zip(names, coordinates))
+        if len(coordinates) > len(names):
+            raise TypeError(f"{_LEFT[self.key]} has {len(names)} coordinates, {', '.join(names)}; {len(coordinates)} were given")
+        for name in names:
+            if name not in given:
+                if name not in parameters:
+                    raise TypeError(f"{_LEFT[self.key]} needs {name}")
+                given[name] = parameters.pop(name)
+        modulus = float(E) if self.key in _WITH_MODULUS else 1.0
+        if not (modulus > 0.0 and modulus < float("inf")):
+            raise SneddonError(f"E = {modulus} is not positive and finite", "E", "the effective modulus is accepted")
+        key = tuple(sorted((name, float(value)) for name, value in parameters.items())) + (("E*", modulus),)
+        engine = self._engines.get(key)
+        if engine is None:
+            if len(self._engines) > 64:
+                self._engines.clear()
+            engine = self._engines[key] = self._profile.engine(parameters, modulus, "auto", 1e-13)
+        return map_over(engine.one, engine.many, self.key, given, with_bound)
+
+
+class Derivation:
+    """What follows from a profile: formulas ``g d F p k a_of_d F_of_d``; None where no form is known.
+
+    Attributes
+    ----------
+    text, latex : str
+        f(r) as it was typed, with set parameters in place.
+    conditions, notes : list of str
+        Where the formulas hold, and what a reader must know of them.
+    check : dict
+        The comparison of the closed forms with quadrature of f as typed.
+    """
+
+    def __init__(self, document: str, profile: Profile) -> None:
+        found = json.loads(document)
+        self.text: str = found["profile"]["text"]
+        self.latex: str = found["profile"]["latex"]
+        self.conditions: list[str] = found["conditions"]
+        self.notes: list[str] = found["notes"]
+        self.check: dict[str, Any] = found["check"]
+        self._formulas = {
+            key: None if found.get(key) is None else Formula(key, found[key], self.conditions, profile) for key in _LEFT
+        }
+
+    def __getitem__(self, key: str) -> Formula | None:
+        return self._formulas[key]
+
+    @property
+    def g(self) -> Formula:
+        """The equivalent profile g(x)."""
+        return self._known("g")
+
+    @property
+    def d(self) -> Formula:
+        """The indentation depth d(a)."""
+        return self._known("d")
+
+    @property
+    def F(self) -> Formula:  # noqa: N802
+        """The normal force F(a)."""
+        return self._known("F")
+
+    @property
+    def p(self) -> Formula | None:
+        """The pressure p(r) under a contact of radius a."""
+        return self._formulas["p"]
+
+    @property
+    def k(self) -> Formula:
+        """The stiffness k(a) = 2Ea."""
+        return self._known("k")
+
+    @property
+    def a_of_d(self) -> Formula | None:
+        """The contact radius a(d)."""
+        return self._formulas["a_of_d"]
+
+    @property
+    def F_of_d(self) -> Formula | None:  # noqa: N802
+        """The force F(d)."""
+        return self._formulas["F_of_d"]
+
+    def _known(self, key: str) -> Formula:
+        formula = self._formulas[key]
+        if formula is None:
+            raise SneddonError(f"there is no formula of {key}")
+        return formula
+
+    def __str__(self) -> str:
+        lines = [f"f(r) = {self.text}"]
+        lines += [f"{_LEFT[key]} = {own.text}" for key, own in self._formulas.items() if own is not None]
+        return "\n".join(lines)
+
+    def __repr__(self) -> str:
+        return f"<Derivation of f(r) = {self.text}>"
+
+    def _repr_latex_(self) -> str:
+        lines = [f"f(r) &= {self.latex}"]
+        lines += [f"{_LEFT[key]} &= {own.latex}" for key, own in self._formulas.items() if own is not None]
+        return "$$\\begin{align*}" + " \\\\ ".join(lines) + "\\end{align*}$$"

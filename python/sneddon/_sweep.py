@@ -1,0 +1,88 @@
+"""Many scenes that differ in some values, on one core or over a Dask cluster."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+from typing import Any
+
+import numpy as np
+
+from ._errors import SneddonError
+from ._scenes import solve
+
+_NUMBERS = ("d", "F", "a", "k")
+# Scenes that one task solves.
+_BLOCK = 200
+
+
+def sweep(scene: dict[str, Any], over: dict[str, Any], client: Any = None) -> Any:
+    """Solve a scene for every combination of values.
+
+    Parameters
+    ----------
+    scene : dict
+        The scene, with one load.
+    over : dict
+        Values by the dotted name of a key, such as ``{"profile.parameters.R": [...], "load.depth": [...]}``.
+    client : dask.distributed.Client, optional
+        Where the scenes are solved, in blocks; without it here.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``d``, ``F``, ``a``, ``k``, ``valid`` and ``error`` over the names of ``over``; a scene that cannot be solved has NaN and
+        its reason in ``error``.
+    """
+    import xarray
+
+    if not isinstance(scene, dict):
+        raise TypeError("a sweep takes the scene as a dict")
+    names = list(over)
+    values = [list(np.atleast_1d(over[name])) if not isinstance(over[name], (list, tuple)) else list(over[name]) for name in names]
+    for name in names:
+        _changed(scene, [(name, over[name])])
+    points = list(itertools.product(*values))
+    blocks = [points[start : start + _BLOCK] for start in range(0, len(points), _BLOCK)]
+    if client is None:
+        found = [_solved(scene, names, block) for block in blocks]
+    else:
+        found = client.gather(client.map(_solved, *zip(*((scene, names, block) for block in blocks)), pure=False))
+    rows = [row for block in found for row in block]
+    shape = tuple(len(own) for own in values)
+    data: dict[str, Any] = {
+        key: (names, np.array([row[index] for row in rows], dtype=float).reshape(shape)) for index, key in enumerate(_NUMBERS)
+    }
+    data["valid"] = (names, np.array([row[-2] for row in rows], dtype=bool).reshape(shape))
+    data["error"] = (names, np.array([row[-1] for row in rows], dtype=object).reshape(shape))
+    return xarray.Dataset(data, coords=dict(zip(names, values)))
+
+
+def _changed(scene: dict[str, Any], changes: list[tuple[str, Any]]) -> dict[str, Any]:
+    """Return a copy of the scene with some values replaced."""
+    own = copy.deepcopy(scene)
+    for name, value in changes:
+        table = own
+        *path, last = name.split(".")
+        for key in path:
+            if not isinstance(table.get(key), dict):
+                raise SneddonError(f"the scene has no table {key}", f"over, {name}", "a dotted name such as load.depth is accepted")
+            table = table[key]
+        table[last] = value
+    return own
+
+
+def _solved(scene: dict[str, Any], names: list[str], points: list[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
+    return [_one(_changed(scene, list(zip(names, point)))) for point in points]
+
+
+def _one(scene: dict[str, Any]) -> tuple[Any, ...]:
+    nothing = float("nan")
+    try:
+        found = solve(scene)
+    except (SneddonError, TypeError) as error:
+        return (*(nothing for _ in _NUMBERS), False, str(error))
+    if len(found.rows) != 1:
+        return (*(nothing for _ in _NUMBERS), False, f"the scene has {len(found.rows)} loads; a sweep takes one")
+    row = found.rows[0]
+    return (*(row[key] if isinstance(row.get(key), (int, float)) else nothing for key in _NUMBERS), row["valid"], "" if row["valid"] else row["verdict"])

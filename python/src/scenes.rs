@@ -1,0 +1,205 @@
+//! Scenes: what `sneddon solve`, `sneddon reference` and `sneddon validate` answer.
+
+use crate::error::Fault;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use sneddon::num::work::{self, Budget};
+use sneddon::report::{solved_json, validation};
+use sneddon::scene::{self, Change, Curve, Declared, Dimension, Grid, LONGEST_TIP, Run, Scene, SceneError};
+use sneddon::validate::{Layout, Origin, Request, Source, ValidationError};
+use std::fs::File;
+use std::io::{Cursor, Read};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Steps of work that each row of a scene and each place of a field may take.
+const STEPS: u64 = 1_000_000;
+
+/// The scene with the points of its measured tip, whose file counts from `directory`.
+fn with_points(scene: Scene, text: &str, directory: &str) -> Result<Scene, Fault> {
+    let Some(measured) = &scene.measured else { return Ok(scene) };
+    let path = Path::new(directory).join(measured.file());
+    let refused =
+        |message: String| Fault::new(message).help("a file of points is accepted; its name counts from the directory of the scene");
+    if std::fs::metadata(&path).is_ok_and(|own| !own.is_file()) {
+        return Err(refused(format!("{} is not a regular file", path.display())));
+    }
+    let mut bytes = Vec::new();
+    let done = File::open(&path).and_then(|file| file.take(LONGEST_TIP as u64 + 1).read_to_end(&mut bytes));
+    done.map_err(|error| refused(format!("{} cannot be read: {error}", path.display())))?;
+    if bytes.len() > LONGEST_TIP {
+        return Err(refused(format!("{} has more than {LONGEST_TIP} bytes", path.display())));
+    }
+    let points = scene::decoded(bytes);
+    scene.with_points(&points).map_err(|error| Fault::scene(text, &error))
+}
+
+/// The document that `sneddon solve --json` prints.
+#[pyfunction]
+pub(crate) fn solve(py: Python<'_>, text: &str, directory: &str, force: bool) -> PyResult<String> {
+    let answer = py.detach(|| -> Result<String, Fault> {
+        let failed = |error: SceneError| Fault::scene(text, &error);
+        let scene = with_points(scene::scene(text).map_err(failed)?, text, directory)?;
+        within(|| {
+            let solution = scene.solution().map_err(failed)?;
+            let run = Run::new(&scene, &solution).map_err(failed)?;
+            work::allow(run.steps().saturating_mul(STEPS));
+            let mut out = Vec::new();
+            solved_json::solved(&run, force, &mut out).map_err(|error| Fault::new(error.to_string()))?;
+            Ok(String::from_utf8_lossy(&out).into_owned())
+        })
+    });
+    Ok(answer?)
+}
+
+/// A budget for a whole call; what is allowed within counts on top of it.
+fn within<T>(call: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
+    work::within(Budget::DEFAULT, call)
+}
+
+impl From<work::Exhausted> for Fault {
+    fn from(error: work::Exhausted) -> Self {
+        Self::new(error.to_string())
+    }
+}
+
+/// Values and bounds of one curve.
+type Curves<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+
+/// A field in the units of the scene's answers: p, its bounds, u, its bounds, one entry per place.
+///
+/// With `cells` the places are those of a square of `cells` points along each side, in rows, and pressures are means over its cells.
+#[pyfunction]
+#[pyo3(signature = (text, directory, load, x, y, cells=None))]
+pub(crate) fn reference<'py>(
+    py: Python<'py>,
+    text: &str,
+    directory: &str,
+    load: usize,
+    x: PyReadonlyArray1<'py, f64>,
+    y: PyReadonlyArray1<'py, f64>,
+    cells: Option<(f64, usize, bool)>,
+) -> PyResult<(Curves<'py>, Curves<'py>)> {
+    let (x, y) = (x.as_slice()?.to_vec(), y.as_slice()?.to_vec());
+    let fields = py.detach(|| fields(text, directory, load, (&x, &y), cells))?;
+    let [p, p_bound, u, u_bound] = fields.map(|own| own.into_pyarray(py));
+    Ok(((p, p_bound), (u, u_bound)))
+}
+
+/// Places between which signals are looked at.
+const BETWEEN_SIGNALS: usize = 64;
+
+/// p, its bounds, u and its bounds.
+fn fields(
+    text: &str,
+    directory: &str,
+    load: usize,
+    (x, y): (&[f64], &[f64]),
+    cells: Option<(f64, usize, bool)>,
+) -> PyResult<[Vec<f64>; 4]> {
+    let failed = |error: SceneError| Fault::scene(text, &error);
+    let scene = with_points(scene::scene_for_grid(text).map_err(failed)?, text, directory)?;
+    if !scene.round {
+        return Err(Fault::new("no field is known of a punch with a cross-section").help("a round indenter is accepted").into());
+    }
+    let loads = scene.loads.len();
+    if load >= loads {
+        return Err(Fault::new(format!("there is no load {load}")).help(format!("the scene has {loads}, counted from 0")).into());
+    }
+    let length = scene.system.out(Dimension::LENGTH);
+    let solution = scene.solution().map_err(failed)?;
+    let run = Run::new(&scene, &solution).map_err(failed)?;
+    let state = within(|| Ok(run.state(load, false)))?;
+    let Some(state) = state else {
+        return Err(Fault::new("no valid contact belongs to this load").help("sneddon.solve says why").into());
+    };
+    let mut means = None;
+    if let Some((side, count, between)) = cells {
+        let grid = Grid::Square { side: side / length, count, between }.checked().map_err(failed)?;
+        means = Some(within(|| {
+            work::allow((grid.distinct() as u64).saturating_mul(STEPS));
+            Ok((run.field(&grid, Curve::Pressure, Some(&state), true), count))
+        })?);
+    }
+    let point = |curve: Curve, index: usize, r: f64| {
+        let found = match (&means, curve) {
+            (Some((field, count)), Curve::Pressure) => field.at(&[index / count, index % count]),
+            _ => run.point(curve, Some(&state), r).value,
+        };
+        match found {
+            // Infinite by theory at an apex, a kink or a rim.
+            Err(why) if why.contains("infinite") => Ok((f64::INFINITY, 0.0)),
+            other => other.map_err(|why| Fault::new(why).place(format!("flat index {index}"))),
+        }
+    };
+    let mut out = [vec![], vec![], vec![], vec![]];
+    for (index, (x, y)) in x.iter().zip(y).enumerate() {
+        if index % BETWEEN_SIGNALS == 0 {
+            Python::attach(|py| py.check_signals())?;
+        }
+        let r = x.hypot(*y) / length;
+        let (p, u) = within(|| Ok((point(Curve::Pressure, index, r)?, point(Curve::Displacement, index, r)?)))?;
+        out.iter_mut().zip([p.0, p.1, u.0, u.1]).for_each(|(own, value)| own.push(value));
+    }
+    Ok(out)
+}
+
+/// The document that `sneddon validate --json` prints, of files in memory.
+#[pyfunction]
+#[pyo3(signature = (text, directory, files, tolerance, grid, map, side, origin, load))]
+#[allow(clippy::too_many_arguments)]
+pub(crate) fn validate(
+    py: Python<'_>,
+    text: &str,
+    directory: &str,
+    files: Vec<(String, Bound<'_, PyBytes>)>,
+    tolerance: Option<f64>,
+    grid: Vec<f64>,
+    map: Vec<(String, String)>,
+    side: Option<&str>,
+    origin: Option<&str>,
+    load: Option<&str>,
+) -> PyResult<String> {
+    let files: Vec<(String, Vec<u8>)> = files.into_iter().map(|(name, bytes)| (name, bytes.as_bytes().to_vec())).collect();
+    let answer = py.detach(|| -> Result<String, Fault> {
+        let failed = |error: SceneError| Fault::scene(text, &error);
+        let refused = |error: ValidationError| Fault::validation(text, &error);
+        let mut scene = with_points(scene::scene_for_data(text, &Change::None).map_err(failed)?, text, directory)?;
+        if let Some(own) = load {
+            scene = scene.under(own).map_err(failed)?;
+        }
+        if let Some(own) = side {
+            let side = scene.length("box", own).map_err(failed)?;
+            let data = scene.data.take().unwrap_or_else(Declared::nothing);
+            scene.data = Some(Declared { side: Some(side), ..data });
+        }
+        let side = scene.data.as_ref().and_then(|own| own.side);
+        let origin = match origin {
+            None => None,
+            Some("corner") => Some(Origin::Corner),
+            Some("centre") => Some(Origin::Centre),
+            Some("pixel") => Some(Origin::Pixel),
+            Some(other) => {
+                return Err(Fault::new(format!("origin {other:?} is not known")).help("corner, centre and pixel are accepted"));
+            }
+        };
+        let shown_side = side.map(|own| own * scene.system.out(Dimension::LENGTH));
+        let layout = Layout { map, side, shown_side, origin }.checked().map_err(refused)?;
+        let bytes: u64 = files.iter().map(|(_, own)| own.len() as u64).sum();
+        let source = |(name, bytes): (String, Vec<u8>)| {
+            let bytes: Arc<[u8]> = bytes.into();
+            Source { name, open: Box::new(move || Ok(Box::new(Cursor::new(Arc::clone(&bytes))) as Box<dyn Read>)) }
+        };
+        let sources: Vec<Source<'_>> = files.into_iter().map(source).collect();
+        within(|| {
+            work::allow(bytes.saturating_mul(10_000));
+            let request = Request { text, scene: &scene, sources: &sources, tolerance, grid: &grid, layout: &layout };
+            let found = sneddon::validate::validate(&request).map_err(refused)?;
+            let mut out = Vec::new();
+            validation::json::validation(&found, &mut out).map_err(|error| Fault::new(error.to_string()))?;
+            Ok(String::from_utf8_lossy(&out).into_owned())
+        })
+    });
+    Ok(answer?)
+}

@@ -1,0 +1,183 @@
+"""Numbers of a contact: against quadrature with 30 digits, laws, and every kind of array."""
+
+from __future__ import annotations
+
+import pickle
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+import sneddon
+
+SPHERE = sneddon.Contact("R - sqrt(R^2 - r^2)", R=2.0, E_star=1.5)
+SMOOTH = sneddon.Contact("tanh(r)^2", E_star=1.5)
+
+
+def truth(slope, key, a):
+    with mpmath.workdps(30):
+        if key == "g":
+            return mpmath.mpf(a) * mpmath.quad(lambda t: slope(a * mpmath.sin(t)), [0, mpmath.pi / 2])
+        return 3 * mpmath.quad(lambda t: (a * mpmath.sin(t)) ** 2 * slope(a * mpmath.sin(t)), [0, mpmath.pi / 2])
+
+
+@pytest.mark.parametrize("contact, slope", [(SPHERE, lambda r: r / mpmath.sqrt(4 - r**2)), (SMOOTH, lambda r: 2 * mpmath.tanh(r) / mpmath.cosh(r) ** 2)])
+@pytest.mark.parametrize("a", [1e-8, 0.1, 1.0, 1.9])
+def test_values_are_within_their_bounds(contact, slope, a):
+    for key, found in (("g", contact.depth(radius=a, with_bound=True)), ("F", contact.force(radius=a, with_bound=True))):
+        assert abs(found[0] - truth(slope, key, a)) <= found[1]
+        assert found[1] < 1e-11 * abs(found[0])
+
+
+def test_ways_round_meet():
+    a = np.linspace(0.05, 1.9, 20)
+    d, force = SPHERE.depth(radius=a), SPHERE.force(radius=a)
+    for found in (SPHERE.contact_radius(depth=d, with_bound=True), SPHERE.contact_radius(force=force, with_bound=True)):
+        assert (abs(found[0] - a) <= found[1] + 1e-14 * a).all()
+    value, bound = SPHERE.force(depth=d, with_bound=True)
+    assert (abs(value - force) <= bound + 1e-14 * force).all()
+    value, bound = SPHERE.depth(force=force, with_bound=True)
+    assert (abs(value - d) <= bound + 1e-14 * d).all()
+
+
+def test_laws():
+    """F = 2π∫p r dr, dF/dd = k, U = ∫F dd, u = d - f inside, the mean pressure."""
+    a, n = 1.2, 400
+    node, weight = np.polynomial.legendre.leggauss(n)
+    # r = a sin t takes the root at the edge away.
+    t = 0.25 * np.pi * (node + 1)
+    r = a * np.sin(t)
+    force = 2 * np.pi * np.sum(0.25 * np.pi * weight * SPHERE.pressure(r, radius=a) * r * a * np.cos(t))
+    assert force == pytest.approx(SPHERE.force(radius=a), rel=1e-10)
+    d, h = SPHERE.depth(radius=a), 1e-5
+    slope = (SPHERE.force(depth=d + h) - SPHERE.force(depth=d - h)) / (2 * h)
+    assert slope == pytest.approx(SPHERE.stiffness(depth=d), rel=1e-8)
+    work = 0.5 * d * np.sum(weight * SPHERE.force(depth=0.5 * d * (node + 1)))
+    assert work == pytest.approx(SPHERE.energy(depth=d), rel=1e-6)
+    inside = np.linspace(0, a, 7)
+    assert SPHERE.displacement(inside, radius=a) == pytest.approx(d - SPHERE.shape(inside), rel=1e-12)
+    assert SPHERE.mean_pressure(radius=a) == pytest.approx(SPHERE.force(radius=a) / (np.pi * a**2), rel=1e-15)
+    assert SPHERE.stress_on_axis(1e-9, radius=a) == pytest.approx(-SPHERE.pressure(0.0, radius=a), rel=1e-6)
+
+
+def test_loads_may_be_given_any_way():
+    d = SPHERE.depth(radius=1.0)
+    force = SPHERE.force(radius=1.0)
+    r = np.linspace(0, 1.5, 6)
+    for key, value in (("depth", d), ("force", force)):
+        for method in (SPHERE.pressure, SPHERE.displacement):
+            found, bound = method(r, **{key: value}, with_bound=True)
+            assert (abs(found - method(r, radius=1.0)) <= bound + 1e-15).all()
+
+
+def test_material():
+    one = sneddon.Contact("r^2/(2*R)", R=1.0, E=0.91, nu=0.3)
+    assert one.E_star == pytest.approx(1.0, rel=1e-15)
+    for wrong in ({}, {"E": 1.0}, {"E_star": 1.0, "E": 1.0, "nu": 0.3}):
+        with pytest.raises(TypeError):
+            sneddon.Contact("r^2", **wrong)
+    for wrong in ({"E_star": -1.0}, {"E_star": np.nan}, {"E": 1.0, "nu": 0.7}, {"E_star": 1.0, "tolerance": 2.0}, {"E_star": 1.0, "method": "guess"}):
+        with pytest.raises(sneddon.SneddonError):
+            sneddon.Contact("r^2", **wrong)
+    with pytest.raises(TypeError):
+        one.force(depth=0.1, radius=0.1)
+    with pytest.raises(TypeError):
+        one.force()
+
+
+def test_a_cone_has_an_infinite_pressure_at_its_apex():
+    cone = sneddon.Contact("r*tan(theta)", theta=0.2, E_star=1.0)
+    value, bound = cone.pressure([0.0, 0.5], radius=1.0, with_bound=True)
+    assert np.isinf(value[0]) and np.isfinite(value[1]) and np.isfinite(bound).all()
+
+
+def test_points_outside_the_domain_are_named():
+    with pytest.raises(sneddon.SneddonError, match="R|2"):
+        SPHERE.force(radius=[0.5, 2.5])
+    with pytest.raises(sneddon.SneddonError) as found:
+        SPHERE.force(radius=np.array([[0.5, np.nan]]))
+    assert found.value.place == "radius, flat index 1"
+    with pytest.raises(sneddon.SneddonError):
+        SPHERE.force(radius=-1.0)
+    assert pickle.loads(pickle.dumps(found.value)).place == found.value.place
+
+
+LAYOUTS = {
+    "plain": lambda own: own,
+    "reversed": lambda own: own[::-1][::-1],
+    "negative stride": lambda own: np.ascontiguousarray(own[::-1])[::-1],
+    "strided": lambda own: np.repeat(own, 2, axis=-1)[..., ::2],
+    "fortran": np.asfortranarray,
+    "big-endian": lambda own: own.astype(">f8"),
+    "longdouble": lambda own: own.astype(np.longdouble),
+    "misaligned": lambda own: np.frombuffer(b"\0" + own.tobytes(), dtype=np.float64, offset=1).reshape(own.shape),
+    "list": lambda own: own.tolist(),
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@given(shape=arrays.array_shapes(min_dims=1, max_dims=3, min_side=1, max_side=4), seed=st.integers(0, 2**31))
+@settings(max_examples=15, deadline=None)
+def test_every_layout_gives_what_a_loop_gives(layout, shape, seed):
+    a = np.random.default_rng(seed).uniform(0.01, 1.9, shape)
+    loop = np.array([SPHERE.force(radius=float(own)) for own in a.flat]).reshape(shape)
+    given_array = LAYOUTS[layout](a)
+    found, bound = SPHERE.force(radius=given_array, with_bound=True)
+    assert found.shape == shape and found.dtype == np.float64
+    assert (found == loop).all() and (bound > 0).all()
+    assert (SPHERE.force(radius=given_array) == loop).all()
+
+
+def test_odd_arrays():
+    assert isinstance(SPHERE.force(radius=0.5), float)
+    assert isinstance(SPHERE.force(radius=np.float32(0.5)), float)
+    assert isinstance(SPHERE.force(radius=np.array(0.5)), float)
+    assert SPHERE.force(radius=1) == SPHERE.force(radius=1.0)
+    assert SPHERE.force(radius=np.empty((0, 3))).shape == (0, 3)
+    assert SPHERE.pressure(np.linspace(0, 1, 5)[:, None], radius=[1.0, 1.5]).shape == (5, 2)
+    read_only = np.array([0.5, 1.0])
+    read_only.flags.writeable = False
+    assert SPHERE.force(radius=read_only).shape == (2,)
+    single = np.array([0.5], dtype=np.float32)
+    assert SPHERE.force(radius=single)[0] == SPHERE.force(radius=0.5)
+    for wrong in (np.ma.masked_array([0.5], [True]), np.array([0.5], dtype=object), "0.5", [1j], [True], [[1.0], [1.0, 2.0]], {}):
+        with pytest.raises(TypeError):
+            SPHERE.force(radius=wrong)
+    with pytest.raises(ValueError):
+        SPHERE.pressure(np.zeros(3), radius=np.ones(2))
+
+
+@given(st.one_of(st.none(), st.text(), st.binary(), st.floats(), st.integers(), st.lists(st.floats()), st.dictionaries(st.text(), st.floats())))
+@settings(max_examples=100, deadline=None)
+def test_whatever_is_handed_in_nothing_panics(value):
+    for call in (lambda: sneddon.Profile(value), lambda: SPHERE.force(radius=value), lambda: sneddon.solve(value), lambda: sneddon.validate("", value)):
+        try:
+            call()
+        except (TypeError, ValueError):
+            pass
+
+
+def test_callables_and_measured_tips():
+    function = sneddon.Contact(sneddon.Profile(lambda r: r * r / 2), E_star=1.5)
+    assert function.force(radius=1.0) == pytest.approx(2.0, rel=1e-9)
+    kinked = sneddon.Contact(sneddon.Profile(lambda r: max(0.0, r - 0.5), kinks=[0.5]), E_star=1.0)
+    exact = sneddon.Contact("max(0, r - 1/2)", E_star=1.0)
+    assert kinked.force(radius=1.0) == pytest.approx(exact.force(radius=1.0), rel=1e-9)
+    with pytest.raises(ZeroDivisionError):
+        sneddon.Contact(sneddon.Profile(lambda r: 1 / 0), E_star=1.0)
+    r = np.linspace(0, 2, 400)
+    tip = sneddon.Contact(sneddon.Profile(r, r**2 / 2), E_star=1.5)
+    assert tip.force(radius=1.0) == pytest.approx(2.0, rel=1e-6)
+    with pytest.raises(sneddon.SneddonError):
+        sneddon.Profile([0.0, 1.0], [0.0])
+    with pytest.raises(sneddon.SneddonError):
+        sneddon.Profile(r, r**2).derive()
+
+
+def test_long_arrays_do_not_copy_more_than_they_need():
+    a = np.linspace(0.01, 1.9, 300_000)
+    found = SPHERE.force(radius=a)
+    assert found[::50_000] == pytest.approx([SPHERE.force(radius=float(own)) for own in a[::50_000]], rel=4e-16)

@@ -1,0 +1,142 @@
+"""Scenes solved, references on grids, and validations of arrays."""
+
+from __future__ import annotations
+
+import pathlib
+
+import numpy as np
+import pytest
+
+import sneddon
+from sneddon.testing import assert_converges, assert_matches
+
+SCENE = {
+    "profile": {"f": "r^2/(2*R)", "parameters": {"R": 10.0}},
+    "material": {"effective_modulus": 2.0},
+    "load": {"contact_radius": 1.9},
+}
+A, R, MODULUS = 1.9, 10.0, 2.0
+RUNS = pathlib.Path(__file__).parents[2] / "tests/data/solver_runs"
+
+
+def pressure(r):
+    return 2 * MODULUS / (np.pi * R) * np.sqrt(np.maximum(A**2 - r**2, 0))
+
+
+def test_scenes_are_solved_from_dicts_text_and_files(tmp_path):
+    scene = {**SCENE, "load": {"depth": [0.1, 0.2]}}
+    found = sneddon.solve(scene)
+    assert len(found) == 2 and found.valid
+    assert found["F"] == pytest.approx(4 / 3 * MODULUS * np.sqrt(R) * np.array([0.1, 0.2]) ** 1.5, rel=1e-14)
+    table = found.to_numpy()
+    assert table.dtype.names[-1] == "valid" and table["a"] == pytest.approx(np.sqrt(R * np.array([0.1, 0.2])), rel=1e-14)
+    text = '[profile]\nshape = "sphere"\nparameters = { R = "1 um" }\n[material]\nE = "70 GPa"\nnu = 0.3\n[load]\nforce = "1 uN"\n'
+    path = tmp_path / "tip.toml"
+    path.write_text(text)
+    for own in (text, path, str(path)):
+        assert sneddon.solve(own).units is not None
+    pandas = pytest.importorskip("pandas")
+    assert isinstance(found.to_pandas(), pandas.DataFrame)
+
+
+def test_bad_scenes_say_where():
+    with pytest.raises(sneddon.SneddonError) as found:
+        sneddon.solve('[profile]\nf = "r^2/("\n[material]\neffective_modulus = 1\n[load]\ndepth = 1\n')
+    assert "line 2" in found.value.place
+    with pytest.raises(sneddon.SneddonError, match="cannot be read"):
+        sneddon.solve("missing.toml")
+    with pytest.raises(sneddon.SneddonError):
+        sneddon.solve({"profile": 3})
+    with pytest.raises(TypeError):
+        sneddon.solve(3)
+
+
+def test_references_are_given_at_any_place():
+    x = np.linspace(-3, 3, 8)
+    field = sneddon.reference(SCENE, x[None, :], x[:, None])
+    r = np.hypot(x[None, :], x[:, None])
+    assert field.p.shape == (8, 8)
+    assert (abs(field.p - pressure(r)) <= field.p_bound + 1e-15).all()
+    inside = r < A
+    assert field.u[inside] == pytest.approx((A**2 / R - r**2 / (2 * R))[inside], rel=1e-13)
+    means = sneddon.reference(SCENE, *np.meshgrid(x, x), cells=True)
+    # The force is the sum of the means over all cells.
+    edge = np.linspace(-2, 2, 41)
+    cells = sneddon.reference(SCENE, *np.meshgrid(edge[:-1] + 0.05, edge[:-1] + 0.05), cells=True)
+    assert cells.p.sum() * 0.01 == pytest.approx(4 / 3 * MODULUS * A**3 / R, rel=1e-9)
+    assert means.p.shape == (8, 8)
+    with pytest.raises(sneddon.SneddonError, match="square grid"):
+        sneddon.reference(SCENE, np.linspace(0, 1, 5), cells=True)
+
+
+def columns(n=64, factor=1.0):
+    h = 8 / n
+    x = (np.arange(n) - n // 2) * h
+    xs, ys = np.meshgrid(x, x)
+    return {"x": xs, "y": ys, "p": factor * pressure(np.hypot(xs, ys))}
+
+
+def test_data_are_validated():
+    pandas = pytest.importorskip("pandas")
+    good, bad = columns(), columns(factor=2.0)
+    assert sneddon.validate(SCENE, good).passed
+    found = sneddon.validate(SCENE, bad)
+    assert not found.passed and found.suspicion
+    assert "p" in found._repr_html_()
+    flat = {name: own.ravel() for name, own in good.items()}
+    assert sneddon.validate(SCENE, pandas.DataFrame(flat)).passed
+    table = np.rec.fromarrays(list(flat.values()), names=list(flat))
+    assert sneddon.validate(SCENE, table).passed
+    assert sneddon.validate(SCENE, {**good, "press": good["p"], "p": 0 * good["p"]}, map={"p": "press"}).passed
+    shifted = {**good, "x": good["x"] + 4, "y": good["y"] + 4}
+    assert sneddon.validate(SCENE, shifted).suspicion_id == "origin-corner"
+    assert sneddon.validate(SCENE, shifted, box=8.0, origin="corner").passed
+    assert not sneddon.validate(SCENE, good, load="a=1.8").passed
+    with pytest.raises(sneddon.SneddonError):
+        sneddon.validate(SCENE, good, origin="middle")
+    with pytest.raises(TypeError):
+        sneddon.validate(SCENE, 3)
+
+
+def test_assertions_fail_with_the_verdict():
+    assert_matches(SCENE, **columns())
+    with pytest.raises(AssertionError, match="failed"):
+        assert_matches(SCENE, **columns(factor=1.05))
+    assert_converges(SCENE, [columns(32), columns(64)], grid=[32, 64])
+    with pytest.raises(AssertionError):
+        assert_converges(SCENE, [columns(32, 1.02), columns(64, 1.02)], grid=[32, 64])
+    with pytest.raises(TypeError):
+        assert_converges(SCENE, columns())
+
+
+def test_real_solver_runs_converge():
+    scene = (
+        '[profile]\nf = "r^2/(2*R)"\nparameters = { R = "10 um" }\n[material]\nE = "72 GPa"\nnu = 0.17\n'
+        '[data]\nbox = "8 um"\ngrid = [64, 128, 256]\nboundary = "free"\n'
+    )
+    files = [RUNS / f"paraboloid_cm_n{n}_Fd.csv" for n in (64, 128, 256)]
+    found = sneddon.validate(scene, files)
+    assert found.passed and 1.5 < found.orders["F"]["value"] < 2.3
+    assert not sneddon.validate(scene.replace("72", "75"), files).passed
+
+
+def test_sweeps():
+    xarray = pytest.importorskip("xarray")
+    scene = {**SCENE, "load": {"depth": 0.1}}
+    found = sneddon.sweep(scene, {"profile.parameters.R": [1.0, 4.0], "load.depth": [0.1, -1.0, 0.2]})
+    assert isinstance(found, xarray.Dataset) and found["F"].shape == (2, 3)
+    assert float(found["F"][1, 2]) == pytest.approx(4 / 3 * MODULUS * 2.0 * 0.2**1.5, rel=1e-14)
+    with pytest.raises(sneddon.SneddonError):
+        sneddon.sweep(scene, {"laod.depth": [1.0]})
+
+
+def test_a_fit_model_of_nanite():
+    module = sneddon.nanite.model("R - sqrt(R^2 - r^2)", "sneddon_sphere", defaults={"R": 5e-6}, register=False)
+    delta = np.linspace(2e-6, -2e-6, 30)
+    force = module.model_func(delta, E=3e3, R=5e-6, nu=0.5, contact_point=0.0, baseline=1e-12)
+    contact = sneddon.Contact("R - sqrt(R^2 - r^2)", R=5e-6, E=3e3, nu=0.5)
+    expected = np.array([contact.force(depth=-own) if own < 0 else 0.0 for own in delta]) + 1e-12
+    assert force == pytest.approx(expected, rel=1e-12)
+    assert module.parameter_keys == ["E", "R", "nu", "contact_point", "baseline"]
+    with pytest.raises(sneddon.SneddonError):
+        sneddon.nanite.model("E*r^2", register=False)

@@ -1,0 +1,127 @@
+//! Flags about how formulas are set: whole documents, the width of lines, and other names of symbols.
+
+use super::Failure;
+use super::output::Endings;
+use crate::expr::Formula;
+use crate::parse;
+use crate::print::Renaming;
+use crate::report::page;
+use clap::ValueEnum;
+
+/// The formats of derivations and inversions.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Format {
+    Text,
+    Unicode,
+    Latex,
+    Markdown,
+    Typst,
+    Mathml,
+    Json,
+}
+
+/// The endings of files that have one of them.
+pub(super) const ENDINGS: &Endings<Format> = &[
+    ("txt", Format::Text),
+    ("tex", Format::Latex),
+    ("md", Format::Markdown),
+    ("typ", Format::Typst),
+    ("html", Format::Mathml),
+    ("json", Format::Json),
+];
+
+impl Format {
+    /// The format of a page; `None` for JSON.
+    pub(super) fn page(self) -> Option<page::Format> {
+        Some(match self {
+            Self::Text => page::Format::Text,
+            Self::Unicode => page::Format::Unicode,
+            Self::Latex => page::Format::Latex,
+            Self::Markdown => page::Format::Markdown,
+            Self::Typst => page::Format::Typst,
+            Self::Mathml => page::Format::Mathml,
+            Self::Json => return None,
+        })
+    }
+}
+
+#[derive(clap::Args)]
+pub(super) struct TypesettingArguments {
+    /// Writes a document of its own, with latex, typst, markdown or mathml.
+    #[arg(long)]
+    standalone: bool,
+    /// Breaks formulas into lines of about this many characters.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(20..=1000))]
+    width: Option<u16>,
+    /// Shows symbols under other names, such as E=E_r,d=\\delta.
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    symbols: Vec<String>,
+}
+
+impl TypesettingArguments {
+    /// How pages are written in a format; `None` is JSON.
+    pub(super) fn style(&self, format: Option<page::Format>) -> Result<page::Style, Failure> {
+        let has_document = !matches!(format, None | Some(page::Format::Text | page::Format::Unicode));
+        if self.standalone && !has_document {
+            return Err(Failure::new("--standalone makes a document, which text and JSON do not have")
+                .help("add --format latex, typst, markdown or mathml"));
+        }
+        Ok(page::Style { standalone: self.standalone, width: self.width.map(usize::from) })
+    }
+
+    /// The names that are shown; two symbols of an answer never get the same one.
+    pub(super) fn names(&self, profile: &Formula) -> Result<Renaming, Failure> {
+        const HELP: &str = "write NAME=NAME, such as --symbols 'E=E_r,d=\\delta'; a name is a letter or a word, with an index behind _";
+        let mut pairs: Vec<(String, String)> = Vec::new();
+        for item in &self.symbols {
+            let Some((old, new)) = item.split_once('=') else {
+                return Err(Failure::new(format!("--symbols {item} names no new symbol")).help(HELP));
+            };
+            let (old, new) = (symbol(old), symbol(new));
+            let (Some(old), Some(new)) = (old, new) else {
+                return Err(Failure::new(format!("--symbols {item} does not name two symbols")).help(HELP));
+            };
+            if pairs.iter().any(|(known, _)| *known == old) {
+                return Err(Failure::new(format!("--symbols renames {old} twice")).help(HELP));
+            }
+            pairs.push((old, new));
+        }
+        let parameters: Vec<String> = profile.symbols().iter().map(|own| own.name().to_owned()).collect();
+        for (at, (old, new)) in pairs.iter().enumerate() {
+            let known = OWN.contains(&old.as_str()) || parameters.contains(old);
+            if !known {
+                return Err(Failure::new(format!("--symbols renames {old}, which the answer does not contain")).help(HELP));
+            }
+            let stays =
+                |name: &String| (OWN.contains(&name.as_str()) || parameters.contains(name)) && !pairs.iter().any(|(own, _)| own == name);
+            let is_taken = stays(new) || pairs.iter().take(at).any(|(_, own)| own == new);
+            if is_taken || FIXED.contains(&new.as_str()) {
+                return Err(Failure::new(format!("--symbols would give {old} the name {new}, which stands for something else")).help(HELP));
+            }
+        }
+        Ok(Renaming::new(pairs))
+    }
+}
+
+/// The symbols of the program's own answers.
+const OWN: [&str; 15] = ["r", "x", "a", "d", "E", "f", "g", "F", "p", "k", "u", "U", "G", "q", "z"];
+/// Names that are numbers.
+const FIXED: [&str; 2] = ["pi", "e"];
+
+/// A name as the grammar has it; LaTeX's backslash before a Greek letter, and braces around an index, are left out.
+fn symbol(text: &str) -> Option<String> {
+    let plain: String = text.trim().trim_start_matches('\\').chars().filter(|own| !matches!(own, '{' | '}')).collect();
+    // The effective modulus has its star already.
+    if matches!(plain.as_str(), "E^*" | "E*") {
+        return Some("E".to_owned());
+    }
+    let is_word = plain.chars().all(|own| own.is_alphanumeric() || own == '_') && plain.starts_with(char::is_alphabetic);
+    if !is_word {
+        return None;
+    }
+    // Letters are read as the grammar reads them, so that α and alpha are one name.
+    let read = parse::formula(&plain)
+        .ok()
+        .and_then(|formula| formula.as_closed().and_then(|own| own.as_symbol().map(|own| own.name().to_owned())));
+    Some(read.unwrap_or(plain))
+}

@@ -1,0 +1,120 @@
+//! Numbers of the command line with or without units, and the units in which a call counts.
+
+use super::Failure;
+use super::failure::warn;
+use super::input::finite;
+use crate::expr::{Expr, Formula, Symbol};
+use crate::parse;
+use crate::scene::{Counting, Dimension, Quantity, SceneError};
+
+/// The units of one call: that of its first length, and that of its modulus; none where all numbers are bare.
+pub(super) struct Units(Counting);
+
+impl Units {
+    /// The units of the values that are set, of other lengths and lists of them, and of the modulus.
+    pub(super) fn of(set: &[String], lengths: &[Option<&str>], modulus: Option<&str>) -> Self {
+        let set = set.iter().filter_map(|item| item.split_once('=')).map(|(_, value)| value);
+        let others = lengths.iter().flatten().flat_map(|text| text.split([',', ':']));
+        Self(Counting::of(set.chain(others), modulus))
+    }
+
+    /// The name of the unit in which a dimension is counted; empty for bare numbers.
+    pub(super) fn name(&self, dimension: Dimension) -> String {
+        self.0.name(dimension)
+    }
+
+    /// Says in which units numbers are counted where the answer itself does not say it.
+    pub(super) fn tell(&self) {
+        let (length, pressure) = (self.name(Dimension::LENGTH), self.name(Dimension::PRESSURE));
+        if !length.is_empty() {
+            let moduli = if pressure == "E*" { String::new() } else { format!(", pressures in {pressure}") };
+            warn(&format!("lengths are counted in {length}{moduli}, angles in radians"));
+        }
+    }
+
+    /// A finite length.
+    pub(super) fn length(&self, place: &str, text: &str) -> Result<f64, Failure> {
+        self.number(place, text, Dimension::LENGTH)
+    }
+
+    /// A length above 0.
+    pub(super) fn positive_length(&self, place: &str, text: &str) -> Result<f64, Failure> {
+        positive(place, text, self.length(place, text)?)
+    }
+
+    /// The depth of a punch with a rim, as an expression; the symbol d stands for any depth.
+    pub(super) fn depth(&self, text: &str) -> Result<Expr, Failure> {
+        if text.trim() == "d" {
+            return Ok(Expr::symbol("d"));
+        }
+        self.exact("--depth", text, Dimension::LENGTH).map(|(exact, _)| exact)
+    }
+
+    /// A modulus above 0; 1 stands for any.
+    pub(super) fn modulus(&self, place: &str, text: &str) -> Result<f64, Failure> {
+        let is_any = text.trim() == "1";
+        let wanted = if is_any { Dimension::NONE } else { Dimension::PRESSURE };
+        positive(place, text, self.number(place, text, wanted)?)
+    }
+
+    /// The value of a parameter, with its dimension; what has no unit is a plain number.
+    pub(super) fn parameter(&self, place: &str, text: &str) -> Result<(Expr, f64, Dimension), Failure> {
+        let quantity = quantity(place, text)?;
+        let exact = self.0.own(place, &quantity).map_err(|error| failure(place, text, &error))?;
+        let value = finite(place, text, &exact)?;
+        Ok((exact, value, quantity.dimension().unwrap_or(Dimension::NONE)))
+    }
+
+    /// Refuses a profile that is not a length where its parameters have these dimensions.
+    pub(super) fn check(&self, text: &str, profile: &Formula, parameters: Vec<(Symbol, Dimension)>) -> Result<(), Failure> {
+        self.0.check(profile, parameters).map_err(|error| {
+            Failure::new(error.to_string()).help("give every length among the parameters its unit, such as --set R='20 nm'").at(
+                "PROFILE",
+                text,
+                0..text.len(),
+            )
+        })
+    }
+
+    fn number(&self, place: &str, text: &str, wanted: Dimension) -> Result<f64, Failure> {
+        self.exact(place, text, wanted).map(|(_, value)| value)
+    }
+
+    fn exact(&self, place: &str, text: &str, wanted: Dimension) -> Result<(Expr, f64), Failure> {
+        let quantity = quantity(place, text)?;
+        let exact = self.0.number(place, &quantity, wanted).map_err(|error| failure(place, text, &error))?;
+        let value = finite(place, text, &exact)?;
+        Ok((exact, value))
+    }
+}
+
+fn positive(place: &str, text: &str, value: f64) -> Result<f64, Failure> {
+    if value > 0.0 {
+        return Ok(value);
+    }
+    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("a number above 0 is accepted").at(
+        place,
+        text,
+        0..text.len(),
+    ))
+}
+
+/// A number, with a unit behind it or not.
+fn quantity(place: &str, text: &str) -> Result<Quantity, Failure> {
+    let plain = match parse::constant(text) {
+        Ok(_) => return Quantity::plain(text).map_err(|error| failure(place, text, &error)),
+        Err(error) => error,
+    };
+    let with_unit = text.trim_start().starts_with(|first: char| first.is_ascii_digit() || first == '.')
+        && text.trim_end().ends_with(|own: char| own.is_alphabetic() || own.is_ascii_digit());
+    Quantity::parse(text).map_err(|error| if with_unit { failure(place, text, &error) } else { Failure::parse(place, text, &plain) })
+}
+
+fn failure(place: &str, text: &str, error: &SceneError) -> Failure {
+    let own = Failure::new(error.to_string());
+    let own = match error.accepted() {
+        Some(help) => own.help(help),
+        None => own,
+    };
+    own.at(place, text, 0..text.len())
+}

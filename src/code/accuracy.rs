@@ -1,0 +1,187 @@
+//! How accurate a program is: its routines run with an error bound that grows with every operation.
+
+use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
+use crate::expr::Function;
+use crate::num::Bounded;
+use std::collections::HashMap;
+
+/// What is assumed of the elementary functions of a language, in units in the last place.
+pub(super) const ELEMENTARY_ULPS: f64 = 2.0;
+
+/// The most operations of one run.
+const MOST_STEPS: usize = 400_000;
+
+/// The functions that every language has.
+pub(super) const ELEMENTARY: [&str; 24] = [
+    "sqrt", "exp", "log", "log1p", "expm1", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "atanh",
+    "abs", "max", "min", "pow", "floor", NAN, "inf",
+];
+
+/// Runs routines; `ulps` tells what is assumed of a function of the language's library.
+pub(super) struct Machine<'a> {
+    pub(super) routines: &'a [Routine],
+    pub(super) library: &'a dyn Fn(&str) -> Option<f64>,
+    steps: usize,
+}
+
+/// The variables of a routine that runs.
+type Variables = HashMap<String, Bounded>;
+
+impl<'a> Machine<'a> {
+    pub(super) fn new(routines: &'a [Routine], library: &'a dyn Fn(&str) -> Option<f64>) -> Self {
+        Self { routines, library, steps: 0 }
+    }
+
+    /// The value of a routine at exact arguments, with its bound; `None` where it does not end or calls what is unknown.
+    pub(super) fn run(&mut self, name: &str, arguments: &[f64]) -> Option<Bounded> {
+        self.steps = 0;
+        self.routine(name, arguments.iter().copied().map(Bounded::exact).collect())
+    }
+
+    fn routine(&mut self, name: &str, arguments: Vec<Bounded>) -> Option<Bounded> {
+        let routine = self.routines.iter().find(|own| own.name == name)?;
+        let mut variables: Variables = routine.parameters.iter().cloned().zip(arguments).collect();
+        self.block(&routine.body, &mut variables)?
+    }
+
+    /// Runs statements; `Some(None)` where none of them returned.
+    fn block(&mut self, list: &[Statement], variables: &mut Variables) -> Option<Option<Bounded>> {
+        for own in list {
+            self.steps += 1;
+            if self.steps > MOST_STEPS {
+                return None;
+            }
+            let done = match own {
+                Statement::Let(name, value) | Statement::Set(name, value) => {
+                    let value = self.value(value, variables)?;
+                    variables.insert(name.clone(), value);
+                    None
+                }
+                Statement::Return(value) => Some(self.value(value, variables)?),
+                Statement::If(test, yes, no) => {
+                    let taken = if self.test(test, variables)? { yes } else { no };
+                    self.block(taken, variables)?
+                }
+                Statement::While(test, body) => {
+                    let mut done = None;
+                    while done.is_none() && self.test(test, variables)? {
+                        self.steps += 1;
+                        done = self.block(body, variables)?;
+                    }
+                    done
+                }
+            };
+            if done.is_some() {
+                return Some(done);
+            }
+        }
+        Some(None)
+    }
+
+    fn test(&mut self, test: &Test, variables: &Variables) -> Option<bool> {
+        Some(match test {
+            Test::Compare(comparison, left, right) => {
+                let (left, right) = (self.value(left, variables)?.value, self.value(right, variables)?.value);
+                match comparison {
+                    Comparison::Less => left < right,
+                    Comparison::LessOrEqual => left <= right,
+                    Comparison::Greater => left > right,
+                    Comparison::GreaterOrEqual => left >= right,
+                    Comparison::Equal => left == right,
+                }
+            }
+            Test::All(list) => {
+                for own in list {
+                    if !self.test(own, variables)? {
+                        return Some(false);
+                    }
+                }
+                true
+            }
+            Test::Any(list) => {
+                for own in list {
+                    if self.test(own, variables)? {
+                        return Some(true);
+                    }
+                }
+                false
+            }
+            Test::Not(own) => !self.test(own, variables)?,
+        })
+    }
+
+    fn value(&mut self, value: &Value, variables: &Variables) -> Option<Bounded> {
+        Some(match value {
+            Value::Number(number, true) => Bounded::exact(*number),
+            Value::Number(number, false) => Bounded::rounded(*number),
+            Value::Name(name) => *variables.get(name)?,
+            Value::Binary(operator, left, right) => {
+                let (left, right) = (self.value(left, variables)?, self.value(right, variables)?);
+                match operator {
+                    Operator::Add => left + right,
+                    Operator::Subtract => left - right,
+                    Operator::Multiply => left * right,
+                    Operator::Divide => left / right,
+                }
+            }
+            Value::Call(name, arguments) => {
+                let arguments = arguments.iter().map(|own| self.value(own, variables)).collect::<Option<Vec<_>>>()?;
+                if self.routines.iter().any(|own| own.name == *name) {
+                    self.routine(name, arguments)?
+                } else {
+                    self.function(name, &arguments)?
+                }
+            }
+        })
+    }
+
+    fn function(&self, name: &str, arguments: &[Bounded]) -> Option<Bounded> {
+        let elementary: Option<fn(f64) -> f64> = match name {
+            "exp" => Some(f64::exp),
+            "log" => Some(f64::ln),
+            "log1p" => Some(f64::ln_1p),
+            "expm1" => Some(f64::exp_m1),
+            "sin" => Some(f64::sin),
+            "cos" => Some(f64::cos),
+            "tan" => Some(f64::tan),
+            "asin" => Some(f64::asin),
+            "acos" => Some(f64::acos),
+            "atan" => Some(f64::atan),
+            "sinh" => Some(f64::sinh),
+            "cosh" => Some(f64::cosh),
+            "tanh" => Some(f64::tanh),
+            "asinh" => Some(f64::asinh),
+            "atanh" => Some(f64::atanh),
+            _ => None,
+        };
+        match (name, arguments) {
+            ("sqrt", [a]) => Some(a.sqrt()),
+            // One unit is counted by the power itself.
+            ("pow", [a, b]) => Some(a.powf(*b).apply(|z| z, ELEMENTARY_ULPS - 1.0)),
+            ("abs", [a]) => Some(Bounded { value: a.value.abs(), error: a.error }),
+            ("max", [a, b]) => Some(if a.value >= b.value { *a } else { *b }),
+            ("min", [a, b]) => Some(if a.value <= b.value { *a } else { *b }),
+            ("floor", [a]) => Some(Bounded::exact(a.value.floor())),
+            (NAN, []) => Some(Bounded::exact(f64::NAN)),
+            ("inf", []) => Some(Bounded::exact(f64::INFINITY)),
+            ("atan2", [a, b]) => Some(arctangent(*a, *b)),
+            (_, [a]) if elementary.is_some() => elementary.map(|f| a.apply(f, ELEMENTARY_ULPS)),
+            _ => {
+                let (row, ulps) = (Function::named(name)?.row(), (self.library)(name)?);
+                Some(match arguments {
+                    [only] => only.apply(|z| (row.value)(&[z]), row.ulps + ulps),
+                    _ => Bounded::apply_many(row.value, arguments, row.ulps + ulps),
+                })
+            }
+        }
+    }
+}
+
+/// The angle of the point (b, a): it moves by at most the angle of the arguments' errors.
+fn arctangent(a: Bounded, b: Bounded) -> Bounded {
+    let value = a.value.atan2(b.value);
+    let size = a.value.hypot(b.value);
+    let carried = (a.error * b.value.abs() + b.error * a.value.abs()) / (size * size) * 1.01;
+    let own = Bounded::exact(value).apply(|z| z, ELEMENTARY_ULPS);
+    Bounded::checked(value, own.error + if a.error == 0.0 && b.error == 0.0 { 0.0 } else { carried })
+}

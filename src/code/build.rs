@@ -1,0 +1,527 @@
+//! From a solution to a program: a routine for every quantity, with its domain, its pieces and its comment.
+
+use super::accuracy::ELEMENTARY;
+use super::claim::{self, Claim};
+use super::lower::{Names, lowered};
+use super::target::Language;
+use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
+use super::{CodeError, FORMS, names, read};
+use crate::contact::{Edge, Explicit, explicit, relations};
+use crate::expr::{Bindings, Condition, Expr, Node, Relation};
+use crate::print;
+use crate::transform::{Derived, EvaluatedChain, Quantity, Solution};
+
+/// A quantity that code can be written for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Requested {
+    /// g(x).
+    EquivalentProfile,
+    /// F(a).
+    Force,
+    /// p(r, a).
+    Pressure,
+    /// d(a).
+    Depth,
+    /// a(d).
+    ContactRadius,
+}
+
+impl Requested {
+    /// Every one.
+    pub const ALL: [Self; 5] = [Self::EquivalentProfile, Self::Force, Self::Pressure, Self::Depth, Self::ContactRadius];
+
+    /// The symbol that reports use.
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Self::EquivalentProfile => "g",
+            Self::Force => "F",
+            Self::Pressure => "p",
+            Self::Depth => "d",
+            Self::ContactRadius => "a",
+        }
+    }
+
+    /// What it is, in words.
+    fn title(self) -> &'static str {
+        match self {
+            Self::EquivalentProfile => "the equivalent profile of the one-dimensional model",
+            Self::Force => "the normal force at the contact radius a",
+            Self::Pressure => "the contact pressure at the radius r, positive in compression",
+            Self::Depth => "the indentation depth at the contact radius a",
+            Self::ContactRadius => "the contact radius at the indentation depth d",
+        }
+    }
+
+    /// The coordinates, in the order of the arguments.
+    pub(super) fn coordinates(self) -> &'static [&'static str] {
+        match self {
+            Self::EquivalentProfile => &["x"],
+            Self::Force | Self::Depth => &["a"],
+            Self::Pressure => &["r", "a"],
+            Self::ContactRadius => &["d"],
+        }
+    }
+
+    /// Whether the effective modulus is an argument.
+    pub(super) fn needs_modulus(self) -> bool {
+        matches!(self, Self::Force | Self::Pressure)
+    }
+
+    /// The unit, in words.
+    fn unit(self) -> &'static str {
+        match self {
+            Self::Force => "Units: lengths in one unit, E a pressure; F in the unit of E times that of length squared.",
+            Self::Pressure => "Units: lengths in one unit, E a pressure; p in the unit of E.",
+            _ => "Units: lengths in one unit, which is that of the result.",
+        }
+    }
+
+    /// The name of its routine.
+    pub(super) fn routine(self) -> String {
+        format!("sneddon_{}", self.symbol())
+    }
+}
+
+/// The routines that compute the quantities of a profile.
+#[derive(Clone, Debug)]
+pub struct Program {
+    pub(super) language: Language,
+    /// Every routine; what a routine calls stands before it.
+    pub(super) routines: Vec<Routine>,
+    /// The quantities that were asked for.
+    pub(super) quantities: Vec<Requested>,
+    /// The parameters with their identifiers.
+    pub(super) parameters: Vec<(String, String)>,
+    /// The functions of the language's library that are called.
+    pub(super) library: Vec<String>,
+    /// The identifiers of parameters that are angles in radians.
+    pub(super) angles: Vec<String>,
+    /// f(r) as text.
+    pub(super) profile: String,
+    pub(super) claims: Vec<(Requested, Option<Claim>)>,
+}
+
+/// Builds the program of a profile for a language.
+///
+/// ```
+/// use sneddon::code::{Language, Requested, program, write};
+/// use sneddon::{parse, transform::{Profile, derive}};
+/// let profile = Profile::new(&parse::profile("r^2/(2*R)").unwrap()).unwrap();
+/// let program = program(&derive(&profile).unwrap(), &[Requested::Force], Language::C, "r^2/(2*R)").unwrap();
+/// assert!(write(&program).contains("double sneddon_F(double a, double E, double R)"));
+/// ```
+///
+/// # Errors
+/// [`CodeError`] where a quantity is not closed, or where a function cannot be written in the language.
+pub fn program(solution: &Solution, quantities: &[Requested], language: Language, profile: &str) -> Result<Program, CodeError> {
+    let symbols = solution.profile.parameters();
+    let forms = read::routines(FORMS).ok_or(CodeError::Forms)?;
+    let target = language.target();
+    let mut taken: Vec<String> = ["x", "a", "r", "d", "E"].map(str::to_owned).to_vec();
+    taken.extend(Requested::ALL.iter().flat_map(|own| [target.spelled(&own.routine()), own.symbol().to_owned()]));
+    taken.extend(forms.iter().map(|own| target.spelled(&own.name)));
+    let mut names = names::identifiers(&symbols, target.ignores_case(), &|word| target.is_reserved(word), &taken);
+    let parameters: Vec<(String, String)> =
+        symbols.iter().map(|own| (own.name().to_owned(), names.get(own.name()).cloned().unwrap_or_default())).collect();
+    for own in ["x", "a", "r", "d", "E"] {
+        names.insert(own.to_owned(), own.to_owned());
+    }
+    let arguments: Vec<String> = parameters.iter().map(|(_, own)| own.clone()).collect();
+    let mut builder = Builder { solution, names, arguments, counter: 0, routines: Vec::new(), forms, language };
+    for quantity in quantities {
+        builder.quantity(*quantity)?;
+    }
+    let library = builder.library();
+    let angles = angles(solution, &parameters);
+    let (routines, quantities, profile) = (builder.routines, quantities.to_vec(), profile.to_owned());
+    let mut program = Program { language, routines, quantities, parameters, library, angles, profile, claims: Vec::new() };
+    claim::state(&mut program, solution);
+    Ok(program)
+}
+
+/// Parameters of which a sine, cosine or tangent is taken.
+fn angles(solution: &Solution, parameters: &[(String, String)]) -> Vec<String> {
+    fn is_angle(expr: &Expr, name: &str) -> bool {
+        match expr.node() {
+            Node::Function(function, arguments) if matches!(function.name(), "sin" | "cos" | "tan") => {
+                matches!(arguments.as_slice(), [only] if only.as_symbol().is_some_and(|own| own.name() == name))
+            }
+            _ => expr.children().into_iter().any(|own| is_angle(own, name)),
+        }
+    }
+    let mut slopes = solution.chains.iter().flat_map(|chain| &chain.intervals).map(|interval| &interval.slope);
+    let slopes: Vec<&Expr> = slopes.by_ref().collect();
+    let found = parameters.iter().filter(|(symbol, _)| slopes.iter().any(|own| is_angle(own, symbol)));
+    found.map(|(_, identifier)| identifier.clone()).collect()
+}
+
+struct Builder<'a> {
+    solution: &'a Solution,
+    names: Names,
+    arguments: Vec<String>,
+    counter: usize,
+    routines: Vec<Routine>,
+    forms: Vec<Routine>,
+    language: Language,
+}
+
+impl Builder<'_> {
+    /// Adds the routine of a quantity and what it calls.
+    fn quantity(&mut self, quantity: Requested) -> Result<(), CodeError> {
+        if self.routines.iter().any(|own| own.name == quantity.routine()) {
+            return Ok(());
+        }
+        let shown = self.derived(quantity)?;
+        let (mut body, mut comment) = (Vec::new(), Vec::new());
+        let mut references: Vec<&'static str> = shown.as_ref().map(|own| own.reference.clone()).unwrap_or_default();
+        let mut domain = self.domain(quantity)?;
+        let arguments = self.parameters(quantity);
+        match quantity {
+            Requested::ContactRadius => match explicit(self.solution) {
+                Some(found) => {
+                    self.conditions(&found.conditions, "d", &mut domain.0, &mut domain.1)?;
+                    body.extend(self.guard(domain.0));
+                    body.push(when(compare(Comparison::Equal, "d", 0.0), Value::Number(0.0, true)));
+                    let value = self.explicit(&found, &mut body)?;
+                    body.push(Statement::Return(value));
+                }
+                None => {
+                    references = vec!["g(a) = d solved for a by a bracketed search"];
+                    self.quantity(Requested::EquivalentProfile)?;
+                    body = self.search()?;
+                }
+            },
+            Requested::Depth => {
+                self.quantity(Requested::EquivalentProfile)?;
+                let mut values: Vec<Value> = vec![Value::name("a")];
+                values.extend(self.arguments.iter().map(|own| Value::name(own)));
+                body.push(Statement::Return(Value::Call(Requested::EquivalentProfile.routine(), values)));
+            }
+            _ => {
+                body.extend(self.guard(domain.0.clone()));
+                let (kind, factor) = match quantity {
+                    Requested::Force => (Quantity::Force, Expr::integer(2) * Expr::symbol("E")),
+                    Requested::Pressure => (Quantity::Pressure, Expr::symbol("E") / Expr::pi()),
+                    _ => (Quantity::Slope, Expr::one()),
+                };
+                let edge = match quantity {
+                    Requested::Pressure => Test::Compare(Comparison::GreaterOrEqual, Value::name("r"), Value::name("a")),
+                    Requested::Force => compare(Comparison::Equal, "a", 0.0),
+                    _ => compare(Comparison::Equal, "x", 0.0),
+                };
+                body.push(when(edge, Value::Number(0.0, true)));
+                let chains = self.solution.evaluated(kind).ok_or(CodeError::NotClosed { quantity: quantity.symbol() })?;
+                body.extend(self.chains(quantity, &chains, &factor)?);
+            }
+        }
+        let arguments_text = quantity.coordinates().join(", ");
+        comment.push(format!("{}({arguments_text}): {}.", quantity.symbol(), quantity.title()));
+        if let Some(shown) = &shown {
+            comment.push(format!("{} = {}", quantity.symbol(), print::text(&shown.formula)));
+        } else {
+            comment.push("a is the root of g(a) = d: the only one where g rises.".to_owned());
+        }
+        comment.push(format!("Source: {}.", references.join("; ")));
+        comment.push(format!("Domain: {}.", domain.1.join(", ")));
+        comment.push(quantity.unit().to_owned());
+        let routine = Routine { name: quantity.routine(), parameters: arguments, body, comment };
+        self.needed(&routine, quantity)?;
+        self.routines.push(routine);
+        Ok(())
+    }
+
+    /// The formula with its sources; `None` where the contact radius is not explicit.
+    fn derived(&self, quantity: Requested) -> Result<Option<Derived>, CodeError> {
+        let found = match quantity {
+            Requested::EquivalentProfile => Some(self.solution.equivalent_profile()),
+            _ => {
+                let all = relations(self.solution, &Edge::Smooth)?;
+                match quantity {
+                    Requested::Force => Some(all.force),
+                    Requested::Pressure => Some(all.pressure.ok_or(CodeError::NotClosed { quantity: "p" })?),
+                    Requested::Depth => Some(all.d),
+                    _ => {
+                        if all.g.formula.has_integral() {
+                            return Err(CodeError::NotClosed { quantity: "g" });
+                        }
+                        all.contact_radius_of_depth
+                    }
+                }
+            }
+        };
+        if found.as_ref().is_some_and(|own| own.formula.has_integral()) {
+            return Err(CodeError::NotClosed { quantity: quantity.symbol() });
+        }
+        Ok(found)
+    }
+
+    fn parameters(&self, quantity: Requested) -> Vec<String> {
+        let mut all: Vec<String> = quantity.coordinates().iter().map(|own| (*own).to_owned()).collect();
+        if quantity.needs_modulus() {
+            all.push("E".to_owned());
+        }
+        all.extend(self.arguments.iter().cloned());
+        all
+    }
+
+    /// What must hold, as tests and in words.
+    fn domain(&mut self, quantity: Requested) -> Result<(Vec<Test>, Vec<String>), CodeError> {
+        let (mut tests, mut words) = (Vec::new(), Vec::new());
+        let largest = |name: &str| Test::Compare(Comparison::LessOrEqual, Value::name(name), Value::Number(f64::MAX, true));
+        for own in quantity.coordinates() {
+            tests.extend([compare(Comparison::GreaterOrEqual, own, 0.0), largest(own)]);
+            words.push(format!("{own} >= 0"));
+        }
+        let mut positive = self.arguments.clone();
+        if quantity.needs_modulus() {
+            positive.insert(0, "E".to_owned());
+        }
+        for own in &positive {
+            tests.extend([compare(Comparison::Greater, own, 0.0), largest(own)]);
+            words.push(format!("{own} > 0"));
+        }
+        if quantity != Requested::ContactRadius {
+            let coordinate = quantity.coordinates().last().copied().unwrap_or("a");
+            self.conditions(&self.solution.conditions.clone(), coordinate, &mut tests, &mut words)?;
+        }
+        Ok((tests, words))
+    }
+
+    /// Conditions on the parameters, and on the radius, which is the outermost coordinate here.
+    fn conditions(
+        &mut self,
+        list: &[Condition],
+        coordinate: &str,
+        tests: &mut Vec<Test>,
+        words: &mut Vec<String>,
+    ) -> Result<(), CodeError> {
+        let place = Bindings::one("r", Expr::symbol(coordinate));
+        for own in list {
+            let own = own.substitute(&place);
+            words.push(print::text_condition(&own));
+            let comparison = match own.relation {
+                Relation::Less => Comparison::Less,
+                Relation::LessOrEqual => Comparison::LessOrEqual,
+                // Doubles are seldom equal; the words say it.
+                _ => continue,
+            };
+            let ((before, left), (more, right)) = (self.lowered(&own.left)?, self.lowered(&own.right)?);
+            if before.is_empty() && more.is_empty() {
+                tests.push(Test::Compare(comparison, left, right));
+            }
+        }
+        Ok(())
+    }
+
+    fn guard(&self, tests: Vec<Test>) -> Vec<Statement> {
+        if tests.is_empty() {
+            return Vec::new();
+        }
+        vec![when(Test::Not(Box::new(Test::All(tests))), Value::call(NAN, Vec::new()))]
+    }
+
+    fn lowered(&mut self, expr: &Expr) -> Result<(Vec<Statement>, Value), CodeError> {
+        Ok(lowered(expr, &self.names, &mut self.counter)?)
+    }
+
+    /// The sum of the chains; one with breakpoints beside others is a routine of its own.
+    fn chains(&mut self, quantity: Requested, chains: &[EvaluatedChain], factor: &Expr) -> Result<Vec<Statement>, CodeError> {
+        self.counter = 0;
+        if let [only] = chains {
+            return self.pieces(quantity, only, factor);
+        }
+        let parameters = self.parameters(quantity);
+        let (mut body, mut total): (Vec<Statement>, Option<Value>) = (Vec::new(), None);
+        for (index, chain) in chains.iter().enumerate() {
+            let value = if let ([], [only]) = (chain.breakpoints.as_slice(), chain.values.as_slice()) {
+                let (statements, value) = self.lowered(&(only * factor))?;
+                body.extend(statements);
+                value
+            } else {
+                let counter = std::mem::take(&mut self.counter);
+                let name = format!("{}_{}", quantity.routine(), index + 1);
+                let routine = Routine {
+                    name: name.clone(),
+                    parameters: parameters.clone(),
+                    body: self.pieces(quantity, chain, factor)?,
+                    comment: vec![format!("A part of {}, piece by piece.", quantity.symbol())],
+                };
+                self.counter = counter;
+                self.needed(&routine, quantity)?;
+                self.routines.push(routine);
+                Value::Call(name, parameters.iter().map(|own| Value::name(own)).collect())
+            };
+            total = Some(match total {
+                None => value,
+                Some(sum) => Value::binary(Operator::Add, sum, value),
+            });
+        }
+        body.push(Statement::Return(total.unwrap_or(Value::Number(0.0, true))));
+        Ok(body)
+    }
+
+    /// The pieces of a chain, each where the contact ends in it.
+    fn pieces(&mut self, quantity: Requested, chain: &EvaluatedChain, factor: &Expr) -> Result<Vec<Statement>, CodeError> {
+        let coordinate = quantity.coordinates().last().copied().unwrap_or("a");
+        let mut body = Vec::new();
+        for (index, value) in chain.values.iter().enumerate() {
+            let (mut piece, value) = self.lowered(&(value * factor))?;
+            piece.push(Statement::Return(value));
+            match chain.breakpoints.get(index) {
+                Some(end) => {
+                    let (statements, end) = self.lowered(end)?;
+                    body.extend(statements);
+                    body.push(Statement::If(Test::Compare(Comparison::LessOrEqual, Value::name(coordinate), end), piece, Vec::new()));
+                }
+                None => body.extend(piece),
+            }
+        }
+        Ok(body)
+    }
+
+    fn explicit(&mut self, found: &Explicit, body: &mut Vec<Statement>) -> Result<Value, CodeError> {
+        self.counter = 0;
+        let (statements, value) = self.lowered(&found.contact_radius)?;
+        body.extend(statements);
+        Ok(value)
+    }
+
+    /// The root of g(a) = d between two radii: secants, and halves where these leave the bracket.
+    fn search(&mut self) -> Result<Vec<Statement>, CodeError> {
+        self.counter = 0;
+        let chains = self.solution.evaluated(Quantity::Slope).ok_or(CodeError::NotClosed { quantity: "g" })?;
+        // The flat part of a worn tip carries no depth: the root lies beyond it.
+        let flat = match chains.as_slice() {
+            [only] => only.values.iter().zip(&only.breakpoints).take_while(|(value, _)| value.is_zero()).last().map(|(_, end)| end.clone()),
+            _ => None,
+        };
+        let limits: Vec<Expr> = self.solution.profile.limits().cloned().collect();
+        let mut body = Vec::new();
+        let (statements, flat) = self.lowered(&flat.unwrap_or_else(Expr::zero))?;
+        body.extend(statements);
+        body.push(Statement::Let("_low".to_owned(), flat));
+        let mut limit: Option<Value> = None;
+        for own in &limits {
+            let (statements, value) = self.lowered(own)?;
+            body.extend(statements);
+            limit = Some(match limit {
+                None => value,
+                Some(other) => Value::call("min", vec![other, value]),
+            });
+        }
+        let domain = "if !(d >= 0 && d <= 1e300) { return nan(); } if d == 0 { return _low; }";
+        let start = match limit {
+            Some(limit) => {
+                body.push(Statement::Let("_end".to_owned(), limit));
+                SEARCH_TO_END
+            }
+            None => SEARCH_OUTWARD,
+        };
+        let list = self.arguments.join(", ");
+        let comma = if list.is_empty() { "" } else { ", " };
+        let profile_at = |at: &str| format!("sneddon_g({at}{comma}{list})");
+        let text = format!("fn search() {{ {domain} {start} {SEARCH} }}")
+            .replace("g(_high)", &profile_at("_high"))
+            .replace("g(_low)", &profile_at("_low"))
+            .replace("g(_mid)", &profile_at("_mid"));
+        let routine = read::routines(&text).and_then(|list| list.into_iter().next()).ok_or(CodeError::Forms)?;
+        body.extend(routine.body);
+        // No parameter begins with an underscore; the variables of the search do, until they are numbered.
+        Ok(self.numbered(body))
+    }
+
+    /// Renames the variables of a body to t1, t2, …, which no parameter is called.
+    fn numbered(&mut self, body: Vec<Statement>) -> Vec<Statement> {
+        let routine = Routine { name: String::new(), parameters: Vec::new(), body, comment: Vec::new() };
+        let mut renaming = Names::new();
+        for own in routine.variables() {
+            if own.starts_with('_') {
+                self.counter += 1;
+                renaming.insert(own, format!("t{}", self.counter));
+            }
+        }
+        routine.body.iter().map(|own| own.renamed(&renaming)).collect()
+    }
+
+    /// Adds the stable forms that a routine calls, those first that they call themselves.
+    fn needed(&mut self, routine: &Routine, quantity: Requested) -> Result<(), CodeError> {
+        for name in routine.calls() {
+            if ELEMENTARY.contains(&name.as_str()) || self.routines.iter().any(|own| own.name == name) {
+                continue;
+            }
+            if self.language.target().library(&name).is_some() {
+                continue;
+            }
+            let Some(form) = self.forms.iter().find(|own| own.name == name).cloned() else {
+                return Err(CodeError::Function { quantity: quantity.symbol(), function: name, language: self.language.title() });
+            };
+            self.needed(&form, quantity)?;
+            self.routines.push(form);
+        }
+        Ok(())
+    }
+
+    /// The functions of the language's library that are called.
+    fn library(&self) -> Vec<String> {
+        let mut all: Vec<String> = self.routines.iter().flat_map(Routine::calls).collect();
+        all.sort();
+        all.dedup();
+        all.retain(|name| !ELEMENTARY.contains(&name.as_str()) && !self.routines.iter().any(|own| own.name == *name));
+        all
+    }
+}
+
+/// Below the end of the profile g takes every value that it will.
+const SEARCH_TO_END: &str = "let _high = _end * 0.99999999999999989; if !(g(_high) >= d) { return nan(); }
+    let _mid = _high; while _mid > _low && g(_mid) >= d { _high = _mid; _mid = _low + 0.5 * (_mid - _low); } _low = _mid;";
+
+/// Outward by factors of two, from a depth as large as the radius.
+const SEARCH_OUTWARD: &str = "let _high = _low + d; while g(_high) < d && _high <= 1e300 { _low = _high; _high = 2 * _high; }
+    if !(g(_high) >= d) { return nan(); }
+    let _mid = _low + 0.5 * (_high - _low); while _mid > _low && _low == 0 && g(_mid) >= d && _mid > 1e-300 { _high = _mid; _mid = 0.5 * _mid; }
+    if _low == 0 { _low = _mid; }";
+
+/// Illinois steps.
+const SEARCH: &str = "let _below = g(_low) - d; let _above = g(_high) - d; let _n = 0; let _side = 0;
+    if _above == 0 { return _high; }
+    while _n < 400 && _high - _low > 2.2e-16 * _high {
+      _n = _n + 1;
+      _mid = (_low * _above - _high * _below) / (_above - _below);
+      if !(_mid > _low && _mid < _high) || _n > 60 { _mid = _low + 0.5 * (_high - _low); }
+      if _mid <= _low || _mid >= _high { return _high; }
+      let _rest = g(_mid) - d;
+      if _rest == 0 { return _mid; }
+      if _rest > 0 { _high = _mid; _above = _rest; if _side > 0 { _below = 0.5 * _below; } _side = 1; }
+      else { _low = _mid; _below = _rest; if _side < 0 { _above = 0.5 * _above; } _side = -1; }
+    }
+    return _high;";
+
+fn compare(comparison: Comparison, name: &str, number: f64) -> Test {
+    Test::Compare(comparison, Value::name(name), Value::Number(number, true))
+}
+
+fn when(test: Test, value: Value) -> Statement {
+    Statement::If(test, vec![Statement::Return(value)], Vec::new())
+}
+
+impl Program {
+    /// What is claimed of each quantity; `None` where no point with a bound was found.
+    pub fn claims(&self) -> &[(Requested, Option<Claim>)] {
+        &self.claims
+    }
+}
+
+impl Program {
+    /// Whether the quantity is found by a search.
+    pub(super) fn searches(&self, quantity: Requested) -> bool {
+        let is_search = |own: &Routine| own.calls().iter().any(|name| *name == Requested::EquivalentProfile.routine());
+        quantity == Requested::ContactRadius && self.routines.iter().any(|own| own.name == quantity.routine() && is_search(own))
+    }
+}
+
+impl Program {
+    /// Whether a routine is one that was asked for.
+    pub(super) fn is_public(&self, routine: &Routine) -> bool {
+        self.quantities.iter().any(|own| own.routine() == routine.name)
+    }
+}

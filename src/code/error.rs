@@ -1,0 +1,50 @@
+//! Why no code can be written.
+
+use crate::contact::ContactError;
+use crate::eval::EvalError;
+use crate::transform::TransformError;
+
+/// Why no code can be written for a quantity.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CodeError {
+    /// The formula holds an integral.
+    #[error("the formula of {quantity} holds an integral, and code is written for closed forms only")]
+    NotClosed {
+        /// The symbol of the quantity.
+        quantity: &'static str,
+    },
+    /// The language has no such function, and the program cannot write it.
+    #[error("{quantity} calls the function {function}, which cannot be written in {language}")]
+    Function {
+        /// The symbol of the quantity.
+        quantity: &'static str,
+        /// The function.
+        function: String,
+        /// The language.
+        language: &'static str,
+    },
+    /// The profile has no contact of this kind.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+    /// The profile cannot be transformed.
+    #[error(transparent)]
+    Transform(#[from] TransformError),
+    /// An expression that cannot be evaluated.
+    #[error(transparent)]
+    Evaluation(#[from] EvalError),
+    /// A fault of the program: its own text of stable forms cannot be read.
+    #[error("the stable forms cannot be read; this is a fault of the program")]
+    Forms,
+}
+
+impl CodeError {
+    /// What can be done.
+    pub fn accepted(&self) -> &'static str {
+        match self {
+            Self::NotClosed { .. } => "choose quantities that derive shows without an integral, or compute with eval",
+            Self::Function { .. } => "another --lang or other quantities are accepted; --lang python knows the functions of SciPy",
+            _ => "a profile with a closed form is accepted",
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! Code in other languages: the closed forms of a profile as functions that keep their digits, with a bound on their error.
+//!
+//! An expression is walked as it is for numbers, in its evaluated form, and becomes a small program (`tree.rs`); the stable forms that it
+//! calls are written down once in a language of their own (`forms.txt`); every target writes that program with its own words.
+//! The same program runs with running error bounds (`accuracy.rs`), and the largest of them is what its comment claims.
+
+mod accuracy;
+mod build;
+mod claim;
+mod error;
+mod lower;
+mod names;
+mod read;
+mod target;
+mod tree;
+
+pub use build::{Program, Requested, program};
+pub use claim::Claim;
+pub use error::CodeError;
+pub use target::{Language, write};
+
+/// The stable forms.
+const FORMS: &str = include_str!("forms.txt");

@@ -1,0 +1,98 @@
+//! MATLAB and GNU Octave, with their own functions.
+
+use super::{Target, Words, comment, decimal, head, parts};
+use crate::code::accuracy::ELEMENTARY;
+use crate::code::build::Program;
+use crate::code::tree::Routine;
+
+pub(super) struct Matlab;
+
+/// Functions beyond the elementary ones with what is assumed of them.
+const LIBRARY: [(&str, &str, f64); 4] =
+    [("erf", "erf", 4.0), ("gamma", "gamma", 12.0), ("besselj", "besselj", 64.0), ("besseli", "besseli", 64.0)];
+
+const RESERVED: &str = " break case catch classdef continue else elseif end for function global if otherwise parfor persistent return \
+spmd switch try while do until unwind_protect endfunction endif endwhile endfor NaN Inf pi eps i j ans nan inf sqrt exp log log1p expm1 \
+sin cos tan asin acos atan atan2 sinh cosh tanh asinh atanh abs max min floor erf gamma besselj besseli e true false nargin nargout ";
+
+impl Target for Matlab {
+    fn words(&self) -> Words {
+        Words {
+            comment: "% ",
+            when: ("if ", ""),
+            otherwise: "else",
+            end_when: "end",
+            during: ("while ", ""),
+            end_during: "end",
+            both: " && ",
+            either: " || ",
+            not: "~",
+        }
+    }
+
+    fn number(&self, value: f64) -> String {
+        decimal(value)
+    }
+
+    fn call(&self, name: &str, arguments: &[String]) -> String {
+        let list = arguments.join(", ");
+        match name {
+            "nan" => "NaN".to_owned(),
+            "inf" => "Inf".to_owned(),
+            "pow" => match arguments {
+                [base, exponent] => format!("(({base})^({exponent}))"),
+                _ => list,
+            },
+            _ if ELEMENTARY.contains(&name) || self.library(name).is_some() => format!("{name}({list})"),
+            _ => format!("{}({list})", self.spelled(name)),
+        }
+    }
+
+    fn spelled(&self, routine: &str) -> String {
+        if routine.starts_with("sneddon_") { routine.to_owned() } else { format!("sneddon_{routine}") }
+    }
+
+    fn is_reserved(&self, word: &str) -> bool {
+        RESERVED.contains(&format!(" {word} "))
+    }
+
+    fn library(&self, name: &str) -> Option<(&'static str, f64)> {
+        LIBRARY.iter().find(|(own, ..)| *own == name).map(|(_, written, ulps)| (*written, *ulps))
+    }
+
+    fn declare(&self, name: &str, value: &str, _changes: bool) -> String {
+        format!("{name} = {value};")
+    }
+
+    fn assign(&self, name: &str, value: &str) -> String {
+        format!("{name} = {value};")
+    }
+
+    fn give(&self, value: &str) -> Vec<String> {
+        vec![format!("t0 = {value};"), "return".to_owned()]
+    }
+
+    fn file(&self, program: &Program) -> String {
+        let mut lines = head(program);
+        lines.push("The functions take and return numbers, not arrays; outside the domain the result is NaN.".to_owned());
+        lines.push(
+            "MATLAB calls the first function of a file: write one file for each quantity, and name it after its function.".to_owned(),
+        );
+        lines.push("Octave reads every function of the file with source(\"FILE.m\").".to_owned());
+        let mut text = comment(&lines, "% ");
+        // What is called from outside comes first.
+        let (public, inner): (Vec<&Routine>, Vec<&Routine>) = program.routines.iter().partition(|own| program.is_public(own));
+        let rank = |own: &&Routine| program.quantities.iter().position(|quantity| quantity.routine() == own.name).unwrap_or(usize::MAX);
+        let mut public = public;
+        public.sort_by_key(rank);
+        for routine in public.into_iter().chain(inner) {
+            let (list, body) = parts(routine, self);
+            text.push_str(&format!(
+                "\nfunction t0 = {}({list})\n{}{body}end\n",
+                self.spelled(&routine.name),
+                comment(&routine.comment, "% ")
+            ));
+        }
+        text
+    }
+}

@@ -1,0 +1,107 @@
+//! A model file for nanite and PyJibe: F over the indentation, with lmfit's parameters; it imports no part of this program.
+
+use super::python::{Python, imports, routines};
+use super::{Target, comment, decimal, head};
+use crate::code::build::{Program, Requested};
+
+/// The model file of a program that has F and a.
+pub(super) fn file(program: &Program) -> String {
+    let mut text = comment(&head(program), "# ");
+    text.push_str("# Load it in nanite with nanite.model.load_model_from_file, in PyJibe with Preferences, Extensions.\n");
+    text.push_str(&imports(program));
+    text.push_str("\nimport lmfit\nimport numpy as np\n");
+    text.push_str(&routines(program));
+    let identifiers: Vec<&str> = program.parameters.iter().map(|(_, own)| own.as_str()).collect();
+    let listed = |own: &dyn Fn(&str) -> String| identifiers.iter().map(|name| own(name)).collect::<String>();
+    let keys = listed(&|name| format!(" {name},"));
+    let strings = listed(&|name| format!(" \"{name}\","));
+    let is_angle = |name: &str| program.angles.iter().any(|own| own == name);
+    let defaults = listed(&|name| {
+        let (value, most) = if is_angle(name) { (0.35, ", max=1.57") } else { (1e-6, "") };
+        format!("    params.add(\"{name}\", value={}, min=1e-12{most}, vary=False)\n", decimal(value))
+    });
+    let units = listed(&|name| format!(" \"{}\",", if is_angle(name) { "rad" } else { "SI" }));
+    let documented = listed(&|name| {
+        format!("    {name}: float\n        Parameter of the profile{}\n", if is_angle(name) { " [rad]" } else { ", in SI units" })
+    });
+    // Not the text of the profile: a name of a parameter may be of any kind.
+    let described: Vec<String> = program
+        .routines
+        .iter()
+        .filter(|own| own.name == Requested::Force.routine() || own.name == Requested::ContactRadius.routine())
+        .flat_map(|own| own.comment.clone())
+        .collect();
+    let described = comment(&described, "    ").replace('"', " ");
+    let arguments = identifiers.iter().map(|own| format!(", {own}")).collect::<String>();
+    let (radius, force) = (Python.spelled(&Requested::ContactRadius.routine()), Python.spelled(&Requested::Force.routine()));
+    text.push_str(&format!(
+        "
+
+def get_parameter_defaults():
+    \"\"\"Return the default model parameters\"\"\"
+    params = lmfit.Parameters()
+    params.add(\"E\", value=3e3, min=0)
+{defaults}    params.add(\"nu\", value=0.5, min=0, max=0.5, vary=False)
+    params.add(\"contact_point\", value=0)
+    params.add(\"baseline\", value=0)
+    return params
+
+
+def _force_at(depth, modulus{arguments}):
+    try:
+        return {force}({radius}(depth{arguments}), modulus{arguments})
+    except ArithmeticError:
+        return math.nan
+
+
+def indentation_force(delta, E,{keys} nu, contact_point=0, baseline=0):
+    r\"\"\"Force of an indenter with a closed form of the equivalent profile
+
+{described}
+    Parameters
+    ----------
+    delta: 1d ndarray
+        Indentation [m]
+    E: float
+        Young's modulus [N/m²]
+{documented}    nu: float
+        Poisson's ratio
+    contact_point: float
+        Indentation offset [m]
+    baseline: float
+        Force offset [N]
+
+    Returns
+    -------
+    F: float
+        Force [N]; NaN where the profile ends before g reaches the depth
+    \"\"\"
+    modulus = E/(1 - nu**2)
+    depth = np.asarray(contact_point - delta, dtype=float)
+    force = np.zeros_like(depth)
+    inside = depth > 0
+    force[inside] = [_force_at(float(own), modulus{arguments}) for own in depth[inside]]
+    return force + baseline
+
+
+model_doc = indentation_force.__doc__
+model_func = indentation_force
+model_key = \"{key}\"
+model_name = \"{key}\"
+parameter_keys = [\"E\",{strings} \"nu\", \"contact_point\", \"baseline\"]
+parameter_names = [\"Young's Modulus\",{strings} \"Poisson's Ratio\", \"Contact Point\", \"Force Baseline\"]
+parameter_units = [\"Pa\",{units} \"\", \"m\", \"N\"]
+valid_axes_x = [\"tip position\"]
+valid_axes_y = [\"force\"]
+",
+        key = key(program),
+    ));
+    text
+}
+
+/// A name of the model that differs from profile to profile.
+fn key(program: &Program) -> String {
+    // FNV-1a.
+    let hash = program.profile.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |own, byte| (own ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    format!("sneddon_{:08x}", hash >> 32)
+}

@@ -1,0 +1,275 @@
+//! The bend (r f′)′ of a profile enclosed from the axis outward: nothing narrow hides between the radii that are looked at.
+
+use super::curvature::{Curvature, Kink};
+use std::f64::consts::FRAC_PI_2;
+use std::sync::OnceLock;
+
+/// Radii from `lower` to `upper`, between which (r f′)′ lies between `low` and `high`; infinite where that is not known.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell {
+    pub(super) lower: f64,
+    pub(super) upper: f64,
+    pub(super) low: f64,
+    pub(super) high: f64,
+}
+
+/// The cells of a profile, in order.
+pub(super) struct Cells {
+    list: Vec<Cell>,
+    kinks: Vec<Kink>,
+    /// A bound from below on g′ in every cell, found when it is first asked for.
+    rises: OnceLock<Vec<f64>>,
+}
+
+/// Most enclosures that look for the sign of the bend …
+const MOST_LOOKS: usize = 3000;
+/// … and the most cells of a profile that bends down somewhere.
+const MOST_CELLS: usize = 768;
+/// A doubt of this share of the slope hardly moves g′.
+const KNOWN: f64 = 1e-8;
+/// Bounds on g′ are found for so many cells from the axis outward.
+const MOST_RISES: usize = 2048;
+/// A cell in which the sign stays open is not halved below this share of its radius in the first pass.
+const NARROW: f64 = 1e-6;
+/// What is unknown is halved as far as this share.
+const NARROWEST: f64 = 1e-9;
+/// So near to the end of a profile one value decides.
+const LAST: f64 = 1e-8;
+/// A negative bend of this share of the slope is rounding.
+const ROUNDING: f64 = 1e-12;
+
+impl Cells {
+    /// Encloses the bend from the axis to `far`; finely up to `fine` where it has no sign. `None` where there are no enclosures.
+    pub(super) fn new(curvature: &Curvature<'_>, kinks: &[Kink], floor: f64, fine: f64, far: f64) -> Option<Self> {
+        let mut ends = vec![0.0, floor];
+        ends.extend(curvature.breakpoints().into_iter().chain(kinks.iter().map(|kink| kink.at)).filter(|b| *b > floor && *b < far));
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        ends.push(far);
+        let mut list = Vec::new();
+        let mut looks = 0;
+        let mut known = false;
+        for pair in ends.windows(2) {
+            let [from, to] = *pair else { continue };
+            let mut open = vec![(from, to)];
+            while let Some((lower, upper)) = open.pop() {
+                looks += 1;
+                let mut cell = enclosed(curvature, lower, upper);
+                // The last digits of the end of a profile do not tell whether a root is real there.
+                if upper == far && upper - lower <= LAST * upper && cell.low < 0.0 && presses(curvature, lower) {
+                    cell.low = 0.0;
+                }
+                known |= cell.high < f64::INFINITY;
+                let least = if cell.low.is_finite() { NARROW } else { NARROWEST };
+                // Where g falls, g′/x must not change much within a cell.
+                let settled = cell.low >= 0.0 || (cell.high < 0.0 && upper <= 2.0 * lower) || lower == 0.0;
+                match halved(lower, upper).filter(|_| !settled && upper - lower > least * upper && looks < MOST_LOOKS) {
+                    Some(middle) => open.extend([(middle, upper), (lower, middle)]),
+                    _ => list.push(cell),
+                }
+            }
+            // Without an enclosure anywhere there is no use in looking on.
+            if !known && looks > 200 {
+                return None;
+            }
+        }
+        let mut own = Self { list, kinks: kinks.to_vec(), rises: OnceLock::new() };
+        if !own.bends_up() {
+            own.refine(curvature, fine);
+        }
+        Some(own)
+    }
+
+    /// True where (r f′)′ ≥ 0 is proven everywhere, and every kink presses: then g rises.
+    pub(super) fn bends_up(&self) -> bool {
+        self.list.iter().all(|cell| cell.low >= 0.0) && self.kinks.iter().all(|kink| kink.jump > 0.0)
+    }
+
+    /// Halves the cells in which the bend is least known, as a share of the slope so far.
+    fn refine(&mut self, curvature: &Curvature<'_>, fine: f64) {
+        let mut steepest = f64::MIN_POSITIVE;
+        let mut ranked = Vec::new();
+        for (index, cell) in self.list.iter().enumerate().filter(|(_, cell)| cell.lower < fine) {
+            steepest = steepest.max(curvature.slope(cell.upper).value.abs());
+            ranked.push((doubt(cell, steepest), steepest, index));
+        }
+        let mut heap: std::collections::BinaryHeap<Ranked> = ranked
+            .into_iter()
+            .filter_map(|(doubt, steepest, index)| Some(Ranked { doubt, steepest, cell: *self.list.get(index)? }))
+            .collect();
+        let mut done: Vec<Cell> = self.list.iter().copied().filter(|cell| cell.lower >= fine).collect();
+        while heap.len() < MOST_CELLS {
+            // Where the least known cell is known well enough, all are.
+            if heap.peek().is_none_or(|own| own.doubt <= KNOWN) {
+                break;
+            }
+            let Some(Ranked { steepest, cell, .. }) = heap.pop() else { break };
+            let Some(middle) = halved(cell.lower, cell.upper).filter(|_| cell.lower > 0.0) else {
+                done.push(cell);
+                continue;
+            };
+            for (lower, upper) in [(cell.lower, middle), (middle, cell.upper)] {
+                let half = enclosed(curvature, lower, upper);
+                // What holds for the whole holds for a half.
+                let mut half = Cell { low: half.low.max(cell.low), high: half.high.min(cell.high), ..half };
+                if is_rounding(curvature, &half) {
+                    half.low = 0.0;
+                }
+                heap.push(Ranked { doubt: doubt(&half, steepest), steepest, cell: half });
+            }
+        }
+        done.extend(heap.into_iter().map(|own| own.cell));
+        done.sort_by(|one, other| one.lower.total_cmp(&other.lower));
+        self.list = done;
+    }
+
+    /// The cells with a bound from below on g′ in each: g′(x) = ∫₀^{π/2} (r f′)′|_{r = x sin t} dt and what kinks add to it.
+    pub(super) fn rises(&self) -> impl DoubleEndedIterator<Item = (Cell, f64)> + ExactSizeIterator + '_ {
+        let rises = self.rises.get_or_init(|| {
+            let least = |index| if index < MOST_RISES { self.least_rise(index) } else { f64::NEG_INFINITY };
+            (0..self.list.len()).map(least).collect()
+        });
+        self.list.iter().copied().zip(rises.iter().copied())
+    }
+
+    /// The longest ranges in which g is proven to rise, in order.
+    pub(super) fn rising_ranges(&self) -> Vec<(f64, f64)> {
+        let mut ranges: Vec<(f64, f64)> = Vec::new();
+        for (cell, _) in self.rises().filter(|(_, rise)| *rise >= 0.0) {
+            match ranges.last_mut() {
+                Some((_, end)) if *end == cell.lower => *end = cell.upper,
+                _ => ranges.push((cell.lower, cell.upper)),
+            }
+        }
+        ranges
+    }
+
+    /// Radii in and around the runs of cells where the bend is negative beyond doubt, and in which fewer than three of `places` lie.
+    pub(super) fn dents(&self, places: &[f64], most: usize) -> Vec<f64> {
+        let mut found = Vec::new();
+        let mut run: Option<(f64, f64)> = None;
+        let mut close = |run: &mut Option<(f64, f64)>| {
+            if let Some((from, to)) = run.take() {
+                let width = to - from;
+                let seen = places.partition_point(|r| *r < to).saturating_sub(places.partition_point(|r| *r <= from));
+                if seen >= 3 {
+                    return;
+                }
+                found.extend([-1.0, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 2.0].map(|share| from + share * width));
+            }
+        };
+        for cell in &self.list {
+            if cell.high < 0.0 {
+                run = Some((run.map_or(cell.lower, |own| own.0), cell.upper));
+            } else {
+                close(&mut run);
+            }
+        }
+        close(&mut run);
+        found.retain(|r| *r > 0.0);
+        found.truncate(most);
+        found
+    }
+
+    /// A bound from below on g′ within a cell; −∞ where none is known.
+    fn least_rise(&self, index: usize) -> f64 {
+        let Some(own) = self.list.get(index) else { return f64::NEG_INFINITY };
+        let (from, to) = (own.lower, own.upper);
+        if own.lower == 0.0 {
+            return if own.low.is_finite() { FRAC_PI_2 * own.low } else { own.low };
+        }
+        // ∫ B dθ with θ = asin(s/x), by parts: θ falls with x, so that every step of B meets one of two angles.
+        let angle = |s: f64, x: f64| (s / x).min(1.0).asin();
+        let mut sum = FRAC_PI_2 * own.low;
+        let mut size = sum.abs();
+        let mut before: Option<f64> = None;
+        for cell in self.list.get(..=index).unwrap_or_default() {
+            if let Some(before) = before {
+                let step = cell.low - before;
+                let share = step * angle(cell.lower, if step > 0.0 { from } else { to });
+                sum -= share;
+                size += share.abs();
+            }
+            before = Some(cell.low);
+        }
+        for kink in self.kinks.iter().filter(|kink| kink.at <= from) {
+            let x = if kink.jump > 0.0 { to } else { from };
+            let root = ((x - kink.at) * (x + kink.at)).sqrt();
+            let share = kink.jump * kink.at / root;
+            sum += share;
+            size += if share.is_finite() { share.abs() } else { 0.0 };
+        }
+        // What is within the rounding of the sum is 0.
+        if sum.is_nan() {
+            f64::NEG_INFINITY
+        } else if sum.abs() <= ROUNDING * size {
+            0.0
+        } else {
+            sum
+        }
+    }
+}
+
+/// Where a range is cut: by its logarithm where it is wide.
+fn halved(lower: f64, upper: f64) -> Option<f64> {
+    let middle = if lower > 0.0 && upper > 4.0 * lower { (lower.ln() * 0.5 + upper.ln() * 0.5).exp() } else { 0.5 * (lower + upper) };
+    (middle > lower && middle < upper).then_some(middle)
+}
+
+fn enclosed(curvature: &Curvature<'_>, lower: f64, upper: f64) -> Cell {
+    let (low, high) = curvature.bend_over(lower, upper).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+    let mut cell = Cell { lower, upper, low, high };
+    // So near to the axis a few values decide, and where values overflow the bodies are far apart.
+    let at_the_axis = lower == 0.0 && [1.0, 1e-1, 1e-3, 1e-6].iter().all(|share| presses(curvature, share * upper));
+    let overflows = |r: f64| !curvature.bend(r).value.is_finite();
+    let too_far = overflows(upper) && (overflows(lower) || upper - lower <= LAST * upper);
+    if is_rounding(curvature, &cell) || (cell.low < 0.0 && (at_the_axis || too_far)) {
+        cell.low = 0.0;
+    }
+    cell
+}
+
+/// Whether the bend at a radius is not negative.
+fn presses(curvature: &Curvature<'_>, r: f64) -> bool {
+    let bend = curvature.bend(r);
+    bend.value >= bend.error
+}
+
+/// Whether the bend is negative by no more than rounding.
+fn is_rounding(curvature: &Curvature<'_>, cell: &Cell) -> bool {
+    cell.low < 0.0 && cell.low.is_finite() && {
+        let slope = curvature.slope(cell.upper);
+        -cell.low <= ROUNDING * (slope.value - slope.error) || -cell.low <= 4.0 * f64::MIN_POSITIVE
+    }
+}
+
+/// How much what is not known of the bend may matter to g′.
+fn doubt(cell: &Cell, steepest: f64) -> f64 {
+    (cell.high - cell.low) * (cell.upper - cell.lower) / (cell.upper * steepest)
+}
+
+struct Ranked {
+    doubt: f64,
+    steepest: f64,
+    cell: Cell,
+}
+
+impl PartialEq for Ranked {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Ranked {}
+
+impl PartialOrd for Ranked {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Ranked {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.doubt.total_cmp(&other.doubt).then(other.cell.lower.total_cmp(&self.cell.lower))
+    }
+}

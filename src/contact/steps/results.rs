@@ -1,0 +1,113 @@
+//! From g to depth, force, pressure, stiffness and the relations that are solved for the depth.
+
+use super::Step;
+use crate::contact::{Edge, Relations, explicit};
+use crate::expr::{Expr, Formula, Symbol, derivative, shown};
+use crate::print::Prose;
+use crate::transform::Solution;
+
+pub(super) fn steps(solution: &Solution, edge: &Edge, relations: &Relations) -> Vec<Step> {
+    let mut list = vec![depth(edge, relations), force(edge, relations)];
+    list.push(pressure(edge, relations));
+    let why = match edge {
+        Edge::Smooth => {
+            "A flat punch of radius $a$ is what an increment of depth presses: the shape has no part in it, and d$F$/d$a$ = 2$E$ $a$ d$d$/d$a$"
+        }
+        Edge::Rim(_) => "The contact radius stays that of the rim while the depth changes",
+    };
+    list.push(Step::new("Stiffness", "k(a)", relations.stiffness.formula.clone(), Prose::read(why)).from(&relations.stiffness.reference));
+    if *edge == Edge::Smooth {
+        list.extend(solved(solution, relations));
+    }
+    let mut conditions = Prose::words("Conditions: ");
+    for (place, own) in relations.conditions.iter().enumerate() {
+        conditions = conditions.then(if place == 0 { "" } else { "; " }).followed_by(own);
+    }
+    list.push(Step::remark("Validity", conditions));
+    list
+}
+
+fn depth(edge: &Edge, relations: &Relations) -> Step {
+    let d = relations.d.formula.clone();
+    match edge {
+        Edge::Smooth => Step::new(
+            "Depth",
+            "d(a)",
+            d,
+            Prose::read("A smooth edge leaves no stress at $r$ = $a$: the outermost spring is just touched, $d$ = $g(a)$"),
+        )
+        .from(&["Popov & Heß (3.26)"]),
+        Edge::Rim(_) => Step::new("Depth", "d", d, Prose::read("The rim fixes $a$, and the depth is free")).from(&["Popov & Heß (3.61)"]),
+    }
+}
+
+fn force(edge: &Edge, relations: &Relations) -> Step {
+    let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
+    let double = Expr::integer(2) * Expr::symbol("E");
+    let compressed =
+        integral(Expr::symbol(if *edge == Edge::Smooth { "d(a)" } else { "d" }) - Expr::symbol("g(x)"), "x", Expr::zero(), a.clone());
+    let by_parts = integral(&x * Expr::symbol("g'(x)"), "x", Expr::zero(), a.clone());
+    let mut steps = Vec::new();
+    if *edge == Edge::Smooth {
+        steps.push(Step::new(
+            "By parts",
+            "F(a)",
+            by_parts.scaled(&double),
+            Prose::read("The boundary term vanishes, because $d$ = $g(a)$"),
+        ));
+    }
+    steps.push(
+        Step::new("Result", "F(a)", relations.force.formula.clone(), Prose::words("The terms are integrated one by one"))
+            .from(&relations.force.reference),
+    );
+    let why = Prose::read("Every spring between −$a$ and $a$ is compressed by $d$ − $g(x)$, and $g$ is even");
+    Step::new("Force", "F(a)", compressed.scaled(&double), why).from(&["Popov & Heß (3.7), (3.22)"]).with(steps)
+}
+
+fn pressure(edge: &Edge, relations: &Relations) -> Step {
+    let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
+    let factor = Expr::symbol("E") / Expr::pi();
+    let root = (x.power(2) - r.power(2)).sqrt();
+    let mut definition = integral(Expr::symbol("g'(x)") / root, "x", r.clone(), a.clone()).scaled(&factor);
+    if matches!(edge, Edge::Rim(_)) {
+        let excess = Expr::symbol("d") - Expr::symbol("g(a)");
+        definition = Formula::sum([definition, Formula::Closed(factor * excess / (a.power(2) - r.power(2)).sqrt())]);
+    }
+    let mut steps = Vec::new();
+    if let Some(slope) = relations.g.formula.as_closed().and_then(|g| derivative(&shown(g), &Symbol::new("x")).ok()) {
+        steps.push(Step::new("Slope of the equivalent profile", "g'(x)", Formula::Closed(slope), Prose::words("Differentiated")));
+    }
+    match &relations.pressure {
+        Some(found) => steps.push(
+            Step::new("Result", "p(r)", found.formula.clone(), Prose::read("For $r$ < $a$; there is no pressure outside"))
+                .from(&found.reference),
+        ),
+        None => steps.push(Step::remark("Result", Prose::read("$g$ may jump where $f'$ is infinite: $p(r)$ has no formula here"))),
+    }
+    let why = match edge {
+        Edge::Smooth => "The line load of the foundation is transformed back; its end vanishes under a smooth edge",
+        Edge::Rim(_) => "The line load of the foundation is transformed back; the last term is that of its step at the rim",
+    };
+    Step::new("Pressure", "p(r)", definition, Prose::words(why)).from(&["Popov & Heß (3.37)"]).with(steps)
+}
+
+/// a(d) and F(d), where g(a) = d can be solved.
+fn solved(solution: &Solution, relations: &Relations) -> Vec<Step> {
+    let (Some(radius), Some(force)) = (&relations.contact_radius_of_depth, &relations.force_of_depth) else {
+        let why =
+            Prose::read("$d$ = $g(a)$ has no solution for $a$ in closed form that is known here; numbers come from a bracketed root of it");
+        return vec![Step::remark("Contact radius at a depth", why)];
+    };
+    let how = explicit(solution).map_or("", |found| found.equation);
+    let mut steps = vec![Step::new("Equation", "d", relations.d.formula.clone(), Prose::words(how))];
+    steps.push(Step::new("Force at a depth", "F(d)", force.formula.clone(), Prose::read("$a(d)$ put into $F(a)$")).from(&force.reference));
+    vec![
+        Step::new("Contact radius at a depth", "a(d)", radius.formula.clone(), Prose::read("$d$ = $g(a)$ is solved for $a$"))
+            .from(&radius.reference)
+            .with(steps),
+    ]
+}
+
+fn integral(integrand: Expr, variable: &str, lower: Expr, upper: Expr) -> Formula {
+    Formula::Integral { integrand: Box::new(Formula::Closed(integrand)), variable: Symbol::new(variable), lower, upper }
+}

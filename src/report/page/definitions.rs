@@ -1,0 +1,71 @@
+//! What the special functions in a formula mean, with the convention of their arguments.
+
+use crate::expr::{Expr, Formula, Function, Node, shown_as_mathematics};
+use crate::print::Prose;
+
+/// A sentence for every special function that occurs and that has no single definition everywhere.
+pub(super) fn of(formulas: &[Formula]) -> Vec<Prose> {
+    DEFINITIONS
+        .iter()
+        .filter(|(names, _)| {
+            let wanted = |function: &Function| names.contains(&function.name());
+            formulas.iter().any(|formula| occurs(formula, &wanted))
+        })
+        .map(|(_, sentence)| Prose::words(sentence))
+        .collect()
+}
+
+fn occurs(formula: &Formula, wanted: &impl Fn(&Function) -> bool) -> bool {
+    match formula {
+        Formula::Closed(expr) => calls(expr, wanted),
+        Formula::Sum(parts) => parts.iter().any(|part| occurs(part, wanted)),
+        Formula::Scaled(factor, inner) => calls(factor, wanted) || occurs(inner, wanted),
+        Formula::Piecewise { pieces, last, .. } => {
+            occurs(last, wanted) || pieces.iter().any(|(value, end)| occurs(value, wanted) || calls(end, wanted))
+        }
+        Formula::Integral { integrand, lower, upper, .. } => occurs(integrand, wanted) || calls(lower, wanted) || calls(upper, wanted),
+    }
+}
+
+fn calls(expr: &Expr, wanted: &impl Fn(&Function) -> bool) -> bool {
+    /// Larger expressions are not looked through.
+    const SIZE: usize = 10_000;
+    fn any(expr: &Expr, wanted: &impl Fn(&Function) -> bool) -> bool {
+        matches!(expr.node(), Node::Function(function, _) if wanted(function))
+            || expr.children().into_iter().any(|child| any(child, wanted))
+    }
+    let shown = shown_as_mathematics(expr);
+    shown.size_up_to(SIZE) < SIZE && any(&shown, wanted)
+}
+
+/// Functions, and the sentence that defines them.
+const DEFINITIONS: [(&[&str], &str); 16] = [
+    (
+        &["ellipk", "ellipe"],
+        "K(m) and E(m) are the complete elliptic integrals of parameter m = k²: K(m) = ∫ dt/√(1 - m sin² t), E(m) = ∫ √(1 - m sin² t) dt, t from 0 to π/2",
+    ),
+    (
+        &["ellipf"],
+        "F(φ | m) is the incomplete elliptic integral of the first kind of parameter m = k²: ∫ dt/√(1 - m sin² t), t from 0 to φ",
+    ),
+    (
+        &["elliprf", "elliprd", "elliprj", "elliprc"],
+        "R_F, R_D, R_J and R_C are Carlson's symmetric elliptic integrals, as in the Digital Library of Mathematical Functions, 19.16",
+    ),
+    (&["dawson"], "D(z) is Dawson's integral: exp(-z²) times the integral of exp(t²), t from 0 to z"),
+    (&["erf"], "erf(z) is 2/√π times the integral of exp(-t²), t from 0 to z"),
+    (&["erfi"], "erfi(z) is 2/√π times the integral of exp(t²), t from 0 to z"),
+    (&["struveh"], "H_n is the Struve function, bold to tell it from Hankel's"),
+    (&["struvel"], "L_n is the modified Struve function"),
+    (&["besselj"], "J_n is the Bessel function of the first kind"),
+    (&["besseli"], "I_n is the modified Bessel function of the first kind"),
+    (&["hyp2f1"], "2F1(a, b; c; z) is Gauss's hypergeometric function"),
+    (&["hyp1f1"], "1F1(a; b; z) is Kummer's hypergeometric function"),
+    (&["polylog"], "Li_2(z) is the dilogarithm: the sum of zⁿ/n², n from 1"),
+    (&["clsin"], "Cl_2(z) is Clausen's function: the sum of sin(n z)/n², n from 1"),
+    (&["fresnelc", "fresnels"], "C(z) and S(z) are the Fresnel integrals of cos(π t²/2) and sin(π t²/2), t from 0 to z"),
+    (
+        &["digamma", "polygamma"],
+        "ψ is the logarithmic derivative of the Gamma function, and ψ with an order in parentheses its derivatives",
+    ),
+];

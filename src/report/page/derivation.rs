@@ -1,0 +1,47 @@
+//! The page of a derivation: one equation per quantity, then conditions, notes and the check.
+
+use super::{Block, Page, definitions};
+use crate::expr::Formula;
+use crate::print::Prose;
+use crate::report::{Derivation, text};
+
+impl Page {
+    /// What `derive` found, in the order of reading.
+    pub fn of_derivation(record: &Derivation<'_>) -> Self {
+        let names = record.names;
+        let mut page = Self { title: "Derived relations".to_owned(), is_text: false, blocks: Vec::new() };
+        page.equation("f", &names.name("f(r)"), &names.formula(record.formula()), Prose::default());
+        if let Some(shift) = record.shift() {
+            let remark = Prose::read("$f(0)$ = ").formula(shift.clone()).then(" is subtracted, so that $f$ starts at 0");
+            page.blocks.push(Block::Remark(remark.renamed(names)));
+        }
+        let mut shown = vec![record.formula().clone()];
+        for entry in record.entries() {
+            match entry.derived {
+                Some(derived) => {
+                    let sources = Prose::words(&text::sources(&derived));
+                    page.equation(entry.key, &names.name(entry.left), &names.formula(&derived.formula), sources);
+                    shown.push(derived.formula.clone());
+                }
+                // Where a is given by a rim there is no a(d) to look for; a note says so.
+                None if record.has_rim() => {}
+                None => {
+                    page.blocks.push(Block::Sentence(Prose::default().then(&format!("${}$: no explicit form", names.name(entry.left)))))
+                }
+            }
+        }
+        page.close(record, &shown);
+        page
+    }
+
+    fn close(&mut self, record: &Derivation<'_>, shown: &[Formula]) {
+        self.list("Conditions", "condition", record.conditions());
+        self.close_steps(record, shown);
+    }
+
+    /// Notes and the check.
+    pub(super) fn close_steps(&mut self, record: &Derivation<'_>, shown: &[Formula]) {
+        self.list("Notes", "note", record.notes().into_iter().chain(definitions::of(shown)).collect());
+        self.list("Check against quadrature of f as typed", "check", vec![Prose::words(&text::outcome(&record.check))]);
+    }
+}

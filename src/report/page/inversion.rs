@@ -1,0 +1,42 @@
+//! The page of an inversion: what was given, f(r), conditions, notes and the check; and the same step by step.
+
+use super::Page;
+use crate::contact::Step;
+use crate::expr::Formula;
+use crate::print::{Prose, Renaming};
+use crate::report::{Inversion, text};
+
+impl Page {
+    /// What `invert` found.
+    pub fn of_inversion(record: &Inversion<'_>, names: &Renaming) -> Self {
+        let mut page = Self { title: "Profile of an equivalent profile".to_owned(), is_text: false, blocks: Vec::new() };
+        let mut state =
+            |key: &str, left: &str, right: &Formula, sources| page.equation(key, &names.name(left), &names.formula(right), sources);
+        if let Some(wanted) = &record.pressure {
+            for (key, left, expr) in [("p", "p(r)", wanted.pressure), ("d", "d", wanted.depth), ("F", "F", wanted.force)] {
+                state(key, left, &expr.clone().into(), Prose::default());
+            }
+        }
+        state("g", "g(x)", record.equivalent, Prose::default());
+        state("f", "f(r)", &record.profile.formula, Prose::words(&text::sources(&record.profile)));
+        page.close_inversion(record, names);
+        page
+    }
+
+    /// The steps of an inversion, numbered; then the same.
+    pub fn of_inverse_steps(record: &Inversion<'_>, steps: &[Step], names: &Renaming) -> Self {
+        let mut page = Self::of_numbered("From the equivalent profile to the profile", steps, names);
+        page.close_inversion(record, names);
+        page
+    }
+
+    fn close_inversion(&mut self, record: &Inversion<'_>, names: &Renaming) {
+        self.list(
+            "Conditions",
+            "condition",
+            record.conditions.iter().map(|own| Prose::default().condition(names.condition(own))).collect(),
+        );
+        self.list("Notes", "note", record.notes().iter().map(|own| own.renamed(names)).collect());
+        self.list("Check against quadrature of g as typed", "check", vec![Prose::words(&text::outcome(&record.check))]);
+    }
+}

@@ -1,0 +1,108 @@
+//! Pages in LaTeX: a fragment of equations with the rest as comments, or text, or a whole document.
+
+use super::{Block, COLUMN, Page, Style, lines};
+use crate::expr::Formula;
+use crate::print::{self, Notation, Prose};
+use std::io::{self, Write};
+
+const NOTATION: Notation = Notation::Latex;
+
+pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
+    if style.standalone {
+        writeln!(out, "{PREAMBLE}\n\\begin{{document}}\n\n\\section*{{{}}}", print::latex_words(&page.title))?;
+        text(page, Style { width: style.width.or(Some(COLUMN)), ..style }, out)?;
+        writeln!(out, "\n{BIBLIOGRAPHY}\n\\end{{document}}")
+    } else if page.is_text {
+        text(page, style, out)
+    } else {
+        fragment(page, style, out)
+    }
+}
+
+/// What every document needs; the fonts have the letters of the source's names.
+const PREAMBLE: &str = "\\documentclass[10pt]{article}
+\\usepackage[T1]{fontenc}
+\\usepackage[utf8]{inputenc}
+\\usepackage{amsmath,amssymb,graphicx}
+\\emergencystretch=3em";
+
+const BIBLIOGRAPHY: &str = "\\begin{thebibliography}{9}
+\\bibitem{PopovHess2015} V.~L. Popov and M. He\\ss, \\emph{Method of Dimensionality Reduction in Contact Mechanics and Friction},
+Springer, Berlin, Heidelberg, 2015. The numbers of equations refer to its chapter~3.
+\\bibitem{sneddon} \\emph{sneddon}, a symbolic and numeric transform engine for contact mechanics.
+\\end{thebibliography}
+% The same for BibTeX:
+% @book{PopovHess2015,
+%   author = {Popov, Valentin L. and He{\\ss}, Markus},
+%   title = {Method of Dimensionality Reduction in Contact Mechanics and Friction},
+%   publisher = {Springer}, address = {Berlin, Heidelberg}, year = {2015}
+% }
+% @software{sneddon, title = {sneddon}, note = {symbolic and numeric transform engine for contact mechanics}}";
+
+/// Comments, then one block of aligned equations.
+fn fragment(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
+    let mut rows = Vec::new();
+    let comment = |own: &Prose| own.written(Notation::Text);
+    for block in &page.blocks {
+        match block {
+            Block::Equation { left, right, .. } => {
+                let continued = " \\\\\n  &\\quad ";
+                rows.push(format!("  {} &= {}", NOTATION.name(left), lines(right, NOTATION, style.width).join(continued)));
+            }
+            Block::Item("check", item) => writeln!(out, "% check against quadrature: {}", comment(item))?,
+            Block::Item("condition", item) => writeln!(out, "% condition: {}", comment(item))?,
+            Block::Item(_, own) | Block::Sentence(own) | Block::Remark(own) => writeln!(out, "% {}", comment(own))?,
+            Block::Heading(..) => {}
+        }
+    }
+    writeln!(out, "\\begin{{align*}}\n{}\n\\end{{align*}}", rows.join(" \\\\\n"))
+}
+
+fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
+    let mut in_list = false;
+    for block in &page.blocks {
+        if in_list && !matches!(block, Block::Item(..)) {
+            writeln!(out, "\\end{{itemize}}")?;
+            in_list = false;
+        }
+        match block {
+            Block::Equation { key, left, right, sources } => {
+                equation(key, left, right, style, out)?;
+                if !sources.is_empty() {
+                    writeln!(out, "\\noindent{{\\footnotesize {}}}\\par", sources.written(NOTATION))?;
+                }
+            }
+            Block::Sentence(own) | Block::Remark(own) => writeln!(out, "\n\\noindent {}.", own.written(NOTATION).trim_end_matches('.'))?,
+            Block::Heading(level, title) => {
+                let command = ["subsection*", "subsubsection*", "paragraph"].get(level.saturating_sub(1)).unwrap_or(&"paragraph");
+                writeln!(out, "\n\\{command}{{{}}}", print::latex_words(title))?;
+            }
+            Block::Item(_, own) => {
+                if !in_list {
+                    writeln!(out, "\\begin{{itemize}}")?;
+                    in_list = true;
+                }
+                writeln!(out, "\\item {}", own.written(NOTATION))?;
+            }
+        }
+    }
+    if in_list { writeln!(out, "\\end{{itemize}}") } else { Ok(()) }
+}
+
+/// A numbered equation with a label where it states a quantity.
+fn equation(key: &str, left: &str, right: &Formula, style: Style, out: &mut dyn Write) -> io::Result<()> {
+    let left = NOTATION.name(left);
+    let own = lines(right, NOTATION, style.width);
+    let wide = style.width.is_some_and(|width| NOTATION.breadth(right) > width);
+    let body = match own.as_slice() {
+        // What cannot be broken is made to fit.
+        [only] if wide => format!("\\resizebox{{0.88\\linewidth}}{{!}}{{$\\displaystyle {left} = {only}$}}"),
+        [only] => format!("{left} = {only}"),
+        many => format!("\\begin{{split}}\n{left} &= {}\n\\end{{split}}", many.join(" \\\\\n&\\quad ")),
+    };
+    if key.is_empty() {
+        writeln!(out, "\\begin{{equation*}}\n{body}\n\\end{{equation*}}")
+    } else {
+        writeln!(out, "\\begin{{equation}}\\label{{eq:{key}}}\n{body}\n\\end{{equation}}")
+    }
+}

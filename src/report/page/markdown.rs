@@ -1,0 +1,52 @@
+//! Pages in Markdown, every formula as a block of mathematics with what it rests on below it.
+
+use super::{Block, Page, Style, lines};
+use crate::print::Notation;
+use std::io::{self, Write};
+
+const NOTATION: Notation = Notation::Latex;
+
+pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
+    if style.standalone {
+        writeln!(out, "# {}\n", page.title)?;
+    }
+    let mut in_list = false;
+    for (place, block) in page.blocks.iter().enumerate() {
+        if place > 0 && !(in_list && matches!(block, Block::Item(..))) {
+            writeln!(out)?;
+        }
+        in_list = matches!(block, Block::Item(..));
+        match block {
+            Block::Equation { left, right, sources, .. } => {
+                let body = match lines(right, NOTATION, style.width).as_slice() {
+                    [only] => format!("{} = {only}", NOTATION.name(left)),
+                    many => {
+                        format!("\\begin{{aligned}}\n{} &= {}\n\\end{{aligned}}", NOTATION.name(left), many.join(" \\\\\n&\\quad "))
+                    }
+                };
+                writeln!(out, "```math\n{body}\n```")?;
+                if !sources.is_empty() {
+                    writeln!(out, "\n{}", sources.written(Notation::Text))?;
+                }
+            }
+            Block::Sentence(own) | Block::Remark(own) => writeln!(out, "{}.", markdown(own).trim_end_matches('.'))?,
+            Block::Heading(level, title) => writeln!(out, "{} {title}", "#".repeat(level + 1))?,
+            Block::Item(_, own) => writeln!(out, "- {}", markdown(own))?,
+        }
+    }
+    Ok(())
+}
+
+/// Words as they are, formulas between dollar signs.
+fn markdown(prose: &crate::print::Prose) -> String {
+    let escape = |words: &str| {
+        words.chars().fold(String::new(), |mut text, letter| {
+            if matches!(letter, '\\' | '`' | '*' | '_' | '|' | '<' | '>' | '[' | ']' | '$') {
+                text.push('\\');
+            }
+            text.push(letter);
+            text
+        })
+    };
+    prose.written_with(NOTATION, escape)
+}

@@ -1,0 +1,61 @@
+//! Pages as plain text, made to be read in a terminal.
+
+use super::{Block, Page, Style, lines};
+use crate::print::Notation;
+use std::io::{self, Write};
+
+/// Writes equations with what they rest on below them; a heading indents what belongs to it.
+pub(super) fn write(page: &Page, notation: Notation, style: Style, out: &mut dyn Write) -> io::Result<()> {
+    let mut indent = 0;
+    for (place, block) in page.blocks.iter().enumerate() {
+        let space = " ".repeat(indent);
+        match block {
+            Block::Equation { left, right, sources, .. } => {
+                if place > 0 && !page.is_text {
+                    writeln!(out)?;
+                }
+                let start = format!("{space}{} = ", notation.name(left));
+                let room = style.width.map(|width| width.saturating_sub(start.chars().count()).max(20));
+                let continued = format!("\n{}", " ".repeat(start.chars().count()));
+                writeln!(out, "{start}{}", lines(right, notation, room).join(&continued))?;
+                if !sources.is_empty() {
+                    writeln!(out, "{}{}", if page.is_text { &space } else { "       " }, sources.written(notation))?;
+                }
+            }
+            Block::Sentence(sentence) => {
+                if page.is_text {
+                    let room = style.width.unwrap_or(100).saturating_sub(indent).max(20);
+                    filled(&sentence.written(notation), room).iter().try_for_each(|line| writeln!(out, "{space}{line}"))?;
+                } else {
+                    writeln!(out, "\n{}", sentence.written(notation))?;
+                }
+            }
+            Block::Remark(remark) => writeln!(out, "       {}", remark.written(notation))?,
+            Block::Heading(level, title) => {
+                let outer = " ".repeat(3 * level.saturating_sub(1));
+                if place > 0 {
+                    writeln!(out)?;
+                }
+                writeln!(out, "{outer}{title}")?;
+                indent = if page.is_text { 3 * level } else { 2 };
+            }
+            Block::Item(_, item) => writeln!(out, "{space}{}", item.written(notation))?,
+        }
+    }
+    Ok(())
+}
+
+/// The words in lines of at most this many letters.
+fn filled(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut().filter(|line| line.chars().count() + 1 + word.chars().count() <= width) {
+            Some(line) => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            None => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}

@@ -1,0 +1,41 @@
+//! Pages in Typst: markup that compiles as a document or inside one.
+
+use super::{Block, COLUMN, Page, Style, lines};
+use crate::print::Notation;
+use std::io::{self, Write};
+
+const NOTATION: Notation = Notation::Typst;
+
+/// What every document begins with.
+const PREAMBLE: &str = "#set page(margin: 3cm)\n#set text(size: 10pt)\n#set math.equation(numbering: \"(1)\")\n";
+
+pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
+    if style.standalone {
+        writeln!(out, "{PREAMBLE}\n= {}\n", page.title)?;
+    }
+    let width = style.width.or(style.standalone.then_some(COLUMN));
+    for block in &page.blocks {
+        match block {
+            Block::Equation { key, left, right, sources } => {
+                let label = if style.standalone && !key.is_empty() { format!(" <eq-{key}>") } else { String::new() };
+                match lines(right, NOTATION, width).as_slice() {
+                    [only] => writeln!(out, "$ {} = {only} ${label}", NOTATION.name(left))?,
+                    many => writeln!(out, "$ {} &= {} ${label}", NOTATION.name(left), many.join(" \\\n  &quad "))?,
+                }
+                if !sources.is_empty() {
+                    writeln!(out, "{}\n", sources.written(NOTATION))?;
+                }
+            }
+            Block::Sentence(own) | Block::Remark(own) => writeln!(out, "{}.\n", own.written(NOTATION).trim_end_matches('.'))?,
+            Block::Heading(level, title) => writeln!(out, "\n{} {title}", "=".repeat(level + 1))?,
+            Block::Item(_, own) => writeln!(out, "- {}", own.written(NOTATION))?,
+        }
+    }
+    if style.standalone {
+        writeln!(
+            out,
+            "\nEquations in parentheses are those of V. L. Popov and M. Heß, _Method of Dimensionality Reduction in Contact Mechanics and Friction_, Springer, 2015, chapter 3."
+        )?;
+    }
+    Ok(())
+}

@@ -1,0 +1,140 @@
+//! The curves of contacts: numbers over the load, and fields over the radius at the largest load.
+
+use super::{Line, Panel, Picture};
+use crate::contact::State;
+use crate::scene::{Curve, Datum, Dimension, Run};
+use std::f64::consts::FRAC_PI_2;
+
+/// What can be drawn of a contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pictured {
+    /// A number over the depth; the depth itself over the contact radius.
+    Datum(Datum),
+    /// A function at the largest load.
+    Curve(Curve),
+    /// The line load q(x) of the one-dimensional model.
+    LineLoad,
+    /// Its displacement d − g(x).
+    LineDisplacement,
+    /// The tip in the deformed surface.
+    Section,
+}
+
+/// Points of a curve.
+const POINTS: u32 = 160;
+/// How far beyond the contact surfaces are shown, in contact radii.
+const BEYOND: f64 = 1.8;
+
+impl Picture {
+    /// A panel per quantity with a line per contact; every run has loads that rise to its largest one, as `Scene::swept` makes them.
+    pub fn of_contacts(contacts: &[(&str, &Run<'_>)], quantities: &[Pictured]) -> Self {
+        let Some((_, first)) = contacts.first() else { return Self::default() };
+        let panels = quantities.iter().map(|quantity| {
+            let lines: Vec<Line> = contacts.iter().flat_map(|(name, run)| quantity.lines(name, run)).collect();
+            let unit = |dimension| first.scene().system.unit_name(dimension);
+            let titled = |name: &str, dimension| {
+                let unit = unit(dimension);
+                if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") }
+            };
+            let (title, horizontal, vertical) = quantity.labels();
+            Panel::new(title, titled(horizontal, Dimension::LENGTH), titled(vertical.0, vertical.1), lines)
+        });
+        Self { panels: panels.collect() }
+    }
+}
+
+impl Pictured {
+    /// The title, the name of the coordinate, and the name and dimension of the values.
+    fn labels(self) -> (&'static str, &'static str, (&'static str, Dimension)) {
+        match self {
+            Self::Datum(Datum::Depth) => ("Depth", "contact radius a", ("depth d", Dimension::LENGTH)),
+            Self::Datum(Datum::Force) => ("Force", "depth d", ("normal force F", Dimension::FORCE)),
+            Self::Datum(Datum::Radius) => ("Contact radius", "depth d", ("contact radius a", Dimension::LENGTH)),
+            Self::Datum(Datum::Stiffness) => ("Stiffness", "depth d", ("stiffness k", Dimension::STIFFNESS)),
+            Self::Datum(Datum::MeanPressure) => ("Mean pressure", "depth d", ("mean pressure", Dimension::PRESSURE)),
+            Self::Datum(Datum::Energy) => ("Strain energy", "depth d", ("strain energy U", Dimension::ENERGY)),
+            Self::Curve(Curve::Equivalent) => ("Equivalent profile", "x", ("g(x)", Dimension::LENGTH)),
+            Self::Curve(Curve::Profile) => ("Profile", "radius r", ("f(r)", Dimension::LENGTH)),
+            Self::Curve(Curve::Pressure) => ("Pressure at the largest load", "radius r", ("pressure p", Dimension::PRESSURE)),
+            Self::Curve(Curve::Displacement) => ("Displacement at the largest load", "radius r", ("displacement u", Dimension::LENGTH)),
+            Self::Curve(Curve::AxialStress) => {
+                ("Stress on the axis at the largest load", "depth below the surface z", ("σ_zz", Dimension::PRESSURE))
+            }
+            Self::LineLoad => ("Line load of the one-dimensional model", "x", ("line load q", Dimension::STIFFNESS)),
+            Self::LineDisplacement => ("Displacement of the one-dimensional model", "x", ("d − g(x)", Dimension::LENGTH)),
+            Self::Section => ("Tip and surface at the largest load", "radius r", ("height", Dimension::LENGTH)),
+        }
+    }
+
+    fn lines(self, name: &str, run: &Run<'_>) -> Vec<Line> {
+        let line = |name: String, points| Line { name, points };
+        let last = run.scene().loads.len().saturating_sub(1);
+        let state = run.state(last, false);
+        let length = run.scene().system.out(Dimension::LENGTH);
+        match self {
+            Self::Datum(datum) => vec![line(name.to_owned(), over_loads(run, datum))],
+            Self::Curve(curve) => vec![line(name.to_owned(), over_radius(run, curve, state.as_ref()))],
+            Self::LineLoad | Self::LineDisplacement => {
+                let Some(state) = state else { return Vec::new() };
+                // E* per length is a pressure; what is left are lengths.
+                let factor = if self == Self::LineLoad {
+                    run.scene().effective_modulus * run.scene().system.out(Dimension::STIFFNESS) / length
+                } else {
+                    1.0
+                };
+                let points = radii(run, Curve::Pressure, Some(&state)).into_iter().map(|at| {
+                    let g = value(run, Curve::Equivalent, Some(&state), at);
+                    (at * length, factor * (state.depth * length - g))
+                });
+                vec![line(name.to_owned(), points.collect())]
+            }
+            Self::Section => {
+                let Some(state) = state else { return Vec::new() };
+                let named = |what: &str| if name.is_empty() { what.to_owned() } else { format!("{name}, {what}") };
+                let depth = state.depth * length;
+                let places = radii(run, Curve::Displacement, Some(&state));
+                let tip = places.iter().map(|at| (*at * length, value(run, Curve::Profile, Some(&state), *at) - depth));
+                let surface = places.iter().map(|at| (*at * length, -value(run, Curve::Displacement, Some(&state), *at)));
+                vec![line(named("tip"), tip.collect()), line(named("surface"), surface.collect())]
+            }
+        }
+    }
+}
+
+/// A number over the depth, or the depth over the contact radius, of the valid loads.
+fn over_loads(run: &Run<'_>, datum: Datum) -> Vec<(f64, f64)> {
+    let abscissa = if datum == Datum::Depth { Datum::Radius } else { Datum::Depth };
+    let rows = (0..run.scene().loads.len()).filter_map(|index| run.row(index));
+    let point = |row: crate::scene::Row| {
+        let valid = row.is_valid();
+        let number = |own| row.value(own).filter(|_| valid).unwrap_or(f64::NAN);
+        (number(abscissa), number(datum))
+    };
+    rows.map(point).collect()
+}
+
+fn over_radius(run: &Run<'_>, curve: Curve, state: Option<&State>) -> Vec<(f64, f64)> {
+    let length = run.scene().system.out(Dimension::LENGTH);
+    radii(run, curve, state).into_iter().map(|at| (at * length, value(run, curve, state, at))).collect()
+}
+
+fn value(run: &Run<'_>, curve: Curve, state: Option<&State>, at: f64) -> f64 {
+    run.point(curve, state, at).value.map_or(f64::NAN, |(value, _)| value)
+}
+
+/// Places in computed units: for a pressure within the contact and close to its edge, else beyond it as well.
+fn radii(run: &Run<'_>, curve: Curve, state: Option<&State>) -> Vec<f64> {
+    let a = state.map_or(1.0, |state| state.radius);
+    let share = |index: u32| f64::from(index) / f64::from(POINTS);
+    match curve {
+        Curve::Pressure => (0..=POINTS).map(|index| a * (FRAC_PI_2 * share(index)).sin()).collect(),
+        Curve::Equivalent => (0..=POINTS).map(|index| a * share(index)).collect(),
+        _ => {
+            let kinks = run.kinks().into_iter().map(|(at, _)| at / run.scene().system.out(Dimension::LENGTH));
+            let mut all: Vec<f64> =
+                (0..=POINTS).map(|index| BEYOND * a * share(index)).chain([a]).chain(kinks.filter(|at| *at < BEYOND * a)).collect();
+            all.sort_by(f64::total_cmp);
+            all
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! A scene whose loads rise evenly from nothing to its largest load, as curves over the load need them.
+
+use super::{Datum, Loads, Scene, Steps};
+
+impl Scene {
+    /// The same scene with `count` loads from 0 to its largest one, and every number per load wanted.
+    ///
+    /// ```
+    /// use sneddon::scene::{Loads, Scene};
+    /// use sneddon::{parse, transform::Profile};
+    /// let scene = Scene::of(Profile::new(&parse::profile("r^2/2").unwrap()).unwrap());
+    /// let swept = Scene { loads: Loads::List(vec![3.0, 2.0]), ..scene }.swept(4);
+    /// assert_eq!(swept.loads.iter().collect::<Vec<_>>(), [0.0, 1.0, 2.0, 3.0]);
+    /// ```
+    #[must_use]
+    pub fn swept(&self, count: usize) -> Self {
+        let largest = self.loads.extremes().map_or(0.0, |(_, largest)| largest);
+        let mut swept = self.clone();
+        swept.loads = Loads::Range(Steps::new(0.0.into(), largest.into(), count, false));
+        swept.outputs.data = Datum::ALL.to_vec();
+        swept.outputs.curves.clear();
+        swept.shown = None;
+        swept
+    }
+}

@@ -1,0 +1,214 @@
+//! The budget of work: it ends every computation with a typed error or a partial answer, and counts the same on every machine.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use sneddon::contact::{ContactError, Indentation, Load, Setup};
+use sneddon::expr::{Bindings, Expr};
+use sneddon::num::work::{Budget, Exhausted, left, within};
+use sneddon::transform::{Evaluator, Method, Profile, TransformError, derive};
+use sneddon::{parse, print, transform};
+
+/// Steps that a computation takes, and its result.
+fn counted<T>(work: impl FnOnce() -> T) -> (T, u64) {
+    let most = Budget::steps(1 << 50);
+    within(most, || {
+        let result = work();
+        Ok::<_, Exhausted>((result, most.count() - left()))
+    })
+    .unwrap()
+}
+
+/// Reading, derivation and formulas of a profile.
+fn formulas(text: &str) -> Result<usize, TransformError> {
+    let profile = Profile::new(&parse::profile(text).unwrap())?;
+    let solution = derive(&profile)?;
+    let shown = [Some(solution.equivalent_profile()), Some(solution.force()), solution.pressure()];
+    Ok(shown.iter().flatten().map(|own| print::text(&own.formula).len()).sum())
+}
+
+/// Profiles that once took minutes or gigabytes: giant exponents, towers of powers, recurrences without end, many pieces.
+fn monsters() -> Vec<String> {
+    let tower = vec!["(2*r)"; 16].join("^");
+    let roots = (0..30).fold("1+r^2".to_owned(), |inner, _| format!("1+sqrt({inner})"));
+    let pieces: String = (1..60).map(|i| format!(", r<{i}, {}*(r-{i})+{}", 2 * i, i * (i - 1))).collect();
+    let mut all: Vec<String> =
+        ["abs(r-b)^121.5", "abs(r-b)^129.5", "max(0,r-b)^300", "r^2*w^99999", "(1+r+b)^40*(2+r*b)^40", "((r+b)^30+1)^30"]
+            .map(str::to_owned)
+            .to_vec();
+    all.extend([tower, roots, format!("piecewise(0{pieces})")]);
+    all
+}
+
+#[test]
+fn a_small_budget_is_a_typed_error_and_never_a_formula() {
+    for text in monsters() {
+        let mut ends = Vec::new();
+        for steps in [1, 1000, 30_000, 3_000_000] {
+            let found = within(Budget::steps(steps), || formulas(&text));
+            ends.push(matches!(found, Err(TransformError::Exhausted(Exhausted { steps: own })) if own == steps));
+        }
+        assert!(ends[0] && ends[1], "{text}: {ends:?}");
+    }
+}
+
+#[test]
+fn the_default_budget_ends_what_has_no_end() {
+    // Without a budget of the caller.
+    let profile = Profile::new(&parse::profile("(1+r+b)^40*(2+r*b)^40*(3+r^2*b)^40").unwrap()).unwrap();
+    let outcome = derive(&profile).map(|_| ());
+    assert!(matches!(outcome, Ok(()) | Err(TransformError::Exhausted(_))), "{outcome:?}");
+}
+
+#[test]
+fn work_is_counted_the_same_every_time_and_on_every_thread() {
+    for text in ["r^2/(2*R)", "h*ln(1+r/w)", "max(0,r-b)^9", "abs(r-b)^2.5"] {
+        let (first, steps) = counted(|| formulas(text).unwrap());
+        let (second, again) = counted(|| formulas(text).unwrap());
+        assert_eq!((first, steps), (second, again), "{text}");
+        let elsewhere = std::thread::spawn(move || counted(|| formulas(text).unwrap()).1).join().unwrap();
+        assert_eq!(steps, elsewhere, "{text}");
+        assert!(steps > 1000, "{text}: {steps}");
+    }
+}
+
+#[test]
+fn a_budget_that_suffices_changes_no_formula() {
+    for text in ["r^2/(2*R)", "h*ln(1+r/w)", "max(0,r-b)^9", "R-sqrt(R^2-r^2)"] {
+        let shown = || {
+            let solution = derive(&Profile::new(&parse::profile(text).unwrap())?)?;
+            Ok::<_, TransformError>(print::text(&solution.equivalent_profile().formula))
+        };
+        let (free, steps) = counted(|| shown().unwrap());
+        assert_eq!(within(Budget::steps(steps + 1), shown).unwrap(), free, "{text}");
+        assert!(matches!(within(Budget::steps(steps / 2), shown), Err(TransformError::Exhausted(_))), "{text}");
+    }
+}
+
+/// What was cut short leaves nothing behind: the same evaluator answers a later call with a larger budget as if nothing had been.
+#[test]
+fn an_evaluator_forgets_what_a_small_budget_cut_short() {
+    for text in ["tanh(r)+0.01*erf(1000*(r-1))", "ln(1+r^3)", "atan(r^3)", "r*J1(r)^2", "sqrt(1+r^2)*sin(3*r)^2"] {
+        let profile = Profile::new(&parse::profile(text).unwrap()).unwrap();
+        let solution = derive(&profile).unwrap();
+        let evaluator = || Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+        let fresh = evaluator();
+        let expected = (fresh.slope(1.1).unwrap(), fresh.force(1.1).unwrap(), fresh.pressure(0.5, 1.1).unwrap());
+        for steps in [1, 10, 100, 1000, 10_000, 100_000, 1_000_000] {
+            let own = evaluator();
+            let cut = within(Budget::steps(steps), || {
+                let found = (own.slope(1.1)?, own.force(1.1)?, own.pressure(0.5, 1.1)?);
+                Ok::<_, TransformError>(found)
+            });
+            match cut {
+                Ok(found) => assert_eq!(found, expected, "{text} within {steps}"),
+                Err(TransformError::Exhausted(_)) => {}
+                Err(other) => panic!("{text} within {steps}: {other}"),
+            }
+            let later = (own.slope(1.1).unwrap(), own.force(1.1).unwrap(), own.pressure(0.5, 1.1).unwrap());
+            assert_eq!(later, expected, "{text} after {steps}");
+        }
+    }
+}
+
+#[test]
+fn a_search_for_a_contact_ends_in_the_typed_error() {
+    let solution = derive(&Profile::new(&parse::profile("1-cos(r)").unwrap()).unwrap()).unwrap();
+    let setup = Setup { effective_modulus: 1.0, rim: None, tolerance: 1e-12, method: Method::Auto };
+    let found = within(Budget::steps(2000), || Indentation::new(&solution, setup, Load::Depth(0.3)).map(|_| ()));
+    assert!(matches!(found, Err(ContactError::Transform(TransformError::Exhausted(_)))));
+}
+
+/// Waves have hundreds of radii with g(a) = d, of which g(x) ≤ d below a leaves one.
+#[test]
+fn waves_are_solved_without_a_test_of_every_root() {
+    let setup = Setup { effective_modulus: 1.0, rim: None, tolerance: 1e-12, method: Method::Auto };
+    for text in ["1-cos(r)", "sin(r)^2", "1-besselj(0,r)", "1-cos(r)^3", "r*besselj(1,r)"] {
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+        let (state, steps) = counted(|| {
+            let indentation = Indentation::new(&solution, setup, Load::Depth(0.3)).unwrap();
+            indentation.solve(Load::Depth(0.3)).unwrap().state.unwrap()
+        });
+        assert!(steps < 100_000_000, "{text}: {steps}");
+        // The first root: g stays below the depth on the way to it.
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+        let g = |x: f64| evaluator.slope(x).unwrap().estimate.value;
+        assert!((g(state.radius) - 0.3).abs() < 1e-12, "{text}");
+        assert!((1..50).all(|i| g(state.radius * f64::from(i) / 50.0) < 0.3), "{text}");
+    }
+}
+
+#[test]
+fn the_power_of_a_parameter_is_not_written_out() {
+    // (5/4)^99999 has half a million bits.
+    let formula = parse::profile("r^2*w^99999").unwrap();
+    let set = Bindings::one("w", Expr::ratio(5, 4));
+    let (solution, steps) = counted(|| derive(&Profile::new(&formula.substitute(&set)).unwrap()).unwrap());
+    assert!(steps < 1_000_000, "{steps}");
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    assert!(matches!(evaluator.slope(0.75), Err(TransformError::Overflow { .. })));
+    let solution = derive(&Profile::new(&parse::profile("r^2*(5/4)^999").unwrap()).unwrap()).unwrap();
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    // mpmath: 2·0.75²·(5/4)^999
+    let g = evaluator.slope(0.75).unwrap().estimate;
+    assert!((g.value - 7.315_693_763_001_962e96).abs() <= g.error + 1e81, "{g:?}");
+}
+
+#[test]
+fn an_inverse_of_high_order_costs_no_more_than_its_quadrature() {
+    let read = |text: &str| parse::formula(text).ok();
+    let (check, steps) = counted(|| {
+        let found = transform::invert(&parse::equivalent("H*ln(1+(L*x)^22)").unwrap(), read).unwrap();
+        transform::check_inverse(&found).unwrap()
+    });
+    assert!(check.passed() && check.points == 64, "{check:?}");
+    assert!(steps < 300_000_000, "{steps}");
+}
+
+#[test]
+fn the_stress_at_the_apex_returns() {
+    let solution = derive(&Profile::new(&parse::profile("r^2/2").unwrap()).unwrap()).unwrap();
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    // p(0) = 4 a/(2 π) E*·(1/1): −σ_zz π/E* = ∫₀^a g′/x dx with g = x².
+    let found = evaluator.axial(0.0, 1.0).unwrap().estimate;
+    assert!((found.value - 2.0).abs() <= found.error + 1e-15, "{found:?}");
+    let cone = derive(&Profile::new(&parse::profile("r").unwrap()).unwrap()).unwrap();
+    let evaluator = Evaluator::new(&cone, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    assert!(evaluator.axial(0.0, 1.0).is_err());
+}
+
+/// What the program prints, what it says beside it, and its exit code.
+fn run(arguments: &[&str]) -> (String, String, Option<i32>) {
+    let out = std::process::Command::new(env!("CARGO_BIN_EXE_sneddon")).args(arguments).output().unwrap();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (text(&out.stdout), text(&out.stderr), out.status.code())
+}
+
+#[test]
+fn the_program_says_that_its_budget_is_used_up() {
+    let (out, err, code) = run(&["derive", "abs(r-b)^129.5", "--budget", "0.02"]);
+    assert!(out.is_empty() && err.contains("budget") && err.contains("--budget SECONDS") && code == Some(1), "{out} {err} {code:?}");
+    let (_, err, code) = run(&["derive", "r^2", "--budget", "-1"]);
+    assert!(err.contains("not positive") && code == Some(2), "{err} {code:?}");
+    for command in ["derive", "eval", "compare", "invert", "solve", "reference", "validate", "tradeoff"] {
+        assert!(run(&[command, "--help"]).0.contains("--budget <SECONDS>"), "{command}");
+    }
+}
+
+#[test]
+fn points_that_the_budget_does_not_reach_are_null_with_a_reason() {
+    let asked =
+        ["eval", "r^2*(1+0.01*sin(200*r)*cos(77*r^2))", "--quantity", "g", "--at", "0.01,0.02,30,0.03", "--budget", "0.1", "--json"];
+    let (out, err, code) = run(&asked);
+    let answer: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((&answer["complete"], code), (&serde_json::Value::Bool(false), Some(1)), "{err}");
+    assert!(answer["why"].as_str().unwrap().contains("budget"));
+    let points = answer["points"].as_array().unwrap();
+    assert!(points[2]["value"].is_null() && points[2]["why"].as_str().unwrap().contains("budget"));
+    // Easy points beside a hard one keep their answers.
+    let (whole, _, code) = run(&asked[..6].iter().copied().chain(["--json"]).collect::<Vec<_>>());
+    let whole: serde_json::Value = serde_json::from_str(&whole).unwrap();
+    assert!(whole["complete"].is_null() && code == Some(0));
+    for index in [0, 1, 3] {
+        assert_eq!(points[index]["value"], whole["points"][index]["value"]);
+    }
+}

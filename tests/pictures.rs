@@ -1,0 +1,115 @@
+//! Pictures and pages: what is drawn is the contact that `eval` knows, every file stands alone, and nothing hostile comes out.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
+
+use std::fs;
+use std::process::{Command, Output};
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_sneddon")).args(arguments).output().unwrap()
+}
+
+fn picture(arguments: &[&str], ending: &str) -> Vec<u8> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join(format!("picture.{ending}"));
+    let done = run(&[arguments, &["-o", file.to_str().unwrap()]].concat());
+    assert!(done.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&done.stderr));
+    assert!(done.stdout.is_empty());
+    fs::read(file).unwrap()
+}
+
+/// The points of the lines in the first colour, in the order of the panels.
+fn lines(svg: &str) -> Vec<Vec<(f64, f64)>> {
+    let own = svg.split("<polyline ").filter(|part| part.contains("stroke=\"#0072B2\""));
+    let points = |part: &str| part.split("points=\"").nth(1)?.split('"').next().map(str::to_owned);
+    let pair = |text: &str| text.split_once(',').map(|(x, y)| (x.parse::<f64>().unwrap(), y.parse::<f64>().unwrap()));
+    let all: Vec<Vec<(f64, f64)>> = own.filter_map(points).map(|list| list.split_whitespace().filter_map(pair).collect()).collect();
+    // The short ones are in the legend.
+    all.into_iter().filter(|line: &Vec<_>| line.len() > 10).collect()
+}
+
+#[test]
+fn curves_have_the_shape_of_the_theory() {
+    // F is c d² for a cone and c d^(3/2) for a paraboloid, and the pressure of a paraboloid an ellipse.
+    for (f, power) in [("r", 2.0), ("r^2", 1.5), ("r^4", 1.25)] {
+        let svg = String::from_utf8(picture(&["plot", f, "--quantity", "F", "--radius", "1"], "svg")).unwrap();
+        let line = &lines(&svg)[0];
+        let ((left, bottom), (right, top)) = (line[0], line[line.len() - 1]);
+        for (x, y) in line {
+            let (x, y) = ((x - left) / (right - left), (y - bottom) / (top - bottom));
+            assert!((y - x.powf(power)).abs() < 0.012, "{f}: {y} instead of {} at {x}", x.powf(power));
+        }
+    }
+    let svg = String::from_utf8(picture(&["plot", "r^2", "--quantity", "p", "--radius", "1"], "svg")).unwrap();
+    let line = &lines(&svg)[0];
+    let ((left, top), (right, bottom)) = (line[0], line[line.len() - 1]);
+    for (x, y) in line {
+        let (x, y) = ((x - left) / (right - left), (y - bottom) / (top - bottom));
+        assert!((x * x + y * y - 1.0).abs() < 0.02, "{x}, {y}");
+    }
+}
+
+#[test]
+fn every_quantity_is_drawn_in_every_format() {
+    let all = "f,g,d,F,a,k,p,u,U,p_mean,sigma_zz,q,u_1d,section";
+    let profile = ["plot", "R-sqrt(R^2-r^2)", "min(r^2/(2*R),h)", "--set", "R=1", "--set", "h=0.1", "--radius", "0.4", "--quantity", all];
+    let svg = String::from_utf8(picture(&profile, "svg")).unwrap();
+    assert_eq!(svg.matches("role=\"img\"").count(), 1);
+    assert!(svg.contains("<title>") && svg.contains("min(r^2/(2*R),h)"));
+    assert!(lines(&svg).len() >= 14);
+    assert!(picture(&["plot", "r^2", "r"], "png").starts_with(b"\x89PNG\r\n\x1a\n"));
+    let text = String::from_utf8(run(&profile).stdout).unwrap();
+    assert!(text.contains("Force") && text.contains("Tip and surface") && text.contains('⠤'), "{text}");
+}
+
+#[test]
+fn names_are_text() {
+    let profile = "piecewise(0,r<b,(r-b)^2)";
+    let svg = String::from_utf8(picture(&["plot", profile, "r^2", "--set", "b=0.3", "--radius", "1"], "svg")).unwrap();
+    assert!(svg.contains("r&lt;b") && !svg.contains("r<b"));
+}
+
+#[test]
+fn bad_input_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("picture.svg");
+    let file = file.to_str().unwrap();
+    let cases: [&[&str]; 7] = [
+        &["plot", "r^2/(2*R)", "-o", file],
+        &["plot", "r^2", "--set", "R=2", "-o", file],
+        &["plot", "0", "-o", file],
+        &["plot", "-o", file],
+        &["plot", "no-such-file.toml", "-o", file],
+        &["plot", "r^2", "--quantity", "x", "-o", file],
+        &["plot", "r^2", "--radius", "-1", "-o", file],
+    ];
+    for case in cases {
+        assert_eq!(run(case).status.code(), Some(2), "{case:?}");
+        assert!(fs::metadata(file).is_err(), "{case:?}");
+    }
+    assert_eq!(run(&["plot", "r^2", "-o", "picture.pdf"]).status.code(), Some(2));
+}
+
+#[test]
+fn a_report_needs_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    for shape in ["sphere", "flat", "truncated-paraboloid", "cone-with-spherical-cap"] {
+        let template = run(&["scene", "new", shape]);
+        assert!(template.status.success(), "{shape}");
+        let scene = folder.path().join(format!("{shape}.toml"));
+        fs::write(&scene, &template.stdout).unwrap();
+        let page = folder.path().join("report.html");
+        let done = run(&["solve", scene.to_str().unwrap(), "-o", page.to_str().unwrap()]);
+        assert!(done.status.success(), "{shape}: {}", String::from_utf8_lossy(&done.stderr));
+        let page = fs::read_to_string(page).unwrap();
+        assert!(page.len() < 1_000_000, "{shape}: {} bytes", page.len());
+        for part in ["<!DOCTYPE html>", "<h1>", "<svg role=\"img\"", "<title>", "<math ", "<details>", "<th scope=\"col\">", "</html>"] {
+            assert!(page.contains(part), "{shape}: {part}");
+        }
+        let links = page.replace("http://www.w3.org/1998/Math/MathML", "").replace("http://www.w3.org/2000/svg", "");
+        assert!(!links.contains("<script") && !links.contains("http"), "{shape}");
+        // The numbers are those of the table.
+        let csv = String::from_utf8(run(&["solve", scene.to_str().unwrap(), "--csv"]).stdout).unwrap();
+        let first = csv.lines().nth(1).unwrap().split(',').next().unwrap();
+        assert!(page.contains(&format!("<td>{first}</td>")), "{shape}: {first}");
+    }
+}
