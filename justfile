@@ -28,15 +28,15 @@ lint:
 # The API documentation, and the tests that hold the written documents to the program.
 docs:
     RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
-    cargo test --test docs --test architecture
+    cargo test --test architecture --test program docs
 
 # The benchmarks.
 bench filter='':
-    cargo bench -- {{filter}}
+    cargo bench -p sneddon-runs -- {{filter}}
 
 # What accuracy costs, for eight profiles: docs/speed-and-accuracy.md with its plots.
 tradeoff:
-    cargo run --release --example speed_and_accuracy
+    cargo run --release -p sneddon-runs --bin speed_and_accuracy
 
 # This crate and its peers at the same places, as one table.
 peers:
@@ -44,7 +44,7 @@ peers:
 
 # The catalogue of profiles with reference values of 40 digits, with its output.
 catalogue:
-    cargo test --test catalogue -- --nocapture
+    cargo test --test rules catalogue -- --nocapture
 
 # What must hold before a change is accepted.
 ci:

@@ -1,4 +1,4 @@
-//! What the fuzz targets do with their bytes: plain functions, called by cargo-fuzz and by the loop in `tests/fuzz.rs`.
+//! What the fuzz targets do with their bytes: plain functions, called by cargo-fuzz and by the loop in `tests/fuzz/fuzz.rs`.
 //!
 //! Each panics where a promise is broken; time and memory are watched by the caller.
 

@@ -10,7 +10,7 @@ pub mod code;
 pub mod contact;
 pub mod eval;
 pub mod expr;
-pub mod num;
+pub use sneddon_num as num;
 pub mod parse;
 pub mod print;
 pub mod report;

@@ -174,7 +174,7 @@ impl Expr {
 
     /// The function of the table called `name`, for names that are written in the source.
     ///
-    /// A name that the table lacks gives a plain symbol; `tests/functions.rs` reads the sources and finds every such call.
+    /// A name that the table lacks gives a plain symbol; `tests/symbols/functions.rs` reads the sources and finds every such call.
     pub fn call(name: &'static str, arguments: impl IntoIterator<Item = Expr>) -> Self {
         match Function::named(name) {
             Some(function) => build::function(function, arguments.into_iter().collect()),

@@ -38,7 +38,7 @@ impl Kept {
         if list.len() >= KEPT {
             list.remove(0);
         }
-        let fresh = Arc::new(Dense::new());
+        let fresh = Arc::new(Dense::default());
         list.push((quantity, radius, Arc::clone(&fresh)));
         fresh
     }

@@ -1,6 +1,6 @@
 """Gauss-Kronrod rules of 15, 21, 31 and 61 points with their decay rules, as Rust source.
 
-Run with mpmath; prints the body of src/num/quadrature/rules.rs from its first `pub(super) static`.
+Run with mpmath; prints the body of crates/sneddon-num/src/quadrature/rules.rs from its first `pub(super) static`.
 Nodes: Gauss nodes are the roots of P_n, the others those of the Stieltjes polynomial E_(n+1), which
 is orthogonal to P_n times everything of degree <= n. Weights solve the moment equations in the
 Legendre basis. Everything at 80 digits; exactness on monomials is asserted to 1e-40.

@@ -1,4 +1,4 @@
-"""Reference values of tests/honesty.rs: g(x) = x * int f'(x sin t) dt, with every kink told, at 50 digits.
+"""Reference values of tests/values/honesty.rs: g(x) = x * int f'(x sin t) dt, with every kink told, at 50 digits.
 
 Run: python3 tests/oracle/honesty.py > tests/oracle/honesty.csv   (needs mpmath)
 Columns: profile, quantity, at, value. Points are exact f64 values.

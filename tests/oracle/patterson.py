@@ -1,6 +1,6 @@
 """Patterson's nested rules of 7 to 511 points for even integrands, as Rust source.
 
-Run with mpmath; prints the body of src/num/quadrature/even/patterson.rs from its first `static`.
+Run with mpmath; prints the body of crates/sneddon-num/src/quadrature/even/patterson.rs from its first `static`.
 From the Gauss rule of 3 points on, each rule keeps the nodes of the one before and adds n + 1: the roots of
 E, orthogonal to the old nodal polynomial times everything of degree <= n (T. N. L. Patterson, Math. Comp. 22, 1968).
 Only the half z >= 0 is printed, the centre first; in that half the old nodes are the even positions.

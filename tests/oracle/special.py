@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes special.csv: 50-digit reference values of the functions in src/num.
+"""Writes special.csv: 50-digit reference values of the functions in crates/sneddon-num/src.
 
 Run:  python3 tests/oracle/special.py            (needs mpmath 1.3; a few minutes; deterministic)
 

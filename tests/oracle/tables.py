@@ -3,7 +3,7 @@
 
 Run:  python3 tests/oracle/tables.py            (needs mpmath 1.3; minutes; deterministic)
 
-The pieces are made by the same little generator as in tests/tables.rs; their numbers are dyadic, hence exact in doubles.
+The pieces are made by the same little generator as in tests/values/tables.rs; their numbers are dyadic, hence exact in doubles.
 g, F and G are sums of the closed segment integrals J_m, formed with 80 digits so that nothing of their cancellation
 shows; p and u are integrals over g' as their definitions say. Each row: table, quantity, r (0 where there is none), a, value.
 """

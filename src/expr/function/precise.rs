@@ -2,7 +2,7 @@
 
 use crate::num::{DoubleDouble, Precise, forms, precise};
 
-/// Twice the measured maximum error of `num::precise`, rounded up, in units of 2^-104; see `tests/precise.rs`.
+/// Twice the measured maximum error of `num::precise`, rounded up, in units of 2^-104; see `tests/symbols/precise.rs`.
 const UNITS: f64 = 4.0;
 
 /// The value of a function of one number, with its own error.

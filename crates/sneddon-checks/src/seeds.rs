@@ -1,0 +1,32 @@
+//! Long runs: one examination per seed, on every core.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// COUNT and FIRST SEED of the command line, or `count` and 0.
+pub fn asked(count: u64) -> (u64, u64) {
+    let mut numbers = std::env::args().skip(1).map(|text| text.parse::<u64>());
+    (numbers.next().and_then(Result::ok).unwrap_or(count), numbers.next().and_then(Result::ok).unwrap_or(0))
+}
+
+/// What `examine` finds for `count` seeds from `first` on, added up.
+pub fn over_seeds<T: Default + Send>((count, first): (u64, u64), examine: impl Fn(u64) -> T + Sync, add: fn(&mut T, T)) -> T {
+    let (next, threads) = (AtomicU64::new(first), std::thread::available_parallelism().map_or(1, usize::from));
+    let run = || {
+        let mut total = T::default();
+        loop {
+            let seed = next.fetch_add(1, Ordering::Relaxed);
+            if seed >= first + count {
+                return total;
+            }
+            add(&mut total, examine(seed));
+        }
+    };
+    let mut total = T::default();
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(run)).collect();
+        for worker in workers {
+            add(&mut total, worker.join().expect("a worker stopped"));
+        }
+    });
+    total
+}

@@ -1,0 +1,106 @@
+//! Elliptic moments: what an even power worn flat to radius b contributes to the pressure at radius s.
+
+use crate::special::{rd, rf};
+use crate::stable::{exponent, ldexp};
+
+/// `E_k(s; b, a) = ∫_M^a x^(2k) / sqrt((x^2 - M^2)(x^2 - m^2)) dx`, `M = max(s, b)`, `m = min(s, b)`, `k >= 0`.
+///
+/// A paraboloid worn flat to `b` has the pressure `(E/(pi R)) (2 E_1 - b^2 E_0)`.
+///
+/// Domain: `b, s >= 0`, `a` finite. Zero for `a <= M`; infinite at `s = b < a`, where the kink makes a logarithm
+/// (and at `s = b = 0`, `k = 0`; for `s = b = 0`, `k >= 1` it is `a^(2k-1)/(2k-1)`); NaN elsewhere, for `k > 500`, and
+/// for `k = 0` where `M/a` is below the normal numbers.
+///
+/// Accuracy: measured at most 6.6 ulp for `k <= 8`, also for `s -> b`, `s -> a`, `a -> b` and `m = 0`.
+/// Every term is positive for `k <= 1`.
+///
+/// Source: Carlson 1995; MDR chapter, pressure from g.
+///
+/// ```
+/// use sneddon_num::forms::elliptic_moment;
+/// // s = 0: ∫_b^a x / sqrt(x^2 - b^2) dx
+/// assert!((elliptic_moment(1, 3.0, 0.0, 5.0) - 4.0).abs() < 1e-15);
+/// ```
+pub fn elliptic_moment(k: u32, b: f64, s: f64, a: f64) -> f64 {
+    if !(b >= 0.0 && s >= 0.0 && a >= 0.0 && a.is_finite()) {
+        return f64::NAN;
+    }
+    let (large, small) = (s.max(b), s.min(b));
+    if a <= large {
+        return 0.0;
+    }
+    if k > MAX_ORDER {
+        return f64::NAN;
+    }
+    if large == small {
+        if large > 0.0 || k == 0 {
+            return f64::INFINITY;
+        }
+        return power(a, 2 * k - 1) / f64::from(2 * k - 1);
+    }
+    let e = i64::from(exponent(a));
+    // In units of 2^e; the differences are taken before scaling, so they stay exact to half an ulp.
+    let [upper_gap, lower_gap, inner_gap] = [a - large, a - small, large - small].map(|gap| ldexp(gap, -e));
+    let [a, large, small] = [a, large, small].map(|length| ldexp(length, -e));
+    if large < f64::MIN_POSITIVE {
+        // M/a below the normal numbers: the whole power for k >= 1; E_0 is about acos(M/a)/M, not wanted there.
+        let whole = a.powf(f64::from(k) * 2.0 - 1.0) / (2.0 * f64::from(k) - 1.0);
+        return if k == 0 { f64::NAN } else { ldexp(whole, e * (2 * i64::from(k) - 1)) };
+    }
+    let lower = lower_gap * (a + small);
+    let q = (upper_gap * (a + large) / lower).sqrt();
+    let fraction = (inner_gap / large) * ((large + small) / large); // 1 - (m/M)^2
+    let delta = fraction * (a * a / lower);
+    let cosine = inner_gap * (large + small) / lower;
+    let first = q * rf(cosine, delta, 1.0); // F
+    let moment_0 = first / large;
+    if k == 0 {
+        return ldexp(moment_0, -e);
+    }
+    // D_k = E_k - M^2 E_(k-1) > 0 carries the recurrence: D_1 is a Carlson integral of its own, and
+    // (2k-1) D_k = a^(2k-3) sqrt((a^2-M^2)(a^2-m^2)) + (2k-3) m^2 D_(k-1) - (M^2-m^2) E_(k-1)
+    // takes away little wherever D_k matters beside M^2 E_(k-1). The three-term recurrence of E_k itself would let
+    // errors grow with k when s, b and a are close.
+    let inner = inner_gap * (large + small);
+    // For M << a, inner and the cosine underflow together; there D_1 = a to all digits.
+    let vanishing = cosine < 1e-290;
+    let mut difference = if vanishing { a * q } else { inner / large * (q * q * q) / 3.0 * rd(delta, 1.0, cosine) };
+    let (large2, small2) = (large * large, small * small);
+    let mut moment = difference + large2 * moment_0;
+    let mut boundary = a * q * lower;
+    for order in 2..=k {
+        let n = f64::from(order);
+        difference = (boundary + (2.0 * n - 3.0) * small2 * difference - inner * moment) / (2.0 * n - 1.0);
+        moment = difference + large2 * moment;
+        boundary *= a * a;
+    }
+    ldexp(moment, e * (2 * i64::from(k) - 1))
+}
+
+/// Longest recurrence; an even power of 1000 is far beyond any tip.
+const MAX_ORDER: u32 = 500;
+
+fn power(base: f64, n: u32) -> f64 {
+    base.powf(f64::from(n))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_of_the_domain() {
+        assert_eq!(elliptic_moment(1, 1.0, 1.0, 2.0), f64::INFINITY);
+        assert_eq!(elliptic_moment(2, 0.0, 0.0, 2.0), 8.0 / 3.0);
+        assert_eq!(elliptic_moment(2, 3.0, 0.0, 2.0), 0.0);
+        assert!(elliptic_moment(0, -1.0, 0.0, 2.0).is_nan());
+        assert!(elliptic_moment(0, 1.0, f64::NAN, 2.0).is_nan());
+    }
+
+    /// `s = 0`: `E_0 = acos(b/a)/b`.
+    #[test]
+    fn centre_is_elementary() {
+        let value = elliptic_moment(0, 0.3, 0.0, 1.0);
+        assert!((value / ((0.3_f64).acos() / 0.3) - 1.0).abs() < 1e-15);
+    }
+}

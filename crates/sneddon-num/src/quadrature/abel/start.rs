@@ -1,0 +1,238 @@
+//! Algebraic behaviour at the axis: the double-exponential rule in the angle, of which half suffices.
+
+use super::Radii;
+use super::forms::Extent;
+use crate::bounded::UNIT;
+use crate::{Estimate, NumError};
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// Nodes of the finest rule up to the deepest, at a distance of 10⁻²⁷⁰ of the axis.
+const NODES: usize = 96;
+/// Steps per unit of the double-exponential variable, the finest.
+const FINEST: usize = 16;
+/// Nodes of the finest rule that are never left out, down to v = 2.
+const LEAST_NODES: usize = 2 * FINEST + 1;
+/// Nodes that are asked at a time.
+const CHUNK: usize = 8;
+
+/// Steps per unit of the coarsest rule, and of those that halve it.
+const STEPS: [usize; 4] = [8, 4, 2, 1];
+
+/// The nodes that one rule adds, from x down to the axis: number k of the finest rule, sin of the angle from the axis, 1 − cos
+/// of that from x, and dτ/dv there, halved at x.
+#[derive(Default)]
+struct Rung {
+    index: Vec<usize>,
+    sine: Vec<f64>,
+    versine: Vec<f64>,
+    weight: Vec<f64>,
+}
+
+struct Ladder {
+    rungs: [Rung; STEPS.len()],
+    /// Of every node of the finest rule: tan of its angle from the axis, and its weight.
+    tangent: Vec<f64>,
+    weight: Vec<f64>,
+}
+
+/// cos(π i j/16) for the four frequencies i at which the spectrum of the terms j is taken.
+static COSINES: LazyLock<[[f64; 4]; NODES]> =
+    LazyLock::new(|| std::array::from_fn(|j| [7usize, 9, 13, 15].map(|i| (PI * ((i * j) % 32) as f64 / 16.0).cos())));
+
+/// τ = (π/2) tanh((π/2) sinh v): the integrand is even in τ, so v ≥ 0 suffices, and the only end is the axis.
+static LADDER: LazyLock<Ladder> = LazyLock::new(|| {
+    let mut ladder = Ladder { rungs: Default::default(), tangent: Vec::new(), weight: Vec::new() };
+    for k in 0..NODES {
+        let v = k as f64 / FINEST as f64;
+        let q = (-PI * v.sinh()).exp();
+        // The angle from the axis, and that from x.
+        let (t, tau) = (PI * q / (1.0 + q), 0.5 * PI * (1.0 - q) / (1.0 + q));
+        let half = (0.5 * tau).sin();
+        let whole = PI * PI * v.cosh() * q / ((1.0 + q) * (1.0 + q));
+        let weight = if k == 0 { 0.5 * whole } else { whole };
+        ladder.tangent.push(t.tan().min(1e3));
+        ladder.weight.push(weight);
+        // The coarsest rule that has the node.
+        let Some(rung) = STEPS.iter().position(|step| k % step == 0).and_then(|level| ladder.rungs.get_mut(level)) else { continue };
+        rung.index.push(k);
+        rung.sine.push(t.sin());
+        rung.versine.push(2.0 * half * half);
+        rung.weight.push(weight);
+    }
+    ladder
+});
+
+/// The first rule that may be accepted: it needs two before it.
+const EARLIEST: usize = 2;
+
+/// What the rule is asked for.
+pub struct Wish<F> {
+    /// The error that is accepted beside a value.
+    pub accepted: F,
+    /// Whether the rounding of r is to be charged, from differences between nodes.
+    pub charge_r: bool,
+}
+
+/// ∫ f′ dτ from the axis to x, f′ asked in blocks for values and error bounds; `None` where the finest rule does not reach
+/// what is accepted, with the evaluations spent.
+pub fn from_the_axis(
+    ask: &mut impl FnMut(Radii<'_>, &mut [f64], &mut [f64]),
+    extent: &Extent,
+    wish: &Wish<impl Fn(f64) -> f64>,
+) -> Result<(Option<Estimate>, u64), NumError> {
+    let ladder = &*LADDER;
+    let mut work = Trapezium { sum: 0.0, size: 0.0, noise: 0.0, tail: 0.0, evaluations: 0, values: [0.0; NODES], deepest: NODES };
+    let mut before = [f64::INFINITY; 2];
+    for (level, (step, rung)) in STEPS.into_iter().zip(&ladder.rungs).enumerate() {
+        // At first every node of the coarsest rule from x down to where nothing is left, then those between.
+        work.add(ask, extent, rung, level == 0)?;
+        let h = step as f64 / FINEST as f64;
+        let (value, size) = (h * work.sum, h * work.size);
+        if level < EARLIEST {
+            before = [value, before[0]];
+            continue;
+        }
+        let moved = if wish.charge_r { 2.0 * work.moved(ladder, step) } else { 0.0 };
+        let noise = h * work.noise + UNIT * (8.0 * size + moved) + h * work.tail;
+        let gap = (value - before[0]).abs();
+        let last = (before[0] - before[1]).abs() / size;
+        let seen = if gap <= noise { gap } else { 10.0 * gap * squared(gap / size, last) };
+        let left_out = seen.max(10.0 * size * last.powf(2.5));
+        let accepted = (wish.accepted)(value);
+        let seems_enough = left_out + noise <= accepted;
+        // Rules may agree by chance, as on an oscillation that none of them resolves.
+        let left_out = if seems_enough { left_out.max(10.0 * size * work.unresolved(ladder, step, h / size)) } else { left_out };
+        if seems_enough && left_out + noise <= accepted {
+            let least = if left_out > noise { 0.999 * accepted } else { 0.0 };
+            let found = Estimate::estimated(value, least.max(left_out + noise), work.evaluations);
+            return Ok((Some(found), work.evaluations));
+        }
+        before = [value, before[0]];
+    }
+    Ok((None, work.evaluations))
+}
+
+/// By how much a rule is better than the one of twice its step, from the last two relative differences between rules.
+///
+/// The error of half the step is the square of that of the step. Where that is seen to happen the root of the difference is
+/// counted, and no more than 1e−4.
+fn squared(gap: f64, last: f64) -> f64 {
+    if !last.is_finite() {
+        return 1.0;
+    }
+    if gap <= last.powf(1.5) { gap.sqrt().clamp(1e-4, 1.0) } else { (gap / last).clamp(0.1, 1.0) }
+}
+
+/// The running sum of all rules.
+struct Trapezium {
+    sum: f64,
+    size: f64,
+    noise: f64,
+    /// The last terms, beyond which the rule is cut.
+    tail: f64,
+    evaluations: u64,
+    values: [f64; NODES],
+    /// The node beyond which nothing is left.
+    deepest: usize,
+}
+
+impl Trapezium {
+    /// Adds the nodes of one rung; the first one finds where nothing is left.
+    #[inline(always)]
+    fn add(
+        &mut self,
+        ask: &mut impl FnMut(Radii<'_>, &mut [f64], &mut [f64]),
+        extent: &Extent,
+        rung: &Rung,
+        first: bool,
+    ) -> Result<(), NumError> {
+        let chunks = rung.index.chunks(CHUNK).zip(rung.sine.chunks(CHUNK)).zip(rung.versine.chunks(CHUNK)).zip(rung.weight.chunks(CHUNK));
+        for (((index, sine), versine), weight) in chunks {
+            // What lies beyond the deepest node has no weight.
+            let count = index.iter().take_while(|k| **k < self.deepest).count();
+            if count == 0 {
+                break;
+            }
+            let (mut r, mut below, mut out, mut errors) = ([0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK]);
+            for (((r, below), sine), versine) in r.iter_mut().zip(&mut below).zip(sine).zip(versine) {
+                // Below the smallest normal number f′ has no digits.
+                *r = (extent.x * sine).max(f64::MIN_POSITIVE);
+                *below = extent.rest + extent.x * versine;
+            }
+            if count == CHUNK {
+                ask(Radii { r: &r, past_start: &r, below_limit: &below }, &mut out, &mut errors);
+            } else {
+                let at = Radii { r: &r[..count], past_start: &r[..count], below_limit: &below[..count] };
+                ask(at, &mut out[..count], &mut errors[..count]);
+            }
+            self.evaluations += count as u64;
+            let (mut sum, mut size, mut noise) = (0.0, 0.0, 0.0);
+            let mut last = [0.0; 2];
+            for (((out, error), weight), k) in out.iter().zip(&errors).zip(weight).zip(index).take(count) {
+                if let Some(slot) = self.values.get_mut(*k) {
+                    *slot = *out;
+                }
+                let term = weight * out;
+                sum += term;
+                size += term.abs();
+                noise += weight * error;
+                last = [term.abs(), last[0]];
+            }
+            if !(sum.is_finite() && size.is_finite()) {
+                let bad = out.iter().position(|v| !v.is_finite()).unwrap_or(0);
+                return Err(NumError::NotFinite { at: r[bad] });
+            }
+            self.sum += sum;
+            self.size += size;
+            // An unknown error is an unbounded one.
+            self.noise += if noise.is_nan() { f64::INFINITY } else { noise };
+            if first {
+                // Terms fall ever faster: two small ones end the sum, and those beyond them are small too.
+                let nothing = 1e-18 * self.size;
+                let size = |place: usize| weight[place] * out[place].abs();
+                let mut small = count;
+                while small > 0 && size(small - 1) <= nothing {
+                    small -= 1;
+                }
+                // What is zero everywhere is looked for to the end, and all else down to 3e-5 of x.
+                if count == CHUNK && small + 2 <= count && self.size > 0.0 {
+                    self.tail = 16.0 * (size(small) + size(small + 1));
+                    self.deepest = (index[small] + 1).max(LEAST_NODES);
+                    break;
+                }
+                self.tail = 4.0 * (last[0] + last[1]);
+            }
+        }
+        Ok(())
+    }
+
+    /// The relative error that the terms' spectrum foretells: twice the highest frequency that the step can tell is what the rule
+    /// mistakes for the mean, and resolved terms fall like an exponential of the frequency.
+    fn unresolved(&self, ladder: &Ladder, step: usize, unit: f64) -> f64 {
+        let mut content = [0.0; 4];
+        let terms = self.values[..self.deepest].iter().zip(&ladder.weight).step_by(step);
+        for ((value, weight), cosines) in terms.zip(COSINES.iter()) {
+            let term = value * weight;
+            for (sum, cosine) in content.iter_mut().zip(cosines) {
+                *sum += term * cosine;
+            }
+        }
+        let [a, b, c, d] = content.map(|sum| (sum * unit).abs());
+        let (low, high) = (a.max(b), c.max(d));
+        // From 7/8 of that frequency to twice it there are three times as many steps as from 1/2 to 7/8.
+        if high >= low { high } else { high * (high / low).powi(3) }
+    }
+
+    /// ∫ |r df′/dr| dτ = ∫ tan t |df′|, t from the axis.
+    fn moved(&self, ladder: &Ladder, step: usize) -> f64 {
+        let mut nodes = self.values[..self.deepest].iter().zip(&ladder.tangent).step_by(step);
+        let Some((mut before, mut tangent)) = nodes.next() else { return 0.0 };
+        let mut total = 0.0;
+        for (value, own) in nodes {
+            total += (before - value).abs() * tangent;
+            (before, tangent) = (value, own);
+        }
+        total
+    }
+}

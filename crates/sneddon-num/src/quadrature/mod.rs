@@ -1,0 +1,17 @@
+//! Adaptive quadrature: panels with singular ends, integrands that carry their rounding error.
+
+mod abel;
+mod adaptive;
+mod even;
+mod refine;
+mod rules;
+mod sample;
+#[cfg(test)]
+mod tests;
+mod transform;
+
+pub use abel::{AbelOptions, AbelTransform, Radii, Start, Strip, abel, abel_force};
+pub use abel::{CHUNK, Extent, Form, Wish, from_the_axis};
+pub use adaptive::{Options, Rule, integrate, integrate_blocks};
+pub use even::{EvenIntegrand, Known, Mean, Middles, Nodes, mean};
+pub use transform::{EndBehaviour, Panel, Point};

@@ -1,0 +1,282 @@
+//! Rectangles of complex numbers: where the values of an analytic function on a rectangle lie.
+
+mod functions;
+mod interval;
+mod special;
+
+use interval::Interval;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// All z with Re z and Im z between bounds; unknown where an operation is, or may be, not analytic on what it is given.
+///
+/// Every operation returns a rectangle that holds all of its values, rounding included, and is unknown where it meets a pole or
+/// the cut of the principal branch. What is computed so from an expression is therefore bounded *and* analytic on the rectangle
+/// that was put in.
+///
+/// ```
+/// use sneddon_num::Region;
+/// let z = Region::new((-1.0, 1.0), (-0.5, 0.5));
+/// // |z²| stays below 1.25, and 1 + z² keeps away from 0; 1/z does not exist.
+/// assert!(z.powi(2).largest() < 1.5 && (Region::real(1.0) + z.powi(2)).recip().largest() < 2.0);
+/// assert!(z.recip().largest().is_infinite());
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Region {
+    re: Interval,
+    im: Interval,
+    /// No |z| is less: more than the rectangle tells where the argument may be anything. 0 where nothing is known.
+    least: f64,
+    /// No |z| is more, where that is a number.
+    most: f64,
+    /// Bounds on ln|z| where |z| itself leaves the range of doubles; NaN where the magnitudes tell, or nothing is known.
+    logarithm: Interval,
+}
+
+/// Magnitudes between these may be multiplied without a thought of the range of doubles.
+const LARGE: f64 = 1e150;
+const SMALL: f64 = 1e-150;
+/// e^(ln|z|) is right to this many units: the argument of up to 745 is rounded.
+const LOG_UNITS: f64 = 1024.0;
+
+impl Region {
+    /// The rectangle between these bounds, lowest first.
+    pub fn new(re: (f64, f64), im: (f64, f64)) -> Self {
+        Self::rectangle(Interval::new(re.0, re.1), Interval::new(im.0, im.1))
+    }
+
+    /// One real number.
+    pub fn real(value: f64) -> Self {
+        Self::new((value, value), (0.0, 0.0))
+    }
+
+    /// All real numbers between two.
+    pub fn interval(low: f64, high: f64) -> Self {
+        Self::new((low, high), (0.0, 0.0))
+    }
+
+    /// What of it is real, of a function that is real where it is asked; nothing where it is unknown.
+    #[must_use]
+    pub fn on_the_axis(self) -> Self {
+        if self.is_known() { Self { im: Interval::point(0.0), ..self } } else { Self::unknown() }
+    }
+
+    /// The lowest and the highest real part; `None` where nothing is known.
+    pub fn real_range(self) -> Option<(f64, f64)> {
+        self.is_known().then_some((self.re.low, self.re.high))
+    }
+
+    /// Everything, or what is not analytic.
+    pub fn unknown() -> Self {
+        Self::rectangle(Interval::UNKNOWN, Interval::UNKNOWN)
+    }
+
+    /// Numbers of which nothing is known but the rectangle.
+    fn rectangle(re: Interval, im: Interval) -> Self {
+        Self { re, im, least: 0.0, most: f64::INFINITY, logarithm: Interval::UNKNOWN }
+    }
+
+    /// Every z with |z| ≤ `radius`, and more.
+    fn within(radius: f64) -> Self {
+        // Not a number is no bound.
+        if radius.is_nan() || radius > f64::MAX {
+            return Self::unknown();
+        }
+        let own = Interval::new(-radius, radius);
+        Self { re: own, im: own, most: radius, ..Self::rectangle(own, own) }
+    }
+
+    /// The largest |z|; infinite where it is not known.
+    pub fn largest(self) -> f64 {
+        let size = self.re.largest().hypot(self.im.largest()).next_up();
+        if size.is_nan() || self.re.low.is_nan() || self.im.low.is_nan() { f64::INFINITY } else { size.next_up().min(self.most) }
+    }
+
+    /// What lies in both rectangles, of which each has all values of one function.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        if self.is_known() && other.is_known() {
+            Self {
+                re: self.re.and(other.re),
+                im: self.im.and(other.im),
+                ..Self::sized(self.least.max(other.least), self.most.min(other.most))
+            }
+        } else if self.is_known() {
+            self
+        } else {
+            other
+        }
+    }
+
+    /// The numbers of it that are not negative, where it is real.
+    #[must_use]
+    pub fn above_zero(self) -> Self {
+        if self.im.is(0.0) && self.re.low < 0.0 && self.re.high >= 0.0 {
+            Self { re: Interval::new(0.0, self.re.high), ..self }
+        } else {
+            self
+        }
+    }
+
+    /// Whether it is a part of the real axis.
+    fn is_on_the_axis(self) -> bool {
+        self.im.is(0.0) && self.re.low <= self.re.high
+    }
+
+    /// Numbers of which the magnitude alone is known.
+    fn sized(least: f64, most: f64) -> Self {
+        // What is not a number bounds nothing.
+        let least = if least > 0.0 { (least * (1.0 - 4.0 * f64::EPSILON)).min(f64::MAX) } else { 0.0 };
+        let most = if most < f64::MAX { most * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE } else { f64::INFINITY };
+        let own = Interval::new(-most, most);
+        Self { least, most, ..Self::rectangle(own, own) }
+    }
+
+    /// Numbers with these bounds on ln|z|.
+    fn sized_by_logarithm(logarithm: Interval) -> Self {
+        let sized =
+            Self::sized(logarithm.low.exp() * (1.0 - LOG_UNITS * f64::EPSILON), logarithm.high.exp() * (1.0 + LOG_UNITS * f64::EPSILON));
+        Self { logarithm, ..sized }
+    }
+
+    /// Whether |z| itself tells less than its logarithm.
+    fn is_extreme(self) -> bool {
+        !self.logarithm.high.is_nan()
+    }
+
+    /// Bounds on ln|z|, infinite where there are none.
+    fn logarithm(self) -> Interval {
+        let Interval { low, high } = self.logarithm;
+        let or = |own: f64, other: f64| if own.is_nan() { other } else { own };
+        let largest = self.largest();
+        let by_size = Interval::loose(self.least().ln(), largest.ln());
+        let most = if largest == 0.0 { f64::NEG_INFINITY } else { or(by_size.high, f64::INFINITY) };
+        Interval::new(or(low, or(by_size.low, f64::NEG_INFINITY)), or(high, most))
+    }
+
+    /// Whether all bounds are numbers.
+    fn is_known(self) -> bool {
+        self.re.is_known() && self.im.is_known()
+    }
+
+    /// A bound from below on |z|.
+    fn least(self) -> f64 {
+        let size = self.re.least().hypot(self.im.least());
+        if size > 0.0 { (size * (1.0 - 4.0 * f64::EPSILON)).max(self.least) } else { self.least }
+    }
+
+    /// The real number that this is.
+    pub fn as_real(self) -> Option<f64> {
+        (self.im.is(0.0) && self.re.is(self.re.low)).then_some(self.re.low)
+    }
+
+    /// z².
+    fn square(self) -> Self {
+        let re = self.re.square().add(self.im.square().negated());
+        let im = self.re.multiply(self.im).scaled(2.0);
+        let own = Self { re, im, ..Self::sized(self.least() * self.least(), self.largest() * self.largest()) };
+        if leaves_the_range(own.most) || self.is_extreme() { own.or_by_logarithm(self.logarithm().scaled(2.0)) } else { own }
+    }
+
+    /// With bounds on ln|z| that tell more of what overflows, or is a product of what overflows and what underflows.
+    fn or_by_logarithm(self, logarithm: Interval) -> Self {
+        let sized = Self::sized_by_logarithm(logarithm);
+        if sized.most < self.largest() { sized } else { Self { logarithm, least: self.least.max(sized.least), ..self } }
+    }
+
+    /// 1/z.
+    #[must_use]
+    pub fn recip(self) -> Self {
+        let size = self.re.square().add(self.im.square());
+        let logarithm = if leaves_the_range(self.largest()) || self.is_extreme() { self.logarithm().negated() } else { Interval::UNKNOWN };
+        if self.least() <= 0.0 {
+            return if logarithm.high < f64::INFINITY { Self::sized_by_logarithm(logarithm) } else { Self::unknown() };
+        }
+        let sized = Self { logarithm, ..Self::sized(1.0 / self.largest(), 1.0 / self.least()) };
+        if !(size.low > 0.0 && size.high < f64::MAX) {
+            return sized;
+        }
+        // Each part as a fraction of |z|², and never more than 1/|z|.
+        let most = (1.0 / self.least()).next_up();
+        let inverse = size.inverse();
+        let part = |own: Interval| own.multiply(inverse).cut(most);
+        Self { re: part(self.re), im: part(self.im).negated(), ..sized }
+    }
+
+    /// zⁿ.
+    #[must_use]
+    pub fn powi(self, n: i32) -> Self {
+        if n < 0 {
+            return self.powi(n.saturating_neg()).recip();
+        }
+        let (mut power, mut result, mut rest) = (self, Self::real(1.0), n);
+        while rest > 0 {
+            if rest & 1 == 1 {
+                result = if result.as_real() == Some(1.0) { power } else { result * power };
+            }
+            rest >>= 1;
+            if rest > 0 {
+                power = power.square();
+            }
+        }
+        result
+    }
+}
+
+impl Add for Region {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let (re, im) = (self.re.add(other.re), self.im.add(other.im));
+        let least = (self.least() - other.largest()).max(other.least() - self.largest());
+        // The difference is rounded.
+        let own =
+            Self { re, im, ..Self::sized(least - 2.0 * f64::EPSILON * (self.least() + other.least()), self.largest() + other.largest()) };
+        if !leaves_the_range(own.most) {
+            return own;
+        }
+        let (a, b) = (self.logarithm(), other.logarithm());
+        // |z + w| is at most twice the larger, and at least more than half of it where that is e times the other.
+        let (large, small) = if a.low >= b.low { (a, b) } else { (b, a) };
+        let low = if large.low > small.high + 1.0 { large.low - 0.5 } else { f64::NEG_INFINITY };
+        own.or_by_logarithm(Interval::loose(low, a.high.max(b.high) + std::f64::consts::LN_2))
+    }
+}
+
+impl Neg for Region {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { re: self.re.negated(), im: self.im.negated(), ..self }
+    }
+}
+
+impl Sub for Region {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Region {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let re = self.re.multiply(other.re).add(self.im.multiply(other.im).negated());
+        let im = self.re.multiply(other.im).add(self.im.multiply(other.re));
+        let own = Self { re, im, ..Self::sized(self.least() * other.least(), self.largest() * other.largest()) };
+        let extreme = leaves_the_range(own.most) || self.is_extreme() || other.is_extreme();
+        if extreme { own.or_by_logarithm(self.logarithm().add(other.logarithm())) } else { own }
+    }
+}
+
+impl Div for Region {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        other.recip().mul(self)
+    }
+}
+
+/// Whether a magnitude up to this may be part of a product that overflows or underflows.
+fn leaves_the_range(most: f64) -> bool {
+    !(SMALL..LARGE).contains(&most)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,15 @@
+//! Expansions in Jacobi polynomials: rules, coefficients, half-order integrals, and short polynomials for fast evaluation.
+
+mod abel;
+mod contact;
+mod dense;
+mod jacobi;
+mod local;
+mod rule;
+
+pub use abel::{Power, above, beyond, right_sided, times_distance};
+pub use contact::{pressures, rise};
+pub use dense::{Dense, Exact, Plan};
+pub use jacobi::{Basis, chop};
+pub use local::{LOCAL, Local, local_nodes};
+pub use rule::{Node, Rule, rule};

@@ -1,0 +1,234 @@
+//! The work meter: how many steps a computation may take, counted on this thread and never read from a clock.
+
+use std::cell::Cell;
+use thiserror::Error;
+
+/// How much work a computation may do, in steps of about ten nanoseconds.
+///
+/// Steps are counted, not timed: the same input takes the same number of steps on every machine, so a computation either
+/// has its answer everywhere or is refused everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budget(u64);
+
+impl Budget {
+    /// What every public call of the engine may use where the caller has not opened a budget with [`within`].
+    pub const DEFAULT: Self = Self(3 * STEPS_PER_SECOND);
+
+    /// A budget of this many steps.
+    pub const fn steps(steps: u64) -> Self {
+        Self(steps)
+    }
+
+    /// The number of steps that a machine of today takes in about this many seconds; never fewer than one step.
+    ///
+    /// ```
+    /// use sneddon_num::work::Budget;
+    /// assert_eq!(Budget::seconds(2.0), Budget::steps(200_000_000));
+    /// ```
+    pub fn seconds(seconds: f64) -> Self {
+        // A float that is too large becomes the largest number of steps, NaN becomes none.
+        Self(((seconds * STEPS_PER_SECOND as f64) as u64).max(1))
+    }
+
+    /// The number of steps.
+    pub const fn count(self) -> u64 {
+        self.0
+    }
+}
+
+/// Steps that take about one second.
+const STEPS_PER_SECOND: u64 = 100_000_000;
+
+/// The budget is used up, so the computation was stopped and has no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[error("the budget of {steps} steps of work is used up; a simpler profile, fewer points or a larger budget would be accepted")]
+pub struct Exhausted {
+    /// The budget in steps.
+    pub steps: u64,
+}
+
+/// What is left on this thread; no budget is open where the limit is `NONE`.
+struct Meter {
+    left: Cell<u64>,
+    limit: Cell<u64>,
+}
+
+const NONE: u64 = u64::MAX;
+
+thread_local! {
+    static METER: Meter = const { Meter { left: Cell::new(NONE), limit: Cell::new(NONE) } };
+}
+
+/// Runs `work` with at most `budget` steps; within a budget that is open already, that one goes on instead.
+///
+/// # Errors
+/// [`Exhausted`] where the budget was used up, whatever `work` returned; else what `work` returns.
+///
+/// ```
+/// use sneddon_num::work::{Budget, Exhausted, spend, within};
+/// let sum = within(Budget::steps(10), || { spend(4); Ok::<_, Exhausted>(1 + 1) });
+/// assert_eq!(sum, Ok(2));
+/// let sum = within(Budget::steps(10), || { spend(11); Ok::<_, Exhausted>(1 + 1) });
+/// assert_eq!(sum, Err(Exhausted { steps: 10 }));
+/// ```
+pub fn within<T, E: From<Exhausted>>(budget: Budget, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+    let opened = METER.with(|meter| meter.limit.get() == NONE).then(|| Restored::open(budget.0));
+    let result = work();
+    let outcome = check();
+    drop(opened);
+    outcome?;
+    result
+}
+
+/// The default budget for one public call, if the caller has opened none.
+///
+/// # Errors
+/// As [`within`].
+pub fn bounded<T, E: From<Exhausted>>(work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
+    within(Budget::DEFAULT, work)
+}
+
+/// Runs a part of the work that can be left out with at most `steps` of what is left; `None` where they do not suffice.
+///
+/// What the part uses counts for the whole as well.
+pub fn share<T>(steps: u64, work: impl FnOnce() -> T) -> Option<T> {
+    // Where no budget is open, the default one is that of the whole.
+    let most = if left() > NONE / 2 { Budget::DEFAULT.0 } else { left() };
+    let (result, spent, whole) = apart(steps.min(most), work);
+    spend(spent);
+    (whole && !is_exhausted()).then_some(result)
+}
+
+/// Runs work of another thread, or a part of this one's, with its own count: its result, its steps, and whether they sufficed.
+pub fn apart<T>(steps: u64, work: impl FnOnce() -> T) -> (T, u64, bool) {
+    let restored = Restored::open(steps);
+    let result = work();
+    let rest = left();
+    drop(restored);
+    (result, steps.saturating_sub(rest), rest > 0 || steps == NONE)
+}
+
+/// Runs work whose result is kept for later budgets as well: it is counted, but never cut short.
+pub fn unbroken<T>(work: impl FnOnce() -> T) -> T {
+    let (result, spent, _) = apart(NONE, work);
+    spend(spent);
+    result
+}
+
+/// Runs work that is done once for the whole process, which no budget pays.
+pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
+    apart(NONE, work).0
+}
+
+/// Adds steps to an open budget that is not used up, for a task that grows with its input.
+pub fn allow(steps: u64) {
+    METER.with(|meter| {
+        if meter.limit.get() != NONE && meter.left.get() > 0 {
+            meter.left.set(meter.left.get().saturating_add(steps).min(NONE - 1));
+            meter.limit.set(meter.limit.get().saturating_add(steps).min(NONE - 1));
+        }
+    });
+}
+
+/// Counts steps.
+///
+/// This never fails, so that constructors can call it: whoever runs long asks [`check`] or [`is_exhausted`].
+#[inline]
+pub fn spend(steps: u64) {
+    METER.with(|meter| meter.left.set(meter.left.get().saturating_sub(steps)));
+}
+
+/// The steps that are left; `u64::MAX` or nearly so where no budget is open.
+pub fn left() -> u64 {
+    METER.with(|meter| meter.left.get())
+}
+
+/// True where the open budget is used up: what is computed from here on will be thrown away.
+#[inline]
+pub fn is_exhausted() -> bool {
+    left() == 0
+}
+
+/// # Errors
+/// [`Exhausted`] where the open budget is used up.
+#[inline]
+pub fn check() -> Result<(), Exhausted> {
+    if is_exhausted() { Err(exhausted()) } else { Ok(()) }
+}
+
+/// The error that says how large the open budget was.
+pub fn exhausted() -> Exhausted {
+    Exhausted { steps: METER.with(|meter| meter.limit.get()) }
+}
+
+/// Puts the meter back as it was, also where the work panics.
+struct Restored {
+    left: u64,
+    limit: u64,
+}
+
+impl Restored {
+    fn open(steps: u64) -> Self {
+        METER.with(|meter| Self { left: meter.left.replace(steps), limit: meter.limit.replace(steps) })
+    }
+}
+
+impl Drop for Restored {
+    fn drop(&mut self) {
+        METER.with(|meter| {
+            meter.left.set(self.left);
+            meter.limit.set(self.limit);
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_inner_budget_joins_the_outer_one() {
+        let outcome: Result<(), Exhausted> = within(Budget::steps(100), || {
+            within(Budget::steps(1000), || {
+                spend(200);
+                Ok::<_, Exhausted>(())
+            })
+        });
+        assert_eq!(outcome, Err(Exhausted { steps: 100 }));
+        assert!(!is_exhausted());
+    }
+
+    #[test]
+    fn a_share_that_is_used_up_leaves_the_rest() {
+        let outcome = within(Budget::steps(100), || {
+            assert_eq!(share(30, || spend(40)), None);
+            assert_eq!(left(), 70);
+            assert_eq!(share(30, || spend(20)), Some(()));
+            assert_eq!(left(), 50);
+            assert_eq!(share(500, || spend(60)), None);
+            Ok::<_, Exhausted>(())
+        });
+        assert_eq!(outcome, Err(Exhausted { steps: 100 }));
+    }
+
+    #[test]
+    fn allowance_grows_an_open_budget_only() {
+        allow(5);
+        assert_eq!(left(), NONE);
+        let outcome = within(Budget::steps(10), || {
+            allow(5);
+            spend(12);
+            Ok::<_, Exhausted>(left())
+        });
+        assert_eq!(outcome, Ok(3));
+    }
+
+    #[test]
+    fn a_panic_closes_the_budget() {
+        let caught = std::panic::catch_unwind(|| {
+            let _: Result<(), Exhausted> = within(Budget::steps(10), || panic!("stop"));
+        });
+        assert!(caught.is_err());
+        assert_eq!(left(), NONE);
+    }
+}

@@ -1,0 +1,499 @@
+//! The program as its users meet it: the real binary, its answers, its exit codes and what it says about bad input.
+#![allow(clippy::unwrap_used)]
+
+use serde_json::Value;
+use std::io::Write;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+const PROGRAM: &str = env!("CARGO_BIN_EXE_sneddon");
+
+struct Ran {
+    code: i32,
+    stdout: String,
+    stderr: String,
+}
+
+fn run_with(stdin: &[u8], arguments: &[&str]) -> Ran {
+    let mut command = Command::new(PROGRAM);
+    command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    // The program may stop reading early.
+    let _ = child.stdin.take().unwrap().write_all(stdin);
+    let output = child.wait_with_output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    Ran { code: output.status.code().unwrap_or(-1), stdout: text(output.stdout), stderr: text(output.stderr) }
+}
+
+fn run(arguments: &[&str]) -> Ran {
+    run_with(b"", arguments)
+}
+
+/// The JSON of a command that must succeed.
+fn json(arguments: &[&str]) -> Value {
+    let ran = run(arguments);
+    assert_eq!(ran.code, 0, "{arguments:?}: {}", ran.stderr);
+    serde_json::from_str(&ran.stdout).unwrap()
+}
+
+/// Exit code 2, nothing on stdout, a message on stderr that contains all `parts`, and all of it soon.
+fn refused(stdin: &[u8], arguments: &[&str], parts: &[&str]) {
+    let start = Instant::now();
+    let ran = run_with(stdin, arguments);
+    let shown = format!("{:.200}", format!("{arguments:?}"));
+    assert_eq!(ran.code, 2, "{shown}: {} {}", ran.stdout, ran.stderr);
+    assert!(ran.stdout.is_empty(), "{shown}: {}", ran.stdout);
+    for part in parts {
+        assert!(ran.stderr.contains(part), "{shown}: {part:?} is missing in {}", ran.stderr);
+    }
+    assert!(ran.stderr.len() < 2000, "{shown}: {}", ran.stderr);
+    assert!(start.elapsed() < Duration::from_secs(2), "{shown}: {:?}", start.elapsed());
+}
+
+#[test]
+fn profiles_that_are_none() {
+    let deep = format!("{}r{}", "(".repeat(60_000), ")".repeat(60_000));
+    let signs = format!("{}r", "-".repeat(5000));
+    let cases: &[(&str, &[&str])] = &[
+        ("r^", &["column 3", "ends too soon", "| r^\n  |   ^\n", "help:"]),
+        ("foo(r)", &["column 1", "no function foo", "\n  | ^^^\n", "help:"]),
+        ("r^2/0", &["column 5", "divisor is 0", "\n  |     ^\n"]),
+        ("2r", &["column 2", "operator is missing", "2*r"]),
+        ("sqrt(-1-r^2)", &["not real", "^"]),
+        ("piecewise(0, r<2, r, r<1, r)", &["column 22", "rise", "^^^"]),
+        ("piecewise(0, r<b, 1)", &["jumps by 1 at r = b", "meet", "^^^"]),
+        ("1/r", &["r = 0", "accepted", "^^^"]),
+        ("ln(r)", &["r = 0", "accepted", "^^^"]),
+        ("r^(-1)", &["r = 0", "accepted", "^^^"]),
+        ("r^(10^400)", &["column 3", "exponent", "1000000"]),
+        ("x^2", &["reserved", "r"]),
+        ("gamma*r", &["gamma_0"]),
+        ("", &["no expression", "^"]),
+        ("0", &["flat", "--depth"]),
+        ("--jsn", &["no option --jsn", "--help"]),
+        (&signs, &["column 1001", "1000", "^"]),
+        (&deep, &["column 1001", "1000", "^"]),
+    ];
+    for (profile, parts) in cases {
+        refused(b"", &["derive", profile], parts);
+        refused(b"", &["compare", profile], parts);
+        if !matches!(*profile, "0" | "piecewise(0, r<b, 1)") {
+            refused(b"", &["eval", profile, "--quantity", "g", "--at", "1"], &parts[..1]);
+        }
+    }
+    refused(b"", &["eval", "0", "--quantity", "F", "--at", "1"], &["flat", "--depth"]);
+}
+
+#[test]
+fn stdin_that_is_no_profile() {
+    let deep = format!("{}r{}", "(".repeat(100_000), ")".repeat(100_000));
+    refused(b"", &["derive", "-"], &["no expression"]);
+    refused(deep.as_bytes(), &["derive", "-"], &["1000 levels", "column 1001"]);
+    refused(&vec![b'7'; 1 << 20], &["derive", "-"], &["10000", "digits"]);
+    refused(&vec![0; 1 << 20], &["derive", "-"], &["U+0000", "column 1"]);
+    refused(&vec![b'r'; (1 << 20) + 1], &["derive", "-"], &["1048576 bytes"]);
+    refused(b"r^2\xff", &["derive", "-"], &["byte 4", "UTF-8"]);
+    refused(b"r^2 +\n 2 $ r", &["derive", "-"], &["line 2, column 4", "'$'", "  |    ^\n"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn bad_input_needs_little_memory() {
+    let deep = format!("{}r{}", "(".repeat(100_000), ")".repeat(100_000));
+    let digits = "7".repeat(1 << 20);
+    for text in [deep.as_str(), &digits, "(1+r)^1000000", "r^(10^400)"] {
+        let mut command = Command::new("sh");
+        command.args(["-c", "ulimit -v 204800 && exec \"$0\" derive -", PROGRAM]);
+        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
+        let code = child.wait().unwrap().code();
+        assert!(matches!(code, Some(0..=2)), "{code:?} for {:.40}", text);
+    }
+}
+
+#[test]
+fn a_huge_power_is_answered_or_refused_soon() {
+    let start = Instant::now();
+    let ran = run(&["derive", "(1+r)^1000000"]);
+    assert!((0..=2).contains(&ran.code), "{}", ran.stderr);
+    assert!(start.elapsed() < Duration::from_secs(2), "{:?}", start.elapsed());
+}
+
+#[test]
+fn settings_that_are_none() {
+    let derive = |set: &str, parts: &[&str]| refused(b"", &["derive", "r^2/(2*R)", "--set", set], parts);
+    derive("R=-1", &["not positive", "^^", "help:"]);
+    derive("R=0", &["not positive"]);
+    derive("R=nan", &["nan", "^^^", "0.3"]);
+    derive("R=inf", &["inf"]);
+    derive("R=", &["--set R"]);
+    derive("R", &["NAME=VALUE"]);
+    derive("R=1e400", &["64-bit"]);
+    derive("S=1", &["no parameter S", "it has R"]);
+    derive("r=1", &["no parameter r"]);
+    refused(b"", &["derive", "r^2/(2*R)", "--set", "R=1", "--set", "R=2"], &["twice"]);
+    refused(b"", &["eval", "C*r^n", "--quantity", "g", "--at", "1"], &["C, n", "--set C=VALUE --set n=VALUE"]);
+    refused(b"", &["eval", "C*r^2", "--quantity", "g", "--at", "1"], &["the parameter C has no value"]);
+    // A letter and its name are one parameter.
+    assert_eq!(run(&["derive", "r*tan(theta)", "--set", "θ=0.3"]).code, 0);
+}
+
+#[test]
+fn points_that_are_none() {
+    let eval = |list: &str, parts: &[&str]| refused(b"", &["eval", "r^2", "--quantity", "g", "--at", list], parts);
+    eval("", &["--at is empty", "start:stop:count"]);
+    eval("-1", &["negative", "^^"]);
+    eval("nan", &["nan"]);
+    eval("1,inf", &["inf"]);
+    eval("1,,2", &["missing", "^"]);
+    eval("1:2:0", &["0 points"]);
+    eval("0:1:10000001", &["1000000"]);
+    eval("log:0:1:5", &["above 0"]);
+    let sphere = ["eval", "R-sqrt(R^2-r^2)", "--set", "R=2", "--quantity"];
+    for (quantity, at) in [("g", "0.5,2"), ("F", "2.5"), ("d", "0:3:4"), ("G", "2"), ("U", "2"), ("k", "2")] {
+        refused(b"", &[&sphere[..], &[quantity, "--at", at]].concat(), &["domain", "2"]);
+    }
+    refused(b"", &[&sphere[..], &["p", "--at", "0.5", "--radius", "2"]].concat(), &["domain"]);
+    refused(b"", &[&sphere[..], &["p", "--at", "0.5"]].concat(), &["--radius"]);
+    refused(b"", &[&sphere[..], &["u", "--at", "0.5"]].concat(), &["--radius"]);
+    refused(b"", &[&sphere[..], &["p", "--at", "0.5", "--radius", "-1"]].concat(), &["not positive"]);
+    refused(b"", &[&sphere[..], &["g", "--at", "0.5", "--effective-modulus", "0"]].concat(), &["not positive"]);
+    refused(b"", &[&sphere[..], &["g", "--at", "0.5", "--tol", "2"]].concat(), &["--tol"]);
+    refused(b"", &[&sphere[..], &["z", "--at", "0.5"]].concat(), &["--quantity"]);
+    refused(
+        b"",
+        &["eval", "h*(1-cos(k*r))^(1/3)*r", "--quantity", "g", "--at", "1", "--method", "exact", "--set", "h=1", "--set", "k=1"],
+        &["closed form"],
+    );
+}
+
+#[test]
+fn derive_answers_by_the_agreed_keys() {
+    let answer = json(&["derive", "r^2/(2*R)", "--json"]);
+    assert_eq!(answer["profile"]["text"], "r^2/(2*R)");
+    assert!(answer["profile"]["latex"].is_string());
+    assert!(answer["conditions"].as_array().unwrap().iter().any(|c| c.as_str().unwrap().contains("d = g(a)")));
+    for key in ["g", "d", "F", "p", "k", "a_of_d", "F_of_d"] {
+        let formula = &answer[key];
+        assert!(formula["text"].is_string() && formula["latex"].is_string(), "{key}");
+        assert_eq!(formula["status"], "exact", "{key}");
+        assert!(formula["rules"].is_array() && formula["reference"].is_array(), "{key}");
+    }
+    assert_eq!(answer["g"]["text"], "x^2/R");
+    assert_eq!(answer["k"]["text"], "2*E*a");
+    assert_eq!(answer["check"]["points"], 64);
+    assert_eq!(answer["check"]["passed"], true);
+    assert_eq!(answer["check"]["verdict"], "passed");
+    let open = json(&["derive", "ln(cosh(r))", "--json"]);
+    assert_eq!((&open["check"]["verdict"], &open["check"]["passed"]), (&Value::from("not compared"), &Value::Null));
+    assert!(open["check"]["why"].as_str().is_some_and(|why| why.contains("closed")));
+    assert!(answer["check"]["max_relative_difference"].as_f64().unwrap() < 1e-12);
+    // The two ways to ask for JSON are one.
+    assert_eq!(run(&["derive", "r^2", "--json"]).stdout, run(&["derive", "r^2", "--format", "json"]).stdout);
+    // What has no explicit form is null.
+    let sphere = json(&["derive", "R-sqrt(R^2-r^2)", "--json"]);
+    assert!(sphere["a_of_d"].is_null() && sphere["F_of_d"].is_null());
+    assert!(sphere["conditions"].as_array().unwrap().iter().any(|c| c == "r < R"));
+}
+
+#[test]
+fn derive_reads_stdin_minus_signs_and_settings() {
+    let plain = run(&["derive", "-h*r^2/c^2"]);
+    assert_eq!(plain.code, 0, "{}", plain.stderr);
+    assert!(plain.stdout.contains("g(x) = -2*h*x^2/c^2"), "{}", plain.stdout);
+    assert_eq!(run_with(b"-h*r^2/c^2\n", &["derive", "-"]).stdout, plain.stdout);
+    assert_eq!(run(&["derive", "--", "-h*r^2/c^2"]).stdout, plain.stdout);
+    let help = run(&["derive", "-h"]);
+    assert!(help.code == 0 && help.stdout.contains("Usage"));
+    let set = json(&["derive", "C*r^4", "--set", "C=0.7", "--json"]);
+    assert_eq!(set["profile"]["text"], "0.7*r^4");
+    let shifted = json(&["derive", "h+r^2", "--json"]);
+    assert_eq!(shifted["shift"]["text"], "h");
+    assert!(run(&["derive", "h+r^2"]).stdout.contains("f(0) = h"));
+}
+
+#[test]
+fn derive_with_a_rim() {
+    let flat = json(&["derive", "0", "--depth", "d", "--json"]);
+    assert_eq!(flat["F"]["text"], "2*E*a*d");
+    assert_eq!(flat["d"]["text"], "d");
+    assert!(flat["p"]["text"].as_str().unwrap().contains("sqrt(a^2 - r^2)"));
+    assert!(flat["conditions"].as_array().unwrap().iter().any(|c| c.as_str().unwrap().contains("rim")));
+    let number = json(&["derive", "0", "--depth", "3/2", "--json"]);
+    assert_eq!(number["F"]["text"], "3*E*a");
+    refused(b"", &["derive", "0", "--depth", "q"], &["q", "^"]);
+}
+
+#[test]
+fn derive_sets_latex() {
+    let ran = run(&["derive", "1+r^2/(2*R)", "--format", "latex"]);
+    assert_eq!(ran.code, 0);
+    for part in ["% condition: smooth edge: d = g(a)", "% f(0) = 1", "\\begin{align*}", "  g(x) &= ", "  F(d) &= ", "\\end{align*}"] {
+        assert!(ran.stdout.contains(part), "{part}: {}", ran.stdout);
+    }
+    assert_eq!(ran.stdout.matches("\\\\\n").count(), 7, "{}", ran.stdout);
+}
+
+#[test]
+fn text_is_made_to_be_read() {
+    let ran = run(&["derive", "R-sqrt(R^2-r^2)"]);
+    for part in [
+        "f(r) = R - sqrt(R^2 - r^2)",
+        "g(x) = ",
+        "exact | rule sphere",
+        "Popov",
+        "r < R",
+        "x >= 0",
+        "E*",
+        "-sigma_zz",
+        "64 points",
+        "passed",
+    ] {
+        assert!(ran.stdout.contains(part), "{part}: {}", ran.stdout);
+    }
+    let table = run(&["eval", "1+r^2", "--quantity", "g", "--at", "0.5,10"]).stdout;
+    assert!(table.contains("f(0) = 1"), "{table}");
+    let words: Vec<Vec<&str>> = table.lines().map(|line| line.split_whitespace().collect()).collect();
+    assert!(words.contains(&vec!["x", "g", "error", "method"]), "{table}");
+    assert!(words.iter().any(|line| line.starts_with(&["0.5", "0.5"])), "{table}");
+}
+
+#[test]
+fn eval_answers_by_the_agreed_keys() {
+    let answer = json(&["eval", "r^2/(2*R)", "--quantity", "F", "--at", "0.1,3", "--set", "R=2", "--effective-modulus", "4", "--json"]);
+    assert_eq!(answer["quantity"], "F");
+    assert_eq!(answer["method"], "exact");
+    assert_eq!(answer["effective_modulus"], 4.0);
+    let points = answer["points"].as_array().unwrap();
+    assert_eq!(points[1]["at"], 3.0);
+    assert_eq!(points[1]["value"], 72.0);
+    assert_eq!(points[1]["method"], "exact");
+    assert_eq!(points[1]["evaluations"], 0);
+    assert!(points[1]["error_estimate"].as_f64().unwrap() < 1e-13);
+    let quadrature = json(&["eval", "r^2", "--quantity", "g", "--at", "1", "--method", "quadrature", "--json"]);
+    assert_eq!(quadrature["method"], "quadrature");
+    assert!(quadrature["points"][0]["evaluations"].as_u64().unwrap() > 0);
+}
+
+#[test]
+fn infinite_values_are_null_with_a_reason() {
+    let cone = json(&["eval", "r", "--quantity", "p", "--at", "0,0.5", "--radius", "1", "--json"]);
+    assert!(cone["points"][0]["value"].is_null());
+    assert!(cone["points"][0]["why"].as_str().unwrap().contains("apex"));
+    assert!(cone["points"][1]["value"].is_number() && cone["points"][1].get("why").is_none());
+    let punch = json(&["eval", "0", "--quantity", "p", "--at", "0,1,2", "--radius", "1", "--depth", "0.1", "--json"]);
+    assert!(punch["points"][1]["why"].as_str().unwrap().contains("rim"));
+    assert_eq!(punch["points"][2]["value"], 0.0);
+    let table = run(&["eval", "r", "--quantity", "p", "--at", "0", "--radius", "1"]).stdout;
+    assert!(table.contains("apex"), "{table}");
+}
+
+#[test]
+fn every_quantity_of_a_paraboloid() {
+    // f = r²/2: g = x², F = 4a³/3, G = a³/3, U = 8a⁵/15, k = 2a, a = √d; p(0) = 2a/π, u(0) = d.
+    let value = |quantity: &str, at: &str| {
+        let answer = json(&["eval", "r^2/2", "--quantity", quantity, "--at", at, "--radius", "2", "--json"]);
+        answer["points"][0]["value"].as_f64().unwrap()
+    };
+    let pi = std::f64::consts::PI;
+    // u(r) = ((2a² − r²) asin(a/r) + a√(r² − a²))/π.
+    let outside = ((8.0 - 9.0) * (2.0f64 / 3.0).asin() + 2.0 * 5.0f64.sqrt()) / pi;
+    let expected = [
+        ("f", "2", 2.0),
+        ("g", "2", 4.0),
+        ("d", "2", 4.0),
+        ("F", "2", 32.0 / 3.0),
+        ("p", "0", 4.0 / pi),
+        ("u", "0", 4.0),
+        ("u", "3", outside),
+        ("k", "2", 4.0),
+        ("G", "2", 8.0 / 3.0),
+        ("U", "2", 256.0 / 15.0),
+        ("a", "4", 2.0),
+    ];
+    for (quantity, at, want) in expected {
+        let got = value(quantity, at);
+        assert!((got - want).abs() <= 1e-12 * want, "{quantity}({at}) = {got}, not {want}");
+    }
+}
+
+#[test]
+fn a_falling_profile_is_answered_with_a_warning() {
+    let ran = run(&["eval", "-r^2", "--quantity", "F", "--at", "1"]);
+    assert_eq!(ran.code, 0);
+    assert!(ran.stderr.contains("warning") && ran.stderr.contains("no valid contact"), "{}", ran.stderr);
+    assert!(run(&["eval", "r^2", "--quantity", "F", "--at", "1"]).stderr.is_empty());
+}
+
+#[test]
+fn compare_answers_by_the_agreed_keys_and_fails_with_exit_code_one() {
+    let answer = json(&["compare", "R-sqrt(R^2-r^2)", "--json"]);
+    for key in ["g", "d", "F", "p", "G"] {
+        let own = &answer[key];
+        assert!(own["max_relative_difference"].as_f64().unwrap() < 1e-11, "{key}: {own}");
+        assert!(own["at"].is_number() && own["points"] == 64 && own["passed"] == true, "{key}: {own}");
+    }
+    let set = json(&["compare", "C*r^4", "--set", "C=0.7", "--radius", "2", "--tol", "1e-9", "--json"]);
+    assert!(set["p"]["at"].as_f64().unwrap() < 2.0);
+    assert_eq!(json(&["compare", "0", "--depth", "0.1", "--json"])["F"]["passed"], true);
+    let strict = run(&["compare", "R-sqrt(R^2-r^2)", "--tol", "1e-30", "--json"]);
+    assert_eq!(strict.code, 1, "{}", strict.stderr);
+    assert_eq!(serde_json::from_str::<Value>(&strict.stdout).unwrap()["F"]["passed"], false);
+    assert!(run(&["compare", "R-sqrt(R^2-r^2)", "--tol", "1e-30"]).stdout.contains("FAILED"));
+}
+
+#[test]
+fn rules_are_listed() {
+    let document = json(&["rules", "--json"]);
+    let list = document["rules"].as_array().unwrap();
+    assert!(list.iter().any(|rule| rule["id"] == "heß-power"));
+    for rule in list {
+        for key in ["id", "name", "title", "pattern", "guard"] {
+            assert!(rule[key].is_string(), "{key}: {rule}");
+        }
+        assert!(rule["result"]["g"].is_string() && rule["result"]["F"].is_string() && rule["source"].is_array(), "{rule}");
+    }
+    assert!(run(&["rules"]).stdout.contains("C*r^n"));
+}
+
+#[test]
+fn catalogue_values_are_right_to_their_own_error_estimates() {
+    let truth: Value = serde_json::from_str(include_str!("../data/truth.json")).unwrap();
+    let profiles: Value = serde_json::from_str(include_str!("../data/profiles.json")).unwrap();
+    let mut problems = Vec::new();
+    for entry in profiles.as_array().unwrap() {
+        let (id, f) = (entry["id"].as_str().unwrap(), entry["f"].as_str().unwrap());
+        let sets: Vec<String> =
+            entry["params"].as_object().unwrap().iter().map(|(k, v)| format!("--set={k}={}", v.as_str().unwrap())).collect();
+        let own = &truth[id];
+        let a = own["a"].as_str().unwrap();
+        let table = |key: &str| -> Vec<(String, f64)> {
+            own[key].as_object().unwrap().iter().map(|(at, value)| (at.clone(), value.as_str().unwrap().parse().unwrap())).collect()
+        };
+        let at_edge = |key: &str| vec![(a.to_owned(), own[key].as_str().unwrap().parse().unwrap())];
+        for (quantity, wanted) in [("g", table("g")), ("d", at_edge("d")), ("F", at_edge("F")), ("G", at_edge("G")), ("p", table("p"))] {
+            let list = wanted.iter().map(|(at, _)| at.as_str()).collect::<Vec<_>>().join(",");
+            let mut arguments = vec!["eval", f, "--quantity", quantity, "--at", &list, "--radius", a, "--json"];
+            arguments.extend(sets.iter().map(String::as_str));
+            let answer = json(&arguments);
+            // The values are those of the decimals, the program answers at the doubles next to them: half an ulp of every
+            // parameter, as often as the value follows it.
+            let mut follows = vec![0.0; wanted.len()];
+            for (name, value) in entry["params"].as_object().unwrap() {
+                let nudged = value.as_str().unwrap().parse::<f64>().unwrap() * (1.0 + 1e-6);
+                let own = format!("--set={name}={nudged}");
+                let others = arguments.iter().map(|word| if word.starts_with(&format!("--set={name}=")) { own.as_str() } else { word });
+                let near = json(&others.collect::<Vec<_>>());
+                for (index, total) in follows.iter_mut().enumerate() {
+                    let value = |from: &Value| from["points"][index]["value"].as_f64().unwrap();
+                    *total += 1e6 * (value(&near) - value(&answer)).abs() * f64::EPSILON / 2.0;
+                }
+            }
+            for (((at, want), point), follows) in wanted.iter().zip(answer["points"].as_array().unwrap()).zip(follows) {
+                let value = point["value"].as_f64().unwrap();
+                let estimate = point["error_estimate"].as_f64().unwrap();
+                let (error, ulp) = ((value - want).abs(), f64::EPSILON * want.abs());
+                // Next to the edge the pressure is steep: the rounding of r and a counts a/(a − r) times.
+                let (r, a): (f64, f64) = (at.parse().unwrap(), a.parse().unwrap());
+                let rounding = follows + ulp * if quantity == "p" { 4.0 + 2.0 * a / (a - r) } else { 4.0 };
+                if error > estimate + rounding {
+                    problems.push(format!("{id}: {quantity}({at}) = {value} is off by {error:e}, its estimate is {estimate:e}"));
+                }
+                if quantity != "p" && point["method"] == "exact" && error > follows + 4.0 * ulp {
+                    problems.push(format!("{id}: {quantity}({at}) = {value}, a closed form, is off by {:.1} ulp", error / ulp));
+                }
+            }
+        }
+    }
+    assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+#[test]
+fn examples_in_the_help_run_as_pasted() {
+    let mut seen = 0;
+    for command in ["", "derive", "eval", "compare", "rules", "completions"] {
+        let arguments: Vec<&str> = [command, "--help"].into_iter().filter(|a| !a.is_empty()).collect();
+        let help = run(&arguments).stdout;
+        let (_, examples) = help.split_once("Examples:").unwrap_or_else(|| panic!("no example in the help of {command}"));
+        for line in examples.lines().map(str::trim).filter(|line| line.starts_with("sneddon ") || line.starts_with("echo ")) {
+            let script = format!("sneddon() {{ '{PROGRAM}' \"$@\"; }}\n{line}");
+            let output = Command::new("sh").args(["-c", &script]).output().unwrap();
+            assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+            assert!(!output.stdout.is_empty(), "{line}");
+            seen += 1;
+        }
+    }
+    assert!(seen >= 10);
+}
+
+#[test]
+fn help_version_and_wrong_usage() {
+    assert_eq!(run(&["--help"]).code, 0);
+    let version = run(&["--version"]);
+    assert_eq!((version.code, version.stdout.trim()), (0, concat!("sneddon ", env!("CARGO_PKG_VERSION"))));
+    for arguments in [&[][..], &["nonsense"], &["derive"], &["eval", "r"], &["derive", "r", "--jsn"], &["derive", "r", "--format", "html"]]
+    {
+        let ran = run(arguments);
+        assert_eq!(ran.code, 2, "{arguments:?}");
+        assert!(ran.stdout.is_empty() && !ran.stderr.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_failure() {
+    let script = format!("'{PROGRAM}' eval r^2 --quantity g --at 0:1:100000 --json | head -c 10");
+    let output = Command::new("sh").args(["-c", &script]).output().unwrap();
+    assert!(output.status.success());
+    assert_eq!(output.stdout.len(), 10);
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn answers_do_not_change_from_run_to_run() {
+    let arguments = ["derive", "r^2/(2*R)+r*tan(theta)+h*(1-cos(k*r))", "--json"];
+    assert_eq!(run(&arguments).stdout, run(&arguments).stdout);
+}
+
+#[test]
+fn invert_answers_in_the_form_of_derive() {
+    let found = json(&["invert", "x*atanh(x/R)", "--json"]);
+    assert_eq!(found["f"]["text"], "R - sqrt(R^2 - r^2)");
+    assert_eq!(found["f"]["status"], "exact");
+    assert_eq!(found["conditions"][0], "r < R");
+    assert_eq!(found["check"]["passed"], true);
+    assert_eq!(found["g"]["text"], "x*atanh(x/R)");
+    assert!(found["f"]["rules"].is_array() && found["f"]["reference"].is_array() && found["points"].is_null());
+    let points = json(&["invert", "x^2/R", "--set", "R=2", "--at", "1,2", "--json"]);
+    assert_eq!(points["points"][1]["value"], 1.0);
+    assert_eq!(points["points"][1]["method"], "exact");
+    let pressed = json(&["invert", "--pressure", "p_0*sqrt(1-r^2/a^2)", "--set", "a=2", "--json"]);
+    assert_eq!(pressed["F"]["text"], "8*pi/3*p_0");
+}
+
+#[test]
+fn what_cannot_be_inverted() {
+    refused(b"", &["invert", "r^2"], &["column 1", "\n  | ^\n", "the coordinate of g is x"]);
+    refused(b"", &["invert", "1/x"], &["no finite value at x = 0", "| ^^^"]);
+    refused(b"", &["invert", "piecewise(0, x<1, 1)"], &["jumps by 1 at x = 1", "no profile"]);
+    refused(b"", &["invert", "x^2/R", "--at", "1"], &["parameter R has no value"]);
+    refused(b"", &["invert", "--pressure", "p_0*exp(-r)"], &["--pressure", "exp(-r)", "(a^2-r^2)^s"]);
+    refused(b"", &["invert"], &["required"]);
+    refused(b"x^2+", &["invert", "-"], &["column 5"]);
+}
+
+#[test]
+fn the_series_way_tells_its_remainder() {
+    let sphere = ["eval", "R-sqrt(R^2-r^2)", "--quantity", "F", "--at", "0.5", "--set", "R=2", "--effective-modulus", "3", "--json"];
+    let exact = json(&sphere);
+    let series = json(&[&sphere[..], &["--method", "series", "--order", "12"]].concat());
+    assert_eq!(series["points"][0]["method"], "series");
+    let value = |found: &Value, key: &str| found["points"][0][key].as_f64().unwrap();
+    let off = (value(&series, "value") - value(&exact, "value")).abs();
+    assert!(off <= value(&series, "error_estimate") && off > 0.0);
+    let asked = ["eval", "r^2", "--quantity", "g", "--at", "1"];
+    refused(b"", &[&asked[..], &["--order", "5"]].concat(), &["--order", "--method series"]);
+    refused(b"", &[&asked[..], &["--method", "series", "--order", "0"]].concat(), &["--order 0", "| ^"]);
+    refused(b"", &["eval", "r^2*ln(r)", "--quantity", "g", "--at", "1", "--method", "series"], &["logarithm", "not analytic"]);
+    refused(b"", &["eval", "r^2", "--quantity", "U", "--at", "1", "--method", "series"], &["no series is known for U"]);
+    refused(b"", &["eval", "atan(r)", "--quantity", "g", "--at", "3", "--method", "series"], &["not proven to converge at x = 3"]);
+}

@@ -1,0 +1,387 @@
+//! Generated code compiles, runs, and is as accurate as its comment claims, against values with 30 digits.
+//!
+//! C is compiled with cc and Rust with rustc, which every Rust toolchain brings along or needs; Python, Fortran and Octave run where they
+//! are installed, and a line on stderr says which of them were not.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
+
+use serde_json::Value;
+use sneddon::code::{CodeError, Language, Program, Requested, program, write};
+use sneddon::expr::{Bindings, Expr, Number};
+use sneddon::num::{DoubleDouble, Precise, precise};
+use sneddon::transform::{Evaluator, Method, Profile, Quantity, Solution, derive, reach};
+use sneddon::{parse, print};
+use std::fmt::Write as _;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A profile of the catalogue at the doubles next to its parameters.
+struct Entry {
+    id: String,
+    text: String,
+    solution: Solution,
+    bindings: Bindings,
+    parameters: Vec<f64>,
+}
+
+fn entries() -> Vec<Entry> {
+    let list: Value = serde_json::from_str(include_str!("../data/profiles.json")).unwrap();
+    let entry = |own: &Value| {
+        let formula = parse::profile(own["f"].as_str().unwrap()).unwrap();
+        let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
+        let number = |name: &str| parse::constant(own["params"][name].as_str().unwrap()).unwrap().as_number().unwrap().to_f64();
+        let parameters: Vec<f64> = solution.profile.parameters().iter().map(|own| number(own.name())).collect();
+        let names = solution.profile.parameters();
+        let bindings =
+            names.iter().zip(&parameters).map(|(own, value)| (own.name(), Expr::number(Number::from_f64(*value).unwrap()))).collect();
+        Entry { id: own["id"].as_str().unwrap().to_owned(), text: print::text(&formula), solution, bindings, parameters }
+    };
+    list.as_array().unwrap().iter().map(entry).collect()
+}
+
+/// The programs of a profile, one for every quantity that the language has.
+fn programs(entry: &Entry, language: Language) -> Vec<(Requested, Program)> {
+    let made = |own: Requested| match program(&entry.solution, &[own], language, &entry.text) {
+        Ok(made) => Some((own, made)),
+        Err(CodeError::NotClosed { .. } | CodeError::Function { .. } | CodeError::Contact(_)) => None,
+        Err(other) => panic!("{} {}: {other}", entry.id, own.symbol()),
+    };
+    Requested::ALL.into_iter().filter_map(made).collect()
+}
+
+/// A call with what it must give.
+struct Case {
+    what: String,
+    module: String,
+    function: String,
+    arguments: Vec<f64>,
+    truth: DoubleDouble,
+    ulps: f64,
+    conditional: bool,
+}
+
+/// E* of every call.
+const MODULUS: f64 = 1.5;
+/// The step of condition numbers.
+const STEP: f64 = 1e-6;
+
+fn cases(entry: &Entry, module: &str, own: Requested, made: &Program) -> Vec<Case> {
+    let evaluator = Evaluator::new(&entry.solution, &entry.bindings, Method::Auto, 1e-13).unwrap();
+    let (_, claim) = made.claims()[0];
+    let Some(claim) = claim else { return Vec::new() };
+    let end = reach(&evaluator);
+    let mut list = Vec::new();
+    for part in [1e-5, 3e-4, 0.01, 0.11, 0.3, 0.52, 0.77, 0.93, 0.999] {
+        let place = end * part;
+        let exact = |quantity, inputs: &[f64]| evaluator.with_30_digits(quantity, inputs).unwrap().filter(|own| own.value.hi != 0.0);
+        let mut push = |coordinates: &[f64], truth: Option<Precise>| {
+            let Some(truth) = truth.filter(|own| own.is_finite() && own.error <= 1e-22 * own.value.hi.abs()) else { return };
+            let mut arguments = coordinates.to_vec();
+            if matches!(own, Requested::Force | Requested::Pressure) {
+                arguments.push(MODULUS);
+            }
+            arguments.extend(&entry.parameters);
+            let (what, function) = (format!("{} {}", entry.id, own.symbol()), format!("sneddon_{}", own.symbol()));
+            let (ulps, conditional) = (claim.ulps, claim.condition.is_some());
+            list.push(Case { what, module: module.to_owned(), function, arguments, truth: truth.value, ulps, conditional });
+        };
+        match own {
+            Requested::EquivalentProfile | Requested::Depth => push(&[place], exact(Quantity::Slope, &[place])),
+            Requested::Force => {
+                push(&[place], exact(Quantity::Force, &[place]).map(|own| own.mul(Precise::exact(2.0 * MODULUS))));
+            }
+            Requested::Pressure => {
+                let pi = Precise { value: precise::PI, error: 3e-33 };
+                for inner in [0.003, 0.35, 0.8] {
+                    let r = inner * place;
+                    push(&[r, place], exact(Quantity::Pressure, &[r, place]).map(|own| own.mul(Precise::exact(MODULUS)).div(pi)));
+                }
+            }
+            Requested::ContactRadius => {
+                // The depth that belongs to `place`, rounded: a moves by the rest over g′.
+                let Some(depth) = exact(Quantity::Slope, &[place]) else { continue };
+                let at = |x: f64| exact(Quantity::Slope, &[x]).map_or(f64::NAN, |own| own.value.hi);
+                let slope = (at(place * (1.0 + 1e-5)) - at(place * (1.0 - 1e-5))) / (2e-5 * place);
+                let rest = -depth.value.lo / slope;
+                // Where g has fallen before, an inner radius has the same depth.
+                let first =
+                    (1..100).all(|i| at(place * f64::from(i) / 100.0) <= depth.value.hi || at(place * f64::from(i) / 100.0).is_nan());
+                if slope > 0.0 && depth.value.hi > 0.0 && first && (depth.value.hi / (slope * place)).is_finite() {
+                    push(&[depth.value.hi], Some(Precise::exact(place).add(Precise::exact(rest))));
+                }
+            }
+        }
+    }
+    list
+}
+
+/// The arguments of a case, and after them those that its condition number needs.
+fn variations(case: &Case) -> Vec<Vec<f64>> {
+    let mut all = vec![case.arguments.clone()];
+    if case.conditional {
+        for index in 0..case.arguments.len() {
+            for factor in [1.0 + STEP, 1.0 - STEP] {
+                let mut moved = case.arguments.clone();
+                moved[index] *= factor;
+                all.push(moved);
+            }
+        }
+    }
+    all
+}
+
+/// Holds the values that a language printed against the truth; one value for each variation of each case.
+fn judge(language: &str, cases: &[Case], output: &str) {
+    let mut values = output.lines().map(|line| line.trim().parse::<f64>().unwrap_or_else(|_| panic!("{language}: {line}")));
+    let (mut faults, mut seen) = (Vec::new(), 0);
+    for case in cases {
+        let found: Vec<f64> = variations(case).iter().map(|_| values.next().expect("a value for each call")).collect();
+        let value = found[0];
+        let spacing = case.truth.hi.abs().next_up() - case.truth.hi.abs();
+        let off = ((case.truth.hi - value) + case.truth.lo).abs() / spacing;
+        let shares = found[1..].chunks(2).map(|pair| ((pair[0] - pair[1]) / (2.0 * STEP * value)).abs());
+        let condition = 1.0 + shares.filter(|own| own.is_finite()).sum::<f64>();
+        // The condition number itself is known to some digits.
+        let claimed = case.ulps * if case.conditional { 1.01 * condition } else { 1.0 };
+        seen += 1;
+        if off.is_nan() || off > claimed {
+            faults.push(format!(
+                "{} {:?} = {value:e}, not {:e}: {off:.2} ulp, claimed {claimed:.2}",
+                case.what, case.arguments, case.truth.hi
+            ));
+        }
+    }
+    assert!(faults.is_empty(), "{language}: {} of {seen}\n{}", faults.len(), faults.join("\n"));
+    assert!(seen > 300, "{language}: {seen} values only");
+}
+
+fn place(name: &str) -> PathBuf {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("code").join(name);
+    fs::create_dir_all(&place).unwrap();
+    place
+}
+
+fn run(program: &str, arguments: &[&str], place: &Path) -> String {
+    let done = Command::new(program).args(arguments).current_dir(place).output().unwrap();
+    assert!(done.status.success(), "{program} {arguments:?}\n{}", String::from_utf8_lossy(&done.stderr));
+    String::from_utf8(done.stdout).unwrap()
+}
+
+fn is_installed(program: &str) -> bool {
+    let found = Command::new(program).arg("--version").output().is_ok_and(|done| done.status.success());
+    if !found {
+        eprintln!("{program} is not installed: its language is not tested here");
+    }
+    found
+}
+
+fn listed(arguments: &[f64]) -> String {
+    arguments.iter().map(|own| format!("{own:?}")).collect::<Vec<_>>().join(", ")
+}
+
+/// Every program of a language, and every call; `module` numbers the programs.
+fn catalogue(language: Language) -> (Vec<(String, String)>, Vec<Case>) {
+    let (mut sources, mut all) = (Vec::new(), Vec::new());
+    for entry in entries() {
+        for (own, made) in programs(&entry, language) {
+            let module = format!("m{}", sources.len());
+            all.extend(cases(&entry, &module, own, &made));
+            sources.push((module, write(&made)));
+        }
+    }
+    (sources, all)
+}
+
+#[test]
+fn c_is_as_accurate_as_it_claims() {
+    let (sources, mut cases) = catalogue(Language::C);
+    // Bessel functions are those of GSL, which is not everywhere.
+    let sources: Vec<_> = sources.into_iter().filter(|(_, text)| !text.contains("gsl_")).collect();
+    cases.retain(|case| sources.iter().any(|(module, _)| *module == case.module));
+    let (place, mut text) = (place("c"), "#include <stdio.h>\n".to_owned());
+    for (module, source) in &sources {
+        text.push_str(&source.replace("sneddon_", &format!("{module}_sneddon_")));
+    }
+    text.push_str("int main(void)\n{\n");
+    for case in &cases {
+        for arguments in variations(case) {
+            writeln!(text, "    printf(\"%.17g\\n\", {}_{}({}));", case.module, case.function, listed(&arguments)).unwrap();
+        }
+    }
+    text.push_str("    return 0;\n}\n");
+    fs::write(place.join("all.c"), text).unwrap();
+    run("cc", &["-std=c99", "-Wall", "-Wextra", "-Werror", "-O2", "all.c", "-lm", "-o", "all"], &place);
+    judge("C", &cases, &run("./all", &[], &place));
+}
+
+#[test]
+fn rust_is_as_accurate_as_it_claims() {
+    let (sources, cases) = catalogue(Language::Rust);
+    let (place, mut text) = (place("rust"), String::new());
+    for (module, source) in &sources {
+        writeln!(text, "mod {module} {{\n{source}}}").unwrap();
+    }
+    text.push_str("fn main() {\n    let show = |own: Result<f64, &str>| println!(\"{:e}\", own.unwrap_or(f64::NAN));\n");
+    for case in &cases {
+        for arguments in variations(case) {
+            writeln!(text, "    show({}::{}({}));", case.module, case.function, listed(&arguments)).unwrap();
+        }
+    }
+    text.push_str("}\n");
+    fs::write(place.join("all.rs"), text).unwrap();
+    run("rustc", &["--edition", "2024", "-Dwarnings", "-Adead_code", "all.rs", "-o", "all"], &place);
+    judge("Rust", &cases, &run("./all", &[], &place));
+}
+
+#[test]
+fn python_is_as_accurate_as_it_claims() {
+    if !is_installed("python3") {
+        return;
+    }
+    let (sources, mut cases) = catalogue(Language::Python);
+    let place = place("python");
+    // SciPy is not everywhere.
+    let sources: Vec<_> = sources.into_iter().filter(|(_, text)| !text.contains("scipy")).collect();
+    cases.retain(|case| sources.iter().any(|(module, _)| *module == case.module));
+    let mut text =
+        "def show(call, *arguments):\n    try:\n        print(repr(call(*arguments)))\n    except ValueError:\n        print('nan')\n"
+            .to_owned();
+    for (module, source) in &sources {
+        fs::write(place.join(format!("{module}.py")), source).unwrap();
+        writeln!(text, "import {module}").unwrap();
+    }
+    for case in &cases {
+        for arguments in variations(case) {
+            let name = case.function.trim_start_matches("sneddon_");
+            writeln!(text, "show({}.{name}, {})", case.module, listed(&arguments)).unwrap();
+        }
+    }
+    fs::write(place.join("all.py"), text).unwrap();
+    judge("Python", &cases, &run("python3", &["-B", "all.py"], &place));
+}
+
+#[test]
+fn fortran_is_as_accurate_as_it_claims() {
+    if !is_installed("gfortran") {
+        return;
+    }
+    let (sources, mut cases) = catalogue(Language::Fortran);
+    // One compilation of every program takes long: a part of the catalogue shows the language.
+    let sources: Vec<_> =
+        sources.into_iter().filter(|(module, _)| module.trim_start_matches('m').parse::<usize>().unwrap() % 2 == 0).collect();
+    cases.retain(|case| sources.iter().any(|(module, _)| *module == case.module));
+    let (place, mut text, mut uses) = (place("fortran"), String::new(), String::new());
+    for (module, source) in &sources {
+        text.push_str(&source.replace("module sneddon", &format!("module {module}")));
+        for name in ["g", "F", "p", "d", "a"].map(|own| format!("sneddon_{own}")) {
+            if source.contains(&format!("public :: {name}\n")) {
+                writeln!(uses, "    use {module}, only: {module}_{name} => {name}").unwrap();
+            }
+        }
+    }
+    writeln!(text, "program all\n{uses}    implicit none").unwrap();
+    let literal = |arguments: &[f64]| arguments.iter().map(|own| format!("{own:e}").replace('e', "d")).collect::<Vec<_>>().join(", ");
+    for case in &cases {
+        for arguments in variations(case) {
+            writeln!(text, "    print '(es25.17e3)', {}_{}({})", case.module, case.function, literal(&arguments)).unwrap();
+        }
+    }
+    text.push_str("end program all\n");
+    fs::write(place.join("all.f90"), text).unwrap();
+    run("gfortran", &["-std=f2008", "-Wall", "-O1", "all.f90", "-o", "all"], &place);
+    judge("Fortran", &cases, &run("./all", &[], &place));
+}
+
+#[test]
+fn octave_is_as_accurate_as_it_claims() {
+    if !is_installed("octave") {
+        return;
+    }
+    let (sources, cases) = catalogue(Language::Matlab);
+    let (place, mut text) = (place("octave"), "1;\n".to_owned());
+    for (module, source) in &sources {
+        text.push_str(&source.replace("sneddon_", &format!("{module}_sneddon_")));
+    }
+    for case in &cases {
+        for arguments in variations(case) {
+            writeln!(text, "printf(\"%.17g\\n\", {}_{}({}));", case.module, case.function, listed(&arguments)).unwrap();
+        }
+    }
+    fs::write(place.join("all.m"), text).unwrap();
+    judge("Octave", &cases, &run("octave", &["--norc", "--quiet", "all.m"], &place));
+}
+
+/// Names that are words of a language, differ in case only, or look like what the program writes.
+#[test]
+fn hostile_names_stay_names() {
+    let names = "int lambda linux unix NAN main double t1 T1 g F p y y_ sneddon_g do end fn let self None math nan dp theta H h A X class \
+                 double_ log1p value k_ k M_PI inf i j R r_ sum t0 exit_ module real result if_ if EPS e1 E1 sneddon b_ t t_ delta as in";
+    let usable: Vec<&str> = names.split_whitespace().filter(|name| parse::profile(&format!("r/{name}")).is_ok()).collect();
+    assert!(usable.len() > 40, "{usable:?}");
+    for (group, list) in usable.chunks(11).enumerate() {
+        // Different powers, so that no two terms are one.
+        let terms: Vec<String> = list.iter().enumerate().map(|(index, name)| format!("r^{}/{name}", index + 2)).collect();
+        let formula = parse::profile(&terms.join(" + ")).unwrap();
+        let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
+        let place = place(&format!("hostile_{group}"));
+        let quantities = [Requested::EquivalentProfile, Requested::Force, Requested::Depth, Requested::ContactRadius];
+        let text = |language| write(&program(&solution, &quantities, language, &print::text(&formula)).unwrap());
+        fs::write(place.join("a.c"), text(Language::C)).unwrap();
+        run("cc", &["-Wall", "-Wextra", "-Werror", "-c", "a.c"], &place);
+        fs::write(place.join("a.rs"), text(Language::Rust)).unwrap();
+        run("rustc", &["--edition", "2024", "-Dwarnings", "--crate-type", "lib", "--emit", "metadata", "a.rs"], &place);
+        if is_installed("python3") {
+            fs::write(place.join("a.py"), text(Language::Python)).unwrap();
+            let ones = ["1.0"; 11].iter().take(list.len()).copied().collect::<Vec<_>>().join(", ");
+            let check = format!("import a; assert a.g(0.5, {ones}) > 0.5 and abs(a.a(a.d(0.5, {ones}), {ones}) - 0.5) < 1e-15");
+            run("python3", &["-B", "-c", &check], &place);
+        }
+        if is_installed("gfortran") {
+            fs::write(place.join("a.f90"), text(Language::Fortran)).unwrap();
+            run("gfortran", &["-std=f2008", "-Wall", "-c", "a.f90"], &place);
+        }
+    }
+}
+
+/// What has no closed form is an error that says so.
+#[test]
+fn what_cannot_be_written_is_an_error() {
+    let code = |text: &str, own: Requested, language| {
+        let formula = parse::profile(text).unwrap();
+        program(&derive(&Profile::new(&formula).unwrap()).unwrap(), &[own], language, text).map(|own| write(&own)).unwrap_err().to_string()
+    };
+    assert!(code("ln(cosh(r))", Requested::Force, Language::C).contains("the formula of F holds an integral"));
+    assert!(code("ln(cosh(r))", Requested::ContactRadius, Language::C).contains("holds an integral"));
+    assert!(
+        code("h*(1-cos(k*r))", Requested::EquivalentProfile, Language::C).contains("the function struveh, which cannot be written in C")
+    );
+}
+
+/// A number of the program at a point, in every language that needs nothing but this toolchain: outside the domain there is no number.
+#[test]
+fn outside_the_domain_there_is_no_number() {
+    let formula = parse::profile("R-sqrt(R^2-r^2)").unwrap();
+    let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
+    let quantities = [Requested::EquivalentProfile, Requested::Force, Requested::ContactRadius];
+    let place = place("domain");
+    let mut text = write(&program(&solution, &quantities, Language::C, "f").unwrap());
+    text.push_str("#include <stdio.h>\nint main(void)\n{\n");
+    let calls = [
+        "g(2.0, 2.0)",
+        "g(-1.0, 2.0)",
+        "g(1.0, -2.0)",
+        "g(NAN, 2.0)",
+        "g(1.0, INFINITY)",
+        "F(3.0, 1.0, 2.0)",
+        "F(1.0, 0.0, 2.0)",
+        "a(-1.0, 2.0)",
+        "a(1e9, 2.0)",
+    ];
+    for call in calls {
+        writeln!(text, "    printf(\"%d\\n\", (int)isnan(sneddon_{call}));").unwrap();
+    }
+    text.push_str("    printf(\"%d\\n\", sneddon_g(0.0, 2.0) == 0.0 && sneddon_a(0.0, 2.0) == 0.0);\n    return 0;\n}\n");
+    fs::write(place.join("a.c"), text).unwrap();
+    run("cc", &["a.c", "-lm", "-o", "a"], &place);
+    assert_eq!(run("./a", &[], &place), "1\n".repeat(calls.len() + 1));
+}

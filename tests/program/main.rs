@@ -1,0 +1,14 @@
+//! Tests of the program as its users run it: command line, documents, schemas, pictures, formulas and generated code.
+
+mod cli;
+mod code;
+mod docs;
+mod endings;
+mod pictures;
+mod schemas;
+mod solve;
+mod spellings;
+mod steps;
+mod tradeoff;
+mod typesetting;
+mod units;

@@ -1,0 +1,11 @@
+//! Tests of the catalogue of rules and of what it derives: statements, reference values, inverses, verification.
+
+mod catalogue;
+mod chapter3;
+mod chapter3_values;
+mod inverse;
+mod products;
+mod rules;
+mod rules_values;
+mod statements;
+mod verification;

@@ -1,0 +1,7 @@
+//! Tests of scenes, named shapes, measured tips and reference data.
+
+mod random_scenes;
+mod reference;
+mod scene_extremes;
+mod scene_shapes;
+mod tips;

@@ -1,0 +1,3 @@
+//! Tests of `validate`: a solver's data beside the exact solution.
+
+mod validate;

@@ -1,0 +1,83 @@
+//! The stress on the axis against 50-digit values and against its laws.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use sneddon::contact::Contact;
+use sneddon::expr::Bindings;
+use sneddon::parse;
+use sneddon::transform::{Closure, Evaluator, Interpolation, Method, Profile, Solution, derive};
+use std::f64::consts::PI;
+
+fn solution(text: &str) -> Solution {
+    derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
+}
+
+fn contact(solution: &Solution, depth: Option<f64>) -> Contact<'_> {
+    Contact::new(Evaluator::new(solution, &Bindings::default(), Method::Auto, 1e-13).unwrap(), 1.0, depth, 1e-13)
+}
+
+/// Smooth edges, rims, kinks, tips with infinite curvature; z from 1e-9 to 1e5.
+#[test]
+fn stresses_have_their_reference_values() {
+    let table = include_str!("../oracle/axial.csv");
+    let (mut worst, mut count) = (0.0f64, 0);
+    for line in table.lines().skip(1) {
+        let [profile, a, d, z, stress] = line.split(';').collect::<Vec<_>>().try_into().unwrap();
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let solution = solution(profile);
+        let depth = (!d.is_empty()).then(|| number(d));
+        let found = contact(&solution, depth).axial_stress(number(z), number(a)).unwrap().unwrap().estimate;
+        let off = (found.value - number(stress)).abs();
+        assert!(off <= found.error, "{line}: {found:?} is off by {off:e}");
+        assert!(found.error <= 1e-12 * found.value.abs(), "{line}: {found:?}");
+        worst = worst.max(off / number(stress).abs());
+        count += 1;
+    }
+    assert_eq!(count, 196);
+    println!("largest relative error: {worst:e}");
+    assert!(worst < 2e-14, "{worst:e}");
+}
+
+/// Hertz: −p₀/(1 + z²/a²), from far below to far above the contact radius.
+#[test]
+fn hertz_is_closed() {
+    let solution = solution("r^2/4");
+    let contact = contact(&solution, None);
+    for step in -30..=30 {
+        let z = 10f64.powi(step);
+        let found = contact.axial_stress(z, 1.5).unwrap().unwrap().estimate;
+        let expected = -1.5 / PI / (1.0 + z * z / 2.25);
+        assert!((found.value - expected).abs() <= found.error.max(4.0 * f64::EPSILON * expected.abs()), "{z:e}: {found:?} {expected:?}");
+        assert!(found.error <= 1e-12 * expected.abs(), "{z:e}: {found:?}");
+    }
+}
+
+/// z = 0 gives −p(0), and nothing at a cone's apex; far away the contact is a point force, σ = −3F/(2π z²).
+#[test]
+fn both_ends_are_known() {
+    let (sphere, cone) = (solution("2-sqrt(4-r^2)"), solution("r/5"));
+    let contact = contact(&sphere, None);
+    let at_surface = contact.axial_stress(0.0, 1.0).unwrap().unwrap().estimate;
+    assert_eq!(at_surface.value, -contact.pressure(0.0, 1.0).unwrap().unwrap().estimate.value);
+    let far = contact.axial_stress(1e6, 1.0).unwrap().unwrap().estimate.value;
+    let point = -1.5 * contact.force(1.0).unwrap().estimate.value / PI / 1e12;
+    assert!((far / point - 1.0).abs() < 1e-11);
+    let pointed = Contact::new(Evaluator::new(&cone, &Bindings::default(), Method::Auto, 1e-13).unwrap(), 1.0, None, 1e-13);
+    assert!(pointed.axial_stress(0.0, 1.0).unwrap().unwrap_err().text().contains("apex"));
+    assert!(pointed.axial_stress(-1.0, 1.0).is_err() && pointed.axial_stress(f64::NAN, 1.0).is_err());
+}
+
+/// Closures and tables answer as the formula does.
+#[test]
+fn closures_and_tables_answer_too() {
+    let formula = solution("r^2/4");
+    let expected = contact(&formula, None).axial_stress(0.3, 1.0).unwrap().unwrap().estimate;
+    let closure = Contact::new(Closure::with_slope(|r| r * r / 4.0, |r| r / 2.0).profile().unwrap(), 1.0, None, 1e-12);
+    let r: Vec<f64> = (0..=64).map(|i| f64::from(i) / 32.0).collect();
+    let z: Vec<f64> = r.iter().map(|r| r * r / 4.0).collect();
+    let table = Contact::new(Profile::from_points(&r, &z, Interpolation::MonotoneCubic).unwrap(), 1.0, None, 1e-12);
+    for found in [closure.axial_stress(0.3, 1.0), table.axial_stress(0.3, 1.0)] {
+        let found = found.unwrap().unwrap().estimate;
+        assert!((found.value - expected.value).abs() <= found.error + expected.error, "{found:?} {expected:?}");
+        assert!(found.error < 1e-10);
+    }
+}

@@ -1,0 +1,178 @@
+//! Profiles given as Rust closures: values against 24 digits, laws, and what is refused.
+#![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, clippy::indexing_slicing)]
+
+use num_complex::Complex64;
+use sneddon::contact::Contact;
+use sneddon::transform::{Closure, Parity, Profile, Quantities, TransformError};
+use sneddon_checks::quantities::quantity;
+use sneddon_checks::rows::rows;
+use std::f64::consts::PI;
+
+/// The profiles of `oracle/closures.py`: f of a complex radius, f, f′ and f″ of a real one, and what is stated.
+struct Given {
+    name: &'static str,
+    complex: fn(Complex64) -> Complex64,
+    real: fn(f64) -> f64,
+    slope: fn(f64) -> f64,
+    second: fn(f64) -> f64,
+    stated: fn(Closure) -> Closure,
+}
+
+const GIVEN: [Given; 5] = [
+    Given {
+        name: "ln_cosh",
+        complex: |r| r.cosh().ln(),
+        // ln cosh r itself has no digits next to the axis.
+        real: |r| (2.0 * (0.5 * r).sinh().powi(2)).ln_1p(),
+        slope: f64::tanh,
+        second: |r| r.cosh().powi(-2),
+        stated: |own| own.parity(Parity::Even),
+    },
+    Given {
+        name: "saturating",
+        complex: |r| r * r / (r + 1.0),
+        real: |r| r * r / (r + 1.0),
+        slope: |r| r * (2.0 + r) / (1.0 + r).powi(2),
+        second: |r| 2.0 / (1.0 + r).powi(3),
+        stated: |own| own,
+    },
+    Given {
+        name: "sphere",
+        complex: |r| r * r / (((2.0 - r) * (2.0 + r)).sqrt() + 2.0),
+        real: |r| r * r / (2.0 + ((2.0 - r) * (2.0 + r)).sqrt()),
+        slope: |r| r / ((2.0 - r) * (2.0 + r)).sqrt(),
+        second: |r| 4.0 / ((2.0 - r) * (2.0 + r)).powf(1.5),
+        stated: |own| own.limit(2.0),
+    },
+    Given {
+        name: "steep",
+        complex: |r| r * r.sqrt() + (r * r * r).sin(),
+        real: |r| r * r.sqrt() + (r * r * r).sin(),
+        slope: |r| 1.5 * r.sqrt() + 3.0 * r * r * (r * r * r).cos(),
+        second: |r| 0.75 / r.sqrt() + 6.0 * r * (r * r * r).cos() - 9.0 * r.powi(4) * (r * r * r).sin(),
+        stated: |own| own.leading_exponent(1.5).ulps(16.0),
+    },
+    Given {
+        name: "kinked",
+        complex: |r| {
+            if r.re < 0.5 { r * r * 0.5 } else { (r - 0.5) * 1.25 + (1.0 - (r * 3.0 - 1.5).cos()) / 12.0 + 0.125 }
+        },
+        real: |r| if r < 0.5 { 0.5 * r * r } else { 0.125 + 1.25 * (r - 0.5) + (1.0 - (3.0 * r - 1.5).cos()) / 12.0 },
+        slope: |r| if r < 0.5 { r } else { 1.25 + 0.25 * (3.0 * r - 1.5).sin() },
+        second: |r| if r < 0.5 { 1.0 } else { 0.75 * (3.0 * r - 1.5).cos() },
+        stated: |own| own.breakpoints([0.5]),
+    },
+];
+
+/// How a closure is given, and the relative errors that g, F, G, u and that p may have.
+type Kind = (&'static str, fn(&Given) -> Closure, f64, f64);
+
+const KINDS: [Kind; 4] = [
+    ("f, f′ and f″", |own| Closure::with_slopes(own.real, own.slope, own.second), 1e-12, 5e-12),
+    ("f and f′", |own| Closure::with_slope(own.real, own.slope), 1e-12, 5e-12),
+    ("complex f", |own| Closure::complex(own.complex), 1e-12, 5e-12),
+    ("f alone", |own| Closure::real(own.real), 4e-12, 3e-10),
+];
+
+#[test]
+fn values_are_right_and_their_errors_honest() {
+    let text = include_str!("../oracle/closures.csv");
+    let show = std::env::var_os("SHOW").is_some();
+    for (kind, make, limit, limit_of_pressure) in KINDS {
+        for given in &GIVEN {
+            let own = (given.stated)(make(given)).profile().unwrap();
+            let (mut worst, mut worst_pressure) = (0.0f64, 0.0f64);
+            for row in rows(text).iter().filter(|row| row[0] == given.name) {
+                let (r, a, truth): (f64, f64, f64) = (row[2].parse().unwrap(), row[3].parse().unwrap(), row[4].parse().unwrap());
+                let found = quantity(&own, row[1], r, a);
+                let error = (found.value - truth).abs();
+                let at = format!("{kind}: {} {} at {r:?}, {a:?}: {found:?}, truth {truth:?}, off by {error:e}", given.name, row[1]);
+                assert!(error <= found.error, "dishonest: {at}");
+                let worst = if row[1] == "p" { &mut worst_pressure } else { &mut worst };
+                *worst = worst.max(found.error / truth.abs());
+                assert!(found.error <= if row[1] == "p" { limit_of_pressure } else { limit } * truth.abs(), "{at}");
+            }
+            if show {
+                println!("{kind}: {} promises {worst:.1e}, pressure {worst_pressure:.1e}", given.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn laws_hold_for_a_closure_without_closed_form() {
+    let tip = Profile::from_fn(|r| r.cosh().ln()).profile().unwrap();
+    let contact = Contact::new(tip, 1.0, None, 1e-12);
+    let a = 1.3;
+    let (d, force) = (contact.depth(a).unwrap().estimate, contact.force(a).unwrap().estimate);
+    let whole = contact.integral(a).unwrap().estimate;
+    assert!((force.value - 2.0 * (a * d.value - whole.value)).abs() <= 1e-12 * force.value);
+    let radius = contact.contact_radius(d.value).unwrap().estimate;
+    assert!((radius.value - a).abs() <= radius.error.max(1e-12));
+    // dU/dd = F under a rim, U = E* ∫ (d − g)² dx.
+    let energy = |depth: f64| {
+        let tip = Profile::from_fn(|r| r.cosh().ln()).profile().unwrap();
+        Contact::new(tip, 1.0, Some(depth), 1e-12).energy(a).unwrap().estimate.value
+    };
+    let slope = (energy(d.value + 1e-3) - energy(d.value - 1e-3)) / 2e-3;
+    assert!((slope - force.value).abs() <= 1e-9 * force.value, "{slope} {force:?}");
+    // u = d − f inside.
+    let u = contact.displacement(0.5, a).unwrap().estimate;
+    assert!((u.value - (d.value - 0.5f64.cosh().ln())).abs() <= u.error + 1e-15);
+}
+
+/// A statement that f is even saves values of it, of the pressure too, and where it is wrong it costs values only.
+#[test]
+fn even_closures_take_fewer_values() {
+    let (a, s) = (2.5, 1.1);
+    let plain = || Closure::with_slope(|r| (2.0 * (0.5 * r).sinh().powi(2)).ln_1p(), f64::tanh);
+    let found = |own: Closure| {
+        let own = own.profile().unwrap();
+        [own.slope(a), own.force(a), own.integral(a), own.pressure(s, a).map(Option::unwrap)].map(|own| own.unwrap().estimate)
+    };
+    let (told, untold) = (found(plain().parity(Parity::Even)), found(plain()));
+    for (one, other) in told.iter().zip(&untold) {
+        assert!((one.value - other.value).abs() <= one.error + other.error, "{one:?} {other:?}");
+        assert!(one.evaluations < other.evaluations, "{one:?} {other:?}");
+    }
+    let [.., one, other] = told.map(|own| own.error / own.value);
+    assert!(one < 1e-12 && other < 1e-12, "{told:?}");
+    // A cone is not even: g = πx/2, πp/E* = (π/2) arcosh(a/s).
+    let [g, .., p] = found(Closure::with_slope(|r| r, |_| 1.0).parity(Parity::Even));
+    assert!((g.value - 0.5 * PI * a).abs() <= g.error && (p.value - 0.5 * PI * (a / s).acosh()).abs() <= p.error, "{g:?} {p:?}");
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_its_radius() {
+    let stated = |own: Closure| own.profile().err().unwrap();
+    let hertz = || Closure::with_slope(|r| 0.5 * r * r, |r| r);
+    assert!(matches!(stated(hertz().breakpoints([1.0, 0.5])), TransformError::Statement { got: 0.5, .. }));
+    assert!(matches!(stated(hertz().breakpoints([f64::NAN])), TransformError::Statement { .. }));
+    assert!(matches!(stated(hertz().limit(0.0)), TransformError::Statement { .. }));
+    assert!(matches!(stated(hertz().leading_exponent(-1.0)), TransformError::Statement { .. }));
+    assert!(matches!(stated(Closure::complex(|r| r.asin()).limit(0.9)), TransformError::NotAnalytic { .. }));
+    assert!(matches!(stated(Closure::complex(|r| Complex64::new(r.norm_sqr(), 0.0))), TransformError::NotAnalytic { .. }));
+    let jump = Closure::real(|r| if r < 1.0 { r * r } else { r * r + 0.1 }).breakpoints([1.0]);
+    assert!(matches!(stated(jump), TransformError::Jump { .. }));
+    // Beyond r = 3 the root is NaN, which was not stated.
+    let own = Closure::with_slope(|r| 3.0 - (9.0 - r * r).sqrt(), |r| r / (9.0 - r * r).sqrt()).profile().unwrap();
+    assert!(own.slope(2.5).is_ok());
+    match own.slope(5.0) {
+        Err(TransformError::Undefined { radius }) => assert!((3.0..=5.0).contains(&radius), "{radius}"),
+        other => panic!("{other:?}"),
+    }
+    let own = hertz().limit(2.0).profile().unwrap();
+    assert!(matches!(own.slope(2.0), Err(TransformError::OutOfDomain { .. })));
+    assert!(own.slope(f64::NAN).is_err() && own.force(-1.0).is_err() && own.displacement(0.5, 1.0).is_err());
+    // A kink that is not told hides a point mass from f″.
+    let own = Closure::real(|r| if r < 0.3 { 0.0 } else { r - 0.3 }).profile().unwrap();
+    match own.pressure(0.25, 1.0) {
+        Err(TransformError::Seam { radius }) => assert!((radius - 0.3).abs() < 1e-9, "{radius}"),
+        other => panic!("{other:?}"),
+    }
+    let told = Closure::real(|r| if r < 0.3 { 0.0 } else { r - 0.3 }).breakpoints([0.3]).profile().unwrap();
+    let p = told.pressure(0.25, 1.0).unwrap().unwrap().estimate;
+    let by_quadrature = Closure::with_slopes(|r| (r - 0.3f64).max(0.0), |r| f64::from(u8::from(r >= 0.3)), |_| 0.0);
+    let other = by_quadrature.breakpoints([0.3]).profile().unwrap().pressure(0.25, 1.0).unwrap().unwrap().estimate;
+    assert!((p.value - other.value).abs() <= p.error + other.error && p.error < 1e-9, "{p:?} {other:?}");
+}

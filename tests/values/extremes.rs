@@ -1,0 +1,35 @@
+//! Every rule in the corners of its domain: within 16·max(1, condition number) ulp, within its own estimate, or refused with a reason.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use sneddon::transform::rules::RULES;
+use sneddon_checks::stability::{Outcome, cells};
+use sneddon_checks::stability_page::{page, skeleton};
+use std::collections::BTreeSet;
+
+const REFERENCES: &str = include_str!("../oracle/extremes.csv");
+
+/// Refusals of numbers that a double could hold; fewer is better.
+const REFUSED: usize = 174;
+
+#[test]
+fn corners_keep_their_digits() {
+    let found = cells(REFERENCES);
+    let faults: Vec<String> = found.iter().filter_map(|cell| cell.fault()).collect();
+    let refused: Vec<String> =
+        found.iter().filter(|cell| matches!(cell.outcome, Outcome::Refused(_))).map(|cell| format!("{cell:?}")).collect();
+    let seen: BTreeSet<&str> = found.iter().map(|cell| cell.rule.as_str()).collect();
+    let without: Vec<&str> = RULES.iter().map(|rule| rule.id).filter(|id| !seen.contains(id)).collect();
+    assert!(without.is_empty(), "run tests/oracle/extremes.py for {}", without.join(", "));
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+    assert!(refused.len() <= REFUSED, "{} refusals:\n{}", refused.len(), refused.join("\n"));
+}
+
+#[test]
+fn the_document_is_the_programs() {
+    let written = include_str!("../../docs/stability.md").split("\n## Random scenes").next().unwrap();
+    let (own, written) = (skeleton(&page(&cells(REFERENCES))), skeleton(written));
+    for (own, written) in own.iter().zip(&written) {
+        assert_eq!(own, written, "run `cargo run --release -p sneddon-runs --bin stability > docs/stability.md`");
+    }
+    assert_eq!(own.len(), written.len());
+}

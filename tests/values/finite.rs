@@ -1,0 +1,83 @@
+//! Finite values of profiles that are 0/0, inf/inf or infinitely curved somewhere in double precision, against values of 30 digits.
+//!
+//! `tests/oracle/finite.py` has the profiles and their references.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use sneddon::contact::Contact;
+use sneddon::expr::{Bindings, Expr, Number};
+use sneddon::parse;
+use sneddon::transform::{Check, Evaluator, Method, Profile, Verdict, check, derive};
+use sneddon_checks::decimal::Decimal;
+
+/// The largest relative error of a number.
+const LARGEST: f64 = 2e-12;
+
+fn exact(text: &str) -> Expr {
+    Expr::number(Number::from_f64(text.parse().unwrap()).unwrap())
+}
+
+fn profile(text: &str, parameters: &str) -> Profile {
+    let pairs = parameters.split_whitespace().map(|own| own.split_once('=').unwrap());
+    let values: Bindings = pairs.map(|(name, value)| (name, exact(value))).collect();
+    Profile::new(&parse::profile(text).unwrap().substitute(&values)).unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+#[test]
+fn what_is_finite_is_answered_within_its_bound() {
+    let (mut faults, mut count, mut worst) = (Vec::new(), 0, 0.0f64);
+    for line in include_str!("../oracle/finite.csv").lines().filter(|line| !line.starts_with('#')) {
+        let [text, parameters, quantity, radius, at, truth] = line.split(';').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        let solution = derive(&profile(text, parameters)).unwrap();
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+        let contact = Contact::new(evaluator, 1.0, None, 1e-12);
+        let at: f64 = at.parse().unwrap();
+        let found = match quantity {
+            "g" => contact.evaluator().slope(at).map_err(|error| error.to_string()),
+            "F" => contact.force(at).map_err(|error| error.to_string()),
+            _ => contact.pressure(at, radius.parse().unwrap()).map(|own| own.unwrap()).map_err(|error| error.to_string()),
+        };
+        let truth = Decimal::read(truth);
+        count += 1;
+        match found {
+            Ok(found) => {
+                let (error, relative) = (truth.distance(found.estimate.value), truth.relative(found.estimate.value));
+                worst = worst.max(if error > f64::MIN_POSITIVE { relative } else { 0.0 });
+                // What lies below the smallest doubles is 0 within them.
+                if error > found.estimate.error || (relative > LARGEST && error > f64::MIN_POSITIVE) {
+                    faults.push(format!("{text} ({parameters}), {quantity} at {at}: {found:?}, {error:e}"));
+                }
+            }
+            Err(error) => faults.push(format!("{text} ({parameters}), {quantity} at {at}: {error}")),
+        }
+    }
+    println!("{count} values, the largest relative error {worst:.1e}");
+    assert!(count >= 150, "the table is too short");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn removable_places_with_symbols_fail_no_check() {
+    for text in ["sin(k*r)/(k*r)", "r/tanh(r/w)", "(1-exp(-r/w))/r", "sin(k*r)^2/r", "r/(exp(r/w)-1)", "r^2/(2*R)+(1-cos(k*r))/r"] {
+        let Check { verdict, why, .. } = check(&derive(&profile(text, "")).unwrap()).unwrap();
+        assert!(verdict != Verdict::Failed && (verdict == Verdict::Passed || why.is_some()), "{text}: {verdict:?}");
+    }
+}
+
+/// g of a sum of |u| by pieces that are typed: the kinks are known, and located as well.
+#[test]
+fn kinks_without_end_are_located_as_far_as_they_are_needed() {
+    let slope = |text: &str, x: f64| {
+        let solution = derive(&profile(text, "")).unwrap();
+        Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(x).map(|own| own.estimate)
+    };
+    // 1/2 − cos 2r changes its sign at π/6, 5π/6, 7π/6, …
+    let pieces = "piecewise(1/2-cos(2*r)-2*(1/2-cos(2*r)),r<pi/6,1/2-cos(2*r),r<5*pi/6,-(1/2-cos(2*r)),r<7*pi/6,1/2-cos(2*r))";
+    for x in [0.5, 1.0, 2.0, 3.5, 4.0] {
+        let (found, typed) = (slope("abs(1-cos(r/0.5)-0.5)", x).unwrap(), slope(pieces, x).unwrap());
+        assert!((found.value - typed.value).abs() <= found.error + typed.error && found.error < 1e-11, "{x}: {found:?} {typed:?}");
+    }
+    assert!(slope("abs(sin(r))", 1e4).is_err() && slope("abs(sin(r))", 60.0).is_ok());
+    for text in ["min(r^1.3,1-exp(-(0.5*r)))", "abs(2.34*((1-cos(2*r))/r)-0.149)", "abs(sin(r)^2/(3/4)-0.19)"] {
+        assert!(slope(text, 1.9).is_ok(), "{text}");
+    }
+}

@@ -1,0 +1,21 @@
+//! Tests of numbers and their error bounds: closed forms, quadrature, series, slices, curves, closures and tables.
+
+mod axial_stress;
+mod blocks;
+mod closures;
+mod curve;
+mod estimates;
+mod extremes;
+mod features;
+mod finite;
+mod honesty;
+mod quadrature_counts;
+mod random_profiles;
+mod second;
+mod series;
+mod singular;
+mod slices;
+mod slope_angles;
+mod tables;
+mod typed;
+mod typed_quadrature;

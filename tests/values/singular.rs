@@ -1,0 +1,85 @@
+//! Pressures at the axis and at joints: finite where theory says so, against 25-digit values, and infinite elsewhere.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use sneddon::contact::{Contact, Reason};
+use sneddon::expr::Bindings;
+use sneddon::parse;
+use sneddon::transform::{Evaluator, Method, Profile, Solution, TransformError, derive};
+
+fn solution(text: &str) -> Solution {
+    derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
+}
+
+fn contact(solution: &Solution, method: Method) -> Contact<'_> {
+    Contact::new(Evaluator::new(solution, &Bindings::default(), method, 1e-13).unwrap(), 1.0, None, 1e-13)
+}
+
+/// Cones that cancel, and tangential joints.
+#[test]
+fn finite_pressures_have_their_reference_values() {
+    let (mut worst, mut count) = (0.0f64, 0);
+    for line in include_str!("../oracle/apex.csv").lines().skip(1) {
+        let [profile, a, r, pressure] = line.split(';').collect::<Vec<_>>().try_into().unwrap();
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let solution = solution(profile);
+        for method in [Method::Auto, Method::Quadrature] {
+            let contact = contact(&solution, method);
+            let found = contact.pressure(number(r), number(a)).unwrap().unwrap().estimate;
+            let off = (found.value - number(pressure)).abs();
+            assert!(off <= found.error, "{line}: {found:?} is off by {off:e}");
+            assert!(found.error <= 1e-12 * found.value.abs(), "{line}: {found:?}");
+            worst = worst.max(off / number(pressure).abs());
+            count += 1;
+            if number(r) == 0.0 {
+                let stress = contact.axial_stress(0.0, number(a)).unwrap().unwrap().estimate;
+                assert_eq!(stress.value, -found.value, "{line}");
+            }
+        }
+    }
+    assert_eq!(count, 112);
+    assert!(worst < 4e-14, "{worst:e}");
+}
+
+/// f ~ r^n has a finite p(0) for every n > 1, and for no other; a jump of f′ makes p infinite, a change of its slope does not.
+#[test]
+fn theory_decides_what_is_infinite() {
+    let at = |text: &str, r: f64| contact(&solution(text), Method::Auto).pressure(r, 1.5).unwrap().map(|own| own.estimate.value);
+    for text in ["r", "r^(1/2)", "r^(9/10)", "-r*ln(r)", "r+r^2*ln(1+r)", "exp(r)-1", "sin(r)", "r-r^2/(1+r)", "abs(r-1)^3", "ln(1+r)+r^3"]
+    {
+        assert_eq!(at(text, 0.0), Err(Reason::Apex), "{text}");
+    }
+    for text in ["r^(1001/1000)", "r^2*ln(r)", "ln(1+r)-r", "1-cos(r)", "sqrt(1+r)-1-r/2", "max(0,r-1)^2"] {
+        assert!(at(text, 0.0).is_ok_and(f64::is_finite), "{text}");
+    }
+    for text in ["max(0,r-1)", "piecewise(r^2,r<1,3*r-2)", "abs(r-1)", "piecewise(0,r<1,sqrt(r-1))", "max(0,r^2-1)"] {
+        assert_eq!(at(text, 1.0), Err(Reason::Kink), "{text}");
+    }
+    for text in ["piecewise(r^2,r<1,2*r-1)", "abs(r-1)^3", "max(0,r-1)^2"] {
+        assert!(at(text, 1.0).is_ok_and(f64::is_finite), "{text}");
+    }
+}
+
+/// The Evaluator refuses what is no place, and answers at once.
+#[test]
+fn places_and_tolerances_are_validated() {
+    let solution = solution("r^2/2+r");
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let refused = |found: Result<(), TransformError>| assert!(matches!(found, Err(TransformError::Statement { .. })), "{found:?}");
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -f64::MIN_POSITIVE] {
+        refused(evaluator.height(bad).map(|_| ()));
+        refused(evaluator.slope(bad).map(|_| ()));
+        refused(evaluator.force(bad).map(|_| ()));
+        refused(evaluator.integral(bad).map(|_| ()));
+        refused(evaluator.pressure(0.5, bad).map(|_| ()));
+        refused(evaluator.pressure(bad, 0.5).map(|_| ()));
+        refused(evaluator.displacement(bad, 0.5).map(|_| ()));
+        refused(evaluator.displacement(2.0, bad).map(|_| ()));
+        refused(evaluator.axial(bad, 0.5).map(|_| ()));
+        refused(evaluator.axial(0.5, bad).map(|_| ()));
+    }
+    refused(evaluator.axial(0.0, 1.0).map(|_| ()));
+    refused(evaluator.displacement(0.5, 1.0).map(|_| ()));
+    for bad in [f64::NAN, 0.0, 1.0, -1e-13, f64::INFINITY] {
+        refused(Evaluator::new(&solution, &Bindings::default(), Method::Auto, bad).map(|_| ()));
+    }
+}
