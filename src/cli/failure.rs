@@ -9,7 +9,7 @@ use std::ops::Range;
 
 /// Why a command did not do its work; the exit code is 2, or 1 where its budget did not suffice.
 #[derive(Debug)]
-pub(super) struct Failure {
+pub struct Failure {
     message: String,
     help: Option<String>,
     place: Option<Place>,

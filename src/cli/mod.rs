@@ -30,6 +30,13 @@ use clap::{Parser, Subcommand};
 use failure::Failure;
 use std::process::ExitCode;
 
+/// Private parts that tests in `tests/` look at; not part of the interface.
+#[doc(hidden)]
+pub mod inner {
+    pub use super::points::read;
+    pub use super::units::Units;
+}
+
 /// Contact mechanics from the shape of an indenter: formulas and numbers.
 ///
 /// A profile is an expression for the shape f(r), such as r^2/(2*R); other names than r are positive parameters.

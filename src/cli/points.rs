@@ -9,7 +9,7 @@ const MOST: usize = 1_000_000;
 const ACCEPTED: &str = "numbers such as 0.1,0.5, a range start:stop:count, or log:start:stop:count would be accepted";
 
 /// Reads LIST; every point is a finite length that is not negative.
-pub(super) fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
+pub fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
     if list.trim().is_empty() {
         return Err(Failure::new("--at is empty").help(ACCEPTED));
     }
@@ -62,47 +62,4 @@ fn range(count: usize, at: impl Fn(f64) -> f64, first: f64, last: f64, points: &
         index if index + 1 == count => last,
         index => at(index as f64 / (count - 1) as f64),
     }));
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Failure, Units, read};
-
-    fn bare(list: &str) -> Result<Vec<f64>, Failure> {
-        read(list, &Units::of(&[], &[], None))
-    }
-
-    #[test]
-    fn lists_and_ranges() {
-        assert_eq!(bare("0.1, 3/2,1e-6").unwrap(), [0.1, 1.5, 1e-6]);
-        assert_eq!(bare("0:1:5").unwrap(), [0.0, 0.25, 0.5, 0.75, 1.0]);
-        assert_eq!(bare("2:1:1").unwrap(), [2.0]);
-        let log = bare("log:0.01:100:5").unwrap();
-        assert_eq!((log[0], log[4], log.len()), (0.01, 100.0, 5));
-        assert!((log[2] - 1.0).abs() < 1e-15);
-    }
-
-    #[test]
-    fn what_is_no_list() {
-        for text in [
-            "",
-            " ",
-            ",",
-            "1,",
-            "-1",
-            "nan",
-            "inf",
-            "1e999",
-            "1:2",
-            "1:2:0",
-            "1:2:-3",
-            "1:2:1e9",
-            "log:0:1:5",
-            "1:2:3:4",
-            "0:1:10000001",
-            "2,0:-1:3",
-        ] {
-            assert!(bare(text).is_err(), "{text}");
-        }
-    }
 }

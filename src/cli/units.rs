@@ -8,11 +8,11 @@ use crate::parse;
 use crate::scene::{Counting, Dimension, Quantity, SceneError};
 
 /// The units of one call: that of its first length, and that of its modulus; none where all numbers are bare.
-pub(super) struct Units(Counting);
+pub struct Units(Counting);
 
 impl Units {
     /// The units of the values that are set, of other lengths and lists of them, and of the modulus.
-    pub(super) fn of(set: &[String], lengths: &[Option<&str>], modulus: Option<&str>) -> Self {
+    pub fn of(set: &[String], lengths: &[Option<&str>], modulus: Option<&str>) -> Self {
         let set = set.iter().filter_map(|item| item.split_once('=')).map(|(_, value)| value);
         let others = lengths.iter().flatten().flat_map(|text| text.split([',', ':']));
         Self(Counting::of(set.chain(others), modulus))

@@ -21,3 +21,9 @@ pub use target::{Language, write};
 
 /// The stable forms.
 const FORMS: &str = include_str!("forms.txt");
+
+/// Private parts that tests in `tests/` look at; not part of the interface.
+#[doc(hidden)]
+pub mod inner {
+    pub use super::names::identifiers;
+}

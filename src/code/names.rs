@@ -11,7 +11,7 @@ const LONGEST: usize = 48;
 ///
 /// `reserved` knows the words of the language; `taken` are names that the program itself uses. A language that ignores case
 /// compares in lower case.
-pub(super) fn identifiers(symbols: &[Symbol], ignores_case: bool, reserved: &dyn Fn(&str) -> bool, taken: &[String]) -> Names {
+pub fn identifiers(symbols: &[Symbol], ignores_case: bool, reserved: &dyn Fn(&str) -> bool, taken: &[String]) -> Names {
     let key = |name: &str| if ignores_case { name.to_lowercase() } else { name.to_owned() };
     let mut used: BTreeSet<String> = taken.iter().map(|own| key(own)).collect();
     let mut names = Names::new();
@@ -45,21 +45,4 @@ fn spelled(name: &str) -> String {
         }
     }
     if text.starts_with(|c: char| c.is_ascii_alphabetic()) { text } else { format!("p{text}") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_name_is_an_identifier_and_no_two_are_equal() {
-        let symbols: Vec<Symbol> = ["R", "r_", "int", "t1", "_x", "é\n*/", "A", "a_0", "A_0"].map(Symbol::new).to_vec();
-        let names = identifiers(&symbols, true, &|word| word == "int", &["r".to_owned(), "a".to_owned()]);
-        let all: BTreeSet<String> = names.values().map(|own| own.to_lowercase()).collect();
-        assert_eq!(all.len(), symbols.len());
-        assert_eq!((names["R"].as_str(), names["int"].as_str(), names["t1"].as_str()), ("R_", "int_", "t1_"));
-        let is_word =
-            |own: &str| own.starts_with(|c: char| c.is_ascii_alphabetic()) && own.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-        assert!(names.values().all(|own| is_word(own)), "{names:?}");
-    }
 }

@@ -21,3 +21,9 @@ pub use series::{Series, SeriesError, power_series};
 pub use tape::Tape;
 pub use third::WideAlgebra;
 pub use walk::{constant_value, first_double_from, precise_value, walk};
+
+/// Private parts that tests in `tests/` look at; not part of the interface.
+#[doc(hidden)]
+pub mod inner {
+    pub use super::blocks::bounded::above_inverse;
+}

@@ -85,31 +85,3 @@ const LATIN_LOOKING: [(&str, &str); 14] = [
     ("Tau", "\\mathrm{T}"),
     ("Chi", "\\mathrm{X}"),
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_set_as_an_author_sets_them() {
-        for (name, latex) in [
-            ("r", "r"),
-            ("E", "E^{*}"),
-            ("E_0", "E_{0}"),
-            ("theta", "\\theta"),
-            ("theta_0", "\\theta_{0}"),
-            ("c_1", "c_{1}"),
-            ("c12", "c_{12}"),
-            ("R_tip", "R_{\\mathrm{tip}}"),
-            ("R_t", "R_{t}"),
-            ("R_theta", "R_{\\theta}"),
-            ("R_tip_1", "R_{\\mathrm{tip},1}"),
-            ("width", "\\mathrm{width}"),
-            ("Deltah", "\\Delta h"),
-            ("R_", "R"),
-            ("Alpha", "\\mathrm{A}"),
-        ] {
-            assert_eq!(symbol(name), latex, "{name}");
-        }
-    }
-}

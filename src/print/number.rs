@@ -52,29 +52,3 @@ fn decimal_places(denominator: BigInt) -> u32 {
     }
     u32::try_from(twos).unwrap_or(u32::MAX).max(fives)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_keep_the_look_they_were_typed_with() {
-        for (typed, mantissa, exponent) in [
-            ("0.7", "0.7", None),
-            ("12.50", "12.5", None),
-            ("0.001", "0.001", None),
-            ("0.0001", "0.0001", None),
-            ("1e-5", "1", Some(-5)),
-            ("1e-6", "1", Some(-6)),
-            ("2.5e-7", "2.5", Some(-7)),
-            ("123", "123", None),
-            ("1000000", "1000000", None),
-            ("1e20", "1", Some(20)),
-            ("1.5e20", "1.5", Some(20)),
-            ("0", "0", None),
-        ] {
-            let written = digits(&Number::parse_decimal(typed).unwrap());
-            assert_eq!((written.mantissa.as_str(), written.exponent), (mantissa, exponent), "{typed}");
-        }
-    }
-}

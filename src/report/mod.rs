@@ -47,3 +47,11 @@ pub use solved::{ASSUMPTIONS, Verdict};
 pub use statement::Statement;
 #[cfg(feature = "cli")]
 pub use tradeoff::Tradeoff;
+
+/// Private parts that tests in `tests/` look at; not part of the interface.
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub mod inner {
+    pub use super::npy::{checksum, header};
+    pub use super::picture::axis::Axis;
+}

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 /// The head of an array: magic, length, and a Python literal that is padded to 64 bytes and ends with a line feed.
-pub(super) fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
+pub fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
     const BEFORE: usize = 10;
     let shape: String = shape.iter().map(|own| format!("{own}, ")).collect();
     let mut text = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({shape}), }}");
@@ -99,7 +99,7 @@ fn position(bytes: usize) -> io::Result<u32> {
 }
 
 /// The cyclic redundancy check of ZIP: the reflected polynomial 0xEDB88320.
-fn checksum(bytes: &[u8]) -> u32 {
+pub fn checksum(bytes: &[u8]) -> u32 {
     const TABLE: [u32; 256] = {
         let mut table = [0; 256];
         let mut index = 0;
@@ -118,25 +118,4 @@ fn checksum(bytes: &[u8]) -> u32 {
         let index = (sum as u8 ^ byte) as usize;
         (sum >> 8) ^ TABLE.get(index).copied().unwrap_or_default()
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The check value that the catalogue of parametrised CRC algorithms states for CRC-32/ISO-HDLC.
-    #[test]
-    fn the_checksum_is_that_of_zip() {
-        assert_eq!(checksum(b"123456789"), 0xCBF4_3926);
-        assert_eq!(checksum(b""), 0);
-    }
-
-    #[test]
-    fn headers_are_aligned() {
-        for shape in [&[][..], &[3], &[2, 5, 7]] {
-            let bytes = header("<f8", shape);
-            assert_eq!(bytes.len() % 64, 0);
-            assert_eq!(bytes.last(), Some(&b'\n'));
-        }
-    }
 }

@@ -46,3 +46,10 @@ pub use shape::{Parameter, SHAPES, Shape, Way, known_shape, shape};
 pub use system::{Names, System};
 pub use template::template;
 pub use unit::Unit;
+
+/// Private parts that tests in `tests/` look at; not part of the interface.
+#[doc(hidden)]
+pub mod inner {
+    pub use super::measured::columns::sheet;
+    pub use super::measured::header::parts;
+}

@@ -5,7 +5,7 @@ use crate::expr::{Bindings, Expr, Node, Sign, Symbol, normal, sign};
 
 /// The growth of f′ towards an end, in rising order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Growth {
+pub enum Growth {
     /// f′ has a limit there.
     Bounded,
     /// f′ is infinite, but g is continuous: a logarithm, or a power of the distance above −1/2.
@@ -17,7 +17,7 @@ pub(super) enum Growth {
 }
 
 /// The largest growth of f′ towards the ends of its piece, the axis left out.
-pub(super) fn growth(slope: &Expr, segment: &Segment) -> Growth {
+pub fn growth(slope: &Expr, segment: &Segment) -> Growth {
     let ends = [Some(&segment.lower), segment.upper.as_ref()].into_iter().flatten().filter(|end| !end.is_zero());
     ends.map(|end| towards(slope, &Bindings::one("r", end.clone()))).max().unwrap_or(Growth::Bounded)
 }
@@ -50,27 +50,5 @@ fn towards(expr: &Expr, place: &Bindings) -> Growth {
             };
             if singular { inner.max(Growth::Gentle) } else { inner }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn powers_of_the_distance_are_told_apart() {
-        let (r, b, c) = (Expr::symbol("r"), Expr::symbol("b"), Expr::symbol("c"));
-        let segment = Segment { lower: b.clone(), upper: Some(c.clone()) };
-        let of = |slope: &Expr| growth(slope, &segment);
-        let distance = r.power(2) - b.power(2);
-        assert_eq!(of(&(&r * distance.sqrt())), Growth::Bounded);
-        assert_eq!(of(&(&r * distance.pow(&Expr::ratio(-1, 3)))), Growth::Gentle);
-        assert_eq!(of(&(&r / distance.sqrt())), Growth::Steep);
-        // The upper end counts as well, and a symbolic exponent proves nothing.
-        assert_eq!(of(&(&r / (c.power(2) - r.power(2)).sqrt())), Growth::Steep);
-        assert_eq!(of(&(&r - &b).pow(&(Expr::symbol("n") - Expr::one()))), Growth::Unproven);
-        assert_eq!(of(&Expr::call("ln", [Expr::one() - &r / &c])), Growth::Gentle);
-        // At the axis nothing is cut.
-        assert_eq!(growth(&r.pow(&Expr::ratio(-1, 2)), &Segment::whole()), Growth::Bounded);
     }
 }

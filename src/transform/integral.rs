@@ -21,8 +21,9 @@ pub struct NumericProfile {
 }
 
 /// One interval [lower, upper) with f′(lower + δ).
-pub(super) struct NumericSegment {
-    pub(super) lower: Bounded,
+pub struct NumericSegment {
+    /// Where it begins.
+    pub lower: Bounded,
     pub(super) upper: Option<Bounded>,
     /// f′ over δ.
     pub(super) slope: Numbers,
@@ -57,7 +58,7 @@ pub(super) struct NumericSegment {
 
 /// What multiplies f′ under the integral over t, r = x sin t.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Weight {
+pub enum Weight {
     /// 1: g(x) = x ∫ f′ dt.
     Slope,
     /// r²: F(a)/(2E*) = ∫ r² f′ dt.

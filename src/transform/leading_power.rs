@@ -8,9 +8,9 @@ use crate::num::Region;
 ///
 /// Every logarithm of δ is δ^(−1/4) λ with λ = δ^(1/4) ln δ, which is bounded: it takes a quarter from s.
 #[derive(Debug)]
-pub(super) struct LeadingPower {
+pub struct LeadingPower {
     /// s.
-    pub(super) exponent: f64,
+    pub exponent: f64,
     /// h over δ and λ for enclosures.
     rest: Tape,
 }
@@ -22,7 +22,7 @@ const QUARTER: f64 = 0.25;
 
 impl LeadingPower {
     /// Of a function of `delta`; `None` where it does not begin so.
-    pub(super) fn of(function: &Expr, delta: &Symbol) -> Option<Self> {
+    pub fn of(function: &Expr, delta: &Symbol) -> Option<Self> {
         let (variable, bounded) = (Expr::from(delta.clone()), Symbol::new("λ"));
         let mut parts = Vec::new();
         for term in normal::normal_terms(function, delta).ok()? {
@@ -48,7 +48,7 @@ impl LeadingPower {
     }
 
     /// A bound on |h| for real δ from 0 to the largest in a region; infinite where none is known.
-    pub(super) fn rest_over(&self, delta: Region, slots: &mut Vec<Region>) -> f64 {
+    pub fn rest_over(&self, delta: Region, slots: &mut Vec<Region>) -> f64 {
         let most = delta.largest();
         let end = most.powf(QUARTER) * most.ln();
         // λ falls to −4/e at δ = e^−4 and rises from there.
@@ -68,26 +68,4 @@ fn logarithm(expr: &Expr, delta: &Symbol) -> Option<(Expr, Expr)> {
     let constant = Expr::product(constants);
     (base.as_symbol() == Some(delta) && !k.contains(delta) && sign(&constant) == Sign::Positive)
         .then(|| (if constant.is_one() { Expr::zero() } else { Expr::call("ln", [constant]) }, k))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn logarithms_take_a_quarter() {
-        let (delta, r) = (Symbol::new("δ"), Expr::symbol("δ"));
-        let slope = &r * Expr::call("ln", [Expr::integer(3) * &r]) + r.power(2);
-        let own = LeadingPower::of(&slope, &delta).unwrap();
-        assert_eq!(own.exponent, 0.75);
-        for most in [1e-12, 1e-3, 0.5, 4.0] {
-            let bound = own.rest_over(Region::interval(0.0, most), &mut Vec::new());
-            let largest = (1..=400).map(|i| most * f64::from(i) / 400.0).map(|d| (d * (3.0 * d).ln() + d * d).abs() / d.powf(0.75));
-            let largest = largest.fold(0.0, f64::max);
-            assert!(largest <= bound && bound < 40.0, "{largest} {bound} {most}");
-        }
-        assert!(
-            LeadingPower::of(&Expr::call("ln", [&r + Expr::one()]).pow(&Expr::ratio(-1, 2)), &delta).is_none_or(|own| own.exponent > -1.0)
-        );
-    }
 }

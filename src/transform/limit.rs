@@ -8,7 +8,7 @@ use crate::num::{Bounded, Region, work};
 use std::sync::OnceLock;
 
 /// The end of f′.
-pub(super) struct Limit {
+pub struct Limit {
     pub(super) value: Bounded,
     /// f′ over the distance δ to the limit.
     pub(super) slope: Numbers,
@@ -32,7 +32,7 @@ impl Limit {
     ///
     /// # Errors
     /// [`TransformError::Evaluation`] where a parameter has no value.
-    pub(super) fn new(value: Bounded, source: Expr) -> Result<Self, TransformError> {
+    pub fn new(value: Bounded, source: Expr) -> Result<Self, TransformError> {
         let slope = Numbers::Tape(Tape::compile(std::slice::from_ref(&source), &[Symbol::new("δ")])?);
         Ok(Self { value, slope, source, enclosing: OnceLock::new(), featureless: OnceLock::new() })
     }
@@ -45,7 +45,7 @@ impl Limit {
 
     /// Whether f′ changes over lengths of the size of the distance to the end only, from `lower` on: it is analytic around every piece
     /// between two powers of two of the distance, or around parts of the piece, and not much larger there than on it.
-    pub(super) fn is_featureless(&self, lower: f64) -> bool {
+    pub fn is_featureless(&self, lower: f64) -> bool {
         *self.featureless.get_or_init(|| work::unbroken(|| self.has_no_feature(self.value.value - lower)))
     }
 
@@ -71,45 +71,5 @@ impl Limit {
             far *= 0.5;
         }
         true
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::eval::constant_value;
-    use crate::expr::Bindings;
-
-    fn is_featureless(slope: &Expr, end: i64) -> bool {
-        let below = Bindings::one("r", Expr::integer(end) - Expr::symbol("δ")).apply(slope);
-        let value = constant_value(&Expr::integer(end), &Bindings::default()).unwrap();
-        Limit::new(value, below).unwrap().is_featureless(0.0)
-    }
-
-    #[test]
-    fn what_is_narrow_before_an_end_is_seen() {
-        let r = Expr::symbol("r");
-        let root = (Expr::integer(4) - r.power(2)).sqrt();
-        let half = &r / Expr::integer(2);
-        for plain in [
-            &r / &root,
-            &r * Expr::call("asin", [half.clone()]) / &root,
-            &r * (Expr::one() - half.power(2)).pow(&Expr::ratio(-7, 10)),
-            &r * Expr::call("exp", [r.clone()]) / &root,
-        ] {
-            assert!(is_featureless(&plain, 2), "{plain:?}");
-            // Place, width and height: each is much narrower than its distance to the end.
-            for (place, widths) in [
-                ((3, 10), [100, 1_000_000, 10_000_000_000]),
-                ((11, 10), [400, 10_000_000, 1_000_000_000_000]),
-                ((199, 100), [40_000, 100_000_000, 10_000_000_000_000]),
-            ] {
-                for inverse in widths {
-                    let u = Expr::integer(inverse) * (&r - Expr::ratio(place.0, place.1));
-                    let peak = Expr::call("tanh", [u.clone()]) / Expr::call("cosh", [u]) * Expr::ratio(inverse, 1_000_000);
-                    assert!(!is_featureless(&(&plain + peak), 2), "{plain:?} {place:?} {inverse}");
-                }
-            }
-        }
     }
 }

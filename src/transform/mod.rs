@@ -76,3 +76,24 @@ pub use superposition::Superposition;
 pub use table::{Cubic, Interpolation, Penalty, TableError, TableProfile};
 pub use term::{Segment, Term};
 pub use verification::{Demotion, Verification};
+
+/// Private parts that tests in `tests/` look at; not part of the interface.
+#[doc(hidden)]
+pub mod inner {
+    pub use super::centred::centred;
+    pub use super::closure::cells::Cells;
+    pub use super::ends::{Growth, growth};
+    pub use super::integral::Weight;
+    pub use super::leading_power::LeadingPower;
+    pub use super::limit::Limit;
+    pub use super::parity::{Parity, parity};
+    pub use super::rules::laurent::{Combination, member};
+    pub use super::rules::reading::{above, exponential_pair, linear, monomial, pair, positive, power, quadratic};
+    pub use super::table::smoothing::solve as smoothed;
+    pub use super::verification::Place;
+
+    /// The intervals of a profile.
+    pub fn segments(profile: &super::NumericProfile) -> &[super::integral::NumericSegment] {
+        &profile.segments
+    }
+}

@@ -4,7 +4,7 @@ use crate::expr::{Expr, Node, Symbol};
 
 /// What becomes of a function when r changes its sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Parity {
+pub enum Parity {
     /// Nothing.
     Even,
     /// Its sign changes.
@@ -19,7 +19,7 @@ const EVEN: [&str; 2] = ["cos", "cosh"];
 const BESSEL: [&str; 2] = ["besselj", "besseli"];
 
 /// The parity in `radius`; `None` where it is neither, or not seen.
-pub(super) fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
+pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
     if !expr.contains(radius) {
         return Some(Parity::Even);
     }
@@ -55,30 +55,5 @@ pub(super) fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
                 all => all.iter().all(|p| *p == Parity::Even).then_some(Parity::Even),
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn slopes_of_profiles() {
-        let r = Expr::symbol("r");
-        let radius = Symbol::new("r");
-        let of = |expr: &Expr| parity(expr, &radius);
-        assert_eq!(of(&(&r / (Expr::integer(4) - r.power(2)).sqrt())), Some(Parity::Odd));
-        assert_eq!(of(&Expr::call("tanh", [r.clone()])), Some(Parity::Odd));
-        assert_eq!(of(&(Expr::call("cos", [r.clone()]) * &r + r.power(3))), Some(Parity::Odd));
-        assert_eq!(of(&Expr::integer(3)), Some(Parity::Even));
-        assert_eq!(of(&(&r + Expr::one())), None);
-        assert_eq!(of(&r.pow(&Expr::ratio(17, 10))), None);
-        assert_eq!(of(&Expr::call("exp", [r.clone()])), None);
-        assert_eq!(of(&(Expr::call("exp", [-r.power(2)]) * &r)), Some(Parity::Odd));
-        assert_eq!(of(&r.pow(&Expr::symbol("n"))), None);
-        let bessel = |order: &Expr| Expr::call("besselj", [order.clone(), r.clone()]);
-        assert_eq!(of(&bessel(&Expr::one())), Some(Parity::Odd));
-        assert_eq!(of(&bessel(&Expr::integer(2))), Some(Parity::Even));
-        assert_eq!(of(&bessel(&Expr::ratio(1, 2))), None);
     }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 /// Where the axis stands in the lattice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Offset {
+pub enum Offset {
     /// On the centre of a pixel: r² = (i² + j²) h².
     Centre,
     /// On a corner: r² = ((i + ½)² + (j + ½)²) h².
@@ -34,9 +34,11 @@ impl Offset {
 
 /// A lattice.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lattice {
-    pub(super) pixel: f64,
-    pub(super) offset: Offset,
+pub struct Lattice {
+    /// The distance of two neighbours.
+    pub pixel: f64,
+    /// The place of the axis.
+    pub offset: Offset,
 }
 
 /// Values of 4 r²/h² with their numbers of pixels, up to a limit.
@@ -64,7 +66,7 @@ pub(super) fn quarters(r: f64, pixel: f64) -> Option<u64> {
 }
 
 /// The largest pixel whose lattice holds all of these distances, the smallest ones of a file, rising and distinct.
-pub(super) fn of_distances(r: &[f64]) -> Option<Lattice> {
+pub fn of_distances(r: &[f64]) -> Option<Lattice> {
     let first = r.iter().copied().find(|r| *r > 0.0)?;
     let last = *r.last()?;
     if r.len() < 4 {
@@ -103,7 +105,7 @@ pub(super) fn of_distances(r: &[f64]) -> Option<Lattice> {
 /// The pixel from contact radii a = √(N h²/π), distinct ones with their loads: the largest h for which every N is whole, beyond chance.
 ///
 /// Radii that follow their loads by a power law to less than one pixel of area are computed, not counted.
-pub(super) fn of_areas(radii: &[(f64, f64)]) -> Option<f64> {
+pub fn of_areas(radii: &[(f64, f64)]) -> Option<f64> {
     let pixel = largest_unit(radii)?;
     let logs: Vec<(f64, f64)> = radii.iter().filter(|own| own.0 > 0.0 && own.1 > 0.0).map(|(a, load)| (load.ln(), a.ln())).collect();
     let n = logs.len() as f64;
@@ -139,37 +141,4 @@ fn largest_unit(radii: &[(f64, f64)]) -> Option<f64> {
         }
     }
     None
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_pixel_is_found_wherever_the_axis_stands() {
-        for (offset, shift) in [(Offset::Centre, (0.0, 0.0)), (Offset::Corner, (0.5, 0.5))] {
-            let mut r: Vec<f64> = (0..9)
-                .flat_map(|i| (0..9).map(move |j| 0.3 * (f64::from(i) + shift.0).hypot(f64::from(j) + shift.1)))
-                .filter(|r| *r < 2.4)
-                .collect();
-            r.sort_by(f64::total_cmp);
-            r.dedup_by(|one, other| (*one - *other).abs() < 1e-9);
-            let found = of_distances(&r).unwrap();
-            assert!((found.pixel - 0.3).abs() < 1e-12 && found.offset == offset, "{offset:?} {found:?}");
-        }
-    }
-
-    #[test]
-    fn counted_areas_betray_the_pixel() {
-        let counts = [341, 683, 998, 1301, 1597, 2011];
-        let a = counts.map(|n: i32| (f64::from(n) * 0.05 * 0.05 / std::f64::consts::PI).sqrt());
-        let load = |index: usize| 0.1 * (index + 1) as f64;
-        let printed: Vec<(f64, f64)> = a.iter().enumerate().map(|(i, a)| (format!("{a:.8}").parse().unwrap(), load(i))).collect();
-        assert!((of_areas(&printed).unwrap() - 0.05).abs() < 1e-6);
-        let any = [0.511, 0.72312, 0.8853, 1.0212, 1.2345];
-        assert_eq!(of_areas(&any.iter().enumerate().map(|(i, a)| (*a, load(i))).collect::<Vec<_>>()), None);
-        // a = √(R d) at even steps has areas in whole ratios, but no pixels.
-        let computed: Vec<(f64, f64)> = (0..10).map(|i| ((10.0 * load(i)).sqrt(), load(i))).collect();
-        assert_eq!(of_areas(&computed), None);
-    }
 }

@@ -29,3 +29,13 @@ pub use order::Order;
 pub use record::{Beyond, Column, Excluded, FileReport, Plot, Suspicion, Validation};
 pub use run::{Request, validate};
 pub use table::Source;
+
+/// Private parts that tests in `tests/` look at; not part of the interface.
+#[doc(hidden)]
+pub mod inner {
+    pub use super::array::array;
+    pub use super::displacement::Displacements;
+    pub use super::lattice::{Offset, of_areas, of_distances};
+    pub use super::order::{Level, limit_error, order};
+    pub use super::placing::{Extent, placings};
+}

@@ -2,17 +2,19 @@
 
 /// How far the coordinates of a file reach, counted from the axis; computed units.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Extent {
+pub struct Extent {
     /// The least coordinates along x and y.
-    pub(super) low: [f64; 2],
+    pub low: [f64; 2],
     /// The largest ones.
-    pub(super) high: [f64; 2],
+    pub high: [f64; 2],
 }
 
 impl Extent {
-    pub(super) const NONE: Self = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
+    /// Of no coordinates.
+    pub const NONE: Self = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
 
-    pub(super) fn take(&mut self, axis: usize, coordinate: f64) {
+    /// Takes one coordinate along x or y.
+    pub fn take(&mut self, axis: usize, coordinate: f64) {
         if let (Some(low), Some(high)) = (self.low.get_mut(axis), self.high.get_mut(axis)) {
             (*low, *high) = (low.min(coordinate), high.max(coordinate));
         }
@@ -21,8 +23,9 @@ impl Extent {
 
 /// One mistake about the place of the axis.
 #[derive(Clone, Debug)]
-pub(super) struct Placing {
-    pub(super) id: &'static str,
+pub struct Placing {
+    /// Its short name.
+    pub id: &'static str,
     pub(super) text: &'static str,
     /// Where the axis lies along x and y, with the period of the coordinate where the data wrap around.
     along: [(f64, f64); 2],
@@ -32,7 +35,7 @@ pub(super) struct Placing {
 
 impl Placing {
     /// The coordinates of a place, counted from the axis.
-    pub(super) fn at(&self, x: f64, y: f64) -> (f64, f64) {
+    pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
         let one = |(centre, period): (f64, f64), own: f64| {
             let own = own - centre;
             (if period.is_finite() { own - period * (own / period).round() } else { own }) / self.scale
@@ -49,7 +52,7 @@ const BEGIN: f64 = 0.05;
 ///
 /// Coordinates of n pixels run from 0 to (n − 1)h or from h/2 to (n − ½)h, so the middle of the box is known to half a pixel;
 /// those that run from 0 to nh have both ends of the box, and are too large by n/(n − 1).
-pub(super) fn placings(extent: &Extent, pixel: Option<f64>, side: Option<f64>) -> Vec<Placing> {
+pub fn placings(extent: &Extent, pixel: Option<f64>, side: Option<f64>) -> Vec<Placing> {
     const CORNER: &str =
         "the origin is in a corner of the domain: the axis of the data lies in the middle of their coordinates, which --origin corner says";
     const SHIFTED: &str =
@@ -92,34 +95,4 @@ pub(super) fn placings(extent: &Extent, pixel: Option<f64>, side: Option<f64>) -
         }
     }
     list
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const N: i32 = 8;
-
-    /// Coordinates of a line of 8 pixels of size 1, and the place of each counted from the axis as the data have it.
-    fn explains(id: &str, coordinate: impl Fn(i32) -> f64, truth: impl Fn(i32) -> f64) -> bool {
-        let mut extent = Extent::NONE;
-        (0..N).for_each(|own| extent.take(0, coordinate(own)));
-        placings(&extent, Some(1.0), None).iter().any(|placing| {
-            placing.id == id && (0..N).all(|own| (placing.at(coordinate(own), f64::NAN).0.abs() - truth(own).abs()).abs() < 1e-12)
-        })
-    }
-
-    #[test]
-    fn known_mistakes_are_put_right() {
-        let wrapped = |own: i32| f64::from(if own < N / 2 { own } else { own - N });
-        let centred = |own: i32| f64::from(own - N / 2);
-        // Coordinates from 0, the axis on pixel 4 or between pixels 3 and 4.
-        assert!(explains("origin-corner", f64::from, centred));
-        assert!(explains("origin-corner", f64::from, |own| centred(own) + 0.5));
-        assert!(explains("origin-corner", |own| f64::from(own) + 0.5, |own| centred(own) + 0.5));
-        // The first pixel is the axis, whatever the coordinates say.
-        assert!(explains("fftshift", f64::from, wrapped));
-        assert!(explains("fftshift", centred, wrapped));
-        assert!(explains("fftshift", |own| centred(own) + 0.5, wrapped));
-    }
 }

@@ -5,11 +5,13 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
 
 use serde_json::Value;
+use sneddon::code::inner::identifiers;
 use sneddon::code::{CodeError, Language, Program, Requested, program, write};
-use sneddon::expr::{Bindings, Expr, Number};
+use sneddon::expr::{Bindings, Expr, Number, Symbol};
 use sneddon::num::{DoubleDouble, Precise, precise};
 use sneddon::transform::{Evaluator, Method, Profile, Quantity, Solution, derive, reach};
 use sneddon::{parse, print};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -384,4 +386,16 @@ fn outside_the_domain_there_is_no_number() {
     fs::write(place.join("a.c"), text).unwrap();
     run("cc", &["a.c", "-lm", "-o", "a"], &place);
     assert_eq!(run("./a", &[], &place), "1\n".repeat(calls.len() + 1));
+}
+
+#[test]
+fn every_name_is_an_identifier_and_no_two_are_equal() {
+    let symbols: Vec<Symbol> = ["R", "r_", "int", "t1", "_x", "é\n*/", "A", "a_0", "A_0"].map(Symbol::new).to_vec();
+    let names = identifiers(&symbols, true, &|word| word == "int", &["r".to_owned(), "a".to_owned()]);
+    let all: BTreeSet<String> = names.values().map(|own| own.to_lowercase()).collect();
+    assert_eq!(all.len(), symbols.len());
+    assert_eq!((names["R"].as_str(), names["int"].as_str(), names["t1"].as_str()), ("R_", "int_", "t1_"));
+    let is_word =
+        |own: &str| own.starts_with(|c: char| c.is_ascii_alphabetic()) && own.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    assert!(names.values().all(|own| is_word(own)), "{names:?}");
 }

@@ -1,10 +1,12 @@
 //! Tests of the program as its users run it: command line, documents, schemas, pictures, formulas and generated code.
 
+mod arrays;
 mod cli;
 mod code;
 mod docs;
 mod endings;
 mod pictures;
+mod points;
 mod schemas;
 mod solve;
 mod spellings;

@@ -1,6 +1,7 @@
 //! Pictures and pages: what is drawn is the contact that `eval` knows, every file stands alone, and nothing hostile comes out.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
 
+use sneddon::report::inner::Axis;
 use std::fs;
 use std::process::{Command, Output};
 
@@ -111,5 +112,25 @@ fn a_report_needs_nothing_else() {
         let csv = String::from_utf8(run(&["solve", scene.to_str().unwrap(), "--csv"]).stdout).unwrap();
         let first = csv.lines().nth(1).unwrap().split(',').next().unwrap();
         assert!(page.contains(&format!("<td>{first}</td>")), "{shape}: {first}");
+    }
+}
+
+#[test]
+fn ticks_are_round_and_cover_the_numbers() {
+    let texts = |values: &[f64]| {
+        let axis = Axis::round(values.iter().copied(), 6);
+        axis.ticks.iter().map(|tick| axis.text(*tick)).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(texts(&[0.0, 1.0]), "0 0.2 0.4 0.6 0.8 1.0");
+    assert_eq!(texts(&[0.3, 2.9]), "0 0.5 1.0 1.5 2.0 2.5 3.0");
+    assert_eq!(texts(&[-3.0, 250.0]), "-50 0 50 100 150 200 250");
+    assert_eq!(texts(&[2.1e-9]), "0 0.5e-9 1.0e-9 1.5e-9 2.0e-9 2.5e-9");
+    assert_eq!(texts(&[3.3e7]), "0 1e7 2e7 3e7 4e7");
+    // What has no extent still gives an axis.
+    assert_eq!(texts(&[]), "0 0.5 1.0");
+    assert_eq!(texts(&[f64::NAN, f64::INFINITY]), "0 0.5 1.0");
+    for size in (-300..300).map(|exponent| 10.0_f64.powi(exponent)) {
+        let axis = Axis::round([3.7 * size].into_iter(), 6);
+        assert!(axis.low == 0.0 && axis.high >= 3.7 * size && (3..9).contains(&axis.ticks.len()), "{axis:?}");
     }
 }

@@ -3,8 +3,11 @@
 mod catalogue;
 mod chapter3;
 mod chapter3_values;
+mod hypergeometric;
 mod inverse;
+mod laurent;
 mod products;
+mod reading;
 mod rules;
 mod rules_values;
 mod statements;

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use sneddon::contact::State;
-use sneddon::scene::{Curve, Datum, MeasuredTip, Run, Scene, SceneError, scene};
+use sneddon::scene::{Curve, Datum, Fit, MeasuredTip, Run, Scene, SceneError, scene};
 use std::fmt::Write;
 
 /// Nodes and weights of Gauss–Legendre quadrature on (0, 1).
@@ -339,6 +339,38 @@ fn beyond_the_last_point_there_is_no_answer() {
         assert_eq!(row.is_valid(), valid, "{load}");
         assert!(valid || row.indented.findings[0].rule == "unreachable" && row.why().unwrap().contains("r = 2.0 um"), "{row:?}");
     }
+}
+
+fn best(f: impl Fn(f64) -> f64) -> Fit {
+    let points = (0..=200).map(|i| 0.01 * f64::from(i)).map(|r| (r, 7.0 + f(r)));
+    tip(&csv(points), "").fits().remove(0)
+}
+
+#[test]
+fn shapes_are_recognised_with_their_parameters() {
+    let near = |fit: &Fit, name: &str, expected: f64| {
+        let own = fit.parameters.iter().find(|own| own.name == name).unwrap().value;
+        assert!((own / expected - 1.0).abs() < 1e-6, "{name} = {own:?} is not {expected:?}: {fit:?}");
+    };
+    let found = best(|r| r * r / 20.0);
+    assert_eq!(found.shape, "paraboloid");
+    near(&found, "R", 10.0);
+    let found = best(|r| 3.0 - (9.0 - r * r).sqrt());
+    assert_eq!(found.shape, "sphere");
+    near(&found, "R", 3.0);
+    let found = best(|r| 0.2f64.tan() * r);
+    assert_eq!(found.shape, "cone");
+    near(&found, "theta", 0.2);
+    let found = best(|r| 0.3 * ((0.25 + r * r).sqrt() - 0.5));
+    assert_eq!(found.shape, "hyperboloid");
+    near(&found, "b", 0.5);
+    near(&found, "h", 0.15);
+    near(&found, "theta", 0.3f64.atan());
+    near(&found, "R", 0.5 / 0.3);
+    let found = best(|r| 0.1 * r.powf(2.5));
+    assert_eq!(found.shape, "power");
+    near(&found, "n", 2.5);
+    near(&found, "C", 0.1);
 }
 
 #[cfg(unix)]

@@ -1,3 +1,8 @@
 //! Tests of `validate`: a solver's data beside the exact solution.
 
+mod array;
+mod displacement;
+mod lattice;
+mod order;
+mod placing;
 mod validate;

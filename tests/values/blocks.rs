@@ -1,6 +1,7 @@
 //! Tapes over blocks of points: the values of the scalar tape bit for bit, and bounds that cover the truth without being wasteful.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
+use sneddon::eval::inner::above_inverse;
 use sneddon::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, PreciseAlgebra, Tape};
 use sneddon::expr::{Expr, Formula, Symbol, shown_to_30_digits};
 use sneddon::num::double_double::two_sum;
@@ -111,4 +112,15 @@ fn values_are_those_of_the_scalar_tape_and_bounds_cover_the_truth() {
     }
     println!("{compared} values compared, {apart} differ; {held} bounds held against 30 digits");
     assert!(compared > 300_000 && share(0.5).0 <= 1.0 && share(0.9).0 <= 1.01 && share(0.99).0 <= 4.0);
+}
+
+#[test]
+fn the_inverse_without_division_is_above_the_true_one() {
+    for exponent in [-500, -321, -1, 0, 1, 77, 499] {
+        for step in 0..4096 {
+            let size = 2.0f64.powi(exponent) * (1.0 + f64::from(step) / 4096.0);
+            let product = size * above_inverse(size);
+            assert!((1.0001..1.006).contains(&product), "{size:e}: {product}");
+        }
+    }
 }

@@ -3,6 +3,8 @@
 
 use num_complex::Complex64;
 use sneddon::contact::Contact;
+use sneddon::num::Bounded;
+use sneddon::transform::inner::Cells;
 use sneddon::transform::{Closure, Parity, Profile, Quantities, TransformError};
 use sneddon_checks::quantities::quantity;
 use sneddon_checks::rows::rows;
@@ -175,4 +177,40 @@ fn what_cannot_be_is_refused_with_its_radius() {
     let by_quadrature = Closure::with_slopes(|r| (r - 0.3f64).max(0.0), |r| f64::from(u8::from(r >= 0.3)), |_| 0.0);
     let other = by_quadrature.breakpoints([0.3]).profile().unwrap().pressure(0.25, 1.0).unwrap().unwrap().estimate;
     assert!((p.value - other.value).abs() <= p.error + other.error && p.error < 1e-9, "{p:?} {other:?}");
+}
+
+#[test]
+fn derivatives_of_powers_and_waves_keep_within_their_bounds() {
+    let cells = Cells::new(0.0, f64::INFINITY);
+    let power = |r: f64| Bounded::rounded(r.powf(1.7));
+    let other = Cells::new(0.0, f64::INFINITY);
+    let wave = |r: f64| Bounded { value: (22.0 * r).sin(), error: f64::EPSILON };
+    for i in 1..400 {
+        let r = 1e-5 * 1.04f64.powi(i);
+        let slope = cells.derivative(1, r, &power);
+        let truth = 1.7 * r.powf(0.7);
+        assert!((slope.value - truth).abs() <= slope.error && slope.error < 3e-11 * truth, "{r:?} {slope:?} {truth:?}");
+        let bend = cells.derivative(2, r, &power);
+        let truth = 1.7 * 0.7 * r.powf(-0.3);
+        assert!((bend.value - truth).abs() <= bend.error && bend.error < 1e-7 * truth, "{r:?} {bend:?} {truth:?}");
+        let r = r.min(50.0);
+        let slope = other.derivative(1, r, &wave);
+        assert!((slope.value - 22.0 * (22.0 * r).cos()).abs() <= slope.error, "{r:?} {slope:?}");
+    }
+}
+
+#[test]
+fn a_root_at_the_end_is_followed_and_a_kink_is_refused() {
+    let cells = Cells::new(0.5, 2.0);
+    let sphere = |r: f64| Bounded::rounded(r / ((2.0 - r) * (2.0 + r)).sqrt());
+    for gap in [1.0, 0.1, 1e-3, 1e-6] {
+        let slope = cells.derivative(1, 2.0 - gap, &sphere);
+        let r = 2.0 - gap;
+        let truth = 4.0 / ((2.0 - r) * (2.0 + r)).powf(1.5);
+        assert!((slope.value - truth).abs() <= slope.error && slope.error < 1e-6 * truth, "{gap} {slope:?} {truth}");
+    }
+    let cells = Cells::new(0.0, f64::INFINITY);
+    let kink = |r: f64| Bounded::rounded((r - 0.6).abs());
+    assert!(cells.seam(0.6, &kink).is_some_and(|at| (at - 0.6).abs() < 1e-3));
+    assert!((cells.derivative(1, 0.9, &kink).value - 1.0).abs() < 1e-12);
 }

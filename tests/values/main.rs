@@ -16,6 +16,8 @@ mod series;
 mod singular;
 mod slices;
 mod slope_angles;
+mod slopes;
+mod sufficient;
 mod tables;
 mod typed;
 mod typed_quadrature;

@@ -4,6 +4,7 @@
 use sneddon::contact::Contact;
 use sneddon::num::Estimate;
 use sneddon::num::quadrature::{Options, Panel, Point, integrate};
+use sneddon::transform::inner::smoothed;
 use sneddon::transform::{Cubic, Interpolation, Penalty, Profile, Quantities, TableError, TableProfile, TransformError};
 use sneddon_checks::quantities::quantity;
 use sneddon_checks::rows::rows;
@@ -224,4 +225,41 @@ fn what_is_no_table_is_refused_with_its_place() {
     close(own.slope(0.25).unwrap().estimate, 0.125, 1e-12, "the parabola that leads to the axis");
     assert!(matches!(own.slope(1.5000001), Err(TransformError::OutOfDomain { symbol: "x", .. })));
     assert!(own.slope(1.5).is_ok() && own.slope(f64::NAN).is_err() && own.slope(-1.0).is_err());
+}
+
+#[test]
+fn cubics_are_reproduced_and_steps_stay_monotone() {
+    let r: Vec<f64> = (0..9).map(|i| 0.25 * f64::from(i) + 0.03125 * f64::from(i * i)).collect();
+    let z: Vec<f64> = r.iter().map(|r| 1.0 + r * r * (2.0 + r)).collect();
+    for piece in Profile::from_points(&r, &z, Interpolation::MonotoneCubic).unwrap().pieces() {
+        let truth = |r: f64| r * (4.0 + 3.0 * r);
+        for part in [0.0, 0.3, 1.0] {
+            let delta = part * (piece.upper - piece.lower);
+            assert!((piece.slope(delta) - truth(piece.lower + delta)).abs() < 1e-12, "{piece:?}");
+        }
+    }
+    let z = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 3.0, 3.5, 3.5];
+    for piece in Profile::from_points(&r, &z, Interpolation::MonotoneCubic).unwrap().pieces() {
+        assert!((0..=20).all(|i| piece.slope((piece.upper - piece.lower) * f64::from(i) / 20.0) >= -1e-14), "{piece:?}");
+    }
+}
+
+#[test]
+fn no_penalty_interpolates_and_a_large_one_gives_the_line() {
+    let r: Vec<f64> = (0..7).map(|i| f64::from(i) * (1.0 + 0.1 * f64::from(i))).collect();
+    let z: Vec<f64> = r.iter().map(|r| r.sin()).collect();
+    let own = smoothed(&r, &z, 0.0).unwrap();
+    assert!(own.residual == 0.0 && own.freedom == 0.0);
+    let line = smoothed(&r, &z, 1e9).unwrap();
+    assert!((line.freedom - 5.0).abs() < 1e-6, "{}", line.freedom);
+    assert!(line.seconds.iter().all(|s| s.abs() < 1e-7));
+    // The trace against its definition, column by column.
+    let penalty = 0.7;
+    let trace: f64 = (0..7)
+        .map(|i| {
+            let unit: Vec<f64> = (0..7).map(|j| f64::from(u8::from(i == j))).collect();
+            1.0 - smoothed(&r, &unit, penalty).unwrap().values[i]
+        })
+        .sum();
+    assert!((smoothed(&r, &z, penalty).unwrap().freedom - trace).abs() < 1e-12);
 }

@@ -1,6 +1,6 @@
 //! Tapes over blocks of points: one dispatch per operation and block, plain or with a running bound of the error.
 
-mod bounded;
+pub(super) mod bounded;
 mod plain;
 mod program;
 

@@ -430,17 +430,3 @@ fn extreme(a: &[Expr], smaller: bool) -> Option<Expr> {
         Sign::Unknown => None,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_odd_function_has_one_form_for_both_signs() {
-        let (x, y) = (Expr::symbol("x"), Expr::symbol("y"));
-        for u in [&x - &y, Expr::integer(2) * &y - Expr::integer(3) * &x, -&x - &y, Expr::one() - &x] {
-            assert_eq!(Expr::call("sin", [-&u]), -Expr::call("sin", [u.clone()]));
-            assert_eq!(Expr::call("cos", [-&u]), Expr::call("cos", [u]));
-        }
-    }
-}

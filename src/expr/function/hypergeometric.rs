@@ -296,21 +296,3 @@ fn dilogarithm(a: &[Expr], sign: i64) -> Expr {
     let argument = Expr::integer(sign) * z.power(2);
     z * Expr::call("hyper", parameters.into_iter().chain([argument]))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn trivial_arguments_are_folded() {
-        let [a, b, z] = ["p", "q", "z"].map(Expr::symbol);
-        let call = |name, list: &[&Expr]| Expr::call(name, list.iter().map(|u| (*u).clone()));
-        assert_eq!(call("hyp2f1", &[&a, &b, &a, &z]), (Expr::one() - &z).pow(&-&b));
-        assert_eq!(call("hyp1f1", &[&a, &a, &z]), call("exp", &[&z]));
-        let reduced = hyper(vec![a.clone(), b.clone()], vec![b.clone(), z.clone()], z.clone());
-        assert_eq!(reduced, hyper(vec![a.clone()], vec![z.clone()], z.clone()));
-        assert_eq!(hyper(vec![a.clone()], vec![b.clone()], Expr::zero()), Expr::one());
-        assert_eq!(call("betainc", &[&a, &b, &z, &z]), Expr::zero());
-        assert_eq!(call("polylog", &[&Expr::integer(2), &Expr::one()]), Expr::pi().power(2) / Expr::integer(6));
-    }
-}

@@ -88,18 +88,3 @@ fn known_gamma(z: &Expr) -> Option<Expr> {
     }
     Some(value)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn gamma_of_whole_and_half_numbers_is_folded() {
-        let gamma = |p, q| Expr::call("gamma", [Expr::ratio(p, q)]);
-        assert_eq!(gamma(5, 1), Expr::integer(24));
-        assert_eq!(gamma(1, 1), Expr::one());
-        assert_eq!(gamma(1, 2), Expr::pi().sqrt());
-        assert_eq!(gamma(7, 2), Expr::ratio(15, 8) * Expr::pi().sqrt());
-        assert!(matches!(gamma(1, 3).node(), crate::expr::Node::Function(..)));
-    }
-}

@@ -274,22 +274,3 @@ fn probed(order: f64, z: f64, moved: f64, by: f64, wave: fn(f64, f64) -> f64) ->
     let total = 2.0 * (along + across) + 4.0 * f64::EPSILON * here.abs();
     if total.is_nan() { f64::INFINITY } else { total }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn one_form_for_both_signs() {
-        let z = Expr::symbol("k") * Expr::symbol("x");
-        let call = |name: &'static str, n: i64, z: &Expr| Expr::call(name, [Expr::integer(n), z.clone()]);
-        assert_eq!(call("besselj", 1, &-&z), -call("besselj", 1, &z));
-        assert_eq!(call("besselj", -1, &z), -call("besselj", 1, &z));
-        assert_eq!(call("besseli", -1, &-&z), -call("besseli", 1, &z));
-        assert_eq!(call("struveh", 0, &-&z), -call("struveh", 0, &z));
-        assert_eq!(call("struvel", -1, &-&z), call("struvel", -1, &z));
-        assert_eq!(call("struveh", -1, &Expr::zero()), Expr::integer(2) / Expr::pi());
-        assert_eq!(Expr::call("erf", [-&z]), -Expr::call("erf", [z.clone()]));
-        assert_eq!(call("besselj", 0, &Expr::zero()), Expr::one());
-    }
-}

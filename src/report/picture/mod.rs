@@ -1,6 +1,6 @@
 //! Pictures of curves: panels with axes and lines, drawn as SVG, as PNG, or in a terminal.
 
-mod axis;
+pub(super) mod axis;
 mod contact;
 mod raster;
 mod terminal;

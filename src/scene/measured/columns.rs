@@ -26,18 +26,21 @@ pub(super) type Field<'t> = (&'t str, Range<usize>);
 
 /// One row of numbers with the place of its radius.
 #[derive(Clone, Debug)]
-pub(super) struct Row {
-    pub(super) r: f64,
-    pub(super) z: f64,
+pub struct Row {
+    /// Its radius as it stands in the file.
+    pub r: f64,
+    /// Its height.
+    pub z: f64,
     pub(super) place: Range<usize>,
 }
 
 /// The rows of a file and the two columns that they come from.
 #[derive(Debug)]
-pub(super) struct Sheet {
+pub struct Sheet {
     pub(super) radius: Column,
     pub(super) height: Column,
-    pub(super) rows: Vec<Row>,
+    /// One for every line of numbers.
+    pub rows: Vec<Row>,
     /// True where some number has a decimal comma.
     pub(super) decimal_comma: bool,
 }
@@ -48,7 +51,7 @@ const HEADER: &str = "a header such as r_um,z_nm or r [um];z [um] would be accep
 ///
 /// # Errors
 /// [`SceneError`] whose place is one in the text of the file.
-pub(super) fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
+pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
     let begin = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
     if text.contains('\0') {
         let at = text.find('\0').unwrap_or(0);
@@ -223,41 +226,4 @@ fn number(field: &str, delimiter: Delimiter) -> Option<(f64, bool)> {
     }
     let one_comma = delimiter != Delimiter::One(',') && field.matches(',').count() == 1 && !field.contains('.');
     one_comma.then(|| field.replace(',', ".").parse().ok()).flatten().map(|value| (value, true))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn read(text: &str) -> Vec<(f64, f64)> {
-        sheet(text, false).unwrap().rows.iter().map(|row| (row.r, row.z)).collect()
-    }
-
-    #[test]
-    fn delimiters_quotes_and_comments() {
-        let expected = vec![(0.0, 0.5), (1.0, 1.5)];
-        for text in [
-            "r_um,z_nm\n0,0.5\n1,1.5\n",
-            "\u{feff}# from a microscope\r\nr [um];z [nm]\r\n0;0,5\r\n\r\n1;1,5\r\n",
-            "r (um)\tz (nm)\n0\t0.5\n1\t1.5",
-            "r [um]  z [nm]\n  0   0.5\n  1   1.5\n",
-            "# r_um z_nm\n0 0.5\n# half way\n1 1.5\n",
-            "# tip 7\n# r_um, z_nm\n0 0.5\n1 1.5\n",
-            "\"r_um\",\"z_nm\"\n\"0\",\"0.5\"\n1,1.5,\n",
-            "name,z_nm,r_um\nfirst,0.5,0\n\"second, last\",1.5,1\n",
-            "r_um,z_nm\r0,0.5\r1,1.5\r",
-        ] {
-            assert_eq!(read(text), expected, "{text:?}");
-        }
-    }
-
-    #[test]
-    fn places_are_those_of_the_fields() {
-        for (text, marked) in
-            [("r_um,z_nm\n0,1\n1, x7 \n", "x7"), ("r;z\n0;\"nan\"\n", "nan"), ("# a\nr z\n1 2 3\n", "1 2 3"), ("r,z\n1,2e999\n", "2e999")]
-        {
-            let span = sheet(text, false).unwrap_err().span().unwrap();
-            assert_eq!(&text[span], marked, "{text:?}");
-        }
-    }
 }

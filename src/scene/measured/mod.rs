@@ -1,8 +1,8 @@
 //! Measured tips: points from a file become a profile, with everything that was done to them on the way.
 
-mod columns;
+pub(super) mod columns;
 mod fit;
-mod header;
+pub(super) mod header;
 mod keys;
 mod points;
 mod scan;

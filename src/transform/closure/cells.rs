@@ -35,7 +35,7 @@ struct Cell {
 }
 
 /// The interpolants of one function on one segment, made where they are asked for.
-pub(super) struct Cells {
+pub struct Cells {
     lower: f64,
     upper: f64,
     doublings: Box<[OnceLock<Doubling>]>,
@@ -49,17 +49,18 @@ struct Doubling {
 }
 
 impl Cells {
-    pub(super) fn new(lower: f64, upper: f64) -> Self {
+    /// For a segment; nothing is interpolated yet.
+    pub fn new(lower: f64, upper: f64) -> Self {
         Self { lower, upper, doublings: (0..EXPONENTS).map(|_| OnceLock::new()).collect() }
     }
 
     /// The derivative of φ of order 1 or 2 at r with the bound of its error; NaN where φ is not smooth enough.
-    pub(super) fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Bounded {
+    pub fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Bounded {
         self.cell(r, phi).map_or(NOTHING, |cell| cell.derivative(order, r))
     }
 
     /// A place near r at which φ is not smooth, if there is one: derivatives do not show what happens there.
-    pub(super) fn seam(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<f64> {
+    pub fn seam(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<f64> {
         self.doubling(r, phi)?.seam
     }
 
@@ -184,45 +185,4 @@ fn differentiated(list: &[f64; NODES], half: f64) -> [f64; NODES] {
     }
     out[0] *= 0.5;
     out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn derivatives_of_powers_and_waves_keep_within_their_bounds() {
-        let cells = Cells::new(0.0, f64::INFINITY);
-        let power = |r: f64| Bounded::rounded(r.powf(1.7));
-        let other = Cells::new(0.0, f64::INFINITY);
-        let wave = |r: f64| Bounded { value: (22.0 * r).sin(), error: f64::EPSILON };
-        for i in 1..400 {
-            let r = 1e-5 * 1.04f64.powi(i);
-            let slope = cells.derivative(1, r, &power);
-            let truth = 1.7 * r.powf(0.7);
-            assert!((slope.value - truth).abs() <= slope.error && slope.error < 3e-11 * truth, "{r:?} {slope:?} {truth:?}");
-            let bend = cells.derivative(2, r, &power);
-            let truth = 1.7 * 0.7 * r.powf(-0.3);
-            assert!((bend.value - truth).abs() <= bend.error && bend.error < 1e-7 * truth, "{r:?} {bend:?} {truth:?}");
-            let r = r.min(50.0);
-            let slope = other.derivative(1, r, &wave);
-            assert!((slope.value - 22.0 * (22.0 * r).cos()).abs() <= slope.error, "{r:?} {slope:?}");
-        }
-    }
-
-    #[test]
-    fn a_root_at_the_end_is_followed_and_a_kink_is_refused() {
-        let cells = Cells::new(0.5, 2.0);
-        let sphere = |r: f64| Bounded::rounded(r / ((2.0 - r) * (2.0 + r)).sqrt());
-        for gap in [1.0, 0.1, 1e-3, 1e-6] {
-            let slope = cells.derivative(1, 2.0 - gap, &sphere);
-            let r = 2.0 - gap;
-            let truth = 4.0 / ((2.0 - r) * (2.0 + r)).powf(1.5);
-            assert!((slope.value - truth).abs() <= slope.error && slope.error < 1e-6 * truth, "{gap} {slope:?} {truth}");
-        }
-        let cells = Cells::new(0.0, f64::INFINITY);
-        let kink = |r: f64| Bounded::rounded((r - 0.6).abs());
-        assert!(cells.seam(0.6, &kink).is_some_and(|at| (at - 0.6).abs() < 1e-3));
-        assert!((cells.derivative(1, 0.9, &kink).value - 1.0).abs() < 1e-12);
-    }
 }

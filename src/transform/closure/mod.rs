@@ -1,6 +1,6 @@
 //! Profiles given as Rust closures: what is stated about them, and their quantities by quadrature.
 
-mod cells;
+pub(super) mod cells;
 mod profile;
 mod source;
 

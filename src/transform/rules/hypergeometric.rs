@@ -47,28 +47,3 @@ fn apply(term: &Term) -> Option<Answer> {
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     Some(Answer { slope: transformed(0, &x, &(&c * &x)), force: transformed(2, &a, &c), pressure: None, conditions })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::expr::normal::NormalTerm;
-    use crate::transform::Segment;
-
-    fn slope(kernel: Expr, exponent: i64) -> Option<Expr> {
-        let part = NormalTerm { coefficient: Expr::one(), exponent: Expr::integer(exponent), kernel };
-        let answer = apply(&Term { parts: vec![part], segment: Segment::whole() })?;
-        Some(answer.slope.within.shown)
-    }
-
-    #[test]
-    fn series_are_named_where_they_have_a_name() {
-        let (r, x, k) = (Expr::symbol("r"), Expr::symbol("x"), Expr::symbol("k"));
-        // r exp(−k r²): g = x² 1F1(1; 3/2; −k x²)
-        let found = slope(Expr::call("exp", [-&k * r.power(2)]), 1).unwrap();
-        let named = Expr::call("hyp1f1", [Expr::one(), Expr::ratio(3, 2), -&k * x.power(2)]);
-        assert_eq!(found, x.power(2) * named);
-        // A kernel with a singularity off the axis splits into parts that are singular on it.
-        assert_eq!(slope((Expr::one() + &r).pow(&Expr::ratio(-1, 3)), 0), None);
-        assert!(slope((Expr::one() - &r).pow(&Expr::ratio(-1, 3)), 0).is_some());
-    }
-}

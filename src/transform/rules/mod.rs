@@ -6,7 +6,7 @@ mod error_function;
 mod gaussian;
 mod gaussian_bessel;
 mod hypergeometric;
-mod laurent;
+pub(super) mod laurent;
 mod linear;
 mod log_linear;
 mod moments;

@@ -153,25 +153,3 @@ fn limited(wanted: f64, before: f64, after: f64) -> f64 {
     let size = (wanted * before.signum()).clamp(0.0, 3.0 * least);
     if size <= ROUNDING * before.abs().max(after.abs()) { 0.0 } else { size * before.signum() }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cubics_are_reproduced_and_steps_stay_monotone() {
-        let r: Vec<f64> = (0..9).map(|i| 0.25 * f64::from(i) + 0.03125 * f64::from(i * i)).collect();
-        let z: Vec<f64> = r.iter().map(|r| 1.0 + r * r * (2.0 + r)).collect();
-        for piece in interpolate(&r, &z, Interpolation::MonotoneCubic).unwrap() {
-            let truth = |r: f64| r * (4.0 + 3.0 * r);
-            for part in [0.0, 0.3, 1.0] {
-                let delta = part * (piece.upper - piece.lower);
-                assert!((piece.slope(delta) - truth(piece.lower + delta)).abs() < 1e-12, "{piece:?}");
-            }
-        }
-        let z = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 3.0, 3.5, 3.5];
-        for piece in interpolate(&r, &z, Interpolation::MonotoneCubic).unwrap() {
-            assert!((0..=20).all(|i| piece.slope((piece.upper - piece.lower) * f64::from(i) / 20.0) >= -1e-14), "{piece:?}");
-        }
-    }
-}

@@ -4,7 +4,7 @@ mod error;
 mod interpolation;
 mod pressure;
 mod profile;
-mod smoothing;
+pub(super) mod smoothing;
 mod sums;
 mod tree;
 

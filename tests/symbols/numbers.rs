@@ -1,0 +1,50 @@
+//! Exact numbers: the nearest doubles, long fractions, and what stays a decimal.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use sneddon::expr::Number;
+
+#[test]
+fn nearest_f64_agrees_with_the_standard_parser() {
+    for text in [
+        "0.1",
+        "0.3",
+        "1e-6",
+        "5e-324",
+        "2.5e-324",
+        "1.7976931348623157e308",
+        "2.2250738585072011e-308",
+        "123456789.123456789",
+        "9007199254740993",
+        "1e400",
+        "3e-330",
+    ] {
+        let number = Number::parse_decimal(text).unwrap();
+        assert_eq!(number.to_f64(), text.parse::<f64>().unwrap(), "{text}");
+    }
+}
+
+#[test]
+fn long_numbers_add_and_multiply_as_fractions_do() {
+    let powers = [(3_i64, 200_u32), (7, 90), (-10, 77), (12, 60), (1, 0)];
+    let all: Vec<BigRational> = powers
+        .iter()
+        .flat_map(|(base, n)| powers.iter().map(|(other, m)| BigRational::new(BigInt::from(*base).pow(*n), BigInt::from(*other).pow(*m))))
+        .collect();
+    for one in &all {
+        for other in &all {
+            let (left, right) = (Number::from(one.clone()), Number::from(other.clone()));
+            for (found, expected) in [(&left + &right, one + other), (&left - &right, one - other), (&left * &right, one * other)] {
+                assert_eq!((found.value().numer(), found.value().denom()), (expected.numer(), expected.denom()));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_decimal_stays_one_only_while_it_ends() {
+    let a = Number::parse_decimal("0.7").unwrap();
+    assert!((&a * &Number::integer(3)).is_decimal());
+    assert!(!(&a * &Number::ratio(1, 3)).is_decimal());
+    assert!(!(&a * &Number::integer(10)).is_decimal());
+}
