@@ -166,7 +166,7 @@ const CALLS: &[(&str, &[&str])] = &[
     ("solve", &["measured.toml"]),
     ("solve", &["scene.toml", "--dimensionless"]),
     ("reference", &["scene.toml", "--grid", "0:0.1um:3"]),
-    ("reference", &["scene.toml", "--grid", "4", "--box", "0.4 um", "--cells"]),
+    ("reference", &["concave.toml", "--grid", "4", "--box", "12 um", "--cells"]),
     ("validate", &["scene.toml", "rows.csv"]),
     ("validate", &["scene.toml", "wrong.csv", "wrong.csv"]),
     ("tradeoff", &["R-sqrt(R^2-r^2)", "--set", "R=2", "--at", "0.1,0.5", "--budget", "0.2"]),

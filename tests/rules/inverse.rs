@@ -9,6 +9,7 @@ use sneddon::transform::{
 };
 use sneddon_checks::formulas::{bindings, derived_with, formula, relative, value};
 use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
 
 const DRAWS: usize = 4;
 
@@ -71,15 +72,15 @@ fn the_table_is_right() {
 fn every_rule_reads_backwards() {
     let mut stream = Stream::new(12);
     let mut exact = 0;
-    for rule in RULES {
+    for (index, rule) in RULES.iter().enumerate() {
         let slope = formula(rule.slope);
-        for _ in 0..2 {
+        for _ in 0..cases(1, 2) {
             let values = draw(rule.parameters, &mut stream);
             let inverse = inverted(&slope.substitute(&bindings(&values)));
             exact += usize::from(inverse.profile().status == Status::Exact);
             let (own, shape) = (numbers(&inverse, &[], Method::Auto), derived_with(rule.pattern, &values));
             let evaluator = Evaluator::new(&shape, &Bindings::default(), Method::Auto, 1e-13).unwrap();
-            for _ in 0..3 {
+            for _ in 0..cases(2, 3) {
                 let r = stream.short(0.1, 3.0);
                 let (found, f) = (
                     own.value(r).unwrap_or_else(|error| panic!("{}: {error} at {r}, {values:?}", rule.id)).estimate,
@@ -90,13 +91,14 @@ fn every_rule_reads_backwards() {
                 assert!((found.value - f.value).abs() <= allowed, "{}: {found:?}, {f:?} at r = {r}, {values:?}", rule.id);
             }
         }
-        // With symbols as well: what is claimed to be exact passes the check.
-        let symbolic = inverted(&slope);
-        if symbolic.profile().status == Status::Exact {
-            assert!(check_inverse(&symbolic).unwrap().passed(), "{}", rule.id);
+        // With symbols as well: what is claimed to be exact passes the check, which takes up to three seconds.
+        if index % cases(4, 1) == 0 {
+            let symbolic = inverted(&slope);
+            let exact = symbolic.profile().status == Status::Exact;
+            assert!(!exact || check_inverse(&symbolic).unwrap().passed(), "{}", rule.id);
         }
     }
-    assert!(exact >= RULES.len(), "only {exact} of {} are exact", 2 * RULES.len());
+    assert!(2 * exact >= cases(1, 2) * RULES.len(), "only {exact} are exact");
 }
 
 #[test]

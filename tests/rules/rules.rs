@@ -9,11 +9,14 @@ use sneddon::transform::rules::{self, GENERAL, RULES};
 use sneddon::transform::{Answer, Branches, Evaluator, Method, NumericProfile, Pair, Rule, Segment, Solution, Term};
 use sneddon_checks::formulas::{bindings, derived, derived_with, formula, number, relative, value};
 use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
 
 /// Draws of the parameters for every rule.
 const DRAWS: usize = 12;
 /// Random terms made from the pattern of every rule.
-const TERMS: usize = 60;
+fn terms() -> usize {
+    cases(16, 60)
+}
 /// Shown and evaluated forms, statement and code agree to this at moderate arguments, where the plain forms cancel little.
 const SAME: f64 = 1e-9;
 
@@ -107,7 +110,7 @@ fn code_is_quadrature() {
     let mut stream = Stream::new(3);
     for rule in RULES {
         let solution = derived(rule.pattern);
-        for _ in 0..DRAWS {
+        for _ in 0..cases(4, DRAWS) {
             let parameters = draw(rule, &mut stream);
             let exact = evaluator(&solution, &parameters, Method::Exact);
             let plain = evaluator(&solution, &parameters, Method::Quadrature);
@@ -239,7 +242,7 @@ fn bounded(expr: &Expr, values: &[(&str, f64)]) -> Bounded {
 fn any_term_that_a_rule_accepts_is_right() {
     let mut stream = Stream::new(5);
     let mut answered = vec![(0, 0); RULES.len()];
-    for (_, source) in (0..TERMS).flat_map(|round| RULES.iter().map(move |rule| (round, rule))) {
+    for (_, source) in (0..terms()).flat_map(|round| RULES.iter().map(move |rule| (round, rule))) {
         let term = term(source, &mut stream);
         let Some((rule, answer)) = rules::answer(&term) else { continue };
         let count = &mut answered[RULES.iter().position(|own| own.id == rule.id).unwrap()];
@@ -278,8 +281,8 @@ fn any_term_that_a_rule_accepts_is_right() {
         }
     }
     for (rule, (count, pressures)) in RULES.iter().zip(answered) {
-        assert!(count >= TERMS / 2, "{}: only {count} sharp values", rule.id);
-        assert!(pressures >= TERMS / 6 || rule.pressure.is_none(), "{}: only {pressures} pressures", rule.id);
+        assert!(count >= terms() / 2, "{}: only {count} sharp values", rule.id);
+        assert!(pressures >= terms() / 6 || rule.pressure.is_none(), "{}: only {pressures} pressures", rule.id);
     }
 }
 

@@ -8,6 +8,7 @@ use sneddon::contact::{Boundary, State};
 use sneddon::num::quadrature::{Options, Panel, Point, integrate};
 use sneddon::num::{Bounded, NumError};
 use sneddon::scene::{Curve, Datum, Row, Run, SHAPES, Scene, Work, scene, template};
+use sneddon_checks::seeds::cases;
 
 fn truth() -> Value {
     let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/truth.json")).unwrap();
@@ -244,34 +245,6 @@ proptest! {
         prop_assert!((slope / (2.0 * modulus * a) - 1.0).abs() < 1e-6, "{} {}", slope, 2.0 * modulus * a);
     }
 
-    /// F = 2π∫ p r dr.
-    #[test]
-    fn pressure_carries_the_force(profile in profiles(), depth in 0.02f64..0.5) {
-        let scene = read(&text(&profile, &format!("depth = {depth:?}")));
-        with_run(&scene, |run| {
-            let Some(state) = run.state(0, false) else { return };
-            let a = state.radius;
-            // r = a sin t takes the root at a rim away.
-            let mut integrand = |t: Point| {
-                let r = a * t.x.sin();
-                match run.point(Curve::Pressure, Some(&state), r).value {
-                    Ok((p, error)) => Bounded { value: p * r * a * t.x.cos(), error: error * r * a },
-                    Err(_) => Bounded::exact(0.0),
-                }
-            };
-            let mut places = vec![0.0];
-            places.extend(run.kinks().iter().map(|kink| kink.0 / a).filter(|share| *share < 1.0).map(f64::asin));
-            places.push(std::f64::consts::FRAC_PI_2);
-            let panels: Vec<Panel> = places.windows(2).map(|pair| Panel::singular(pair[0], pair[1])).collect();
-            let found = match integrate(&mut integrand, &panels, &Options { rel_tol: 1e-9, ..Options::default() }) {
-                Ok(found) => found.value,
-                Err(NumError::ToleranceNotReached { value, .. } | NumError::EvaluationLimit { value, .. }) => value,
-                Err(other) => panic!("{other}"),
-            };
-            close(&profile, 2.0 * std::f64::consts::PI * found, state.force, 1e-7);
-        });
-    }
-
     /// U = ∫ F dd, by Simpson's rule in √d, which is smooth enough at the beginning.
     #[test]
     fn energy_is_the_work_of_the_force(profile in profiles(), depth in 0.05f64..0.4) {
@@ -313,5 +286,38 @@ proptest! {
             let sum = cone.value(datum).unwrap() + ball.value(datum).unwrap();
             prop_assert!((both.value(datum).unwrap() / sum - 1.0).abs() < 1e-14);
         }
+    }
+}
+
+proptest! {
+    // A pressure without a formula costs up to a second per case.
+    #![proptest_config(ProptestConfig { cases: cases(6, 32), failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// F = 2π∫ p r dr.
+    #[test]
+    fn pressure_carries_the_force(profile in profiles(), depth in 0.02f64..0.5) {
+        let scene = read(&text(&profile, &format!("depth = {depth:?}")));
+        with_run(&scene, |run| {
+            let Some(state) = run.state(0, false) else { return };
+            let a = state.radius;
+            // r = a sin t takes the root at a rim away.
+            let mut integrand = |t: Point| {
+                let r = a * t.x.sin();
+                match run.point(Curve::Pressure, Some(&state), r).value {
+                    Ok((p, error)) => Bounded { value: p * r * a * t.x.cos(), error: error * r * a },
+                    Err(_) => Bounded::exact(0.0),
+                }
+            };
+            let mut places = vec![0.0];
+            places.extend(run.kinks().iter().map(|kink| kink.0 / a).filter(|share| *share < 1.0).map(f64::asin));
+            places.push(std::f64::consts::FRAC_PI_2);
+            let panels: Vec<Panel> = places.windows(2).map(|pair| Panel::singular(pair[0], pair[1])).collect();
+            let found = match integrate(&mut integrand, &panels, &Options { rel_tol: 1e-9, ..Options::default() }) {
+                Ok(found) => found.value,
+                Err(NumError::ToleranceNotReached { value, .. } | NumError::EvaluationLimit { value, .. }) => value,
+                Err(other) => panic!("{other}"),
+            };
+            close(&profile, 2.0 * std::f64::consts::PI * found, state.force, 1e-7);
+        });
     }
 }

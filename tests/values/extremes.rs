@@ -2,18 +2,25 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use sneddon::transform::rules::RULES;
-use sneddon_checks::stability::{Outcome, cells};
+use sneddon_checks::stability::{Cell, Outcome, cells};
 use sneddon_checks::stability_page::{page, skeleton};
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 const REFERENCES: &str = include_str!("../oracle/extremes.csv");
 
 /// Refusals of numbers that a double could hold; fewer is better.
 const REFUSED: usize = 174;
 
+/// The cells of both tests, evaluated once.
+fn found() -> &'static [Cell] {
+    static FOUND: OnceLock<Vec<Cell>> = OnceLock::new();
+    FOUND.get_or_init(|| cells(REFERENCES))
+}
+
 #[test]
 fn corners_keep_their_digits() {
-    let found = cells(REFERENCES);
+    let found = found();
     let faults: Vec<String> = found.iter().filter_map(|cell| cell.fault()).collect();
     let refused: Vec<String> =
         found.iter().filter(|cell| matches!(cell.outcome, Outcome::Refused(_))).map(|cell| format!("{cell:?}")).collect();
@@ -27,7 +34,7 @@ fn corners_keep_their_digits() {
 #[test]
 fn the_document_is_the_programs() {
     let written = include_str!("../../docs/stability.md").split("\n## Random scenes").next().unwrap();
-    let (own, written) = (skeleton(&page(&cells(REFERENCES))), skeleton(written));
+    let (own, written) = (skeleton(&page(found())), skeleton(written));
     for (own, written) in own.iter().zip(&written) {
         assert_eq!(own, written, "run `cargo run --release -p sneddon-runs --bin stability > docs/stability.md`");
     }

@@ -1,6 +1,11 @@
-//! Long runs: one examination per seed, on every core.
+//! How many cases a run examines, and one examination per seed on every core.
 
 use std::sync::atomic::{AtomicU64, Ordering};
+
+/// The number of cases of a test: `usual`, or `long` where the environment has `SNEDDON_LONG`, as under `just long`.
+pub fn cases<T>(usual: T, long: T) -> T {
+    if std::env::var_os("SNEDDON_LONG").is_some() { long } else { usual }
+}
 
 /// COUNT and FIRST SEED of the command line, or `count` and 0.
 pub fn asked(count: u64) -> (u64, u64) {
