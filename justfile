@@ -13,6 +13,14 @@ check:
 test filter='':
     cargo test {{filter}}
 
+# Lint and test what has changed since the last commit, or since REVISION.
+quick revision='HEAD':
+    .ci/quick {{revision}}
+
+# Every test with the full number of cases, optimised; docs/adversaries.md has the record.
+long filter='':
+    SNEDDON_LONG=1 cargo test --release {{filter}}
+
 # The Python package and its tests, in an environment of its own.
 python:
     python3 -m venv target/python-venv
