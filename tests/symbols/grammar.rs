@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
 
 use sneddon::expr::{Expr, Formula};
+use sneddon::num::work::{Budget, Exhausted, within};
 use sneddon::parse::{self, ParseError, Reason};
-use std::time::{Duration, Instant};
 
 fn read(text: &str) -> Formula {
     parse::profile(text).unwrap_or_else(|error| panic!("{text}: {error} at {:?}", error.span()))
@@ -178,14 +178,11 @@ fn errors_point_at_their_place_and_say_what_is_accepted() {
     }
 }
 
-/// Runs on a small stack, as threads have it, and in little time.
+/// Runs on a small stack, as threads have it, and in few steps of work, which are counted alike on every machine.
 fn quickly<T: Send + 'static>(what: &str, run: impl FnOnce() -> T + Send + 'static) -> T {
-    let start = Instant::now();
-    let result = std::thread::Builder::new().stack_size(2 << 20).spawn(run).unwrap().join().expect("no overflow");
-    let spent = start.elapsed();
-    let limit = Duration::from_secs(if cfg!(debug_assertions) { 30 } else { 3 });
-    assert!(spent < limit, "{what} took {spent:?}");
-    result
+    let counted = move || within(Budget::seconds(1.0), || Ok::<_, Exhausted>(run()));
+    let found = std::thread::Builder::new().stack_size(2 << 20).spawn(counted).unwrap().join().expect("no overflow");
+    found.unwrap_or_else(|error| panic!("{what}: {error}"))
 }
 
 #[test]
