@@ -24,7 +24,7 @@ from mpmath import mp, mpf, asin, acosh, cosh, sin, quad
 ONLY = sys.argv[1:]
 with redirect_stdout(io.StringIO()):
     # The formulas' reader is that of the random places; its own run needs an empty list of rules.
-    saved, sys.stdin, sys.argv = sys.stdin, io.StringIO("[]"), sys.argv[:1]
+    saved, sys.stdin, sys.argv = sys.stdin, io.StringIO('{"rules": []}'), sys.argv[:1]
     sys.path.insert(0, __file__.rsplit("/", 1)[0])
     from statements import Formula
     sys.stdin = saved
