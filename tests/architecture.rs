@@ -16,7 +16,7 @@ struct Room {
 
 /// Every room, from the bottom up. A room that may be used stands earlier: hence no circles.
 const ROOMS: &[Room] = &[
-    // A crate of its own, `crates/sneddon-num`, so that the compiler keeps this arrow.
+    // The separate crate `crates/sneddon-num`, so the compiler enforces this row.
     Room { name: "num", may_use: &[] },
     // The function table's rows carry their values, and those are computed in num.
     Room { name: "expr", may_use: &["num"] },
