@@ -35,7 +35,7 @@ fn rows<'a>(document: &'a Value, method: &str) -> Vec<&'a Value> {
 
 #[test]
 fn json_has_every_method_and_its_keys() {
-    let document = json(&["R-sqrt(R^2-r^2)", "--set", "R=2"]);
+    let document = json(&["R-sqrt(R^2-r^2)", "--set", "R=2", "--at", "0.5,1.5"]);
     assert_eq!(document["quantity"], "F");
     assert_eq!(document["parameters"]["R"], 2.0);
     for method in ["closed form", "quadrature", "one rule", "whole curve", "power series", "spring foundation"] {
@@ -73,7 +73,7 @@ fn points_carry_the_value_of_the_contact() {
 
 #[test]
 fn csv_has_one_line_per_row_and_one_cell_per_column() {
-    let done = program(&["r^2.5", "--quantity", "g", "--csv"]);
+    let done = program(&["r^2.5", "--quantity", "g", "--csv", "--at", "0.5,1.5"]);
     assert!(done.status.success());
     let text = String::from_utf8(done.stdout).unwrap();
     let mut lines = text.lines();
@@ -86,7 +86,7 @@ fn csv_has_one_line_per_row_and_one_cell_per_column() {
 
 #[test]
 fn text_names_the_reference_and_what_to_pick() {
-    let done = program(&["ln(cosh(r))", "--quantity", "g", "--tol", "1e-6"]);
+    let done = program(&["ln(cosh(r))", "--quantity", "g", "--tol", "1e-6", "--at", "0.5,1.5"]);
     let text = String::from_utf8(done.stdout).unwrap();
     assert!(text.contains("true errors against: double-exponential rule with 30 digits"), "{text}");
     assert!(text.contains("For a relative error of 1e-6 take "), "{text}");
@@ -97,7 +97,7 @@ fn text_names_the_reference_and_what_to_pick() {
 fn the_plot_is_one_well_formed_svg() {
     let path = place("sphere.svg");
     let name = path.to_str().unwrap();
-    let done = program(&["2-sqrt(4-r^2)", "-o", name]);
+    let done = program(&["2-sqrt(4-r^2)", "-o", name, "--at", "0.5,1.5"]);
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
     let text = fs::read_to_string(&path).unwrap();
     assert!(text.len() < 60_000, "{} bytes", text.len());
@@ -254,7 +254,7 @@ fn a_slice_of_the_closed_form_has_every_digit() {
         let solution = solved(text);
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
         let problem = Problem::new(&solution, &evaluator, quantity, None, None).unwrap();
-        let found = study(problem, &Options { budget: Duration::from_secs(5), wanted: vec![1e-12] }).unwrap();
+        let found = study(problem, &Options { budget: Duration::from_secs(cases(2, 5)), wanted: vec![1e-12] }).unwrap();
         let slice = found.rows.iter().find(|row| row.method == "closed form" && row.setting == "slice of doubles").unwrap();
         // Three quarters of a unit in the last place of a number next to a power of two.
         assert!(slice.error < 0.75 * f64::EPSILON, "{text}: {:e}", slice.error);

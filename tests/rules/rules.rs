@@ -15,7 +15,7 @@ use sneddon_checks::seeds::cases;
 const DRAWS: usize = 12;
 /// Random terms made from the pattern of every rule.
 fn terms() -> usize {
-    cases(16, 60)
+    cases(6, 60)
 }
 /// Shown and evaluated forms, statement and code agree to this at moderate arguments, where the plain forms cancel little.
 const SAME: f64 = 1e-9;
@@ -110,7 +110,7 @@ fn code_is_quadrature() {
     let mut stream = Stream::new(3);
     for rule in RULES {
         let solution = derived(rule.pattern);
-        for _ in 0..cases(4, DRAWS) {
+        for _ in 0..cases(2, DRAWS) {
             let parameters = draw(rule, &mut stream);
             let exact = evaluator(&solution, &parameters, Method::Exact);
             let plain = evaluator(&solution, &parameters, Method::Quadrature);

@@ -59,7 +59,7 @@ fn means_add_up_to_the_force() {
         // A pressure without a formula costs a thousand times as much as the others.
         let coarse = profile.starts_with("piecewise") && cases(true, false);
         let grids: &[_] =
-            if coarse { &[(2.5, 4, true)] } else { &[(2.5, 16, false), (2.5, 16, true), (2.1, 15, false), (2.0 + 1.0 / 8.0, 17, false)] };
+            if coarse { &[(2.5, 2, true)] } else { &[(2.5, 16, false), (2.5, 16, true), (2.1, 15, false), (2.0 + 1.0 / 8.0, 17, false)] };
         for &(side, count, between) in grids {
             let field = run.field(&Grid::Square { side, count, between }, Curve::Pressure, Some(&state), true);
             let area = (side / count as f64).powi(2);

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use serde_json::Value;
 use sneddon::contact::{Boundary, State};
 use sneddon::num::quadrature::{Options, Panel, Point, integrate};
@@ -230,8 +231,13 @@ fn force(profile: &str, modulus: f64, depth: f64) -> (f64, State) {
     (own.value(Datum::Force).unwrap(), own.indented.state.unwrap())
 }
 
+/// The same profiles in every run; others under `just long`.
+fn seed() -> RngSeed {
+    cases(RngSeed::Fixed(1), RngSeed::Random)
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, rng_seed: seed(), ..ProptestConfig::default() })]
 
     /// dF/dd = 2E*a, from a central difference whose error is of second order.
     #[test]
@@ -291,7 +297,7 @@ proptest! {
 
 proptest! {
     // A pressure without a formula costs up to a second per case.
-    #![proptest_config(ProptestConfig { cases: cases(6, 32), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: cases(6, 32), failure_persistence: None, rng_seed: seed(), ..ProptestConfig::default() })]
 
     /// F = 2π∫ p r dr.
     #[test]

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use sneddon::transform::rules::RULES;
+use sneddon_checks::seeds::cases;
 use sneddon_checks::stability::{Cell, Outcome, cells};
 use sneddon_checks::stability_page::{page, skeleton};
 use std::collections::BTreeSet;
@@ -9,13 +10,16 @@ use std::sync::OnceLock;
 
 const REFERENCES: &str = include_str!("../oracle/extremes.csv");
 
+const REFRESH: &str = "run `cargo run --release -p sneddon-runs --bin stability > docs/stability.md`";
+
 /// Refusals of numbers that a double could hold; fewer is better.
 const REFUSED: usize = 174;
 
 /// The cells of both tests, evaluated once.
 fn found() -> &'static [Cell] {
+    // A third of the corners of each rule shows a change of a rule; all of them take 13 s of processor time.
     static FOUND: OnceLock<Vec<Cell>> = OnceLock::new();
-    FOUND.get_or_init(|| cells(REFERENCES))
+    FOUND.get_or_init(|| cells(REFERENCES, cases(3, 1)))
 }
 
 #[test]
@@ -28,15 +32,20 @@ fn corners_keep_their_digits() {
     let without: Vec<&str> = RULES.iter().map(|rule| rule.id).filter(|id| !seen.contains(id)).collect();
     assert!(without.is_empty(), "run tests/oracle/extremes.py for {}", without.join(", "));
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
-    assert!(refused.len() <= REFUSED, "{} refusals:\n{}", refused.len(), refused.join("\n"));
+    assert!(refused.len() <= cases(69, REFUSED), "{} refusals:\n{}", refused.len(), refused.join("\n"));
 }
 
 #[test]
 fn the_document_is_the_programs() {
     let written = include_str!("../../docs/stability.md").split("\n## Random scenes").next().unwrap();
-    let (own, written) = (skeleton(&page(found())), skeleton(written));
+    let own = page(found());
+    let sections = |text: &str| -> Vec<Vec<String>> { text.split("\n### ").skip(cases(1, 0)).map(skeleton).collect() };
+    let (own, written) = (sections(&own), sections(written));
+    assert_eq!(own.len(), written.len(), "{REFRESH}");
     for (own, written) in own.iter().zip(&written) {
-        assert_eq!(own, written, "run `cargo run --release -p sneddon-runs --bin stability > docs/stability.md`");
+        assert!(own[0] == written[0] && own.len() >= written.len() / cases(3, 1), "{} {}: {REFRESH}", own[0], written[0]);
+        for line in own {
+            assert!(written.contains(line), "{} {line}: {REFRESH}", own[0]);
+        }
     }
-    assert_eq!(own.len(), written.len());
 }

@@ -2,7 +2,7 @@
 
 use super::Region;
 use super::interval::Interval;
-use super::leaves_the_range;
+use super::{leaves_the_range, magnitude};
 
 impl Region {
     /// √z, the principal branch: unknown where the rectangle meets (−∞, 0].
@@ -16,7 +16,7 @@ impl Region {
         }
         // Re √z = √((|z| + x)/2) rises with x and with |y|; Im √z = y/(2 Re √z).
         let part = |x: f64, y: f64| {
-            let size = x.hypot(y);
+            let size = magnitude(x.abs(), y.abs());
             if x >= 0.0 { (0.5 * (size + x)).sqrt() } else { y / (2.0 * (size - x)).sqrt() }
         };
         let re = Interval::loose(part(self.re.low, self.im.least()), part(self.re.high, self.im.largest()));

@@ -87,8 +87,8 @@ impl Region {
 
     /// The largest |z|; infinite where it is not known.
     pub fn largest(self) -> f64 {
-        let size = self.re.largest().hypot(self.im.largest()).next_up();
-        if size.is_nan() || self.re.low.is_nan() || self.im.low.is_nan() { f64::INFINITY } else { size.next_up().min(self.most) }
+        let size = magnitude(self.re.largest(), self.im.largest());
+        if size.is_nan() { f64::INFINITY } else { (size * (1.0 + 2.0 * f64::EPSILON)).next_up().min(self.most) }
     }
 
     /// What lies in both rectangles, of which each has all values of one function.
@@ -160,7 +160,7 @@ impl Region {
 
     /// A bound from below on |z|.
     fn least(self) -> f64 {
-        let size = self.re.least().hypot(self.im.least());
+        let size = magnitude(self.re.least(), self.im.least());
         if size > 0.0 { (size * (1.0 - 4.0 * f64::EPSILON)).max(self.least) } else { self.least }
     }
 
@@ -226,10 +226,10 @@ impl Add for Region {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         let (re, im) = (self.re.add(other.re), self.im.add(other.im));
-        let least = (self.least() - other.largest()).max(other.least() - self.largest());
+        let (low, high, other_low, other_high) = (self.least(), self.largest(), other.least(), other.largest());
+        let least = (low - other_high).max(other_low - high);
         // The difference is rounded.
-        let own =
-            Self { re, im, ..Self::sized(least - 2.0 * f64::EPSILON * (self.least() + other.least()), self.largest() + other.largest()) };
+        let own = Self { re, im, ..Self::sized(least - 2.0 * f64::EPSILON * (low + other_low), high + other_high) };
         if !leaves_the_range(own.most) {
             return own;
         }
@@ -270,6 +270,18 @@ impl Div for Region {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         other.recip().mul(self)
+    }
+}
+
+/// √(x² + y²) of numbers that are not negative, within a relative error of 2^-52.
+fn magnitude(x: f64, y: f64) -> f64 {
+    let squares = x * x + y * y;
+    if y == 0.0 {
+        x
+    } else if squares > SMALL && squares < LARGE {
+        squares.sqrt()
+    } else {
+        x.hypot(y)
     }
 }
 

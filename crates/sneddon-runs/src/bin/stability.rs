@@ -8,7 +8,7 @@ use std::error::Error;
 use std::fs;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    print!("{}", page(&cells(&fs::read_to_string("tests/oracle/extremes.csv")?)));
+    print!("{}", page(&cells(&fs::read_to_string("tests/oracle/extremes.csv")?, 1)));
     if let Some(path) = std::env::args().nth(1) {
         println!("\n## Random scenes\n");
         println!("Scenes are drawn with a seed: named shapes and formulas, materials, loads, cylinders, units.");
