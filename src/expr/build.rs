@@ -16,12 +16,15 @@ fn nothing() -> Expr {
 ///
 /// −1 times a sum is distributed, so that a difference of sums is one sum.
 pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
+    sum_of(terms.into_iter().collect())
+}
+
+fn sum_of(mut pending: Vec<Expr>) -> Expr {
     if is_exhausted() {
         return nothing();
     }
     let mut constant = Number::integer(0);
     let mut collected: BTreeMap<Expr, Number> = BTreeMap::new();
-    let mut pending: Vec<Expr> = terms.into_iter().collect();
     pending.reverse();
     while let Some(term) = pending.pop() {
         match term.node() {
@@ -75,12 +78,15 @@ fn scaled(coefficient: Number, rest: Expr) -> Expr {
 
 /// The product of the factors: flattened, powers of one base added up, numbers folded.
 pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
+    product_of(factors.into_iter().collect())
+}
+
+fn product_of(mut pending: Vec<Expr>) -> Expr {
     if is_exhausted() {
         return nothing();
     }
     let mut coefficient = Number::integer(1);
     let mut exponents: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
-    let mut pending: Vec<Expr> = factors.into_iter().collect();
     // Folding a collected power can give a product again (2^(3/2) = 2·2^(1/2)); a few rounds settle it.
     for _ in 0..8 {
         while let Some(factor) = pending.pop() {

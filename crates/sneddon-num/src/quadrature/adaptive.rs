@@ -6,7 +6,7 @@ use super::super::estimate::Estimate;
 use super::refine::Work;
 use super::sample::{Order, Place};
 use super::transform::Map;
-use super::{Panel, Point};
+use super::{Integrand, Panel, Point};
 
 /// What is asked of [`integrate`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,6 +147,10 @@ pub fn integrate_blocks(
     panels: &[Panel],
     options: &Options,
 ) -> Result<Estimate, NumError> {
+    over_panels(integrand, panels, options)
+}
+
+fn over_panels(integrand: &mut Integrand<'_>, panels: &[Panel], options: &Options) -> Result<Estimate, NumError> {
     let order = options.order();
     let mut work = Work::default();
     for panel in panels {

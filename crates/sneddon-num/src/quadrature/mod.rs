@@ -15,3 +15,6 @@ pub use abel::{CHUNK, Extent, Form, Wish, from_the_axis};
 pub use adaptive::{Options, Rule, integrate, integrate_blocks};
 pub use even::{EvenIntegrand, Known, Mean, Middles, Nodes, mean};
 pub use transform::{EndBehaviour, Panel, Point};
+
+/// An integrand over blocks of points: behind a pointer, so that the rules are compiled once and not for every integrand.
+type Integrand<'a> = dyn FnMut(&[Point], &mut [crate::Bounded]) + 'a;

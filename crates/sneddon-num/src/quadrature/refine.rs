@@ -9,7 +9,7 @@ use super::super::estimate::Estimate;
 use super::super::work;
 use super::sample::{Order, Place, Sample, sample};
 use super::transform::Map;
-use super::{Options, Point, Rule};
+use super::{Integrand, Options, Rule};
 
 /// Deepest bisection: positions stay exact integers.
 const DEEPEST: u32 = 50;
@@ -118,7 +118,7 @@ impl Work {
         place: Place,
         stalls: u8,
         options: &Options,
-        integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
+        integrand: &mut Integrand<'_>,
     ) -> Result<Piece, NumError> {
         let mut found = sample(order, &map, place, options.charge_x, integrand)?;
         self.evaluations += order.points();
@@ -133,7 +133,7 @@ impl Work {
         mut self,
         order: Order,
         options: &Options,
-        integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
+        integrand: &mut Integrand<'_>,
     ) -> Result<Estimate, NumError> {
         loop {
             work::check()?;
@@ -175,7 +175,7 @@ impl Work {
         order: Order,
         requested: f64,
         options: &Options,
-        integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
+        integrand: &mut Integrand<'_>,
     ) -> Result<(), NumError> {
         let Piece { map, place, stalls, found: before, .. } = worst;
         let steps = worst.order.steps_to_the_largest();

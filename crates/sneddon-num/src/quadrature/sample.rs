@@ -2,7 +2,7 @@
 
 use super::super::bounded::{Bounded, UNIT};
 use super::super::error::NumError;
-use super::Point;
+use super::{Integrand, Point};
 use super::rules::{KRONROD_15, KRONROD_21, KRONROD_31, KRONROD_61, Rule};
 use super::transform::Map;
 
@@ -63,7 +63,7 @@ pub(super) fn sample(
     map: &Map,
     place: Place,
     charge_x: bool,
-    integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
+    integrand: &mut Integrand<'_>,
 ) -> Result<Sample, NumError> {
     match order {
         Order::Points15 => apply(&KRONROD_15, map, place, charge_x, integrand),
@@ -81,7 +81,7 @@ fn apply<const H: usize>(
     map: &Map,
     place: Place,
     charge_x: bool,
-    integrand: &mut impl FnMut(&[Point], &mut [Bounded]),
+    integrand: &mut Integrand<'_>,
 ) -> Result<Sample, NumError> {
     // Integer positions: the fractions 0 … 1 of the panel keep full relative accuracy at both ends.
     let width = 0.5f64.powi(place.level as i32);

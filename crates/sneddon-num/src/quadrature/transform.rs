@@ -2,6 +2,7 @@
 
 use super::super::bounded::{Bounded, UNIT};
 use super::super::error::NumError;
+use super::Integrand;
 
 /// A node of the quadrature, with its distances to both ends of the panel that the caller gave.
 ///
@@ -178,7 +179,7 @@ impl Map {
 
     /// Bound on what the substitution leaves out at both ends, from the local exponent of the
     /// integrand there; and the number of evaluations used. Infinite where the exponent is ≤ −1.
-    pub(super) fn cut_tails(&self, integrand: &mut impl FnMut(&[Point], &mut [Bounded])) -> Result<(f64, u64), NumError> {
+    pub(super) fn cut_tails(&self, integrand: &mut Integrand<'_>) -> Result<(f64, u64), NumError> {
         if self.is_smooth() {
             return Ok((0.0, 0));
         }
