@@ -3,7 +3,6 @@
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use crate::expr::Function;
 use crate::num::Bounded;
-use std::collections::HashMap;
 
 /// What is assumed of the elementary functions of a language, in units in the last place.
 pub(super) const ELEMENTARY_ULPS: f64 = 2.0;
@@ -24,8 +23,15 @@ pub(super) struct Machine<'a> {
     steps: usize,
 }
 
-/// The variables of a routine that runs.
-type Variables = HashMap<String, Bounded>;
+/// The variables of a routine that runs, the latest last: few enough to be looked through.
+type Variables<'a> = Vec<(&'a str, Bounded)>;
+
+fn set<'a>(variables: &mut Variables<'a>, name: &'a str, value: Bounded) {
+    match variables.iter_mut().rev().find(|(own, _)| *own == name) {
+        Some((_, old)) => *old = value,
+        None => variables.push((name, value)),
+    }
+}
 
 impl<'a> Machine<'a> {
     pub(super) fn new(routines: &'a [Routine], library: &'a dyn Fn(&str) -> Option<f64>) -> Self {
@@ -40,12 +46,12 @@ impl<'a> Machine<'a> {
 
     fn routine(&mut self, name: &str, arguments: Vec<Bounded>) -> Option<Bounded> {
         let routine = self.routines.iter().find(|own| own.name == name)?;
-        let mut variables: Variables = routine.parameters.iter().cloned().zip(arguments).collect();
+        let mut variables: Variables<'a> = routine.parameters.iter().map(String::as_str).zip(arguments).collect();
         self.block(&routine.body, &mut variables)?
     }
 
     /// Runs statements; `Some(None)` where none of them returned.
-    fn block(&mut self, list: &[Statement], variables: &mut Variables) -> Option<Option<Bounded>> {
+    fn block(&mut self, list: &'a [Statement], variables: &mut Variables<'a>) -> Option<Option<Bounded>> {
         for own in list {
             self.steps += 1;
             if self.steps > MOST_STEPS {
@@ -54,7 +60,7 @@ impl<'a> Machine<'a> {
             let done = match own {
                 Statement::Let(name, value) | Statement::Set(name, value) => {
                     let value = self.value(value, variables)?;
-                    variables.insert(name.clone(), value);
+                    set(variables, name, value);
                     None
                 }
                 Statement::Return(value) => Some(self.value(value, variables)?),
@@ -78,7 +84,7 @@ impl<'a> Machine<'a> {
         Some(None)
     }
 
-    fn test(&mut self, test: &Test, variables: &Variables) -> Option<bool> {
+    fn test(&mut self, test: &'a Test, variables: &Variables<'a>) -> Option<bool> {
         Some(match test {
             Test::Compare(comparison, left, right) => {
                 let (left, right) = (self.value(left, variables)?.value, self.value(right, variables)?.value);
@@ -110,11 +116,11 @@ impl<'a> Machine<'a> {
         })
     }
 
-    fn value(&mut self, value: &Value, variables: &Variables) -> Option<Bounded> {
+    fn value(&mut self, value: &'a Value, variables: &Variables<'a>) -> Option<Bounded> {
         Some(match value {
             Value::Number(number, true) => Bounded::exact(*number),
             Value::Number(number, false) => Bounded::rounded(*number),
-            Value::Name(name) => *variables.get(name)?,
+            Value::Name(name) => variables.iter().rev().find(|(own, _)| own == name)?.1,
             Value::Binary(operator, left, right) => {
                 let (left, right) = (self.value(left, variables)?, self.value(right, variables)?);
                 match operator {

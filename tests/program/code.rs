@@ -107,8 +107,8 @@ fn cases(entry: &Entry, module: &str, own: Requested, made: &Program) -> Vec<Cas
                 let slope = (at(place * (1.0 + 1e-5)) - at(place * (1.0 - 1e-5))) / (2e-5 * place);
                 let rest = -depth.value.lo / slope;
                 // Where g has fallen before, an inner radius has the same depth.
-                let first =
-                    (1..100).all(|i| at(place * f64::from(i) / 100.0) <= depth.value.hi || at(place * f64::from(i) / 100.0).is_nan());
+                let inside = |i: i32| evaluator.slope(place * f64::from(i) / 100.0);
+                let first = (1..100).all(|i| inside(i).is_ok_and(|own| own.estimate.value <= depth.value.hi));
                 if slope > 0.0 && depth.value.hi > 0.0 && first && (depth.value.hi / (slope * place)).is_finite() {
                     push(&[depth.value.hi], Some(Precise::exact(place).add(Precise::exact(rest))));
                 }

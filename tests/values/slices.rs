@@ -5,6 +5,7 @@ use sneddon::expr::Bindings;
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Quantity, Reading, Slice, Solution, TransformError, derive};
 use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
 
 /// Whole, kinked, worn, capped, cancelling, half open, and with an end.
 const PROFILES: &[&str] = &[
@@ -51,7 +52,7 @@ fn slices_have_the_numbers_of_the_scalar_way() {
     for text in PROFILES {
         let solution = solution(text);
         let evaluator = evaluator(&solution, 1e-13);
-        let count = if text.contains("ln") { 20 } else { 2500 };
+        let count = if text.contains("ln") { 20 } else { cases(900, 2500) };
         let x = points(&mut stream, count);
         let (mut values, mut errors) = (vec![0.0; count], vec![0.0; count]);
         let mut check = |values: &[f64], errors: &[f64], scalar: &dyn Fn(f64) -> Reading| {

@@ -8,6 +8,7 @@ use sneddon::transform::inner::smoothed;
 use sneddon::transform::{Cubic, Interpolation, Penalty, Profile, Quantities, TableError, TableProfile, TransformError};
 use sneddon_checks::quantities::quantity;
 use sneddon_checks::rows::rows;
+use sneddon_checks::seeds::cases;
 
 /// The generator of `oracle/tables.py`.
 fn made(count: usize, fine: i32, kink: Option<usize>) -> TableProfile {
@@ -95,7 +96,7 @@ fn points_of_a_cubic_give_its_exact_transform() {
 fn force_pressure_depth_and_energy_obey_their_laws() {
     let own = made(100, 4, None);
     let last = own.limit();
-    for a in [0.3 * last, 0.77 * last] {
+    for a in [0.77 * last, 0.3 * last].into_iter().take(cases(1, 2)) {
         let (g, force, whole) = (own.slope(a).unwrap().estimate, own.force(a).unwrap().estimate, own.integral(a).unwrap().estimate);
         close(whole, a * g.value - force.value, 1e-13, "G = a g − F");
         // F/(2E*) = ∫ p π/E* r dr with r = a sin t, piece by piece.

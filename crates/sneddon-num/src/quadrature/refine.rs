@@ -129,12 +129,7 @@ impl Work {
     }
 
     /// Refines until the tolerance is met or nothing helps any more.
-    pub(super) fn refine(
-        mut self,
-        order: Order,
-        options: &Options,
-        integrand: &mut Integrand<'_>,
-    ) -> Result<Estimate, NumError> {
+    pub(super) fn refine(mut self, order: Order, options: &Options, integrand: &mut Integrand<'_>) -> Result<Estimate, NumError> {
         loop {
             work::check()?;
             if !self.totals.value.is_finite() {

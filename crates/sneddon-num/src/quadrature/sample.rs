@@ -2,9 +2,9 @@
 
 use super::super::bounded::{Bounded, UNIT};
 use super::super::error::NumError;
-use super::{Integrand, Point};
 use super::rules::{KRONROD_15, KRONROD_21, KRONROD_31, KRONROD_61, Rule};
 use super::transform::Map;
+use super::{Integrand, Point};
 
 /// Which rule: in order of cost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,13 +58,7 @@ pub(super) struct Sample {
 }
 
 /// Applies the rule of the given order.
-pub(super) fn sample(
-    order: Order,
-    map: &Map,
-    place: Place,
-    charge_x: bool,
-    integrand: &mut Integrand<'_>,
-) -> Result<Sample, NumError> {
+pub(super) fn sample(order: Order, map: &Map, place: Place, charge_x: bool, integrand: &mut Integrand<'_>) -> Result<Sample, NumError> {
     match order {
         Order::Points15 => apply(&KRONROD_15, map, place, charge_x, integrand),
         Order::Points21 => apply(&KRONROD_21, map, place, charge_x, integrand),
