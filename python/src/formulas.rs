@@ -6,7 +6,7 @@ use sneddon::contact::{Edge, relations};
 use sneddon::expr::{Bindings, Expr, Formula};
 use sneddon::parse;
 use sneddon::print::Renaming;
-use sneddon::report::{self, Derivation};
+use sneddon::report::{self, Derivation, Unchecked};
 use sneddon::transform::{self, Profile};
 
 /// The profile of a text, with the values of its parameters as texts.
@@ -50,7 +50,7 @@ pub(crate) fn derive(py: Python<'_>, text: &str, names: Vec<String>, values: Vec
         let profile = Profile::new(&typed).map_err(|error| place(error.into()))?;
         let solution = transform::derive(&profile).map_err(|error| place(error.into()))?;
         let relations = relations(&solution, &edge)?;
-        let check = transform::check(&solution).map_err(|error| error.to_string());
+        let check = transform::check(&solution).map_err(Unchecked::from);
         let record = Derivation {
             profile: &profile,
             typed: &typed,

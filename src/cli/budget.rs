@@ -1,8 +1,11 @@
 //! The budget of a command: steps of work that the library counts, and a clock as the last guard.
 
+use super::failure::warn;
 use super::{Failure, Outcome, input};
 use crate::num::Budget;
 use crate::num::work;
+use crate::report::Unchecked;
+use crate::transform::{Check, TransformError, Verdict};
 use std::io::Write;
 use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -21,7 +24,7 @@ const USUAL: f64 = 3.0;
 /// The longest budget in seconds.
 pub(super) const LONGEST: f64 = 86_400.0;
 /// The clock stops the program after this many times the seconds that the steps should take …
-const PATIENCE: f64 = if cfg!(debug_assertions) { 40.0 } else { 1.6 };
+const PATIENCE: f64 = if cfg!(debug_assertions) { 40.0 } else { 10.0 };
 /// … and looks this often.
 const LOOK: Duration = Duration::from_millis(50);
 /// A command that did not finish its work.
@@ -64,8 +67,21 @@ pub(super) fn allow(parts: u64, steps_per_part: u64) {
 }
 
 /// Runs a part that the answer can do without, with half of what is left of the budget.
-pub(super) fn part<T>(run: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
-    work::share(work::left() / 2, run).unwrap_or_else(|| Err("the budget of work did not suffice".to_owned()))
+pub(super) fn part<T>(run: impl FnOnce() -> Result<T, TransformError>) -> Result<T, Unchecked> {
+    work::share(work::left() / 2, run).map_or(Err(Unchecked::Cut), |done| done.map_err(Unchecked::from))
+}
+
+/// How a command ends whose answer was written with this check.
+pub(super) fn judged(check: &Result<Check, Unchecked>) -> Outcome {
+    if let Some(why) = Unchecked::why(check) {
+        warn(why);
+        return Outcome::Failed;
+    }
+    if check.as_ref().is_ok_and(|own| own.verdict == Verdict::Failed) {
+        warn("the check against quadrature failed");
+        return Outcome::Failed;
+    }
+    Outcome::Done
 }
 
 /// Starts the clock that ends the program if the count of steps has missed something.

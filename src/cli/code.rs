@@ -100,7 +100,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let text = write(&code);
     let write = |out: &mut dyn std::io::Write| out.write_all(text.as_bytes());
     match target {
-        Some(target) => target.fill(&mut { write })?,
+        Some(target) => target.fill(write)?,
         None => output::print(write)?,
     }
     Ok(Outcome::Done)

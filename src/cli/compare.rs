@@ -27,10 +27,10 @@ pub(super) struct Arguments {
     tol: Option<String>,
     /// Writes JSON.
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     /// Writes into this file instead of stdout; its ending decides the format: .txt or .json.
     #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     #[command(flatten)]
     pub(super) budget: budget::BudgetArguments,
 }

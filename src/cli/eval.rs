@@ -6,7 +6,6 @@ use super::{Failure, Outcome, budget, curve, input, points, series};
 use crate::contact::{self, Contact, ContactError, Explicit, Measured, Reason};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
-use crate::num::work;
 use crate::report::{self, Evaluation, Shift, Units};
 use crate::scene::Dimension;
 use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError};
@@ -48,13 +47,13 @@ pub(super) struct Arguments {
     tol: Option<String>,
     /// Writes JSON.
     #[arg(long, conflicts_with = "csv")]
-    json: bool,
+    pub(super) json: bool,
     /// Writes comma-separated values.
     #[arg(long)]
     csv: bool,
     /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv or .json.
     #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     #[command(flatten)]
     pub(super) budget: budget::BudgetArguments,
 }
@@ -180,9 +179,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     solution.warnings().iter().for_each(|text| warn(text));
     let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
     let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
-    // Known beforehand and cheap: a long list fails at once.
-    for (symbol, place) in quantity.reached(&at, radius) {
-        contact.evaluator().check_domain(symbol, place).map_err(|error| failed(error.into()))?;
+    if let Some(a) = radius.filter(|_| quantity.needs_radius()) {
+        contact.evaluator().check_domain("a", a).map_err(|error| failed(error.into()))?;
     }
     let inverse = if quantity == Quantity::Radius { contact::explicit(&solution) } else { None };
     let asked = Asked { contact, inverse, radius, method, tolerance };
@@ -194,7 +192,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let own = curve::Asked { symbol, at: &at, radius, depth, effective_modulus, tolerance: demanded };
         curve::readings(&asked.contact, &own, failed)?
     } else {
-        quantity.read_within_budget(&asked, &at).map_err(failed)?
+        contact::each_point(&at, |block| quantity.read_all(&asked, block)).map_err(failed)?
     };
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
@@ -222,8 +220,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Csv => report::text::evaluation_as_csv(&record, out),
         Format::Text => report::text::evaluation(&record, out),
     })?;
+    warn_of_missing_values(&record.readings);
     if record.is_cut() {
-        warn(Reason::Unfinished.text());
         return Ok(Outcome::Failed);
     }
     Ok(Outcome::Done)
@@ -251,6 +249,15 @@ fn warn_of_invalid_contact(quantity: Quantity, readings: &[Measured]) {
     let negative = readings.iter().flatten().any(|reading| reading.estimate.value < -reading.estimate.error);
     if telling && negative {
         warn(&format!("{} is negative at some points: no valid contact; the formula is answered all the same", quantity.symbol()));
+    }
+}
+
+/// Points without a value, with the reason of the first one; what theory makes infinite is no surprise.
+fn warn_of_missing_values(readings: &[Measured]) {
+    let missing =
+        || readings.iter().filter_map(|own| own.as_ref().err()).filter(|own| matches!(own, Reason::Refused(_) | Reason::Unfinished));
+    if let Some(first) = missing().next() {
+        warn(&format!("{} of {} points have no value: {}", missing().count(), readings.len(), first.text()));
     }
 }
 
@@ -292,35 +299,7 @@ impl Way {
     }
 }
 
-/// This part of the budget is left for writing the answer.
-const FOR_THE_ANSWER: u64 = 16;
-
 impl Quantity {
-    /// The readings of a list; where the budget does not suffice for all of them, of those points for which it does.
-    fn read_within_budget(self, asked: &Asked<'_>, at: &[f64]) -> Result<Vec<Measured>, ContactError> {
-        let most = work::left() / FOR_THE_ANSWER * (FOR_THE_ANSWER - 1);
-        // One point has no part that could be given.
-        if at.len() == 1 {
-            return self.read_all(asked, at);
-        }
-        if let Some(whole) = work::share(most / 4 * 3, || self.read_all(asked, at)) {
-            return whole;
-        }
-        let mut readings = Vec::with_capacity(at.len());
-        for point in at {
-            let own = work::share(work::left() / 3, || self.read_all(asked, std::slice::from_ref(point)));
-            match own {
-                Some(own) => readings.extend(own?),
-                None => readings.push(Err(Reason::Unfinished)),
-            }
-        }
-        if readings.iter().all(|own| matches!(own, Err(Reason::Unfinished))) {
-            // Not one point has an answer.
-            return Err(work::exhausted().into());
-        }
-        Ok(readings)
-    }
-
     /// The readings of a list, block by block where closed forms answer.
     fn read_all(self, asked: &Asked<'_>, at: &[f64]) -> Result<Vec<Measured>, ContactError> {
         match (self, asked.radius) {
@@ -343,7 +322,10 @@ impl Quantity {
             Self::Force => contact.force(at)?,
             Self::Pressure => return contact.pressure(at, a),
             Self::Displacement => contact.displacement(at, a)?,
-            Self::Stiffness => contact.stiffness(at),
+            Self::Stiffness => {
+                contact.evaluator().check_domain("a", at)?;
+                contact.stiffness(at)
+            }
             Self::Integral => contact.integral(at)?,
             Self::Energy if asked.method == Method::Exact => return Err(TransformError::NoClosedForm { quantity: "U" }.into()),
             Self::Energy => contact.energy(at)?,
@@ -353,13 +335,6 @@ impl Quantity {
             Self::LineLoad => contact.line_load(at, a)?,
             Self::LineDisplacement => contact.line_displacement(at, a)?,
         }))
-    }
-
-    /// How far out the profile must reach, with the symbol of each place.
-    fn reached(self, at: &[f64], radius: Option<f64>) -> impl Iterator<Item = (&'static str, f64)> {
-        let at = if self == Self::Radius || self.needs_radius() { &[] } else { at };
-        let radius = radius.filter(|_| self.needs_radius()).map(|a| ("a", a));
-        at.iter().map(move |place| (self.coordinate(), *place)).chain(radius)
     }
 
     fn symbol(self) -> &'static str {

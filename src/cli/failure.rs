@@ -40,6 +40,11 @@ impl Failure {
         self.incomplete
     }
 
+    /// What went wrong, without advice and place.
+    pub(super) fn message(&self) -> String {
+        line(&self.message)
+    }
+
     /// Adds what would be accepted.
     pub(super) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());

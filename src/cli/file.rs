@@ -1,8 +1,9 @@
 //! Answers in files: whole or not at all.
 
 use super::Failure;
+use crate::num::work;
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// A file that will be written at the end; whatever fails before leaves it untouched.
@@ -34,17 +35,19 @@ impl Target {
     /// Writes beside the file and puts the whole in its place at once, so that a reader never sees a part of it.
     ///
     /// What was written is gone where it ends early, be it by an error or by a signal.
-    pub(super) fn fill(&self, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-        self.replace(write).map_err(|error| Failure::new(format!("-o {} cannot be written: {error}", self.path.display())))
+    pub(super) fn fill(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+        let done = self.replace(write);
+        // Where the budget was used up, that is the reason.
+        work::check()?;
+        done.map_err(|error| Failure::new(format!("-o {} cannot be written: {error}", self.path.display())))
     }
 
-    fn replace(&self, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    fn replace(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
         let known = fs::metadata(&self.path).ok();
         if known.as_ref().is_some_and(|own| !own.is_file()) {
             // A pipe or a device cannot be put in its place as a whole.
-            let mut out = BufWriter::new(fs::OpenOptions::new().write(true).open(&self.path)?);
-            write(&mut out)?;
-            return out.flush();
+            let mut out = fs::OpenOptions::new().write(true).open(&self.path)?;
+            return io::copy(&mut spooled(write)?, &mut out).map(drop);
         }
         if known.as_ref().is_some_and(|own| own.permissions().readonly()) {
             return Err(io::Error::new(io::ErrorKind::PermissionDenied, "it is read-only"));
@@ -59,7 +62,8 @@ impl Target {
         let done = (|| {
             let mut out = BufWriter::new(beside.as_file());
             write(&mut out)?;
-            out.flush()
+            out.flush()?;
+            whole()
         })();
         unfinished::end(|| match done {
             // What a crash of the machine leaves is the old file or the new one, never an empty one.
@@ -67,6 +71,27 @@ impl Target {
             Err(error) => Err(error),
         })
     }
+}
+
+/// An answer that a pipe or a device will take, complete before the first byte of it goes out.
+///
+/// # Errors
+/// As the writer, and where the budget of work was used up before the end.
+pub(super) fn spooled(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<impl Read> {
+    let mut kept = BufWriter::new(tempfile::spooled_tempfile(IN_MEMORY));
+    write(&mut kept)?;
+    let mut kept = kept.into_inner().map_err(io::IntoInnerError::into_error)?;
+    kept.rewind()?;
+    whole()?;
+    Ok(kept)
+}
+
+/// Longer answers wait in a file.
+const IN_MEMORY: usize = 1 << 24;
+
+/// Nothing that was made after the budget was used up is an answer.
+fn whole() -> io::Result<()> {
+    work::check().map_err(io::Error::other)
 }
 
 pub(super) use unfinished::{answer_interrupts, remove as remove_unfinished};

@@ -26,6 +26,7 @@ mod typesetting;
 mod units;
 mod validate;
 
+use crate::report;
 use clap::{Parser, Subcommand};
 use failure::Failure;
 use std::process::ExitCode;
@@ -70,6 +71,23 @@ enum Command {
     Completions(completions::Arguments),
 }
 
+impl Command {
+    /// The name of the document that stdout is promised, where the answer is to be JSON.
+    fn document(&self) -> Option<&'static str> {
+        let (name, json, output) = match self {
+            Self::Derive(own) => ("derive", own.json || own.format == Some(typesetting::Format::Json), &own.output),
+            Self::Invert(own) => ("invert", own.json || own.format == Some(typesetting::Format::Json), &own.output),
+            Self::Eval(own) => ("eval", own.json, &own.output),
+            Self::Compare(own) => ("compare", own.json, &own.output),
+            Self::Solve(own) => ("solve", own.json, &own.output),
+            Self::Reference(own) => ("reference", own.json, &own.output),
+            Self::Validate(own) => ("validate", own.json, &own.output),
+            _ => return None,
+        };
+        (json && output.as_ref().is_none_or(|path| path.as_os_str() == "-")).then_some(name)
+    }
+}
+
 /// How a command ended that did its work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Outcome {
@@ -89,6 +107,7 @@ pub fn main() -> ExitCode {
         }
     };
     file::answer_interrupts();
+    let document = arguments.command.document();
     let outcome = match arguments.command {
         Command::Derive(own) => own.budget.run(|| derive::run(&own)),
         Command::Eval(own) => own.budget.run(|| eval::run(&own)),
@@ -109,7 +128,12 @@ pub fn main() -> ExitCode {
         Ok(Outcome::Failed) => ExitCode::from(1),
         Err(failure) => {
             failure.report();
-            ExitCode::from(if failure.is_incomplete() { 1 } else { 2 })
+            let Some(schema) = document.filter(|_| failure.is_incomplete()) else {
+                return ExitCode::from(if failure.is_incomplete() { 1 } else { 2 });
+            };
+            // Nothing more can be said where stdout is closed.
+            let _ = output::print(|out| report::json::unfinished(schema, &failure.message(), out));
+            ExitCode::from(1)
         }
     }
 }

@@ -1,17 +1,21 @@
 //! Where an answer goes, and in which format: stdout or a file whose ending decides.
 
 use super::Failure;
-use super::file::Target;
-use std::io::{self, BufWriter, Write};
+use super::file::{self, Target};
+use crate::num::work;
+use std::io::{self, Write};
 use std::path::Path;
 
 /// Writes the answer to stdout; a closed pipe means that the reader has enough.
 pub(super) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    let mut out = BufWriter::new(io::stdout().lock());
-    match write(&mut out).and_then(|()| out.flush()) {
+    let failed = |error: io::Error| Failure::new(format!("the answer cannot be written: {error}"));
+    let whole = file::spooled(write);
+    work::check()?;
+    let (mut whole, mut out) = (whole.map_err(failed)?, io::stdout().lock());
+    match io::copy(&mut whole, &mut out).and_then(|_| out.flush()) {
         Ok(()) => Ok(()),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-        Err(error) => Err(Failure::new(format!("the answer cannot be written: {error}"))),
+        Err(error) => Err(failed(error)),
     }
 }
 
@@ -70,10 +74,10 @@ impl<F: Copy + PartialEq> Destination<F> {
     }
 
     /// Writes the answer; a file appears when it is complete.
-    pub(super) fn write(&self, mut write: impl FnMut(F, &mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-        let mut formatted = |out: &mut dyn Write| write(self.format, out);
+    pub(super) fn write(&self, write: impl FnOnce(F, &mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+        let formatted = |out: &mut dyn Write| write(self.format, out);
         match &self.target {
-            Some(target) => target.fill(&mut formatted),
+            Some(target) => target.fill(formatted),
             None => print(formatted),
         }
     }

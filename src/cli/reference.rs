@@ -32,10 +32,10 @@ pub(super) struct Arguments {
     between: bool,
     /// Writes JSON to stdout.
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     /// Writes into this file instead of stdout; its ending decides the format: .csv, .json or .npy, a NumPy array.
     #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     #[command(flatten)]
     pub(super) budget: budget::BudgetArguments,
 }

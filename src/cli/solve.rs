@@ -26,13 +26,13 @@ pub(super) struct Arguments {
     scene: PathBuf,
     /// Writes JSON.
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     /// Writes CSV: the rows, then behind an empty line the points of curves; the points alone where nothing else is asked for.
     #[arg(long, conflicts_with = "json")]
     csv: bool,
     /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv, .json, .npz, or .html for a page with pictures and formulas.
     #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     #[command(flatten)]
     pub(super) budget: budget::BudgetArguments,
     /// Shows the numbers of invalid rows beside what is wrong with them.
@@ -132,7 +132,7 @@ fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io:
         relations,
         asked: &[],
         names: &names,
-        check: budget::part(|| transform::check(&solution).map_err(|error| error.to_string())),
+        check: budget::part(|| transform::check(&solution)),
     });
     let formulas = record.as_ref().zip(steps.as_deref());
     solved_html::html(&Sheet { text, name, run, swept: &pictured, formulas }, formally, out)

@@ -109,13 +109,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let record = Tradeoff { profile: &typed.formula, parameters: settings.values(), study: &study };
     let has_plot = answer.format() == Format::Svg;
     let plot = if has_plot { report::tradeoff::plot::svg(&record).map_err(Failure::new)? } else { String::new() };
-    let mut write = |format, out: &mut dyn Write| match format {
+    let write = |format, out: &mut dyn Write| match format {
         Format::Svg => out.write_all(plot.as_bytes()),
         Format::Json => report::tradeoff::json::tradeoff(&record, out),
         Format::Csv => report::tradeoff::csv::tradeoff(&record, out),
         Format::Text => report::tradeoff::text::tradeoff(&record, out),
     };
-    answer.write(&mut write)?;
+    answer.write(write)?;
     if has_plot {
         output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
     }

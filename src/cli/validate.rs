@@ -45,10 +45,10 @@ pub(super) struct Arguments {
     origin: Option<Place>,
     /// Writes JSON.
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
     /// Writes into this file; its ending decides the format: .html, a page with plots beside the answer on stdout, or .txt or .json.
     #[arg(short, long, value_name = "REPORT.html")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     #[command(flatten)]
     pub(super) budget: budget::BudgetArguments,
 }
@@ -130,12 +130,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let found = validate(&request).map_err(|error| failure(&name, &text, &error))?;
     found.warnings.iter().for_each(|text| warn(text));
     let page = if report.format() == Format::Html { html::html(&found).map_err(Failure::new)? } else { String::new() };
-    let mut write = |format, out: &mut dyn io::Write| match format {
+    let write = |format, out: &mut dyn io::Write| match format {
         Format::Html => out.write_all(page.as_bytes()),
         Format::Json => json::validation(&found, out),
         Format::Text => screen::text(&found, out),
     };
-    report.write(&mut write)?;
+    report.write(write)?;
     if report.format() == Format::Html {
         output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
     }

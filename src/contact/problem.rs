@@ -1,10 +1,10 @@
 //! The numbers of a contact: depth, force, stiffness, pressure, displacement, energy and the inverse a(d).
 
 use super::ContactError;
+use super::radius::{self, Radii};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
-use crate::num::roots::{RootOptions, bracketed, expand_bracket};
 use crate::num::{Bounded, Estimate, NumError, work};
-use crate::transform::{Evaluator, Quantities, Reading, TransformError};
+use crate::transform::{Evaluator, Quantities, Reading};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -17,18 +17,18 @@ pub struct Contact<'a, P: Quantities = Evaluator<'a>> {
     effective_modulus: f64,
     depth: Option<f64>,
     tolerance: f64,
+    /// What the search for contact radii has seen of g, shared by all depths.
+    radii: Arc<Radii>,
 }
 
 /// The largest number of values of g that one energy may take.
 const MOST_NESTED: u64 = 5_000;
-/// How far out a contact radius is looked for.
-const HIGHEST: f64 = 1e30;
 
 /// A value, or the reason why theory has none.
 pub type Measured = Result<Reading, Reason>;
 
 /// Why a quantity has no finite value at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// The pressure diverges at the axis under a pointed tip.
     Apex,
@@ -40,18 +40,28 @@ pub enum Reason {
     NoArea,
     /// The budget of work was used up before the point was reached.
     Unfinished,
+    /// An error that belongs to this point alone: outside the domain, beyond a pole, too large for a double.
+    Refused(String),
 }
 
 impl Reason {
     /// The sentence that reports give.
-    pub fn text(self) -> &'static str {
-        match self {
+    pub fn text(&self) -> &str {
+        self.by_theory().unwrap_or(match self {
+            Self::Refused(why) => why,
+            _ => "the budget of work does not suffice for this point",
+        })
+    }
+
+    /// The sentence of a value that theory makes infinite, or that is not defined.
+    pub(crate) fn by_theory(&self) -> Option<&'static str> {
+        Some(match self {
             Self::Apex => "the pressure is infinite at the apex of a pointed tip (logarithmically)",
             Self::Kink => "the pressure is infinite at a kink of the profile (logarithmically)",
             Self::NoArea => "the contact has no area",
-            Self::Unfinished => "the budget of work does not suffice for this point",
+            Self::Refused(_) | Self::Unfinished => return None,
             Self::Rim => "the pressure is infinite at the rim of a punch (as an inverse square root)",
-        }
+        })
     }
 }
 
@@ -68,13 +78,20 @@ impl<P: Quantities> Contact<'_, P> {
     /// assert_eq!(contact.force(1.0).unwrap().estimate.value, 2.0);
     /// ```
     pub fn new(evaluator: P, effective_modulus: f64, depth: Option<f64>, tolerance: f64) -> Self {
-        Self { evaluator: Arc::new(evaluator), formula: PhantomData, effective_modulus, depth, tolerance }
+        Self { evaluator: Arc::new(evaluator), formula: PhantomData, effective_modulus, depth, tolerance, radii: Arc::default() }
     }
 
     /// The same contact at another depth of its rim, or with a smooth edge; what the evaluator has compiled is shared.
     #[must_use]
     pub fn with_depth(&self, depth: Option<f64>) -> Self {
-        Self { evaluator: Arc::clone(&self.evaluator), formula: PhantomData, depth, ..*self }
+        Self {
+            evaluator: Arc::clone(&self.evaluator),
+            formula: PhantomData,
+            effective_modulus: self.effective_modulus,
+            depth,
+            tolerance: self.tolerance,
+            radii: Arc::clone(&self.radii),
+        }
     }
 
     /// E*.
@@ -273,115 +290,14 @@ impl<P: Quantities> Contact<'_, P> {
         Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
     }
 
-    /// a(d): the first root of g(a) = d beyond the last flat part of the tip, as far as 64 steps outward tell.
+    /// a(d): the first root of g(a) = d beyond the flat part of the tip, found alike in every unit of length.
+    ///
+    /// g is looked at over all magnitudes of the radius, closely where it is not a power, and its humps are climbed to their top.
     ///
     /// # Errors
-    /// [`ContactError::Unreachable`] where g never reaches d on the profile.
+    /// [`ContactError::Unreachable`] where g reaches d nowhere that was looked at.
     pub fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
-        work::bounded(|| self.root_of_depth(depth))
-    }
-
-    fn root_of_depth(&self, depth: f64) -> Result<Reading, ContactError> {
-        if depth < 0.0 {
-            return Err(ContactError::Unreachable { depth, reason: "a negative depth means no contact; d >= 0 would be accepted" });
-        }
-        let mut evaluations = 0;
-        let mut gap = |a: f64| -> Result<f64, TransformError> {
-            let g = self.evaluator.slope(a)?;
-            evaluations += g.estimate.evaluations + 1;
-            Ok(g.estimate.value - depth)
-        };
-        // The flat part of a worn tip carries no depth: the root lies beyond it.
-        let start = self.evaluator.flat_radius()?;
-        if depth == 0.0 {
-            return Ok(exact(start));
-        }
-        let limit = self.evaluator.limit();
-        let upper = if limit.is_finite() {
-            let last = limit.next_down();
-            if gap(last)? < 0.0 {
-                return Err(ContactError::Unreachable { depth, reason: "the profile ends before g reaches this depth" });
-            }
-            last
-        } else {
-            let first = if start > 0.0 { start * 1.5 } else { 1.0 };
-            let found = if gap(first)? >= 0.0 { Ok(first) } else { expand_bracket(&mut gap, first, HIGHEST).map(|b| b.upper) };
-            match found {
-                Ok(upper) => upper,
-                Err(
-                    TransformError::Number(_)
-                    | TransformError::NoDigits { .. }
-                    | TransformError::NotComputable { .. }
-                    | TransformError::Overflow { .. },
-                ) => {
-                    return Err(ContactError::Unreachable { depth, reason: "g stays below this depth at every radius that was tried" });
-                }
-                Err(other) => return Err(other.into()),
-            }
-        };
-        let (lower, upper) = first_crossing(&mut gap, start, upper, depth)?;
-        let a = bracketed(&mut gap, lower, upper, &RootOptions::default())?.x;
-        let error = self.certain(&mut gap, a, start, limit, depth)?;
-        Ok(Reading { estimate: Estimate::estimated(a, error, evaluations), method: "root" })
-    }
-}
-
-/// The first of the steps outward, up to `upper`, at which g has reached the depth, and the place before it.
-fn first_crossing(
-    gap: &mut impl FnMut(f64) -> Result<f64, TransformError>,
-    start: f64,
-    upper: f64,
-    depth: f64,
-) -> Result<(f64, f64), ContactError> {
-    const STEPS: u32 = 64;
-    let mut first = upper;
-    for step in (1..STEPS).rev() {
-        let a = start + (upper - start) * f64::from(step) / f64::from(STEPS);
-        if a > start && a < first && gap(a)? >= 0.0 {
-            first = a;
-        }
-    }
-    let mut lower = (first - (upper - start) / f64::from(STEPS)).max(start);
-    if start > 0.0 {
-        return Ok((lower, first));
-    }
-    if lower <= 0.0 {
-        lower = 0.25 * first;
-    }
-    while gap(lower)? >= 0.0 {
-        lower *= 0.25;
-        if lower < f64::MIN_POSITIVE {
-            return Err(ContactError::Unreachable {
-                depth,
-                reason: "the radius lies below the smallest number; a larger depth would be accepted",
-            });
-        }
-    }
-    Ok((lower, first))
-}
-
-impl<P: Quantities> Contact<'_, P> {
-    /// How far from `a` one must go on either side until g − d has its sign beyond doubt.
-    fn certain(
-        &self,
-        gap: &mut impl FnMut(f64) -> Result<f64, TransformError>,
-        a: f64,
-        start: f64,
-        limit: f64,
-        depth: f64,
-    ) -> Result<f64, ContactError> {
-        let noise = self.evaluator.slope(a)?.estimate.error + f64::EPSILON * depth;
-        let mut reach = f64::EPSILON * a;
-        while reach < a {
-            let (below, above) = (a - reach, a + reach);
-            let settled_below = below <= start || gap(below)? < -noise;
-            let settled_above = above >= limit || gap(above)? > noise;
-            if settled_below && settled_above {
-                return Ok(reach);
-            }
-            reach *= 2.0;
-        }
-        Err(ContactError::Unreachable { depth, reason: "g does not rise through this depth" })
+        work::bounded(|| radius::of_depth(self, &self.radii, depth))
     }
 }
 

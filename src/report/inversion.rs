@@ -1,11 +1,12 @@
 //! What `invert` found, and how it is written as JSON.
 
-use super::json::{Check, Quantity, Readings, Step, Typeset, write};
+use super::Unchecked;
+use super::json::{Check, Completion, Quantity, Readings, Step, Typeset, write};
 use super::text::{error, number, table};
 use crate::contact;
 use crate::expr::{Condition, Expr, Formula};
 use crate::print::{self, Notation, Prose, Renaming};
-use crate::transform::{self, Derived, Reading, Verdict};
+use crate::transform::{self, Derived, Reading};
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -22,7 +23,7 @@ pub struct Inversion<'a> {
     /// What must hold.
     pub conditions: Vec<Condition>,
     /// The outcome of the check, or why it could not be made.
-    pub check: Result<transform::Check, String>,
+    pub check: Result<transform::Check, Unchecked>,
     /// The radii at which f was asked for.
     pub at: Vec<f64>,
     /// f there.
@@ -40,11 +41,6 @@ pub struct Wanted<'a> {
 }
 
 impl Inversion<'_> {
-    /// True where the check found a difference.
-    pub fn failed(&self) -> bool {
-        self.check.as_ref().is_ok_and(|check| check.verdict == Verdict::Failed)
-    }
-
     /// What a reader of the formulas must know.
     pub(super) fn notes(&self) -> Vec<Prose> {
         let zero = if self.at_axis.is_zero() { "" } else { "; it shifts the shape and is not seen by a contact" };
@@ -93,6 +89,8 @@ pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, names: &Ren
         d: Option<Typeset>,
         #[serde(rename = "F", skip_serializing_if = "Option::is_none")]
         force: Option<Typeset>,
+        #[serde(flatten)]
+        complete: Completion,
         g: Typeset,
         f: Quantity<'a>,
         at_axis: Typeset,
@@ -110,6 +108,7 @@ pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, names: &Ren
         p: wanted.map(|own| typeset(own.pressure)),
         d: wanted.map(|own| typeset(own.depth)),
         force: wanted.map(|own| typeset(own.force)),
+        complete: Completion(Unchecked::why(&record.check)),
         g: Typeset::of(&names.formula(record.equivalent)),
         f: Quantity::named(&record.profile, names),
         at_axis: typeset(record.at_axis),

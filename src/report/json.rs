@@ -1,12 +1,14 @@
 //! Records as JSON: one document, numbers as the shortest decimals that read back, null with a reason where there is none.
 
-use super::{Compared, Derivation, Evaluation};
+use super::{Compared, Derivation, Evaluation, Unchecked};
 use crate::contact::{self, Measured, Reason};
 use crate::expr::{Expr, Formula};
 use crate::print::{self, Notation, Prose, Renaming};
 use crate::transform::{self, Derived, Reading, Rule, Verdict};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
+use serde_json::Value;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -31,6 +33,8 @@ impl Serialize for Completion {
 pub fn derivation(record: &Derivation<'_>, steps: Option<&[contact::Step]>, out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Document<'a> {
+        #[serde(flatten)]
+        complete: Completion,
         profile: Typeset,
         shift: Option<Typeset>,
         conditions: Vec<String>,
@@ -43,6 +47,7 @@ pub fn derivation(record: &Derivation<'_>, steps: Option<&[contact::Step]>, out:
     }
     let in_text = |list: Vec<Prose>| list.iter().map(|own| own.written(Notation::Text)).collect();
     let document = Document {
+        complete: Completion(Unchecked::why(&record.check)),
         profile: Typeset::of(&record.names.formula(record.formula())),
         shift: record.shift().map(|shift| Typeset::of(&record.names.formula(&shift.clone().into()))),
         conditions: in_text(record.conditions()),
@@ -185,6 +190,14 @@ pub(super) fn write(command: &'static str, document: &impl Serialize, mut out: &
     writeln!(out)
 }
 
+/// Writes that nothing was finished, and why.
+///
+/// # Errors
+/// As the writer.
+pub fn unfinished(command: &'static str, why: &str, out: &mut dyn Write) -> io::Result<()> {
+    write(command, &BTreeMap::from([("complete", Value::from(false)), ("why", Value::from(why))]), out)
+}
+
 /// JSON knows neither NaN nor infinities.
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
@@ -268,11 +281,11 @@ pub(super) struct Check<'a> {
     /// Null where nothing was compared.
     passed: Option<bool>,
     verdict: &'static str,
-    why: Option<&'a str>,
+    why: Option<Cow<'a, str>>,
 }
 
 impl<'a> Check<'a> {
-    pub(super) fn of(outcome: &'a Result<transform::Check, String>) -> Self {
+    pub(super) fn of(outcome: &'a Result<transform::Check, Unchecked>) -> Self {
         match outcome {
             Ok(check) => {
                 let max_relative_difference = finite(check.max_relative_difference);
@@ -281,11 +294,21 @@ impl<'a> Check<'a> {
                     Verdict::Failed => Some(false),
                     Verdict::NotCompared => None,
                 };
-                Self { points: check.points, max_relative_difference, passed, verdict: check.verdict.name(), why: check.why }
+                Self {
+                    points: check.points,
+                    max_relative_difference,
+                    passed,
+                    verdict: check.verdict.name(),
+                    why: check.why.map(Cow::Borrowed),
+                }
             }
-            Err(reason) => {
-                Self { points: 0, max_relative_difference: None, passed: None, verdict: Verdict::NotCompared.name(), why: Some(reason) }
-            }
+            Err(reason) => Self {
+                points: 0,
+                max_relative_difference: None,
+                passed: None,
+                verdict: Verdict::NotCompared.name(),
+                why: Some(reason.to_string().into()),
+            },
         }
     }
 }
@@ -298,7 +321,7 @@ pub(super) struct Readings<'a> {
 
 impl Serialize for Readings<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.at.iter().zip(self.readings).map(|(at, reading)| Point::new(*at, &Ok(*reading))))
+        serializer.collect_seq(self.at.iter().zip(self.readings).map(|(at, reading)| Point::of(*at, reading)))
     }
 }
 
@@ -312,7 +335,7 @@ impl Serialize for Points<'_> {
 }
 
 #[derive(Serialize)]
-struct Point {
+struct Point<'a> {
     at: f64,
     value: Option<f64>,
     error_estimate: Option<f64>,
@@ -321,26 +344,28 @@ struct Point {
     method: Option<&'static str>,
     evaluations: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
-    why: Option<&'static str>,
+    why: Option<&'a str>,
 }
 
-impl Point {
-    fn new(at: f64, reading: &Measured) -> Self {
+impl<'a> Point<'a> {
+    fn new(at: f64, reading: &'a Measured) -> Self {
         match reading {
-            Ok(reading) => {
-                let (value, error_estimate) = (finite(reading.estimate.value), finite(reading.estimate.error));
-                let why = match (value, error_estimate) {
-                    (None, _) => Some("no finite value was found"),
-                    (_, None) => Some("no error bound can be promised"),
-                    _ => None,
-                };
-                let bound = error_estimate.map(|_| reading.estimate.bound.name());
-                Self { at, value, error_estimate, bound, method: Some(reading.method), evaluations: reading.estimate.evaluations, why }
-            }
+            Ok(reading) => Self::of(at, reading),
             Err(reason) => {
                 Self { at, value: None, error_estimate: None, bound: None, method: None, evaluations: 0, why: Some(reason.text()) }
             }
         }
+    }
+
+    fn of(at: f64, reading: &Reading) -> Self {
+        let (value, error_estimate) = (finite(reading.estimate.value), finite(reading.estimate.error));
+        let why = match (value, error_estimate) {
+            (None, _) => Some("no finite value was found"),
+            (_, None) => Some("no error bound can be promised"),
+            _ => None,
+        };
+        let bound = error_estimate.map(|_| reading.estimate.bound.name());
+        Self { at, value, error_estimate, bound, method: Some(reading.method), evaluations: reading.estimate.evaluations, why }
     }
 }
 

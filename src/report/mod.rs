@@ -39,7 +39,7 @@ pub mod validation;
 
 #[cfg(feature = "cli")]
 pub use inversion::{Inversion, Wanted};
-pub use record::{Compared, Derivation, Entry, Evaluation, Shift, Units};
+pub use record::{Compared, Derivation, Entry, Evaluation, Shift, Unchecked, Units};
 #[cfg(feature = "cli")]
 pub use reference::Reference;
 #[cfg(feature = "scene")]

@@ -3,7 +3,7 @@
 use crate::contact::{Comparison, Edge, Measured, Reason, RelationKey, Relations};
 use crate::expr::{Expr, Formula};
 use crate::print::{Prose, Renaming};
-use crate::transform::{Check, Derived, Profile, Verdict};
+use crate::transform::{Check, Derived, Profile, TransformError};
 use std::borrow::Cow;
 
 /// Everything that `derive` found.
@@ -21,7 +21,34 @@ pub struct Derivation<'a> {
     /// Names that are shown in place of the program's own.
     pub names: &'a Renaming,
     /// The outcome of the check, or why it could not be made.
-    pub check: Result<Check, String>,
+    pub check: Result<Check, Unchecked>,
+}
+
+/// Why formulas were not compared with quadrature.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unchecked {
+    /// The work was cut short, so that the answer is not complete.
+    #[error("the budget of work did not suffice")]
+    Cut,
+    /// The comparison has no place or no numbers.
+    #[error("{0}")]
+    Refused(String),
+}
+
+impl From<TransformError> for Unchecked {
+    fn from(error: TransformError) -> Self {
+        match error {
+            TransformError::Exhausted(_) => Self::Cut,
+            other => Self::Refused(other.to_string()),
+        }
+    }
+}
+
+impl Unchecked {
+    /// Why an answer with this comparison is not complete; nothing where it is.
+    pub fn why(check: &Result<Check, Self>) -> Option<&'static str> {
+        matches!(check, Err(Self::Cut)).then_some("the budget of work did not suffice for the check")
+    }
 }
 
 /// One derived quantity, or the place of one that has no explicit form.
@@ -87,11 +114,6 @@ impl Derivation<'_> {
     /// True for a punch with a rim at the contact radius.
     pub(super) fn has_rim(&self) -> bool {
         matches!(self.edge, Edge::Rim(_))
-    }
-
-    /// True where the check found a difference.
-    pub fn failed(&self) -> bool {
-        self.check.as_ref().is_ok_and(|check| check.verdict == Verdict::Failed)
     }
 }
 

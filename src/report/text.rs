@@ -1,6 +1,6 @@
 //! Records as plain text, made to be read in a terminal.
 
-use super::{Compared, Evaluation};
+use super::{Compared, Evaluation, Unchecked};
 use crate::num::{Bound, Estimate};
 use crate::print;
 use crate::transform::{Check, Derived, Rule, Verdict};
@@ -113,7 +113,7 @@ pub(super) fn sources(derived: &Derived) -> String {
 }
 
 /// How a check ended.
-pub(super) fn outcome(check: &Result<Check, String>) -> String {
+pub(super) fn outcome(check: &Result<Check, Unchecked>) -> String {
     match check {
         Ok(check) => {
             let verdict = match (check.verdict, check.why) {

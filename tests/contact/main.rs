@@ -3,3 +3,4 @@
 mod explicit;
 mod indentation;
 mod laws;
+mod radii;

@@ -1,6 +1,7 @@
 //! Tests of the program as its users run it: command line, documents, schemas, pictures, formulas and generated code.
 
 mod arrays;
+mod budgets;
 mod cli;
 mod code;
 mod docs;

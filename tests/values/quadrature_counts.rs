@@ -7,8 +7,10 @@ use sneddon::num::{Estimate, NumError, special};
 use sneddon_checks::random::Stream;
 use std::f64::consts::PI;
 
+type Blocks<'a> = Box<dyn FnMut(Radii<'_>, &mut [f64]) + 'a>;
+
 /// A closure over one radius and its distance below the limit, as one over blocks; of one type, because each type compiles the rules anew.
-fn blocks<'a>(f: impl Fn(f64, f64) -> f64 + 'a) -> Box<dyn FnMut(Radii<'_>, &mut [f64]) + 'a> {
+fn blocks<'a>(f: impl Fn(f64, f64) -> f64 + 'a) -> Blocks<'a> {
     Box::new(move |at, out| {
         for ((o, r), below) in out.iter_mut().zip(at.r).zip(at.below_limit) {
             *o = f(*r, *below);

@@ -49,6 +49,7 @@ pub struct Exhausted {
 
 /// What is left on this thread; no budget is open where the limit is `NONE`.
 struct Meter {
+    /// One more than the steps that are left, so that a budget may be spent to the last step; 0 where it is overdrawn.
     left: Cell<u64>,
     limit: Cell<u64>,
 }
@@ -95,7 +96,8 @@ pub fn share<T>(steps: u64, work: impl FnOnce() -> T) -> Option<T> {
     // Where no budget is open, the default one is that of the whole.
     let most = if left() > NONE / 2 { Budget::DEFAULT.0 } else { left() };
     let (result, spent, whole) = apart(steps.min(most), work);
-    spend(spent);
+    // A part that overdraws all that is left overdraws the whole.
+    spend(if whole || steps < most { spent } else { spent.saturating_add(1) });
     (whole && !is_exhausted()).then_some(result)
 }
 
@@ -103,9 +105,9 @@ pub fn share<T>(steps: u64, work: impl FnOnce() -> T) -> Option<T> {
 pub fn apart<T>(steps: u64, work: impl FnOnce() -> T) -> (T, u64, bool) {
     let restored = Restored::open(steps);
     let result = work();
-    let rest = left();
+    let (rest, whole) = (left(), !is_exhausted());
     drop(restored);
-    (result, steps.saturating_sub(rest), rest > 0 || steps == NONE)
+    (result, steps.saturating_sub(rest), whole)
 }
 
 /// Runs work whose result is kept for later budgets as well: it is counted, but never cut short.
@@ -123,7 +125,7 @@ pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
 /// Adds steps to an open budget that is not used up, for a task that grows with its input.
 pub fn allow(steps: u64) {
     METER.with(|meter| {
-        if meter.limit.get() != NONE && meter.left.get() > 0 {
+        if meter.limit.get() != NONE && !is_exhausted() {
             meter.left.set(meter.left.get().saturating_add(steps).min(NONE - 1));
             meter.limit.set(meter.limit.get().saturating_add(steps).min(NONE - 1));
         }
@@ -140,17 +142,17 @@ pub fn spend(steps: u64) {
 
 /// The steps that are left; `u64::MAX` or nearly so where no budget is open.
 pub fn left() -> u64 {
-    METER.with(|meter| meter.left.get())
+    METER.with(|meter| meter.left.get().saturating_sub(1))
 }
 
-/// True where the open budget is used up: what is computed from here on will be thrown away.
+/// True where more was spent than the open budget has: what is computed from here on will be thrown away.
 #[inline]
 pub fn is_exhausted() -> bool {
-    left() == 0
+    METER.with(|meter| meter.left.get() == 0)
 }
 
 /// # Errors
-/// [`Exhausted`] where the open budget is used up.
+/// [`Exhausted`] where more was spent than the open budget has.
 #[inline]
 pub fn check() -> Result<(), Exhausted> {
     if is_exhausted() { Err(exhausted()) } else { Ok(()) }
@@ -169,7 +171,7 @@ struct Restored {
 
 impl Restored {
     fn open(steps: u64) -> Self {
-        METER.with(|meter| Self { left: meter.left.replace(steps), limit: meter.limit.replace(steps) })
+        METER.with(|meter| Self { left: meter.left.replace(steps.saturating_add(1)), limit: meter.limit.replace(steps) })
     }
 }
 
@@ -214,7 +216,7 @@ mod tests {
     #[test]
     fn allowance_grows_an_open_budget_only() {
         allow(5);
-        assert_eq!(left(), NONE);
+        assert!(left() > NONE / 2);
         let outcome = within(Budget::steps(10), || {
             allow(5);
             spend(12);
@@ -229,6 +231,19 @@ mod tests {
             let _: Result<(), Exhausted> = within(Budget::steps(10), || panic!("stop"));
         });
         assert!(caught.is_err());
-        assert_eq!(left(), NONE);
+        assert!(left() > NONE / 2);
+    }
+
+    #[test]
+    fn a_budget_may_be_spent_to_the_last_step() {
+        let spent = |steps| {
+            within(Budget::steps(10), || {
+                spend(steps);
+                Ok::<_, Exhausted>(())
+            })
+        };
+        assert_eq!((spent(10), spent(11)), (Ok(()), Err(Exhausted { steps: 10 })));
+        assert_eq!(apart(10, || spend(10)), ((), 10, true));
+        assert_eq!(apart(10, || spend(11)), ((), 10, false));
     }
 }

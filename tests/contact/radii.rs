@@ -1,0 +1,94 @@
+//! Contact radii over 24 orders of magnitude of scale: found where there are some, the first one, alike in every unit, and back to d.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use sneddon::contact::{Contact, ContactError};
+use sneddon::expr::Bindings;
+use sneddon::num::special::dawson;
+use sneddon::parse;
+use sneddon::transform::{Evaluator, Method, Profile, Reading, derive};
+use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
+
+/// a(d) of a profile in which [s] is the unit of length.
+fn radius(text: &str, unit: f64, depth: f64) -> Result<(Reading, f64), ContactError> {
+    let formula = parse::profile(&text.replace("[s]", &format!("({unit:?})"))).unwrap();
+    let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let contact = Contact::new(evaluator, 1.0, None, 1e-13);
+    let found = contact.contact_radius(depth)?;
+    let back = contact.depth(found.estimate.value).unwrap().estimate;
+    Ok((found, back.value))
+}
+
+/// Profiles with the largest depth at which they have a contact radius, in units of [s].
+const SHAPES: [(&str, f64); 14] = [
+    ("[s]*(1-exp(-(r/[s])^2))", 1.28),
+    ("[s]*(r/[s])^2/(1+(r/[s])^2)", 0.99),
+    ("[s]*(1-1/(1+(r/[s])^2)^2)", 1.0),
+    ("(r/[s])^2*[s]", 9.0),
+    ("[s]-([s]^2-r^2)^(1/2)", 5.0),
+    ("[s]*ln(1+(r/[s])^2)", 30.0),
+    ("[s]*(exp(r/[s])-1-r/[s])", 1e6),
+    ("max(0, r-[s])^2/(2*[s])", 3.0),
+    ("max(0, r-[s])*0.1", 3.0),
+    ("r*0.2+[s]*(1-exp(-(r/[s])^2))", 7.0),
+    ("(r/[s])^0.5*[s]", 4.0),
+    ("piecewise(r/5, r<[s], [s]/5+(r-[s])/2)", 6.0),
+    ("[s]*(1-besselj(0,r/[s]))", 0.9),
+    ("[s]*atan((r/[s])^2)", 1.3),
+];
+
+#[test]
+fn radii_are_found_alike_in_every_unit() {
+    let mut stream = Stream::new(33);
+    for round in 0..cases(60, 1000) {
+        let (text, largest) = SHAPES[round % SHAPES.len()];
+        let (share, unit) = (stream.uniform(0.001, 0.999), 10f64.powf(stream.uniform(-12.0, 12.0)));
+        let Ok((one, _)) = radius(text, 1.0, share * largest) else { panic!("{text}: none at {}", share * largest) };
+        let depth = share * largest * unit;
+        let (own, back) = radius(text, unit, depth).unwrap_or_else(|error| panic!("{text} in units of {unit:e}: {error}"));
+        // d is rounded twice, and the unit in the formula once more.
+        assert!((own.estimate.value / unit / one.estimate.value - 1.0).abs() < 1e-11, "{text} in units of {unit:e}: {own:?} and {one:?}");
+        assert!((back / depth - 1.0).abs() < 1e-11, "{text}: from {depth:e} to {back:e}");
+    }
+}
+
+/// The largest depth of 1 − exp(−r²) is the top of g = 2x D(x): just below it there are two radii, of which the first counts, and none above.
+#[test]
+fn the_top_of_a_hump_is_reached_and_not_passed() {
+    // D(x) + x D′(x) = 0 with D′ = 1 − 2x D, by bisection.
+    let rise = |x: f64| dawson(x) + x * (1.0 - 2.0 * x * dawson(x));
+    let (mut low, mut high) = (1.0, 2.0);
+    while high - low > 1e-15 {
+        let middle = 0.5 * (low + high);
+        if rise(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    let top = 2.0 * low * dawson(low);
+    for unit in [1e-10, 1.0, 1e9] {
+        let text = "[s]*(1-exp(-(r/[s])^2))";
+        for below in [1e-3, 1e-6, 1e-10] {
+            let (found, _) = radius(text, unit, top * (1.0 - below) * unit).unwrap();
+            let x = found.estimate.value / unit;
+            assert!(x < low && (2.0 * x * dawson(x) / top - (1.0 - below)).abs() < 1e-12, "{x} below {low}");
+        }
+        assert!(matches!(radius(text, unit, top * (1.0 + 1e-6) * unit), Err(ContactError::Unreachable { .. })));
+    }
+}
+
+/// Waves, whose first crossing may be on any of them, and ends of profiles: what the issue of false answers named, at nanometres.
+#[test]
+fn waves_and_ends_are_followed() {
+    for (text, depths) in [
+        ("1e-9*sin(pi*r/1e-8)^2", &[1e-9, 1.2e-9, 2e-9][..]),
+        ("1e-9*(1-1/cosh(r/2e-9))", &[1e-9, 1.02e-9]),
+        ("-1e-9*ln(cos(r/2e-9))", &[1e-10, 5e-9]),
+        ("2e-9-sqrt(4e-18-r^2)", &[1e-10, 1e-8]),
+        ("1e-3*(cosh(r/1e-3)-1)", &[1e-4, 1.0]),
+        ("max(0,r-1e-6)^2/4e-7", &[1e-9]),
+    ] {
+        for depth in depths {
+            let (_, back) = radius(text, 1.0, *depth).unwrap_or_else(|error| panic!("{text}: {error}"));
+            assert!((back / depth - 1.0).abs() < 1e-12, "{text}: from {depth:e} to {back:e}");
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! A budget never changes an answer: with less of it there is the same answer, a part of it that says so, or none.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use serde_json::Value;
+use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+
+/// Commands of every kind; FILE is a file that exists.
+const COMMANDS: &[&str] = &[
+    "derive r^2/(2*R) --set R=2",
+    "derive r^2/(2*R) --json",
+    "derive r^2/(2*R) --steps",
+    "derive R-sqrt(R^2-r^2) --format latex",
+    "derive -h*r^2/c^2 --depth d",
+    "derive piecewise(0,r<b,(r-b)*tan(theta)) --json",
+    "derive ln(cosh(r)) --json",
+    "derive r^2/(2*R) -o FILE.json",
+    "invert x^2/R",
+    "invert x*atanh(x/R) --json",
+    "invert x^2/R --steps -o FILE.tex",
+    "code r^2/(2*R) --lang c",
+    "code R-sqrt(R^2-r^2) --lang python -o FILE.py",
+    "eval R-sqrt(R^2-r^2) --set R=2 --quantity F --at 0.1,0.5 --json",
+    "eval exp(sin(r))-1 --quantity g --at 0.1:2:20 --csv",
+    "eval max(0,r-0.3)^2+r^2 --quantity p --radius 1 --at 0:0.9:7 --json",
+    "eval 1-exp(-r^2) --quantity a --at 0.1,1.2 --json",
+    "compare R-sqrt(R^2-r^2) --set R=2 --json",
+    "compare ln(cosh(r))",
+    "plot r^2 --quantity p -o FILE.svg",
+];
+
+#[derive(PartialEq)]
+struct Answer {
+    code: i32,
+    text: String,
+    file: String,
+}
+
+const BEFORE: &str = "as it was";
+
+fn answer(command: &str, budget: f64, round: usize) -> Answer {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("budgets").join(round.to_string());
+    fs::create_dir_all(&place).unwrap();
+    let words: Vec<&str> = command.split(' ').collect();
+    let file = words.iter().find(|own| own.starts_with("FILE"));
+    if let Some(name) = file {
+        fs::write(place.join(name), BEFORE).unwrap();
+    }
+    let budget = format!("{budget:e}");
+    let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(&words).args(["--budget", &budget]).current_dir(&place).output().unwrap();
+    Answer {
+        code: done.status.code().unwrap(),
+        text: String::from_utf8(done.stdout).unwrap(),
+        file: file.map_or_else(String::new, |name| fs::read_to_string(place.join(name)).unwrap()),
+    }
+}
+
+/// What a cut document says that the whole one does not, but for what was left out.
+fn new(whole: &Value, part: &Value, place: &str) -> Option<String> {
+    const OF_THE_CUT: [&str; 5] = ["complete", "why", "check", "notes", "method"];
+    match (whole, part) {
+        _ if part.is_null() || whole == part => None,
+        (Value::Object(whole), Value::Object(part)) => {
+            part.iter().filter(|(key, _)| !OF_THE_CUT.contains(&key.as_str())).find_map(|(key, own)| {
+                // A null point has no bound.
+                let absent = Value::Null;
+                new(whole.get(key).unwrap_or(&absent), own, &format!("{place}/{key}")).filter(|_| part.get("value") != Some(&absent))
+            })
+        }
+        (Value::Array(whole), Value::Array(part)) if whole.len() == part.len() => {
+            whole.iter().zip(part).find_map(|(whole, part)| new(whole, part, &format!("{place}[]")))
+        }
+        _ => Some(format!("{place}: {part} and not {whole}")),
+    }
+}
+
+/// What is wrong with an answer, beside that of a large budget.
+fn fault(whole: &Answer, own: &Answer) -> Option<String> {
+    if whole == own {
+        return None;
+    }
+    if own.code != 1 || (own.file != whole.file && own.file != BEFORE && !is_cut(&own.file)) {
+        return Some(format!("exit code {}, {:.200}, {:.80}", own.code, own.text, own.file));
+    }
+    if own.text.is_empty() || own.text == whole.text {
+        return None;
+    }
+    if let (Ok(whole), Ok(part)) = (serde_json::from_str::<Value>(&whole.text), serde_json::from_str::<Value>(&own.text)) {
+        let says = part["complete"] == false && part["why"].is_string();
+        return if says { new(&whole, &part, "") } else { Some(format!("not told to be cut: {:.300}", own.text)) };
+    }
+    // Lines of the large budget, lines without a value, and the check that was cut.
+    let known: Vec<&str> = whole.text.lines().collect();
+    own.text.lines().find(|line| !(known.contains(line) || line.contains(",,") || is_cut(line))).map(str::to_owned)
+}
+
+fn is_cut(text: &str) -> bool {
+    text.contains("budget of work did not suffice")
+}
+
+#[test]
+fn a_small_budget_gives_the_same_answer_a_part_of_it_or_none() {
+    let whole: Vec<Answer> = COMMANDS.iter().enumerate().map(|(index, command)| answer(command, 30.0, index)).collect();
+    let (mut stream, mut cut) = (Stream::new(331), 0);
+    for round in 0..cases(200, 1000) {
+        let index = round % COMMANDS.len();
+        let budget = 10f64.powf(stream.uniform(-6.0, 0.0));
+        let own = answer(COMMANDS[index], budget, COMMANDS.len() + round);
+        cut += u32::from(own.code == 1 && whole[index].code != 1);
+        let fault = fault(&whole[index], &own);
+        assert!(fault.is_none(), "{} --budget {budget:e}: {}", COMMANDS[index], fault.unwrap());
+    }
+    assert!(cut > 40, "only {cut} were cut");
+}
+
+/// One loop over points: what is finished stays, and what has no value says why.
+#[test]
+fn points_keep_their_values_where_others_have_none() {
+    let all = |budget: f64| answer("eval struveh(0,r)*r^2 --quantity p --at 0:0.99:40 --radius 1 --csv", budget, 9999);
+    let (whole, part) = (all(30.0), all(0.1));
+    assert_eq!(whole.code, 0);
+    assert_eq!(part.code, 1);
+    let values = |own: &Answer| own.text.lines().skip(1).filter(|line| !line.contains(",,")).map(str::to_owned).collect::<Vec<_>>();
+    let (all, some) = (values(&whole), values(&part));
+    assert!(all.len() == 40 && some.len() >= 5 && some.len() < 40 && some.iter().all(|line| all.contains(line)), "{some:?}");
+    // Outside the domain there is no value; the others keep theirs.
+    let sphere = answer("eval R-sqrt(R^2-r^2) --set R=2 --quantity F --at 1,2,3 --json", 3.0, 9999);
+    let points: Value = serde_json::from_str(&sphere.text).unwrap();
+    assert_eq!(sphere.code, 0);
+    assert!(points["points"][0]["value"].is_f64());
+    for index in [1, 2] {
+        let point = &points["points"][index];
+        assert!(point["value"].is_null() && point["why"].as_str().unwrap().contains("ends at r = 2"), "{point}");
+    }
+}
