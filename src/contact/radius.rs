@@ -33,9 +33,9 @@ const FARTHEST: f64 = 1e60;
 /// How near the end of a profile is looked at, relative to it: powers of ten.
 const ENDS: i32 = 15;
 /// A step of two neighbouring places is halved where the next one is off the power law before it by more than this …
-const BENT: f64 = 0.02;
-/// … so many times, that is down to 1/64 of a power of ten.
-const HALVINGS: u32 = 6;
+const BENT: f64 = 1e-3;
+/// … so many times at most, by the steps that one value of g costs: 256, 64 or 16 parts of a power of ten.
+const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
 /// Steps up a hump, and toward a place beyond which there is no g.
 const STEPS: u32 = 60;
 /// So many powers of ten without digits end the look, and so many in which g rises to nothing new.
@@ -143,8 +143,14 @@ impl Look<'_> {
             }
             // The top of a hump may be put in before the last two places.
             from = seen.places.len().saturating_sub(3);
-            self.go_on(&mut seen);
-            work::check().map_err(TransformError::from)?;
+            let mut further = seen.clone();
+            self.go_on(&mut further);
+            if let Err(cut) = work::check() {
+                // What was seen before stays seen.
+                *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
+                return Err(TransformError::from(cut).into());
+            }
+            seen = further;
         };
         let found = place.and_then(|place| Some((place, seen.places.get(place)?.0)));
         let Some((place, upper)) = found else {
@@ -179,7 +185,10 @@ impl Look<'_> {
             return;
         };
         seen.next += 1;
-        let here = match (self.height)(a) {
+        let before = work::left();
+        let found = (self.height)(a);
+        let cost = before.saturating_sub(work::left());
+        let here = match found {
             Ok(g) => (a, g),
             Err(TransformError::NoDigits { .. }) if seen.places.is_empty() || seen.lost < LOST => {
                 seen.lost += u32::from(!seen.places.is_empty());
@@ -194,7 +203,8 @@ impl Look<'_> {
             && !self.is_power(*one, *two, here)
         {
             let two = *two;
-            self.between(two, here, HALVINGS, &mut seen.places);
+            let halvings = HALVINGS.into_iter().find(|(most, _)| cost <= *most).map_or(0, |(_, halvings)| halvings);
+            self.between(two, here, (halvings, halvings.saturating_sub(2)), &mut seen.places);
         }
         seen.places.push(here);
         self.climb(known.saturating_sub(2), &mut seen.places);
@@ -208,18 +218,19 @@ impl Look<'_> {
     }
 
     /// Halves a step and its parts where g is no power law.
-    fn between(&mut self, one: (f64, f64), two: (f64, f64), halvings: u32, places: &mut Vec<(f64, f64)>) {
+    ///
+    /// Two halvings are made in any case, `doubted` tells above which: a wave may have its own value in the middle.
+    fn between(&mut self, one: (f64, f64), two: (f64, f64), (halvings, doubted): (u32, u32), places: &mut Vec<(f64, f64)>) {
         let middle = self.start + ((one.0 - self.start) * (two.0 - self.start)).sqrt();
         if halvings == 0 || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
             return;
         }
         let Ok(g) = (self.height)(middle) else { return };
         let here = (middle, g);
-        // Two halvings at least: a wave may have its own value in the middle.
-        if halvings > HALVINGS - 2 || !self.is_power(one, here, two) {
-            self.between(one, here, halvings - 1, places);
+        if halvings > doubted || !self.is_power(one, here, two) {
+            self.between(one, here, (halvings - 1, doubted), places);
             places.push(here);
-            self.between(here, two, halvings - 1, places);
+            self.between(here, two, (halvings - 1, doubted), places);
         } else {
             places.push(here);
         }
