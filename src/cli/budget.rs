@@ -71,7 +71,7 @@ pub(super) fn part<T>(run: impl FnOnce() -> Result<T, TransformError>) -> Result
     work::share(work::left() / 2, run).map_or(Err(Unchecked::Cut), |done| done.map_err(Unchecked::from))
 }
 
-/// How a command ends whose answer was written with this check.
+/// The outcome of a command, given the check of the formulas it has written.
 pub(super) fn judged(check: &Result<Check, Unchecked>) -> Outcome {
     if let Some(why) = Unchecked::why(check) {
         warn(why);

@@ -179,8 +179,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     solution.warnings().iter().for_each(|text| warn(text));
     let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
     let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
-    if let Some(a) = radius.filter(|_| quantity.needs_radius()) {
-        contact.evaluator().check_domain("a", a).map_err(|error| failed(error.into()))?;
+    // Series and curve answer all points together, and a contact radius belongs to all of them.
+    let together = matches!(arguments.method, Way::Series | Way::Curve) && !quantity.needs_radius() && quantity != Quantity::Radius;
+    let shared = radius.filter(|_| quantity.needs_radius()).map(|a| ("a", a));
+    for (symbol, place) in at.iter().filter(|_| together).map(|place| (quantity.coordinate(), *place)).chain(shared) {
+        contact.evaluator().check_domain(symbol, place).map_err(|error| failed(error.into()))?;
     }
     let inverse = if quantity == Quantity::Radius { contact::explicit(&solution) } else { None };
     let asked = Asked { contact, inverse, radius, method, tolerance };
@@ -252,7 +255,7 @@ fn warn_of_invalid_contact(quantity: Quantity, readings: &[Measured]) {
     }
 }
 
-/// Points without a value, with the reason of the first one; what theory makes infinite is no surprise.
+/// Warns of points that have no value, except where the value is infinite in theory.
 fn warn_of_missing_values(readings: &[Measured]) {
     let missing =
         || readings.iter().filter_map(|own| own.as_ref().err()).filter(|own| matches!(own, Reason::Refused(_) | Reason::Unfinished));

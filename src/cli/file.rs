@@ -37,7 +37,7 @@ impl Target {
     /// What was written is gone where it ends early, be it by an error or by a signal.
     pub(super) fn fill(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
         let done = self.replace(write);
-        // Where the budget was used up, that is the reason.
+        // An exhausted budget takes precedence over the error that it caused.
         work::check()?;
         done.map_err(|error| Failure::new(format!("-o {} cannot be written: {error}", self.path.display())))
     }
@@ -73,7 +73,7 @@ impl Target {
     }
 }
 
-/// An answer that a pipe or a device will take, complete before the first byte of it goes out.
+/// Buffers the whole answer, so that a pipe or a device receives all of it or nothing.
 ///
 /// # Errors
 /// As the writer, and where the budget of work was used up before the end.
@@ -86,10 +86,10 @@ pub(super) fn spooled(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> i
     Ok(kept)
 }
 
-/// Longer answers wait in a file.
+/// Answers longer than this many bytes are buffered in a temporary file.
 const IN_MEMORY: usize = 1 << 24;
 
-/// Nothing that was made after the budget was used up is an answer.
+/// Returns an error if the budget of work is exhausted, since the answer is then incomplete.
 fn whole() -> io::Result<()> {
     work::check().map_err(io::Error::other)
 }

@@ -72,7 +72,7 @@ enum Command {
 }
 
 impl Command {
-    /// The name of the document that stdout is promised, where the answer is to be JSON.
+    /// The name of the JSON document that the command writes to stdout, if any.
     fn document(&self) -> Option<&'static str> {
         let (name, json, output) = match self {
             Self::Derive(own) => ("derive", own.json || own.format == Some(typesetting::Format::Json), &own.output),

@@ -23,7 +23,7 @@ pub(super) struct Machine<'a> {
     steps: usize,
 }
 
-/// The variables of a routine that runs, the latest last: few enough to be looked through.
+/// The variables of a running routine; there are too few for a map to pay off.
 type Variables<'a> = Vec<(&'a str, Bounded)>;
 
 fn set<'a>(variables: &mut Variables<'a>, name: &'a str, value: Bounded) {

@@ -1,22 +1,22 @@
-//! Lists of points: each keeps its value whatever becomes of the others, and finished work is never thrown away.
+//! Evaluation of a list of points, in which a failure at one point does not affect the others.
 
 use super::{ContactError, Measured, Reason};
 use crate::num::work;
 
-/// This part of the budget is left for writing the answer.
+/// Divisor of the budget: one part of this many is reserved for writing the answer.
 const FOR_THE_ANSWER: u64 = 16;
-/// A single point may use this part of what is left.
+/// Divisor of the remaining budget: a single point may use one part of this many.
 const FOR_ONE: u64 = 3;
-/// A block may use this many times what its points are expected to cost.
+/// Factor between the budget of a block and its expected cost.
 const HEADROOM: u64 = 4;
 
-/// The readings of a list of points, `read` block by block within the open budget.
+/// Evaluates a list of points with `read`, in blocks, within the open budget.
 ///
-/// Blocks double while all goes well. A block that fails, or costs much more than those before it, is read point by point: a point
-/// without a value is `Err` with its reason, [`Reason::Unfinished`] where the budget did not suffice for it.
+/// The block size doubles after each success. A block that fails or exceeds its budget is evaluated point by point. A point without
+/// a value is returned as `Err` with its [`Reason`], which is [`Reason::Unfinished`] if the budget was exhausted.
 ///
 /// # Errors
-/// The error of the first point where no point has a value; the exhausted budget where it suffices for none.
+/// If no point has a value: the first error, or the exhausted budget.
 ///
 /// ```
 /// use sneddon::contact::{Contact, each_point};
@@ -30,7 +30,7 @@ const HEADROOM: u64 = 4;
 /// ```
 pub fn each_point(at: &[f64], mut read: impl FnMut(&[f64]) -> Result<Vec<Measured>, ContactError>) -> Result<Vec<Measured>, ContactError> {
     if at.len() == 1 {
-        // One point has no part that could be given.
+        // A single point returns its error unchanged.
         return read(at);
     }
     let reserve = work::left() / FOR_THE_ANSWER;

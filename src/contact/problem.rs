@@ -17,7 +17,7 @@ pub struct Contact<'a, P: Quantities = Evaluator<'a>> {
     effective_modulus: f64,
     depth: Option<f64>,
     tolerance: f64,
-    /// What the search for contact radii has seen of g, shared by all depths.
+    /// Samples of g, shared by the contact radii of all depths.
     radii: Arc<Radii>,
 }
 
@@ -40,21 +40,21 @@ pub enum Reason {
     NoArea,
     /// The budget of work was used up before the point was reached.
     Unfinished,
-    /// An error that belongs to this point alone: outside the domain, beyond a pole, too large for a double.
+    /// An error at this point alone, such as a point outside the domain or an overflow.
     Refused(String),
 }
 
 impl Reason {
     /// The sentence that reports give.
     pub fn text(&self) -> &str {
-        self.by_theory().unwrap_or(match self {
+        match self {
             Self::Refused(why) => why,
-            _ => "the budget of work does not suffice for this point",
-        })
+            other => other.fixed_text().unwrap_or("the budget of work does not suffice for this point"),
+        }
     }
 
-    /// The sentence of a value that theory makes infinite, or that is not defined.
-    pub(crate) fn by_theory(&self) -> Option<&'static str> {
+    /// The sentence of a value that is infinite or undefined in theory; `None` for the other reasons.
+    pub(crate) fn fixed_text(&self) -> Option<&'static str> {
         Some(match self {
             Self::Apex => "the pressure is infinite at the apex of a pointed tip (logarithmically)",
             Self::Kink => "the pressure is infinite at a kink of the profile (logarithmically)",
@@ -290,12 +290,13 @@ impl<P: Quantities> Contact<'_, P> {
         Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
     }
 
-    /// a(d): the first root of g(a) = d beyond the flat part of the tip, found alike in every unit of length.
+    /// a(d): the first root of g(a) = d beyond the flat part of the tip.
     ///
-    /// g is looked at over all magnitudes of the radius, closely where it is not a power, and its humps are climbed to their top.
+    /// The search samples g on a logarithmic grid that is refined where g is not a power law, and at the local maxima of g.
+    /// The result does not depend on the unit of length.
     ///
     /// # Errors
-    /// [`ContactError::Unreachable`] where g reaches d nowhere that was looked at.
+    /// [`ContactError::Unreachable`] if no sample of g reaches d.
     pub fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
         work::bounded(|| radius::of_depth(self, &self.radii, depth))
     }

@@ -1,4 +1,4 @@
-//! The contact radius that belongs to a depth: the first root of g(a) = d, found alike in every unit of length.
+//! The contact radius at a given depth: the first root of g(a) = d, independent of the unit of length.
 
 use super::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
@@ -6,49 +6,51 @@ use crate::num::{Estimate, work};
 use crate::transform::{Quantities, Reading, TransformError};
 use std::sync::{Mutex, PoisonError};
 
-/// Radii with g there, from the flat part of the tip outward, as far as a search has come; later searches go on from there.
+/// Samples of g in order of increasing radius; each search extends those of the previous one.
 #[derive(Default)]
 pub(super) struct Radii(Mutex<Seen>);
 
 #[derive(Clone, Default)]
 struct Seen {
     places: Vec<(f64, f64)>,
-    /// The number of the next power of ten.
+    /// Index of the next radius to sample.
     next: usize,
-    /// Powers of ten in a row at which g had no digits.
+    /// Number of consecutive radii at which the error of g exceeded its value.
     lost: u32,
-    /// The largest g so far, and the powers of ten since then.
+    /// The largest g so far, and the number of radii sampled since then.
     largest: f64,
     idle: u32,
     ended: bool,
 }
 
-/// The innermost radius of the first look, relative to the end of the profile where it has one …
+/// Smallest radius sampled, relative to the end of the profile if it has one.
 const NEAREST: f64 = 1e-40;
-/// … or the distance from a flat part in its own lengths.
+/// Smallest distance from the flat part of a tip, relative to its radius.
 const NEAREST_TO_FLAT: f64 = 1e-14;
-/// The innermost radius at all, for tiny depths, and the outermost one.
+/// Smallest radius tried for depths below the first sample.
 const LEAST: f64 = 1e-290;
+/// Largest radius sampled on an unbounded profile.
 const FARTHEST: f64 = 1e60;
-/// How near the end of a profile is looked at, relative to it: powers of ten.
+/// Number of decades sampled toward the end of a bounded profile.
 const ENDS: i32 = 15;
-/// A step of two neighbouring places is halved where the next one is off the power law before it by more than this …
+/// An interval is bisected if ln g deviates by more than this from the power law of its neighbours.
 const BENT: f64 = 1e-3;
-/// … so many times at most, by the steps that one value of g costs: 256, 64 or 16 parts of a power of ten.
+/// Maximum number of bisections per decade, by the cost of one evaluation of g in steps.
 const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
-/// Steps up a hump, and toward a place beyond which there is no g.
+/// Maximum number of iterations to locate a local maximum of g, or the radius where g ceases to exist.
 const STEPS: u32 = 60;
-/// So many powers of ten without digits end the look, and so many in which g rises to nothing new.
+/// The search ends after this many consecutive samples whose error exceeds their value.
 const LOST: u32 = 3;
+/// The search ends after this many consecutive samples without a new maximum of g.
 const IDLE: u32 = 8;
 
 /// a(d) with its error.
 ///
 /// # Errors
-/// [`ContactError::Unreachable`] where g reaches the depth nowhere that was looked at.
+/// [`ContactError::Unreachable`] if no sample of g reaches the depth.
 pub(super) fn of_depth<P: Quantities>(contact: &Contact<'_, P>, radii: &Radii, depth: f64) -> Result<Reading, ContactError> {
     if depth < 0.0 {
-        return Err(ContactError::Unreachable { depth, reason: "a negative depth means no contact; d >= 0 would be accepted" });
+        return Err(ContactError::Unreachable { depth, reason: "the depth is negative; expected d >= 0" });
     }
     let evaluator = contact.evaluator();
     // The flat part of a worn tip carries no depth: the root lies beyond it.
@@ -57,18 +59,20 @@ pub(super) fn of_depth<P: Quantities>(contact: &Contact<'_, P>, radii: &Radii, d
         return Ok(Reading { estimate: Estimate::exact(start), method: "exact" });
     }
     let mut evaluations = 0;
-    let mut height = |a: f64| -> Result<f64, TransformError> {
-        let g = match evaluator.slope(a) {
-            Ok(g) => g.estimate,
-            // An overflow lies beyond every root.
-            Err(TransformError::Overflow { .. }) => return Ok(f64::INFINITY),
-            Err(other) => return Err(other),
-        };
-        evaluations += g.evaluations + 1;
-        let lost = g.error > g.value.abs() && g.error > 1e-3 * depth;
-        if lost { Err(TransformError::NoDigits { at: a, value: g.value, error: g.error }) } else { Ok(g.value) }
+    let mut height = |a: f64| match evaluator.slope(a) {
+        Ok(g) => {
+            evaluations += g.estimate.evaluations + 1;
+            Ok(g.estimate)
+        }
+        // g overflows beyond every root.
+        Err(TransformError::Overflow { .. }) => Ok(Estimate::exact(f64::INFINITY)),
+        Err(other) => Err(other),
     };
-    let found = Look { height: &mut height, start, places: outward(start, limit) }.bracket(radii, depth)?;
+    let mut with_digits = |a: f64| {
+        let Estimate { value, error, .. } = height(a)?;
+        if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
+    };
+    let found = Look { height: &mut with_digits, start, places: outward(start, limit) }.bracket(radii, depth)?;
     let Some((lower, upper)) = found else {
         let reason = if limit.is_finite() {
             "g stays below this depth as far as the profile goes"
@@ -77,7 +81,7 @@ pub(super) fn of_depth<P: Quantities>(contact: &Contact<'_, P>, radii: &Radii, d
         };
         return Err(ContactError::Unreachable { depth, reason });
     };
-    let mut gap = |a: f64| if a <= start { Ok(-depth) } else { height(a).map(|g| g - depth) };
+    let mut gap = |a: f64| if a <= start { Ok(-depth) } else { height(a).map(|g| g.value - depth) };
     let a = bracketed(&mut gap, lower, upper, &RootOptions::default())?.x;
     let noise = evaluator.slope(a)?.estimate.error + f64::EPSILON * depth;
     let Some(error) = certain(&mut gap, a, start, limit, noise)? else {
@@ -86,7 +90,7 @@ pub(super) fn of_depth<P: Quantities>(contact: &Contact<'_, P>, radii: &Radii, d
     Ok(Reading { estimate: Estimate::estimated(a, error, evaluations), method: "root" })
 }
 
-/// How far from `a` one must go on either side until g − d has its sign beyond doubt; nothing where it never has.
+/// The smallest distance from `a` at which the sign of g − d is certain on both sides; `None` if there is none.
 fn certain(
     gap: &mut dyn FnMut(f64) -> Result<f64, TransformError>,
     a: f64,
@@ -107,14 +111,15 @@ fn certain(
     Ok(None)
 }
 
-/// A look at g from the flat part outward.
+/// Samples g outward from the flat part of the tip.
 struct Look<'a> {
     height: &'a mut dyn FnMut(f64) -> Result<f64, TransformError>,
     start: f64,
-    /// Powers of ten, and steps toward the end of the profile.
+    /// The radii to sample, in increasing order.
     places: Vec<f64>,
 }
 
+/// One radius per decade, and toward the end of a bounded profile one per decade of the distance to it.
 fn outward(start: f64, limit: f64) -> Vec<f64> {
     let powers = |from: f64| (0..).map(move |step| from * 10f64.powi(step));
     let (nearest, end) = if limit.is_finite() { (NEAREST * limit, 0.5 * limit) } else { (NEAREST, FARTHEST) };
@@ -130,7 +135,7 @@ fn outward(start: f64, limit: f64) -> Vec<f64> {
 }
 
 impl Look<'_> {
-    /// The first step outward in which g reaches the depth: the radii before and after it.
+    /// The first pair of adjacent radii between which g reaches the depth.
     fn bracket(&mut self, radii: &Radii, depth: f64) -> Result<Option<(f64, f64)>, ContactError> {
         let mut seen = radii.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let mut from = 0;
@@ -141,12 +146,12 @@ impl Look<'_> {
             if seen.ended {
                 break None;
             }
-            // The top of a hump may be put in before the last two places.
+            // A local maximum may be inserted before the last two samples.
             from = seen.places.len().saturating_sub(3);
             let mut further = seen.clone();
             self.go_on(&mut further);
             if let Err(cut) = work::check() {
-                // What was seen before stays seen.
+                // Keep the samples that were complete before the budget ran out.
                 *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
                 return Err(TransformError::from(cut).into());
             }
@@ -166,7 +171,7 @@ impl Look<'_> {
         }
     }
 
-    /// Powers of ten inward until g is below the depth.
+    /// Divides the radius by ten until g is less than the depth.
     fn inward(&mut self, mut upper: f64, depth: f64) -> Result<(f64, f64), ContactError> {
         while upper > LEAST {
             let lower = 0.1 * upper;
@@ -175,10 +180,10 @@ impl Look<'_> {
             }
             upper = lower;
         }
-        Err(ContactError::Unreachable { depth, reason: "the radius lies below the smallest number; a larger depth would be accepted" })
+        Err(ContactError::Unreachable { depth, reason: "the contact radius underflows; expected a larger depth" })
     }
 
-    /// The next power of ten, with the places before it where g is no power law, and the top of a hump.
+    /// Samples the next radius, refines the interval before it, and adds the local maxima of g.
     fn go_on(&mut self, seen: &mut Seen) {
         let Some(a) = self.places.get(seen.next).copied() else {
             seen.ended = true;
@@ -217,9 +222,9 @@ impl Look<'_> {
         seen.ended = here.1 == f64::INFINITY || seen.idle >= IDLE;
     }
 
-    /// Halves a step and its parts where g is no power law.
+    /// Bisects an interval recursively wherever g deviates from a power law.
     ///
-    /// Two halvings are made in any case, `doubted` tells above which: a wave may have its own value in the middle.
+    /// Intervals with more than `doubted` bisections left are always bisected, because an oscillation may match the power law at one point.
     fn between(&mut self, one: (f64, f64), two: (f64, f64), (halvings, doubted): (u32, u32), places: &mut Vec<(f64, f64)>) {
         let middle = self.start + ((one.0 - self.start) * (two.0 - self.start)).sqrt();
         if halvings == 0 || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
@@ -236,7 +241,7 @@ impl Look<'_> {
         }
     }
 
-    /// Whether a third place lies on the power law through two.
+    /// Returns `true` if the third sample lies on the power law through the first two.
     fn is_power(&self, one: (f64, f64), two: (f64, f64), other: (f64, f64)) -> bool {
         let [x, y, z] = [one, two, other].map(|(a, _)| (a - self.start).ln());
         let [f, g, h] = [one, two, other].map(|(_, g)| g.ln());
@@ -244,7 +249,7 @@ impl Look<'_> {
         (one.1 == two.1 && two.1 == other.1) || (foretold - h).abs() <= BENT
     }
 
-    /// Steps halfway toward a radius at which there is no g.
+    /// Bisects toward the radius beyond which g does not exist.
     fn approach(&mut self, mut outer: f64, seen: &mut Seen) {
         seen.ended = true;
         for _ in 0..STEPS {
@@ -260,7 +265,7 @@ impl Look<'_> {
         }
     }
 
-    /// The top of every hump between its neighbours, by the golden section, among the places from one on.
+    /// Adds the local maxima of g among the samples starting at `from`, located by golden-section search.
     fn climb(&mut self, from: usize, places: &mut Vec<(f64, f64)>) {
         const GOLDEN: f64 = 0.381_966_011_250_105_1;
         let mut tops = Vec::new();
@@ -274,7 +279,7 @@ impl Look<'_> {
                 if high - low <= 1e-8 * best.0 {
                     break;
                 }
-                // Into the longer side.
+                // Probe the longer of the two subintervals.
                 let a = if best.0 - low > high - best.0 { best.0 - GOLDEN * (best.0 - low) } else { best.0 + GOLDEN * (high - best.0) };
                 let Ok(g) = (self.height)(a) else { break };
                 let end = if g > best.1 { best.0 } else { a };

@@ -190,7 +190,7 @@ pub(super) fn write(command: &'static str, document: &impl Serialize, mut out: &
     writeln!(out)
 }
 
-/// Writes that nothing was finished, and why.
+/// Writes a document without a result, with the reason.
 ///
 /// # Errors
 /// As the writer.

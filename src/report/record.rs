@@ -27,10 +27,10 @@ pub struct Derivation<'a> {
 /// Why formulas were not compared with quadrature.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unchecked {
-    /// The work was cut short, so that the answer is not complete.
+    /// The budget was exhausted, so the answer is incomplete.
     #[error("the budget of work did not suffice")]
     Cut,
-    /// The comparison has no place or no numbers.
+    /// The comparison returned this error.
     #[error("{0}")]
     Refused(String),
 }
@@ -45,7 +45,7 @@ impl From<TransformError> for Unchecked {
 }
 
 impl Unchecked {
-    /// Why an answer with this comparison is not complete; nothing where it is.
+    /// The reason why an answer with this check is incomplete; `None` if it is complete.
     pub fn why(check: &Result<Check, Self>) -> Option<&'static str> {
         matches!(check, Err(Self::Cut)).then_some("the budget of work did not suffice for the check")
     }

@@ -322,11 +322,11 @@ impl<'a> Run<'a> {
         let failed = "it cannot be computed to any digit";
         if curve == Curve::Pressure {
             self.count(|asked| asked.pressures += 1);
-            return contact.pressure(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.by_theory().unwrap_or(failed));
+            return contact.pressure(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.fixed_text().unwrap_or(failed));
         }
         if curve == Curve::AxialStress {
             self.count(|asked| asked.stresses += 1);
-            return contact.axial_stress(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.by_theory().unwrap_or(failed));
+            return contact.axial_stress(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.fixed_text().unwrap_or(failed));
         }
         self.count(|asked| asked.displacements += 1);
         contact.displacement(at, state.radius).map_err(|_| failed)

@@ -108,7 +108,7 @@ fn cases(entry: &Entry, module: &str, own: Requested, made: &Program) -> Vec<Cas
                 let rest = -depth.value.lo / slope;
                 // Where g has fallen before, an inner radius has the same depth.
                 let inside = |i: i32| evaluator.slope(place * f64::from(i) / 100.0);
-                let first = (1..100).all(|i| inside(i).is_ok_and(|own| own.estimate.value <= depth.value.hi));
+                let first = !(1..100).any(|i| inside(i).is_ok_and(|own| own.estimate.value > depth.value.hi));
                 if slope > 0.0 && depth.value.hi > 0.0 && first && (depth.value.hi / (slope * place)).is_finite() {
                     push(&[depth.value.hi], Some(Precise::exact(place).add(Precise::exact(rest))));
                 }

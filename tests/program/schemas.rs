@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 /// What is wrong with a value under a schema, place by place; covers the keywords that the schemas use, and refuses others.
-fn faults(schema: &Value, value: &Value, root: &Value, place: &str, found: &mut Vec<String>) {
+pub(super) fn faults(schema: &Value, value: &Value, root: &Value, place: &str, found: &mut Vec<String>) {
     const KNOWN: [&str; 14] = [
         "$schema",
         "$id",
@@ -98,7 +98,7 @@ fn faults(schema: &Value, value: &Value, root: &Value, place: &str, found: &mut 
     }
 }
 
-fn schema(command: &str) -> Value {
+pub(super) fn schema(command: &str) -> Value {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/schemas").join(format!("{command}.json"));
     serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
 }

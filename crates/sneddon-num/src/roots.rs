@@ -1,10 +1,7 @@
 //! Bracketed root finding that never loses the root, over any range of magnitudes.
 
-mod bracket;
 #[cfg(test)]
 mod tests;
-
-pub use bracket::{Bracket, expand_bracket};
 
 use super::error::NumError;
 use super::work;

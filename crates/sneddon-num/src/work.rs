@@ -49,7 +49,7 @@ pub struct Exhausted {
 
 /// What is left on this thread; no budget is open where the limit is `NONE`.
 struct Meter {
-    /// One more than the steps that are left, so that a budget may be spent to the last step; 0 where it is overdrawn.
+    /// The number of steps left plus one; 0 if more was spent than the budget has.
     left: Cell<u64>,
     limit: Cell<u64>,
 }
@@ -96,7 +96,7 @@ pub fn share<T>(steps: u64, work: impl FnOnce() -> T) -> Option<T> {
     // Where no budget is open, the default one is that of the whole.
     let most = if left() > NONE / 2 { Budget::DEFAULT.0 } else { left() };
     let (result, spent, whole) = apart(steps.min(most), work);
-    // A part that overdraws all that is left overdraws the whole.
+    // Overdrawing the whole remainder exhausts the outer budget as well.
     spend(if whole || steps < most { spent } else { spent.saturating_add(1) });
     (whole && !is_exhausted()).then_some(result)
 }

@@ -16,5 +16,5 @@ pub use adaptive::{Options, Rule, integrate, integrate_blocks};
 pub use even::{EvenIntegrand, Known, Mean, Middles, Nodes, mean};
 pub use transform::{EndBehaviour, Panel, Point};
 
-/// An integrand over blocks of points: behind a pointer, so that the rules are compiled once and not for every integrand.
+/// An integrand over blocks of points, as a trait object so that the rules are compiled once rather than for every integrand.
 type Integrand<'a> = dyn FnMut(&[Point], &mut [crate::Bounded]) + 'a;

@@ -95,27 +95,6 @@ fn errors_name_the_place() {
     assert_eq!(own, Err(NumError::NotFinite { at: 7.0 }));
 }
 
-#[test]
-fn brackets_expand_quickly_and_stop() {
-    let calls = std::cell::Cell::new(0);
-    let f = |x: f64| {
-        calls.set(calls.get() + 1);
-        Ok::<f64, NumError>(x - 1e290)
-    };
-    let bracket = expand_bracket(f, 1e-300, f64::MAX).unwrap();
-    assert!(bracket.lower < 1e290 && bracket.upper >= 1e290 && bracket.evaluations <= 22);
-    assert_eq!(calls.get(), bracket.evaluations);
-    let root = solve(|x| x - 1e290, bracket.lower, bracket.upper);
-    assert_ends(root, 1e290);
-    let never = expand_bracket(|x: f64| Ok::<f64, NumError>(x), 1.0, 1e10).unwrap_err();
-    assert_eq!(never, NumError::NoBracket { lower: 1.0, upper: 1e10, at_lower: 1.0, at_upper: 1e10 });
-    for (start, ceiling) in [(0.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY)] {
-        let wrong = expand_bracket(|x: f64| Ok::<f64, NumError>(x), start, ceiling);
-        assert!(matches!(wrong, Err(NumError::OutOfDomain { .. })));
-    }
-    assert_eq!(expand_bracket(|x: f64| Ok::<f64, NumError>(x - 1.0), 1.0, 9.0).unwrap().upper, 1.0);
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
