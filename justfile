@@ -21,6 +21,10 @@ quick revision='HEAD':
 long filter='':
     SNEDDON_LONG=1 cargo test --release {{filter}}
 
+# Write the tables and documents that depend on a rule, after it was added or changed (needs mpmath).
+rule id:
+    python3 tests/oracle/rule.py {{id}}
+
 # The Python package and its tests, in an environment of its own.
 python:
     python3 -m venv target/python-venv

@@ -291,7 +291,8 @@ class Rule:
         def rising(u):
             with mp.workdps(outer + 20):
                 x = r * cosh(u)
-                room = min(x, abs(x - b)) if b is not None else x
+                # The step is small beside the distance to the breakpoint and to the pole of the slope.
+                room = min([x] + [abs(x - values[name]) for name in (self.end, self.limit) if name])
                 if room == 0 or (b is not None and x < b):
                     return mpf(0)
             with mp.workdps(outer + 30):

@@ -30,7 +30,7 @@ fn corners_keep_their_digits() {
         found.iter().filter(|cell| matches!(cell.outcome, Outcome::Refused(_))).map(|cell| format!("{cell:?}")).collect();
     let seen: BTreeSet<&str> = found.iter().map(|cell| cell.rule.as_str()).collect();
     let without: Vec<&str> = RULES.iter().map(|rule| rule.id).filter(|id| !seen.contains(id)).collect();
-    assert!(without.is_empty(), "run tests/oracle/extremes.py for {}", without.join(", "));
+    assert!(without.is_empty(), "run `just rule ID` for {}", without.join(", "));
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
     assert!(refused.len() <= cases(69, REFUSED), "{} refusals:\n{}", refused.len(), refused.join("\n"));
 }
