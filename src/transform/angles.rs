@@ -53,6 +53,11 @@ pub(super) fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
         || (has_angle(expr) && algebraic(expr).is_some_and(|algebraic| normal::is_proven_zero(&algebraic, variable)))
 }
 
+/// True where the expression is zero because of its slope angles, as tan θ − sin θ/cos θ; false proves nothing.
+pub(super) fn cancels(expr: &Expr, variable: &Symbol) -> bool {
+    has_angle(expr) && is_proven_zero(expr, variable)
+}
+
 /// True where the quotient of the two is a product of sines and cosines of acute angles, so that the first is the smaller one.
 pub(super) fn is_proven_below(lower: &Expr, upper: &Expr) -> bool {
     let quotient = lower / upper;

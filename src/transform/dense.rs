@@ -63,7 +63,7 @@ pub(super) fn plan<'t>(
 ) -> Option<Plan> {
     // The dearest interval of the dearest chain; chains are few.
     let (cost, exact) = tapes.map(Tape::cost).fold((0.0_f64, 0.0_f64), |(a, b), (c, d)| (a.max(c), b.max(d)));
-    if cost <= CHEAP || radius.is_some_and(|a| a >= evaluator.limit()) {
+    if cost <= CHEAP || radius.is_some_and(|a| a >= evaluator.limit_up_to(a)) {
         return None;
     }
     let least = (VALUES * exact / (cost - POINT).max(WORTH)).max(LEAST);

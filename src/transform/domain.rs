@@ -1,9 +1,9 @@
-//! Where a profile is real and finite: its value at the axis, the limits of r, and tests at random admissible points.
+//! Where a profile is real and finite: its value at the axis, and tests at random admissible points.
 
 use super::stream::Stream;
-use super::{Chain, TransformError, angles};
+use super::{TransformError, angles};
 use crate::eval::{BoundedAlgebra, WideAlgebra, constant_value, walk};
-use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Sign, Symbol, leading_term, normal, sign};
+use crate::expr::{Bindings, Condition, Expr, Node, Number, Sign, Symbol, leading_term, normal, sign};
 use crate::num::{Bounded, Precise, Wide};
 use crate::print;
 
@@ -153,104 +153,6 @@ fn is_regular(expr: &Expr) -> bool {
     own && expr.children().into_iter().all(is_regular)
 }
 
-/// Adds what the functions and roots of a chain demand of r, solved for r where that is plain.
-///
-/// # Errors
-/// [`TransformError::NotReal`] where a demand can never be met near the axis.
-pub(super) fn collect(chain: &Chain, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
-    for (lower, upper, piece) in chain.intervals() {
-        let mut demands = Vec::new();
-        gather(piece, &mut demands);
-        for demand in demands {
-            if let Some(condition) = solve(&demand, &lower, upper)? {
-                conditions.push(condition);
-            }
-        }
-    }
-    Ok(())
-}
-
-/// Expressions under fractional powers and in restricted functions that must be positive.
-fn gather(expr: &Expr, demands: &mut Vec<Expr>) {
-    match expr.node() {
-        Node::Power(base, exponent) if sign(base) != Sign::Positive => match exponent.as_integer() {
-            // A divisor may have either sign, but must keep the one that it has at the axis.
-            Some(n) if n < 0 => demands.push(if starts_negative(base) { -base } else { base.clone() }),
-            Some(_) => {}
-            None => demands.push(base.clone()),
-        },
-        Node::Function(function, arguments) => {
-            if let Some(domain) = function.row().domain {
-                demands.extend(domain(arguments).into_iter().filter(|d| sign(d) != Sign::Positive));
-            }
-        }
-        _ => {}
-    }
-    expr.children().into_iter().for_each(|child| gather(child, demands));
-}
-
-/// True where the expression is known to be negative at r = 0.
-fn starts_negative(expr: &Expr) -> bool {
-    let here = Bindings::one("r", Expr::zero()).apply(expr);
-    sign(&here) == Sign::Negative || numeric_sign(&here) == Some(-1.0)
-}
-
-/// `demand` > 0 as a condition; `None` where it holds throughout the interval.
-fn solve(demand: &Expr, lower: &Expr, upper: Option<&Expr>) -> Result<Option<Condition>, TransformError> {
-    let radius = Symbol::new("r");
-    let r = Expr::symbol("r");
-    if !demand.contains(&radius) {
-        return match sign(demand) {
-            Sign::Negative => Err(TransformError::NotReal { detail: print::text_expr(demand) }),
-            Sign::Positive => Ok(None),
-            _ => match numeric_sign(demand) {
-                Some(s) if s > 0.0 => Ok(None),
-                Some(_) => Err(TransformError::NotReal { detail: print::text_expr(demand) }),
-                None => Ok(Some(Condition::less(Expr::zero(), demand.clone()))),
-            },
-        };
-    }
-    if lower.is_zero() && starts_negative(demand) {
-        return Err(TransformError::NotReal { detail: print::text_expr(demand) });
-    }
-    let Ok(terms) = normal::normal_terms(demand, &radius) else { return Ok(None) };
-    let (mut constant, mut power) = (Expr::zero(), None);
-    for term in terms {
-        if term.kernel.is_one() && term.exponent.is_zero() {
-            constant = term.coefficient;
-        } else if term.kernel.is_one() && power.is_none() && sign(&term.exponent) == Sign::Positive {
-            power = Some(term);
-        } else {
-            return Ok(None);
-        }
-    }
-    let Some(power) = power else { return Ok(None) };
-    match (sign(&constant), sign(&power.coefficient)) {
-        (Sign::Positive | Sign::Zero, Sign::Positive) => Ok(None),
-        (Sign::Negative, Sign::Negative) => Err(TransformError::NotReal { detail: print::text_expr(demand) }),
-        (Sign::Positive, Sign::Negative) => {
-            let limit = (-constant / power.coefficient).pow(&power.exponent.recip());
-            // A piece that ends before the limit, or at it, never crosses it.
-            let Some(end) = upper else { return Ok(Some(Condition::less(r, limit))) };
-            let room = &limit - end;
-            Ok(match (sign(&room), numeric_sign(&room)) {
-                (Sign::Positive | Sign::Zero, _) | (_, Some(1.0)) => None,
-                _ if angles::is_proven_zero(&room, &radius) || angles::is_proven_below(end, &limit) => None,
-                (Sign::Negative, _) | (_, Some(_)) => Some(Condition::less(r, limit)),
-                _ => Some(Condition { left: end.clone(), relation: Relation::LessOrEqual, right: limit }),
-            })
-        }
-        (Sign::Negative, Sign::Positive) => {
-            let limit = (-constant / power.coefficient).pow(&power.exponent.recip());
-            match sign(&(lower - &limit)) {
-                Sign::Positive | Sign::Zero => Ok(None),
-                _ => Ok(Some(Condition::less(limit, lower.clone()))),
-            }
-        }
-        _ => Ok(None),
-    }
-}
-
 /// True where the expression vanishes within its error bound at 32 random admissible points; `None` where it is real at none.
 pub(super) fn vanishes_at_random_points(expr: &Expr) -> Option<bool> {
     let mut seen = false;
@@ -290,7 +192,7 @@ pub(super) fn sample_bindings(expr: &Expr, count: usize) -> Vec<Bindings> {
     (0..count).map(|_| names.iter().zip(&largest).map(|(name, largest)| (name.name(), draw(*largest))).collect()).collect()
 }
 
-fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {
+pub(super) fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {
     let here = set.apply(expr);
     let own = walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).map_or(f64::NAN, |v| v.value);
     if !own.is_nan() {

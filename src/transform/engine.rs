@@ -1,5 +1,6 @@
 //! The derivation: split a profile into terms, match each with the rules, collect the answers.
 
+use super::angles;
 use super::kinks;
 use super::rules;
 use super::term::{self, Segment};
@@ -106,8 +107,13 @@ fn verify(chains: &mut [SolvedChain], place: Option<&Place>, found: &mut Verific
 }
 
 /// The terms of f′; what cannot be expanded stays one term without a rule.
+///
+/// A coefficient that is zero because of its slope angles, such as tan θ − sin θ/cos θ, is none.
 fn normal_parts(slope: &Expr) -> Option<Vec<NormalTerm>> {
-    normal::normal_terms(slope, &Symbol::new("r")).ok()
+    let radius = Symbol::new("r");
+    let mut terms = normal::normal_terms(slope, &radius).ok()?;
+    terms.retain(|term| !angles::cancels(&term.coefficient, &radius));
+    Some(terms)
 }
 
 /// Splits a chain into terms; what every interval has in common acts on the whole axis and becomes a chain of its own.

@@ -1,18 +1,22 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
 use super::admit::{beyond_the_edge, finite_and_not_negative, tolerance_in_range};
+use super::barrier::Barrier;
 use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, total};
 use super::combine::ORDER;
 use super::dense::Kept;
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
-use super::kinks::is_below;
+use super::kinks::{is_approximate, is_below};
 use super::quantity::Quantity;
 use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::{constant_value, first_double_from};
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
 use crate::num::{Bounded, Estimate, Precise, work};
 use std::sync::OnceLock;
+
+/// Ends of the profile that are as close as this, relatively, are one.
+const SAME: f64 = 64.0 * f64::EPSILON;
 
 /// How a number may be computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +44,9 @@ pub struct Evaluator<'a> {
     pub(super) bindings: Bindings,
     pub(super) chains: Vec<NumericChain>,
     limits: Vec<f64>,
+    barriers: Vec<Barrier>,
+    /// The smallest limit and the first end of a barrier.
+    end: OnceLock<f64>,
     typed: OnceLock<NumericProfile>,
     recognised: OnceLock<NumericProfile>,
     heights: OnceLock<Heights>,
@@ -102,6 +109,8 @@ impl<'a> Evaluator<'a> {
             bindings: bindings.clone(),
             chains,
             limits,
+            barriers: solution.profile.demands.iter().map(|own| Barrier::new(own, bindings)).collect::<Result<_, _>>()?,
+            end: OnceLock::new(),
             typed: OnceLock::new(),
             recognised: OnceLock::new(),
             heights: OnceLock::new(),
@@ -129,7 +138,8 @@ impl<'a> Evaluator<'a> {
         let mut built = NumericProfile::new(&pieces, &self.bindings)?;
         // The nearest of several limits is where f′ ends.
         let nearest = self.limit();
-        if let Some((limit, _)) = self.solution.profile.limits().zip(&self.limits).find(|(_, own)| **own == nearest) {
+        let ends = self.solution.profile.limits().zip(&self.limits).filter(|(limit, _)| !is_approximate(limit));
+        if let Some((limit, _)) = ends.into_iter().find(|(_, own)| **own == nearest) {
             built = built.ending_at(limit, &self.bindings)?;
         }
         if built.is_ragged() {
@@ -154,7 +164,19 @@ impl<'a> Evaluator<'a> {
 
     /// The smallest upper limit of r that the profile has.
     pub fn limit(&self) -> f64 {
-        self.limits.iter().copied().fold(f64::INFINITY, f64::min)
+        *self.end.get_or_init(|| self.with_ends(Barrier::first_end))
+    }
+
+    /// The same, and where the profile is found to end at a place up to `at`, that place.
+    pub(super) fn limit_up_to(&self, at: f64) -> f64 {
+        if self.barriers.is_empty() { self.limit() } else { self.with_ends(|own| own.end_up_to(at)).min(self.limit()) }
+    }
+
+    /// The smallest limit or end; an end that rounding alone puts below a limit is that limit.
+    fn with_ends(&self, end: impl Fn(&Barrier) -> Option<f64>) -> f64 {
+        let limit = self.limits.iter().copied().fold(f64::INFINITY, f64::min);
+        let found = self.barriers.iter().filter_map(end).fold(limit, f64::min);
+        if found > limit * (1.0 - SAME) { limit } else { found }
     }
 
     /// Every breakpoint below `end`, rising.
@@ -372,7 +394,7 @@ impl<'a> Evaluator<'a> {
     /// beyond it.
     pub fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
         finite_and_not_negative(symbol, at)?;
-        let limit = self.limit();
+        let limit = self.limit_up_to(at);
         if at >= limit {
             return Err(TransformError::OutOfDomain { symbol, at, limit: format!(", which ends at r = {limit}") });
         }

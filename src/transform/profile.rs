@@ -1,5 +1,6 @@
 //! The profile as chains of smooth pieces, read from a formula and examined for jumps, kinks and poles.
 
+use super::demands::{self, Demand};
 use super::{TransformError, angles, domain, kinks};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative};
@@ -29,6 +30,8 @@ pub struct Profile {
     pub shift: Expr,
     /// What must hold for the parameters and for r.
     pub conditions: Vec<Condition>,
+    /// What must be positive where the profile has a value, and is not proven to be so for all parameters.
+    pub(super) demands: Vec<Demand>,
 }
 
 impl Profile {
@@ -78,14 +81,20 @@ impl Profile {
         for chain in chains {
             resolved.push(examined(chain, &radius, &mut conditions)?);
         }
+        for piece in resolved.iter_mut().flat_map(|chain| &mut chain.pieces) {
+            if angles::cancels(piece, &radius) {
+                *piece = Expr::zero();
+            }
+        }
         let mut shift = Vec::new();
         for chain in &resolved {
             if let Some(first) = chain.pieces.first() {
                 shift.push(domain::value_at_axis(first, &mut conditions)?);
             }
         }
+        let mut open = Vec::new();
         for chain in &resolved {
-            domain::collect(chain, &mut conditions)?;
+            demands::collect(chain, &mut conditions, &mut open)?;
         }
         // Pieces are put in order and joined for acute slope angles only.
         if resolved.iter().any(|chain| !chain.breakpoints.is_empty()) {
@@ -97,7 +106,7 @@ impl Profile {
             return Err(TransformError::ConditionFails { condition: print::text_condition(failing) });
         }
         conditions.retain(|c| c.decided().is_none());
-        let mut profile = Self { typed: formula.clone(), chains: resolved, shift: Expr::sum(shift), conditions };
+        let mut profile = Self { typed: formula.clone(), chains: resolved, shift: Expr::sum(shift), conditions, demands: open };
         profile.end_at_limits();
         Ok(profile)
     }

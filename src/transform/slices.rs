@@ -297,7 +297,10 @@ impl Evaluator<'_> {
             Wanted::Superposed(_, radius) => radius,
             Wanted::Height => None,
         };
-        if radius.unwrap_or(highest) >= self.limit() || radius.is_some_and(|a| highest >= a) || highest.is_nan() {
+        if radius.unwrap_or(highest) >= self.limit_up_to(radius.unwrap_or(highest))
+            || radius.is_some_and(|a| highest >= a)
+            || highest.is_nan()
+        {
             return None;
         }
         if let Some(a) = radius {

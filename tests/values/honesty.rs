@@ -45,15 +45,6 @@ fn estimates_cover_the_true_error() {
     }
 }
 
-/// An integral over a pole has no reliable digit.
-#[test]
-fn poles_are_refused() {
-    for (profile, at) in [("tan(r)", 2.0), ("1/cos(r)", 1.6), ("1/(r^2-r+0.24)", 0.5)] {
-        let answer = read(profile, "g", at);
-        assert!(matches!(answer, Err(ContactError::Transform(TransformError::NoDigits { .. }))), "{profile}: {answer:?}");
-    }
-}
-
 /// A ridge of width 10⁻⁴ alone, which no sample meets: 40-digit quadrature that is told where it lies.
 #[test]
 fn a_ridge_that_no_sample_meets_is_found() {

@@ -9,6 +9,7 @@ mod extremes;
 mod features;
 mod finite;
 mod honesty;
+mod poles;
 mod quadrature_counts;
 mod random_profiles;
 mod second;

@@ -2,7 +2,7 @@
 
 use super::precise::{self, one, to_edge, to_one, to_pole};
 use super::typeset::{self, Setting};
-use super::{Function, PLAIN, Row, slices};
+use super::{Function, PLAIN, Row, exact_angles, slices};
 use crate::expr::{Expr, Node, Number, Sign, sign};
 use crate::num::{DoubleDouble, Region, precise as thirty};
 use num_complex::Complex64;
@@ -73,7 +73,7 @@ pub(super) static ROWS: &[Row] = &[
         complex: Some(|a| complex(a, Complex64::sin)),
         region: Some(|a| region(a, Region::sin)),
         derivative: Some(|a, _| Some(call("cos", a))),
-        fold: Some(|a| odd("sin", a)),
+        fold: Some(|a| only(a).and_then(exact_angles::sine).or_else(|| odd("sin", a))),
         ..PLAIN
     },
     Row {
@@ -87,7 +87,7 @@ pub(super) static ROWS: &[Row] = &[
         complex: Some(|a| complex(a, Complex64::cos)),
         region: Some(|a| region(a, Region::cos)),
         derivative: Some(|a, _| Some(-call("sin", a))),
-        fold: Some(|a| even("cos", a)),
+        fold: Some(|a| only(a).and_then(exact_angles::cosine).or_else(|| even("cos", a))),
         ..PLAIN
     },
     Row {
@@ -106,7 +106,7 @@ pub(super) static ROWS: &[Row] = &[
         complex: Some(|a| complex(a, Complex64::tan)),
         region: Some(|a| region(a, Region::tan)),
         derivative: Some(|a, _| Some(Expr::one() + call("tan", a).power(2))),
-        fold: Some(|a| odd("tan", a)),
+        fold: Some(|a| only(a).and_then(exact_angles::tangent).or_else(|| odd("tan", a))),
         ..PLAIN
     },
     Row {
@@ -121,7 +121,7 @@ pub(super) static ROWS: &[Row] = &[
         complex: Some(|a| complex(a, Complex64::asin)),
         region: Some(|a| region(a, Region::asin)),
         derivative: Some(|a, _| Some((Expr::one() - first(a).power(2)).sqrt().recip())),
-        fold: Some(|a| odd("asin", a)),
+        fold: Some(|a| only(a).and_then(exact_angles::arcsine).or_else(|| odd("asin", a))),
         sign: Some(sign_of_argument),
         domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
         ..PLAIN
@@ -138,7 +138,7 @@ pub(super) static ROWS: &[Row] = &[
         complex: Some(|a| complex(a, Complex64::acos)),
         region: Some(|a| Region::real(FRAC_PI_2) - region(a, Region::asin)),
         derivative: Some(|a, _| Some(-(Expr::one() - first(a).power(2)).sqrt().recip())),
-        fold: Some(|a| first(a).is_one().then(Expr::zero)),
+        fold: Some(|a| only(a).and_then(exact_angles::arccosine)),
         domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
         ..PLAIN
     },
@@ -154,7 +154,7 @@ pub(super) static ROWS: &[Row] = &[
         complex: Some(|a| complex(a, Complex64::atan)),
         region: Some(|a| region(a, Region::atan)),
         derivative: Some(|a, _| Some((Expr::one() + first(a).power(2)).recip())),
-        fold: Some(|a| odd("atan", a)),
+        fold: Some(|a| only(a).and_then(exact_angles::arctangent).or_else(|| odd("atan", a))),
         sign: Some(sign_of_argument),
         ..PLAIN
     },
@@ -395,6 +395,11 @@ pub(super) fn negated(u: &Expr) -> Option<Expr> {
     let terms = u.terms().into_iter().filter(|t| t.as_number().is_none()).map(|t| t.split_coefficient());
     let (coefficient, _) = terms.min_by(|(_, left), (_, right)| left.cmp(right))?;
     coefficient.is_negative().then(|| -u)
+}
+
+/// The argument of a function of one.
+fn only(a: &[Expr]) -> Option<&Expr> {
+    if let [u] = a { Some(u) } else { None }
 }
 
 /// f(−u) = −f(u), f(0) = 0.

@@ -2,6 +2,7 @@
 
 mod elementary;
 mod elliptic;
+mod exact_angles;
 mod forms;
 mod hypergeometric;
 mod precise;

@@ -1,0 +1,81 @@
+//! Sines, cosines and tangents of multiples of π/6 and π/4, and the arcs that have such values.
+
+use crate::expr::Expr;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+/// Steps of π/12 in a whole turn.
+const TURN: u8 = 24;
+
+/// cos u where u is a multiple of π/6 or π/4.
+pub(super) fn cosine(u: &Expr) -> Option<Expr> {
+    steps(u).and_then(cosine_of)
+}
+
+/// sin u where u is a multiple of π/6 or π/4.
+pub(super) fn sine(u: &Expr) -> Option<Expr> {
+    // sin u = cos(u − π/2)
+    steps(u).and_then(|steps| cosine_of((steps + TURN - 6) % TURN))
+}
+
+/// tan u where u is a multiple of π/6 or π/4 and no pole.
+pub(super) fn tangent(u: &Expr) -> Option<Expr> {
+    let (sine, cosine) = (sine(u)?, cosine(u)?);
+    (!cosine.is_zero()).then(|| sine / cosine)
+}
+
+/// arcsin v for v of −1, −√3/2, −√2/2, −1/2, 0, 1/2, √2/2, √3/2 and 1.
+pub(super) fn arcsine(v: &Expr) -> Option<Expr> {
+    Some(angle(6) - arccosine(v)?)
+}
+
+/// arccos v for the same values.
+pub(super) fn arccosine(v: &Expr) -> Option<Expr> {
+    (0..=TURN / 2).find(|steps| cosine_of(*steps).is_some_and(|own| own == *v)).map(angle)
+}
+
+/// arctan v for v of 0, ±√3/3, ±1 and ±√3.
+pub(super) fn arctangent(v: &Expr) -> Option<Expr> {
+    (0..6).flat_map(|steps| [(angle(steps), false), (angle(steps), true)]).find_map(|(angle, negative)| {
+        let value = tangent(&angle)?;
+        let (angle, value) = if negative { (-angle, -value) } else { (angle, value) };
+        (value == *v).then_some(angle)
+    })
+}
+
+/// The angle of so many steps of π/12.
+fn angle(steps: u8) -> Expr {
+    Expr::ratio(i64::from(steps), i64::from(TURN) / 2) * Expr::pi()
+}
+
+/// The steps of π/12 in an angle, less whole turns.
+fn steps(u: &Expr) -> Option<u8> {
+    if u.is_zero() {
+        return Some(0);
+    }
+    let (number, rest) = u.split_coefficient();
+    if rest != Expr::pi() {
+        return None;
+    }
+    let steps = number.value() * BigRational::from_integer(BigInt::from(TURN / 2));
+    steps.is_integer().then(|| steps.to_integer().mod_floor(&BigInt::from(TURN)).to_u8()).flatten()
+}
+
+/// The cosine of so many steps of π/12; `None` for odd ones that are no multiple of three.
+fn cosine_of(steps: u8) -> Option<Expr> {
+    let half_root = |n: i64| Expr::integer(n).sqrt() / Expr::integer(2);
+    // cos(2π − u) = cos u and cos(π − u) = −cos u.
+    let acute = if steps > TURN / 2 { TURN - steps } else { steps };
+    let (acute, negative) = if acute > TURN / 4 { (TURN / 2 - acute, true) } else { (acute, false) };
+    let value = match acute {
+        0 => Expr::one(),
+        2 => half_root(3),
+        3 => half_root(2),
+        4 => Expr::ratio(1, 2),
+        6 => Expr::zero(),
+        _ => return None,
+    };
+    Some(if negative { -value } else { value })
+}

@@ -1,0 +1,172 @@
+//! Poles and ends of profiles: numbers up to them, the place beyond them, and none where there is none.
+//!
+//! `tests/oracle/poles.py` has the profiles with their ends and references.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use sneddon::expr::Bindings;
+use sneddon::parse;
+use sneddon::print;
+use sneddon::transform::{Evaluator, Method, Profile, Solution, TransformError, derive};
+use sneddon_checks::decimal::Decimal;
+use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
+
+fn solution(text: &str) -> Solution {
+    derive(&Profile::new(&parse::profile(text).unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"))).unwrap()
+}
+
+/// The end that the error names, if the place is refused as one outside the domain.
+fn end_beyond(text: &str, at: f64) -> Option<f64> {
+    let solution = solution(text);
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+    let ends = [evaluator.slope(at).map(|_| ()), evaluator.force(at).map(|_| ()), evaluator.pressure(0.3 * at, at).map(|_| ())].map(
+        |own| match own {
+            Err(TransformError::OutOfDomain { limit, .. }) => limit.rsplit(' ').next()?.parse::<f64>().ok(),
+            _ => None,
+        },
+    );
+    assert!(ends.iter().all(|own| *own == ends[0]), "{text} at {at}: {ends:?}");
+    ends[0]
+}
+
+#[test]
+fn numbers_before_the_end_are_right_and_those_beyond_are_refused_with_its_place() {
+    for line in include_str!("../oracle/poles.csv").lines().filter(|line| !line.starts_with('#')) {
+        let [text, end, at, truth] = line.split(';').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        let (end, at) = (end.parse::<f64>().unwrap(), at.parse::<f64>().unwrap());
+        let solution = solution(text);
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+        let found = evaluator.slope(at).unwrap_or_else(|error| panic!("{text} at {at:?}: {error}")).estimate;
+        let error = Decimal::read(truth).distance(found.value).abs();
+        assert!(error <= found.error, "{text} at {at:?}: {found:?}, true error {error:e}");
+        // Next to a pole the rounding of x alone counts: ε end/(end − x).
+        let largest = 16.0 * f64::EPSILON * end / (end - at);
+        assert!(found.error <= 4.0 * largest.max(1e-12) * found.value.abs(), "{text} at {at:?}: {found:?}");
+        for beyond in [end * (1.0 + 1e-12), 1.2 * end, 7.0 * end] {
+            let place = end_beyond(text, beyond);
+            assert!(place.is_some_and(|own| (own / end - 1.0).abs() < 4e-15), "{text} at {beyond:?}: {place:?}, {end:?}");
+        }
+    }
+}
+
+/// A function that rises from 0, as text over u, and its inverse.
+type Rising = (&'static str, fn(f64) -> f64);
+
+const RISING: &[Rising] = &[
+    ("exp(U)-1", f64::ln_1p),
+    ("sinh(U)", f64::asinh),
+    ("cosh(U)-1", |c| (1.0 + c).acosh()),
+    ("U^3+U", |c| {
+        let root = (0.25 * c * c + 1.0 / 27.0).sqrt();
+        (0.5 * c + root).cbrt() - (root - 0.5 * c).cbrt()
+    }),
+    ("U*sqrt(1+U^2)", |c| (0.5 * ((1.0 + 4.0 * c * c).sqrt() - 1.0)).sqrt()),
+    ("ln(1+U)", f64::exp_m1),
+    ("asinh(U)", f64::sinh),
+    ("atan(U)", f64::tan),
+    ("U+atan(U)*0", |c| c),
+    ("1-exp(-U^2)", |c| (-(-c).ln_1p()).sqrt()),
+];
+
+const AROUND: &[&str] = &["1/(D)", "r^2/(D)", "ln(D)", "sqrt(D)", "(D)^(-5/2)", "r/(D)^2", "acosh(1+D)", "exp(1/(D))", "gamma(D)"];
+
+#[test]
+fn every_function_of_a_falling_denominator_ends_at_its_zero() {
+    let mut stream = Stream::new(0x901e);
+    for _ in 0..cases(50, 1500) {
+        let ((rising, inverse), around) = (stream.pick(RISING), stream.pick(AROUND));
+        let (c, w) = (stream.short(0.1, 0.9), stream.log_uniform(1e-9, 1e9));
+        let text = around.replace('D', &format!("{c:?}-({})", rising.replace('U', &format!("(r/{w:?})"))));
+        let end = w * inverse(c);
+        for beyond in [1.001 * end, 3.0 * end] {
+            let place = end_beyond(&text, beyond);
+            assert!(place.is_some_and(|own| (own / end - 1.0).abs() < 1e-13), "{text} at {beyond:?}: {place:?}, {end:?}");
+        }
+        let solution = solution(&text);
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+        let before = evaluator.slope(0.9 * end).map(|own| own.estimate);
+        assert!(before.is_ok(), "{text} at {:?}: {before:?}", 0.9 * end);
+    }
+}
+
+#[test]
+fn a_denominator_that_comes_close_to_zero_ends_nothing() {
+    let never = [
+        "r^2/(1.001-sin(r))",
+        "1/(1.0001+cos(r))",
+        "r^2/((r-1)^2+1e-6)",
+        "ln(1.001+cos(3*r))",
+        "r^2/(1-tanh(r)^2+1e-9)",
+        "sqrt(1+cos(r))",
+        "sin(r)/r",
+        "r/(exp(r)-1)",
+        "(1-cos(r))/r",
+        "r/tan(r/9)",
+        "r^2/(2-tanh(r))",
+        "r^2/(1+r*exp(-r)-0.3)",
+    ];
+    for text in never {
+        for at in [1e-150, 1e-6, 0.9, 3.0, 4.5] {
+            let solution = solution(text);
+            let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+            let found = evaluator.check_domain("x", at);
+            assert!(found.is_ok(), "{text} at {at:?}: {found:?}");
+        }
+    }
+}
+
+/// Between r = 4.9 and 5.1 only, where no power of two lies.
+#[test]
+fn a_narrow_range_of_poles_is_found() {
+    for (text, end) in [("1/((r-5)^2-1e-2)", 4.9), ("ln((r-5)^2-1e-2)", 4.9), ("r^2/(cos(r)+0.9999)", (-0.9999f64).acos())] {
+        let place = end_beyond(text, 6.0);
+        assert!(place.is_some_and(|own| (own / end - 1.0).abs() < 1e-13), "{text}: {place:?}");
+        assert_eq!(end_beyond(text, 0.99 * end), None, "{text}");
+    }
+}
+
+#[test]
+fn conditions_name_the_end() {
+    let expected = [
+        ("tan(k*r)", &["r < pi/(2*k)"][..]),
+        ("-ln(cos(r/w))", &["r < pi/2*w"]),
+        ("R*acos(1-r/R)-sqrt(2*R*r-r^2)", &["r < 2*R"]),
+        ("R-sqrt(R^2-(r-b)^2)", &["b < R", "r < b + R"]),
+        ("piecewise(0, r<b, R-sqrt(R^2-(r-b)^2))", &["r < b + R"]),
+        ("1/(c-exp(r/w))", &[]),
+        ("1/(2-exp(r/w))", &["r < w*ln(2)"]),
+        ("h*(1/cos(q*r)-1)", &["r < pi/(2*q)"]),
+        ("acosh(2-r/w)", &["r < w"]),
+        ("r^2/(1-c*tanh(r/w))", &["0 < 1 - c*tanh(r/w)"]),
+        ("r^2/besselj(0,r/w)", &["r < 2.404825557695773*w"]),
+        ("ln(1-(r/R)^3)", &["r < R"]),
+        ("R^2/(R-r)", &["r < R"]),
+        ("r^2/(1+cos(r/w))", &["r < pi*w"]),
+    ];
+    for (text, expected) in expected {
+        let profile = Profile::new(&parse::profile(text).unwrap()).unwrap();
+        let conditions: Vec<String> = profile.conditions.iter().map(print::text_condition).collect();
+        assert!(expected.iter().all(|own| conditions.iter().any(|found| found == own)), "{text}: {conditions:?}");
+    }
+}
+
+#[test]
+fn angles_have_exact_values() {
+    for (text, same) in [
+        ("r*tan(pi/6)", "r*sqrt(3)/3"),
+        ("r*cos(pi/3)", "r/2"),
+        ("r*sin(5*pi/4)", "-r*sqrt(2)/2"),
+        ("r*cos(-7*pi/6)", "-r*sqrt(3)/2"),
+        ("r*tan(3*pi/4)", "-r"),
+        ("r*asin(1/2)", "r*pi/6"),
+        ("r*acos(-1)", "r*pi"),
+        ("r*atan(1)", "r*pi/4"),
+        ("r^2+r*tan(pi)", "r^2"),
+    ] {
+        assert_eq!(parse::profile(text).unwrap(), parse::profile(same).unwrap(), "{text}");
+    }
+    // Of slope angles that are symbols, what cancels is no part of the answer and no condition.
+    let answer = solution("r^2+r*tan(theta)-r*sin(theta)/cos(theta)");
+    assert!(answer.is_closed() && answer.conditions.is_empty(), "{:?}", answer.conditions);
+    assert!(Profile::new(&parse::profile("r*tan(t)-r*sin(t)/cos(t)").unwrap()).unwrap().is_flat());
+}
