@@ -22,7 +22,7 @@ impl Evaluator<'_> {
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
     ///
     /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form is given about a millisecond
-    /// before quadrature is asked, and all the time that it needs where quadrature misses the tolerance.
+    /// before quadrature is asked, and half a second where quadrature misses the tolerance.
     pub(super) fn combine(
         &self,
         quantity: Quantity,
@@ -38,7 +38,10 @@ impl Evaluator<'_> {
         }
         match self.by_quadrature(quantity, contact, inputs, self.typed().and_then(integrate), integrate) {
             Ok(Some(other)) if other.estimate.relative_error() <= self.tolerance => Ok(Some(other)),
-            _ => self.combined(quantity, contact, inputs, &integrate, None),
+            other => match work::share(DEAREST, || self.combined(quantity, contact, inputs, &integrate, None)) {
+                Some(found) => found,
+                None => other,
+            },
         }
     }
 
@@ -229,6 +232,9 @@ impl Evaluator<'_> {
 const DEAR: u64 = 100_000;
 /// … and with 30 digits.
 const DEAR_TWICE: u64 = 400_000;
+
+/// … and where quadrature has been asked and misses the tolerance.
+const DEAREST: u64 = 50_000_000;
 
 /// What the work finds, unless it takes more than so many steps and may be given up; `dear` is set then.
 fn in_time<T>(special: bool, dear: Option<&Cell<bool>>, steps: u64, find: impl FnOnce() -> T) -> Option<T> {

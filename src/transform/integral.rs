@@ -86,7 +86,8 @@ impl NumericProfile {
             let slope_expr = centred(&balanced(&bindings.apply(slope)));
             let tape = compile_shifted(&slope_expr, &lower_expr)?;
             let slope = Numbers::Tape(tape);
-            let singular = is_singular(&slope, lower.value, upper.map(|u| u.value));
+            // What a polynomial of high degree loses next to b in doubles is no singularity.
+            let singular = !is_typed_polynomial(&slope_expr, &Symbol::new("r")) && is_singular(&slope, lower.value, upper.map(|u| u.value));
             let scale = upper.map_or(1.0, |upper| upper.value);
             let ragged = lower_expr.is_zero() && matches!(&slope, Numbers::Tape(tape) if is_ragged(&slope_expr, tape, singular, scale));
             let odd = parity(&slope_expr, &Symbol::new("r")) == Some(Parity::Odd);

@@ -5,7 +5,7 @@ use super::sample::Sampler;
 use super::{Answer, Chain, NumericProfile, Pair, Profile, Segment};
 use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
 use crate::expr::{Bindings, Condition, Expr, Symbol};
-use crate::num::{Bound, Bounded};
+use crate::num::{Bound, Bounded, work};
 use std::sync::LazyLock;
 
 /// What the gate found for the terms of a solution.
@@ -152,7 +152,8 @@ impl Place {
     /// Looks at a solved term and gives up what is wrong.
     pub fn judge(&self, solved: &mut SolvedTerm, found: &mut Verification) {
         let Some((rule, answer)) = &solved.answer else { return };
-        let [slope, force] = self.compare(&solved.term.slope(), &solved.term.segment, answer).unwrap_or([Verdict::Unknown; 2]);
+        let compare = || self.compare(&solved.term.slope(), &solved.term.segment, answer);
+        let [slope, force] = work::share(LONGEST, compare).flatten().unwrap_or([Verdict::Unknown; 2]);
         for (verdict, quantity) in [(slope, "g"), (force, "F")] {
             if verdict == Verdict::Wrong {
                 found.demoted.push(Demotion { rule: rule.id, quantity });
@@ -160,7 +161,7 @@ impl Place {
                 return;
             }
         }
-        let pressure = self.compare_pressure(&solved.term.segment, answer);
+        let pressure = work::share(LONGEST, || self.compare_pressure(&solved.term.segment, answer)).flatten();
         if slope == Verdict::Agrees && pressure == Some(Verdict::Wrong) {
             found.demoted.push(Demotion { rule: rule.id, quantity: "p" });
             if let Some((_, answer)) = &mut solved.answer {
@@ -284,6 +285,9 @@ impl Place {
         Some(verdict)
     }
 }
+
+/// Steps of work after which a term counts as not compared: special functions far out may take seconds.
+const LONGEST: u64 = 5_000_000;
 
 /// Nodes in (0, 1) and weights of the double exponential rule.
 static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {

@@ -1,6 +1,7 @@
 //! The bend (r f′)′ of a profile enclosed from the axis outward: nothing narrow hides between the radii that are looked at.
 
 use super::curvature::{Curvature, Kink};
+use crate::num::work;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
@@ -63,7 +64,9 @@ impl Cells {
                 let least = if cell.low.is_finite() { NARROW } else { NARROWEST };
                 // Where g falls, g′/x must not change much within a cell.
                 let settled = cell.low >= 0.0 || (cell.high < 0.0 && upper <= 2.0 * lower) || lower == 0.0;
-                match halved(lower, upper).filter(|_| !settled && upper - lower > least * upper && looks < MOST_LOOKS) {
+                match halved(lower, upper)
+                    .filter(|_| !settled && upper - lower > least * upper && looks < MOST_LOOKS && !work::is_exhausted())
+                {
                     Some(middle) => open.extend([(middle, upper), (lower, middle)]),
                     _ => list.push(cell),
                 }
@@ -98,9 +101,9 @@ impl Cells {
             .filter_map(|(doubt, steepest, index)| Some(Ranked { doubt, steepest, cell: *self.list.get(index)? }))
             .collect();
         let mut done: Vec<Cell> = self.list.iter().copied().filter(|cell| cell.lower >= fine).collect();
-        while heap.len() < MOST_CELLS {
+        for _ in 0..2 * MOST_CELLS {
             // Where the least known cell is known well enough, all are.
-            if heap.peek().is_none_or(|own| own.doubt <= KNOWN) {
+            if heap.len() >= MOST_CELLS || work::is_exhausted() || heap.peek().is_none_or(|own| own.doubt <= KNOWN) {
                 break;
             }
             let Some(Ranked { steepest, cell, .. }) = heap.pop() else { break };
