@@ -1,5 +1,6 @@
 //! Polynomials inside functions, written around the place where they are shortest: (r − b)² again, where it was multiplied out.
 
+use super::integral::is_typed_polynomial;
 use crate::expr::{Expr, Node, Number, Symbol, normal};
 
 /// The same function of r, with every polynomial in an exponent, a base or an argument written in powers of r − s, where that has fewer
@@ -36,6 +37,10 @@ fn rewritten(expr: &Expr, radius: &Symbol, is_inside: bool) -> Expr {
 
 /// The polynomial in powers of r − s, where these are fewer than `terms`.
 fn around_its_centre(sum: &Expr, terms: usize, radius: &Symbol) -> Option<Expr> {
+    // What is no polynomial as it stands is not expanded to look for one.
+    if !is_typed_polynomial(sum, radius) {
+        return None;
+    }
     let coefficients = normal::polynomial_coefficients(sum, radius).filter(|list| (3..=HIGHEST + 1).contains(&list.len()))?;
     let numbers = coefficients.iter().map(Expr::as_number).collect::<Option<Vec<&Number>>>()?;
     let [.., before, highest] = numbers.as_slice() else { return None };

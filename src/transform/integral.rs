@@ -482,7 +482,7 @@ pub(super) fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
 }
 
 /// True for sums, products and whole powers of the variable and of what is free of it: a look that takes no expansion.
-fn is_typed_polynomial(expr: &Expr, variable: &Symbol) -> bool {
+pub(super) fn is_typed_polynomial(expr: &Expr, variable: &Symbol) -> bool {
     match expr.node() {
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => true,
         Node::Sum(list) | Node::Product(list) => list.iter().all(|own| is_typed_polynomial(own, variable)),

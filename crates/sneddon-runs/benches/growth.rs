@@ -26,8 +26,9 @@ fn joined(n: usize, by: &str, part: impl Fn(usize) -> String) -> String {
 
 /// f′ = i between the radii i and i + 1.
 fn pieces(n: usize) -> String {
-    let middle: String = (1..n).map(|i| format!(", r<{}, {i}*(r-{i})+{}", i + 1, i * (i - 1) / 2)).collect();
-    format!("piecewise(0, r<1, 0{middle}, {n}*(r-{n})+{})", n * (n - 1) / 2)
+    let piece = |i: usize| format!("{i}*(r-{i})+{}", i * (i - 1) / 2);
+    let inner: String = (1..n).map(|i| format!(", {}, r<{}", piece(i), i + 1)).collect();
+    format!("piecewise(0, r<1{inner}, {})", piece(n))
 }
 
 /// The steps of the work; `None` where a minute does not suffice.
@@ -48,7 +49,7 @@ fn steps<T>(work: impl FnOnce() -> Result<T, TransformError>) -> Option<(T, u64)
 }
 
 fn formulas(text: &str) -> Result<Solution, TransformError> {
-    let formula = parse::profile(text).map_err(|_| TransformError::Flat)?;
+    let formula = parse::profile(text).unwrap_or_else(|error| panic!("{text}: {error}"));
     let solution = derive(&Profile::new(&formula)?)?;
     let _ = (solution.equivalent_profile(), solution.force(), solution.pressure());
     Ok(solution)
