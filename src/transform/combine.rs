@@ -54,6 +54,7 @@ impl Evaluator<'_> {
         integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
         dear: Option<&Cell<bool>>,
     ) -> Result<Option<Reading>, TransformError> {
+        work::spend(OVERHEAD);
         let dear = dear.filter(|_| self.method == Method::Auto);
         let typed = || self.typed().and_then(integrate);
         if self.method == Method::Quadrature {
@@ -228,6 +229,8 @@ impl Evaluator<'_> {
     }
 }
 
+/// Steps of one number beside its tapes: measured by `benches/steps.rs`.
+const OVERHEAD: u64 = 50;
 /// Steps of work after which a closed form with special functions is given up where quadrature may answer: about a millisecond …
 const DEAR: u64 = 100_000;
 /// … and with 30 digits.

@@ -212,3 +212,57 @@ fn points_that_the_budget_does_not_reach_are_null_with_a_reason() {
         assert_eq!(points[index]["value"], whole["points"][index]["value"]);
     }
 }
+
+/// Closed forms that take seconds far out, where quadrature takes milliseconds, and forms that grow when they are expanded.
+#[test]
+fn an_ordinary_profile_costs_less_than_a_second() {
+    let nested = |n: usize, level: &str| (0..n).fold("1+r^2".to_owned(), |inner, _| level.replace('U', &inner));
+    let product = |n: usize| (1..=n).map(|i| format!("(r+{i})")).collect::<Vec<_>>().join("*");
+    let profiles = [
+        "asinh(r^12)".to_owned(),
+        "arsinh(r^2/2*(2.96*r^10))".to_owned(),
+        "atan(r^17)".to_owned(),
+        "ln(1+r^14)".to_owned(),
+        "sqrt(1+r^15)".to_owned(),
+        nested(30, "sqrt(1+U)"),
+        nested(24, "1+sqrt(U)"),
+        nested(12, "ln(1+U)"),
+        product(20),
+        product(40),
+        "(1+r/2)^90".to_owned(),
+    ];
+    for text in profiles {
+        let (found, steps) = counted(|| {
+            let solution = derive(&Profile::new(&parse::profile(&text).unwrap())?)?;
+            let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12)?;
+            Ok::<_, TransformError>((evaluator.slope(0.7)?, evaluator.pressure(0.3, 0.7)?))
+        });
+        assert!(found.is_ok(), "{text}: {found:?}");
+        assert!(steps < Budget::seconds(0.8).count(), "{text}: {steps} steps");
+    }
+}
+
+/// The profile of n parts, and the power of n that its derivation must not exceed.
+type Family = (&'static str, fn(usize) -> String, f64);
+
+fn repeated(n: usize, part: &str, by: &str) -> String {
+    (1..=n).map(|i| part.replace('I', &i.to_string())).collect::<Vec<_>>().join(by)
+}
+
+#[test]
+fn the_work_grows_little_faster_than_the_profile() {
+    let families: [Family; 6] = [
+        ("powers", |n| repeated(n, "I*r^(I+1)", "+"), 1.4),
+        ("logarithms", |n| repeated(n, "ln(1+r/I)", "+"), 1.1),
+        ("kinks", |n| repeated(n, "max(0,r-I)", "+"), 1.1),
+        ("factors", |n| repeated(n, "(r+I)", "*"), 1.7),
+        ("binomials", |n| format!("(1+r)^{n}"), 1.4),
+        // The written form has n coefficients of n digits.
+        ("powers of a difference", |n| format!("max(0,r-b)^{n}"), 2.1),
+    ];
+    for (name, family, power) in families {
+        let steps = |n| counted(|| derive(&Profile::new(&parse::profile(&family(n)).unwrap())?)).1 as f64;
+        let (few, many) = (steps(20), steps(40));
+        assert!((many / few).log2() < power, "{name}: {few} steps, then {many}");
+    }
+}
