@@ -1,10 +1,13 @@
 //! Indentations: every load against explicit relations, and the verdict against profiles whose validity is known.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use sneddon::contact::{Boundary, Indentation, Indented, Load, Setup, State};
+use sneddon::contact::{Boundary, Contact, Indentation, Indented, Load, Setup, State};
+use sneddon::expr::Bindings;
 use sneddon::num::Bounded;
 use sneddon::parse;
-use sneddon::transform::{Interpolation, Method, Profile, Quantities, Reading, Slopes, Solution, TableProfile, TransformError, derive};
+use sneddon::transform::{
+    Evaluator, Interpolation, Method, Profile, Quantities, Reading, Slopes, Solution, TableProfile, TransformError, derive,
+};
 use sneddon_checks::seeds::cases;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -386,4 +389,28 @@ fn narrow_features_are_judged_as_by_mpmath() {
     assert!(every * count > 30 && every * valid > 10 && every * (count - valid) > 10);
     // So may be the gap below a very narrow ring.
     assert!(proven + 1 >= rings && every as u32 * rings > 10, "{proven} of {rings} are proven");
+}
+
+/// Next to the end of these profiles g has no digits or is infinite: loads far below it and close to it are solved all the same,
+/// with the contact radius that the search without a verdict finds.
+#[test]
+fn profiles_that_end_steeply_are_solved_in_every_unit() {
+    let shapes = [
+        "[s]-([s]^4-r^4)^(1/4)",
+        "[s]-([s]^3-r^3)^(1/3)",
+        "[s]-([s]^3.5-r^3.5)^(1/3.5)",
+        "[s]*acos(1-r/[s])-sqrt(2*[s]*r-r^2)",
+        "piecewise(0, r<5*[s], [s]-sqrt([s]^2-(r-5*[s])^2))",
+        "-[s]*ln(cos(r/[s]))",
+    ];
+    for (shape, unit) in shapes.into_iter().flat_map(|shape| [1e-9, 1.0].map(|unit| (shape, unit))) {
+        let text = shape.replace("[s]", &format!("({unit:?})"));
+        for depth in [1e-3 * unit, 0.3 * unit, 1.4 * unit] {
+            let found = state(&text, None, Load::Depth(depth));
+            let solution = solution(&text);
+            let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+            let radius = Contact::new(evaluator, 1.0, None, 1e-12).contact_radius(depth).unwrap().estimate.value;
+            assert!((found.radius / radius - 1.0).abs() < 1e-12, "{text} at {depth:?}: {found:?}, {radius:?}");
+        }
+    }
 }

@@ -74,6 +74,9 @@ const CLOSE: f64 = 3e-9;
 const FARTHEST: f64 = 1e150;
 const NEAREST: f64 = 1e-290;
 
+/// The shortest relative distance to a place without a value that is halved.
+const CLOSEST: f64 = 1e-12;
+
 /// How far a profile without an end is looked at.
 pub(super) struct Horizon {
     /// About the contact radius of the largest load: the first power of ten at which g or F has reached it.
@@ -300,12 +303,19 @@ impl Indentation<'_> {
                 factor *= factor.min(1e30);
             }
         } else {
-            while !above(upper)? {
-                if upper >= end {
-                    return Ok(None);
+            // Next to the end of a profile g may have no digits: such a place is approached from below.
+            let mut without = None;
+            loop {
+                match above(upper) {
+                    Ok(true) => break,
+                    Ok(false) if upper >= end => return Ok(None),
+                    Ok(false) => lower = upper,
+                    Err(TransformError::NoDigits { .. } | TransformError::NotComputable { .. }) if upper - lower > CLOSEST * upper => {
+                        without = Some(upper);
+                    }
+                    Err(error) => return Err(error.into()),
                 }
-                lower = upper;
-                upper = (upper * factor).min(end);
+                upper = without.map_or((upper * factor).min(end), |place| lower + 0.5 * (place - lower));
                 factor *= factor.min(1e30);
             }
         }
