@@ -53,9 +53,17 @@ pub(super) fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
         || (has_angle(expr) && algebraic(expr).is_some_and(|algebraic| normal::is_proven_zero(&algebraic, variable)))
 }
 
-/// True where the expression is zero because of its slope angles, as tan θ − sin θ/cos θ; false proves nothing.
+/// Parameters for which angles are not acute.
+const OTHER_ANGLES: [(i64, i64); 4] = [(67, 32), (87, 32), (141, 32), (167, 32)];
+
+/// True where the expression is zero because of its angles, acute or not, as tan θ − sin θ/cos θ; false proves nothing.
 pub(super) fn cancels(expr: &Expr, variable: &Symbol) -> bool {
-    has_angle(expr) && is_proven_zero(expr, variable)
+    let vanishes = |value: Expr| {
+        let set: Bindings = expr.symbols().iter().map(|symbol| (symbol.name(), value.clone())).collect();
+        constant_value(expr, &set).is_ok_and(|own| own.value.abs() <= 4.0 * own.error)
+    };
+    // The proof takes the angles for acute; sin θ − √(1 − cos² θ) is zero for those only.
+    has_angle(expr) && is_proven_zero(expr, variable) && OTHER_ANGLES.iter().all(|(p, q)| vanishes(Expr::ratio(*p, *q)))
 }
 
 /// True where the quotient of the two is a product of sines and cosines of acute angles, so that the first is the smaller one.

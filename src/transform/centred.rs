@@ -37,7 +37,7 @@ fn rewritten(expr: &Expr, radius: &Symbol, is_inside: bool) -> Expr {
 
 /// The polynomial in powers of r − s, where these are fewer than `terms`.
 fn around_its_centre(sum: &Expr, terms: usize, radius: &Symbol) -> Option<Expr> {
-    // What is no polynomial as it stands is not expanded to look for one.
+    // Expanding other expressions would be expensive.
     if !is_typed_polynomial(sum, radius) {
         return None;
     }

@@ -3,8 +3,8 @@
 use super::barrier::Barrier;
 use super::domain::numeric_sign;
 use super::first_zero::{Zero, fails_somewhere, first_zero, starting_sign};
-use super::{Chain, TransformError, angles};
-use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Sign, Symbol, normal, sign};
+use super::{Chain, TransformError, angles, kinks};
+use crate::expr::{Bindings, Condition, Expr, Node, Relation, Sign, Symbol, normal, sign};
 use crate::print;
 
 /// An expression that must keep its sign between the ends of a piece, of which this is not proven for all parameters.
@@ -174,8 +174,7 @@ fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
         conditions.extend(below(limit, upper));
     } else if expr.symbols().iter().chain(&lower.symbols()).all(|symbol| symbol.name() == "r") {
         let end = Barrier::new(demand, &Bindings::default())?.first_end();
-        let located = end.and_then(|end| Number::parse_decimal(&format!("{end:?}")));
-        conditions.extend(located.map(|end| Condition::less(Expr::symbol("r"), Expr::call("approximate", [Expr::number(end)]))));
+        conditions.extend(end.and_then(kinks::approximate).map(|end| Condition::less(Expr::symbol("r"), end)));
     } else if upper.is_none() && fails_somewhere(expr, lower) {
         conditions.push(Condition::less(Expr::zero(), expr.clone()));
     }

@@ -1,8 +1,9 @@
 //! The first radius beyond a lower end where an expression vanishes, as a formula.
 
 use super::domain::{sample_bindings, value_at};
+use super::kinks::approximate;
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Expr, Node, Number, Sign, Symbol, normal, sign};
+use crate::expr::{Bindings, Expr, Node, Sign, Symbol, normal, sign};
 
 /// How an expression behaves at its first zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,7 +167,6 @@ fn of_powers(sum: &Expr, radius: &Symbol, places: &mut Vec<Expr>) {
 /// The arguments, not below zero where there are several, at which a function has a value.
 fn inverses<'a>(name: &str, arguments: &[&'a Expr], value: &Expr) -> Vec<(&'a Expr, Expr)> {
     let call = |name: &'static str| Expr::call(name, [value.clone()]);
-    let zero = |decimal: &str| Number::parse_decimal(decimal).map(|number| Expr::call("approximate", [Expr::number(number)]));
     let (argument, values) = match (name, arguments) {
         ("sin", [u]) if value.is_zero() => (*u, vec![Expr::zero(), Expr::pi()]),
         ("sin", [u]) => (*u, vec![call("asin"), Expr::pi() - call("asin")]),
@@ -183,8 +183,8 @@ fn inverses<'a>(name: &str, arguments: &[&'a Expr], value: &Expr) -> Vec<(&'a Ex
         ("asinh", [u]) => (*u, vec![call("sinh")]),
         ("acosh", [u]) => (*u, vec![call("cosh")]),
         ("atanh", [u]) => (*u, vec![call("tanh")]),
-        ("besselj", [n, u]) if value.is_zero() && n.is_zero() => (*u, zero("2.404825557695773").into_iter().collect()),
-        ("besselj", [n, u]) if value.is_zero() && n.is_one() => (*u, zero("3.831705970207512").into_iter().collect()),
+        ("besselj", [n, u]) if value.is_zero() && n.is_zero() => (*u, approximate(2.404_825_557_695_773).into_iter().collect()),
+        ("besselj", [n, u]) if value.is_zero() && n.is_one() => (*u, approximate(3.831_705_970_207_512).into_iter().collect()),
         _ => return Vec::new(),
     };
     values.into_iter().map(|own| (argument, own)).collect()

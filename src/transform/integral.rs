@@ -86,7 +86,7 @@ impl NumericProfile {
             let slope_expr = centred(&balanced(&bindings.apply(slope)));
             let tape = compile_shifted(&slope_expr, &lower_expr)?;
             let slope = Numbers::Tape(tape);
-            // What a polynomial of high degree loses next to b in doubles is no singularity.
+            // Cancellation in a polynomial of high degree is not a singularity.
             let singular = !is_typed_polynomial(&slope_expr, &Symbol::new("r")) && is_singular(&slope, lower.value, upper.map(|u| u.value));
             let scale = upper.map_or(1.0, |upper| upper.value);
             let ragged = lower_expr.is_zero() && matches!(&slope, Numbers::Tape(tape) if is_ragged(&slope_expr, tape, singular, scale));

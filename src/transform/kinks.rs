@@ -303,8 +303,13 @@ fn narrow_step(roots: &[f64], r: f64) -> Option<f64> {
 
 /// A place that was found numerically.
 fn located(place: f64, name: &'static str) -> Result<Expr, TransformError> {
-    let number = Number::parse_decimal(&format!("{place:?}")).ok_or_else(|| failure(name, "a kink lies out of range"))?;
-    Ok(Expr::call("approximate", [Expr::number(number)]))
+    approximate(place).ok_or_else(|| failure(name, "a kink lies out of range"))
+}
+
+/// The shortest decimal of a place that was found numerically, marked as approximate.
+pub(super) fn approximate(place: f64) -> Option<Expr> {
+    let number = Number::parse_decimal(&format!("{place:?}"))?;
+    Some(Expr::call("approximate", [Expr::number(number)]))
 }
 
 /// Half of the relative width within which a located kink must lie: 30 ulps.

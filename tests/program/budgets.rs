@@ -138,7 +138,7 @@ fn points_keep_their_values_where_others_have_none() {
     let values = |own: &Answer| own.text.lines().skip(1).filter(|line| !line.contains(",,")).map(str::to_owned).collect::<Vec<_>>();
     let (all, some) = (values(&whole), values(&part));
     assert!(all.len() == 40 && some.len() >= 5 && some.len() < 40 && some.iter().all(|line| all.contains(line)), "{some:?}");
-    // Outside the domain there is no value; the others keep theirs.
+    // A point outside the domain is null and does not affect the other points.
     let sphere = answer("eval R-sqrt(R^2-r^2) --set R=2 --quantity F --at 1,2,3 --json", 3.0, 9999);
     let points: Value = serde_json::from_str(&sphere.text).unwrap();
     assert_eq!(sphere.code, 0);

@@ -165,8 +165,10 @@ fn angles_have_exact_values() {
     ] {
         assert_eq!(parse::profile(text).unwrap(), parse::profile(same).unwrap(), "{text}");
     }
-    // Of slope angles that are symbols, what cancels is no part of the answer and no condition.
+    // Terms that cancel for every angle appear neither in the answer nor in its conditions.
     let answer = solution("r^2+r*tan(theta)-r*sin(theta)/cos(theta)");
     assert!(answer.is_closed() && answer.conditions.is_empty(), "{:?}", answer.conditions);
+    let acute = solution("r^2+r*sin(theta)-r*sqrt(1-cos(theta)^2)");
+    assert!(print::text(&acute.equivalent_profile().formula).contains("theta"));
     assert!(Profile::new(&parse::profile("r*tan(t)-r*sin(t)/cos(t)").unwrap()).unwrap().is_flat());
 }

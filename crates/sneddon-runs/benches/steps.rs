@@ -1,4 +1,4 @@
-//! Seconds per step for twenty kinds of work: a budget is fair where they are alike.
+//! Seconds per step for twenty-four kinds of work.
 
 use rustix::time::{ClockId, clock_gettime};
 use sneddon::contact::{Contact, Indentation, Load, Setup, relations};
@@ -7,10 +7,10 @@ use sneddon::num::work::{Budget, Exhausted, left, within};
 use sneddon::transform::{Evaluator, Method, Profile, Solution, check, derive, invert};
 use sneddon::{parse, print};
 
-/// A kind of work, and what does a part of it, given a number that differs from call to call.
+/// A name, and a function that does the work once; its argument lies in (0, 1) and differs between calls.
 type Kind = (&'static str, Box<dyn FnMut(f64)>);
 
-/// The processor time in seconds that a kind is repeated for.
+/// Each kind of work is repeated for this many seconds of processor time.
 const LONG: f64 = 0.5;
 
 fn profile(text: &str) -> Profile {
@@ -26,7 +26,7 @@ fn derivation(text: &'static str) -> Box<dyn FnMut(f64)> {
     Box::new(move |_| drop(solution(text)))
 }
 
-/// One quantity of a profile; the evaluator is made anew now and then, as a command does.
+/// Evaluates one quantity of a profile with one evaluator.
 fn number(text: &str, method: Method, ask: fn(&Evaluator<'_>, f64) -> bool) -> Box<dyn FnMut(f64)> {
     let solution = Box::leak(Box::new(solution(text)));
     let evaluator = Evaluator::new(solution, &Bindings::default(), method, 1e-13).unwrap_or_else(|error| panic!("{text}: {error}"));
@@ -105,7 +105,7 @@ fn main() {
         work(0.5);
         let (start, mut times, mut steps) = (seconds(), 0_u32, 0);
         while seconds() - start < LONG {
-            // Different places, so that nothing is found in a cache.
+            // The arguments differ, so that no cache answers.
             let share = 0.05 + 0.9 * (f64::from(times) * 0.618_033_988_749_895).fract();
             let most = Budget::steps(1 << 50);
             let counted = within(most, || {

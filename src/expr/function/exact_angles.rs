@@ -45,12 +45,12 @@ pub(super) fn arctangent(v: &Expr) -> Option<Expr> {
     })
 }
 
-/// The angle of so many steps of π/12.
+/// Returns the angle `steps`·π/12.
 fn angle(steps: u8) -> Expr {
     Expr::ratio(i64::from(steps), i64::from(TURN) / 2) * Expr::pi()
 }
 
-/// The steps of π/12 in an angle, less whole turns.
+/// Returns the angle modulo 2π in units of π/12, or `None` if it is not a whole number of them.
 fn steps(u: &Expr) -> Option<u8> {
     if u.is_zero() {
         return Some(0);
@@ -63,7 +63,7 @@ fn steps(u: &Expr) -> Option<u8> {
     steps.is_integer().then(|| steps.to_integer().mod_floor(&BigInt::from(TURN)).to_u8()).flatten()
 }
 
-/// The cosine of so many steps of π/12; `None` for odd ones that are no multiple of three.
+/// Returns the cosine of `steps`·π/12, or `None` if that angle is not a multiple of π/6 or π/4.
 fn cosine_of(steps: u8) -> Option<Expr> {
     let half_root = |n: i64| Expr::integer(n).sqrt() / Expr::integer(2);
     // cos(2π − u) = cos u and cos(π − u) = −cos u.
