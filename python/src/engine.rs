@@ -400,7 +400,7 @@ fn read<P: Quantities>(
         Wanted::Integral => one(contact.integral(at)?),
         Wanted::Depth => one(contact.depth(at)?),
         Wanted::Force => one(contact.force(at)?),
-        Wanted::Stiffness => one(contact.stiffness(at)),
+        Wanted::Stiffness => one(contact.stiffness(at)?),
         Wanted::Energy => one(contact.energy(at)?),
         Wanted::MeanPressure => told(contact.mean_pressure(at)?)?,
         Wanted::Pressure => told(contact.pressure(at, a)?)?,

@@ -83,13 +83,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         [&own.0, &own.1.depth, &own.1.force].map(|expr| set.apply(expr))
     });
     let names = arguments.typesetting.names(&equivalent)?;
+    let check = budget::part(|| transform::check_inverse(&found));
     let record = Inversion {
         pressure: pressure.as_ref().map(|[pressure, depth, force]| Wanted { pressure, depth, force }),
         equivalent: &equivalent,
         profile: found.profile(),
         at_axis: found.at_axis(),
         conditions: found.conditions.clone(),
-        check: budget::part(|| transform::check_inverse(&found)),
+        check,
         at,
         readings,
     };

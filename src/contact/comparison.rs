@@ -3,7 +3,7 @@
 use super::{Contact, ContactError, Explicit, Measured, explicit};
 use crate::expr::Bindings;
 use crate::num::{Estimate, work};
-use crate::transform::{Evaluator, Method, Sampler, Solution, Status, TransformError, reach};
+use crate::transform::{Evaluator, Method, Sampler, Solution, Status, TransformError, Verdict, reach};
 
 /// How one quantity fared.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,8 +16,8 @@ pub struct Comparison {
     pub at: Option<f64>,
     /// Points compared.
     pub points: u32,
-    /// True where every difference stays within the sum of both error estimates, and within the tolerance that was set.
-    pub passed: bool,
+    /// Passed where every difference stays within the sum of both error estimates, and within the tolerance that was set.
+    pub verdict: Verdict,
     /// Why nothing was compared.
     pub why: Option<String>,
 }
@@ -73,10 +73,9 @@ fn compared(solution: &Solution, setting: &Setting) -> Result<Vec<Comparison>, C
     }
     for own in found.iter_mut().filter(|own| own.why.is_none()) {
         if own.points == 0 {
-            own.passed = false;
             own.why = Some("no point could be compared".to_owned());
-        } else if let Some(tolerance) = setting.tolerance {
-            own.passed &= own.max_relative_difference.is_some_and(|difference| difference <= tolerance);
+        } else if setting.tolerance.is_some_and(|most| !own.max_relative_difference.is_some_and(|own| own <= most)) {
+            own.verdict = Verdict::Failed;
         }
     }
     Ok(found)
@@ -95,7 +94,7 @@ fn started(solution: &Solution, explicit: bool) -> Vec<Comparison> {
             max_relative_difference: None,
             at: None,
             points: 0,
-            passed: true,
+            verdict: Verdict::NotCompared,
             why: (status == Status::Numeric).then(|| "no closed form is known, only quadrature answers".to_owned()),
         })
         .collect()
@@ -168,7 +167,8 @@ impl Comparison {
             (self.max_relative_difference, self.at) = (Some(relative), Some(at));
         }
         // Written so that a NaN fails.
-        self.passed &= difference <= one.error + other.error;
+        let agrees = difference <= one.error + other.error;
+        self.verdict = if agrees && self.verdict != Verdict::Failed { Verdict::Passed } else { Verdict::Failed };
         self.points += 1;
     }
 }

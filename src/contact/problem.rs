@@ -4,7 +4,7 @@ use super::ContactError;
 use super::radius::{self, Radii};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, NumError, work};
-use crate::transform::{Evaluator, Quantities, Reading};
+use crate::transform::{Evaluator, Quantities, Reading, TransformError, finite_and_not_negative};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -149,9 +149,16 @@ impl<P: Quantities> Contact<'_, P> {
     }
 
     /// k = 2E*a (3.1), (3.22).
-    pub fn stiffness(&self, a: f64) -> Reading {
+    ///
+    /// # Errors
+    /// [`ContactError`] for a radius outside the domain, or if k is too large for a number.
+    pub fn stiffness(&self, a: f64) -> Result<Reading, ContactError> {
+        self.evaluator.check_domain("a", a)?;
         let value = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus) * Bounded::exact(a);
-        Reading { estimate: Estimate::from_bounded(value, 0), method: "exact" }
+        if !value.is_finite() {
+            return Err(TransformError::Overflow { symbol: "a", at: a }.into());
+        }
+        Ok(Reading { estimate: Estimate::from_bounded(value, 0), method: "exact" })
     }
 
     /// F/(π a²); a contact without area has none.
@@ -172,6 +179,8 @@ impl<P: Quantities> Contact<'_, P> {
     /// # Errors
     /// As the evaluator.
     pub fn line_displacement(&self, x: f64, a: f64) -> Result<Reading, ContactError> {
+        finite_and_not_negative("x", x)?;
+        finite_and_not_negative("a", a)?;
         if x > a || (x == a && self.depth.is_none()) {
             return Ok(exact(0.0));
         }
@@ -193,6 +202,8 @@ impl<P: Quantities> Contact<'_, P> {
     /// # Errors
     /// As the evaluator.
     pub fn pressure(&self, r: f64, a: f64) -> Result<Measured, ContactError> {
+        finite_and_not_negative("r", r)?;
+        finite_and_not_negative("a", a)?;
         if r > a {
             return Ok(Ok(exact(0.0)));
         }

@@ -2,7 +2,7 @@
 
 use super::Relations;
 use crate::expr::{Bindings, Expr, Formula, Symbol, derivative, shown};
-use crate::transform::{Derived, Profile, Status};
+use crate::transform::{Derived, Profile};
 use std::borrow::Cow;
 
 /// A quantity as a key of what is derived.
@@ -107,7 +107,7 @@ impl RelationKey {
             Self::ForceOfDepth => all.force_of_depth.as_ref().map(Cow::Borrowed),
             Self::Profile => {
                 let formula = Formula::sum([typed.clone(), Formula::Closed(-&profile.shift)]);
-                Some(Cow::Owned(Derived { formula, status: Status::Exact, rules: Vec::new(), reference: Vec::new() }))
+                Some(Cow::Owned(Derived::given(formula)))
             }
             // F = 2E (a d − G(a)), under a smooth edge and under a rim.
             Self::Integral => {

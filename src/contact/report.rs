@@ -73,6 +73,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
     let stiffness = Derived {
         formula: Formula::Closed(Expr::integer(2) * &modulus * &a),
         status: Status::Exact,
+        compared: Some(true),
         rules: Vec::new(),
         reference: vec!["Popov & Heß (3.1), (3.22)"],
     };
@@ -83,6 +84,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
     let closed = |expr: &Expr, found: &Explicit| Derived {
         formula: Formula::Closed(expr.clone()),
         status: Status::Exact,
+        compared: g.compared,
         rules: g.rules.clone(),
         reference: found.reference.clone(),
     };
@@ -101,7 +103,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
             let rim = Condition::equal(Expr::symbol("r"), a.clone());
             stated.push(Prose::words("rim at ").condition(rim).then(": the depth ").formula(depth.clone()).then(" is free"));
             stated.extend(complete_contact(solution, depth, &g_at_edge));
-            let d = Derived { formula: Formula::Closed(depth.clone()), status: Status::Exact, rules: Vec::new(), reference: Vec::new() };
+            let d = Derived::given(Formula::Closed(depth.clone()));
             let excess = Formula::sum([Formula::Closed(depth.clone()), g_at_edge.scaled(&Expr::integer(-1))]);
             let (force, pressure) = (at_rim(solution.force()), solution.pressure().map(at_rim));
             let extra = excess.clone().scaled(&(Expr::integer(2) * &modulus * &a));

@@ -237,6 +237,8 @@ pub(super) struct Quantity<'a> {
     #[serde(flatten)]
     formula: Typeset,
     status: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    compared: Option<bool>,
     rules: &'a [&'static str],
     reference: &'a [&'static str],
 }
@@ -244,7 +246,7 @@ pub(super) struct Quantity<'a> {
 impl<'a> Quantity<'a> {
     pub(super) fn named(derived: &'a Derived, names: &Renaming) -> Self {
         let formula = Typeset::of(&names.formula(&derived.formula));
-        Self { formula, status: derived.status.name(), rules: &derived.rules, reference: &derived.reference }
+        Self { formula, status: derived.status.name(), compared: derived.compared, rules: &derived.rules, reference: &derived.reference }
     }
 }
 
@@ -289,15 +291,10 @@ impl<'a> Check<'a> {
         match outcome {
             Ok(check) => {
                 let max_relative_difference = finite(check.max_relative_difference);
-                let passed = match check.verdict {
-                    Verdict::Passed => Some(true),
-                    Verdict::Failed => Some(false),
-                    Verdict::NotCompared => None,
-                };
                 Self {
                     points: check.points,
                     max_relative_difference,
-                    passed,
+                    passed: check.verdict.passed(),
                     verdict: check.verdict.name(),
                     why: check.why.map(Cow::Borrowed),
                 }
@@ -376,7 +373,9 @@ impl Serialize for Compared<'_> {
             max_relative_difference: Option<f64>,
             at: Option<f64>,
             points: u32,
-            passed: bool,
+            /// Null where nothing was compared.
+            passed: Option<bool>,
+            verdict: &'static str,
             #[serde(skip_serializing_if = "Option::is_none")]
             why: Option<&'a str>,
         }
@@ -386,7 +385,8 @@ impl Serialize for Compared<'_> {
                 max_relative_difference: own.max_relative_difference.and_then(finite),
                 at: own.at,
                 points: own.points,
-                passed: own.passed,
+                passed: own.verdict.passed(),
+                verdict: own.verdict.name(),
                 why: own.why.as_deref(),
             };
             map.serialize_entry(own.quantity, &entry)?;

@@ -3,7 +3,7 @@
 use super::{Compared, Evaluation, Unchecked};
 use crate::num::{Bound, Estimate};
 use crate::print;
-use crate::transform::{Check, Derived, Rule, Verdict};
+use crate::transform::{Check, Derived, Rule, Status, Verdict};
 use std::io::{self, Write};
 
 /// Writes the numbers of one quantity as a table.
@@ -65,13 +65,12 @@ pub fn comparison(record: &Compared<'_>, out: &mut dyn Write) -> io::Result<()> 
     let header = ["quantity", "points", "largest relative difference", "at", "verdict"];
     let rows = || {
         record.comparisons.iter().map(|own| {
-            let verdict = if own.passed { "passed" } else { "FAILED" };
             [
                 own.quantity.to_owned(),
                 own.points.to_string(),
                 own.max_relative_difference.map_or("-".to_owned(), short),
                 own.at.map_or("-".to_owned(), number),
-                own.why.as_ref().map_or(verdict.to_owned(), |why| format!("{verdict}: {why}")),
+                own.why.as_ref().map_or(word(own.verdict).to_owned(), |why| format!("{}: {why}", word(own.verdict))),
             ]
         })
     };
@@ -109,22 +108,29 @@ pub(super) fn sources(derived: &Derived) -> String {
         rules => format!(" | rules {}", rules.join(", ")),
     };
     let reference = if derived.reference.is_empty() { String::new() } else { format!(" | {}", derived.reference.join("; ")) };
-    format!("{}{rules}{reference}", derived.status.name())
+    // An integral is quadrature itself.
+    let is_open = derived.compared == Some(false) && derived.status != Status::Numeric;
+    let compared = if is_open { ", not compared with quadrature" } else { "" };
+    format!("{}{compared}{rules}{reference}", derived.status.name())
 }
 
 /// How a check ended.
 pub(super) fn outcome(check: &Result<Check, Unchecked>) -> String {
     match check {
         Ok(check) => {
-            let verdict = match (check.verdict, check.why) {
-                (Verdict::NotCompared, why) => return format!("not compared: {}", why.unwrap_or_default()),
-                (Verdict::Passed, _) => "passed",
-                (Verdict::Failed, _) => "FAILED",
-            };
-            format!("{} points, largest relative difference {}: {verdict}", check.points, short(check.max_relative_difference))
+            let word = word(check.verdict);
+            match (check.verdict, check.why) {
+                (Verdict::NotCompared, why) => format!("{word}: {}", why.unwrap_or_default()),
+                _ => format!("{} points, largest relative difference {}: {word}", check.points, short(check.max_relative_difference)),
+            }
         }
         Err(reason) => format!("not compared: {reason}"),
     }
+}
+
+/// A verdict as it is shown, a failure in capitals.
+fn word(verdict: Verdict) -> &'static str {
+    if verdict == Verdict::Failed { "FAILED" } else { verdict.name() }
 }
 
 /// Two digits of an error or a difference.

@@ -43,10 +43,19 @@ pub struct Derived {
     pub formula: Formula,
     /// How much of it is closed.
     pub status: Status,
+    /// True if every closed form that a rule gave agreed with quadrature when it was derived; `None` if only a later check compares it.
+    pub compared: Option<bool>,
     /// The rules that answered, in the order of the terms.
     pub rules: Vec<&'static str>,
     /// The equations of the source.
     pub reference: Vec<&'static str>,
+}
+
+impl Derived {
+    /// A formula that was given and rests on nothing.
+    pub fn given(formula: Formula) -> Self {
+        Self { formula, status: Status::Exact, compared: Some(true), rules: Vec::new(), reference: Vec::new() }
+    }
 }
 
 impl Solution {
@@ -72,11 +81,12 @@ impl Solution {
     fn derived(&self, quantity: Quantity, variable: &str, factor: &Expr, reference: &'static str) -> Derived {
         let open = |term: &SolvedTerm| quantity.is_open(term);
         let (mut rules, mut references) = (Vec::new(), vec![reference]);
-        let (mut closed, mut left) = (0, 0);
+        let (mut closed, mut left, mut compared) = (0, 0, true);
         for term in self.terms() {
             match &term.answer {
                 Some((rule, _)) if !open(term) => {
                     closed += 1;
+                    compared &= quantity.agrees(term);
                     if !rules.contains(&rule.id) {
                         rules.push(rule.id);
                         references.extend(rule.reference.iter().filter(|r| !references.contains(r)).copied().collect::<Vec<_>>());
@@ -91,7 +101,8 @@ impl Solution {
             _ => Status::Partial,
         };
         let formula = Formula::sum(self.chains.iter().map(|chain| chain.formula(quantity, variable, self)));
-        Derived { formula: formula.scaled(factor), status, rules, reference: references }
+        let compared = Some(compared && status != Status::Numeric);
+        Derived { formula: formula.scaled(factor), status, compared, rules, reference: references }
     }
 }
 

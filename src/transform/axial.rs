@@ -1,6 +1,7 @@
 //! The stress on the axis below the surface, as one integral straight from f′ whose weight is positive.
 
 use super::TransformError;
+use super::admit::finite_and_not_negative;
 use super::integral::{MOST, NumericProfile, NumericSegment, Weight, magnitude, settle, with_ulps};
 use super::slope_source::Scratch;
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
@@ -17,6 +18,8 @@ impl NumericProfile {
     /// # Errors
     /// [`TransformError`] where f′ is not finite below a, or no digits can be promised.
     pub fn axial(&self, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("z", z)?;
+        finite_and_not_negative("a", a)?;
         let mut total = Estimate::exact(0.0);
         for segment in &self.segments {
             total = total + segment.axial(z, a, tolerance)?;

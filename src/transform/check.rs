@@ -18,6 +18,15 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// True or false; `None` where nothing was compared.
+    pub fn passed(self) -> Option<bool> {
+        match self {
+            Self::Passed => Some(true),
+            Self::Failed => Some(false),
+            Self::NotCompared => None,
+        }
+    }
+
     /// The words that reports use.
     pub fn name(self) -> &'static str {
         match self {

@@ -4,7 +4,7 @@ use super::angles;
 use super::kinks;
 use super::rules;
 use super::term::{self, Segment};
-use super::verification::{Demotion, Place, Verification};
+use super::verification::{Agreement, Demotion, Gate, Verification};
 use super::{Answer, Chain, Profile, Rule, Term, TransformError};
 use crate::expr::normal::NormalTerm;
 use crate::expr::{Condition, Expr, Symbol, derivative, normal};
@@ -50,6 +50,8 @@ pub struct SolvedTerm {
     pub term: Term,
     /// The rule that answered, and what it said.
     pub answer: Option<(&'static Rule, Answer)>,
+    /// Which of its closed forms agreed with quadrature when it was derived.
+    pub agreement: Agreement,
 }
 
 /// Derives the solution of a profile: superposition (3.25)–(3.26) of the solutions of its terms.
@@ -70,17 +72,19 @@ pub fn derive(profile: &Profile) -> Result<Solution, TransformError> {
 fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     let mut conditions = profile.conditions.clone();
     let (mut chains, mut verification) = (Vec::new(), Verification::default());
-    let place = Place::draw(profile, &profile.conditions);
+    let gate = Gate::new(profile, &profile.conditions);
     for chain in &profile.chains {
         let slopes = chain.slopes()?;
         let mut solved = solve_chain(chain, &slopes, normal_parts);
-        if place.as_ref().is_some_and(|place| !place.recognition_holds(chain, &slopes, &solved)) {
+        if !gate.recognition_holds(chain, &slopes, &solved) {
             verification.demoted.push(Demotion { rule: "recognition", quantity: "f'" });
             solved = solve_chain(chain, &slopes, |_| None);
         }
         chains.extend(solved);
     }
-    verify(&mut chains, place.as_ref(), &mut verification);
+    for term in chains.iter_mut().flat_map(|chain| &mut chain.intervals).flat_map(|interval| &mut interval.terms) {
+        gate.judge(term, &mut verification);
+    }
     for term in chains.iter().flat_map(|chain| &chain.intervals).flat_map(|interval| &interval.terms) {
         if let Some((_, answer)) = &term.answer {
             conditions.extend(answer.conditions.iter().cloned());
@@ -94,16 +98,6 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     conditions.dedup();
     conditions.retain(|c| c.decided() != Some(true));
     Ok(Solution { profile: profile.clone(), chains, conditions, verification })
-}
-
-/// Compares every solved term with quadrature, and gives up what is wrong.
-fn verify(chains: &mut [SolvedChain], place: Option<&Place>, found: &mut Verification) {
-    for term in chains.iter_mut().flat_map(|chain| &mut chain.intervals).flat_map(|interval| &mut interval.terms) {
-        match place {
-            Some(place) => place.judge(term, found),
-            None => found.not_compared += usize::from(term.answer.is_some()),
-        }
-    }
 }
 
 /// The terms of f′; what cannot be expanded stays one term without a rule.
@@ -158,7 +152,7 @@ fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>)
     // Over a place that was located numerically no formula is exact.
     let rough = kinks::is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(kinks::is_approximate);
     let answer = |term: &Term| if rough { None } else { rules::answer(term) };
-    let terms = terms.into_iter().map(|term| SolvedTerm { answer: answer(&term), term }).collect();
+    let terms = terms.into_iter().map(|term| SolvedTerm { answer: answer(&term), term, agreement: Agreement::default() }).collect();
     SolvedInterval { segment, slope, terms }
 }
 

@@ -1,6 +1,7 @@
 //! f itself as the integral of f′, for what knows f′ alone and to check a formula by.
 
 use super::TransformError;
+use super::admit::finite_and_not_negative;
 use super::integral::{GRADES, NumericProfile, NumericSegment, magnitude, settle};
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{Options, Panel, Point, integrate};
@@ -15,6 +16,7 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn height(&self, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("r", r)?;
         let mut total = Estimate::exact(0.0);
         for segment in &self.segments {
             let length = segment.upper.map_or(r, |u| u.value.min(r)) - segment.lower.value;

@@ -1,6 +1,7 @@
 //! The fallback: every quantity as one integral straight from f′, by quadrature.
 
 use super::TransformError;
+use super::admit::{beyond_the_edge, finite_and_not_negative};
 use super::centred::centred;
 use super::continued::Continued;
 use super::leading_power::LeadingPower;
@@ -162,6 +163,7 @@ impl NumericProfile {
     /// # Errors
     /// [`TransformError`] where f′ is not finite below x, or no digits can be promised.
     pub fn slope(&self, x: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("x", x)?;
         Ok(self.over_angle(x, Weight::Slope, tolerance, None)?.scaled(x))
     }
 
@@ -170,6 +172,7 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn force(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("a", a)?;
         self.over_angle(a, Weight::Force, tolerance, None)
     }
 
@@ -178,6 +181,7 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn slope_by(&self, x: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("x", x)?;
         Ok(self.over_angle(x, Weight::Slope, tolerance, Some(rule))?.scaled(x))
     }
 
@@ -186,6 +190,7 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn force_by(&self, a: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("a", a)?;
         self.over_angle(a, Weight::Force, tolerance, Some(rule))
     }
 
@@ -194,6 +199,7 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn integral(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("a", a)?;
         Ok(self.over_angle(a, Weight::Integral, tolerance, None)?.scaled(a).scaled(a))
     }
 
@@ -202,6 +208,8 @@ impl NumericProfile {
     /// # Errors
     /// As [`Self::slope`].
     pub fn displacement(&self, r: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("a", a)?;
+        beyond_the_edge("r", r, a)?;
         let found = self.over_angle(a, Weight::Outside(r), tolerance, None)?;
         let factor = Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a);
         Ok(found.times(factor))

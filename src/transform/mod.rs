@@ -55,6 +55,7 @@ mod table;
 mod term;
 mod verification;
 
+pub(crate) use admit::finite_and_not_negative;
 pub use assemble::{Derived, Status};
 pub use check::{Check, Verdict, check};
 pub use closed::ClosedForm;
@@ -78,7 +79,7 @@ pub use slopes::{Over, Slopes};
 pub use superposition::Superposition;
 pub use table::{Cubic, Interpolation, Penalty, TableError, TableProfile};
 pub use term::{Segment, Term};
-pub use verification::{Demotion, Verification};
+pub use verification::{Agreement, Demotion, Verification};
 
 /// Private parts that tests in `tests/` look at; not part of the interface.
 #[doc(hidden)]
@@ -93,7 +94,7 @@ pub mod inner {
     pub use super::rules::laurent::{Combination, member};
     pub use super::rules::reading::{above, exponential_pair, linear, monomial, pair, positive, power, quadratic};
     pub use super::table::smoothing::solve as smoothed;
-    pub use super::verification::Place;
+    pub use super::verification::Gate;
 
     /// The intervals of a profile.
     pub fn segments(profile: &super::NumericProfile) -> &[super::integral::NumericSegment] {

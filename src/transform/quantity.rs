@@ -44,6 +44,16 @@ impl Quantity {
         }
     }
 
+    /// True where the closed form of the term agreed with quadrature when it was derived; no formula of u outside is shown.
+    pub(super) fn agrees(self, solved: &SolvedTerm) -> bool {
+        match self {
+            Self::Slope => solved.agreement.slope,
+            Self::Force => solved.agreement.force,
+            Self::Pressure => solved.agreement.pressure,
+            Self::Outside => false,
+        }
+    }
+
     /// True where the term's share of the quantity is left as an integral.
     pub(super) fn is_open(self, solved: &SolvedTerm) -> bool {
         match self {

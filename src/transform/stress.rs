@@ -1,6 +1,7 @@
 //! The pressure by one integral straight from f′ and f″, with its logarithmic singularity and its kinks.
 
 use super::TransformError;
+use super::admit::finite_and_not_negative;
 use super::integral::{MOST, NumericProfile, NumericSegment, reached, settled, with_ulps};
 use super::slope_source::{Numbers, Scratch};
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
@@ -15,6 +16,8 @@ impl NumericProfile {
     /// # Errors
     /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
     pub fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        finite_and_not_negative("r", s)?;
+        finite_and_not_negative("a", a)?;
         let proven = self.pressure_by_proven_series(s, a, tolerance).or_else(|| self.proven_pressure(s, a, tolerance));
         let found = proven.or_else(|| self.pressure_by_series(s, a, tolerance)).or_else(|| self.pressure_by_slopes(s, a, tolerance));
         match found {
@@ -44,6 +47,8 @@ impl NumericProfile {
     /// # Errors
     /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
     pub fn stress_direct(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        finite_and_not_negative("r", s)?;
+        finite_and_not_negative("a", a)?;
         let Some(total) = self.pressure_of_jumps(s, a) else { return Ok(None) };
         let mut parts = Estimate::exact(0.0);
         if s == 0.0 && self.starts_steeply() {

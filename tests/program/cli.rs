@@ -337,6 +337,38 @@ fn compare_answers_by_the_agreed_keys_and_fails_with_exit_code_one() {
     assert!(run(&["compare", "R-sqrt(R^2-r^2)", "--tol", "1e-30"]).stdout.contains("FAILED"));
 }
 
+/// Class "a comparison without points passes": nothing closed, so nothing is compared, and the exit code is 1.
+#[test]
+fn a_comparison_without_points_does_not_pass() {
+    for profile in ["ln(cosh(r))", "h*sqrt(sqrt(r^2+w^2)-w)", "(1-exp(-r))/r"] {
+        let ran = run(&["compare", profile, "--json"]);
+        assert_eq!(ran.code, 1, "{profile}: {}", ran.stderr);
+        let answer: Value = serde_json::from_str(&ran.stdout).unwrap();
+        for key in ["g", "d", "F", "p", "G"] {
+            let own = &answer[key];
+            assert!(own["points"] == 0 && own["passed"].is_null() && own["verdict"] == "not compared" && own["why"].is_string(), "{own}");
+        }
+        let shown = run(&["compare", profile]);
+        assert!(shown.code == 1 && !shown.stdout.contains("passed"), "{}", shown.stdout);
+    }
+    // What is closed beside what is not is compared, and decides.
+    let partial = run(&["compare", "min(r*tan(theta),h)", "--json"]);
+    let answer: Value = serde_json::from_str(&partial.stdout).unwrap();
+    assert_eq!((partial.code, &answer["g"]["verdict"], &answer["p"]["verdict"]), (0, &"passed".into(), &"not compared".into()));
+}
+
+/// Each formula of `derive` says whether its closed forms met a quadrature.
+#[test]
+fn formulas_say_whether_they_were_compared() {
+    let of = |profile: &str| json(&["derive", profile, "--json"]);
+    let open = of("r^0.001");
+    assert!(["g", "d", "p", "a_of_d"].iter().all(|key| open[key]["status"] == "exact" && open[key]["compared"] == false), "{open}");
+    assert!(run(&["derive", "r^0.001"]).stdout.contains("exact, not compared with quadrature | rule"));
+    let sphere = of("R-sqrt(R^2-r^2)");
+    assert!(["g", "d", "F", "p", "k"].iter().all(|key| sphere[key]["compared"] == true), "{sphere}");
+    assert_eq!(of("ln(cosh(r))")["F"]["compared"], false);
+}
+
 #[test]
 fn rules_are_listed() {
     let document = json(&["rules", "--json"]);

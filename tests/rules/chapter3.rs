@@ -295,7 +295,7 @@ fn the_foundation_converges_to_the_exact_solution() {
         assert!((measured - expected).abs() < 0.03, "{profile}: order {measured}");
         let radius = order(g, a, d, a, |state| state.contact_radius);
         assert!((radius - 1.0).abs() < 0.01, "{profile}: order of a {radius}");
-        let stiffness = order(g, a, d, own.stiffness(a).estimate.value, |state| state.stiffness);
+        let stiffness = order(g, a, d, own.stiffness(a).unwrap().estimate.value, |state| state.stiffness);
         assert!((stiffness - 1.0).abs() < 0.01, "{profile}: order of k {stiffness}");
     }
 }

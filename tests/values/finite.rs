@@ -6,7 +6,7 @@
 use sneddon::contact::Contact;
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::parse;
-use sneddon::transform::{Check, Evaluator, Method, Profile, Verdict, check, derive};
+use sneddon::transform::{Check, Closure, Evaluator, Interpolation, Method, NumericProfile, Profile, Quantities, Verdict, check, derive};
 use sneddon_checks::decimal::Decimal;
 
 /// The largest relative error of a number.
@@ -80,4 +80,79 @@ fn kinks_without_end_are_located_as_far_as_they_are_needed() {
     for text in ["min(r^1.3,1-exp(-(0.5*r)))", "abs(2.34*((1-cos(2*r))/r)-0.149)", "abs(sin(r)^2/(3/4)-0.19)"] {
         assert!(slope(text, 1.9).is_ok(), "{text}");
     }
+}
+
+/// Class "a number for a place that is none": NaN, infinities and negative places are refused by every quantity of every kind of profile.
+#[test]
+fn places_that_are_no_finite_radii_are_refused() {
+    fn of_a_contact<P: Quantities>(contact: &Contact<'_, P>, at: f64) -> Vec<(&'static str, bool)> {
+        let own = contact.evaluator();
+        vec![
+            ("g", own.slope(at).is_err()),
+            ("F/2E", own.force(at).is_err()),
+            ("G", own.integral(at).is_err()),
+            ("f", own.height(at).is_err()),
+            ("p of r", own.pressure(at, 0.5).is_err()),
+            ("p of a", own.pressure(0.2, at).is_err()),
+            ("u of r", own.displacement(at, 0.5).is_err()),
+            ("u of a", own.displacement(0.7, at).is_err()),
+            ("sigma_zz of z", own.axial(at, 0.5).is_err()),
+            ("sigma_zz of a", own.axial(0.2, at).is_err()),
+            ("profile", contact.profile(at).is_err()),
+            ("d", contact.depth(at).is_err()),
+            ("F", contact.force(at).is_err()),
+            ("k", contact.stiffness(at).is_err()),
+            ("p_mean", contact.mean_pressure(at).is_err()),
+            ("u_1d of x", contact.line_displacement(at, 0.5).is_err()),
+            ("u_1d of a", contact.line_displacement(0.2, at).is_err()),
+            ("q of x", contact.line_load(at, 0.5).is_err()),
+            ("q of a", contact.line_load(0.2, at).is_err()),
+            ("pressure of r", contact.pressure(at, 0.5).is_err()),
+            ("pressure of a", contact.pressure(0.2, at).is_err()),
+            ("displacement of r", contact.displacement(at, 0.5).is_err()),
+            ("displacement of a", contact.displacement(0.2, at).is_err()),
+            ("U", contact.energy(at).is_err()),
+            ("a", contact.contact_radius(at).is_err()),
+        ]
+    }
+    fn of_quadrature(own: &NumericProfile, at: f64) -> Vec<(&'static str, bool)> {
+        let tolerance = 1e-12;
+        vec![
+            ("slope", own.slope(at, tolerance).is_err()),
+            ("force", own.force(at, tolerance).is_err()),
+            ("integral", own.integral(at, tolerance).is_err()),
+            ("height", own.height(at, tolerance).is_err()),
+            ("pressure of r", own.pressure(at, 0.5, tolerance).is_err()),
+            ("pressure of a", own.pressure(0.2, at, tolerance).is_err()),
+            ("stress of r", own.stress_direct(at, 0.5, tolerance).is_err()),
+            ("stress of a", own.stress_direct(0.2, at, tolerance).is_err()),
+            ("axial of z", own.axial(at, 0.5, tolerance).is_err()),
+            ("axial of a", own.axial(0.2, at, tolerance).is_err()),
+            ("displacement of r", own.displacement(at, 0.5, tolerance).is_err()),
+            ("displacement of a", own.displacement(0.7, at, tolerance).is_err()),
+        ]
+    }
+    let mut faults = Vec::new();
+    let mut take = |profile: &str, at: f64, found: Vec<(&'static str, bool)>| {
+        faults.extend(found.into_iter().filter(|(_, refused)| !refused).map(|(quantity, _)| format!("{profile}: {quantity} at {at}")));
+    };
+    let closure = || Closure::with_slope(|r| r * r, |r| 2.0 * r).profile().unwrap();
+    let radii: Vec<f64> = (0..40).map(|i| 0.05 * f64::from(i)).collect();
+    let heights: Vec<f64> = radii.iter().map(|r| r * r).collect();
+    let table = || Profile::from_points(&radii, &heights, Interpolation::MonotoneCubic).unwrap();
+    for at in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -f64::MIN_POSITIVE] {
+        for text in ["r^2/2", "sqrt(1+r^2)-1", "ln(cosh(r))", "piecewise(0,r<1,(r-1)^2)", "1-sqrt(1-r^2)", "2*r"] {
+            let solution = derive(&profile(text, "")).unwrap();
+            for method in [Method::Auto, Method::Quadrature] {
+                let evaluator = Evaluator::new(&solution, &Bindings::default(), method, 1e-12).unwrap();
+                take(text, at, of_a_contact(&Contact::new(evaluator, 1.0, None, 1e-12), at));
+            }
+            let intervals = solution.chains.iter().flat_map(|chain| &chain.intervals);
+            let pieces: Vec<_> = intervals.map(|own| (own.segment.clone(), own.slope.clone())).collect();
+            take(text, at, of_quadrature(&NumericProfile::new(&pieces, &Bindings::default()).unwrap(), at));
+        }
+        take("a closure", at, of_a_contact(&Contact::new(closure(), 1.0, None, 1e-12), at));
+        take("a table", at, of_a_contact(&Contact::new(table(), 1.0, None, 1e-12), at));
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

@@ -111,6 +111,7 @@ impl Estimate {
     ///
     /// Of two numbers whose errors rest on the same ground the smaller error is better.
     /// A proven error of at most [`Self::TRUSTED`] of the value, or one that shows that the estimate is wrong, is better than any estimated one.
+    /// An estimate whose value or error is NaN is never the better one, and any other estimate is better than it.
     ///
     /// ```
     /// use sneddon_num::{Bound, Estimate};
@@ -119,9 +120,15 @@ impl Estimate {
     /// let rough = Estimate { error: 1e-3, ..proven };
     /// assert!(Estimate::estimated(1.0001, 1e-15, 21).is_better_than(rough));
     /// assert!(rough.is_better_than(Estimate::estimated(1.1, 1e-15, 21)));
+    /// let not_a_number = Estimate::estimated(f64::NAN, f64::NAN, 21);
+    /// assert!(rough.is_better_than(not_a_number) && !not_a_number.is_better_than(not_a_number));
     /// ```
     #[must_use]
     pub fn is_better_than(self, other: Self) -> bool {
+        let is_number = |own: Self| !own.value.is_nan() && !own.error.is_nan();
+        if !(is_number(self) && is_number(other)) {
+            return is_number(self);
+        }
         let wins = |proven: Self, estimated: Self| {
             proven.relative_error() <= Self::TRUSTED
                 || proven.error <= estimated.error
@@ -130,7 +137,7 @@ impl Estimate {
         match (self.bound, other.bound) {
             (Bound::Proven, Bound::Estimated) if self.error.is_finite() => wins(self, other),
             (Bound::Estimated, Bound::Proven) if other.error.is_finite() => !wins(other, self),
-            _ => self.error < other.error || (other.error.is_nan() && !self.error.is_nan()),
+            _ => self.error < other.error,
         }
     }
 
