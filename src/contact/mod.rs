@@ -20,7 +20,7 @@ pub use comparison::{Comparison, Setting, compare};
 pub use error::ContactError;
 pub use explicit::{Explicit, explicit};
 pub use foundation::{FoundationState, SpringFoundation};
-pub use indentation::{Body, Boundary, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State, in_unit};
+pub use indentation::{Body, Boundary, Estimates, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State, in_unit};
 pub use material::{ElasticBody, TransverselyIsotropic, effective_modulus};
 pub use mean::PartialForce;
 pub use points::each_point;

@@ -2,7 +2,7 @@
 
 use super::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
-use crate::num::{Estimate, work};
+use crate::num::{Bound, Estimate, work};
 use crate::transform::{Quantities, Reading, TransformError};
 use std::sync::{Mutex, PoisonError};
 
@@ -83,28 +83,43 @@ pub(super) fn of_depth<P: Quantities>(contact: &Contact<'_, P>, radii: &Radii, d
     };
     let mut gap = |a: f64| if a <= start { Ok(-depth) } else { height(a).map(|g| g.value - depth) };
     let a = bracketed(&mut gap, lower, upper, &RootOptions::default())?.x;
-    let noise = evaluator.slope(a)?.estimate.error + f64::EPSILON * depth;
-    let Some(error) = certain(&mut gap, a, start, limit, noise)? else {
+    let mut gap = |a: f64| {
+        let g = height(a)?;
+        Ok(if g.value.is_finite() { g + Estimate::exact(-depth) } else { g })
+    };
+    let Some(Certain { reach, bound, .. }) = certain(&mut gap, a, start, limit)? else {
         return Err(ContactError::Unreachable { depth, reason: "g does not rise through this depth" });
     };
-    Ok(Reading { estimate: Estimate::estimated(a, error, evaluations), method: "root" })
+    Ok(Reading { estimate: Estimate { value: a, error: reach, evaluations, bound }, method: "root" })
 }
 
-/// The smallest distance from `a` at which the sign of g − d is certain on both sides; `None` if there is none.
-fn certain(
-    gap: &mut dyn FnMut(f64) -> Result<f64, TransformError>,
+/// How far from a root the sign of a rising function is certain.
+pub(super) struct Certain {
+    /// The distance from the root.
+    pub(super) reach: f64,
+    /// The largest |value| with its error within that distance, where the function was asked.
+    pub(super) spread: f64,
+    /// Whether the signs are proven.
+    pub(super) bound: Bound,
+}
+
+/// The smallest distance from a root `a` at which the sign of a function that rises there is certain on both sides; `None` if there is none.
+///
+/// The function is not asked at `start`, below which it is negative, nor at `limit`, where it ends.
+pub(super) fn certain(
+    gap: &mut dyn FnMut(f64) -> Result<Estimate, ContactError>,
     a: f64,
     start: f64,
     limit: f64,
-    noise: f64,
-) -> Result<Option<f64>, TransformError> {
+) -> Result<Option<Certain>, ContactError> {
     let mut reach = f64::EPSILON * a;
     while reach < a {
-        let (below, above) = (a - reach, a + reach);
-        let settled_below = below <= start || gap(below)? < -noise;
-        let settled_above = above >= limit || gap(above)? > noise;
-        if settled_below && settled_above {
-            return Ok(Some(reach));
+        let below = if a - reach > start { Some(gap(a - reach)?) } else { None };
+        let above = if a + reach < limit { Some(gap(a + reach)?) } else { None };
+        if below.is_none_or(|own| own.value < -own.error) && above.is_none_or(|own| own.value > own.error) {
+            let both = below.into_iter().chain(above);
+            let spread = both.clone().map(|own| own.value.abs() + own.error).fold(0.0, f64::max);
+            return Ok(Some(Certain { reach, spread, bound: both.fold(Bound::Proven, |bound, own| bound.and(own.bound)) }));
         }
         reach *= 2.0;
     }

@@ -107,6 +107,12 @@ impl Serialize for RowEntry<'_, '_> {
         } else if let Some(depth) = row.depth_from_touch {
             map.serialize_entry("d_first_touch", &Some(depth).filter(|_| shown))?;
         }
+        if shown {
+            let known = self.run.estimates(self.index, row);
+            let known = || known.iter().filter_map(|(datum, own)| Some((datum.name(), (*own)?)));
+            map.serialize_entry("error_estimates", &known().map(|(name, own)| (name, own.error)).collect::<BTreeMap<_, _>>())?;
+            map.serialize_entry("bounds", &known().map(|(name, own)| (name, own.bound.name())).collect::<BTreeMap<_, _>>())?;
+        }
         let state = row.indented.state.filter(|_| shown);
         if let Some(changes) = self.run.row_model_errors(self.index, state.as_ref()) {
             let changes: BTreeMap<&str, Option<f64>> = changes.into_iter().map(|(datum, own)| (datum.name(), own)).collect();

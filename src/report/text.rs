@@ -3,7 +3,7 @@
 use super::{Compared, Evaluation, Unchecked};
 use crate::num::{Bound, Estimate};
 use crate::print;
-use crate::transform::{Check, Derived, Rule, Status, Verdict};
+use crate::transform::{Check, Derived, Reading, Rule, Status, Verdict};
 use std::io::{self, Write};
 
 /// Writes the numbers of one quantity as a table.
@@ -49,10 +49,12 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
 pub fn evaluation_as_csv(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()> {
     let titled = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") };
     let header = [titled(record.coordinate, &record.units.at), titled(record.quantity, &record.units.value)];
-    writeln!(out, "{},{},error,method", header[0], header[1])?;
+    writeln!(out, "{},{},error,method,bound", header[0], header[1])?;
     record.at.iter().zip(&record.readings).try_for_each(|(at, reading)| match reading {
-        Ok(reading) => writeln!(out, "{at:?},{:?},{:?},{}", reading.estimate.value, reading.estimate.error, reading.method),
-        Err(_) => writeln!(out, "{at:?},,,"),
+        Ok(Reading { estimate, method }) => {
+            writeln!(out, "{at:?},{:?},{:?},{method},{}", estimate.value, estimate.error, estimate.bound.name())
+        }
+        Err(_) => writeln!(out, "{at:?},,,,"),
     })
 }
 

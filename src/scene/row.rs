@@ -2,6 +2,7 @@
 
 use super::{Datum, Regime};
 use crate::contact::{Indented, Severity};
+use crate::num::Estimate;
 
 /// One solved load, in the units of the answers.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +15,8 @@ pub struct Row {
     pub depth_from_touch: Option<f64>,
     /// The numbers that were asked for; `None` with a reason where there is none.
     pub values: Vec<(Datum, Result<f64, &'static str>)>,
+    /// The strain energy in computed units with the error of its quadrature, where it was asked for.
+    pub energy: Option<Estimate>,
     /// The nearest simple shape, where the profile is none itself and the row is valid.
     pub regime: Option<Regime>,
 }

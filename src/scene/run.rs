@@ -4,8 +4,10 @@ use super::quantity::to_f64;
 use super::regime::{Regime, SAME_SHAPE, Simple};
 use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, MeasuredTip, Row, Scene, SceneError, Work};
 use crate::contact::in_unit;
-use crate::contact::{Boundary, Contact, ContactError, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State};
-use crate::num::{Bound, Estimate, work};
+use crate::contact::{
+    Boundary, Contact, ContactError, Estimates, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State,
+};
+use crate::num::{Bound, Bounded, Estimate, work};
 use crate::transform::{Reading, Solution, Superposition, TableProfile, TransformError};
 use std::cell::{Cell, OnceCell};
 use std::f64::consts::PI;
@@ -178,10 +180,11 @@ impl<'a> Run<'a> {
         let (load, mut indented) = self.solved(index)?;
         let system = &self.scene.system;
         let mut values = Vec::with_capacity(self.scene.outputs.data.len());
+        let mut energy = None;
         for datum in &self.scene.outputs.data {
             let own = match indented.state {
                 None => Err("no contact belongs to this load"),
-                Some(state) => match self.datum(*datum, &state) {
+                Some(state) => match self.datum(*datum, &state, &mut energy) {
                     Ok(own) => own.map(|own| own * system.out(datum.dimension())),
                     Err(error) => {
                         indented.findings.extend(not_computable(&error).findings);
@@ -196,7 +199,53 @@ impl<'a> Run<'a> {
         let length = system.out(Dimension::LENGTH);
         let depth_from_touch = indented.state.filter(|_| touch != 0.0).map(|state| (state.depth - touch) * length);
         let regime = indented.state.as_ref().filter(|_| indented.is_valid()).and_then(|state| self.regime(state));
-        Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values, regime })
+        Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values, energy, regime })
+    }
+
+    /// The numbers of a row with their errors, in the order of its values; `None` where there is no number or no error is known.
+    ///
+    /// The load has no error: it is what was asked for. The errors cost about three values of g or F for each row.
+    pub fn estimates(&self, index: usize, row: &Row) -> Vec<(Datum, Option<Estimate>)> {
+        let found = self.load(index).zip(row.indented.state).and_then(|((_, load), state)| {
+            let touch = if self.scene.counts_from_touch() { self.indentation.first_touch() } else { 0.0 };
+            let bound = || {
+                let mut own = self.indentation.estimates(&state, load, ROUNDED).ok()?;
+                // The place of the first touch was found by samples.
+                if touch != 0.0 {
+                    own.depth = own.depth + Estimate::estimated(0.0, 4.0 * f64::EPSILON * touch.abs(), 0);
+                }
+                Some((own, state))
+            };
+            work::share(work::left() / 2, bound).unwrap_or_else(|| {
+                self.cut.set(true);
+                None
+            })
+        });
+        let own = |(datum, value): &(Datum, Result<f64, &'static str>)| {
+            let (own, state) = found.filter(|_| value.is_ok())?;
+            let estimate = self.estimate(*datum, row, &state, &own)?.scaled(self.scene.system.out(datum.dimension()));
+            estimate.error.is_finite().then_some(estimate)
+        };
+        row.values.iter().map(|each| (each.0, own(each))).collect()
+    }
+
+    fn estimate(&self, datum: Datum, row: &Row, state: &State, own: &Estimates) -> Option<Estimate> {
+        let radius = own.radius.bounded();
+        let times = |own: Estimate, factor: Bounded, bound| Some(own.times(factor).resting_on(bound));
+        let modulus = self.scene.effective_modulus;
+        let modulus = Bounded { value: modulus, error: ROUNDED * modulus };
+        match datum {
+            Datum::Depth => Some(own.depth),
+            Datum::Force => Some(own.force),
+            Datum::Radius => Some(own.radius),
+            Datum::Stiffness => times(own.radius, Bounded::exact(2.0) * modulus, Bound::Proven),
+            Datum::MeanPressure => times(own.force, Bounded::exact(1.0) / (Bounded::rounded(PI) * radius * radius), own.radius.bound),
+            Datum::Energy if state.force == 0.0 => Some(Estimate::exact(0.0)),
+            Datum::Energy => {
+                let energy = self.indentation.energy_estimate(row.energy?, state, own);
+                Some(Estimate { error: energy.error + ROUNDED * energy.value, ..energy })
+            }
+        }
     }
 
     /// True where the bodies first touch beside the axis: depths from the apex and from the first touch differ.
@@ -225,7 +274,7 @@ impl<'a> Run<'a> {
         nearest.filter(|own| own.force_error.abs() > SAME_SHAPE)
     }
 
-    fn datum(&self, datum: Datum, state: &State) -> Result<Result<f64, &'static str>, ContactError> {
+    fn datum(&self, datum: Datum, state: &State, energy: &mut Option<Estimate>) -> Result<Result<f64, &'static str>, ContactError> {
         let a = state.radius;
         Ok(match datum {
             Datum::Depth => Ok(state.depth),
@@ -237,7 +286,7 @@ impl<'a> Run<'a> {
             Datum::Energy if state.force == 0.0 => Ok(0.0),
             Datum::Energy => {
                 self.count(|asked| asked.energies += 1);
-                Ok(self.indentation.energy(state)?.estimate.value)
+                Ok(energy.insert(self.indentation.energy(state)?.estimate).value)
             }
         })
     }
@@ -332,6 +381,9 @@ impl<'a> Run<'a> {
         contact.displacement(at, state.radius).map_err(|_| failed)
     }
 }
+
+/// E* and the load are rounded where their units are converted, and E* where it is computed from moduli and Poisson's ratios.
+const ROUNDED: f64 = 2.0 * f64::EPSILON;
 
 /// Refuses what overflowed, and in a contact under load what lost its digits by underflow.
 fn representable(value: f64, pressed: bool) -> Result<f64, &'static str> {

@@ -28,41 +28,47 @@ impl NumericSegment {
         // Next to the end of f′ its distance to that end has the digits.
         let limit = self.limit.as_ref().filter(|limit| x > NEAR_THE_LIMIT * limit.value.value && x < limit.value.value - limit.value.error);
         let limit = limit.and_then(|limit| Some((limit, limit.enclosing()?)));
-        let end = self.upper.map_or(f64::INFINITY, |upper| upper.value);
-        let width = forms::angle_between(self.lower.value, end, x);
-        let beyond = if end < x { ((x - end) * (x + end)).sqrt().atan2(end) } else { 0.0 };
-        let mut range = Angles { segment: self, power, limit, x, weight, width, beyond, slots: Vec::new() };
+        let mut range = Angles { power, limit, weight, ..Angles::over(self, x) };
         proven_sum(std::slice::from_mut(&mut range), Bounded::exact(0.0), tolerance, x)
     }
 }
 
 /// The range of one integral: r = x cos τ from the lower end of the segment to its end or to x.
-struct Angles<'a> {
-    segment: &'a NumericSegment,
+pub(super) struct Angles<'a> {
+    pub(super) segment: &'a NumericSegment,
     /// f′ = δ^s h(δ) at the lower end: s, and h for enclosures.
     power: Option<&'a LeadingPower>,
     /// The end of f′, where x is near to it, and f′ over the distance to it for enclosures.
     limit: Option<(&'a Limit, &'a Tape)>,
-    x: f64,
+    pub(super) x: f64,
     weight: Weight,
     /// The angle between both ends, and that from the upper end to the one at which r = x.
-    width: f64,
+    pub(super) width: f64,
     beyond: f64,
-    slots: Vec<Region>,
+    pub(super) slots: Vec<Region>,
 }
 
 /// Where r is while the angle is in a region: r, r − lower, and limit − r.
-struct Radii {
-    r: Region,
-    delta: Region,
+pub(super) struct Radii {
+    pub(super) r: Region,
+    pub(super) delta: Region,
     below: Option<Region>,
-    /// The sine of the angle to the place at which r = x.
-    sine: Region,
+    /// The angle to the place at which r = x, and its sine.
+    pub(super) phi: Region,
+    pub(super) sine: Region,
 }
 
-impl Angles<'_> {
+impl<'a> Angles<'a> {
+    /// The range of g, from the lower end of a segment to its end or to x.
+    pub(super) fn over(segment: &'a NumericSegment, x: f64) -> Self {
+        let end = segment.upper.map_or(f64::INFINITY, |upper| upper.value);
+        let width = forms::angle_between(segment.lower.value, end, x);
+        let beyond = if end < x { ((x - end) * (x + end)).sqrt().atan2(end) } else { 0.0 };
+        Self { segment, power: None, limit: None, x, weight: Weight::Slope, width, beyond, slots: Vec::new() }
+    }
+
     /// r − lower and the angle to r = x, where the angles from both ends are these.
-    fn delta(&self, place: Place) -> (f64, f64) {
+    pub(super) fn delta(&self, place: Place) -> (f64, f64) {
         let rest = self.beyond + place.from_upper;
         let delta = 2.0 * self.x * (0.5 * place.from_lower).sin() * (rest + 0.5 * place.from_lower).sin();
         (delta.max(f64::MIN_POSITIVE), rest)
@@ -88,7 +94,7 @@ impl Angles<'_> {
         }
     }
 
-    fn radii(&self, piece: Piece, sigma: f64) -> Radii {
+    pub(super) fn radii(&self, piece: Piece, sigma: f64) -> Radii {
         let hair = 4.0 * UNIT * self.width;
         let (low, high, short) = piece.around(sigma);
         let angle = Region::new((low, high), (-short, short));
@@ -109,7 +115,7 @@ impl Angles<'_> {
             let gap = Region::new((from.next_down(), to.next_up()), (0.0, 0.0));
             gap + x * Region::real(2.0) * (Region::real(0.5) * rest).sin().powi(2)
         });
-        Radii { r, delta: if sigma == 0.0 { delta.above_zero() } else { delta }, below, sine: rest.sin() }
+        Radii { r, delta: if sigma == 0.0 { delta.above_zero() } else { delta }, below, phi: rest, sine: rest.sin() }
     }
 
     fn weight(&self, radii: &Radii) -> f64 {

@@ -63,7 +63,7 @@ impl NumericSegment {
     }
 
     /// The same for (r f′)′.
-    fn leading_power_of_bend(&self) -> Option<&LeadingPower> {
+    pub(super) fn leading_power_of_bend(&self) -> Option<&LeadingPower> {
         let power = self.bend_power.get_or_init(|| {
             work::unbroken(|| {
                 let (_, lower) = self.source.as_ref()?;

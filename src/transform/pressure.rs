@@ -113,6 +113,9 @@ impl Evaluator<'_> {
         if r > 0.0 {
             return self.typed()?.stress_direct(r, a, self.tolerance)?.ok_or(TransformError::NotComputable { at: a });
         }
+        if let Some(proven) = self.typed()?.pressure_on_axis(a, self.tolerance).filter(|own| own.relative_error() <= self.tolerance) {
+            return Ok(proven);
+        }
         let typed = self.typed()?.axial(0.0, a, self.tolerance);
         if typed.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance) {
             return typed;

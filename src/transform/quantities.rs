@@ -113,6 +113,10 @@ impl Quantities for Evaluator<'_> {
         Self::height(self, r)
     }
 
+    fn squared_gap(&self, a: f64, depth: Bounded) -> Option<Result<Reading, TransformError>> {
+        self.proven_squared_gap(a, depth)
+    }
+
     fn limit(&self) -> f64 {
         Self::limit(self)
     }

@@ -33,7 +33,7 @@ impl NumericProfile {
         if slopes.as_ref().is_some_and(enough) {
             return slopes;
         }
-        let pieces = self.pressure_by_pieces(s, a, tolerance);
+        let pieces = if s == 0.0 { self.pressure_on_axis(a, tolerance) } else { self.pressure_by_pieces(s, a, tolerance) };
         match (slopes, pieces) {
             (Some(one), Some(other)) => Some(if one.is_better_than(other) { one } else { other }),
             (one, other) => one.or(other),

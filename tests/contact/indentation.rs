@@ -3,7 +3,7 @@
 
 use sneddon::contact::{Boundary, Contact, Indentation, Indented, Load, Setup, State};
 use sneddon::expr::Bindings;
-use sneddon::num::Bounded;
+use sneddon::num::{Bound, Bounded};
 use sneddon::parse;
 use sneddon::transform::{
     Evaluator, Interpolation, Method, Profile, Quantities, Reading, Slopes, Solution, TableProfile, TransformError, derive,
@@ -411,6 +411,45 @@ fn profiles_that_end_steeply_are_solved_in_every_unit() {
             let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
             let radius = Contact::new(evaluator, 1.0, None, 1e-12).contact_radius(depth).unwrap().estimate.value;
             assert!((found.radius / radius - 1.0).abs() < 1e-12, "{text} at {depth:?}: {found:?}, {radius:?}");
+        }
+    }
+}
+
+/// The errors of a solved load hold: for a paraboloid, whose numbers are known, and from load to load for profiles that have no formula.
+#[test]
+fn the_errors_of_a_solved_load_hold() {
+    // f = r²: g = 2x², F = (8/3) E a³, U = (32/15) E a⁵, at E = 3.
+    let paraboloid = solution("r^2");
+    let setup = |rim| Setup { effective_modulus: 3.0, ..setup(rim) };
+    let a = 0.75;
+    for load in [Load::Radius(a), Load::Depth(2.0 * a * a), Load::Force(8.0 * a * a * a)] {
+        let own = Indentation::new(&paraboloid, setup(None), load).unwrap();
+        let state = own.solve(load).unwrap().state.unwrap();
+        let found = own.estimates(&state, load, 0.0).unwrap();
+        let energy = own.energy_estimate(own.energy(&state).unwrap().estimate, &state, &found);
+        let truths = [(found.radius, a), (found.depth, 2.0 * a * a), (found.force, 8.0 * a * a * a), (energy, 6.4 * a.powi(5))];
+        for (own, truth) in truths {
+            // 6.4 a⁵ is rounded three times.
+            assert!((own.value - truth).abs() <= own.error + 2.0 * f64::EPSILON * truth, "{load:?}: {own:?} is not {truth}");
+            assert!(own.error <= 2e-14 * truth && own.bound == Bound::Proven, "{load:?}: {own:?}");
+        }
+    }
+    for text in ["ln(cosh(r))", "max(0,r-0.5)", "r^1.3", "1-sqrt(1-r^2)", "r^2*exp(-r/4)", "sqrt(r)", "piecewise(r,r<0.8,2*r-0.8)"] {
+        let solution = solution(text);
+        for depth in [1e-3, 0.3, 0.9] {
+            let own = Indentation::new(&solution, setup(None), Load::Depth(depth)).unwrap();
+            let first = own.solve(Load::Depth(depth)).unwrap().state.unwrap();
+            let known = own.estimates(&first, Load::Depth(depth), 0.0).unwrap();
+            let own = Indentation::new(&solution, setup(None), Load::Force(first.force)).unwrap();
+            let second = own.solve(Load::Force(first.force)).unwrap().state.unwrap();
+            let found = own.estimates(&second, Load::Force(first.force), 0.0).unwrap();
+            // dF/dd = 2E a.
+            let carried = known.force.error / (2.0 * 3.0 * first.radius);
+            assert!((found.depth.value - depth).abs() <= 1.01 * carried + found.depth.error, "{text} at {depth}: {known:?}, {found:?}");
+            assert!(
+                known.force.error <= 1e-13 * first.force && found.depth.error <= 1e-13 * depth,
+                "{text} at {depth}: {known:?}, {found:?}"
+            );
         }
     }
 }

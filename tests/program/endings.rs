@@ -53,7 +53,7 @@ const COMMANDS: &[(&[&str], &[Ending])] = &[
     (&["plot", "r^2"], &[("svg", "<svg role=\"img\""), ("txt", "Force")]),
     (
         &["eval", "r^2", "--quantity", "g", "--at", "1,2"],
-        &[("txt", "g of f(r) = "), ("csv", "x,g,error,method\n1.0,2.0,"), ("json", "{\"schema\":\"sneddon/eval/1\"")],
+        &[("txt", "g of f(r) = "), ("csv", "x,g,error,method,bound\n1.0,2.0,"), ("json", "{\"schema\":\"sneddon/eval/1\"")],
     ),
     (&["compare", "r^2"], &[("txt", "closed forms"), ("json", "{\"schema\":\"sneddon/compare/1\"")]),
     (&["invert", "x^2"], &[("txt", "g(x) = "), ("tex", "%"), ("json", "{\"schema\":\"sneddon/invert/1\"")]),

@@ -84,6 +84,26 @@ fn json_has_its_keys() {
 }
 
 /// Invalid rows are null and the exit code is 1; `--force` shows their numbers.
+/// Class "a number without a bound": every number of a row has one, with its ground, whatever the load and the edge are.
+#[test]
+fn every_number_of_a_row_has_a_bound() {
+    let flat = EXAMPLE.replace("r^2/(2*R)", "0").replace("parameters = { R = \"10 um\" }\n", "");
+    let open = EXAMPLE.replace("r^2/(2*R)", "R*ln(cosh(r/R))").replace("radius = \"2 um\"\n", "");
+    let by_force = open.replace("depth = { start = \"0.05 um\", stop = \"0.5 um\"", "force = { start = \"0.05 mN\", stop = \"0.5 mN\"");
+    let by_radius = open.replace("depth = { start", "contact_radius = { start");
+    for (scene, load) in [(EXAMPLE, "d"), (&flat, "d"), (&open, "d"), (&by_force, "F"), (&by_radius, "a")] {
+        let answer = json(scene, 0, &[]);
+        for row in answer["rows"].as_array().unwrap() {
+            for key in ["d", "F", "a", "k", "p_mean", "U"].into_iter().filter(|key| row.get(key).is_some()) {
+                let (value, error) = (row[key].as_f64().unwrap(), row["error_estimates"][key].as_f64().unwrap());
+                assert_eq!(row["bounds"][key], "proven", "{scene}: {key} of {row}");
+                // Quadrature is asked for 1e-12.
+                assert!(error <= 1e-12 * value.abs() && (error > 0.0 || key == load || key == "a"), "{key} of {row}");
+            }
+        }
+    }
+}
+
 #[test]
 fn invalid_rows_are_null() {
     let scene = "[profile]\nf = '1-exp(-r^2)'\n[material]\neffective_modulus = 1\n[load]\ndepth = [0.5, 1.1]\n";

@@ -4,6 +4,7 @@ mod axial_stress;
 mod blocks;
 mod closures;
 mod curve;
+mod energy;
 mod estimates;
 mod extremes;
 mod features;

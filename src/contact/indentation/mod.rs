@@ -3,6 +3,7 @@
 mod body;
 mod cells;
 mod curvature;
+mod errors;
 mod landscape;
 mod naming;
 mod proof;
@@ -10,6 +11,7 @@ mod root;
 mod verdict;
 
 pub use body::Body;
+pub use errors::Estimates;
 pub use naming::{Naming, in_unit};
 pub use verdict::{Finding, Severity};
 
