@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Literal, Union
 
 import numpy as np
 
@@ -27,27 +27,47 @@ def real(name: str, value: Any) -> np.ndarray:
 EQUAL = 4096
 
 
+# What may be asked for beside values: nothing, bounds of their errors, or bounds and what these rest on.
+WithBound = Union[bool, Literal["ground"]]
+
+
+def check_with_bound(with_bound: Any) -> WithBound:
+    """Return what ``with_bound`` asks for; anything but True, False and "ground" is a TypeError."""
+    if with_bound is True or with_bound is False or with_bound == "ground":
+        return with_bound  # type: ignore[no-any-return]
+    raise TypeError(f'with_bound is {with_bound!r}; True, False or "ground" is accepted')
+
+
+def ground_of(proven: Any) -> Any:
+    """Return "proven" or "estimated" for a bool, or an array of these words."""
+    return np.where(proven, "proven", "estimated") if np.ndim(proven) else ("proven" if proven else "estimated")
+
+
 def map_over(
-    one: Callable[..., tuple[float, float]],
+    one: Callable[..., tuple[float, float, bool]],
     many: Callable[..., None],
     key: str,
     arguments: dict[str, Any],
-    with_bound: bool,
+    with_bound: WithBound,
 ) -> Any:
     """Evaluate a quantity over broadcast arguments: floats for scalars, else arrays of the broadcast shape."""
     values = list(arguments.values())
-    if all(type(own) is float or type(own) is int for own in values):
-        found = one(key, *values)
-        return found if with_bound else found[0]
-    arrays = np.broadcast_arrays(*(real(name, value) for name, value in arguments.items()))
+    scalars = all(type(own) is float or type(own) is int for own in values)
+    arrays = [] if scalars else np.broadcast_arrays(*(real(name, value) for name, value in arguments.items()))
+    if scalars or arrays[0].shape == ():
+        value, bound, proven = one(key, *(values if scalars else [float(own) for own in arrays]))
+        if check_with_bound(with_bound) is False:
+            return value
+        return (value, bound) if with_bound is True else (value, bound, ground_of(proven))
     shape = arrays[0].shape
-    if shape == ():
-        found = one(key, *(float(own) for own in arrays))
-        return found if with_bound else found[0]
     flat = [np.ascontiguousarray(own).reshape(-1) for own in arrays]
-    result = np.empty(flat[0].size)
-    bound = np.empty(flat[0].size) if with_bound or flat[0].size <= EQUAL else None
-    many(key, flat[0], flat[1] if len(flat) > 1 else None, result, bound)
-    if bound is None or not with_bound:
+    size = flat[0].size
+    result = np.empty(size)
+    bounds = np.empty(size) if check_with_bound(with_bound) or size <= EQUAL else None
+    grounds = np.empty(size, dtype=np.bool_) if with_bound == "ground" else None
+    many(key, flat[0], flat[1] if len(flat) > 1 else None, result, bounds, grounds)
+    if bounds is None or with_bound is False:
         return result.reshape(shape)
-    return result.reshape(shape), bound.reshape(shape)
+    if grounds is None:
+        return result.reshape(shape), bounds.reshape(shape)
+    return result.reshape(shape), bounds.reshape(shape), ground_of(grounds).reshape(shape)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ._arrays import map_over, real
+from ._arrays import WithBound, check_with_bound, ground_of, map_over, real
 from ._errors import SneddonError
 from ._profile import Profile
 
@@ -33,7 +33,8 @@ class Contact:
     -----
     Lengths, forces and moduli may have any consistent units.
     Every method takes numbers or arrays and broadcasts them; scalars give floats.
-    ``with_bound=True`` returns a pair: values, and bounds of their errors.
+    ``with_bound=True`` returns a pair: values, and bounds of their errors; ``with_bound="ground"`` also returns what each bound
+    rests on, ``"proven"`` or ``"estimated"``.
     A pressure that is infinite by theory is infinite, with the bound 0.
 
     Examples
@@ -77,84 +78,88 @@ class Contact:
     def __repr__(self) -> str:
         return f"Contact({self.profile!r}, E_star={self.E_star!r})"
 
-    def shape(self, r: Any, *, with_bound: bool = False) -> Any:
+    def shape(self, r: Any, *, with_bound: WithBound = False) -> Any:
         """Return f(r) - f(0)."""
         return self._map("f", {"r": r}, with_bound)
 
-    def equivalent_profile(self, x: Any, *, with_bound: bool = False) -> Any:
+    def equivalent_profile(self, x: Any, *, with_bound: WithBound = False) -> Any:
         """Return g(x) = x ∫₀ˣ f′(r)/√(x² − r²) dr, Popov and Heß (3.27)."""
         return self._map("g", {"x": x}, with_bound)
 
-    def force(self, *, depth: Any = None, radius: Any = None, with_bound: bool = False) -> Any:
+    def force(self, *, depth: Any = None, radius: Any = None, with_bound: WithBound = False) -> Any:
         """Return the normal force F, Popov and Heß (3.22), at a depth or a contact radius."""
         name, value = _one(depth=depth, radius=radius)
         return self._map("F" if name == "radius" else "F_of_d", {name: value}, with_bound)
 
-    def depth(self, *, force: Any = None, radius: Any = None, with_bound: bool = False) -> Any:
+    def depth(self, *, force: Any = None, radius: Any = None, with_bound: WithBound = False) -> Any:
         """Return the indentation depth d = g(a), Popov and Heß (3.26), at a force or a contact radius."""
         name, value = _one(force=force, radius=radius)
         return self._map("d" if name == "radius" else "d_of_F", {name: value}, with_bound)
 
-    def contact_radius(self, *, force: Any = None, depth: Any = None, with_bound: bool = False) -> Any:
+    def contact_radius(self, *, force: Any = None, depth: Any = None, with_bound: WithBound = False) -> Any:
         """Return the contact radius a at a force or a depth."""
         name, value = _one(force=force, depth=depth)
         return self._map("a_of_d" if name == "depth" else "a_of_F", {name: value}, with_bound)
 
-    def stiffness(self, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: bool = False) -> Any:
+    def stiffness(self, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: WithBound = False) -> Any:
         """Return k = dF/dd = 2 E* a, Popov and Heß (3.1)."""
         return self._at("k", _one(depth=depth, force=force, radius=radius), with_bound)
 
-    def energy(self, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: bool = False) -> Any:
+    def energy(self, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: WithBound = False) -> Any:
         """Return the strain energy U = ∫ F dd."""
         return self._at("U", _one(depth=depth, force=force, radius=radius), with_bound)
 
-    def mean_pressure(self, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: bool = False) -> Any:
+    def mean_pressure(self, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: WithBound = False) -> Any:
         """Return F/(π a²)."""
         return self._at("p_mean", _one(depth=depth, force=force, radius=radius), with_bound)
 
-    def pressure(self, r: Any, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: bool = False) -> Any:
+    def pressure(self, r: Any, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: WithBound = False) -> Any:
         """Return the pressure p(r) = −σ_zz, Popov and Heß (3.37); it is 0 outside the contact."""
         return self._field("p", "r", r, _one(depth=depth, force=force, radius=radius), with_bound)
 
-    def displacement(self, r: Any, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: bool = False) -> Any:
+    def displacement(self, r: Any, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: WithBound = False) -> Any:
         """Return the displacement u(r) of the surface, positive into the half-space."""
         return self._field("u", "r", r, _one(depth=depth, force=force, radius=radius), with_bound)
 
-    def stress_on_axis(self, z: Any, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: bool = False) -> Any:
+    def stress_on_axis(self, z: Any, *, depth: Any = None, force: Any = None, radius: Any = None, with_bound: WithBound = False) -> Any:
         """Return σ_zz on the axis at the depth z below the surface; it is negative in compression."""
         return self._field("sigma_zz", "z", z, _one(depth=depth, force=force, radius=radius), with_bound)
 
-    def _map(self, key: str, arguments: dict[str, Any], with_bound: bool) -> Any:
+    def _map(self, key: str, arguments: dict[str, Any], with_bound: WithBound) -> Any:
         return map_over(self._engine.one, self._engine.many, key, arguments, with_bound)
 
-    def _at(self, key: str, load: tuple[str, Any], with_bound: bool) -> Any:
+    def _at(self, key: str, load: tuple[str, Any], with_bound: WithBound) -> Any:
         if load[0] == "radius":
             return self._map(key, {"radius": load[1]}, with_bound)
-        return self._through(lambda a: self._map(key, {"radius": a}, True), load, with_bound)
+        return self._through(lambda a: self._map(key, {"radius": a}, "ground"), load, with_bound)
 
-    def _field(self, key: str, name: str, place: Any, load: tuple[str, Any], with_bound: bool) -> Any:
+    def _field(self, key: str, name: str, place: Any, load: tuple[str, Any], with_bound: WithBound) -> Any:
         if load[0] == "radius":
             return self._map(key, {name: place, "radius": load[1]}, with_bound)
-        return self._through(lambda a: self._map(key, {name: place, "radius": a}, True), load, with_bound)
+        return self._through(lambda a: self._map(key, {name: place, "radius": a}, "ground"), load, with_bound)
 
-    def _through(self, quantity: Any, load: tuple[str, Any], with_bound: bool) -> Any:
+    def _through(self, quantity: Any, load: tuple[str, Any], with_bound: WithBound) -> Any:
         """Evaluate a quantity at the radius of a load; what it changes within the radius's error is added to its own bound."""
         name, value = load
-        a, error = self._map("a_of_d" if name == "depth" else "a_of_F", {name: value}, True)
-        found, bound = quantity(a)
-        if not with_bound:
+        a, error, ground = self._map("a_of_d" if name == "depth" else "a_of_F", {name: value}, "ground")
+        found, bound, own_ground = quantity(a)
+        if check_with_bound(with_bound) is False:
             return found
-        below, below_bound = quantity(np.maximum(real("radius", a) - error, 0.0))
+        below, below_bound, _ = quantity(np.maximum(real("radius", a) - error, 0.0))
         moved = abs(below - found) + below_bound
         try:
-            above, above_bound = quantity(real("radius", a) + error)
+            above, above_bound, _ = quantity(real("radius", a) + error)
             moved = np.maximum(moved, abs(above - found) + above_bound)
         except SneddonError:
             # Next to the end of the profile there is one side only.
             moved = 2.0 * moved
         moved = np.where(np.isfinite(found), moved, 0.0)
         total = bound + moved
-        return (found, float(total)) if np.ndim(total) == 0 and np.ndim(found) == 0 else (found, total)
+        total = float(total) if np.ndim(total) == 0 and np.ndim(found) == 0 else total
+        if with_bound is True:
+            return found, total
+        proven = np.logical_and(np.asarray(ground) == "proven", np.asarray(own_ground) == "proven")
+        return found, total, ground_of(bool(proven) if proven.ndim == 0 else proven)
 
 
 def _one(**loads: Any) -> tuple[str, Any]:

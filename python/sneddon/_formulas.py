@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
-from ._arrays import map_over
+from ._arrays import WithBound, map_over
 from ._errors import SneddonError
+from ._numbers import float_of_number
 
 if TYPE_CHECKING:
     from ._profile import Profile
@@ -28,12 +29,16 @@ class Formula:
         ``exact`` where the whole formula is closed, ``partial`` where some terms are integrals, ``numeric`` where all are.
     rules, sources : list of str
         The rules that closed it, and where they are stated.
+    compared : bool
+        Whether every closed form in it agreed with quadrature when it was derived.
     conditions : list of str
         Where it holds.
     """
 
-    def __init__(self, key: str, entry: dict[str, Any], conditions: list[str], profile: Profile) -> None:
+    def __init__(self, key: str, entry: dict[str, Any], conditions: list[str], profile: Profile, rim: str | None = None) -> None:
         self.key = key
+        self.compared: bool = entry["compared"]
+        self._rim = rim
         self.text: str = entry["text"]
         self.latex: str = entry["latex"]
         self.status: str = entry["status"]
@@ -41,7 +46,7 @@ class Formula:
         self.sources: list[str] = entry["reference"]
         self.conditions = conditions
         self._profile = profile
-        self._engines: dict[tuple[tuple[str, float], ...], Any] = {}
+        self._engines: dict[tuple[Any, ...], Any] = {}
 
     def __str__(self) -> str:
         return self.text
@@ -64,21 +69,26 @@ class Formula:
 
         return expression_of(self.text)
 
-    def __call__(self, *coordinates: Any, with_bound: bool = False, E: float = 1.0, **parameters: Any) -> Any:
+    def __call__(self, *coordinates: Any, with_bound: WithBound = False, E: float = 1.0, **parameters: Any) -> Any:
         """Evaluate the formula over arrays.
 
         Parameters
         ----------
         *coordinates : array_like
-            x for g, a for d, F and k, r and a for p, d for a(d) and F(d); they may be given by these names instead.
-        with_bound : bool
-            Whether to return the error bounds beside the values.
+            x for g, a for d, F and k, r and a for p, d for a(d) and F(d), where F(d) of a punch with a rim takes a;
+            they may be given by these names instead.
+        with_bound : bool or "ground"
+            Whether to return the error bounds beside the values, and what these rest on.
+        d : float
+            The depth of a punch with a rim whose depth was left open, ``depth="d"``.
         E : float
             The effective modulus.
         **parameters : float
             The parameters that the profile leaves open.
         """
-        names = _ARGUMENTS[self.key]
+        # Under a rim the contact radius does not change, and F(a) is the answer for every depth.
+        asked = "F" if self._rim is not None and self.key == "F_of_d" else self.key
+        names = _ARGUMENTS[asked]
         given = dict(zip(names, coordinates))
         if len(coordinates) > len(names):
             raise TypeError(f"{_LEFT[self.key]} has {len(names)} coordinates, {', '.join(names)}; {len(coordinates)} were given")
@@ -90,13 +100,24 @@ class Formula:
         modulus = float(E) if self.key in _WITH_MODULUS else 1.0
         if not (modulus > 0.0 and modulus < float("inf")):
             raise SneddonError(f"E = {modulus} is not positive and finite", "E", "the effective modulus is accepted")
-        key = tuple(sorted((name, float(value)) for name, value in parameters.items())) + (("E*", modulus),)
+        depth = None if self._rim is None else self._depth(parameters)
+        known = {name: float_of_number(name, value) for name, value in parameters.items()}
+        key = (*sorted(known.items()), ("E*", modulus), ("d", depth))
         engine = self._engines.get(key)
         if engine is None:
             if len(self._engines) > 64:
                 self._engines.clear()
-            engine = self._engines[key] = self._profile.engine(parameters, modulus, "auto", 1e-13)
-        return map_over(engine.one, engine.many, self.key, given, with_bound)
+            engine = self._engines[key] = self._profile.engine(parameters, modulus, "auto", 1e-13, depth)
+        return map_over(engine.one, engine.many, asked, given, with_bound)
+
+    def _depth(self, parameters: dict[str, Any]) -> float:
+        """Return the depth of the rim as a number, and take it out of the parameters where it was left open."""
+        if self._rim != "d":
+            assert self._rim is not None
+            return float_of_number("depth", self._rim)
+        if "d" not in parameters:
+            raise TypeError(f"{_LEFT[self.key]} needs d, the depth of the punch")
+        return float_of_number("d", parameters.pop("d"))
 
 
 class Derivation:
@@ -112,7 +133,7 @@ class Derivation:
         The comparison of the closed forms with quadrature of f as typed.
     """
 
-    def __init__(self, document: str, profile: Profile) -> None:
+    def __init__(self, document: str, profile: Profile, rim: str | None = None) -> None:
         found = json.loads(document)
         self.text: str = found["profile"]["text"]
         self.latex: str = found["profile"]["latex"]
@@ -120,7 +141,7 @@ class Derivation:
         self.notes: list[str] = found["notes"]
         self.check: dict[str, Any] = found["check"]
         self._formulas = {
-            key: None if found.get(key) is None else Formula(key, found[key], self.conditions, profile) for key in _LEFT
+            key: None if found.get(key) is None else Formula(key, found[key], self.conditions, profile, rim) for key in _LEFT
         }
 
     def __getitem__(self, key: str) -> Formula | None:

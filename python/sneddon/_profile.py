@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import decimal
-import fractions
-import numbers
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -14,35 +11,10 @@ from . import _sneddon
 from ._arrays import real
 from ._errors import SneddonError
 from ._formulas import Derivation
+from ._numbers import float_of_number, text_of_number
 
 if TYPE_CHECKING:
     from ._contact import Contact
-
-
-def text_of_number(name: str, value: Any) -> str:
-    """Write a number so that it reads back exactly."""
-    if isinstance(value, str):
-        return value
-    if isinstance(value, bool):
-        raise TypeError(f"{name} is a bool; a number is accepted")
-    if isinstance(value, (numbers.Integral, fractions.Fraction)):
-        return str(value)
-    if isinstance(value, decimal.Decimal):
-        return str(value)
-    if isinstance(value, (numbers.Real, np.floating)) or (isinstance(value, np.ndarray) and value.shape == ()):
-        return repr(float(value))
-    raise TypeError(f"{name} is a {type(value).__name__}; a number, or text such as '1/3', is accepted")
-
-
-def float_of_number(name: str, value: Any) -> float:
-    """Convert a parameter to a float."""
-    if isinstance(value, str):
-        try:
-            return float(fractions.Fraction(value))
-        except (ValueError, ZeroDivisionError):
-            raise TypeError(f"{name} is {value!r}; a number is accepted where numbers are computed") from None
-    text_of_number(name, value)
-    return float(value)
 
 
 class Profile:
@@ -145,7 +117,7 @@ class Profile:
             raise SneddonError("formulas are derived from formulas", help="a profile of text or of SymPy is accepted; Contact gives numbers")
         rim = None if depth is None else text_of_number("depth", depth)
         document = _sneddon.derive(self._text, list(self._texts), list(self._texts.values()), rim)
-        return Derivation(document, self)
+        return Derivation(document, self, rim)
 
     def contact(self, **arguments: Any) -> Contact:
         """Return ``Contact(self, **arguments)``."""
@@ -153,8 +125,13 @@ class Profile:
 
         return Contact(self, **arguments)
 
-    def engine(self, values: dict[str, Any], e_star: float, method: str, tolerance: float) -> _sneddon.Engine:
-        """Return what computes numbers; ``values`` are the parameters that the profile leaves open."""
+    def engine(
+        self, values: dict[str, Any], e_star: float, method: str, tolerance: float, depth: float | None = None
+    ) -> _sneddon.Engine:
+        """Return what computes numbers.
+
+        ``values`` are the parameters that the profile leaves open, and ``depth`` is that of a punch with a rim at the contact radius.
+        """
         if self._points is not None:
             return _sneddon.Engine.points(*self._points, e_star, tolerance)
         if self._function is not None:
@@ -162,7 +139,7 @@ class Profile:
         assert self._text is not None
         known = {**self._values, **values}
         numbers = [float_of_number(name, value) for name, value in known.items()]
-        return _sneddon.Engine.formula(self._text, list(known), numbers, e_star, method, tolerance)
+        return _sneddon.Engine.formula(self._text, list(known), numbers, e_star, method, tolerance, depth)
 
     def __repr__(self) -> str:
         given = "".join(f", {name}={value!r}" for name, value in self._values.items())

@@ -96,6 +96,10 @@ class Solution:
         return len(self.rows)
 
     def __getitem__(self, name: str) -> np.ndarray:
+        """Return a column of numbers, NaN where a row has none; a name that no row has is a KeyError."""
+        names = self._names()
+        if name not in names:
+            raise KeyError(f"the rows have no {name!r}; they have {', '.join(names) or 'nothing'}")
         return np.array([_number(row.get(name)) for row in self.rows])
 
     def _names(self) -> list[str]:

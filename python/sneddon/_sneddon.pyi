@@ -8,13 +8,19 @@ __version__: str
 class Engine:
     @staticmethod
     def formula(
-        text: str, names: list[str], values: list[float], effective_modulus: float, method: str, tolerance: float
+        text: str,
+        names: list[str],
+        values: list[float],
+        effective_modulus: float,
+        method: str,
+        tolerance: float,
+        depth: float | None = None,
     ) -> Engine: ...
     @staticmethod
     def points(r: NDArray[np.float64], z: NDArray[np.float64], effective_modulus: float, tolerance: float) -> Engine: ...
     @staticmethod
     def function(f: object, kinks: list[float], end: float | None, effective_modulus: float, tolerance: float) -> Engine: ...
-    def one(self, key: str, at: float, radius: float | None = None) -> tuple[float, float]: ...
+    def one(self, key: str, at: float, radius: float | None = None) -> tuple[float, float, bool]: ...
     def many(
         self,
         key: str,
@@ -22,6 +28,7 @@ class Engine:
         radius: NDArray[np.float64] | None,
         values: NDArray[np.float64],
         bounds: NDArray[np.float64] | None,
+        grounds: NDArray[np.bool_] | None,
     ) -> None: ...
 
 def derive(text: str, names: list[str], values: list[str], depth: str | None) -> str: ...

@@ -10,6 +10,7 @@ import numpy as np
 
 from ._contact import Contact
 from ._errors import SneddonError
+from ._numbers import float_of_number
 from ._profile import Profile
 
 
@@ -31,7 +32,7 @@ def model(
     key, name : str
         The model's key, and the name that is shown.
     defaults : dict
-        Starting values of the parameters that the profile leaves open; they are fixed until ``vary`` is set.
+        Starting values of the parameters that the profile leaves open, each of them; they are fixed until ``vary`` is set.
     register : bool
         Whether nanite is told of it.
     **parameters
@@ -53,11 +54,17 @@ def model(
     for own in free:
         if own in reserved:
             raise SneddonError(f"the parameter {own} has the name of a parameter of the fit", f"parameter {own}", "another name is accepted")
-    values = {own: 1e-6 for own in free}
+    values: dict[str, float] = {}
     for own, value in (defaults or {}).items():
-        if own not in values:
+        if own not in free:
             raise SneddonError(f"the profile has no open parameter {own}", f"defaults, {own}")
-        values[own] = float(value)
+        values[own] = float_of_number(own, value)
+        if not (values[own] > 0.0 and np.isfinite(values[own])):
+            raise SneddonError(f"{own} = {values[own]} is not positive and finite", f"defaults, {own}")
+    for own in free:
+        if own not in values:
+            help_text = f"a value in SI units is accepted, such as defaults={{'{own}': 1e-6}}, or {own}=1e-6 for a parameter that is known"
+            raise SneddonError(f"the parameter {own} has no starting value", f"defaults, {own}", help_text)
     contacts: dict[tuple[float, ...], Contact] = {}
 
     def contact(numbers: tuple[float, ...]) -> Contact:

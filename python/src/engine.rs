@@ -2,18 +2,22 @@
 
 use crate::error::Fault;
 use crate::formulas::formula;
+use crate::interrupt::interruptible;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
+use pyo3::exceptions::{PyArithmeticError, PyValueError};
 use pyo3::prelude::*;
 use self_cell::self_cell;
 use sneddon::contact::{Contact, ContactError, Explicit, Measured, Reason, explicit};
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::num::roots::{RootOptions, bracketed};
 use sneddon::num::work::{self, Budget};
+use sneddon::num::{Bound as Ground, Estimate};
 use sneddon::parse;
-use sneddon::transform::{self, Closure, ClosureProfile, Evaluator, Interpolation, Method, Profile, Quantities, Slice, TableProfile};
+use sneddon::transform::{
+    self, Closure, ClosureProfile, Evaluator, Interpolation, Method, Profile, Quantities, Reading, Slice, TableProfile,
+};
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
 
 type FormulaContact<'a> = Contact<'a>;
 
@@ -31,6 +35,8 @@ enum Shape {
     Formula {
         solved: Solved,
         inverse: Option<Explicit>,
+        /// True where the depth is given and the contact ends at a rim.
+        has_rim: bool,
     },
     Table(Contact<'static, TableProfile>),
     /// A function of Python, with the first exception that it raised.
@@ -115,7 +121,7 @@ const STEPS: u64 = 300_000;
 
 #[pymethods]
 impl Engine {
-    /// The engine of a formula; values of parameters are 64-bit floats.
+    /// The engine of a formula; values of parameters are 64-bit floats, and so is the depth of a punch with a rim.
     #[staticmethod]
     fn formula(
         py: Python<'_>,
@@ -125,6 +131,7 @@ impl Engine {
         effective_modulus: f64,
         method: &str,
         tolerance: f64,
+        depth: Option<f64>,
     ) -> PyResult<Self> {
         let method = match method {
             "auto" => Method::Auto,
@@ -134,7 +141,7 @@ impl Engine {
                 return Err(Fault::new(format!("method {other:?} is not known")).help("auto, exact and quadrature are accepted").into());
             }
         };
-        let made = py.detach(|| -> Result<Self, Fault> {
+        let made = interruptible(py, || -> Result<Self, Fault> {
             let typed = formula(text, &[], &[])?;
             let exact = |value: f64| Number::from_f64(value).map(Expr::number);
             let mut bindings = Vec::new();
@@ -160,19 +167,19 @@ impl Engine {
                     Fault::new(format!("the parameter {} has no value", free.join(", "))).help("give it by keyword: Profile(text, R=2.0)")
                 );
             }
-            if profile.is_flat() {
+            if profile.is_flat() && depth.is_none() {
                 return Err(Fault::new("a flat profile with a smooth edge has no contact problem")
                     .help("sneddon.solve takes a punch: a profile with a radius"));
             }
             let solution = transform::derive(&profile).map_err(|error| about(error.into()))?;
-            let inverse = if method == Method::Quadrature { None } else { explicit(&solution) };
+            let inverse = if method == Method::Quadrature || depth.is_some() { None } else { explicit(&solution) };
             let solved = Solved::try_new(solution, |solution| {
                 let evaluator = Evaluator::new(solution, &Bindings::default(), method, tolerance).map_err(Fault::from)?;
-                Ok::<_, Fault>(Contact::new(evaluator, effective_modulus, None, tolerance))
+                Ok::<_, Fault>(Contact::new(evaluator, effective_modulus, depth, tolerance))
             })?;
-            Ok(Self { shape: Shape::Formula { solved, inverse }, tolerance, method })
+            Ok(Self { shape: Shape::Formula { solved, inverse, has_rim: depth.is_some() }, tolerance, method })
         });
-        Ok(made?)
+        Ok(made??)
     }
 
     /// The engine of a measured tip: heights z over radii r, joined by a cubic spline without overshoot.
@@ -185,11 +192,11 @@ impl Engine {
         tolerance: f64,
     ) -> PyResult<Self> {
         let (r, z) = (r.as_slice()?.to_vec(), z.as_slice()?.to_vec());
-        let made = py.detach(|| -> Result<Self, Fault> {
+        let made = interruptible(py, || -> Result<Self, Fault> {
             let profile = Profile::from_points(&r, &z, Interpolation::MonotoneCubic)?;
             Ok(Self { shape: Shape::Table(Contact::new(profile, effective_modulus, None, tolerance)), tolerance, method: Method::Auto })
         });
-        Ok(made?)
+        Ok(made??)
     }
 
     /// The engine of a function of Python: f of one 64-bit float, with the radii of its kinks and the end of its domain.
@@ -198,6 +205,9 @@ impl Engine {
         let raised = Raised::default();
         let kept = Arc::clone(&raised);
         let call = move |r: f64| {
+            if work::is_exhausted() {
+                return f64::NAN;
+            }
             Python::attach(|py| {
                 let found = f.call1(py, (r,)).and_then(|own| own.extract::<f64>(py));
                 found.unwrap_or_else(|error| {
@@ -220,9 +230,9 @@ impl Engine {
         Ok(Self { shape: Shape::Function { contact, raised }, tolerance: tolerance.max(1e-10), method: Method::Auto })
     }
 
-    /// One value and its bound.
+    /// One value, its bound, and whether the bound is proven.
     #[pyo3(signature = (key, at, radius=None))]
-    fn one(&self, py: Python<'_>, key: &str, at: f64, radius: Option<f64>) -> PyResult<(f64, f64)> {
+    fn one(&self, py: Python<'_>, key: &str, at: f64, radius: Option<f64>) -> PyResult<(f64, f64, bool)> {
         let wanted = Wanted::of(key)?;
         check(wanted, at, None)?;
         if let Some(a) = radius.filter(|_| wanted.has_radius()) {
@@ -230,10 +240,13 @@ impl Engine {
         }
         let cheap = matches!(&self.shape, Shape::Formula { solved, .. } if solved.borrow_owner().is_closed());
         let read = || self.read(wanted, at, radius.unwrap_or(at));
-        Ok(if cheap { read() } else { py.detach(read) }?)
+        let found = if cheap { read() } else { interruptible(py, read)? }?;
+        Ok((found.value, found.error, found.bound == Ground::Proven))
     }
 
-    /// Values, and bounds where an array is given for them, at every entry of `at`; arrays are contiguous and of one length.
+    /// Values, with bounds and whether they are proven where arrays are given for them, at every entry of `at`; arrays are contiguous and of
+    /// one length.
+    #[allow(clippy::too_many_arguments)]
     fn many(
         &self,
         py: Python<'_>,
@@ -242,6 +255,7 @@ impl Engine {
         radius: Option<PyReadonlyArray1<'_, f64>>,
         values: &Bound<'_, PyArray1<f64>>,
         bounds: Option<&Bound<'_, PyArray1<f64>>>,
+        grounds: Option<&Bound<'_, PyArray1<bool>>>,
     ) -> PyResult<()> {
         let wanted = Wanted::of(key)?;
         let at = at.as_slice()?;
@@ -250,34 +264,30 @@ impl Engine {
         let mut bounds = bounds.map(|own| own.try_readwrite()).transpose()?;
         let values = values.as_slice_mut()?;
         let mut bounds = bounds.as_mut().map(|own| own.as_slice_mut()).transpose()?;
+        let mut grounds = grounds.map(|own| own.try_readwrite()).transpose()?;
+        let mut grounds = grounds.as_mut().map(|own| own.as_slice_mut()).transpose()?;
         if at.len() != values.len() || radius.is_some_and(|own| own.len() != at.len()) {
             return Err(Fault::new("the arrays have different lengths").into());
         }
-        blocks(py, at.len(), |range| {
-            let radius = radius.and_then(|own| own.get(range.clone()));
-            let bounds = bounds.as_mut().and_then(|own| own.get_mut(range.clone()));
-            match (at.get(range.clone()), values.get_mut(range.clone())) {
-                (Some(at), Some(values)) => self.block(wanted, range.start, at, radius, values, bounds),
-                _ => Ok(()),
-            }
-        })
+        interruptible(py, || {
+            in_blocks(at.len(), |range| {
+                let radius = radius.and_then(|own| own.get(range.clone()));
+                let bounds = bounds.as_mut().and_then(|own| own.get_mut(range.clone()));
+                let grounds = grounds.as_mut().and_then(|own| own.get_mut(range.clone()));
+                match (at.get(range.clone()), values.get_mut(range.clone())) {
+                    (Some(at), Some(values)) => self.block(wanted, range.start, at, radius, Out { values, bounds, grounds }),
+                    _ => Ok(()),
+                }
+            })
+        })??;
+        Ok(())
     }
 }
 
-/// Runs over blocks that grow while they are quick, without the lock of the interpreter; between them signals are looked at.
-pub(crate) fn blocks(py: Python<'_>, count: usize, mut run: impl FnMut(Range<usize>) -> Result<(), Fault> + Send) -> PyResult<()> {
-    const MOST: usize = 1 << 18;
-    const QUICK: Duration = Duration::from_millis(20);
-    let (mut start, mut size) = (0, 256);
-    while start < count {
-        let end = count.min(start + size);
-        let clock = Instant::now();
-        py.detach(|| run(start..end))?;
-        py.check_signals()?;
-        size = if clock.elapsed() < QUICK { (4 * size).min(MOST) } else { (size / 2).max(1) };
-        start = end;
-    }
-    Ok(())
+/// Runs over blocks, each with a budget of its own.
+fn in_blocks(count: usize, mut run: impl FnMut(Range<usize>) -> Result<(), Fault>) -> Result<(), Fault> {
+    const BLOCK: usize = 1 << 16;
+    (0..count).step_by(BLOCK).try_for_each(|start| run(start..count.min(start + BLOCK)))
 }
 
 /// Refuses what is no radius, depth or force.
@@ -290,16 +300,15 @@ fn check(wanted: Wanted, value: f64, index: Option<usize>) -> Result<(), Fault> 
     Err(Fault::new(format!("{name} = {value} is not a number from 0 on")).help("finite numbers from 0 on are accepted").place(place))
 }
 
+/// Where the numbers of a block go.
+struct Out<'a> {
+    values: &'a mut [f64],
+    bounds: Option<&'a mut [f64]>,
+    grounds: Option<&'a mut [bool]>,
+}
+
 impl Engine {
-    fn block(
-        &self,
-        wanted: Wanted,
-        offset: usize,
-        at: &[f64],
-        radius: Option<&[f64]>,
-        values: &mut [f64],
-        mut bounds: Option<&mut [f64]>,
-    ) -> Result<(), Fault> {
+    fn block(&self, wanted: Wanted, offset: usize, at: &[f64], radius: Option<&[f64]>, mut out: Out<'_>) -> Result<(), Fault> {
         for (index, value) in at.iter().enumerate() {
             check(wanted, *value, Some(offset + index))?;
         }
@@ -308,17 +317,22 @@ impl Engine {
         }
         let steps = Budget::DEFAULT.count().saturating_add(STEPS.saturating_mul(at.len() as u64));
         work::within(Budget::steps(steps), || {
-            if self.slice(wanted, at, values, bounds.as_deref_mut())? {
+            // Closed forms at many places do not say what their bounds rest on.
+            if out.grounds.is_none() && self.slice(wanted, at, out.values, out.bounds.as_deref_mut())? {
                 return Ok(());
             }
             for (index, x) in at.iter().enumerate() {
+                work::check()?;
                 let a = radius.and_then(|own| own.get(index)).copied().unwrap_or(*x);
-                let (value, bound) = self.read(wanted, *x, a).map_err(|fault| fault.place(format!("flat index {}", offset + index)))?;
-                if let Some(own) = values.get_mut(index) {
-                    *own = value;
+                let found = self.read(wanted, *x, a).map_err(|fault| fault.place(format!("flat index {}", offset + index)))?;
+                if let Some(own) = out.values.get_mut(index) {
+                    *own = found.value;
                 }
-                if let Some(own) = bounds.as_mut().and_then(|own| own.get_mut(index)) {
-                    *own = bound;
+                if let Some(own) = out.bounds.as_mut().and_then(|own| own.get_mut(index)) {
+                    *own = found.error;
+                }
+                if let Some(own) = out.grounds.as_mut().and_then(|own| own.get_mut(index)) {
+                    *own = found.bound == Ground::Proven;
                 }
             }
             Ok(())
@@ -327,7 +341,7 @@ impl Engine {
 
     /// Closed forms of one argument, straight into the buffers; false where there is no such way.
     fn slice(&self, wanted: Wanted, at: &[f64], values: &mut [f64], bounds: Option<&mut [f64]>) -> Result<bool, Fault> {
-        let Shape::Formula { solved, .. } = &self.shape else { return Ok(false) };
+        let Shape::Formula { solved, has_rim: false, .. } = &self.shape else { return Ok(false) };
         if !matches!(wanted, Wanted::Profile | Wanted::Equivalent | Wanted::Depth | Wanted::Force) {
             return Ok(false);
         }
@@ -356,29 +370,36 @@ impl Engine {
         })
     }
 
-    fn read(&self, wanted: Wanted, at: f64, a: f64) -> Result<(f64, f64), Fault> {
+    fn read(&self, wanted: Wanted, at: f64, a: f64) -> Result<Estimate, Fault> {
         match &self.shape {
-            Shape::Formula { solved, inverse } => {
+            Shape::Formula { solved, inverse, .. } => {
                 let inverse = inverse.as_ref().filter(|_| self.method != Method::Quadrature);
                 solved.with_dependent(|_, contact| read(contact, inverse, self.tolerance, wanted, at, a))
             }
             Shape::Table(contact) => read(contact, None, self.tolerance, wanted, at, a),
             Shape::Function { contact, raised } => {
                 let found = read(contact, None, self.tolerance, wanted, at, a);
-                match raised.lock().ok().and_then(|mut own| own.take()) {
-                    Some(error) => Err(Fault::raised(error)),
-                    None => found,
+                match (raised.lock().ok().and_then(|mut own| own.take()), found) {
+                    // Where the function has no value, as beyond the end of a sphere, a search goes on without it.
+                    (Some(error), Ok(found)) if is_numeric(&error) => Ok(found),
+                    (Some(error), _) => Err(Fault::raised(error)),
+                    (None, found) => found,
                 }
             }
         }
     }
 }
 
+/// True for what functions of numbers raise where they have no value: a domain error, a division by zero, an overflow.
+fn is_numeric(error: &PyErr) -> bool {
+    Python::attach(|py| error.is_instance_of::<PyValueError>(py) || error.is_instance_of::<PyArithmeticError>(py))
+}
+
 /// A value with its bound; infinite by theory is infinite without an error.
-fn told(measured: Measured) -> Result<(f64, f64), Fault> {
+fn told(measured: Measured) -> Result<Estimate, Fault> {
     match measured {
-        Ok(own) => Ok((own.estimate.value, own.estimate.error)),
-        Err(Reason::Apex | Reason::Kink | Reason::Rim) => Ok((f64::INFINITY, 0.0)),
+        Ok(own) => Ok(own.estimate),
+        Err(Reason::Apex | Reason::Kink | Reason::Rim) => Ok(Estimate::exact(f64::INFINITY)),
         Err(other) => Err(Fault::new(other.text())),
     }
 }
@@ -390,8 +411,8 @@ fn read<P: Quantities>(
     wanted: Wanted,
     at: f64,
     a: f64,
-) -> Result<(f64, f64), Fault> {
-    let one = |own: sneddon::transform::Reading| (own.estimate.value, own.estimate.error);
+) -> Result<Estimate, Fault> {
+    let one = |own: Reading| own.estimate;
     let radius_of_depth = || radius_of_depth(contact, inverse, tolerance, at);
     let radius_of_force = || radius_of_force(contact, at);
     Ok(match wanted {
@@ -414,16 +435,17 @@ fn read<P: Quantities>(
 }
 
 /// A quantity at a radius that is known to an error: what it changes within that error is added to its own.
-fn through((a, error): (f64, f64), quantity: impl Fn(f64) -> Result<(f64, f64), ContactError>) -> Result<(f64, f64), Fault> {
-    let (value, own) = quantity(a)?;
+fn through(radius: Estimate, quantity: impl Fn(f64) -> Result<Estimate, ContactError>) -> Result<Estimate, Fault> {
+    let Estimate { value: a, error, .. } = radius;
+    let own = quantity(a)?;
     if a == 0.0 || error == 0.0 {
-        return Ok((value, own));
+        return Ok(own.resting_on(radius.bound));
     }
-    let moved = |place: f64| quantity(place).map(|found| (found.0 - value).abs() + found.1);
+    let moved = |place: f64| quantity(place).map(|found| (found.value - own.value).abs() + found.error);
     // Next to the end of the profile there may be one side only.
     let below = moved((a - error).max(0.0))?;
     let above = moved(a + error).unwrap_or(2.0 * below);
-    Ok((value, own + below.max(above)))
+    Ok(Estimate { error: own.error + below.max(above), ..own }.resting_on(radius.bound))
 }
 
 fn radius_of_depth<P: Quantities>(
@@ -431,22 +453,21 @@ fn radius_of_depth<P: Quantities>(
     inverse: Option<&Explicit>,
     tolerance: f64,
     depth: f64,
-) -> Result<(f64, f64), Fault> {
+) -> Result<Estimate, Fault> {
     // Beyond the largest depth the formula has no value, and the root tells why.
     if let Some(closed) = inverse.and_then(|own| own.contact_radius_at(depth).ok())
         && closed.estimate.value.is_finite()
         && closed.estimate.relative_error() <= tolerance
     {
-        return Ok((closed.estimate.value, closed.estimate.error));
+        return Ok(closed.estimate);
     }
-    let found = contact.contact_radius(depth)?;
-    Ok((found.estimate.value, found.estimate.error))
+    Ok(contact.contact_radius(depth)?.estimate)
 }
 
 /// The radius whose force is F, between 0 and the end of the profile.
-fn radius_of_force<P: Quantities>(contact: &Contact<'_, P>, force: f64) -> Result<(f64, f64), Fault> {
+fn radius_of_force<P: Quantities>(contact: &Contact<'_, P>, force: f64) -> Result<Estimate, Fault> {
     if force == 0.0 {
-        return Ok((contact.evaluator().flat_radius()?, 0.0));
+        return Ok(Estimate::exact(contact.evaluator().flat_radius()?));
     }
     let unreachable = || Fault::new(format!("the force {force} is not reached on the profile")).help("a smaller force is accepted");
     let gap = |a: f64| -> Result<f64, ContactError> { Ok(contact.force(a)?.estimate.value - force) };
@@ -477,5 +498,5 @@ fn radius_of_force<P: Quantities>(contact: &Contact<'_, P>, force: f64) -> Resul
     let step = 1e-5 * a;
     let slope = (reading.value - contact.force(a - step)?.estimate.value) / step;
     let residual = (reading.value - force).abs() + reading.error;
-    Ok((a, 1.1 * (residual / slope).abs() + 2.0 * f64::EPSILON * a))
+    Ok(Estimate::estimated(a, 1.1 * (residual / slope).abs() + 2.0 * f64::EPSILON * a, 0))
 }

@@ -1,6 +1,7 @@
 //! Formulas: what `sneddon derive` and `sneddon rules` print, as JSON documents.
 
 use crate::error::Fault;
+use crate::interrupt::interruptible;
 use pyo3::prelude::*;
 use sneddon::contact::{Edge, relations};
 use sneddon::expr::{Bindings, Expr, Formula};
@@ -45,7 +46,7 @@ pub(crate) fn derive(py: Python<'_>, text: &str, names: Vec<String>, values: Vec
     });
     let edge = rim.transpose()?.map_or(Edge::Smooth, Edge::Rim);
     let typed = formula(text, &names, &values)?;
-    let document = py.detach(|| -> Result<String, Fault> {
+    let document = interruptible(py, || -> Result<String, Fault> {
         let place = |fault: Fault| fault.place(format!("profile {text}"));
         let profile = Profile::new(&typed).map_err(|error| place(error.into()))?;
         let solution = transform::derive(&profile).map_err(|error| place(error.into()))?;
@@ -64,7 +65,7 @@ pub(crate) fn derive(py: Python<'_>, text: &str, names: Vec<String>, values: Vec
         report::json::derivation(&record, None, &mut out).map_err(|error| Fault::new(error.to_string()))?;
         Ok(String::from_utf8_lossy(&out).into_owned())
     });
-    Ok(document?)
+    Ok(document??)
 }
 
 /// The document that `sneddon rules --json` prints.

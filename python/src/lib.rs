@@ -6,6 +6,7 @@
 mod engine;
 mod error;
 mod formulas;
+mod interrupt;
 mod scenes;
 
 use pyo3::prelude::*;

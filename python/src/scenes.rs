@@ -1,6 +1,7 @@
 //! Scenes: what `sneddon solve`, `sneddon reference` and `sneddon validate` answer.
 
 use crate::error::Fault;
+use crate::interrupt::interruptible;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -38,7 +39,7 @@ fn with_points(scene: Scene, text: &str, directory: &str) -> Result<Scene, Fault
 /// The document that `sneddon solve --json` prints.
 #[pyfunction]
 pub(crate) fn solve(py: Python<'_>, text: &str, directory: &str, force: bool) -> PyResult<String> {
-    let answer = py.detach(|| -> Result<String, Fault> {
+    let answer = interruptible(py, || -> Result<String, Fault> {
         let failed = |error: SceneError| Fault::scene(text, &error);
         let scene = with_points(scene::scene(text).map_err(failed)?, text, directory)?;
         within(|| {
@@ -50,7 +51,7 @@ pub(crate) fn solve(py: Python<'_>, text: &str, directory: &str, force: bool) ->
             Ok(String::from_utf8_lossy(&out).into_owned())
         })
     });
-    Ok(answer?)
+    Ok(answer??)
 }
 
 /// A budget for a whole call; what is allowed within counts on top of it.
@@ -82,13 +83,10 @@ pub(crate) fn reference<'py>(
     cells: Option<(f64, usize, bool)>,
 ) -> PyResult<(Curves<'py>, Curves<'py>)> {
     let (x, y) = (x.as_slice()?.to_vec(), y.as_slice()?.to_vec());
-    let fields = py.detach(|| fields(text, directory, load, (&x, &y), cells))?;
+    let fields = interruptible(py, || fields(text, directory, load, (&x, &y), cells))??;
     let [p, p_bound, u, u_bound] = fields.map(|own| own.into_pyarray(py));
     Ok(((p, p_bound), (u, u_bound)))
 }
-
-/// Places between which signals are looked at.
-const BETWEEN_SIGNALS: usize = 64;
 
 /// p, its bounds, u and its bounds.
 fn fields(
@@ -97,22 +95,22 @@ fn fields(
     load: usize,
     (x, y): (&[f64], &[f64]),
     cells: Option<(f64, usize, bool)>,
-) -> PyResult<[Vec<f64>; 4]> {
+) -> Result<[Vec<f64>; 4], Fault> {
     let failed = |error: SceneError| Fault::scene(text, &error);
     let scene = with_points(scene::scene_for_grid(text).map_err(failed)?, text, directory)?;
     if !scene.round {
-        return Err(Fault::new("no field is known of a punch with a cross-section").help("a round indenter is accepted").into());
+        return Err(Fault::new("no field is known of a punch with a cross-section").help("a round indenter is accepted"));
     }
     let loads = scene.loads.len();
     if load >= loads {
-        return Err(Fault::new(format!("there is no load {load}")).help(format!("the scene has {loads}, counted from 0")).into());
+        return Err(Fault::new(format!("there is no load {load}")).help(format!("the scene has {loads}, counted from 0")));
     }
     let length = scene.system.out(Dimension::LENGTH);
     let solution = scene.solution().map_err(failed)?;
     let run = Run::new(&scene, &solution).map_err(failed)?;
     let state = within(|| Ok(run.state(load, false)))?;
     let Some(state) = state else {
-        return Err(Fault::new("no valid contact belongs to this load").help("sneddon.solve says why").into());
+        return Err(Fault::new("no valid contact belongs to this load").help("sneddon.solve says why"));
     };
     let mut means = None;
     if let Some((side, count, between)) = cells {
@@ -135,9 +133,6 @@ fn fields(
     };
     let mut out = [vec![], vec![], vec![], vec![]];
     for (index, (x, y)) in x.iter().zip(y).enumerate() {
-        if index % BETWEEN_SIGNALS == 0 {
-            Python::attach(|py| py.check_signals())?;
-        }
         let r = x.hypot(*y) / length;
         let (p, u) = within(|| Ok((point(Curve::Pressure, index, r)?, point(Curve::Displacement, index, r)?)))?;
         out.iter_mut().zip([p.0, p.1, u.0, u.1]).for_each(|(own, value)| own.push(value));
@@ -162,7 +157,7 @@ pub(crate) fn validate(
     load: Option<&str>,
 ) -> PyResult<String> {
     let files: Vec<(String, Vec<u8>)> = files.into_iter().map(|(name, bytes)| (name, bytes.as_bytes().to_vec())).collect();
-    let answer = py.detach(|| -> Result<String, Fault> {
+    let answer = interruptible(py, || -> Result<String, Fault> {
         let failed = |error: SceneError| Fault::scene(text, &error);
         let refused = |error: ValidationError| Fault::validation(text, &error);
         let mut scene = with_points(scene::scene_for_data(text, &Change::None).map_err(failed)?, text, directory)?;
@@ -201,5 +196,5 @@ pub(crate) fn validate(
             Ok(String::from_utf8_lossy(&out).into_owned())
         })
     });
-    Ok(answer?)
+    Ok(answer??)
 }

@@ -271,12 +271,12 @@ impl<P: Quantities> Contact<'_, P> {
         }
         let mut failure = None;
         let mut inner = 0;
-        // Nearer to the axis than this nothing adds to the energy, and g may have no digits left.
-        let nearest = 1e-30 * a;
+        let (nearest, rest) = self.nearest_with_digits(a);
         let mut integrand = |point: Point| match self.evaluator.slope(point.x.max(nearest)) {
             Ok(g) => {
                 inner += g.estimate.evaluations;
-                let gap = d - g.estimate.bounded();
+                let own = g.estimate.bounded();
+                let gap = d - if point.x < nearest { Bounded { error: own.error + rest, ..own } } else { own };
                 gap * gap
             }
             Err(error) => {
@@ -299,6 +299,22 @@ impl<P: Quantities> Contact<'_, P> {
         };
         let total = found.scaled(self.effective_modulus);
         Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
+    }
+
+    /// The radius below which g has no digits, or adds nothing to the energy, and the size of g there.
+    ///
+    /// A function that rounds next to the axis gives g no digits far beyond the smallest radii that quadrature asks for.
+    fn nearest_with_digits(&self, a: f64) -> (f64, f64) {
+        let nearest = 1e-30 * a;
+        let candidates = std::iter::successors(Some(nearest), |x| Some(10.0 * x)).take_while(|x| *x < 0.01 * a);
+        for x in candidates {
+            match self.evaluator.slope(x) {
+                Ok(g) => return (x, if x > nearest { g.estimate.value.abs() + g.estimate.error } else { 0.0 }),
+                Err(TransformError::NoDigits { .. }) => {}
+                Err(_) => break,
+            }
+        }
+        (nearest, 0.0)
     }
 
     /// a(d): the first root of g(a) = d beyond the flat part of the tip.

@@ -3,9 +3,11 @@
 
 use num_complex::Complex64;
 use sneddon::contact::Contact;
+use sneddon::expr::Bindings;
 use sneddon::num::Bounded;
+use sneddon::parse;
 use sneddon::transform::inner::Cells;
-use sneddon::transform::{Closure, Parity, Profile, Quantities, TransformError};
+use sneddon::transform::{Closure, Evaluator, Method, Parity, Profile, Quantities, TransformError, derive};
 use sneddon_checks::quantities::quantity;
 use sneddon_checks::rows::rows;
 use std::f64::consts::PI;
@@ -213,4 +215,43 @@ fn a_root_at_the_end_is_followed_and_a_kink_is_refused() {
     let kink = |r: f64| Bounded::rounded((r - 0.6).abs());
     assert!(cells.seam(0.6, &kink).is_some_and(|at| (at - 0.6).abs() < 1e-3));
     assert!((cells.derivative(1, 0.9, &kink).value - 1.0).abs() < 1e-12);
+}
+
+/// Class "a natural closure is refused": what cancels next to the axis leaves rounding, which widens the bounds and refuses nothing.
+#[test]
+fn closures_that_round_next_to_the_axis_are_answered() {
+    type Natural = (&'static str, fn(f64) -> f64, f64);
+    let natural: [Natural; 9] = [
+        ("2-sqrt(4-r^2)", |r| 2.0 - (4.0 - r * r).sqrt(), 2.0),
+        ("cosh(r)-1", |r| r.cosh() - 1.0, f64::INFINITY),
+        ("sqrt(1+r^2)-1", |r| (1.0 + r * r).sqrt() - 1.0, f64::INFINITY),
+        ("1-exp(-r^2)", |r| 1.0 - (-r * r).exp(), f64::INFINITY),
+        ("1-cos(r)", |r| 1.0 - r.cos(), f64::INFINITY),
+        ("ln(1+r^2)", |r| (1.0 + r * r).ln(), f64::INFINITY),
+        ("(5+r^2/2)-5", |r| (5.0 + 0.5 * r * r) - 5.0, f64::INFINITY),
+        ("1/(2-r)-1/2", |r| 1.0 / (2.0 - r) - 0.5, 2.0),
+        ("exp(r)-1", |r| r.exp() - 1.0, f64::INFINITY),
+    ];
+    for (text, f, limit) in natural {
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+        let truth = Contact::new(Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap(), 1.0, None, 1e-12);
+        let closure = Closure::real(f).limit(limit).tolerance(1e-10);
+        let own = Contact::new(closure.profile().unwrap_or_else(|error| panic!("{text}: {error}")), 1.0, None, 1e-10);
+        for a in [1e-3, 0.03, 0.7, 1.9] {
+            let all = [
+                ("g", own.depth(a), truth.depth(a), 2e-9),
+                ("F", own.force(a), truth.force(a), 2e-9),
+                ("G", own.integral(a), truth.integral(a), 2e-9),
+                // Second derivatives lose more: f(1e-3) is about 1e-6 and rounded by up to 1e-15.
+                ("p", own.pressure(0.6 * a, a).map(Result::unwrap), truth.pressure(0.6 * a, a).map(Result::unwrap), 1e-6 + 3e-9 / (a * a)),
+            ];
+            for (quantity, found, truth, widest) in all {
+                let (found, truth) =
+                    (found.unwrap_or_else(|error| panic!("{text}, {quantity}({a}): {error}")).estimate, truth.unwrap().estimate);
+                let error = (found.value - truth.value).abs();
+                assert!(error <= found.error + truth.error, "{text}, {quantity}({a}): {found:?}, {truth:?}");
+                assert!(found.error <= (widest + 3e-11 / (a * a)) * truth.value.abs(), "{text}, {quantity}({a}): {found:?}");
+            }
+        }
+    }
 }

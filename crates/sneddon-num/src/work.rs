@@ -1,6 +1,7 @@
 //! The work meter: how many steps a computation may take, counted on this thread and never read from a clock.
 
 use std::cell::Cell;
+use std::sync::atomic::{AtomicBool, Ordering};
 use thiserror::Error;
 
 /// How much work a computation may do, in steps of about ten nanoseconds.
@@ -52,12 +53,14 @@ struct Meter {
     /// The number of steps left plus one; 0 if more was spent than the budget has.
     left: Cell<u64>,
     limit: Cell<u64>,
+    /// Set by another thread to end the work.
+    stop: Cell<Option<&'static AtomicBool>>,
 }
 
 const NONE: u64 = u64::MAX;
 
 thread_local! {
-    static METER: Meter = const { Meter { left: Cell::new(NONE), limit: Cell::new(NONE) } };
+    static METER: Meter = const { Meter { left: Cell::new(NONE), limit: Cell::new(NONE), stop: Cell::new(None) } };
 }
 
 /// Runs `work` with at most `budget` steps; within a budget that is open already, that one goes on instead.
@@ -110,16 +113,44 @@ pub fn apart<T>(steps: u64, work: impl FnOnce() -> T) -> (T, u64, bool) {
     (result, steps.saturating_sub(rest), whole)
 }
 
+/// Runs work that ends as if its budget were used up once another thread sets `stop`.
+///
+/// What is computed for later use as well, by [`unbroken`] or [`uncounted`], is finished first.
+///
+/// ```
+/// use sneddon_num::work::{Budget, Exhausted, spend, stoppable, within};
+/// use std::sync::atomic::{AtomicBool, Ordering};
+/// static STOP: AtomicBool = AtomicBool::new(false);
+/// let work = || within(Budget::steps(10), || { spend(4); Ok::<_, Exhausted>(1 + 1) });
+/// assert_eq!(stoppable(&STOP, work), Ok(2));
+/// STOP.store(true, Ordering::Relaxed);
+/// assert!(stoppable(&STOP, work).is_err());
+/// ```
+pub fn stoppable<T>(stop: &'static AtomicBool, work: impl FnOnce() -> T) -> T {
+    let before = METER.with(|meter| meter.stop.replace(Some(stop)));
+    let result = work();
+    METER.with(|meter| meter.stop.set(before));
+    result
+}
+
 /// Runs work whose result is kept for later budgets as well: it is counted, but never cut short.
 pub fn unbroken<T>(work: impl FnOnce() -> T) -> T {
-    let (result, spent, _) = apart(NONE, work);
+    let (result, spent, _) = apart(NONE, || finished(work));
     spend(spent);
     result
 }
 
 /// Runs work that is done once for the whole process, which no budget pays.
 pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
-    apart(NONE, work).0
+    apart(NONE, || finished(work)).0
+}
+
+/// Runs work that no other thread ends.
+fn finished<T>(work: impl FnOnce() -> T) -> T {
+    let stop = METER.with(|meter| meter.stop.take());
+    let result = work();
+    METER.with(|meter| meter.stop.set(stop));
+    result
 }
 
 /// Adds steps to an open budget that is not used up, for a task that grows with its input.
@@ -148,7 +179,7 @@ pub fn left() -> u64 {
 /// True where more was spent than the open budget has: what is computed from here on will be thrown away.
 #[inline]
 pub fn is_exhausted() -> bool {
-    METER.with(|meter| meter.left.get() == 0)
+    METER.with(|meter| meter.left.get() == 0 || meter.stop.get().is_some_and(|stop| stop.load(Ordering::Relaxed)))
 }
 
 /// # Errors

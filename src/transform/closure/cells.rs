@@ -1,6 +1,6 @@
 //! Derivatives of a function that is known by its values: Chebyshev interpolation on cells, doubled outward, halved where needed.
 
-use crate::num::{Bounded, chebyshev};
+use crate::num::{Bounded, chebyshev, work};
 use std::sync::OnceLock;
 
 /// Nodes of a cell.
@@ -72,7 +72,16 @@ impl Cells {
     fn doubling(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Doubling> {
         let exponent = if r > 0.0 && r.is_finite() { libm::ilogb(r) } else { return None };
         let place = usize::try_from(exponent + 1075).ok()?;
-        Some(self.doublings.get(place)?.get_or_init(|| self.build(exponent, phi)))
+        let kept = self.doublings.get(place)?;
+        if kept.get().is_none() {
+            let built = self.build(exponent, phi);
+            // What was cut short is not kept.
+            if work::is_exhausted() {
+                return None;
+            }
+            let _ = kept.set(built);
+        }
+        kept.get()
     }
 
     fn cell(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Cell> {
@@ -87,6 +96,9 @@ impl Cells {
         let mut seam = None;
         let mut waiting = vec![(scale.max(self.lower), (2.0 * scale).min(self.upper), 0, f64::INFINITY)];
         while let Some((from, to, depth, wider)) = waiting.pop() {
+            if work::is_exhausted() {
+                break;
+            }
             let margin = 0.25 * libm::scalbn(scale, -depth);
             let ends = ((from - margin).max(self.lower), (to + margin).min(self.upper));
             let mut cell = Cell::fit(ends, to, phi);

@@ -1,7 +1,7 @@
 //! The quantities of a profile that is given as Rust code.
 
 use super::cells::Cells;
-use super::source::{Faults, Function, Piece, STEP, complex_step};
+use super::source::{Faults, Function, Piece, STEP, complex_step, noise_of};
 use super::{Closure, Parity};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{NumericProfile, Quantities, Reading, SlopeSource, TransformError};
@@ -22,12 +22,14 @@ impl ClosureProfile {
         let faults = Arc::new(Faults::new());
         let ends: Vec<f64> = [0.0].into_iter().chain(closure.breakpoints.iter().copied()).chain([closure.limit]).collect();
         let mut segments = Vec::new();
+        let scale = ends.get(1).copied().filter(|end| end.is_finite()).unwrap_or(1.0);
+        let noise = if let Function::Real(f) = &closure.function { noise_of(f.as_ref(), scale, closure.ulps) } else { 0.0 };
         for pair in ends.windows(2) {
             let [lower, upper] = *pair else { continue };
             examine(&closure.function, lower, upper)?;
             let cells = Cells::new(lower, upper);
             let (function, faults) = (closure.function.clone(), Arc::clone(&faults));
-            let piece: Arc<dyn SlopeSource> = Arc::new(Piece { function, lower, upper, ulps: closure.ulps, cells, faults });
+            let piece: Arc<dyn SlopeSource> = Arc::new(Piece { function, lower, upper, ulps: closure.ulps, noise, cells, faults });
             segments.push((lower, upper.is_finite().then_some(upper), piece));
         }
         for b in &closure.breakpoints {

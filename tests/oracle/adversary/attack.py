@@ -136,7 +136,9 @@ class Attack:
             return
         record = json.loads(out)
         check = record.get("check") or {}
-        if check.get("passed") is False or code == 1:
+        if record.get("complete") is False:
+            self.report("cut check", seed, profile, command=shown, check=check)
+        elif check.get("passed") is False or code == 1:
             self.report("failed check", seed, profile, command=shown, check=check)
         self.count["check " + str(check.get("verdict", check.get("passed")))] += 1
         for quantity in "gFp":

@@ -26,7 +26,7 @@ def integral(arguments, scope):
 
 
 FUNCTIONS = {
-    "ln": mpmath.log, "log": mpmath.log, "abs": abs,
+    "ln": mpmath.log, "log": mpmath.log, "abs": abs, "min": min, "max": max,
     "dawson": lambda z: mpmath.sqrt(mpmath.pi) / 2 * mpmath.exp(-z * z) * mpmath.erfi(z),
     "hyper": lambda a, b, z: mpmath.hyper(a, b, z),
     "polygamma": lambda m, z: mpmath.psi(int(m), z), "digamma": mpmath.digamma,

@@ -1,0 +1,36 @@
+"""Numbers as text that reads back exactly, and as floats."""
+
+from __future__ import annotations
+
+import decimal
+import fractions
+import numbers
+from typing import Any
+
+import numpy as np
+
+
+def text_of_number(name: str, value: Any) -> str:
+    """Write a number so that it reads back exactly."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool):
+        raise TypeError(f"{name} is a bool; a number is accepted")
+    if isinstance(value, (numbers.Integral, fractions.Fraction)):
+        return str(value)
+    if isinstance(value, decimal.Decimal):
+        return str(value)
+    if isinstance(value, (numbers.Real, np.floating)) or (isinstance(value, np.ndarray) and value.shape == ()):
+        return repr(float(value))
+    raise TypeError(f"{name} is a {type(value).__name__}; a number, or text such as '1/3', is accepted")
+
+
+def float_of_number(name: str, value: Any) -> float:
+    """Convert a parameter to a float."""
+    if isinstance(value, str):
+        try:
+            return float(fractions.Fraction(value))
+        except (ValueError, ZeroDivisionError):
+            raise TypeError(f"{name} is {value!r}; a number is accepted where numbers are computed") from None
+    text_of_number(name, value)
+    return float(value)
