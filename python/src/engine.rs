@@ -121,6 +121,7 @@ const STEPS: u64 = 300_000;
 
 #[pymethods]
 impl Engine {
+    #[allow(clippy::too_many_arguments)]
     /// The engine of a formula; values of parameters are 64-bit floats, and so is the depth of a punch with a rim.
     #[staticmethod]
     fn formula(

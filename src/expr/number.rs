@@ -339,7 +339,7 @@ fn common_divisor(one: &BigInt, other: &BigInt) -> BigInt {
 /// Counts the work of an operation on numbers of many words; false where the budget is used up.
 fn charge(one: &Number, other: &Number) -> bool {
     let words = 1 + (one.bits() + other.bits()) / 64;
-    work::spend(5 + words * words / 2);
+    work::spend(5 + words + words * words / 16);
     !work::is_exhausted()
 }
 

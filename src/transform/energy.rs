@@ -36,8 +36,8 @@ impl Evaluator<'_> {
         };
         let pairs = ends.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.last()?)));
         // Where a breakpoint is known to a rounding, so is where g begins to rise.
-        let clear =
-            |at: f64| 32.0 * typed.segments.iter().filter(|own| own.lower.value == at).map(|own| own.lower.error).fold(0.0, f64::max);
+        let places = || typed.segments.iter().flat_map(|own| std::iter::once(own.lower).chain(own.upper));
+        let clear = |at: f64| 32.0 * places().filter(|own| own.value == at).map(|own| own.error).fold(0.0, f64::max);
         let mut skipped = 0.0;
         let mut ranges = Vec::new();
         for (lower, upper) in pairs {

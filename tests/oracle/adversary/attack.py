@@ -87,7 +87,7 @@ class Attack:
                 if self.refusals.total() < 400:
                     self.out.write(json.dumps({"kind": "refused", "seed": seed, "command": shown, "why": err.strip()[:300]}) + "\n")
                 continue
-            for point in json.loads(out)["points"]:
+            for point in json.loads(out).get("points", [{"at": own, "why": "cut"} for own in at]):
                 self.number(seed, profile, quantity, point, values[quantity, point["at"]], deeper, shown)
         if printed:
             self.printed(seed, profile, truth, values, a, sets)
