@@ -257,7 +257,7 @@ fn the_work_grows_little_faster_than_the_profile() {
         ("logarithms", |n| repeated(n, "ln(1+r/I)", "+"), 1.1),
         ("kinks", |n| repeated(n, "max(0,r-I)", "+"), 1.1),
         ("factors", |n| repeated(n, "(r+I)", "*"), 1.75),
-        ("binomials", |n| format!("(1+r)^{n}"), 1.5),
+        ("binomials", |n| format!("(1+r)^{n}"), 1.65),
         // The written form has n coefficients of n digits.
         ("powers of a difference", |n| format!("max(0,r-b)^{n}"), 2.1),
     ];
