@@ -49,6 +49,43 @@ fn curves_have_the_shape_of_the_theory() {
     }
 }
 
+/// Class "an infinite pressure is drawn as a finite peak": the line leaves the picture at a kink, an apex and a rim, and the picture says where.
+#[test]
+fn infinite_pressures_leave_the_picture() {
+    // Profile, quantity, place, and whether the line goes down.
+    let cases: [(&[&str], &str, &str, bool); 5] = [
+        (&["max(0,r-0.5)*0.3"], "p", "radius r = 0.5", false),
+        (&["piecewise(r/5,r<0.25,3*r/5-0.1)"], "p", "radius r = 0, 0.25", false),
+        (&["0.3*r"], "p", "radius r = 0", false),
+        (&["0.3*r"], "sigma_zz", "depth below the surface z = 0", true),
+        (&["r^2", "max(0,r-0.6)"], "p", "radius r = 0.6", false),
+    ];
+    for (profiles, quantity, place, falls) in cases {
+        let arguments = [&["plot"], profiles, &["--quantity", quantity, "--radius", "1"]].concat();
+        let svg = String::from_utf8(picture(&arguments, "svg")).unwrap();
+        assert!(svg.contains(&format!("; infinite at {place}</title>")), "{profiles:?}: {}", svg.lines().nth(1).unwrap());
+        // The frame: the ends of the longest vertical line in black.
+        let axis = svg.split("<polyline ").filter(|part| part.contains("stroke=\"#000000\"")).filter_map(|part| {
+            let points = part.split("points=\"").nth(1)?.split('"').next()?;
+            let ends: Vec<f64> = points.split_whitespace().filter_map(|own| own.split_once(',')?.1.parse().ok()).collect();
+            Some((ends.iter().copied().fold(f64::INFINITY, f64::min), ends.iter().copied().fold(0.0, f64::max)))
+        });
+        let (top, bottom) = axis.max_by(|one, other| (one.1 - one.0).total_cmp(&(other.1 - other.0))).unwrap();
+        let all = || {
+            svg.split("<polyline ").filter(|part| part.contains("stroke-width=\"2\"")).flat_map(|part| {
+                let points = part.split("points=\"").nth(1).and_then(|own| own.split('"').next()).unwrap_or_default().to_owned();
+                points.split_whitespace().filter_map(|own| own.split_once(',')?.1.parse::<f64>().ok()).collect::<Vec<_>>()
+            })
+        };
+        let reached = if falls { all().any(|y| y >= bottom - 1.0) } else { all().any(|y| y <= top + 1.0) };
+        assert!(reached, "{profiles:?}: the line stays between {top} and {bottom}");
+        let shown = run(&[&arguments[..], &["--effective-modulus", "2"]].concat());
+        assert!(String::from_utf8(shown.stdout).unwrap().contains(&format!("infinite at {place}")));
+    }
+    let smooth = String::from_utf8(picture(&["plot", "r^2", "--quantity", "p", "--radius", "1"], "svg")).unwrap();
+    assert!(!smooth.contains("infinite"));
+}
+
 #[test]
 fn every_quantity_is_drawn_in_every_format() {
     let all = "f,g,d,F,a,k,p,u,U,p_mean,sigma_zz,q,u_1d,section";

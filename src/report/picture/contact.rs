@@ -22,6 +22,8 @@ pub enum Pictured {
 
 /// Points of a curve.
 const POINTS: u32 = 160;
+/// Distances to a kink at which pressures are drawn, as shares of its radius.
+const NEAR_A_KINK: [f64; 5] = [1e-5, 1e-4, 1e-3, 4e-3, 1.2e-2];
 /// How far beyond the contact surfaces are shown, in contact radii.
 const BEYOND: f64 = 1.8;
 
@@ -119,18 +121,29 @@ fn over_radius(run: &Run<'_>, curve: Curve, state: Option<&State>) -> Vec<(f64, 
 }
 
 fn value(run: &Run<'_>, curve: Curve, state: Option<&State>, at: f64) -> f64 {
-    run.point(curve, state, at).value.map_or(f64::NAN, |(value, _)| value)
+    match run.point(curve, state, at).value {
+        Ok((value, _)) => value,
+        Err(why) if why.contains("infinite") => f64::INFINITY,
+        Err(_) => f64::NAN,
+    }
 }
 
 /// Places in computed units: for a pressure within the contact and close to its edge, else beyond it as well.
 fn radii(run: &Run<'_>, curve: Curve, state: Option<&State>) -> Vec<f64> {
     let a = state.map_or(1.0, |state| state.radius);
     let share = |index: u32| f64::from(index) / f64::from(POINTS);
+    let kinks = run.kinks().into_iter().map(|(at, _)| at / run.scene().system.out(Dimension::LENGTH));
     match curve {
-        Curve::Pressure => (0..=POINTS).map(|index| a * (FRAC_PI_2 * share(index)).sin()).collect(),
+        Curve::Pressure => {
+            // The pressure is infinite at a kink: the places next to it show how it rises.
+            let near = |at: f64| NEAR_A_KINK.into_iter().flat_map(move |part| [at * (1.0 - part), at * (1.0 + part)]).chain([at]);
+            let even = (0..=POINTS).map(|index| a * (FRAC_PI_2 * share(index)).sin());
+            let mut all: Vec<f64> = even.chain(kinks.filter(|at| *at < a).flat_map(near).filter(|at| *at < a)).collect();
+            all.sort_by(f64::total_cmp);
+            all
+        }
         Curve::Equivalent => (0..=POINTS).map(|index| a * share(index)).collect(),
         _ => {
-            let kinks = run.kinks().into_iter().map(|(at, _)| at / run.scene().system.out(Dimension::LENGTH));
             let mut all: Vec<f64> =
                 (0..=POINTS).map(|index| BEYOND * a * share(index)).chain([a]).chain(kinks.filter(|at| *at < BEYOND * a)).collect();
             all.sort_by(f64::total_cmp);

@@ -23,41 +23,92 @@ struct Panel {
     horizontal: String,
     vertical: String,
     lines: Vec<Line>,
+    /// The places at which a line is infinite, rising.
+    infinite: Vec<f64>,
     /// The largest magnitude that is shown, where values grow without bound.
     most: Option<f64>,
 }
 
-/// A line through points; NaN interrupts it.
+/// A line through points; NaN interrupts it, and at an infinite value it leaves the picture.
 #[derive(Clone, Debug)]
 struct Line {
     name: String,
     points: Vec<(f64, f64)>,
 }
 
+/// About so many ticks has a vertical axis.
+const TICKS: u32 = 6;
 /// Width of a picture and height of a panel in pixels.
 const PANEL: (u32, u32) = (860, 380);
+/// What lies closer to an infinite value than this share of the width does not decide how high a picture is.
+const CLOSE: f64 = 0.04;
+/// The height of a picture with infinite values, in units of the largest value that lies far from them.
+const ROOM: f64 = 1.2;
 /// Curves that rise to more than this many times their usual size are cut.
 const PEAK: f64 = 6.0;
 
 impl Panel {
     fn new(title: &str, horizontal: String, vertical: String, lines: Vec<Line>) -> Self {
-        let mut sizes: Vec<f64> = lines.iter().flat_map(|line| &line.points).map(|(_, y)| y.abs()).filter(|y| y.is_finite()).collect();
+        let mut infinite: Vec<f64> = lines.iter().flat_map(|line| &line.points).filter(|(_, y)| y.is_infinite()).map(|(x, _)| *x).collect();
+        infinite.sort_by(f64::total_cmp);
+        infinite.dedup();
+        let mut panel = Self { title: title.to_owned(), horizontal, vertical, lines, infinite, most: None };
+        panel.most = panel.highest();
+        panel
+    }
+
+    /// The largest magnitude that is shown; `None` where every value is.
+    fn highest(&self) -> Option<f64> {
+        let points = || self.lines.iter().flat_map(|line| &line.points).filter(|(x, y)| x.is_finite() && y.is_finite());
+        if !self.infinite.is_empty() {
+            let (low, high) = points().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (x, _)| (low.min(*x), high.max(*x)));
+            let is_far = |x: f64| self.infinite.iter().all(|at| (x - at).abs() > CLOSE * (high - low));
+            let far = points().filter(|(x, _)| is_far(*x)).map(|(_, y)| y.abs()).fold(0.0, f64::max);
+            let axis = Axis::round(points().map(|(_, y)| y.clamp(-ROOM * far, ROOM * far)), TICKS);
+            // The line leaves at the end of the axis, not below it.
+            return Some(axis.high.max(-axis.low));
+        }
+        let mut sizes: Vec<f64> = points().map(|(_, y)| y.abs()).collect();
         sizes.sort_by(f64::total_cmp);
         let usual = sizes.get(sizes.len() * 19 / 20).copied().unwrap_or(0.0);
-        let most = sizes.last().filter(|largest| **largest > PEAK * usual && usual > 0.0).map(|_| 1.5 * usual);
-        Self { title: title.to_owned(), horizontal, vertical, lines, most }
+        sizes.last().filter(|largest| **largest > PEAK * usual && usual > 0.0).map(|_| 1.5 * usual)
     }
 
     /// The parts of a line between gaps, within what is shown.
     fn parts(&self, line: &Line) -> Vec<Vec<(f64, f64)>> {
         let most = self.most.unwrap_or(f64::INFINITY);
-        let parts = line.points.split(|(x, y)| !(x.is_finite() && y.abs() <= most));
+        if self.infinite.is_empty() {
+            let parts = line.points.split(|(x, y)| !(x.is_finite() && y.abs() <= most));
+            return parts.filter(|part| !part.is_empty()).map(<[_]>::to_vec).collect();
+        }
+        // The sign of an infinite value is that of its neighbours.
+        let signed = |at: usize, y: f64| {
+            let near = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|index| line.points.get(index));
+            let sign = near.map(|(_, y)| *y).find(|y| y.is_finite() && *y != 0.0).map_or(1.0, f64::signum);
+            if y.is_infinite() { sign * most } else { y.clamp(-most, most) }
+        };
+        let shown: Vec<(f64, f64)> = line.points.iter().enumerate().map(|(at, (x, y))| (*x, signed(at, *y))).collect();
+        let parts = shown.split(|(x, y)| !(x.is_finite() && y.is_finite()));
         parts.filter(|part| !part.is_empty()).map(<[_]>::to_vec).collect()
+    }
+
+    /// Where the lines are infinite, in words; empty where they are nowhere.
+    fn notice(&self) -> String {
+        let (coordinate, unit) = self.horizontal.split_once(" (").map_or((self.horizontal.as_str(), ""), |(name, unit)| (name, unit));
+        let places: Vec<String> =
+            self.infinite.iter().map(|at| format!("{at:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()).collect();
+        if places.is_empty() {
+            String::new()
+        } else {
+            format!("infinite at {coordinate} = {} {}", places.join(", "), unit.trim_end_matches(')')).trim_end().to_owned()
+        }
     }
 
     fn axes(&self) -> (Axis, Axis) {
         let shown: Vec<(f64, f64)> = self.lines.iter().flat_map(|line| self.parts(line)).flatten().collect();
-        (Axis::round(shown.iter().map(|(x, _)| *x), 8), Axis::round(shown.iter().map(|(_, y)| *y), 6))
+        // A hair within, so that the rounding of an end that was chosen adds no tick.
+        let within = if self.infinite.is_empty() { 1.0 } else { 1.0 - 1e-9 };
+        (Axis::round(shown.iter().map(|(x, _)| *x), 8), Axis::round(shown.iter().map(|(_, y)| within * *y), TICKS))
     }
 
     /// True where the lines are higher at their beginning than at their end, so that names are better on the right.
@@ -75,7 +126,8 @@ impl Panel {
     fn description(&self) -> String {
         let names: Vec<&str> = self.lines.iter().map(|line| line.name.as_str()).filter(|name| !name.is_empty()).collect();
         let of = if names.is_empty() { String::new() } else { format!(": {}", names.join(", ")) };
-        format!("{}, {} over {}{of}", self.title, self.vertical, self.horizontal)
+        let infinite = Some(self.notice()).filter(|own| !own.is_empty()).map_or(String::new(), |own| format!("; {own}"));
+        format!("{}, {} over {}{of}{infinite}", self.title, self.vertical, self.horizontal)
     }
 }
 

@@ -30,7 +30,8 @@ fn one(panel: &Panel) -> String {
     chart.figures();
     let frame = chart.frame();
     let rows: Vec<&str> = frame.lines().filter(|row| !row.trim().is_empty()).collect();
-    let mut text = format!("{}\n{}\n", panel.title, panel.vertical);
+    let notice = Some(panel.notice()).filter(|own| !own.is_empty()).map_or(String::new(), |own| format!(", {own}"));
+    let mut text = format!("{}\n{}{notice}\n", panel.title, panel.vertical);
     for (index, row) in rows.iter().enumerate() {
         let label = match index {
             0 => vertical.text(vertical.high),

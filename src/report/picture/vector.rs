@@ -75,6 +75,9 @@ where
             }
         }
     }
+    let (low, high) = (vertical.low, vertical.high);
+    let tops = panel.infinite.iter().map(|at| TriangleMarker::new((*at, if high > 0.0 { high } else { low }), 7, BLACK.filled()));
+    chart.draw_series(tops)?;
     if panel.lines.iter().any(|line| !line.name.is_empty()) {
         chart
             .configure_series_labels()
