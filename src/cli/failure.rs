@@ -24,10 +24,17 @@ struct Place {
     span: Range<usize>,
 }
 
-/// Characters of a line that are shown; longer ones are cut.
+/// The most characters of an error in all, and of its first line.
+const MOST: usize = 300;
+const FIRST: usize = 120;
+/// The most and the fewest characters of a marked line, its dots included.
 const SHOWN: usize = 120;
-/// Characters before the place in a line that is cut.
-const BEFORE: usize = 50;
+const NARROWEST: usize = 40;
+/// Characters of `error: ` or `help: ` with the end of the line, and of the bar before a marked line with its end.
+const PREFIX: usize = 8;
+const BAR: usize = 5;
+/// What stands for what was cut.
+const DOTS: &str = " ...";
 
 impl Failure {
     /// A message that needs no place.
@@ -92,16 +99,32 @@ impl Failure {
 
     fn write(&self, colour: bool, out: &mut dyn Write) -> io::Result<()> {
         let (bold, plain) = if colour { ("\x1b[1;31m", "\x1b[0m") } else { ("", "") };
-        match &self.place {
-            None => writeln!(out, "{bold}error{plain}: {}", line(&self.message))?,
-            Some(place) => {
-                writeln!(out, "{bold}error{plain}: {}: {}", line(&place.position()), line(&self.message))?;
-                let (shown, offset, marks) = place.excerpt();
-                writeln!(out, "  | {shown}")?;
-                writeln!(out, "  | {}{bold}{}{plain}", " ".repeat(offset), "^".repeat(marks))?;
-            }
+        let position = self.place.as_ref().map(Place::position);
+        let is_long = |text: &str| text.chars().count() + PREFIX > FIRST + 1;
+        let whole = position.as_ref().map_or_else(|| self.message.clone(), |position| format!("{position}: {}", self.message));
+        // Where both are too long for one line, the place has its own.
+        let apart = position.as_ref().filter(|_| is_long(&whole));
+        let whole = if apart.is_some() { &self.message } else { &whole };
+        // A long sentence that ends with what would be accepted has it on a line of its own.
+        let parts = if is_long(whole) && self.help.is_none() { whole.rsplit_once("; ") } else { None };
+        let (message, help) = parts.map_or((whole.as_str(), self.help.as_deref()), |(message, help)| (message, Some(help)));
+        let message = line(message);
+        writeln!(out, "{bold}error{plain}: {message}")?;
+        let mut room = MOST - PREFIX - message.chars().count();
+        if let Some(position) = apart {
+            let position = cut(position, FIRST / 2);
+            writeln!(out, "  at {position}")?;
+            room = room.saturating_sub(PREFIX + position.chars().count());
         }
-        self.help.iter().try_for_each(|help| writeln!(out, "help: {}", shown(help)))
+        if let Some(place) = &self.place {
+            // Advice goes first where room is short.
+            let needed = help.map_or(0, |help| PREFIX + help.chars().count());
+            let (shown, offset, marks) = place.excerpt((room.saturating_sub(needed) / 2).clamp(NARROWEST, SHOWN));
+            writeln!(out, "  | {shown}")?;
+            writeln!(out, "  | {}{bold}{}{plain}", " ".repeat(offset), "^".repeat(marks))?;
+            room = room.saturating_sub(2 * BAR + shown.chars().count() + offset + marks);
+        }
+        help.iter().try_for_each(|help| writeln!(out, "help: {}", cut(help, room.saturating_sub(PREFIX))))
     }
 }
 
@@ -118,16 +141,19 @@ impl Place {
     /// The line of the place as it can be shown, the characters before the mark, and the length of the mark.
     ///
     /// Control characters are replaced, and a long line is cut around the place.
-    fn excerpt(&self) -> (String, usize, usize) {
+    fn excerpt(&self, width: usize) -> (String, usize, usize) {
         let before = self.text.get(..self.span.start).unwrap_or(&self.text);
         let begin = before.rfind('\n').map_or(0, |at| at + 1);
         let line: Vec<char> = self.text.get(begin..).unwrap_or_default().chars().take_while(|c| *c != '\n').map(visible).collect();
         let offset = before.get(begin..).unwrap_or_default().chars().count();
         let marked = self.text.get(self.span.clone()).unwrap_or_default().chars().count();
-        let skipped = if line.len() > SHOWN { offset.saturating_sub(BEFORE) } else { 0 };
-        let shown: String = line.iter().skip(skipped).take(SHOWN).collect();
-        let (left, right) = (if skipped > 0 { "... " } else { "" }, if line.len() > skipped + SHOWN { " ..." } else { "" });
-        let room = line.len().min(skipped + SHOWN).saturating_sub(offset);
+        // The dots at both ends count.
+        let width = if line.len() + BAR <= width { line.len() } else { width - 2 * DOTS.len() - BAR };
+        let before_mark = width / 3;
+        let skipped = if line.len() > width { offset.saturating_sub(before_mark) } else { 0 };
+        let shown: String = line.iter().skip(skipped).take(width).collect();
+        let (left, right) = (if skipped > 0 { "... " } else { "" }, if line.len() > skipped + width { DOTS } else { "" });
+        let room = line.len().min(skipped + width).saturating_sub(offset);
         (format!("{left}{shown}{right}"), left.len() + offset - skipped, marked.min(room).max(1))
     }
 }
@@ -151,22 +177,41 @@ fn visible(c: char) -> char {
     }
 }
 
-/// The most characters of a message.
-const MESSAGE: usize = 280;
-
 /// A message as one line of moderate length: what names, keys and paths bring along moves no cursor and hides nothing.
 fn line(message: &str) -> String {
-    let mut characters = message.chars();
-    let mut text: String = characters.by_ref().take(MESSAGE).map(visible).collect();
-    if characters.next().is_some() {
-        text.push_str(" ...");
-    }
-    text
+    cut(message, FIRST + 1 - PREFIX)
 }
 
-/// The same without a limit, for advice that lists what is known.
-fn shown(message: &str) -> String {
-    message.chars().map(visible).collect()
+/// The beginning of a text, of at most so many characters with the dots that follow what was cut.
+fn cut(text: &str, most: usize) -> String {
+    if text.chars().count() <= most {
+        return text.chars().map(visible).collect();
+    }
+    let kept: String = text.chars().take(most.saturating_sub(DOTS.len())).map(visible).collect();
+    kept + DOTS
+}
+
+/// What the reader of the command line says, in as many characters as other errors have.
+pub(super) fn report_usage(error: &clap::Error) {
+    let text = error.to_string();
+    let (first, rest) = text.split_once('\n').unwrap_or((&text, ""));
+    let first = cut(first, FIRST);
+    let lines = rest.lines().map(|own| cut(own, MOST)).collect::<Vec<_>>().join("\n");
+    let mut stderr = io::stderr().lock();
+    // Nothing can be said where even the message cannot be written.
+    let _ = writeln!(stderr, "{first}\n{}", whole_lines(&lines, MOST - first.chars().count() - 2));
+}
+
+/// The first lines of a text that have room for so many characters.
+fn whole_lines(text: &str, most: usize) -> String {
+    let mut left = most;
+    let fits = |own: &&str| {
+        let size = own.chars().count() + 1;
+        let enough = size <= left;
+        left = left.saturating_sub(size);
+        enough
+    };
+    text.lines().take_while(fits).collect::<Vec<_>>().join("\n").trim_end().to_owned()
 }
 
 /// Something that is worth knowing, on stderr.

@@ -107,16 +107,39 @@ mod unfinished {
 
     static FILE: Mutex<Option<PathBuf>> = Mutex::new(None);
 
-    /// Ended by a signal, as shells count.
-    const INTERRUPTED: i32 = 130;
-
     fn file() -> MutexGuard<'static, Option<PathBuf>> {
         FILE.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Ends the program at once when a signal asks for it, and takes the file that is being written away.
+    ///
+    /// The exit code is 128 and the number of the signal, as shells count: 130 after Ctrl-C, 143 after a plain `kill`.
+    /// This runs before any other thread begins, so that every thread leaves the signals to the one that waits for them.
+    #[cfg(unix)]
     pub(in crate::cli) fn answer_interrupts() {
-        // Without a handler a signal ends the program as well, but leaves the file behind.
+        use nix::sys::signal::{SigSet, Signal};
+        let mut signals = SigSet::empty();
+        [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP].into_iter().for_each(|own| signals.add(own));
+        // Where nothing waits for them, signals end the program as well, but leave the file behind.
+        if signals.thread_block().is_err() {
+            return;
+        }
+        let wait = move || {
+            if let Ok(signal) = signals.wait() {
+                remove();
+                process::exit(128 + signal as i32);
+            }
+        };
+        if std::thread::Builder::new().name("signals".to_owned()).spawn(wait).is_err() {
+            let _ = signals.thread_unblock();
+        }
+    }
+
+    /// Ends the program at once when Ctrl-C asks for it, and takes the file that is being written away.
+    #[cfg(not(unix))]
+    pub(in crate::cli) fn answer_interrupts() {
+        const INTERRUPTED: i32 = 130;
+        // Without a handler Ctrl-C ends the program as well, but leaves the file behind.
         let _ = ctrlc::set_handler(|| {
             remove();
             process::exit(INTERRUPTED);

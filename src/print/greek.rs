@@ -5,6 +5,11 @@ pub(super) fn letter(name: &str) -> Option<&'static str> {
     LETTERS.iter().find(|(own, _)| *own == name).map(|(_, letter)| *letter)
 }
 
+/// The name of this letter.
+pub(super) fn name(letter: char) -> Option<&'static str> {
+    LETTERS.iter().find(|(_, own)| own.chars().eq([letter])).map(|(name, _)| *name)
+}
+
 const LETTERS: [(&str, &str); 48] = [
     ("alpha", "α"),
     ("beta", "β"),

@@ -9,7 +9,7 @@ pub(super) fn symbol(name: &str) -> String {
         return "E^{*}".to_owned();
     }
     if let Some((function, primes, argument)) = named::parts(name) {
-        return format!("{}{}({})", symbol(function), "'".repeat(primes), named::arguments(argument, ", ", symbol));
+        return format!("{}{}({})", symbol(function), "'".repeat(primes), named::arguments(argument, ", ", str::to_owned, symbol));
     }
     let (letter, indices) = parts(name);
     let indices: Vec<String> = indices.into_iter().map(word).collect();

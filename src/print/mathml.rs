@@ -129,7 +129,11 @@ pub(super) fn symbol(name: &str) -> String {
     if let Some((function, primes, argument)) = named::parts(name) {
         let primes = if primes == 0 { String::new() } else { format!("<mo>{}</mo>", "′".repeat(primes)) };
         let function = if primes.is_empty() { symbol(function) } else { format!("<msup>{}{primes}</msup>", symbol(function)) };
-        return row(&[function, APPLY.to_owned(), fenced("(", &named::arguments(argument, "<mo separator=\"true\">,</mo>", symbol), ")")]);
+        return row(&[
+            function,
+            APPLY.to_owned(),
+            fenced("(", &named::arguments(argument, "<mo separator=\"true\">,</mo>", number, symbol), ")"),
+        ]);
     }
     let (letter, indices) = super::latex_symbol::parts(name);
     let indices: Vec<String> = indices.into_iter().map(word).collect();

@@ -7,9 +7,9 @@ pub(super) fn parts(name: &str) -> Option<(&str, usize, &str)> {
     Some((letter, function.len() - letter.len(), argument))
 }
 
-/// The list of arguments, each written by `write`.
-pub(super) fn arguments(list: &str, separator: &str, write: impl Fn(&str) -> String) -> String {
-    list.split(',').map(str::trim).map(|own| if is_number(own) { own.to_owned() } else { write(own) }).collect::<Vec<_>>().join(separator)
+/// The list of arguments, numbers written by `number` and names by `name`.
+pub(super) fn arguments(list: &str, separator: &str, number: impl Fn(&str) -> String, name: impl Fn(&str) -> String) -> String {
+    list.split(',').map(str::trim).map(|own| if is_number(own) { number(own) } else { name(own) }).collect::<Vec<_>>().join(separator)
 }
 
 fn is_number(text: &str) -> bool {

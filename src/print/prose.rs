@@ -1,6 +1,6 @@
 //! Sentences with formulas in them, which every notation writes in its own way.
 
-use super::{Notation, Renaming, mathml};
+use super::{Notation, Renaming, greek, mathml};
 use crate::expr::{Condition, Formula};
 
 /// A piece of a sentence.
@@ -144,23 +144,55 @@ pub(super) fn latex_words(words: &str) -> String {
             '<' => text.push_str("$<$"),
             '>' => text.push_str("$>$"),
             '–' => text.push_str("--"),
-            '′' => text.push_str("$'$"),
-            '²' => text.push_str("$^2$"),
-            'ⁿ' => text.push_str("$^n$"),
-            '−' => text.push_str("$-$"),
-            'π' => text.push_str("$\\pi$"),
-            'φ' => text.push_str("$\\varphi$"),
-            'ψ' => text.push_str("$\\psi$"),
-            'Γ' => text.push_str("$\\Gamma$"),
-            '√' => text.push_str("$\\surd$"),
-            '∫' => text.push_str("$\\int$"),
-            '≤' => text.push_str("$\\le$"),
-            '≥' => text.push_str("$\\ge$"),
-            '·' => text.push_str("$\\cdot$"),
-            'κ' => text.push_str("$\\kappa$"),
             own if own.is_ascii() || ('\u{c0}'..='\u{17f}').contains(&own) || own == '…' => text.push(own),
-            _ => text.push('?'),
+            own => match latex_sign(own) {
+                Some(sign) => text += &format!("${sign}$"),
+                // A sign that no file of letters is sure to have: its code says what it was.
+                None => text += &format!("[U+{:04X}]", u32::from(own)),
+            },
         }
     }
     text
+}
+
+/// A letter or sign beyond ASCII in math mode.
+fn latex_sign(sign: char) -> Option<String> {
+    const SIGNS: [(char, &str); 34] = [
+        ('′', "'"),
+        ('″', "''"),
+        ('¹', "^1"),
+        ('²', "^2"),
+        ('³', "^3"),
+        ('⁴', "^4"),
+        ('ⁿ', "^n"),
+        ('ˣ', "^x"),
+        ('⁻', "^-"),
+        ('₀', "_0"),
+        ('₁', "_1"),
+        ('₂', "_2"),
+        ('ₙ', "_n"),
+        ('−', "-"),
+        ('±', "\\pm"),
+        ('∓', "\\mp"),
+        ('×', "\\times"),
+        ('·', "\\cdot"),
+        ('√', "\\surd"),
+        ('∫', "\\int"),
+        ('∂', "\\partial"),
+        ('∞', "\\infty"),
+        ('≤', "\\le"),
+        ('≥', "\\ge"),
+        ('≠', "\\ne"),
+        ('≈', "\\approx"),
+        ('∼', "\\sim"),
+        ('∈', "\\in"),
+        ('→', "\\to"),
+        ('↦', "\\mapsto"),
+        ('°', "^\\circ"),
+        ('µ', "\\mu"),
+        ('⌊', "\\lfloor"),
+        ('⌋', "\\rfloor"),
+    ];
+    let known = SIGNS.iter().find(|(own, _)| *own == sign).map(|(_, text)| (*text).to_owned());
+    known.or_else(|| greek::name(sign).map(super::latex_symbol::symbol))
 }

@@ -83,7 +83,7 @@ pub(super) fn symbol(name: &str) -> String {
     }
     if let Some((function, primes, argument)) = named::parts(name) {
         // The space keeps the argument out of an index.
-        return format!("{}{} ({})", symbol(function), "'".repeat(primes), named::arguments(argument, ", ", symbol));
+        return format!("{}{} ({})", symbol(function), "'".repeat(primes), named::arguments(argument, ", ", str::to_owned, symbol));
     }
     let (letter, indices) = super::latex_symbol::parts(name);
     let indices: Vec<String> = indices.into_iter().map(word).collect();

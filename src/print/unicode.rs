@@ -117,7 +117,7 @@ pub(super) fn symbol(name: &str) -> String {
         return "E*".to_owned();
     }
     if let Some((function, primes, argument)) = named::parts(name) {
-        return format!("{}{}({})", symbol(function), "′".repeat(primes), named::arguments(argument, ", ", symbol));
+        return format!("{}{}({})", symbol(function), "′".repeat(primes), named::arguments(argument, ", ", str::to_owned, symbol));
     }
     let (letter, indices) = super::latex_symbol::parts(name);
     let indices: Vec<&str> = indices.into_iter().map(|part| greek::letter(part).unwrap_or(part)).collect();

@@ -398,8 +398,7 @@ fn representable(value: f64, pressed: bool) -> Result<f64, &'static str> {
 
 /// An error about a profile of points that lacks a vertical side.
 fn of_tip(error: &ContactError) -> SceneError {
-    let help = "radius = \"2 um\" in [profile] would be accepted for a flat or concave end; \
-                invert = true for heights that fall from the apex outward";
+    let help = "a radius in [profile], or invert = true for heights that fall from the apex outward, would be accepted";
     let own = SceneError::from(error.clone());
     if matches!(error, ContactError::Missing { .. }) { own.help(help) } else { own }
 }

@@ -255,7 +255,8 @@ pub fn known_shape(name: &str) -> Result<&'static Shape, SceneError> {
         let names: Vec<&str> = SHAPES.iter().map(|shape| shape.name).collect();
         let near = meant.or_else(|| nearest(&plain, &names)).map_or(String::new(), |near| format!("did you mean {near}? "));
         let shown: String = name.chars().take(60).collect();
-        SceneError::value(format!("there is no shape {shown:?}")).help(format!("{near}known are {}", names.join(", ")))
+        SceneError::value(format!("there is no shape {shown:?}"))
+            .help(format!("{near}`sneddon scene new` lists the {} shapes", names.len()))
     })
 }
 

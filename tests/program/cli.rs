@@ -524,3 +524,45 @@ fn the_series_way_tells_its_remainder() {
     refused(b"", &["eval", "r^2", "--quantity", "U", "--at", "1", "--method", "series"], &["no series is known for U"]);
     refused(b"", &["eval", "atan(r)", "--quantity", "g", "--at", "3", "--method", "series"], &["not proven to converge at x = 3"]);
 }
+
+/// Class "an error as long as its input": at most 300 characters in all and 120 in the first line, whatever was typed.
+#[test]
+fn errors_are_short() {
+    let long = "A".repeat(5000);
+    let cases = [
+        "derive r^2 --quantity L",
+        "L",
+        "derive r^2 --L",
+        "derive r^2 --set L",
+        "derive r^2 --set R=L",
+        "solve L",
+        "eval r^2 --quantity g --at L",
+        "eval r^2 --quantity g --at 1 --radius L",
+        "derive r^2 -o L.xyz",
+        "plot L",
+        "derive r^2 --format L",
+        "validate L L",
+        "scene new L",
+        "derive --shape L",
+        "derive r^2 --symbols L",
+        "derive r^2 --budget L",
+        "derive L(",
+        "derive L*r^2+@",
+        "derive r^2+L@+L",
+        "compare r^2 --tol L",
+        "completions L",
+        "eval R*r^2 --set R=1L --quantity g --at 1",
+        "eval L*r^2 --quantity g --at 1",
+    ];
+    for case in cases {
+        let arguments: Vec<String> = case.split(' ').map(|own| own.replace('L', &long)).collect();
+        let ran = run(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+        let first = ran.stderr.lines().next().unwrap_or_default().chars().count();
+        assert!(ran.code == 2 && ran.stderr.chars().count() <= 300 && first <= 120, "{case}: {first} characters\n{}", ran.stderr);
+        assert!(ran.stderr.starts_with("error"), "{case}: {}", ran.stderr);
+    }
+    // What fits stands whole.
+    let short = run(&["derive", "r^2+foo(r)+@"]).stderr;
+    assert!(short.contains("  | r^2+foo(r)+@\n  |            ^\nhelp: "), "{short}");
+    assert!(run(&[]).stderr.contains("Commands:"));
+}

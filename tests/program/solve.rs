@@ -249,7 +249,7 @@ fn an_interrupted_run_leaves_nothing() {
     let place = room("interrupted");
     let scene = EXAMPLE.replace("count = 10", "count = 10000000");
     fs::write(place.join("scene.toml"), scene).unwrap();
-    for signal in ["INT", "TERM"] {
+    for (signal, code) in [("INT", 130), ("TERM", 143), ("HUP", 129)] {
         let mut child = Command::new(PROGRAM).current_dir(&place).args(["solve", "scene.toml", "--csv", "-o", "rows.csv"]).spawn().unwrap();
         let unfinished = || fs::read_dir(&place).unwrap().any(|own| own.unwrap().file_name().to_str().unwrap().starts_with(".sneddon-"));
         while !unfinished() {
@@ -258,7 +258,7 @@ fn an_interrupted_run_leaves_nothing() {
         }
         let done = Command::new("kill").args([format!("-{signal}"), child.id().to_string()]).status().unwrap();
         assert!(done.success());
-        assert_eq!(child.wait().unwrap().code(), Some(130));
+        assert_eq!(child.wait().unwrap().code(), Some(code), "{signal}");
         assert_eq!(fs::read_dir(&place).unwrap().count(), 1);
     }
 }
@@ -579,4 +579,27 @@ fn apart_and_too_small_are_said() {
     assert!(answer["rows"][0]["F"].is_null() && answer["rows"][0]["why"].as_str().unwrap().starts_with("F: it is too small"));
     let text = run_in(Path::new("."), &tiny, &["solve", "-"]);
     assert!(String::from_utf8_lossy(&text.stdout).contains("F: no value in some rows: it is too small"));
+}
+
+/// Class "a file that is no table is echoed": neither the message nor the marked line shows what stands in it.
+#[test]
+fn a_file_that_is_no_table_is_not_shown() {
+    let place = room("secret");
+    for (name, text) in
+        [("one", "root:x:0:0:root:/root:/bin/bash\n"), ("two", "-----BEGIN PRIVATE KEY-----\nMIIE\n"), ("three", "127.0.0.1\tlocalhost\n")]
+    {
+        fs::write(place.join(name), text).unwrap();
+        let scene = format!("[profile]\npoints = \"{name}\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n");
+        let done = run_in(&place, &scene, &["solve", "-"]);
+        let said = String::from_utf8_lossy(&done.stderr);
+        assert_eq!(done.status.code(), Some(2), "{said}");
+        assert!(said.contains("names no column of radii") || said.contains("no number"), "{said}");
+        for part in text.split(|own: char| !own.is_alphanumeric()).filter(|own| own.len() > 3) {
+            assert!(!said.contains(part), "{name}: {said}");
+        }
+    }
+    // The names of a table help its owner.
+    fs::write(place.join("table"), "rad_um,hgt_nm\n0,0\n1,1\n").unwrap();
+    let scene = "[profile]\npoints = \"table\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n";
+    assert!(String::from_utf8_lossy(&run_in(&place, scene, &["solve", "-"]).stderr).contains("among rad_um, hgt_nm"));
 }

@@ -37,6 +37,10 @@ pub(super) fn chosen(fields: &[Field<'_>], line_scan: bool) -> Result<(Column, C
                 let (text, place) = fields.get(*index).cloned().unwrap_or(("", 0..0));
                 Ok(Column { name: text.to_owned(), index: *index, unit: unit(text, &place)?, place })
             }
+            // A file that is no table, such as one of passwords, is not shown.
+            [] if !is_header(fields) => {
+                Err(SceneError::missing(format!("the first line of the points names no column of {what}")).help(HELP))
+            }
             [] => {
                 let seen: Vec<&str> = fields.iter().map(|(text, _)| *text).take(8).collect();
                 let whole = place(0).start..place(fields.len().saturating_sub(1)).end;
@@ -62,6 +66,16 @@ pub(super) fn chosen(fields: &[Field<'_>], line_scan: bool) -> Result<(Column, C
         return Err(SceneError::value(message).help("a profile r, z or a line scan x, z would be accepted").at(place(*index)));
     }
     Ok((radius, height))
+}
+
+/// True for a line of short names, as the first one of a table has.
+fn is_header(fields: &[Field<'_>]) -> bool {
+    const LONGEST: usize = 40;
+    let is_name = |text: &str| {
+        let starts = text.chars().next().is_some_and(char::is_alphabetic);
+        starts && text.len() <= LONGEST && text.chars().all(|own| own.is_alphanumeric() || " _-/()[]%.²³".contains(own))
+    };
+    fields.iter().all(|(text, _)| is_name(text.trim()))
 }
 
 /// Name and unit as they stand.

@@ -142,6 +142,9 @@ class Attack:
             self.report("failed check", seed, profile, command=shown, check=check)
         self.count["check " + str(check.get("verdict", check.get("passed")))] += 1
         for quantity in "gFp":
+            # A derivation that was cut short has no formulas, and a pressure may have none.
+            if not record.get(quantity):
+                continue
             if record[quantity]["status"] != "exact" and (quantity != "g" or seed % 8):
                 continue
             for (name, at), true in values.items():
