@@ -163,7 +163,11 @@ class Attack:
                 wrong = lambda number: not abs(number - reference) <= 1e-13 * abs(reference) + loose
                 if wrong(found):
                     # A formula whose terms cancel needs more digits than the reader takes at first.
-                    found = formulas.number(record[quantity]["text"], scope, 120)
+                    try:
+                        found = formulas.number(record[quantity]["text"], scope, 120)
+                    except formulas.NoNumber:
+                        self.count["formulas not read"] += 1
+                        continue
                 if wrong(found):
                     self.report("wrong formula", seed, profile, quantity=quantity, at=at, radius=a, text=record[quantity]["text"],
                                 gives=mpmath.nstr(found, 20), truth=mpmath.nstr(reference, 20), command=shown)
