@@ -121,9 +121,9 @@ const STEPS: u64 = 300_000;
 
 #[pymethods]
 impl Engine {
-    #[allow(clippy::too_many_arguments)]
     /// The engine of a formula; values of parameters are 64-bit floats, and so is the depth of a punch with a rim.
     #[staticmethod]
+    #[allow(clippy::too_many_arguments)]
     fn formula(
         py: Python<'_>,
         text: &str,

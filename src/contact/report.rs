@@ -81,10 +81,10 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
     if let Some(found) = &inverse {
         conditions.extend(found.conditions.iter().cloned());
     }
-    let closed = |expr: &Expr, found: &Explicit| Derived {
+    let closed = |expr: &Expr, found: &Explicit, compared: Option<bool>| Derived {
         formula: Formula::Closed(expr.clone()),
         status: Status::Exact,
-        compared: g.compared,
+        compared,
         rules: g.rules.clone(),
         reference: found.reference.clone(),
     };
@@ -122,10 +122,12 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
         }
     };
     Ok(Relations {
-        contact_radius_of_depth: inverse.as_ref().map(|found| closed(&found.contact_radius, found)),
+        contact_radius_of_depth: inverse.as_ref().map(|found| closed(&found.contact_radius, found, g.compared)),
         // Under a rim the contact radius does not change, and F(a) is the answer for every depth.
         force_of_depth: match edge {
-            Edge::Smooth => inverse.as_ref().map(|found| closed(&found.force, found)),
+            Edge::Smooth => inverse
+                .as_ref()
+                .map(|found| closed(&found.force, found, if force.compared == Some(true) { g.compared } else { force.compared })),
             Edge::Rim(_) => Some(force.clone()),
         },
         g,
