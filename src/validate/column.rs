@@ -106,6 +106,10 @@ pub(super) fn read(name: &str, index: usize) -> Reading {
     let Some((symbol, unit)) = split else { return Reading::Unknown };
     let Some(kind) = Kind::of(symbol.trim()) else { return Reading::Unknown };
     let unit = unit.trim().trim_end_matches([')', ']']);
+    // The bound of an error, as `reference` writes it beside a bare number; `p_error_GPa` is unknown for its symbol.
+    if unit.eq_ignore_ascii_case("error") {
+        return Reading::Unknown;
+    }
     let squared = ["^2", "²", "2"].into_iter().find_map(|power| unit.strip_suffix(power));
     let unit = match squared.filter(|_| is_area(symbol.trim())) {
         Some(root) => root,

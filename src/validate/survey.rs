@@ -103,9 +103,7 @@ impl<'s> Survey<'s> {
                 "at least one row of numbers would be accepted",
             ));
         }
-        if table.repeated() > 0 {
-            notes.push(format!("the first line stands again {} times among the rows and is skipped there", table.repeated()));
-        }
+        notes.extend(table.skipped());
         let mut lattice = lattice::of_distances(&nearest.distinct());
         if let (Some(gap), true) = (gap(&xs), places.x.is_some()) {
             lattice = Some(Lattice { pixel: gap, offset: lattice.map_or(Offset::Centre, |own| own.offset) });

@@ -24,7 +24,7 @@ pub(super) struct Table<'s> {
     /// Names of all columns.
     pub(super) names: Vec<String>,
     body: Body,
-    repeated: u64,
+    skipped: Skipped,
     /// True where the places were made from the box, about the axis.
     pub(super) placed: bool,
 }
@@ -102,7 +102,17 @@ impl<'s> Table<'s> {
             skipped: header.lines,
             decimal_commas: header.delimiter != b',',
         }));
-        Ok(Self { name, columns, notes, unread, names: header.names, body, repeated: 0, placed: false })
+        let empty_is_infinite = has_bounds(&unread);
+        Ok(Self {
+            name,
+            columns,
+            notes,
+            unread,
+            names: header.names,
+            body,
+            skipped: Skipped { empty_is_infinite, ..Skipped::default() },
+            placed: false,
+        })
     }
 
     fn of_arrays(name: &'s str, mut file: BufReader<Box<dyn Read>>, layout: &Layout) -> Result<Self, ValidationError> {
@@ -119,7 +129,17 @@ impl<'s> Table<'s> {
         notes.extend(unread.iter().map(|name| format!("array {name:?} is not read")));
         let values = known.iter().filter_map(|column| own.values.get(column.index).cloned()).collect();
         let body = Body::Arrays { columns: values, next: 0 };
-        Ok(Self { name, columns: known, notes, unread, names: own.names, body, repeated: 0, placed: own.placed })
+        let empty_is_infinite = has_bounds(&unread);
+        Ok(Self {
+            name,
+            columns: known,
+            notes,
+            unread,
+            names: own.names,
+            body,
+            skipped: Skipped { empty_is_infinite, ..Skipped::default() },
+            placed: own.placed,
+        })
     }
 
     /// The place of a kind of column among those that are understood.
@@ -130,7 +150,7 @@ impl<'s> Table<'s> {
     /// Reads the next row into one number per understood column; `None` at the end.
     pub(super) fn next(&mut self, out: &mut Vec<f64>) -> Result<Option<u64>, ValidationError> {
         let more = match &mut self.body {
-            Body::Text(own) => own.next(self.name, &self.names, &self.columns, &mut self.repeated, out)?,
+            Body::Text(own) => own.next(self.name, &self.names, &self.columns, &mut self.skipped, out)?,
             Body::Arrays { columns, next } => {
                 out.clear();
                 out.extend(columns.iter().map_while(|own| own.get(*next).copied()));
@@ -152,10 +172,29 @@ impl<'s> Table<'s> {
         Ok(more)
     }
 
-    /// How often the first line stood again among the rows.
-    pub(super) fn repeated(&self) -> u64 {
-        self.repeated
+    /// The rows that were skipped, in words.
+    pub(super) fn skipped(&self) -> Vec<String> {
+        let Skipped { repeated, empty, .. } = self.skipped;
+        let repeated = (repeated > 0).then(|| format!("the first line stands again {repeated} times among the rows and is skipped there"));
+        let empty = (empty > 0).then(|| format!("{empty} rows without a pressure, as where it is infinite, are not compared"));
+        repeated.into_iter().chain(empty).collect()
     }
+}
+
+/// Rows that are not read.
+#[derive(Clone, Copy, Default)]
+struct Skipped {
+    /// How often the first line stood again among the rows.
+    repeated: u64,
+    /// Rows whose pressure is empty.
+    empty: u64,
+    /// True for a file with bounds of the pressures, as `reference` writes it: there an infinite pressure is empty.
+    empty_is_infinite: bool,
+}
+
+/// True where a column holds bounds of pressures.
+fn has_bounds(unread: &[String]) -> bool {
+    unread.iter().any(|own| own == "p_error" || own.starts_with("p_error_"))
 }
 
 impl Text {
@@ -164,7 +203,7 @@ impl Text {
         file: &str,
         names: &[String],
         columns: &[Column],
-        repeated: &mut u64,
+        skipped: &mut Skipped,
         out: &mut Vec<f64>,
     ) -> Result<Option<u64>, ValidationError> {
         loop {
@@ -188,7 +227,12 @@ impl Text {
                 return Err(self.wrong_count(file, names.len(), line));
             }
             if self.is_header(names) {
-                *repeated += 1;
+                skipped.repeated += 1;
+                continue;
+            }
+            let is_empty = |own: &Column| self.record.get(own.index).unwrap_or_default().trim_ascii().is_empty();
+            if skipped.empty_is_infinite && columns.iter().any(|own| own.kind == Kind::Pressure && is_empty(own)) {
+                skipped.empty += 1;
                 continue;
             }
             out.clear();
