@@ -103,7 +103,8 @@ fn fields(
     }
     let loads = scene.loads.len();
     if load >= loads {
-        return Err(Fault::new(format!("there is no load {load}")).help(format!("the scene has {loads}, counted from 0")));
+        return Err(Fault::new(format!("load index {load} is out of range"))
+            .help(format!("expected an index from 0 to {}", loads.saturating_sub(1))));
     }
     let length = scene.system.out(Dimension::LENGTH);
     let solution = scene.solution().map_err(failed)?;

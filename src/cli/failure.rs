@@ -24,16 +24,16 @@ struct Place {
     span: Range<usize>,
 }
 
-/// The most characters of an error in all, and of its first line.
+/// Maximum number of characters of an error message, and of its first line.
 const MOST: usize = 300;
 const FIRST: usize = 120;
-/// The most and the fewest characters of a marked line, its dots included.
+/// Maximum and minimum width of an excerpt, including its dots.
 const SHOWN: usize = 120;
 const NARROWEST: usize = 40;
-/// Characters of `error: ` or `help: ` with the end of the line, and of the bar before a marked line with its end.
+/// Number of characters of `error: ` or `help: `, and of the bar before an excerpt, each with the end of the line.
 const PREFIX: usize = 8;
 const BAR: usize = 5;
-/// What stands for what was cut.
+/// Replaces omitted text.
 const DOTS: &str = " ...";
 
 impl Failure {
@@ -102,10 +102,10 @@ impl Failure {
         let position = self.place.as_ref().map(Place::position);
         let is_long = |text: &str| text.chars().count() + PREFIX > FIRST + 1;
         let whole = position.as_ref().map_or_else(|| self.message.clone(), |position| format!("{position}: {}", self.message));
-        // Where both are too long for one line, the place has its own.
+        // If the position and the message do not fit on one line, print the position on the next.
         let apart = position.as_ref().filter(|_| is_long(&whole));
         let whole = if apart.is_some() { &self.message } else { &whole };
-        // A long sentence that ends with what would be accepted has it on a line of its own.
+        // Print the advice at the end of a long message as a help line.
         let parts = if is_long(whole) && self.help.is_none() { whole.rsplit_once("; ") } else { None };
         let (message, help) = parts.map_or((whole.as_str(), self.help.as_deref()), |(message, help)| (message, Some(help)));
         let message = line(message);
@@ -117,7 +117,7 @@ impl Failure {
             room = room.saturating_sub(PREFIX + position.chars().count());
         }
         if let Some(place) = &self.place {
-            // Advice goes first where room is short.
+            // Shorten the excerpt before the help.
             let needed = help.map_or(0, |help| PREFIX + help.chars().count());
             let (shown, offset, marks) = place.excerpt((room.saturating_sub(needed) / 2).clamp(NARROWEST, SHOWN));
             writeln!(out, "  | {shown}")?;
@@ -147,7 +147,7 @@ impl Place {
         let line: Vec<char> = self.text.get(begin..).unwrap_or_default().chars().take_while(|c| *c != '\n').map(visible).collect();
         let offset = before.get(begin..).unwrap_or_default().chars().count();
         let marked = self.text.get(self.span.clone()).unwrap_or_default().chars().count();
-        // The dots at both ends count.
+        // Reserve space for the dots at both ends.
         let width = if line.len() + BAR <= width { line.len() } else { width - 2 * DOTS.len() - BAR };
         let before_mark = width / 3;
         let skipped = if line.len() > width { offset.saturating_sub(before_mark) } else { 0 };
@@ -182,7 +182,7 @@ fn line(message: &str) -> String {
     cut(message, FIRST + 1 - PREFIX)
 }
 
-/// The beginning of a text, of at most so many characters with the dots that follow what was cut.
+/// Truncates a text to at most `most` characters, including the trailing dots.
 fn cut(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         return text.chars().map(visible).collect();
@@ -191,7 +191,7 @@ fn cut(text: &str, most: usize) -> String {
     kept + DOTS
 }
 
-/// What the reader of the command line says, in as many characters as other errors have.
+/// Prints an error of the argument parser, subject to the same length limits as other errors.
 pub(super) fn report_usage(error: &clap::Error) {
     let text = error.to_string();
     let (first, rest) = text.split_once('\n').unwrap_or((&text, ""));
@@ -202,7 +202,7 @@ pub(super) fn report_usage(error: &clap::Error) {
     let _ = writeln!(stderr, "{first}\n{}", whole_lines(&lines, MOST - first.chars().count() - 2));
 }
 
-/// The first lines of a text that have room for so many characters.
+/// Returns the leading lines that fit into `most` characters.
 fn whole_lines(text: &str, most: usize) -> String {
     let mut left = most;
     let fits = |own: &&str| {

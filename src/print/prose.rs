@@ -147,7 +147,7 @@ pub(super) fn latex_words(words: &str) -> String {
             own if own.is_ascii() || ('\u{c0}'..='\u{17f}').contains(&own) || own == '…' => text.push(own),
             own => match latex_sign(own) {
                 Some(sign) => text += &format!("${sign}$"),
-                // A sign that no file of letters is sure to have: its code says what it was.
+                // Fall back to the code point for characters without a LaTeX command.
                 None => text += &format!("[U+{:04X}]", u32::from(own)),
             },
         }

@@ -202,15 +202,15 @@ impl<'a> Run<'a> {
         Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values, energy, regime })
     }
 
-    /// The numbers of a row with their errors, in the order of its values; `None` where there is no number or no error is known.
+    /// Returns the values of a row with error bounds, in the same order; `None` for a missing value or an unknown error.
     ///
-    /// The load has no error: it is what was asked for. The errors cost about three values of g or F for each row.
+    /// The load itself has no error. Computing the bounds takes about three evaluations of g or F.
     pub fn estimates(&self, index: usize, row: &Row) -> Vec<(Datum, Option<Estimate>)> {
         let found = self.load(index).zip(row.indented.state).and_then(|((_, load), state)| {
             let touch = if self.scene.counts_from_touch() { self.indentation.first_touch() } else { 0.0 };
             let bound = || {
                 let mut own = self.indentation.estimates(&state, load, ROUNDED).ok()?;
-                // The place of the first touch was found by samples.
+                // The radius of first contact was found by sampling.
                 if touch != 0.0 {
                     own.depth = own.depth + Estimate::estimated(0.0, 4.0 * f64::EPSILON * touch.abs(), 0);
                 }
@@ -382,7 +382,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// E* and the load are rounded where their units are converted, and E* where it is computed from moduli and Poisson's ratios.
+/// Relative rounding error of E* and of the load, from unit conversion and from combining elastic constants.
 const ROUNDED: f64 = 2.0 * f64::EPSILON;
 
 /// Refuses what overflowed, and in a contact under load what lost its digits by underflow.

@@ -31,7 +31,7 @@ impl Evaluator<'_> {
                 bound.set(bound.get().and(estimate.bound));
                 estimate.bounded()
             }
-            // It ends the sum, and nested rules say what is wrong.
+            // NaN ends the sum; the nested rules report the error.
             Err(_) => Bounded::exact(f64::NAN),
         };
         let pairs = ends.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.last()?)));

@@ -22,7 +22,7 @@ const MARGIN: f64 = 1e-11;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SeriesFailure {
     /// The profile has no power series at r = 0.
-    #[error("the profile has no power series at r = 0: {0}; a power of r times an analytic function would be accepted")]
+    #[error("the profile has no power series at r = 0: {0}; expected a power of r times an analytic function")]
     NotAnalytic(#[from] SeriesError),
     /// The point lies beyond the first breakpoint, where another piece begins.
     #[error("{symbol} = {at:?} lies beyond the first breakpoint, r = {end:?}: the series holds for the first piece only")]

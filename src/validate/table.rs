@@ -172,7 +172,7 @@ impl<'s> Table<'s> {
         Ok(more)
     }
 
-    /// The rows that were skipped, in words.
+    /// Describes the rows that were skipped.
     pub(super) fn skipped(&self) -> Vec<String> {
         let Skipped { repeated, empty, .. } = self.skipped;
         let repeated = (repeated > 0).then(|| format!("the first line stands again {repeated} times among the rows and is skipped there"));
@@ -192,7 +192,7 @@ struct Skipped {
     empty_is_infinite: bool,
 }
 
-/// True where a column holds bounds of pressures.
+/// Returns `true` if a column holds error bounds of pressures.
 fn has_bounds(unread: &[String]) -> bool {
     unread.iter().any(|own| own == "p_error" || own.starts_with("p_error_"))
 }

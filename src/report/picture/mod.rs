@@ -36,13 +36,13 @@ struct Line {
     points: Vec<(f64, f64)>,
 }
 
-/// About so many ticks has a vertical axis.
+/// Approximate number of ticks of a vertical axis.
 const TICKS: u32 = 6;
 /// Width of a picture and height of a panel in pixels.
 const PANEL: (u32, u32) = (860, 380);
-/// What lies closer to an infinite value than this share of the width does not decide how high a picture is.
+/// Points closer to an infinite value than this fraction of the width do not affect the height of the axis.
 const CLOSE: f64 = 0.04;
-/// The height of a picture with infinite values, in units of the largest value that lies far from them.
+/// Height of an axis with infinite values, relative to the largest value far from them.
 const ROOM: f64 = 1.2;
 /// Curves that rise to more than this many times their usual size are cut.
 const PEAK: f64 = 6.0;

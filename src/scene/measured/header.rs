@@ -37,7 +37,7 @@ pub(super) fn chosen(fields: &[Field<'_>], line_scan: bool) -> Result<(Column, C
                 let (text, place) = fields.get(*index).cloned().unwrap_or(("", 0..0));
                 Ok(Column { name: text.to_owned(), index: *index, unit: unit(text, &place)?, place })
             }
-            // A file that is no table, such as one of passwords, is not shown.
+            // Do not echo the contents of a file that is not a table; it may be confidential.
             [] if !is_header(fields) => {
                 Err(SceneError::missing(format!("the first line of the points names no column of {what}")).help(HELP))
             }
@@ -68,7 +68,7 @@ pub(super) fn chosen(fields: &[Field<'_>], line_scan: bool) -> Result<(Column, C
     Ok((radius, height))
 }
 
-/// True for a line of short names, as the first one of a table has.
+/// Returns `true` if the fields look like the column names of a table.
 fn is_header(fields: &[Field<'_>]) -> bool {
     const LONGEST: usize = 40;
     let is_name = |text: &str| {
