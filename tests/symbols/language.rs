@@ -56,7 +56,7 @@ fn formula() -> impl Strategy<Value = Formula> {
     prop_oneof![closed, pieces.clone(), prop::collection::vec(prop_oneof![part, pieces], 2..4).prop_map(Formula::sum)]
 }
 
-/// True where the expression has a part that the grammar refuses because it has no real value.
+/// True where the grammar refuses a part of the expression because it has no real value or its numbers are beyond the limits.
 fn refused(error: &parse::ParseError) -> bool {
     use parse::Reason;
     matches!(
@@ -67,6 +67,8 @@ fn refused(error: &parse::ParseError) -> bool {
             | Reason::DivisionByZero
             | Reason::NumberTooLarge
             | Reason::TooManyDigits { .. }
+            | Reason::DecimalExponent
+            | Reason::NumberWork
             | Reason::Exponent
     )
 }
