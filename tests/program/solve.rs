@@ -498,6 +498,7 @@ fn verdicts_say_what_they_rest_on() {
         "f = \"r*atan(r)\"",
         "f = \"1-exp(-r^2)\"",
         "f = \"atan(r^2)\"",
+        "f = \"r^2*gamma(2+r)\"",
         "f = \"1-sqrt(1-r^2)\"",
         "f = \"piecewise(r^2/2, r<1, r-1/2)\"",
         "f = \"-0.05*r^2\"\nradius = 1.0",
@@ -507,8 +508,8 @@ fn verdicts_say_what_they_rest_on() {
         let answer = json(&bare(profile, "depth = 0.25"), 0, &[]);
         assert_eq!((&answer["rows"][0]["verdict"], &answer["validity"]["verdict"]), (&"valid".into(), &"valid".into()), "{profile}");
     }
-    // gamma has no enclosure.
-    let sampled = bare("f = \"r^2*gamma(2+r)\"", "depth = 0.01");
+    // hyp1f1 has no enclosure.
+    let sampled = bare("f = \"r^2*hyp1f1(1,2,r)\"", "depth = 0.01");
     let answer = json(&sampled, 0, &[]);
     let radii = answer["validity"]["radii"].as_u64().unwrap();
     assert!(radii > 50 && answer["rows"][0]["verdict"] == format!("valid at {radii} radii"));

@@ -1,10 +1,11 @@
 //! Rows of the special functions that users type or answers show, spelled as in mpmath.
 
-use super::elementary::{binary, first, unary};
+use super::elementary::{binary, first, region, unary};
 use super::typeset::{self, Setting};
+use super::waves::of_order;
 use super::{PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
-use crate::num::{Precise, special};
+use crate::num::{Precise, Region, special};
 
 pub(super) static ROWS: &[Row] = &[
     Row {
@@ -22,6 +23,7 @@ pub(super) static ROWS: &[Row] = &[
             Sign::Positive => Sign::Positive,
             _ => Sign::Unknown,
         }),
+        region: Some(|a| region(a, Region::gamma)),
         ..PLAIN
     },
     Row {
@@ -34,6 +36,7 @@ pub(super) static ROWS: &[Row] = &[
             _ => Precise::nan(),
         }),
         derivative: Some(|a, _| Some(Expr::call("polygamma", [Expr::one(), first(a)]))),
+        region: Some(|a| region(a, Region::digamma)),
         ..PLAIN
     },
     // ψ^(m)(z), m = 0, 1, 2, …
@@ -68,6 +71,7 @@ pub(super) static ROWS: &[Row] = &[
             },
             _ => Sign::Unknown,
         }),
+        region: Some(|a| of_order(a, Region::polygamma)),
         ..PLAIN
     },
 ];

@@ -55,7 +55,7 @@ pub(super) static ROWS: &[Row] = &[
         derivative: Some(|a, _| Some(Expr::call("cos", [half_turns(a)]))),
         fold: Some(|a| odd("fresnelc", a)),
         sign: Some(|a| sign(&first(a))),
-        region: Some(|a| region(a, Region::fresnel)),
+        region: Some(|a| region(a, Region::fresnelc)),
         ..PLAIN
     },
     // ∫₀^z sin(πt²/2) dt.
@@ -68,7 +68,7 @@ pub(super) static ROWS: &[Row] = &[
         derivative: Some(|a, _| Some(Expr::call("sin", [half_turns(a)]))),
         fold: Some(|a| odd("fresnels", a)),
         sign: Some(|a| sign(&first(a))),
-        region: Some(|a| region(a, Region::fresnel)),
+        region: Some(|a| region(a, Region::fresnels)),
         ..PLAIN
     },
     Row {
@@ -153,7 +153,7 @@ pub(super) static ROWS: &[Row] = &[
 ];
 
 /// A function of an order that is a number, and of z.
-fn of_order(a: &[Region], f: fn(Region, f64) -> Region) -> Region {
+pub(super) fn of_order(a: &[Region], f: fn(Region, f64) -> Region) -> Region {
     match a {
         [order, z] => order.as_real().map_or_else(Region::unknown, |n| f(*z, n)),
         _ => Region::unknown(),

@@ -264,6 +264,9 @@ def breakpoints(tree, values, end):
             value = lambda t: program.compute(acb(t), False)[0].real
             count = 48
             grid = [low + (high - low) * (arb(k) + arb(1) / 7) / (count + 1) for k in range(count + 1)] + [high]
+            if low == 0:
+                # Powers and functions that grow as the same power meet anywhere next to the axis.
+                grid = [grid[0] * arb(2) ** -k for k in range(200, 0, -1)] + grid
             signs = [1 if value(t) > 0 else -1 if value(t) < 0 else 0 for t in grid]
             for (t0, s0), (t1, s1) in zip(zip(grid, signs), zip(grid[1:], signs[1:])):
                 if s0 * s1 >= 0:

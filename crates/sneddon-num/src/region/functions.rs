@@ -178,33 +178,8 @@ impl Region {
         if found.is_known() { found.and(Self::rectangle(Interval::loose(-re, re), Interval::loose(-im, im))) } else { found }
     }
 
-    /// erf z = (2/√π) z ∫₀¹ e^(−t² z²) dt.
-    #[must_use]
-    pub fn erf(self) -> Self {
-        if self.is_on_the_axis() {
-            return self.rising(libm::erf);
-        }
-        self.through(|square| 0.88 / (-square).exp().largest())
-    }
-
-    /// J_n(z), n = 0, 1, 2, …: |J_n(z)| ≤ |z/2|ⁿ e^|Im z|/n!, DLMF 10.14.4.
-    #[must_use]
-    pub fn besselj(self, n: f64) -> Self {
-        if !(n >= 0.0 && n.fract() == 0.0 && n <= 100.0 && self.is_known()) {
-            return Self::unknown();
-        }
-        let power = (1..=n as u32).fold(1.0, |product, k| product * (0.5 * self.largest() / f64::from(k)));
-        Self::within(power * self.im.largest().exp() * (1.0 + 1e-9))
-    }
-
-    /// I_n(z) = i^(−n) J_n(i z).
-    #[must_use]
-    pub fn besseli(self, n: f64) -> Self {
-        self.turned().besselj(n)
-    }
-
     /// |f(z)| ≤ |z|/m where f(z) = z ∫₀¹ h(t² z²) dt and |h| ≤ 1/m on the hull of 0 and z².
-    fn through(self, least: impl FnOnce(Self) -> f64) -> Self {
+    pub(super) fn through(self, least: impl FnOnce(Self) -> f64) -> Self {
         let square = self.square();
         let zero = Interval::point(0.0);
         let hull = Self::rectangle(square.re.hull(zero), square.im.hull(zero));
@@ -239,12 +214,12 @@ impl Region {
     }
 
     /// A function that rises, on a part of the real axis.
-    fn rising(self, f: fn(f64) -> f64) -> Self {
+    pub(super) fn rising(self, f: fn(f64) -> f64) -> Self {
         Self::rectangle(self.re.rising(f), Interval::point(0.0))
     }
 
     /// i z.
-    fn turned(self) -> Self {
+    pub(super) fn turned(self) -> Self {
         Self { re: self.im.negated(), im: self.re, ..self }
     }
 
