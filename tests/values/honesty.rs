@@ -53,6 +53,22 @@ fn a_ridge_that_no_sample_meets_is_found() {
     assert!((found.value - truth).abs() <= found.error && found.error < 1e-5 * truth.abs() && found.bound == Bound::Proven, "{found:?}");
 }
 
+/// Class "a special function in a denominator or a logarithm has no proven bound": 40-digit quadrature of mpmath at x = 0.9534609375.
+#[test]
+fn special_functions_inside_quotients_and_logarithms_are_proven() {
+    for (text, truth) in [
+        ("ln(1+(r*I1(2*r))^2)", "2.734335018149606549554920250073886"),
+        ("r^2/(1+J0(r)^2)", "1.198076212856492705894738270771002"),
+        ("ln(1+r^2*erf(2*r))", "1.188557155206953939917463503465037"),
+        ("r^2/(1+gamma(1+r)^2)", "0.8725749216519416084374061206121295"),
+        ("ln(1+r^2*struveh(1,r))", "0.3912709811550083204308969387442935"),
+    ] {
+        let found = read(text, "g", 0.953_460_937_5).unwrap().estimate;
+        assert!(Decimal::read(truth).distance(found.value) <= found.error, "{text}: {found:?}");
+        assert!(found.bound == Bound::Proven && found.relative_error() < 1e-13, "{text}: {found:?}");
+    }
+}
+
 /// Below c the integrand is r⁶ and above it r⁵, but so small there that the fall of the coefficients does not show it yet.
 #[test]
 fn narrow_steps_beside_steep_powers_are_not_taken_for_noise() {
