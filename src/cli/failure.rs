@@ -161,8 +161,10 @@ impl Place {
 impl From<Exhausted> for Failure {
     fn from(error: Exhausted) -> Self {
         let seconds = error.steps as f64 / Budget::seconds(1.0).count() as f64;
+        // Two significant digits, as a person types a budget.
+        let seconds = format!("{seconds:.1e}").parse().unwrap_or(seconds);
         let failure = Self::new(format!("the work was stopped: the budget of {} steps is used up", error.steps))
-            .help(format!("a larger --budget SECONDS would be accepted (this one stands for {seconds:.1} s), or a simpler profile"));
+            .help(format!("a larger --budget SECONDS would be accepted (this one stands for {seconds} s), or a simpler profile"));
         Self { incomplete: true, ..failure }
     }
 }

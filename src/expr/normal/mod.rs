@@ -111,9 +111,14 @@ pub fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
 
 /// The coefficients c_k of a polynomial in the variable, by rising k; `None` where it is none.
 pub fn polynomial_coefficients(expr: &Expr, variable: &Symbol) -> Option<Vec<Expr>> {
+    coefficients(&normal_terms(expr, variable).ok()?)
+}
+
+/// The coefficients of a recognition form by rising power; `None` where it is not a polynomial.
+pub fn coefficients(terms: &[NormalTerm]) -> Option<Vec<Expr>> {
     const HIGHEST: u32 = 400;
     let mut coefficients: Vec<Expr> = Vec::new();
-    for term in normal_terms(expr, variable).ok()? {
+    for term in terms {
         let k = term.whole_power().filter(|k| *k <= HIGHEST)? as usize;
         while coefficients.len() <= k {
             coefficients.push(Expr::zero());

@@ -1,23 +1,55 @@
 //! What rules read from a term: monomials, linear and quadratic polynomials in r, powers of them, calls, and what must be positive.
 
-use crate::expr::{Condition, Expr, Node, Sign, Symbol, normal, sign};
+use crate::expr::normal::{self, NormalTerm};
+use crate::expr::{Condition, Expr, Node, Sign, Symbol, sign};
+use sneddon_num::work;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
 
-fn radius() -> Symbol {
-    Symbol::new("r")
+type Terms = Option<Rc<[NormalTerm]>>;
+
+thread_local! {
+    static KNOWN: RefCell<Option<HashMap<Expr, Terms>>> = const { RefCell::new(None) };
+}
+
+/// Runs work within which each expression is brought to its recognition form once, although every rule asks for it.
+///
+/// Nothing is kept longer, so that the steps of a call do not depend on earlier calls.
+pub(crate) fn remembered<T>(work: impl FnOnce() -> T) -> T {
+    struct Restored(Option<HashMap<Expr, Terms>>);
+    impl Drop for Restored {
+        fn drop(&mut self) {
+            KNOWN.set(self.0.take());
+        }
+    }
+    let _restored = Restored(KNOWN.replace(Some(HashMap::new())));
+    work()
+}
+
+/// The recognition form in r; `None` where it would be too large.
+fn normal_terms(expr: &Expr) -> Terms {
+    if let Some(terms) = KNOWN.with_borrow(|known| known.as_ref()?.get(expr).cloned()) {
+        return terms;
+    }
+    let terms: Terms = normal::normal_terms(expr, &Symbol::new("r")).ok().map(Rc::from);
+    KNOWN.with_borrow_mut(|known| known.as_mut().filter(|_| !work::is_exhausted()).map(|known| known.insert(expr.clone(), terms.clone())));
+    terms
 }
 
 /// k and α of k·r^α with k free of r and not zero.
 pub fn monomial(expr: &Expr) -> Option<(Expr, Expr)> {
-    let terms = normal::normal_terms(expr, &radius()).ok()?;
-    match terms.as_slice() {
-        [only] if only.kernel.is_one() && !only.exponent.contains(&radius()) => Some((only.coefficient.clone(), only.exponent.clone())),
+    match normal_terms(expr)?.as_ref() {
+        [only] if only.kernel.is_one() && !only.exponent.contains(&Symbol::new("r")) => {
+            Some((only.coefficient.clone(), only.exponent.clone()))
+        }
         _ => None,
     }
 }
 
 /// w and β of w + β r with neither zero.
 pub fn linear(expr: &Expr) -> Option<(Expr, Expr)> {
-    match normal::polynomial_coefficients(expr, &radius())?.as_slice() {
+    match normal::coefficients(&normal_terms(expr)?)?.as_slice() {
         [w, beta] if !w.is_zero() => Some((w.clone(), beta.clone())),
         _ => None,
     }
@@ -25,7 +57,7 @@ pub fn linear(expr: &Expr) -> Option<(Expr, Expr)> {
 
 /// α and β of α + β r² with neither zero.
 pub fn quadratic(expr: &Expr) -> Option<(Expr, Expr)> {
-    match normal::polynomial_coefficients(expr, &radius())?.as_slice() {
+    match normal::coefficients(&normal_terms(expr)?)?.as_slice() {
         [alpha, middle, beta] if middle.is_zero() && !alpha.is_zero() => Some((alpha.clone(), beta.clone())),
         _ => None,
     }
