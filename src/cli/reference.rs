@@ -6,7 +6,7 @@ use super::progress::Progress;
 use super::solve::{failure, read};
 use super::{Failure, Outcome, budget, tip};
 use crate::report::Reference;
-use crate::scene::{self, Curve, Grid, Run, SceneError};
+use crate::scene::{self, Grid, Run, SceneError};
 use std::path::PathBuf;
 
 /// Exact pressure, displacement and shape on the grid of a solver, each value with its error bound.
@@ -77,11 +77,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
     };
     let cells = arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true));
-    let wanted = [Curve::Pressure, Curve::Displacement, Curve::Profile, Curve::Equivalent];
-    let mut curves: Vec<Curve> = wanted.into_iter().filter(|own| scene.outputs.curves.contains(own)).collect();
-    if curves.is_empty() {
-        curves.push(Curve::Pressure);
-    }
+    let curves = scene.outputs.fields();
     if !scene.round {
         return Err(Failure::new("no field is known of a punch with a cross-section of its own")
             .help("d, F and k by sneddon solve, or a round indenter would be accepted"));

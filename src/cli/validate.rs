@@ -14,6 +14,7 @@ use std::sync::Arc;
 /// Compares a contact solver's results with the exact solution of a scene, and says what is wrong with them.
 ///
 /// Files with columns d, F, a hold a load per row; files with r (or x, y) and p or u hold places under the scene's load.
+/// A column d beside the places separates several loads.
 /// Columns are named with their units: d_um,F_mN,a_um or r_m,p_Pa. Several files are several resolutions.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
@@ -21,7 +22,7 @@ pub(super) struct Arguments {
     /// The scene file; [load] is needed for pressures only.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// The solver's data, CSV; coarsest first unless --grid or the data tell otherwise.
+    /// The solver's data: CSV, NPY, NPZ, or what sneddon reference writes; coarsest first unless --grid or the data tell otherwise.
     #[arg(value_name = "DATA", required = true)]
     data: Vec<PathBuf>,
     /// The relative error in L2 that is accepted, in the place of that of the grid.
@@ -30,7 +31,7 @@ pub(super) struct Arguments {
     /// Pixels along a side of the solver's domain, per file.
     #[arg(long, value_name = "N,N,…", value_delimiter = ',')]
     grid: Vec<f64>,
-    /// The column of a quantity, as in p=press or p_GPa=press; columns without names are counted from 1.
+    /// The column or array of a quantity, as in p=press or p_GPa=press; columns and rows without names are counted from 1.
     #[arg(long, value_name = "NAME=COLUMN", value_parser = mapped)]
     map: Vec<(String, String)>,
     /// The side of the solver's domain, as "8 um", in the place of that of [data].

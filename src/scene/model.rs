@@ -60,6 +60,15 @@ pub struct Outputs {
     pub depths: Loads,
 }
 
+impl Outputs {
+    /// The curves that `reference` writes on a grid: those of p, u, f and g that are wanted, p if none of them is.
+    pub fn fields(&self) -> Vec<Curve> {
+        let all = [Curve::Pressure, Curve::Displacement, Curve::Profile, Curve::Equivalent];
+        let wanted: Vec<Curve> = all.into_iter().filter(|own| self.curves.contains(own)).collect();
+        if wanted.is_empty() { vec![Curve::Pressure] } else { wanted }
+    }
+}
+
 /// Loads and grids in the units of the answers, each rounded once from what was typed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {

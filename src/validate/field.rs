@@ -115,7 +115,8 @@ pub(super) fn compare(
 ) -> Result<Compared, ValidationError> {
     let a = state.radius;
     let declared = scene.data.as_ref();
-    let cells = declared.and_then(|own| own.cells).unwrap_or(false);
+    let means = declared.and_then(|own| own.cells).or(survey.cells);
+    let cells = means.unwrap_or(false);
     let mean_over = pixel.pixel.filter(|_| cells);
     let sign = if declared.is_some_and(|own| own.tension) { -1.0 } else { 1.0 };
     // Without a pixel the places themselves say how fine they are.
@@ -125,7 +126,7 @@ pub(super) fn compare(
     let pressures = Pressures::new(exact, formula.as_ref(), state, survey.rows);
     let contact = exact.contact(state);
     let mut own = Sums::new(state, margin, survey, pixel);
-    let mut table = Table::open(survey.source, survey.layout)?;
+    let mut table = Table::open(&survey.data)?;
     let (at_p, at_u) = (survey.index(Kind::Pressure), survey.index(Kind::Displacement));
     let locations = survey.places();
     let value =
@@ -176,7 +177,7 @@ pub(super) fn compare(
             report.notes.push(format!("u is compared up to a constant, which is {constant:.6e} in the data ({unit})"));
         }
     }
-    report.notes.push(match (mean_over, declared.and_then(|own| own.cells)) {
+    report.notes.push(match (mean_over, means) {
         (Some(_), _) => "pressures are read as means over pixels".to_owned(),
         (None, Some(true)) => "the pixel is not known, so pressures are read as values at their places".to_owned(),
         _ => "pressures are read as values at their places".to_owned(),
@@ -268,7 +269,7 @@ impl Sums {
         let points = self.errors.items.iter().step_by(self.errors.items.len() / KEPT + 1);
         let points = points.map(|(r, p, exact)| (at(*r), survey.shown(Kind::Pressure, *p), survey.shown(Kind::Pressure, *exact))).collect();
         FileReport {
-            name: survey.source.name.clone(),
+            name: survey.name(scene),
             grid: pixel.grid,
             pixel: pixel.pixel.map(|h| h / state.radius),
             rows: survey.rows,

@@ -32,14 +32,20 @@ impl Layout {
     /// Checks the symbols of the map.
     ///
     /// # Errors
-    /// [`ValidationError::Request`] for a symbol that is not known.
+    /// [`ValidationError::Request`] for a symbol that is not known, and for a column that is mapped twice.
     pub fn checked(self) -> Result<Self, ValidationError> {
         match self.map.iter().find(|(symbol, _)| !matches!(read(symbol, 0), Reading::Known(_))) {
             Some((symbol, column)) => Err(ValidationError::request(
                 format!("--map {symbol}={column}: {symbol:?} is not a quantity that can be compared"),
                 "one of d, F, a, A, r, x, y, p, u and u+c, perhaps with a unit as in p_GPa, would be accepted",
             )),
-            None => Ok(self),
+            None => match self.map.iter().enumerate().find(|(index, own)| self.map.iter().take(*index).any(|other| other.1 == own.1)) {
+                Some((_, (symbol, column))) => Err(ValidationError::request(
+                    format!("--map {symbol}={column}: the column {column} is mapped already"),
+                    "each column once would be accepted",
+                )),
+                None => Ok(self),
+            },
         }
     }
 
@@ -82,6 +88,8 @@ pub(super) struct Columns {
     pub(super) notes: Vec<String>,
     /// True where the places were made from the box, about the axis.
     pub(super) placed: bool,
+    /// Whether pressures are means over cells, where the file says so.
+    pub(super) cells: Option<bool>,
 }
 
 /// Fewest rows and columns of an array that is a field unless it is said to be a table.
@@ -107,14 +115,28 @@ pub(super) fn columns(file: &str, mut arrays: Vec<Array>, layout: &Layout) -> Re
         }
     }
     numbers.retain(|own| !(own.name.ends_with("_error") || own.name.ends_with("_at") || own.name == "valid"));
+    if let [only] = numbers.as_slice()
+        && only.shape.len() == 3
+    {
+        numbers = layers(only);
+        if layout.map.is_empty() {
+            let message = format!("the array holds {} fields without names", numbers.len());
+            return Err(ValidationError::data(file, None, message, "--map x=1 --map y=2 --map p=3, which names them, would be accepted"));
+        }
+    }
     if let [only] = numbers.as_mut_slice()
         && let [rows, columns] = *only.shape
     {
         let known = matches!(layout.read(&only.name, 0), Reading::Known(_));
         if !known && (rows.min(columns) < FIELD || layout.by_number()) {
-            let values = (0..columns).map(|column| only.values.iter().skip(column).step_by(columns).copied().collect()).collect();
-            let names = (1..=columns).map(|own| own.to_string()).collect();
-            return Ok(Columns { names, values, notes, placed: false });
+            // Few rows of many numbers are arrays that were stacked; else each column is a quantity.
+            let stacked = rows < FIELD && rows < columns;
+            let values = match stacked {
+                true => only.values.chunks(columns).map(<[f64]>::to_vec).collect(),
+                false => (0..columns).map(|column| only.values.iter().skip(column).step_by(columns).copied().collect()).collect(),
+            };
+            let names = (1..=if stacked { rows } else { columns }).map(|own| own.to_string()).collect();
+            return Ok(Columns { names, values, notes, placed: false, cells: None });
         }
         if !known {
             notes.push(format!("the array {:?} is read as p; --map u={} would read it as u", only.name, only.name));
@@ -126,7 +148,7 @@ pub(super) fn columns(file: &str, mut arrays: Vec<Array>, layout: &Layout) -> Re
         _ => None,
     };
     let field = numbers.iter().find(|own| own.shape.len() == 2 && matches!(kind(own), Some(Kind::Pressure | Kind::Displacement)));
-    let mut columns = Columns { names: Vec::new(), values: Vec::new(), notes, placed: false };
+    let mut columns = Columns { names: Vec::new(), values: Vec::new(), notes, placed: false, cells: None };
     let mut add = |name: &str, values: Vec<f64>| {
         let unit = units.iter().find(|own| own.0 == format!("{name}_unit")).map(|own| own.1.as_str()).filter(|own| !own.is_empty());
         columns.names.push(unit.map_or_else(|| name.to_owned(), |unit| format!("{name}_{unit}")));
@@ -199,6 +221,19 @@ pub(super) fn columns(file: &str, mut arrays: Vec<Array>, layout: &Layout) -> Re
         }
     }
     Ok(columns)
+}
+
+/// The fields that an array with three indices holds, named by their numbers, from 1 on.
+fn layers(array: &Array) -> Vec<Array> {
+    let shape = array.shape.get(1..).unwrap_or_default();
+    let each = shape.iter().product::<usize>().max(1);
+    let layer = |(index, values): (usize, &[f64])| Array {
+        name: (index + 1).to_string(),
+        shape: shape.to_vec(),
+        values: values.to_vec(),
+        text: None,
+    };
+    array.values.chunks(each).enumerate().map(layer).collect()
 }
 
 /// Row and column of the axis: what is declared, else the nearer one of both middles to the centre of mass.

@@ -105,7 +105,7 @@ pub(super) fn compare(
 ) -> Result<Compared, ValidationError> {
     let declared = scene.data.as_ref();
     let control = control(survey, declared);
-    let mut table = Table::open(survey.source, survey.layout)?;
+    let mut table = Table::open(&survey.data)?;
     let (mut force, mut depth, mut radius) = (Norms::new(true), Norms::new(true), Norms::new(true));
     let (mut kept, mut errors, mut drawn) = (Sample::new(KEPT), Sample::new(KEPT), Sample::new(KEPT));
     let (mut values, mut unmatched) = (Vec::new(), 0);
@@ -145,7 +145,7 @@ pub(super) fn compare(
         drawn.push((at, decided.0, decided.1));
     }
     let mut report = FileReport {
-        name: survey.source.name.clone(),
+        name: survey.name(scene),
         grid: pixel.grid,
         pixel: None,
         rows: survey.rows,

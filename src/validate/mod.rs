@@ -2,6 +2,7 @@
 
 mod array;
 mod column;
+mod data;
 mod diagnosis;
 mod displacement;
 mod error;
@@ -18,17 +19,18 @@ mod placing;
 mod record;
 mod run;
 mod score;
+mod stacked;
 mod survey;
 mod table;
 mod units;
 mod verdict;
 
+pub use data::Source;
 pub use error::ValidationError;
 pub use layout::{Layout, Origin};
 pub use order::Order;
 pub use record::{Beyond, Column, Excluded, FileReport, Plot, Suspicion, Validation};
 pub use run::{Request, validate};
-pub use table::Source;
 
 /// Private parts that tests in `tests/` look at; not part of the interface.
 #[doc(hidden)]

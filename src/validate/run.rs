@@ -1,5 +1,6 @@
 //! A validation from beginning to end: look at the files, find the pixels, compare, judge, and look for the fault.
 
+use super::data::{Data, Source};
 use super::diagnosis::{self, Evidence};
 use super::exact::Exact;
 use super::layout::Layout;
@@ -11,7 +12,7 @@ use super::score::Gauge;
 use super::survey::{Content, Survey};
 use super::units::Units;
 use super::verdict::{Verdict, verdict};
-use super::{FileReport, Source, Suspicion, Validation, ValidationError, column::Kind, field, loads};
+use super::{FileReport, Suspicion, Validation, ValidationError, column::Kind, field, loads};
 use crate::contact::{Load, State};
 use crate::scene::{Change, Control, Scene, Walls, scene_for_data};
 use std::collections::BTreeSet;
@@ -34,7 +35,8 @@ pub struct Request<'a> {
 
 /// Compares a solver's data with the exact solution of a scene.
 ///
-/// Files with d, F and a hold a load per row; files with r (or x, y) and p or u hold places under the scene's single load.
+/// Files with d, F and a hold a load per row; files with r (or x, y) and p or u hold places under the scene's single load,
+/// or under every load in their column d.
 ///
 /// # Errors
 /// [`ValidationError`] where a file or the scene cannot be read.
@@ -43,7 +45,9 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     let mut units = Units::default();
     let mut surveys = Vec::new();
     for source in request.sources {
-        surveys.push(Survey::new(source, request.layout, scene, &mut units)?);
+        for data in Data::of(source, request.layout, scene)? {
+            surveys.push(Survey::new(data, scene, &mut units)?);
+        }
     }
     let names: Vec<String> = surveys.iter().flat_map(|own| own.names.iter().cloned()).collect();
     if let Some(error) = request.layout.without_column(&names) {
@@ -51,11 +55,7 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     }
     let work = Work { request, scene, judge: judge(request, scene) };
     let mut parts = Vec::new();
-    for content in [Content::Loads, Content::Field] {
-        let mut own: Vec<&mut Survey<'_>> = surveys.iter_mut().filter(|own| own.content == content).collect();
-        if own.is_empty() {
-            continue;
-        }
+    for (content, mut own) in groups(&mut surveys) {
         let pixels = pixels(&mut own, content, scene.data.as_ref(), request.grid)?;
         let contradiction = contradiction(&pixels);
         let mut files: Vec<(&Survey<'_>, Pixel)> = own.into_iter().map(|own| &*own).zip(pixels).collect();
@@ -76,12 +76,34 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     Ok(found)
 }
 
+/// Files of loads, and files of places by their load: files of one group are several resolutions.
+fn groups<'a, 's>(surveys: &'a mut [Survey<'s>]) -> Vec<(Content, Vec<&'a mut Survey<'s>>)> {
+    let mut groups: Vec<(Content, Vec<&mut Survey<'s>>)> = Vec::new();
+    let near = |one: Option<f64>, other: Option<f64>| match (one, other) {
+        (Some(one), Some(other)) => (one - other).abs() <= 1e-6 * one.abs().max(other.abs()),
+        _ => one.is_none() && other.is_none(),
+    };
+    for own in surveys {
+        let same = |group: &&mut (Content, Vec<&mut Survey<'s>>)| {
+            group.0 == own.content && group.1.first().is_some_and(|first| near(first.load_value(), own.load_value()))
+        };
+        match groups.iter_mut().find(same) {
+            Some(group) => group.1.push(own),
+            None => groups.push((own.content, vec![own])),
+        }
+    }
+    groups.sort_by_key(|group| group.0 == Content::Field);
+    groups
+}
+
 fn judge(request: &Request<'_>, scene: &Scene) -> loads::Judge {
     loads::Judge { demanded: request.tolerance, solver: scene.data.as_ref().map_or(0.0, |own| own.tolerance) }
 }
 
 /// What the files of one kind say.
 struct Part {
+    /// The load of the places, where the files have several.
+    load: Option<String>,
     verdict: Verdict,
     suspicion: Option<Suspicion>,
     files: Vec<FileReport>,
@@ -107,17 +129,26 @@ impl Part {
 
     /// The reason, with what to try where no fault explains the data.
     fn reason(&self) -> String {
-        match self.verdict.advice.filter(|_| self.suspicion.is_none()) {
+        let own = match self.verdict.advice.filter(|_| self.suspicion.is_none()) {
             Some(advice) => format!("{}: {advice}", self.verdict.reason),
             None => self.verdict.reason.clone(),
-        }
+        };
+        self.load.as_ref().map_or_else(|| own.clone(), |load| format!("{load}: {own}"))
     }
 }
+
+/// Maximum number of reasons in one sentence.
+const MOST_REASONS: usize = 2;
 
 /// All kinds together.
 fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
     let passed = parts.iter().all(|own| own.verdict.passed);
-    let telling: Vec<String> = parts.iter().filter(|own| own.verdict.passed == passed).map(Part::reason).collect();
+    let mut telling: Vec<String> = parts.iter().filter(|own| own.verdict.passed == passed).map(Part::reason).collect();
+    let more = telling.len().saturating_sub(MOST_REASONS);
+    if more > 0 {
+        telling.truncate(MOST_REASONS);
+        telling.push(format!("{more} more loads {}", if passed { "passed" } else { "failed" }));
+    }
     let suspicions: Vec<&Suspicion> = parts.iter().filter_map(|own| own.suspicion.as_ref()).collect();
     let agreed = suspicions.first().filter(|first| suspicions.iter().all(|own| own.id == first.id));
     let orders: Vec<_> = parts.iter().filter_map(|own| own.verdict.order).collect();
@@ -176,11 +207,12 @@ impl Work<'_> {
             let evidence = Evidence::Loads { rows: finest.rows.clone(), factors };
             diagnosis::diagnose(self.request.text, self.scene, &evidence, &gauge)
         };
-        Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect(), warnings: solution.warnings() })
+        Ok(Part { load: None, verdict, suspicion, files: all.into_iter().map(|own| own.report).collect(), warnings: solution.warnings() })
     }
 
     fn field(&self, files: &[(&Survey<'_>, Pixel)]) -> Result<Part, ValidationError> {
-        let (solution, load) = (self.scene.solution()?, self.single_load()?);
+        let known = files.first().and_then(|(survey, _)| survey.load());
+        let (solution, load) = (self.scene.solution()?, known.map_or_else(|| self.single_load(), Ok)?);
         let exact = Exact::new(self.scene, &solution, load)?;
         let state = exact.state(load).filter(|own| own.radius > 0.0);
         let Some(state) = state else {
@@ -210,7 +242,8 @@ impl Work<'_> {
             Some(own) => Some(own),
             None => files.last().and_then(|(survey, pixel)| self.suspicion(finest, survey, *pixel, &state)),
         };
-        Ok(Part { verdict, suspicion, files: all.into_iter().map(|own| own.report).collect(), warnings: solution.warnings() })
+        let load = files.first().and_then(|(survey, _)| survey.load_name(self.scene));
+        Ok(Part { load, verdict, suspicion, files: all.into_iter().map(|own| own.report).collect(), warnings: solution.warnings() })
     }
 
     fn suspicion(&self, finest: &field::Compared, survey: &Survey<'_>, pixel: Pixel, state: &State) -> Option<Suspicion> {

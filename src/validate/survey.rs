@@ -2,12 +2,14 @@
 
 use super::ValidationError;
 use super::column::{Column, Kind};
+use super::data::Data;
 use super::lattice::{self, Lattice, Offset};
 use super::layout::{Layout, Origin};
 use super::loads::Row;
 use super::placing::Extent;
-use super::table::{Source, Table};
+use super::table::Table;
 use super::units::Units;
+use crate::contact::Load;
 use crate::scene::Scene;
 use std::collections::BTreeSet;
 
@@ -22,8 +24,7 @@ pub(super) enum Content {
 
 /// What the first look found; lengths in computed units.
 pub(super) struct Survey<'s> {
-    pub(super) source: &'s Source<'s>,
-    pub(super) layout: &'s Layout,
+    pub(super) data: Data<'s>,
     /// The coordinates of the axis in both directions.
     axis: f64,
     pub(super) content: Content,
@@ -35,6 +36,8 @@ pub(super) struct Survey<'s> {
     pub(super) lattice: Option<Lattice>,
     /// How far x and y reach, counted from the axis.
     pub(super) extent: Extent,
+    /// Whether pressures are means over cells, where the file says so.
+    pub(super) cells: Option<bool>,
     /// The pixel that contact radii betray.
     pub(super) counted: Option<f64>,
     pub(super) notes: Vec<String>,
@@ -51,8 +54,9 @@ const HELP: &str = "columns such as d_um,F_mN,a_um for loads, or r_um,p_GPa (or 
 
 impl<'s> Survey<'s> {
     /// Reads a file once.
-    pub(super) fn new(source: &'s Source<'s>, layout: &'s Layout, scene: &Scene, units: &mut Units) -> Result<Self, ValidationError> {
-        let mut table = Table::open(source, layout)?;
+    pub(super) fn new(data: Data<'s>, scene: &Scene, units: &mut Units) -> Result<Self, ValidationError> {
+        let (source, layout) = (data.source, data.layout);
+        let mut table = Table::open(&data)?;
         let content = content(&source.name, &table).map_err(|error| layout.without_column(&table.names).unwrap_or(error))?;
         let columns = table.columns.clone();
         let mut factors = Vec::new();
@@ -109,7 +113,37 @@ impl<'s> Survey<'s> {
             lattice = Some(Lattice { pixel: gap, offset: lattice.map_or(Offset::Centre, |own| own.offset) });
         }
         let counted = lattice::of_areas(&radii);
-        Ok(Self { source, layout, axis, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
+        drop(table);
+        let cells = data.arrays.as_ref().and_then(|own| own.cells);
+        Ok(Self { data, axis, cells, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
+    }
+
+    /// The name of the file, with the load whose rows are read.
+    pub(super) fn name(&self, scene: &Scene) -> String {
+        let file = &self.data.source.name;
+        self.load_name(scene).map_or_else(|| file.clone(), |load| format!("{file}, {load}"))
+    }
+
+    /// The load whose rows are read, as in `d = 0.4 um`.
+    pub(super) fn load_name(&self, scene: &Scene) -> Option<String> {
+        let (kind, load) = self.data.load?;
+        Some(format!("{} = {load} {}", kind.symbol(), self.unit(kind, scene)).trim_end().to_owned())
+    }
+
+    /// The load whose rows are read, in computed units.
+    pub(super) fn load_value(&self) -> Option<f64> {
+        let (kind, load) = self.data.load?;
+        Some(load * self.factors.get(self.index(kind)?)?)
+    }
+
+    /// The load whose rows are read; `None` if it is that of the scene.
+    pub(super) fn load(&self) -> Option<Load> {
+        let value = self.load_value()?;
+        Some(match self.data.load?.0 {
+            Kind::Force => Load::Force(value),
+            Kind::ContactRadius => Load::Radius(value),
+            _ => Load::Depth(value),
+        })
     }
 
     /// The place of a kind of column.

@@ -1,18 +1,11 @@
-//! A data file row by row: text with names in its first line and numbers below, of which nothing is kept, or the arrays of NumPy's files.
+//! A data file row by row: text with names in its first line and numbers below, of which nothing is kept, or columns of arrays.
 
 use super::ValidationError;
-use super::array::{NPY, NPZ, arrays};
 use super::column::{Column, Kind, Reading};
-use super::layout::{Layout, columns};
+use super::data::Data;
+use super::layout::{Columns, Layout};
 use std::io::{self, BufRead, BufReader, Read};
-
-/// A file of data that can be opened more than once.
-pub struct Source<'a> {
-    /// Its name, for errors and answers.
-    pub name: String,
-    /// Opens it at its beginning.
-    pub open: Box<dyn Fn() -> io::Result<Box<dyn Read>> + 'a>,
-}
+use std::rc::Rc;
 
 /// A file being read.
 pub(super) struct Table<'s> {
@@ -27,12 +20,14 @@ pub(super) struct Table<'s> {
     skipped: Skipped,
     /// True where the places were made from the box, about the axis.
     pub(super) placed: bool,
+    /// The place of the column of loads and the load whose rows are read.
+    only: Option<(usize, f64)>,
 }
 
 /// Where the numbers come from.
 enum Body {
     Text(Box<Text>),
-    Arrays { columns: Vec<Vec<f64>>, next: usize },
+    Arrays { columns: Rc<Columns>, next: usize },
 }
 
 /// Lines of numbers.
@@ -45,8 +40,6 @@ struct Text {
 
 /// The longest line before the numbers.
 const LONGEST: u64 = 1 << 16;
-/// The longest file of arrays.
-const LARGEST: u64 = 1_000_000_000;
 /// Characters that begin a comment.
 const COMMENTS: [char; 2] = ['#', '%'];
 const FINITE: &str = "a finite number such as 1.5e-6 would be accepted";
@@ -64,11 +57,17 @@ const NETCDF: &str =
 const NAMES: &str = "a first line such as d_um,F_mN,a_um or r_um,p_GPa would be accepted";
 
 impl<'s> Table<'s> {
-    /// Opens a file and reads its header.
-    pub(super) fn open(source: &'s Source<'_>, layout: &Layout) -> Result<Self, ValidationError> {
-        let name = source.name.as_str();
-        let file = (source.open)().map_err(|error| unreadable(name, None, &error))?;
-        let mut file = BufReader::with_capacity(1 << 16, file);
+    /// Opens data at their first row.
+    pub(super) fn open(data: &'s Data<'_>) -> Result<Self, ValidationError> {
+        let mut table = match &data.arrays {
+            Some(columns) => Self::of_arrays(&data.source.name, columns, data.layout)?,
+            None => Self::of_text(&data.source.name, data.reader()?, data.layout)?,
+        };
+        table.only = data.load.and_then(|(kind, load)| Some((table.index(kind)?, load)));
+        Ok(table)
+    }
+
+    fn of_text(name: &'s str, mut file: BufReader<Box<dyn Read>>, layout: &Layout) -> Result<Self, ValidationError> {
         let begin = file.fill_buf().map_err(|error| unreadable(name, None, &error))?;
         if let Some((_, format, convert)) = FOREIGN.iter().find(|own| begin.starts_with(own.0)) {
             return Err(ValidationError::data(
@@ -77,9 +76,6 @@ impl<'s> Table<'s> {
                 format!("this is {format}, which is not read"),
                 format!("python -c \"{convert}\" would convert it"),
             ));
-        }
-        if begin.starts_with(NPY) || begin.starts_with(NPZ) {
-            return Self::of_arrays(name, file, layout);
         }
         let header = Header::read(name, &mut file, layout)?;
         let blanks = header.delimiter == b' ';
@@ -103,43 +99,17 @@ impl<'s> Table<'s> {
             decimal_commas: header.delimiter != b',',
         }));
         let empty_is_infinite = has_bounds(&unread);
-        Ok(Self {
-            name,
-            columns,
-            notes,
-            unread,
-            names: header.names,
-            body,
-            skipped: Skipped { empty_is_infinite, ..Skipped::default() },
-            placed: false,
-        })
+        let skipped = Skipped { empty_is_infinite, ..Skipped::default() };
+        Ok(Self { name, columns, notes, unread, names: header.names, body, skipped, placed: false, only: None })
     }
 
-    fn of_arrays(name: &'s str, mut file: BufReader<Box<dyn Read>>, layout: &Layout) -> Result<Self, ValidationError> {
-        let mut bytes = Vec::new();
-        file.by_ref().take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| unreadable(name, None, &error))?;
-        if bytes.len() as u64 > LARGEST {
-            let message = format!("the file is longer than the {LARGEST} bytes that are read of NumPy's formats");
-            return Err(ValidationError::data(name, None, message, "a CSV file of any length would be accepted"));
-        }
-        let stem = std::path::Path::new(name).file_stem().and_then(|own| own.to_str()).unwrap_or("array");
-        let own = columns(name, arrays(name, stem, bytes)?, layout)?;
-        let (known, unread) = understood(name, None, &own.names, layout)?;
-        let mut notes = own.notes;
+    fn of_arrays(name: &'s str, own: &Rc<Columns>, layout: &Layout) -> Result<Self, ValidationError> {
+        let (columns, unread) = understood(name, None, &own.names, layout)?;
+        let mut notes = own.notes.clone();
         notes.extend(unread.iter().map(|name| format!("array {name:?} is not read")));
-        let values = known.iter().filter_map(|column| own.values.get(column.index).cloned()).collect();
-        let body = Body::Arrays { columns: values, next: 0 };
-        let empty_is_infinite = has_bounds(&unread);
-        Ok(Self {
-            name,
-            columns: known,
-            notes,
-            unread,
-            names: own.names,
-            body,
-            skipped: Skipped { empty_is_infinite, ..Skipped::default() },
-            placed: own.placed,
-        })
+        let skipped = Skipped { empty_is_infinite: has_bounds(&unread), ..Skipped::default() };
+        let body = Body::Arrays { columns: Rc::clone(own), next: 0 };
+        Ok(Self { name, columns, notes, unread, names: own.names.clone(), body, skipped, placed: own.placed, only: None })
     }
 
     /// The place of a kind of column among those that are understood.
@@ -149,17 +119,11 @@ impl<'s> Table<'s> {
 
     /// Reads the next row into one number per understood column; `None` at the end.
     pub(super) fn next(&mut self, out: &mut Vec<f64>) -> Result<Option<u64>, ValidationError> {
-        let more = match &mut self.body {
-            Body::Text(own) => own.next(self.name, &self.names, &self.columns, &mut self.skipped, out)?,
-            Body::Arrays { columns, next } => {
-                out.clear();
-                out.extend(columns.iter().map_while(|own| own.get(*next).copied()));
-                *next += 1;
-                if let Some((value, column)) = out.iter().zip(&self.columns).find(|own| !own.0.is_finite()) {
-                    let message = format!("row {next} of array {}: {value} is not finite", column.name);
-                    return Err(ValidationError::data(self.name, None, message, FINITE));
-                }
-                (!columns.is_empty() && out.len() == columns.len()).then_some(*next as u64)
+        let more = loop {
+            let more = self.next_of_any_load(out)?;
+            let is_wanted = |(index, load): (usize, f64)| out.get(index).is_some_and(|own| *own == load);
+            if more.is_none() || self.only.is_none_or(is_wanted) {
+                break more;
             }
         };
         for (value, column) in out.iter_mut().zip(&self.columns).filter(|own| own.1.is_area) {
@@ -170,6 +134,23 @@ impl<'s> Table<'s> {
             *value = (*value / std::f64::consts::PI).sqrt();
         }
         Ok(more)
+    }
+
+    fn next_of_any_load(&mut self, out: &mut Vec<f64>) -> Result<Option<u64>, ValidationError> {
+        match &mut self.body {
+            Body::Text(own) => own.next(self.name, &self.names, &self.columns, &mut self.skipped, out),
+            Body::Arrays { columns, next } => {
+                out.clear();
+                let numbers = self.columns.iter().filter_map(|column| columns.values.get(column.index));
+                out.extend(numbers.map_while(|own| own.get(*next).copied()));
+                *next += 1;
+                if let Some((value, column)) = out.iter().zip(&self.columns).find(|own| !own.0.is_finite()) {
+                    let message = format!("row {next} of array {}: {value} is not finite", column.name);
+                    return Err(ValidationError::data(self.name, None, message, FINITE));
+                }
+                Ok((!out.is_empty() && out.len() == self.columns.len()).then_some(*next as u64))
+            }
+        }
     }
 
     /// Describes the rows that were skipped.
@@ -431,6 +412,6 @@ fn understood(file: &str, line: Option<u64>, names: &[String], layout: &Layout) 
     Ok((columns, unread))
 }
 
-fn unreadable(name: &str, line: Option<u64>, error: &io::Error) -> ValidationError {
+pub(super) fn unreadable(name: &str, line: Option<u64>, error: &io::Error) -> ValidationError {
     ValidationError::data(name, line, format!("cannot be read: {error}"), "a CSV file would be accepted")
 }

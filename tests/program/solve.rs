@@ -604,35 +604,3 @@ fn a_file_that_is_no_table_is_not_shown() {
     let scene = "[profile]\npoints = \"table\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n";
     assert!(String::from_utf8_lossy(&run_in(&place, scene, &["solve", "-"]).stderr).contains("among rad_um, hgt_nm"));
 }
-
-/// Class "a file that `reference` wrote is refused": tables with bounds and with infinite pressures, bare and with units, are read and pass.
-#[test]
-fn tables_of_references_are_validated() {
-    let place = room("reference");
-    let bare = "[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n[outputs]\nquantities = [\"p\", \"u\"]\n";
-    let units = "[material]\neffective_modulus = \"70 GPa\"\n[load]\ndepth = \"0.1 um\"\n[outputs]\nquantities = [\"p\", \"u\"]\n";
-    let cases = [
-        ("[profile]\nf = \"0.3*r\"\n", bare, "1"),
-        ("[profile]\nf = \"r^2\"\n", bare, "1"),
-        ("[profile]\nf = \"max(0,r-b)/2\"\nparameters = { b = 0.125 }\n", bare, "1"),
-        ("[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"2 um\" }\n", units, "2 um"),
-        ("[profile]\nf = \"r/4\"\n", units, "2 um"),
-    ];
-    for (profile, rest, side) in cases {
-        let scene = format!("{profile}{rest}");
-        fs::write(place.join("scene.toml"), &scene).unwrap();
-        for grid in [&["--grid", "16", "--box", side][..], &["--grid", "17", "--box", side]] {
-            let made = run_in(&place, "", &[&["reference", "scene.toml"], grid, &["-o", "field.csv"]].concat());
-            assert!(made.status.success(), "{scene}: {}", String::from_utf8_lossy(&made.stderr));
-            let judged = run_in(&place, "", &["validate", "scene.toml", "field.csv", "--json"]);
-            assert_eq!(judged.status.code(), Some(0), "{scene}: {}", String::from_utf8_lossy(&judged.stderr));
-            let document: Value = serde_json::from_slice(&judged.stdout).unwrap();
-            assert!(document["passed"] == true && document["suspicion"].is_null(), "{scene}: {document}");
-        }
-    }
-    // Elsewhere an empty pressure is a fault.
-    fs::write(place.join("scene.toml"), format!("[profile]\nf = \"r^2\"\n{bare}")).unwrap();
-    fs::write(place.join("gap.csv"), "r,p\n0.1,0.1\n0.2,\n0.3,0.0\n").unwrap();
-    let refused = run_in(&place, "", &["validate", "scene.toml", "gap.csv"]);
-    assert!(refused.status.code() == Some(2) && String::from_utf8_lossy(&refused.stderr).contains("column p is empty"));
-}

@@ -1,0 +1,202 @@
+//! Files that `sneddon reference` writes, read by `sneddon validate`.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used)]
+
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn run_in(place: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_sneddon")).current_dir(place).args(arguments).output().unwrap()
+}
+
+fn room(name: &str) -> PathBuf {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("references").join(name);
+    let _ = fs::remove_dir_all(&place);
+    fs::create_dir_all(&place).unwrap();
+    place
+}
+
+/// An NPY file of doubles.
+fn npy(shape: &[usize], numbers: &[f64]) -> Vec<u8> {
+    let shape: String = shape.iter().map(|own| format!("{own}, ")).collect();
+    let head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({shape}), }}\n");
+    let size = u16::try_from(head.len()).unwrap().to_le_bytes();
+    [b"\x93NUMPY\x01\x00", &size[..], head.as_bytes()]
+        .concat()
+        .into_iter()
+        .chain(numbers.iter().flat_map(|own| own.to_le_bytes()))
+        .collect()
+}
+
+/// The verdict on a file.
+fn judged(place: &Path, file: &str, options: &[&str]) -> Value {
+    let done = run_in(place, &[&["validate", "scene.toml", file, "--json"], options].concat());
+    assert!(matches!(done.status.code(), Some(0 | 1)), "{file}: {}", String::from_utf8_lossy(&done.stderr));
+    let document: Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert_eq!(document["passed"] == true, done.status.success());
+    document
+}
+
+/// Class "a file that `reference` wrote is refused": tables with bounds and with infinite pressures, bare and with units, are read and pass.
+#[test]
+fn tables_of_references_are_validated() {
+    let place = room("reference");
+    let bare = "[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n[outputs]\nquantities = [\"p\", \"u\"]\n";
+    let units = "[material]\neffective_modulus = \"70 GPa\"\n[load]\ndepth = \"0.1 um\"\n[outputs]\nquantities = [\"p\", \"u\"]\n";
+    let cases = [
+        ("[profile]\nf = \"0.3*r\"\n", bare, "1"),
+        ("[profile]\nf = \"r^2\"\n", bare, "1"),
+        ("[profile]\nf = \"max(0,r-b)/2\"\nparameters = { b = 0.125 }\n", bare, "1"),
+        ("[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"2 um\" }\n", units, "2 um"),
+        ("[profile]\nf = \"r/4\"\n", units, "2 um"),
+    ];
+    for (profile, rest, side) in cases {
+        let scene = format!("{profile}{rest}");
+        fs::write(place.join("scene.toml"), &scene).unwrap();
+        for grid in [&["--grid", "16", "--box", side][..], &["--grid", "17", "--box", side]] {
+            let made = run_in(&place, &[&["reference", "scene.toml"], grid, &["-o", "field.csv"]].concat());
+            assert!(made.status.success(), "{scene}: {}", String::from_utf8_lossy(&made.stderr));
+            let judged = run_in(&place, &["validate", "scene.toml", "field.csv", "--json"]);
+            assert_eq!(judged.status.code(), Some(0), "{scene}: {}", String::from_utf8_lossy(&judged.stderr));
+            let document: Value = serde_json::from_slice(&judged.stdout).unwrap();
+            assert!(document["passed"] == true && document["suspicion"].is_null(), "{scene}: {document}");
+        }
+    }
+    // Elsewhere an empty pressure is a fault.
+    fs::write(place.join("scene.toml"), format!("[profile]\nf = \"r^2\"\n{bare}")).unwrap();
+    fs::write(place.join("gap.csv"), "r,p\n0.1,0.1\n0.2,\n0.3,0.0\n").unwrap();
+    let refused = run_in(&place, &["validate", "scene.toml", "gap.csv"]);
+    assert!(refused.status.code() == Some(2) && String::from_utf8_lossy(&refused.stderr).contains("column p is empty"));
+}
+
+/// Class "a file that `reference` wrote is refused": every format, loads by depth, force and radius, one and several of them, squares
+/// and radii, a rim with its infinite pressure, means over cells, bare numbers and units; and a wrong pressure is found in each.
+#[test]
+fn every_format_of_references_is_validated() {
+    let place = room("formats");
+    let bare = "[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n[outputs]\nquantities = [\"p\", \"u\"]\n";
+    let several = "[material]\nE = \"70 GPa\"\nnu = 0.3\n[load]\nforce = [\"10 mN\", \"20 mN\"]\n[outputs]\nquantities = [\"p\"]\n";
+    let radii = "[material]\neffective_modulus = \"2 MPa\"\n[load]\ncontact_radius = [\"0.5 um\", \"0.8 um\", \"1 um\"]\n";
+    let at = "[outputs]\nquantities = [\"p\", \"u\", \"f\"]\nat = { start = \"0 um\", stop = \"2 um\", count = 161 }\n";
+    let cells = "[data]\nbox = 1.0\ngrid = 64\npressure = \"cell\"\n";
+    let cases: [(String, &[&str], &[&str]); 6] = [
+        (format!("[profile]\nf = \"r^2\"\n{bare}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
+        (format!("[profile]\nf = \"r^2\"\n{bare}{cells}"), &[], &[]),
+        (format!("[profile]\nf = \"r^2\"\n{bare}"), &["--grid", "64", "--box", "1", "--between"], &["--box", "1"]),
+        (format!("[profile]\nf = \"0\"\nradius = 0.25\n{bare}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
+        (
+            format!("[profile]\nf = \"r^2/(2*R)\"\nparameters = {{ R = \"20 um\" }}\n{several}"),
+            &["--grid", "64", "--box", "6 um"],
+            &["--box", "6 um"],
+        ),
+        (format!("[profile]\nf = \"r^2/(2*R)\"\nparameters = {{ R = \"20 um\" }}\n{radii}{at}"), &[], &[]),
+    ];
+    for (scene, grid, options) in cases {
+        fs::write(place.join("scene.toml"), &scene).unwrap();
+        for file in ["field.csv", "field.json", "field.npy"] {
+            let made = run_in(&place, &[&["reference", "scene.toml", "-o", file], grid].concat());
+            assert!(made.status.success(), "{scene}: {}", String::from_utf8_lossy(&made.stderr));
+            let document = judged(&place, file, options);
+            assert!(document["passed"] == true && document["suspicion"].is_null(), "{file}, {scene}: {document}");
+            // Every number half as large again.
+            let text = fs::read(place.join(file)).unwrap();
+            fs::write(place.join(file), enlarged(file, &text)).unwrap();
+            assert_eq!(judged(&place, file, options)["passed"], false, "{file}, {scene}");
+        }
+    }
+}
+
+/// The file with every pressure half as large again.
+fn enlarged(file: &str, bytes: &[u8]) -> Vec<u8> {
+    if file.ends_with(".npy") {
+        let start = bytes.iter().position(|own| *own == b'\n').unwrap() + 1;
+        let numbers = bytes[start..].chunks(8).flat_map(|own| (1.5 * f64::from_le_bytes(own.try_into().unwrap())).to_le_bytes());
+        return bytes[..start].iter().copied().chain(numbers).collect();
+    }
+    let text = std::str::from_utf8(bytes).unwrap();
+    if file.ends_with(".json") {
+        let mut document: Value = serde_json::from_str(text).unwrap();
+        for load in document["loads"].as_array_mut().unwrap() {
+            enlarge(&mut load["fields"][0]["values"]);
+        }
+        return document.to_string().into_bytes();
+    }
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let column = header.iter().position(|own| *own == "p" || own.starts_with("p_")).unwrap();
+    let mut out = header.join(",");
+    for line in lines {
+        let mut fields: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if let Ok(p) = fields[column].parse::<f64>() {
+            fields[column] = format!("{:?}", 1.5 * p);
+        }
+        out = format!("{out}\n{}", fields.join(","));
+    }
+    out.into_bytes()
+}
+
+fn enlarge(values: &mut Value) {
+    match values {
+        Value::Array(list) => list.iter_mut().for_each(enlarge),
+        Value::Number(_) => *values = Value::from(1.5 * values.as_f64().unwrap()),
+        _ => {}
+    }
+}
+
+/// Files that hold no fields of the scene, each refused with its reason.
+#[test]
+fn other_documents_and_other_scenes_are_refused() {
+    let place = room("refused");
+    let scene = "[profile]\nf = \"r^2\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n";
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    let field = |loads: &str| {
+        format!("{{\"schema\":\"sneddon/reference/1\",\"units\":null,\"grid\":{{\"r\":[0.0,0.1],\"cells\":false}},\"loads\":[{loads}]}}")
+    };
+    let one = "{\"d\":0.1,\"fields\":[{\"quantity\":\"p\",\"values\":[[0.1,0.2],[0.3]]}]}";
+    for (name, content, said) in [
+        ("other.json", "{\"schema\":\"sneddon/solve/1\",\"grid\":{\"cells\":false},\"loads\":[]}".to_owned(), "sneddon/solve/1"),
+        ("broken.json", "{\"schema\":".to_owned(), "this is not data in JSON"),
+        ("empty.json", field(""), "nothing to compare"),
+        ("ragged.json", field(one), "differ in length"),
+    ] {
+        fs::write(place.join(name), content).unwrap();
+        let done = run_in(&place, &["validate", "scene.toml", name]);
+        let error = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.code() == Some(2) && error.contains(said), "{name}: {error}");
+    }
+    let arrays: [(&[usize], &str); 3] =
+        [(&[2, 1, 2, 5], "the array has 2 loads"), (&[1, 1, 2, 5], "the array has 5 radii"), (&[3, 4, 4], "without names")];
+    for (shape, said) in arrays {
+        fs::write(place.join("field.npy"), npy(shape, &vec![0.5; shape.iter().product()])).unwrap();
+        let done = run_in(&place, &["validate", "scene.toml", "field.npy"]);
+        let error = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.code() == Some(2) && error.contains(said), "{shape:?}: {error}");
+    }
+}
+
+/// Class "rows of a stacked array have no names": numbers from 1 on name the fields and the lines of an array.
+#[test]
+fn rows_of_a_stacked_array_are_mapped() {
+    let place = room("stacked");
+    fs::write(place.join("scene.toml"), "[profile]\nf = \"r^2\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.5\n").unwrap();
+    // a = 1/2 and p = (4/π)·√(a² − r²) of r², from Hertz's p₀ = 2E*a/(πR).
+    let pressure = |r: f64| 4.0 / std::f64::consts::PI * (0.25 - r * r).max(0.0).sqrt();
+    let at = |index: usize| (index as f64 - 32.0) / 32.0;
+    let places: Vec<(f64, f64)> = (0..64).flat_map(|i| (0..64).map(move |j| (at(j), at(i)))).collect();
+    let field = places.iter().map(|(x, y)| pressure(x.hypot(*y)));
+    let stack: Vec<f64> = places.iter().map(|own| own.0).chain(places.iter().map(|own| own.1)).chain(field).collect();
+    fs::write(place.join("field.npy"), npy(&[3, 64, 64], &stack)).unwrap();
+    assert_eq!(judged(&place, "field.npy", &["--map", "x=1", "--map", "y=2", "--map", "p=3"])["passed"], true);
+    assert_eq!(judged(&place, "field.npy", &["--map", "p=3", "--box", "2"])["passed"], true);
+    assert_eq!(judged(&place, "field.npy", &["--map", "x=1", "--map", "y=2", "--map", "u=3"])["passed"], false);
+    let radii: Vec<f64> = (0..200).map(|own| f64::from(own) / 200.0).collect();
+    let line: Vec<f64> = radii.iter().copied().chain(radii.iter().map(|own| pressure(*own))).collect();
+    fs::write(place.join("line.npy"), npy(&[2, 200], &line)).unwrap();
+    assert_eq!(judged(&place, "line.npy", &["--map", "r=1", "--map", "p=2"])["passed"], true);
+    // Each row a place, as before.
+    let rows: Vec<f64> = radii.iter().flat_map(|own| [*own, pressure(*own)]).collect();
+    fs::write(place.join("rows.npy"), npy(&[200, 2], &rows)).unwrap();
+    assert_eq!(judged(&place, "rows.npy", &["--map", "r=1", "--map", "p=2"])["passed"], true);
+}
