@@ -175,8 +175,8 @@ impl<'a> Machine<'a> {
             _ => {
                 let (row, ulps) = (Function::named(name)?.row(), (self.library)(name)?);
                 Some(match arguments {
-                    [only] => only.apply(|z| (row.value)(&[z]), row.ulps + ulps),
-                    _ => Bounded::apply_many(row.value, arguments, row.ulps + ulps),
+                    [only] => only.apply(|z| (row.value)(&[z]), row.ulps() + ulps),
+                    _ => Bounded::apply_many(row.value, arguments, row.ulps() + ulps),
                 })
             }
         }

@@ -131,8 +131,8 @@ impl Algebra for BoundedAlgebra {
     fn call(&mut self, function: Function, arguments: &[Bounded]) -> Bounded {
         let row = function.row();
         match arguments {
-            [argument] => argument.apply(|z| (row.value)(&[z]), row.ulps),
-            _ => by_spread(row, arguments).unwrap_or_else(|| Bounded::apply_many(row.value, arguments, row.ulps)),
+            [argument] => argument.apply(|z| (row.value)(&[z]), row.ulps()),
+            _ => by_spread(row, arguments).unwrap_or_else(|| Bounded::apply_many(row.value, arguments, row.ulps())),
         }
     }
 }
@@ -191,7 +191,7 @@ fn by_spread(row: &Row, arguments: &[Bounded]) -> Option<Bounded> {
     }
     let value = (row.value)(point);
     let carried = if by.iter().all(|by| *by == 0.0) { 0.0 } else { spread(exact, by) };
-    let error = (carried + row.ulps * f64::EPSILON * value.abs()) * (1.0 + 8.0 * f64::EPSILON);
+    let error = (carried + row.ulps() * f64::EPSILON * value.abs()) * (1.0 + 8.0 * f64::EPSILON);
     // Next to underflow the bound would lose its own digits.
     (value.abs() >= 1e-150 && error <= f64::MAX).then_some(Bounded { value, error })
 }
@@ -272,7 +272,7 @@ impl Algebra for RegionAlgebra {
             && numbers.iter_mut().zip(arguments).all(|(slot, argument)| argument.as_real().map(|value| *slot = value).is_some())
         {
             let value = (row.value)(numbers);
-            let error = (row.ulps + 1.0) * f64::EPSILON * value.abs();
+            let error = (row.ulps() + 1.0) * f64::EPSILON * value.abs();
             return if value.is_finite() { Region::new((value - error, value + error), (0.0, 0.0)) } else { Region::unknown() };
         }
         row.region.map_or_else(Region::unknown, |region| region(arguments))

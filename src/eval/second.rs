@@ -99,7 +99,7 @@ fn double(row: &Row, values: &[DoubleDouble]) -> Precise {
         *slot = value.hi;
     }
     let value = (row.value)(point);
-    let error = if row.ulps == 0.0 { 0.0 } else { row.ulps * (value.abs() * f64::EPSILON).max(f64::from_bits(1)) };
+    let error = if row.ulps() == 0.0 { 0.0 } else { row.ulps() * (value.abs() * f64::EPSILON).max(f64::from_bits(1)) };
     Precise::checked(value.into(), error)
 }
 
@@ -137,7 +137,7 @@ fn probed(row: &Row, values: &[DoubleDouble], distances: &[f64]) -> f64 {
             };
             let step = (above - value.hi).min(value.hi - below);
             let (up, down) = (at(above), at(below));
-            let noise = row.ulps * f64::EPSILON * up.abs().max(down.abs());
+            let noise = row.ulps() * f64::EPSILON * up.abs().max(down.abs());
             // Each side for itself: an even function shows no slope across its axis.
             let change = (up - here).abs() + (down - here).abs();
             let slope = (change + noise) / step;

@@ -4,6 +4,7 @@ use super::TransformError;
 use super::admit::{beyond_the_edge, finite_and_not_negative};
 use super::centred::centred;
 use super::continued::Continued;
+use super::endpoint::Endpoint;
 use super::leading_power::LeadingPower;
 use super::limit::Limit;
 use super::parity::{Parity, parity};
@@ -26,6 +27,8 @@ pub struct NumericSegment {
     /// Where it begins.
     pub lower: Bounded,
     pub(super) upper: Option<Bounded>,
+    /// Both ends with all digits that are known.
+    pub(super) ends: (Endpoint, Option<Endpoint>),
     /// f′ over δ.
     pub(super) slope: Numbers,
     /// f′ and its interval's lower end as expressions in r, for what is compiled only on demand.
@@ -92,11 +95,14 @@ impl NumericProfile {
             let scale = upper.map_or(1.0, |upper| upper.value);
             let ragged = lower_expr.is_zero() && matches!(&slope, Numbers::Tape(tape) if is_ragged(&slope_expr, tape, singular, scale));
             let odd = parity(&slope_expr, &Symbol::new("r")) == Some(Parity::Odd);
-            let source = Some((slope_expr, lower_expr));
             let end = segment.upper.as_ref().map(|upper| bindings.apply(upper));
+            let last = end.as_ref().zip(upper).map(|(end, upper)| Endpoint::of(end, upper)).transpose()?;
+            let ends = (Endpoint::of(&lower_expr, lower)?, last);
+            let source = Some((slope_expr, lower_expr));
             segments.push(NumericSegment {
                 lower,
                 upper,
+                ends,
                 slope,
                 source,
                 enclosing: OnceLock::new(),

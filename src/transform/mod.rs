@@ -19,6 +19,7 @@ mod demands;
 mod dense;
 mod domain;
 mod enclosures;
+mod endpoint;
 mod ends;
 mod energy;
 mod engine;

@@ -2,6 +2,7 @@
 
 use super::TransformError;
 use super::continued::Continued;
+use super::endpoint::Endpoint;
 use super::integral::{NumericProfile, NumericSegment};
 use super::removable::Removable;
 use crate::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, RegionAlgebra, RoundingAlgebra, Tape, WideAlgebra};
@@ -235,6 +236,7 @@ impl NumericSegment {
         Self {
             lower: Bounded::exact(lower),
             upper: upper.map(Bounded::exact),
+            ends: (Endpoint::exact(lower), upper.map(Endpoint::exact)),
             slope,
             source: None,
             enclosing: OnceLock::new(),

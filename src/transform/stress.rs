@@ -2,6 +2,7 @@
 
 use super::TransformError;
 use super::admit::finite_and_not_negative;
+use super::endpoint::Endpoint;
 use super::integral::{MOST, NumericProfile, NumericSegment, reached, settled, with_ulps};
 use super::slope_source::{Numbers, Scratch};
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
@@ -68,44 +69,39 @@ impl NumericProfile {
     /// Σ b δ K(b, s) over the jumps δ of f′; `None` at one of them.
     pub(super) fn pressure_of_jumps(&self, s: f64, a: f64) -> Option<Bounded> {
         let mut total = Bounded::exact(0.0);
-        for (at, jump) in self.jumps(a) {
-            if jump.value == 0.0 && (jump.error == 0.0 || at.value == s) {
+        for Jump { at, end, height } in self.jumps(a) {
+            if height.value == 0.0 && (height.error == 0.0 || at.value == s) {
                 continue;
             }
             if at.value == s {
                 return None;
             }
-            let distances = Distances { difference: (at - Bounded::exact(s)).value.abs(), below_edge: a - at.value };
-            let kernel = kernel(at.value, s, a, &distances);
-            // Next to the kink the rounding of b itself moves the logarithm, and next to the edge the root.
-            let moved = at.error / distances.difference / a + kernel.value.abs() * at.error / distances.below_edge;
-            let widened = Bounded { value: kernel.value, error: kernel.error + moved };
-            total = total + at * jump * widened;
+            total = total + at * height * kernel_at(end, s, a);
         }
         Some(total)
     }
 
     /// The jumps of f′ below a: where segments begin, end or meet; a jump within its own error is none.
-    pub(super) fn jumps(&self, a: f64) -> Vec<(Bounded, Bounded)> {
-        let mut ends: Vec<(Bounded, Bounded)> = Vec::new();
-        let mut add = |at: Bounded, jump: Bounded| match ends.iter_mut().find(|(own, _)| own.value == at.value) {
-            Some((_, own)) => *own = *own + jump,
-            None => ends.push((at, jump)),
+    pub(super) fn jumps(&self, a: f64) -> Vec<Jump> {
+        let mut jumps: Vec<Jump> = Vec::new();
+        let mut add = |at: Bounded, end: Endpoint, height: Bounded| match jumps.iter_mut().find(|own| own.at.value == at.value) {
+            Some(own) => own.height = own.height + height,
+            None => jumps.push(Jump { at, end, height }),
         };
         for segment in &self.segments {
             if segment.lower.value > 0.0 && segment.lower.value < a {
-                add(segment.lower, segment.slope_at(0.0));
+                add(segment.lower, segment.ends.0, segment.slope_at(0.0));
             }
-            if let Some(upper) = segment.upper.filter(|u| u.value < a) {
-                add(upper, -segment.slope_at(upper.value - segment.lower.value));
-            }
-        }
-        for (_, jump) in &mut ends {
-            if jump.value.abs() <= jump.error {
-                jump.value = 0.0;
+            if let (Some(upper), Some(end)) = (segment.upper.filter(|u| u.value < a), segment.ends.1) {
+                add(upper, end, -segment.slope_at(upper.value - segment.lower.value));
             }
         }
-        ends
+        for Jump { height, .. } in &mut jumps {
+            if height.value.abs() <= height.error {
+                height.value = 0.0;
+            }
+        }
+        jumps
     }
 
     /// True where f′ does not vanish at the axis, so that the pressure is infinite there.
@@ -115,6 +111,14 @@ impl NumericProfile {
         // f′ ~ r^m with m > 0 falls by 10^(3m); everything slower is steep.
         nearer > 0.0 && nearer > 0.99 * near
     }
+}
+
+/// A jump of f′.
+#[derive(Clone, Copy)]
+pub(super) struct Jump {
+    pub(super) at: Bounded,
+    pub(super) end: Endpoint,
+    pub(super) height: Bounded,
 }
 
 /// From this share of the radius on down, a − s is a length of its own.
@@ -129,27 +133,27 @@ impl NumericSegment {
     ///
     /// A part may have no digits of its own, as next to the axis: what counts is the whole.
     fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Vec<Estimate>, TransformError> {
-        let lower = self.lower.value;
-        let end = self.upper.map_or(a, |u| u.value.min(a));
+        let (lower, place) = (self.ends.0, Endpoint::exact(s));
+        let end = self.ends.1.filter(|own| own.at < a).unwrap_or(Endpoint::exact(a));
         let mut parts = Vec::new();
-        if lower >= end {
+        if lower.at >= end.at {
             return Ok(parts);
         }
         let bend = self.bend()?;
         let mut places = vec![lower];
-        if s > lower && s < end {
-            places.push(s);
+        if s > lower.at && s < end.at {
+            places.push(place);
         }
         places.push(end);
-        if s > lower && s < end && a - s < NARROW * (s - lower) {
+        if s > lower.at && s < end.at && a - s < NARROW * (s - lower.at) {
             // Next to the edge the kernel is a root down to the distance a − s, and only there a logarithm: no node far off sees that.
             let mut step = 4.0 * (a - s);
-            while step < 0.25 * (s - lower) {
-                places.push(s - step);
+            while step < 0.25 * (s - lower.at) {
+                places.push(Endpoint::exact(s - step));
                 step *= 1e3;
             }
-            places.sort_by(f64::total_cmp);
-            places.dedup();
+            places.sort_by(|one, other| one.at.total_cmp(&other.at));
+            places.dedup_by_key(|own| own.at);
         }
         for pair in places.windows(2) {
             let [from, to] = pair else { continue };
@@ -158,17 +162,25 @@ impl NumericSegment {
         Ok(parts)
     }
 
-    fn pressure_between(&self, bend: &Numbers, from: f64, to: f64, s: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        let lower = self.lower.value;
-        let falling = self.falling_bend().filter(|_| self.upper.is_some_and(|upper| upper.value == to));
+    fn pressure_between(
+        &self,
+        bend: &Numbers,
+        from: Endpoint,
+        to: Endpoint,
+        s: f64,
+        a: f64,
+        tolerance: f64,
+    ) -> Result<Estimate, TransformError> {
+        let (lower, place, edge) = (self.ends.0, Endpoint::exact(s), Endpoint::exact(a));
+        let falling = self.falling_bend().filter(|_| self.ends.1.is_some_and(|upper| upper.at == to.at));
         let mut scratch = Scratch::take();
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
             let (mut deltas, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
             let count = points.len().min(MOST);
             for ((point, delta), doubt) in points.iter().zip(&mut deltas).zip(&mut doubts) {
                 // Every distance is a sum of parts of one sign.
-                *delta = ((from - lower) + point.from_lower).max(f64::MIN_POSITIVE);
-                *doubt = with_ulps(*delta, 8.0).error;
+                *delta = (lower.to(from) + point.from_lower).max(f64::MIN_POSITIVE);
+                *doubt = with_ulps(*delta, 8.0).error + if *delta > 2.0 * lower.doubt { lower.doubt } else { 0.0 };
             }
             bend.block(&deltas[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
             if let Some(falling) = falling {
@@ -182,14 +194,14 @@ impl NumericSegment {
             }
             for (((point, height), value), error) in points.iter().zip(heights).zip(values).zip(errors) {
                 let (up, down) = (point.from_lower, point.from_upper);
-                let difference = if s <= from { (from - s) + up } else { (s - to) + down };
-                let below_edge = (a - to) + down;
-                let r = if up < down { from + up } else { to - down };
+                let difference = if s <= from.at { place.to(from) + up } else { to.to(place) + down };
+                let below_edge = to.to(edge) + down;
+                let r = if up < down { from.at + up } else { to.at - down };
                 *height = Bounded { value, error } * kernel(r, s, a, &Distances { difference, below_edge });
             }
         };
         let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
-        let result = integrate_blocks(&mut integrand, &[Panel::singular(from, to)], &options);
+        let result = integrate_blocks(&mut integrand, &[Panel::singular(0.0, from.to(to))], &options);
         reached(result, a)
     }
 }
@@ -198,6 +210,25 @@ impl NumericSegment {
 pub(super) struct Distances {
     pub(super) difference: f64,
     pub(super) below_edge: f64,
+}
+
+/// K(b, s); where b is not known to 30 digits, its error moves the logarithm next to the kink, and the root next to the edge.
+///
+/// |∂K/∂b| ≤ 1/(|b−s|(b+s)) + K/b + K/(a−b): with u² = x² − M² for x, K is an integral over u whose integrand and end move.
+pub(super) fn kernel_at(b: Endpoint, s: f64, a: f64) -> Bounded {
+    let distances = Distances { difference: b.to(Endpoint::exact(s)).abs(), below_edge: b.to(Endpoint::exact(a)) };
+    let kernel = kernel(b.at, s, a, &distances);
+    if b.doubt == 0.0 {
+        return kernel;
+    }
+    // The least distances while b moves by its error.
+    let (gap, rest, sum) = (distances.difference - b.doubt, distances.below_edge - b.doubt, (b.at - b.doubt) + s);
+    if gap.min(rest).min(sum) <= 0.0 {
+        return Bounded { error: f64::INFINITY, ..kernel };
+    }
+    let size = kernel.value.abs() + kernel.error;
+    let moved = b.doubt * (1.0 / sum / gap + size / b.at + size / rest) * (1.0 + 16.0 * f64::EPSILON);
+    Bounded { value: kernel.value, error: kernel.error + moved }
 }
 
 /// K(r, s) = ∫_M^a dx/√((x²−r²)(x²−s²)), M = max(r, s), m = min(r, s), D = M² − m².

@@ -1,5 +1,6 @@
 //! The pressure by pieces of the radius with proven rules: kinks, narrow features and the logarithm of the kernel included.
 
+use super::endpoint::Endpoint;
 use super::integral::{NumericProfile, NumericSegment};
 use super::leading_power::LeadingPower;
 use super::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
@@ -18,19 +19,19 @@ impl NumericProfile {
         let jumps = self.pressure_of_jumps(s, a)?;
         let mut ranges = Vec::new();
         for segment in &self.segments {
-            let lower = segment.lower.value;
-            let end = segment.upper.map_or(a, |upper| upper.value.min(a));
-            if lower >= end {
+            let lower = segment.ends.0;
+            let end = segment.ends.1.filter(|upper| upper.at < a).unwrap_or(Endpoint::exact(a));
+            if lower.at >= end.at {
                 continue;
             }
             let bend = segment.bend().ok()?;
-            let mut add = |from: f64, to: f64| {
-                let power = if from == lower { segment.power_of_bend_for(to) } else { None };
+            let mut add = |from: Endpoint, to: Endpoint| {
+                let power = if from == lower { segment.power_of_bend_for(to.at) } else { None };
                 ranges.push(Radii { segment, bend, power, from, to, s, a, slots: Vec::new() });
             };
-            if s > lower && s < end {
-                add(lower, s);
-                add(s, end);
+            if s > lower.at && s < end.at {
+                add(lower, Endpoint::exact(s));
+                add(Endpoint::exact(s), end);
             } else {
                 add(lower, end);
             }
@@ -47,8 +48,8 @@ struct Radii<'a> {
     bend: &'a Numbers,
     /// (r f′)′ = δ^σ h(δ) at the lower end of the segment: σ, and h for enclosures.
     power: Option<&'a LeadingPower>,
-    from: f64,
-    to: f64,
+    from: Endpoint,
+    to: Endpoint,
     s: f64,
     a: f64,
     slots: Vec<Region>,
@@ -67,25 +68,26 @@ struct Lengths {
 
 impl Radii<'_> {
     fn is_outside(&self) -> bool {
-        self.s <= self.from
+        self.s <= self.from.at
     }
 
     fn distances(&self, place: Place) -> (f64, f64, Distances) {
         let (up, down) = (place.from_lower, place.from_upper);
-        let delta = ((self.from - self.segment.lower.value) + up).max(f64::MIN_POSITIVE);
-        let difference = if self.is_outside() { (self.from - self.s) + up } else { (self.s - self.to) + down };
-        let r = if up < down { self.from + up } else { self.to - down };
-        (r, delta, Distances { difference, below_edge: (self.a - self.to) + down })
+        let (s, edge) = (Endpoint::exact(self.s), Endpoint::exact(self.a));
+        let delta = (self.segment.ends.0.to(self.from) + up).max(f64::MIN_POSITIVE);
+        let difference = if self.is_outside() { s.to(self.from) + up } else { self.to.to(s) + down };
+        let r = if up < down { self.from.at + up } else { self.to.at - down };
+        (r, delta, Distances { difference, below_edge: self.to.to(edge) + down })
     }
 
     /// What the ends of the segment may make of the integral while they are known to their errors only.
     fn smear(&self) -> f64 {
-        let width = self.to - self.from;
+        let width = self.width();
         let at = |share: f64| {
             self.size_at(Place { from_lower: share * width, from_upper: (1.0 - share) * width, from_above: share > 0.5 }).abs()
         };
-        let lower = if self.from == self.segment.lower.value { self.segment.lower.error } else { 0.0 };
-        let upper = self.segment.upper.filter(|upper| upper.value == self.to).map_or(0.0, |upper| upper.error);
+        let lower = if self.from == self.segment.ends.0 { self.from.doubt } else { 0.0 };
+        let upper = self.segment.ends.1.filter(|upper| *upper == self.to).map_or(0.0, |upper| upper.doubt);
         let of = |error: f64, share: f64| if error > 0.0 { 4.0 * error * at(share) } else { 0.0 };
         of(lower, 1e-6) + of(upper, 1.0 - 1e-6)
     }
@@ -94,19 +96,24 @@ impl Radii<'_> {
         let (low, high, short) = piece.around(sigma);
         let v = Region::new((low, high), (-short, short));
         let unit = Region::real(1.0) / Region::real(self.a);
-        // A difference of two doubles with its rounding.
-        let gap = |from: f64, to: f64| {
-            let own = to - from;
-            if own == 0.0 { Region::real(0.0) } else { Region::new((own.next_down(), own.next_up()), (0.0, 0.0)) }
+        // A difference of two places with its roundings.
+        let gap = |from: Endpoint, to: Endpoint| {
+            let own = from.to(to);
+            let more = if from.is_split() || to.is_split() { 4.0 * UNIT * own.abs() } else { 0.0 };
+            if own == 0.0 { Region::real(0.0) } else { Region::new(((own - more).next_down(), (own + more).next_up()), (0.0, 0.0)) }
         };
-        let (from, to, s, a) = (self.from, self.to, self.s, self.a);
-        let lower = self.segment.lower.value;
+        let (from, to, s, a) = (self.from, self.to, Endpoint::exact(self.s), Endpoint::exact(self.a));
+        let lower = self.segment.ends.0;
+        let place = |own: Endpoint| match own.is_split() {
+            true => Region::new((own.at.next_down(), own.at.next_up()), (0.0, 0.0)),
+            false => Region::real(own.at),
+        };
         let (r, difference, below_edge, delta) = if piece.from_above {
             let difference = if self.is_outside() { gap(s, to) - v } else { gap(to, s) + v };
-            (Region::real(to) - v, difference, gap(to, a) + v, gap(lower, to) - v)
+            (place(to) - v, difference, gap(to, a) + v, gap(lower, to) - v)
         } else {
             let difference = if self.is_outside() { gap(s, from) + v } else { gap(from, s) - v };
-            (Region::real(from) + v, difference, gap(from, a) - v, gap(lower, from) + v)
+            (place(from) + v, difference, gap(from, a) - v, gap(lower, from) + v)
         };
         let delta = if sigma == 0.0 { delta.above_zero() } else { delta };
         Lengths { r: r * unit, difference: difference * unit, below_edge: below_edge * unit, delta }
@@ -166,7 +173,7 @@ impl Radii<'_> {
 
 impl Range for Radii<'_> {
     fn width(&self) -> f64 {
-        self.to - self.from
+        self.from.to(self.to)
     }
 
     fn size_at(&self, place: Place) -> f64 {
@@ -186,10 +193,10 @@ impl Range for Radii<'_> {
 
     fn tail(&mut self, piece: Piece) -> f64 {
         let own = self.lengths(piece, 0.0);
-        let at_s = if piece.from_above { self.to == self.s } else { self.from == self.s };
+        let at_s = if piece.from_above { self.to.at == self.s } else { self.from.at == self.s };
         let bound = if at_s {
             self.largest_bend(&own) * self.logarithm(piece, &own)
-        } else if let Some(leading) = self.power.filter(|_| !piece.from_above && self.segment.lower.error == 0.0) {
+        } else if let Some(leading) = self.power.filter(|_| !piece.from_above && self.segment.ends.0.doubt == 0.0) {
             let (rest, power) = (leading.rest_over(own.delta, &mut self.slots), leading.exponent);
             // Factor by factor: lengths may be tiny.
             rest * (self.largest_kernel(&own, 0.0) * (piece.to / self.a)) * piece.to.powf(power) / (1.0 + power)
@@ -202,7 +209,7 @@ impl Range for Radii<'_> {
 
     fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
         let (mut deltas, mut doubts, mut kernels) = ([0.0; MOST_NODES], [0.0; MOST_NODES], [Bounded::exact(0.0); MOST_NODES]);
-        let (count, end) = (places.len(), self.segment.lower.error);
+        let (count, end) = (places.len(), self.segment.ends.0.doubt);
         for (((place, delta), doubt), weight) in places.iter().zip(&mut deltas).zip(&mut doubts).zip(&mut kernels) {
             let (r, own, distances) = self.distances(*place);
             *delta = own;

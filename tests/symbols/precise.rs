@@ -129,7 +129,9 @@ fn constants_have_106_bits() {
 fn outside_the_domain_there_is_no_value() {
     let nan = |value: DoubleDouble| assert!(value.hi.is_nan(), "{value:?}");
     let two = DoubleDouble::from(2.0);
-    for value in [ln(two.neg()), asin(two), acos(two), acosh(0.5.into()), atanh(two), ln1p(two.neg()), sqrt(two.neg()), sin(1e20.into())] {
+    for value in
+        [ln(two.neg()), asin(two), acos(two), acosh(0.5.into()), atanh(two), ln1p(two.neg()), sqrt(two.neg()), sin(f64::INFINITY.into())]
+    {
         nan(value);
     }
     for f in [exp, expm1, ln, ln1p, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, sqrt] {

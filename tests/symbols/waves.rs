@@ -91,7 +91,7 @@ fn values_and_their_bounds_are_honest() {
         if found.ulps.0 > *ulps || found.claimed.0 > *claimed || found.used.0 > 1.0 {
             failed += &format!("{name} misses its limits\n");
         }
-        assert!(found.ulps.0 <= Function::named(name).unwrap().row().ulps);
+        assert!(found.ulps.0 <= Function::named(name).unwrap().row().ulps());
     }
     assert_eq!(worst.len(), LIMITS.len());
     assert!(failed.is_empty(), "\n{failed}");

@@ -6,6 +6,7 @@ pub mod accuracy;
 pub mod decimal;
 pub mod estimates;
 pub mod formulas;
+pub mod functions;
 pub mod laws;
 pub mod profiles;
 pub mod quantities;

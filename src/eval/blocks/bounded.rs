@@ -103,13 +103,13 @@ impl Program {
             }
             Action::Slice(law, function, a) => {
                 let row = function.row();
-                let slow = |a: Bounded| a.apply(|z| (row.value)(&[z]), row.ulps);
+                let slow = |a: Bounded| a.apply(|z| (row.value)(&[z]), row.ulps());
                 match values(a)? {
                     Values::One(a) => one(Values::One(a), to, |_| UNKNOWN, slow),
                     Values::Each(a) => {
                         (law.values)(a.values, to.values);
                         (law.growth)(a.values, a.errors, to.values, to.errors);
-                        charge(a, to, row.ulps, slow);
+                        charge(a, to, row.ulps(), slow);
                     }
                 }
             }
@@ -350,15 +350,15 @@ fn many(function: Function, arguments: &[Values<'_>], to: To<'_>) {
         if let Some(spread) = row.spread {
             let value = (row.value)(point);
             let carried = if by.iter().all(|by| *by == 0.0) { 0.0 } else { spread(exact, by) };
-            let error = (carried + row.ulps * f64::EPSILON * value.abs()) * WIDEN;
+            let error = (carried + row.ulps() * f64::EPSILON * value.abs()) * WIDEN;
             if half_ulp(value) >= COMFORTABLE && error <= f64::MAX {
                 (*to_value, *to_error) = (value, error);
                 continue;
             }
         }
         let found = match &*list {
-            [argument] => argument.apply(|z| (row.value)(&[z]), row.ulps),
-            list => Bounded::apply_many(row.value, list, row.ulps),
+            [argument] => argument.apply(|z| (row.value)(&[z]), row.ulps()),
+            list => Bounded::apply_many(row.value, list, row.ulps()),
         };
         (*to_value, *to_error) = (found.value, found.error);
     }

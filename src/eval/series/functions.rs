@@ -244,7 +244,7 @@ impl Frame {
         let scale = Bounded::rounded(std::f64::consts::FRAC_2_SQRT_PI);
         let slope = self.scaled(&self.exp(&square)?, scale);
         let first = u.first();
-        let value = applied(first, 0.0, |z| (function.row().value)(&[z]), function.row().ulps);
+        let value = applied(first, 0.0, |z| (function.row().value)(&[z]), function.row().ulps());
         let rest = u.rest.iter().map(|delta| {
             let most = u.first_bound() + delta;
             widened(if *delta == 0.0 { 0.0 } else { std::f64::consts::FRAC_2_SQRT_PI * delta * (most * most).exp() })

@@ -2,7 +2,7 @@
 
 use super::elementary::{binary, first, region, ternary, unary};
 use super::typeset::{self, Setting};
-use super::{PLAIN, Row};
+use super::{Accuracy, PLAIN, Row};
 use crate::expr::{Expr, Sign, sign};
 use crate::num::{DoubleDouble, Precise, Region, special};
 
@@ -12,7 +12,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (3, 3),
         typeset: typeset::italic("R").with_index("F"),
         value: |a| ternary(a, special::rf),
-        ulps: 8.0,
+        accuracy: Accuracy::Measured(8.0),
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rf_precise)),
         derivative: Some(|a, i| match (a, i) {
             ([x, y, z], 0) | ([y, x, z], 1) | ([y, z, x], 2) => Some(-elliprd(y, z, x) / Expr::integer(6)),
@@ -27,7 +27,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (3, 3),
         typeset: typeset::italic("R").with_index("D"),
         value: |a| ternary(a, special::rd),
-        ulps: 11.0,
+        accuracy: Accuracy::Measured(11.0),
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rd_precise)),
         derivative: Some(elliprd_derivative),
         sign: Some(|_| Sign::Positive),
@@ -39,7 +39,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::italic("R").with_index("C"),
         value: |a| binary(a, special::rc),
-        ulps: 6.0,
+        accuracy: Accuracy::Measured(6.0),
         precise: Some(|a| <[DoubleDouble; 2]>::try_from(a).map_or_else(|_| Precise::nan(), special::rc_precise)),
         derivative: Some(elliprc_derivative),
         fold: Some(|a| match a {
@@ -55,7 +55,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "ellipk",
         typeset: typeset::italic("K"),
         value: |a| unary(a, special::ellipk),
-        ulps: 6.0,
+        accuracy: Accuracy::Measured(6.0),
         precise: Some(|a| match a {
             [m] => special::ellipk_precise(*m),
             _ => Precise::nan(),
@@ -76,7 +76,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::italic("F").set(Setting::Parameter),
         value: |a| binary(a, special::ellipf),
-        ulps: 8.0,
+        accuracy: Accuracy::Measured(8.0),
         precise: Some(|a| match a {
             [phi, m] => special::ellipf_precise(*phi, *m),
             _ => Precise::nan(),
@@ -98,7 +98,7 @@ pub(super) static ROWS: &[Row] = &[
             [phi, m] => special::ellipe_inc(*phi, *m),
             _ => f64::NAN,
         },
-        ulps: 9.0,
+        accuracy: Accuracy::Measured(9.0),
         precise: Some(|a| match a {
             [m] => special::ellipe_precise(*m),
             [phi, m] => special::ellipe_inc_precise(*phi, *m),

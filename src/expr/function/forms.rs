@@ -3,7 +3,7 @@
 use super::elementary::{binary, ternary, unary};
 use super::precise::order;
 use super::typeset::{self, Setting};
-use super::{PLAIN, Row, precise, slices};
+use super::{Accuracy, PLAIN, Row, precise, slices};
 use crate::expr::normal::{expanded, over_whole_denominator};
 use crate::expr::{Expr, Sign, Symbol};
 use crate::num::double_double::two_sum;
@@ -33,7 +33,7 @@ const FORM: Row = Row { typeset: typeset::upright("form"), sign: Some(|_| Sign::
 pub(super) static ROWS: &[Row] = &[
     Row {
         name: "kappa",
-        ulps: 1.1,
+        accuracy: Accuracy::ROUNDED,
         typeset: typeset::italic("κ").set(Setting::Index),
         value: |a| unary(a, kappa::kappa),
         precise: Some(|a| match a {
@@ -52,7 +52,7 @@ pub(super) static ROWS: &[Row] = &[
     // ln v with v = 1 + u, from whichever of the two has more digits; the evaluation writes it, no tree contains it.
     Row {
         name: "ln_near_one",
-        ulps: 2.0,
+        accuracy: Accuracy::Measured(2.0),
         arity: (2, 2),
         value: |a| {
             binary(a, |u, v| {
@@ -98,7 +98,7 @@ pub(super) static ROWS: &[Row] = &[
     // (1 + u)^p for large p, which would multiply the rounding of 1 + u; the evaluation writes it, no tree contains it.
     Row {
         name: "power_near_one",
-        ulps: 1.0,
+        accuracy: Accuracy::ROUNDED,
         arity: (2, 2),
         value: |a| binary(a, |u, p| thirty::pow(two_sum(1.0, u), p.into()).value.value()),
         precise: Some(|a| match a {
@@ -121,7 +121,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "approximate",
         value: |a| unary(a, |z| z),
-        ulps: 64.0,
+        accuracy: Accuracy::Defined(64.0),
         precise: Some(|a| match a {
             [z] => Precise { value: *z, error: 64.0 * f64::EPSILON * z.hi.abs() },
             _ => Precise::nan(),
@@ -137,7 +137,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫_b^x (r−b)^k/√(x²−r²) dr
     Row {
         name: "shifted_power",
-        ulps: 8.0,
+        accuracy: Accuracy::Measured(8.0),
         arity: (3, 3),
         value: |a| segment(a, forms::shifted_power),
         precise: Some(|a| precise::segment(a, thirty::shifted_power)),
@@ -147,7 +147,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫_b^c (r−b)^k/√(x²−r²) dr
     Row {
         name: "shifted_power_between",
-        ulps: 8.0,
+        accuracy: Accuracy::Measured(8.0),
         arity: (4, 4),
         value: |a| segment(a, forms::shifted_power),
         precise: Some(|a| precise::segment(a, thirty::shifted_power)),
@@ -157,7 +157,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫_b^a (r−b)^k r²/√(a²−r²) dr
     Row {
         name: "shifted_power_force",
-        ulps: 8.0,
+        accuracy: Accuracy::Measured(8.0),
         arity: (3, 3),
         value: |a| segment(a, forms::shifted_power_force),
         precise: Some(|a| precise::segment(a, thirty::shifted_power_force)),
@@ -167,7 +167,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫_b^c (r−b)^k r²/√(a²−r²) dr
     Row {
         name: "shifted_power_force_between",
-        ulps: 8.0,
+        accuracy: Accuracy::Measured(8.0),
         arity: (4, 4),
         value: |a| segment(a, forms::shifted_power_force),
         precise: Some(|a| precise::segment(a, thirty::shifted_power_force)),
@@ -177,7 +177,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫_b^x dr/√(x²−r²)
     Row {
         name: "angle_from",
-        ulps: 3.0,
+        accuracy: Accuracy::Measured(3.0),
         arity: (2, 2),
         value: |a| binary(a, angle_from),
         sweep: Some(|a, place, z, out| match (&*a, place) {
@@ -198,7 +198,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "artanh_ratio",
-        ulps: 2.0,
+        accuracy: Accuracy::Measured(2.0),
         arity: (2, 2),
         value: |a| binary(a, forms::artanh_ratio),
         sweep: Some(|a, place, z, out| slices::sweep(a, place, z, out, |a| binary(a, forms::artanh_ratio))),
@@ -207,7 +207,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "sphere_force",
-        ulps: 9.0,
+        accuracy: Accuracy::Measured(9.0),
         arity: (2, 2),
         value: |a| binary(a, forms::sphere_force),
         sweep: Some(|a, place, z, out| slices::sweep(a, place, z, out, |a| binary(a, forms::sphere_force))),
@@ -216,7 +216,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "hyperboloid_force",
-        ulps: 6.0,
+        accuracy: Accuracy::Measured(6.0),
         arity: (2, 2),
         value: |a| binary(a, forms::hyperboloid_force),
         shown: Some(|a| with(a, |[a, b]| ((a.power(2) - b.power(2)) * Expr::call("atan", [a / b]) + a * b) / Expr::integer(2))),
@@ -224,7 +224,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "worn_sphere_slope",
-        ulps: 5.0,
+        accuracy: Accuracy::Measured(5.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::worn_sphere_slope),
         shown: Some(|a| with(a, |[b, x, big]| Expr::call("atanh", [leg(x, b) / leg(big, b)]))),
@@ -232,7 +232,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "worn_sphere_force",
-        ulps: 12.0,
+        accuracy: Accuracy::Measured(12.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::worn_sphere_force),
         shown: Some(|a| {
@@ -245,7 +245,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "capped_sphere_force",
-        ulps: 16.0,
+        accuracy: Accuracy::Measured(16.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::capped_sphere_force),
         shown: Some(|a| {
@@ -259,7 +259,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "worn_hyperboloid_slope",
-        ulps: 4.0,
+        accuracy: Accuracy::Measured(4.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::worn_hyperboloid_slope),
         shown: Some(|a| with(a, |[b, x, scale]| Expr::call("atan", [leg(x, b) / hypotenuse(scale, b)]))),
@@ -267,7 +267,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "worn_hyperboloid_force",
-        ulps: 9.0,
+        accuracy: Accuracy::Measured(9.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::worn_hyperboloid_force),
         shown: Some(|a| {
@@ -281,7 +281,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫₀^a n x^(n−1) asin(x/r) dx
     Row {
         name: "outside_power",
-        ulps: 40.0,
+        accuracy: Accuracy::Measured(40.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::outside_power),
         shown: Some(|a| with(a, |[n, a, r]| outside_power(n, a, r))),
@@ -289,7 +289,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "pressure_power",
-        ulps: 7.0,
+        accuracy: Accuracy::Measured(7.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::pressure_power),
         shown: Some(|a| with(a, |[n, s, a]| pressure_power(n, s, a))),
@@ -297,7 +297,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "sphere_pressure",
-        ulps: 8.0,
+        accuracy: Accuracy::Measured(8.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::sphere_pressure),
         shown: Some(|a| {
@@ -311,7 +311,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "hyperboloid_pressure",
-        ulps: 6.0,
+        accuracy: Accuracy::Measured(6.0),
         arity: (3, 3),
         value: |a| ternary(a, forms::hyperboloid_pressure),
         shown: Some(|a| {
@@ -326,7 +326,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫_M^a x^(2k)/√((x²−M²)(x²−m²)) dx with M = max(b, r), m = min(b, r)
     Row {
         name: "elliptic_moment",
-        ulps: 14.0,
+        accuracy: Accuracy::Measured(14.0),
         arity: (4, 4),
         value: |a| match a {
             [k, b, s, a] => order(*k).map_or(f64::NAN, |k| forms::elliptic_moment(k, *b, *s, *a)),

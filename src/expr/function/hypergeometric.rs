@@ -3,12 +3,9 @@
 use super::elementary::{first, unary};
 use super::precise::single;
 use super::typeset::{self, Setting};
-use super::{PLAIN, Row};
+use super::{Accuracy, PLAIN, Row};
 use crate::expr::{Expr, Sign, sign};
 use crate::num::{DoubleDouble, Precise, special};
-
-/// The values of these functions carry their own bound: NaN where it exceeds 2 ulp before rounding.
-const OWN_BOUND: f64 = 3.0;
 
 pub(super) static ROWS: &[Row] = &[
     // ∫_z1^z2 t^(a−1) (1−t)^(b−1) dt
@@ -20,7 +17,7 @@ pub(super) static ROWS: &[Row] = &[
             [a, b, low, high] => special::betainc(*a, *b, *low, *high),
             _ => f64::NAN,
         },
-        ulps: OWN_BOUND,
+        accuracy: Accuracy::OWN_BOUND,
         precise: Some(|a| quadruple(a, special::betainc_precise)),
         derivative: Some(beta_derivative),
         fold: Some(|a| match a {
@@ -41,7 +38,7 @@ pub(super) static ROWS: &[Row] = &[
             [a, b, z] => special::hyp1f1(*a, *b, *z),
             _ => f64::NAN,
         },
-        ulps: OWN_BOUND,
+        accuracy: Accuracy::OWN_BOUND,
         precise: Some(|a| match a {
             [a, b, z] => special::hyp1f1_precise([*a, *b, *z]),
             _ => Precise::nan(),
@@ -70,7 +67,7 @@ pub(super) static ROWS: &[Row] = &[
             [a, b, c, z] => special::hyp2f1(*a, *b, *c, *z),
             _ => f64::NAN,
         },
-        ulps: OWN_BOUND,
+        accuracy: Accuracy::OWN_BOUND,
         precise: Some(|a| quadruple(a, special::hyp2f1_precise)),
         derivative: Some(|a, i| match (a, i) {
             ([p, q, c, z], 3) => {
@@ -105,7 +102,7 @@ pub(super) static ROWS: &[Row] = &[
             Some((upper, lower, z)) => special::hyper(upper, lower, *z),
             None => f64::NAN,
         },
-        ulps: OWN_BOUND,
+        accuracy: Accuracy::OWN_BOUND,
         precise: Some(|a| match split(a, |n| n.value()) {
             Some((upper, lower, z)) => special::hyper_precise(upper, lower, *z),
             None => Precise::nan(),
@@ -124,7 +121,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::upright("Li").set(Setting::Indexed),
         value: |a| second_order(a, special::polylog2),
-        ulps: 3.5,
+        accuracy: Accuracy::Measured(3.5),
         precise: Some(|a| second_order_precise(a, special::polylog2_precise)),
         derivative: Some(|a, i| match (a, i) {
             ([s, z], 1) if s.as_integer() == Some(2) => Some(-Expr::call("ln", [Expr::one() - z]) / z),
@@ -153,7 +150,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::upright("Cl").set(Setting::Indexed),
         value: |a| second_order(a, special::clsin2),
-        ulps: OWN_BOUND,
+        accuracy: Accuracy::OWN_BOUND,
         precise: Some(|a| second_order_precise(a, special::clsin2_precise)),
         derivative: Some(|a, i| match (a, i) {
             ([s, z], 1) if s.as_integer() == Some(2) => {
@@ -174,7 +171,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "legendre_chi2",
         typeset: typeset::italic("χ").with_index("2"),
         value: |a| unary(a, special::legendre_chi2),
-        ulps: 3.0,
+        accuracy: Accuracy::Measured(3.0),
         precise: Some(|a| single(a, special::legendre_chi2_precise)),
         derivative: Some(|a, _| Some(Expr::call("atanh", a.to_vec()) / first(a))),
         domain: Some(|a| vec![Expr::one() - first(a).power(2)]),
@@ -189,7 +186,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "inverse_tangent_integral",
         typeset: typeset::upright("Ti").with_index("2"),
         value: |a| unary(a, special::inverse_tangent_integral),
-        ulps: 3.0,
+        accuracy: Accuracy::Measured(3.0),
         precise: Some(|a| single(a, special::inverse_tangent_integral_precise)),
         derivative: Some(|a, _| Some(Expr::call("atan", a.to_vec()) / first(a))),
         fold: Some(zero_at_zero),

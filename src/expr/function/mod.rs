@@ -33,8 +33,8 @@ pub struct Row {
     pub typeset: Typeset,
     /// The value; NaN outside the domain.
     pub value: fn(&[f64]) -> f64,
-    /// Error bound of the value in ulps: twice the measured maximum.
-    pub ulps: f64,
+    /// Error bound of the value, and its ground.
+    pub accuracy: Accuracy,
     /// The value with about 30 digits, at exact arguments; what has none is evaluated in double precision only.
     pub precise: Option<fn(&[DoubleDouble]) -> Precise>,
     /// Bound on how far the value moves while every argument moves by at most its distance; what has none is probed.
@@ -62,14 +62,41 @@ pub struct Row {
 }
 
 impl Row {
-    /// Whether the value is that with 30 digits, rounded, as its bound says: then both take about the same time.
+    /// Error bound of the value in units in the last place.
+    pub fn ulps(&self) -> f64 {
+        match self.accuracy {
+            Accuracy::Exact => 0.0,
+            Accuracy::Bounded(ulps) | Accuracy::Measured(ulps) | Accuracy::Defined(ulps) => ulps,
+        }
+    }
+
+    /// Returns `true` if the value is always that with 30 digits, rounded: then both take about the same time.
     pub(crate) fn is_rounded(&self) -> bool {
-        self.ulps <= ROUNDED
+        self.accuracy == Accuracy::ROUNDED
     }
 }
 
-/// Bound in ulps of a value with 30 digits that is rounded: half an ulp and a hair, twice.
-const ROUNDED: f64 = 1.1;
+/// Error bound of a function value in units in the last place, and the ground on which it stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Accuracy {
+    /// The value is an argument or its size; nothing is rounded.
+    Exact,
+    /// The value is computed to 30 digits with a bound that contains everything that cancels, and rounded.
+    ///
+    /// Values with a larger bound are refused, so that the number of units is a theorem.
+    Bounded(f64),
+    /// Twice the largest error that was measured against 30 digits; the record is the table of functions in `docs/accuracy.md`.
+    Measured(f64),
+    /// The bound is part of the definition: the argument itself is known no better.
+    Defined(f64),
+}
+
+impl Accuracy {
+    /// A value with 30 digits that is rounded: half a unit and a hair, twice.
+    pub(super) const ROUNDED: Self = Self::Bounded(1.1);
+    /// A value that is refused where its own bound exceeds two units; half a unit is for rounding, and as much for headroom.
+    pub(super) const OWN_BOUND: Self = Self::Bounded(3.0);
+}
 
 /// Values of f while the argument at a place runs over a slice; the other ones stand in the list.
 pub type Sweep = fn(&mut [f64], usize, &[f64], &mut [f64]);
@@ -89,7 +116,7 @@ pub(super) const PLAIN: Row = Row {
     arity: (1, 1),
     typeset: typeset::upright(""),
     value: |_| f64::NAN,
-    ulps: 1.0,
+    accuracy: Accuracy::Measured(1.0),
     precise: None,
     spread: None,
     slice: None,

@@ -3,7 +3,7 @@
 use super::elementary::{binary, first, region, unary};
 use super::typeset::{self, Setting};
 use super::waves::of_order;
-use super::{PLAIN, Row};
+use super::{Accuracy, PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
 use crate::num::{Precise, Region, special};
 
@@ -12,7 +12,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "gamma",
         typeset: typeset::upright("Γ"),
         value: |a| unary(a, libm::tgamma),
-        ulps: 10.0,
+        accuracy: Accuracy::Measured(10.0),
         precise: Some(|a| match a {
             [z] => special::gamma_precise(*z),
             _ => Precise::nan(),
@@ -30,7 +30,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "digamma",
         typeset: typeset::italic("ψ"),
         value: |a| unary(a, special::digamma),
-        ulps: 6.0,
+        accuracy: Accuracy::Measured(6.0),
         precise: Some(|a| match a {
             [z] if z.hi > 0.0 => special::digamma_precise(*z),
             _ => Precise::nan(),
@@ -45,7 +45,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::italic("ψ").set(Setting::Ordered),
         value: |a| binary(a, special::polygamma),
-        ulps: 6.0,
+        accuracy: Accuracy::Measured(6.0),
         precise: Some(|a| match a {
             [m, z] => special::polygamma_precise(*m, *z),
             _ => Precise::nan(),

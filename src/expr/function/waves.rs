@@ -3,7 +3,7 @@
 use super::elementary::{binary, first, negated, odd, region, unary};
 use super::precise::{pair, single};
 use super::typeset::{self, Setting};
-use super::{PLAIN, ROUNDED, Row};
+use super::{Accuracy, PLAIN, Row};
 use crate::expr::{Expr, Number, Sign, sign};
 use crate::num::{DoubleDouble, Region, special};
 
@@ -12,7 +12,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "erf",
         typeset: typeset::upright("erf"),
         value: |a| unary(a, libm::erf),
-        ulps: 2.0,
+        accuracy: Accuracy::Measured(2.0),
         precise: Some(|a| single(a, special::erf_precise)),
         region: Some(|a| region(a, Region::erf)),
         derivative: Some(|a, _| Some(gaussian(a, -1))),
@@ -24,7 +24,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "erfi",
         typeset: typeset::upright("erfi"),
         value: |a| unary(a, special::erfi),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| single(a, special::erfi_precise)),
         derivative: Some(|a, _| Some(gaussian(a, 1))),
         fold: Some(|a| odd("erfi", a)),
@@ -37,7 +37,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "dawson",
         typeset: typeset::upright("D"),
         value: |a| unary(a, special::dawson),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| single(a, special::dawson_precise)),
         derivative: Some(|a, _| Some(Expr::one() - Expr::integer(2) * first(a) * Expr::call("dawson", a.to_vec()))),
         fold: Some(|a| odd("dawson", a)),
@@ -50,7 +50,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "fresnelc",
         typeset: typeset::italic("C"),
         value: |a| unary(a, special::fresnelc),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| single(a, special::fresnelc_precise)),
         derivative: Some(|a, _| Some(Expr::call("cos", [half_turns(a)]))),
         fold: Some(|a| odd("fresnelc", a)),
@@ -63,7 +63,7 @@ pub(super) static ROWS: &[Row] = &[
         name: "fresnels",
         typeset: typeset::italic("S"),
         value: |a| unary(a, special::fresnels),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| single(a, special::fresnels_precise)),
         derivative: Some(|a, _| Some(Expr::call("sin", [half_turns(a)]))),
         fold: Some(|a| odd("fresnels", a)),
@@ -76,7 +76,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::italic("J").set(Setting::Indexed),
         value: |a| binary(a, special::besselj),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| pair(a, special::besselj_precise)),
         spread: Some(|a, by| wave_spread(a, by, special::besselj)),
         region: Some(|a| of_order(a, Region::besselj)),
@@ -89,7 +89,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::italic("I").set(Setting::Indexed),
         value: |a| binary(a, special::besseli),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| pair(a, special::besseli_precise)),
         region: Some(|a| of_order(a, Region::besseli)),
         derivative: Some(|a, i| bessel_derivative("besseli", a, i, 1)),
@@ -103,7 +103,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::upright("form"),
         value: |a| binary(a, special::besseli_scaled),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| pair(a, special::besseli_scaled_precise)),
         sign: Some(positive_order_and_argument),
         shown: Some(|a| match a {
@@ -117,7 +117,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::bold("H").set(Setting::Indexed),
         value: |a| binary(a, special::struveh),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| pair(a, special::struveh_precise)),
         spread: Some(|a, by| wave_spread(a, by, special::struveh)),
         derivative: Some(|a, i| struve_derivative("struveh", a, i, -1)),
@@ -130,7 +130,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::bold("L").set(Setting::Indexed),
         value: |a| binary(a, special::struvel),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| pair(a, special::struvel_precise)),
         derivative: Some(|a, i| struve_derivative("struvel", a, i, 1)),
         fold: Some(|a| struve_fold("struvel", a)),
@@ -144,7 +144,7 @@ pub(super) static ROWS: &[Row] = &[
         arity: (2, 2),
         typeset: typeset::upright("form"),
         value: |a| binary(a, special::bessel_struve),
-        ulps: ROUNDED,
+        accuracy: Accuracy::ROUNDED,
         precise: Some(|a| pair(a, special::bessel_struve_precise)),
         sign: Some(positive_order_and_argument),
         shown: Some(|a| Expr::call("besseli", a.to_vec()) - Expr::call("struvel", a.to_vec())),

@@ -2,7 +2,7 @@
 
 use super::super::integral::NumericProfile;
 use super::super::stream::Stream;
-use super::super::stress::{Distances, kernel};
+use super::super::stress::{Jump, kernel_at};
 use super::super::stress_series::Expansion;
 use super::build::{self, Budget};
 use super::piece::{Integral, Piece, Place, Share};
@@ -30,7 +30,7 @@ pub struct PressureCurve<'a> {
     a: f64,
     /// Rising.
     parts: Vec<Part>,
-    jumps: Vec<(Bounded, Bounded)>,
+    jumps: Vec<Jump>,
     steep: bool,
     evaluations: u64,
     doubt: f64,
@@ -137,7 +137,7 @@ impl<'a> PressureCurve<'a> {
         if r >= self.a {
             return Ok(Some(Estimate::exact(0.0)));
         }
-        if (r == 0.0 && self.steep) || self.jumps.iter().any(|(at, jump)| at.value == r && jump.value != 0.0) {
+        if (r == 0.0 && self.steep) || self.jumps.iter().any(|jump| jump.at.value == r && jump.height.value != 0.0) {
             return Ok(None);
         }
         if self.parts.iter().any(|part| !part.fine && part.lower <= r && r < part.upper) {
@@ -156,13 +156,8 @@ impl<'a> PressureCurve<'a> {
             error = 2.0 * root * outer.map_or(f64::INFINITY, |(_, relative)| 1.5 * relative);
         }
         let smooth = Bounded { value, error: self.doubt * (error + 8.0 * f64::EPSILON * value.abs()) };
-        let total = self.jumps.iter().filter(|(_, jump)| jump.value != 0.0).fold(smooth, |sum, (at, jump)| {
-            let distances = Distances { difference: (*at - Bounded::exact(r)).value.abs(), below_edge: self.a - at.value };
-            let own = kernel(at.value, r, self.a, &distances);
-            // Next to the kink the rounding of b itself moves the logarithm, and next to the edge the root.
-            let moved = at.error / distances.difference / self.a + own.value.abs() * at.error / distances.below_edge;
-            sum + *at * *jump * Bounded { value: own.value, error: own.error + moved }
-        });
+        let jumps = self.jumps.iter().filter(|jump| jump.height.value != 0.0);
+        let total = jumps.fold(smooth, |sum, jump| sum + jump.at * jump.height * kernel_at(jump.end, r, self.a));
         Ok(Some(Estimate::estimated(total.value, total.error, 0)))
     }
 

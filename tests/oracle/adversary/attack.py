@@ -1,4 +1,4 @@
-"""Attacks the program with generated profiles: python3 attack.py PROGRAM typed|hidden FIRST COUNT [--out FILE] [--no-formulas] [--table CSV].
+"""Attacks the program with generated profiles: python3 attack.py PROGRAM typed|hidden|kinks FIRST COUNT [--out FILE] [--no-formulas] [--table CSV].
 
 Every number of g, d, F and p at three places is compared with an enclosure of the true value; printed formulas are evaluated by mpmath.
 Faults are written as JSON lines; the summary is printed at the end and every 200 profiles.
@@ -68,6 +68,7 @@ class Attack:
             radii = sorted(a * chance.uniform(0.02, 0.98) for _ in places)
             if getattr(profile, "feature", None) and profile.places[0] < a:
                 radii[0] = profile.places[0]
+            radii = sorted(r for r in getattr(profile, "radii", radii) if 0 < r < a) or radii
             for r in radii:
                 values["p", r] = truth.pressure(r, a)
             deeper = lambda key: self.again(profile, bits, key, a)
@@ -184,7 +185,7 @@ class Attack:
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("mode", choices=["typed", "hidden"])
+    parser.add_argument("mode", choices=["typed", "hidden", "kinks"])
     parser.add_argument("first", type=int)
     parser.add_argument("count", type=int)
     parser.add_argument("--out", default="/dev/null")

@@ -429,6 +429,36 @@ def hidden(seed):
     return profile
 
 
+def kinks(seed):
+    """One or two kinks at decimals that no double holds, on one of four backgrounds; places from a tenth to 1e-13 of the kink beside it."""
+    chance = random.Random(seed)
+    end = chance.choice([0.5, 1.0, 3.0, 40.0])
+    ends = ("/", R, ("num", Fraction(str(end))))
+    tree = chance.choice([
+        ("*", num("0.3"), ("^", ends, num(2))), ("fn", "tanh", ends), ("-", ("fn", "cosh", ends), num(1)), ("*", num("0.2"), ("^", ends, num(10))),
+    ])
+    marks = []
+    for _ in range(chance.choice([1, 1, 2])):
+        b = Fraction(f"{chance.uniform(0.02, 0.95) * end:.{chance.choice([2, 3, 7])}f}")
+        if b <= 0 or b in marks:
+            continue
+        apart = ("-", R, ("num", b))
+        inside = ("max", num(0), apart)
+        width = Fraction(f"{10 ** chance.uniform(-9, 0):.2e}")
+        step = chance.choice([
+            lambda: inside, lambda: ("abs", apart), lambda: ("^", inside, num(2)), lambda: ("^", inside, num("1.5")),
+            lambda: ("fn", "tanh", ("/", inside, ("num", width))), lambda: ("fn", "ln", ("+", num(1), ("/", inside, ("num", width)))),
+            lambda: ("min", R, ("num", b)), lambda: ("max", R, ("num", b)),
+        ])()
+        tree = ("+", tree, ("*", num(chance.choice(["0.7", "1.55", "0.013"])), step))
+        marks.append(b)
+    profile = Typed(tree, Speller(chance).profile(tree), {}, end, marks=[float(b) for b in marks])
+    beside = lambda: float(chance.choice(marks)) * (1 + chance.choice([1, 1, -1]) * 10 ** chance.uniform(-13, -1))
+    profile.places = [x if 0 < x < end else 0.77 * end for x in (beside(), beside())] + [chance.uniform(0.3, 1) * end]
+    profile.radii = [beside() for _ in range(3)]
+    return profile
+
+
 def typed(seed):
     maker = Maker(seed)
     profile = maker.typed()

@@ -19,8 +19,7 @@ const HIGHEST: f64 = 1e4;
 /// Domain: real `n > -1` with `z >= 0`; whole `n` of any sign with any `z`; `|n| <= 10^4`, or larger where `J_n` is 0
 /// by underflow; NaN elsewhere.
 ///
-/// Accuracy: the 30-digit value rounded, next to the zeros by a series in whole numbers: at most 0.51 ulp measured up
-/// to `z = 2^50`; beyond that within one ulp of the amplitude `sqrt(2/(pi z))`.
+/// Accuracy: the 30-digit value rounded, next to the zeros by a series in whole numbers: at most 0.51 ulp measured.
 ///
 /// ```
 /// use sneddon_num::special::besselj;
@@ -39,7 +38,7 @@ pub fn besselj(n: f64, z: f64) -> f64 {
         let near_zero = bessel_leading(order, argument.scale(0.5)).value.mul(sum).value();
         return if negative { -near_zero } else { near_zero };
     }
-    rounded(value, (std::f64::consts::FRAC_2_PI / z.abs()).sqrt().min(1.0))
+    rounded(value)
 }
 
 /// `J_n(z)` to about 28 digits of the amplitude, with its error.
@@ -118,7 +117,7 @@ pub fn besseli_scaled_precise(n: DoubleDouble, z: DoubleDouble) -> Precise {
 
 /// The nearest double, or the infinity of an overflow.
 fn finished(value: Precise) -> f64 {
-    if value.value.hi.is_infinite() { value.value.hi } else { rounded(value, 0.0) }
+    if value.value.hi.is_infinite() { value.value.hi } else { rounded(value) }
 }
 
 /// Order and argument of the same function where the series converges as it stands, and whether the sign changes.

@@ -124,8 +124,8 @@ pub(super) fn is_short(value: Precise) -> bool {
     value.error > 0.05 * f64::EPSILON * value.value.hi.abs()
 }
 
-/// The nearest double where enough digits are known: 2 ulps of the value, or of `amplitude` next to a zero.
-pub(super) fn rounded(value: Precise, amplitude: f64) -> f64 {
+/// The nearest double if it is within 1.1 units in the last place, else NaN.
+pub(super) fn rounded(value: Precise) -> f64 {
     let nearest = value.value.value();
-    if value.error <= 2.0 * f64::EPSILON * nearest.abs().max(amplitude) + 100.0 * TINY { nearest } else { f64::NAN }
+    if value.error <= 0.55 * f64::EPSILON * nearest.abs() + 100.0 * TINY { nearest } else { f64::NAN }
 }

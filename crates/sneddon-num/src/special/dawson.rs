@@ -21,7 +21,7 @@ pub fn dawson(z: f64) -> f64 {
     if z.is_infinite() {
         return 0.0_f64.copysign(z);
     }
-    rounded(dawson_precise(z.into()), 0.0)
+    rounded(dawson_precise(z.into()))
 }
 
 /// `D(z)` to about 29 digits, with its error.
@@ -57,7 +57,7 @@ pub fn erfi(z: f64) -> f64 {
         return f64::INFINITY.copysign(z);
     }
     let value = erfi_precise(z.into());
-    if value.value.hi.is_infinite() { value.value.hi } else { rounded(value, 0.0) }
+    if value.value.hi.is_infinite() { value.value.hi } else { rounded(value) }
 }
 
 /// `erfi(z)` to about 29 digits, with its error; infinite where a double overflows.

@@ -58,7 +58,7 @@ pub fn fresnels_precise(z: DoubleDouble) -> Precise {
 }
 
 fn finished(z: f64, precise: fn(DoubleDouble) -> Precise) -> f64 {
-    if z.is_infinite() { 0.5_f64.copysign(z) } else { rounded(precise(z.into()), 0.0) }
+    if z.is_infinite() { 0.5_f64.copysign(z) } else { rounded(precise(z.into())) }
 }
 
 fn odd(z: DoubleDouble, parity: u32) -> Precise {

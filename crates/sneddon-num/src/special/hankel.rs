@@ -8,8 +8,6 @@ use crate::precise::{PI, sin_cos};
 const ROOT_HALF: DoubleDouble = DoubleDouble { hi: std::f64::consts::FRAC_1_SQRT_2, lo: -4.833_646_656_726_457e-17 };
 /// Beyond this the series is 1 and z has no fraction.
 const ENDLESS: f64 = 1e40;
-/// Up to here the argument of circular functions is reduced to 30 digits.
-const REDUCED: f64 = (1_u64 << 50) as f64;
 
 /// J_n(z) and Y_n(z) for large z, any real n.
 ///
@@ -119,15 +117,9 @@ fn opposite(a: Precise) -> Precise {
     super::carried::opposite(a)
 }
 
-/// sin z and cos z: to 30 digits as far as the reduction reaches, to 15 beyond.
+/// sin z and cos z.
 fn circular(z: DoubleDouble) -> (Precise, Precise) {
-    if z.hi.abs() <= REDUCED {
-        let (sine, cosine) = sin_cos(z);
-        let bound = |value: DoubleDouble| Precise { value, error: 4.0 * UNIT };
-        return (bound(sine), bound(cosine));
-    }
-    let ((s, c), (low_s, low_c)) = (libm::sincos(z.hi), libm::sincos(z.lo));
-    let own = if z.lo == 0.0 { 0.75 } else { 3.0 };
-    let bound = |value: f64| Precise { value: value.into(), error: own * f64::EPSILON };
-    (bound(s * low_c + c * low_s), bound(c * low_c - s * low_s))
+    let (sine, cosine) = sin_cos(z);
+    let bound = |value: DoubleDouble| Precise { value, error: 4.0 * UNIT };
+    (bound(sine), bound(cosine))
 }

@@ -21,8 +21,7 @@ const HIGHEST: f64 = 1e4;
 /// Domain: whole `n` in `[-1, 10^4]`, every finite `z`; NaN elsewhere and where fewer than 15 digits are known, which
 /// needs orders above about `z > 80`.
 ///
-/// Accuracy: the 30-digit value rounded, next to the zeros by a series in whole numbers: at most 0.51 ulp measured up
-/// to `z = 2^50`; beyond that within one ulp of the amplitude `sqrt(2/(pi z))` of the wave.
+/// Accuracy: the 30-digit value rounded, next to the zeros by a series in whole numbers: at most 0.51 ulp measured.
 ///
 /// ```
 /// use sneddon_num::special::struveh;
@@ -37,7 +36,7 @@ pub fn struveh(n: f64, z: f64) -> f64 {
         let near_zero = struve_leading(n, (0.5 * z.abs()).into()).value.mul(sum).value();
         return if z < 0.0 && n.rem_euclid(2.0) == 0.0 { -near_zero } else { near_zero };
     }
-    rounded(value, (std::f64::consts::FRAC_2_PI / z.abs()).sqrt().min(1.0))
+    rounded(value)
 }
 
 /// `H_n(z)` to about 28 digits of its amplitude, with its error.
@@ -109,7 +108,7 @@ pub fn bessel_struve_precise(n: DoubleDouble, z: DoubleDouble) -> Precise {
 }
 
 fn finished(value: Precise) -> f64 {
-    if value.value.hi.is_infinite() { value.value.hi } else { rounded(value, 0.0) }
+    if value.value.hi.is_infinite() { value.value.hi } else { rounded(value) }
 }
 
 fn allowed(n: DoubleDouble, z: DoubleDouble) -> bool {

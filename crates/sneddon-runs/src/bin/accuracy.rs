@@ -3,11 +3,9 @@
 //! STATEMENTS.csv is what `tests/oracle/statements.py` wrote, with as many places per rule as one likes (the committed
 //! table unless told); PROFILES.txt is the output of `cargo run --release -p sneddon-runs --bin random_profiles`, ESTIMATES.txt that of `random_estimates`.
 
-use sneddon::expr::Function;
+use sneddon::expr::{Function, function::Accuracy};
 use sneddon_checks::accuracy::{measure, tally};
-use sneddon_checks::decimal::Decimal;
-use sneddon_checks::rows::rows;
-use std::collections::BTreeMap;
+use sneddon_checks::functions::measure as measured_functions;
 use std::error::Error;
 use std::fs;
 
@@ -70,30 +68,27 @@ fn rules(text: &str) {
 
 /// The table of the functions.
 fn functions() -> Result<(), Box<dyn Error>> {
-    let mut figures: BTreeMap<&str, (usize, f64, f64)> = BTreeMap::new();
-    for table in ["special", "waves", "hypergeometric", "functions"] {
-        let text = fs::read_to_string(format!("tests/oracle/{table}.csv"))?;
-        for row in rows(&text) {
-            let [name, arguments, truth] = row[..] else { return Err(format!("{table}: {row:?}").into()) };
-            let mut parts = name.split(' ');
-            let Some(function) = parts.next().and_then(Function::named) else { continue };
-            let Ok(mut point) = parts.map(str::parse::<f64>).collect::<Result<Vec<_>, _>>() else { continue };
-            // Arguments with more digits than a double belong to the thirty-digit values.
-            let Ok(own) = arguments.split([' ', ';']).map(str::parse::<f64>).collect::<Result<Vec<_>, _>>() else { continue };
-            point.extend(own);
-            let (lowest, highest) = function.row().arity;
-            let value = (function.row().value)(&point);
-            if value.is_finite() && (lowest..=highest).contains(&point.len()) {
-                let (ulps, entry) = (Decimal::read(truth).ulps(value), figures.entry(function.name()).or_default());
-                *entry = (entry.0 + 1, entry.1.max(ulps), entry.2 + ulps);
-            }
-        }
-    }
+    let tables = ["special", "waves", "hypergeometric", "functions", "forms"];
+    let texts = tables.map(|table| fs::read_to_string(format!("tests/oracle/{table}.csv"))).into_iter().collect::<Result<Vec<_>, _>>()?;
+    let figures = measured_functions(texts.iter().map(String::as_str))?;
     println!("\n## Functions\n");
     println!("Doubles against references of 30 digits or more, extremes of the domain included.\n");
-    println!("| function | places | largest error, ulp | mean error, ulp |\n|---|---|---|---|");
-    for (name, (count, largest, sum)) in figures {
-        println!("| `{name}` | {count} | {largest:.2} | {:.2} |", sum / count as f64);
+    println!(
+        "The ground of a bound is the program's own: *measured* is twice the largest error that was ever found, which this table records;"
+    );
+    println!(
+        "*bounded* is a value with 30 digits whose bound contains everything that cancels, rounded, and refused where it exceeds that.\n"
+    );
+    println!("| function | places | largest error, ulp | mean error, ulp | bound, ulp | ground |\n|---|---|---|---|---|---|");
+    for (name, own) in figures {
+        let row = Function::named(name).ok_or("no such function")?.row();
+        let ground = match row.accuracy {
+            Accuracy::Exact => "exact",
+            Accuracy::Bounded(_) => "bounded",
+            Accuracy::Measured(_) => "measured",
+            Accuracy::Defined(_) => "defined",
+        };
+        println!("| `{name}` | {} | {:.2} | {:.2} | {} | {ground} |", own.count, own.largest, own.mean, row.ulps());
     }
     Ok(())
 }
