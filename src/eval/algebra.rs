@@ -1,8 +1,10 @@
 //! The kinds of value that an expression can be walked with.
 
+use crate::expr::function::Accuracy;
 use crate::expr::{Function, Row};
 use crate::num::{Bounded, DoubleDouble, Precise, Region, real_power};
 use num_complex::Complex64;
+use std::cell::RefCell;
 use std::sync::OnceLock;
 
 /// Arithmetic over one kind of value; values outside a domain become NaN, which callers turn into errors.
@@ -37,6 +39,12 @@ pub trait Algebra {
     }
     /// A function of the table.
     fn call(&mut self, function: Function, arguments: &[Self::Value]) -> Self::Value;
+    /// Whether [`Self::call_with_numbers`] makes a difference.
+    const READS_NUMBERS: bool = false;
+    /// The same where the numbers among the arguments are known to 30 digits; the others are `None`.
+    fn call_with_numbers(&mut self, function: Function, arguments: &[Self::Value], _numbers: &[Option<DoubleDouble>]) -> Self::Value {
+        self.call(function, arguments)
+    }
     /// Where a tape keeps the values of this algebra that do not depend on its inputs.
     fn kept(_tape: &Kept) -> Option<&KeptValues<Self::Value>> {
         None
@@ -99,6 +107,7 @@ pub struct BoundedAlgebra;
 impl Algebra for BoundedAlgebra {
     type Value = Bounded;
     const COST: u64 = 4;
+    const READS_NUMBERS: bool = true;
     fn kept(tape: &Kept) -> Option<&KeptValues<Bounded>> {
         Some(&tape.bounded)
     }
@@ -135,6 +144,40 @@ impl Algebra for BoundedAlgebra {
             _ => by_spread(row, arguments).unwrap_or_else(|| Bounded::apply_many(row.value, arguments, row.ulps())),
         }
     }
+    fn call_with_numbers(&mut self, function: Function, arguments: &[Bounded], numbers: &[Option<DoubleDouble>]) -> Bounded {
+        of_one(function.row(), arguments, numbers).unwrap_or_else(|| self.call(function, arguments))
+    }
+}
+
+/// The value where all arguments but one are numbers and some of these were rounded: one evaluation with their 30 digits tells what that
+/// rounding does, and each of them need not be moved by itself. `None` where the value is not one of 30 digits itself.
+fn of_one(row: &Row, arguments: &[Bounded], numbers: &[Option<DoubleDouble>]) -> Option<Bounded> {
+    let Accuracy::Bounded(ulps) = row.accuracy else { return None };
+    let precise = row.precise?;
+    let open = numbers.iter().position(Option::is_none)?;
+    let is_rounded = arguments.iter().zip(numbers).any(|(own, number)| number.is_some() && own.error != 0.0);
+    if !is_rounded || numbers.iter().skip(open + 1).any(Option::is_none) {
+        return None;
+    }
+    let value = (row.value)(&arguments.iter().map(|own| own.value).collect::<Vec<_>>());
+    if !value.is_finite() {
+        return Some(Bounded::checked(f64::NAN, f64::NAN));
+    }
+    let point = RefCell::new(numbers.iter().map(|number| number.unwrap_or(0.0.into())).collect::<Vec<_>>());
+    let exact = |z: f64| {
+        let mut point = point.borrow_mut();
+        if let Some(place) = point.get_mut(open) {
+            *place = z.into();
+        }
+        let found = precise(&point);
+        let nearest = found.value.value();
+        // Half a unit is for rounding, and a hair for what 30 digits of the numbers leave.
+        if found.error <= 0.9 * (ulps - 0.5) * f64::EPSILON * nearest.abs() { nearest } else { f64::NAN }
+    };
+    let found = arguments.get(open)?.apply(exact, ulps);
+    // Next to a zero the row may have a better way than 30 digits.
+    let error = (found.error + (found.value - value).abs()) * (1.0 + 4.0 * f64::EPSILON);
+    found.is_finite().then(|| Bounded::checked(value, error))
 }
 
 /// Bounds as those of [`BoundedAlgebra`] in which every operation is charged half a unit, whether it rounds at this point or not: near by

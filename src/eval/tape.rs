@@ -3,8 +3,9 @@
 use super::blocks::Program;
 use super::walk::walk_with;
 use super::{Algebra, EvalError, Kept};
+use crate::expr::function::Accuracy;
 use crate::expr::{Expr, Function, Node, Symbol};
-use crate::num::{Precise, work};
+use crate::num::{DoubleDouble, Precise, work};
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
@@ -192,9 +193,24 @@ impl Tape {
                 for slot in self.arguments.get(*from as usize..*to as usize)? {
                     gathered.push(get(slot)?);
                 }
-                algebra.call(*function, gathered)
+                match function.row().accuracy {
+                    Accuracy::Bounded(_) if A::READS_NUMBERS && gathered.len() > 1 => {
+                        let numbers: Vec<_> =
+                            self.arguments.get(*from as usize..*to as usize)?.iter().map(|own| self.number(*own)).collect();
+                        algebra.call_with_numbers(*function, gathered, &numbers)
+                    }
+                    _ => algebra.call(*function, gathered),
+                }
             }
         })
+    }
+
+    /// The number in a slot; `None` for anything that is computed.
+    fn number(&self, slot: u32) -> Option<DoubleDouble> {
+        match self.operations.get(slot as usize)? {
+            Operation::Constant(index) => self.constants.get(*index as usize).map(|own| own.value),
+            _ => None,
+        }
     }
 
     /// The slots that an operation reads.

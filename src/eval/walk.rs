@@ -1,6 +1,7 @@
 //! The walk over the tree: which operations stand for a node, in which order.
 
 use super::{Algebra, BoundedAlgebra, EvalError, PreciseAlgebra, WideAlgebra};
+use crate::expr::function::Accuracy;
 use crate::expr::{Bindings, Constant, Expr, Function, Node, Number, Symbol, shown_to_30_digits};
 use crate::num::{Bounded, DoubleDouble, Precise, precise};
 
@@ -88,8 +89,8 @@ pub(super) fn walk_with<A: Algebra>(
     }
     match expr.node() {
         Node::Number(number) => Ok(constant(number, algebra)),
-        Node::Constant(Constant::Pi) => Ok(algebra.constant(Precise { value: precise::PI, error: 3.0e-33 })),
-        Node::Constant(Constant::Euler) => Ok(algebra.constant(Precise { value: precise::E, error: 2.2e-33 })),
+        Node::Constant(Constant::Pi) => Ok(algebra.constant(PI)),
+        Node::Constant(Constant::Euler) => Ok(algebra.constant(E)),
         Node::Symbol(symbol) => Err(EvalError::Unbound { name: symbol.name().to_owned() }),
         Node::Function(function, arguments) => {
             if let Some((near_one, beside)) = logarithm_near_one(*function, arguments) {
@@ -99,6 +100,10 @@ pub(super) fn walk_with<A: Algebra>(
                 return Ok(algebra.call(near_one, &pair));
             }
             let values = arguments.iter().map(|a| walk_with(a, algebra, known)).collect::<Result<Vec<_>, _>>()?;
+            if A::READS_NUMBERS && values.len() > 1 && matches!(function.row().accuracy, Accuracy::Bounded(_)) {
+                let numbers: Vec<Option<DoubleDouble>> = arguments.iter().map(number).collect();
+                return Ok(algebra.call_with_numbers(*function, &values, &numbers));
+            }
             Ok(algebra.call(*function, &values))
         }
         Node::Sum(terms) => {
@@ -149,16 +154,34 @@ fn beside_one(sum: &Expr) -> Option<Expr> {
 /// A number of the tree; one beyond the range of doubles is written as an operation, for algebras that reach further.
 fn constant<A: Algebra>(number: &Number, algebra: &mut A) -> A::Value {
     const STEP: i64 = 900;
-    let size = number.to_f64().abs();
-    if number.is_zero() || (1e-270..f64::INFINITY).contains(&size) {
+    if is_literal(number) {
         return algebra.constant(literal(number));
     }
+    let size = number.to_f64().abs();
     let Some(step) = Number::integer(2).power(STEP) else { return algebra.constant(literal(number)) };
     let factor = algebra.constant(literal(&step));
     let small = size < 1.0;
     let Some(back) = (if small { Some(step) } else { step.reciprocal() }) else { return algebra.constant(literal(number)) };
     let inner = constant(&(number * &back), algebra);
     if small { algebra.divide(inner, factor) } else { algebra.multiply(inner, factor) }
+}
+
+const PI: Precise = Precise { value: precise::PI, error: 3.0e-33 };
+const E: Precise = Precise { value: precise::E, error: 2.2e-33 };
+
+/// A number that is one constant of the tape, to 30 digits.
+fn number(expr: &Expr) -> Option<DoubleDouble> {
+    match expr.node() {
+        Node::Number(number) if is_literal(number) => Some(literal(number).value),
+        Node::Constant(Constant::Pi) => Some(PI.value),
+        Node::Constant(Constant::Euler) => Some(E.value),
+        _ => None,
+    }
+}
+
+/// Whether a number is within the range of two doubles.
+fn is_literal(number: &Number) -> bool {
+    number.is_zero() || (1e-270..f64::INFINITY).contains(&number.to_f64().abs())
 }
 
 /// A number of the tree as two doubles; the error is 0 where they hold it exactly.
@@ -246,7 +269,7 @@ fn raise<A: Algebra>(
         && let (Some(beside), Some(near_one)) = (beside_one(base), Function::named("power_near_one"))
     {
         let (beside, exponent) = (walk_with(&beside, algebra, known)?, algebra.constant(literal(power)));
-        into.push(algebra.call(near_one, &[beside, exponent]));
+        into.push(algebra.call_with_numbers(near_one, &[beside, exponent], &[None, Some(literal(power).value)]));
         return Ok(());
     }
     let value = walk_with(base, algebra, known)?;

@@ -4,6 +4,9 @@ use super::ball::{Ball, UNIT};
 use super::gamma::gamma_ratio;
 use super::series::series;
 use crate::{DoubleDouble, work};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
 
 /// `(q+1)Fq(upper; lower; z)` for `z < 0`, no polynomial.
 ///
@@ -143,41 +146,91 @@ fn are_apart(upper: &[Ball]) -> bool {
     upper.iter().enumerate().all(|(i, p)| upper.iter().skip(i + 1).all(|q| from_whole(*p - *q) > 1e-3))
 }
 
+/// The connection to `1/z` for one set of upper parameters, none of which differ by whole numbers.
+struct Connection {
+    upper: Vec<Ball>,
+    /// The factor before each power of `1/z`.
+    scales: Vec<Ball>,
+}
+
+impl Connection {
+    fn new(upper: Vec<Ball>, lower: &[Ball]) -> Self {
+        let scale = |(i, own): (usize, &Ball)| {
+            let others = || upper.iter().enumerate().filter(move |(k, _)| *k != i).map(|(_, p)| *p);
+            let above: Vec<Ball> = lower.iter().copied().chain(others().map(|p| p - *own)).collect();
+            let below: Vec<Ball> = others().chain(lower.iter().map(|q| *q - *own)).collect();
+            gamma_ratio(&above, &below)
+        };
+        let scales = upper.iter().enumerate().map(scale).collect();
+        Self { upper, scales }
+    }
+
+    /// DLMF 16.8.8 or 16.11.7.
+    fn at(&self, lower: &[Ball], z: Ball) -> Ball {
+        let logarithm = (-z).ln();
+        let converges = self.upper.len() > lower.len();
+        let inverse = if converges { z.recip() } else { -z.recip() };
+        let mut sum = Ball::ZERO;
+        for (i, (own, scale)) in self.upper.iter().zip(&self.scales).enumerate() {
+            // A pole below; what merely underflows has an error.
+            if scale.is(0.0) && scale.error == 0.0 {
+                continue;
+            }
+            work::spend(EXPONENTIAL);
+            let others = self.upper.iter().enumerate().filter(|(k, _)| *k != i).map(|(_, p)| *p);
+            let first: Vec<Ball> = std::iter::once(*own).chain(lower.iter().map(|q| *own - *q + 1.0)).collect();
+            let second: Vec<Ball> = others.map(|p| *own - p + 1.0).collect();
+            let part = if converges { series(&first, &second, inverse) } else { cut(&first, &second, inverse) };
+            sum = sum + *scale * (-(logarithm * *own)).exp() * part;
+        }
+        sum
+    }
+}
+
+/// The connections for a list of directions in which the upper parameters are moved apart by steps.
+type Connections = Rc<[Connection]>;
+
+/// Maximum number of parameter lists whose connections are kept.
+const KEPT: usize = 512;
+/// Steps of work that an exponential function of a ball is.
+const EXPONENTIAL: u64 = 60;
+
+thread_local! {
+    static KNOWN: RefCell<HashMap<Vec<u64>, Connections>> = RefCell::new(HashMap::new());
+}
+
+/// The connections of upper parameters moved by `SPREAD` times each of the numbers; kept, because a formula asks for those of its parameters
+/// at every place, and they are all gamma functions.
+fn connections(upper: &[Ball], lower: &[Ball], moves: &[f64]) -> Connections {
+    let bits = |own: &Ball| [own.value.hi, own.value.lo, own.error].map(f64::to_bits);
+    let key: Vec<u64> =
+        upper.iter().chain(lower).flat_map(bits).chain([upper.len() as u64]).chain(moves.iter().map(|own| own.to_bits())).collect();
+    if let Some(known) = KNOWN.with_borrow(|known| known.get(&key).cloned()) {
+        return known;
+    }
+    let moved = |by: &f64| (0_usize..).zip(upper).map(|(i, p)| *p + SPREAD[i % SPREAD.len()] * *by).collect::<Vec<_>>();
+    let made: Connections = work::unbroken(|| moves.iter().map(|by| Connection::new(moved(by), lower)).collect());
+    KNOWN.with_borrow_mut(|known| {
+        if known.len() >= KEPT {
+            known.clear();
+        }
+        known.insert(key, Rc::clone(&made));
+    });
+    made
+}
+
 /// DLMF 16.8.8 or 16.11.7, upper parameters that do not differ by whole numbers.
 fn far(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
-    let logarithm = (-z).ln();
-    let converges = upper.len() > lower.len();
-    let inverse = if converges { z.recip() } else { -z.recip() };
-    let mut sum = Ball::ZERO;
-    for (i, own) in upper.iter().enumerate() {
-        let others = || upper.iter().enumerate().filter(move |(k, _)| *k != i).map(|(_, p)| *p);
-        let above: Vec<Ball> = lower.iter().copied().chain(others().map(|p| p - *own)).collect();
-        let below: Vec<Ball> = others().chain(lower.iter().map(|q| *q - *own)).collect();
-        let scale = gamma_ratio(&above, &below);
-        // A pole below; what merely underflows has an error.
-        if scale.is(0.0) && scale.error == 0.0 {
-            continue;
-        }
-        let first: Vec<Ball> = std::iter::once(*own).chain(lower.iter().map(|q| *own - *q + 1.0)).collect();
-        let second: Vec<Ball> = others().map(|p| *own - p + 1.0).collect();
-        sum = sum
-            + scale
-                * (-(logarithm * *own)).exp()
-                * if converges { series(&first, &second, inverse) } else { cut(&first, &second, inverse) };
-    }
-    sum
+    connections(upper, lower, &[0.0]).first().map_or(Ball::NONE, |own| own.at(lower, z))
 }
 
 /// The limit of [`far`] at coinciding parameters: they are moved apart by ±h, …, ±7h, and the even part is extrapolated.
 fn between(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
     let step = 2.0_f64.powi(-5) / (1.0 + z.hi().abs().ln()).log2().ceil().exp2();
-    let at = |k: f64| {
-        let moved: Vec<Ball> = (0_u32..).zip(upper).map(|(i, p)| *p + SPREAD[i as usize % SPREAD.len()] * k * step).collect();
-        far(&moved, lower, z)
-    };
+    let moves: Vec<f64> = (1_u32..).zip(EXTRAPOLATION).flat_map(|(k, _)| [f64::from(k) * step, -f64::from(k) * step]).collect();
     let (mut fine, mut coarse) = (Ball::ZERO, Ball::ZERO);
-    for (k, (seven, six)) in (1_u32..).zip(EXTRAPOLATION) {
-        let pair = (at(f64::from(k)) + at(-f64::from(k))).scale(0.5);
+    for (pair, (seven, six)) in connections(upper, lower, &moves).chunks(2).zip(EXTRAPOLATION) {
+        let pair = pair.iter().fold(Ball::ZERO, |sum, own| sum + own.at(lower, z)).scale(0.5);
         fine = fine + pair * seven / 1716.0;
         coarse = coarse + pair * six / 462.0;
     }

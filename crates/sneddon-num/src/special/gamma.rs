@@ -124,9 +124,8 @@ fn stirling(x: Ball) -> Ball {
     let square = inverse.square();
     let mut power = inverse;
     let mut series = Ball::ZERO;
-    for (k, (above, below)) in (1_u32..).zip(BERNOULLI) {
-        let order = f64::from(2 * k) * f64::from(2 * k - 1);
-        let term = power * above / (below * order);
+    for (hi, lo) in STIRLING {
+        let term = power * Ball::exact(DoubleDouble { hi, lo }).widened(hi.abs() * 1e-32);
         if term.hi().abs() < 1e-36 {
             break;
         }
@@ -139,6 +138,27 @@ fn stirling(x: Ball) -> Ball {
 /// Stirling's series begins here; its sixteenth term is below 1e-38.
 pub(super) const FAR: f64 = 32.0;
 const HALF_LN_TWO_PI: Ball = Ball { value: DoubleDouble { hi: 0.918_938_533_204_672_8, lo: -3.878_294_158_067_241_4e-17 }, error: 1e-32 };
+
+/// `B_2k/(2k(2k-1))` for k = 1, 2, …, 17, the coefficients of Stirling's series.
+const STIRLING: [(f64, f64); 17] = [
+    (0.08333333333333333, 4.625929269271485e-18),
+    (-0.002777777777777778, 1.0601087908747154e-19),
+    (0.0007936507936507937, 6.883823317368282e-22),
+    (-0.0005952380952380953, 5.36938218754726e-20),
+    (0.0008417508417508417, 3.6870174889237694e-20),
+    (-0.0019175269175269176, 1.0675702776872475e-19),
+    (0.00641025641025641, 2.2240044563805217e-19),
+    (-0.029550653594771242, 4.861760957508855e-19),
+    (0.17964437236883057, -6.401600482710946e-19),
+    (-1.3924322169059011, 1.5837056989230303e-17),
+    (13.402864044168393, -6.154114101993966e-16),
+    (-156.84828462600203, 9.391823141715389e-15),
+    (2193.1033333333335, -1.3339255626002948e-13),
+    (-36108.77125372499, 5.897583353514365e-13),
+    (691472.268851313, 2.5585296305158e-11),
+    (-15238221.539407415, -8.76774522490625e-10),
+    (382900751.39141417, -2.4082684757733585e-08),
+];
 
 /// Numerators and denominators of `B_2, B_4, …, B_34`.
 pub(super) const BERNOULLI: [(f64, f64); 17] = [
