@@ -251,7 +251,10 @@ fn tape_is_walk() {
         let walked = walk(&expr, &mut BoundedAlgebra, &mut |s| Some(if s.name() == "x" { bx } else { by })).unwrap();
         let taped_too = tape.run(&mut BoundedAlgebra, &[bx, by], &mut bounded).unwrap();
         assert!(walked.value.to_bits() == taped_too.value.to_bits() || walked.value.is_nan() && taped_too.value.is_nan());
-        assert!(walked.error.to_bits() == taped_too.error.to_bits() || walked.error.is_nan() && taped_too.error.is_nan(), "{expr:?} at {x} {y}: {walked:?} {taped_too:?}");
+        assert!(
+            walked.error.to_bits() == taped_too.error.to_bits() || walked.error.is_nan() && taped_too.error.is_nan(),
+            "{expr:?} at {x} {y}: {walked:?} {taped_too:?}"
+        );
         // The value with a bound is the value without one.
         assert!(taped_too.value == taped || taped.is_nan(), "{expr:?}");
         let (cx, cy) = (Complex64::new(x, 0.25), Complex64::new(y, -0.5));
