@@ -9,7 +9,6 @@ use pyo3::prelude::*;
 use self_cell::self_cell;
 use sneddon::contact::{Contact, ContactError, Explicit, Measured, Reason, explicit};
 use sneddon::expr::{Bindings, Expr, Number};
-use sneddon::num::roots::{RootOptions, bracketed};
 use sneddon::num::work::{self, Budget};
 use sneddon::num::{Bound as Ground, Estimate};
 use sneddon::parse;
@@ -415,7 +414,7 @@ fn read<P: Quantities>(
 ) -> Result<Estimate, Fault> {
     let one = |own: Reading| own.estimate;
     let radius_of_depth = || radius_of_depth(contact, inverse, tolerance, at);
-    let radius_of_force = || radius_of_force(contact, at);
+    let radius_of_force = || contact.radius_under_force(at).map(|own| own.estimate);
     Ok(match wanted {
         Wanted::Profile => one(contact.profile(at)?),
         Wanted::Equivalent => one(contact.evaluator().slope(at)?),
@@ -463,41 +462,4 @@ fn radius_of_depth<P: Quantities>(
         return Ok(closed.estimate);
     }
     Ok(contact.contact_radius(depth)?.estimate)
-}
-
-/// The radius whose force is F, between 0 and the end of the profile.
-fn radius_of_force<P: Quantities>(contact: &Contact<'_, P>, force: f64) -> Result<Estimate, Fault> {
-    if force == 0.0 {
-        return Ok(Estimate::exact(contact.evaluator().flat_radius()?));
-    }
-    let unreachable = || Fault::new(format!("the force {force} is not reached on the profile")).help("a smaller force is accepted");
-    let gap = |a: f64| -> Result<f64, ContactError> { Ok(contact.force(a)?.estimate.value - force) };
-    let limit = contact.evaluator().limit();
-    let mut upper = if limit.is_finite() { limit.next_down() } else { 1.0 };
-    if limit.is_finite() {
-        if gap(upper)? < 0.0 {
-            return Err(unreachable());
-        }
-    } else {
-        while gap(upper).map_err(|_| unreachable())? < 0.0 {
-            upper *= 4.0;
-            if upper > 1e30 {
-                return Err(unreachable());
-            }
-        }
-    }
-    let mut lower = upper / 4.0;
-    while gap(lower)? >= 0.0 {
-        (lower, upper) = (lower / 4.0, lower);
-        if lower < 1e-300 {
-            return Err(Fault::new(format!("the radius of the force {force} lies below the smallest number")));
-        }
-    }
-    let a = bracketed(&mut |a: f64| gap(a), lower, upper, &RootOptions::default())?.x;
-    let reading = contact.force(a)?.estimate;
-    // F′ is the slope between two places up to a share of about the step.
-    let step = 1e-5 * a;
-    let slope = (reading.value - contact.force(a - step)?.estimate.value) / step;
-    let residual = (reading.value - force).abs() + reading.error;
-    Ok(Estimate::estimated(a, 1.1 * (residual / slope).abs() + 2.0 * f64::EPSILON * a, 0))
 }

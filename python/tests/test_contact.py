@@ -37,6 +37,7 @@ def test_ways_round_meet():
     d, force = SPHERE.depth(radius=a), SPHERE.force(radius=a)
     for found in (SPHERE.contact_radius(depth=d, with_bound=True), SPHERE.contact_radius(force=force, with_bound=True)):
         assert (abs(found[0] - a) <= found[1] + 1e-14 * a).all()
+    assert SPHERE.contact_radius(force=force[3], with_bound="ground")[2] == "proven"
     value, bound = SPHERE.force(depth=d, with_bound=True)
     assert (abs(value - force) <= bound + 1e-14 * force).all()
     value, bound = SPHERE.depth(force=force, with_bound=True)

@@ -33,6 +33,14 @@ pub enum ContactError {
         /// Why not.
         reason: &'static str,
     },
+    /// No contact radius belongs to the force.
+    #[error("no contact radius belongs to F = {force:?}: {reason}")]
+    ForceUnreachable {
+        /// The normal force.
+        force: f64,
+        /// Why not.
+        reason: &'static str,
+    },
     /// The number of springs is out of range.
     #[error("a spring foundation of {springs} springs is not possible; 1 to {limit} would be accepted")]
     Springs {

@@ -3,6 +3,7 @@
 mod comparison;
 mod error;
 mod explicit;
+mod force_radius;
 mod foundation;
 mod indentation;
 mod material;

@@ -68,29 +68,38 @@ pub(super) fn of_depth<P: Quantities>(contact: &Contact<'_, P>, radii: &Radii, d
         Err(TransformError::Overflow { .. }) => Ok(Estimate::exact(f64::INFINITY)),
         Err(other) => Err(other),
     };
+    let found = root(&mut height, radii, depth, start, limit)?;
+    let (a, Certain { reach, bound, .. }) = found.map_err(|reason| ContactError::Unreachable { depth, reason })?;
+    Ok(Reading { estimate: Estimate { value: a, error: reach, evaluations, bound }, method: "root" })
+}
+
+/// The smallest radius at which a function reaches a value, with its error; or the reason why there is none.
+pub(super) fn root(
+    height: &mut dyn FnMut(f64) -> Result<Estimate, TransformError>,
+    radii: &Radii,
+    target: f64,
+    start: f64,
+    limit: f64,
+) -> Result<Result<(f64, Certain), &'static str>, ContactError> {
     let mut with_digits = |a: f64| {
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
-    let found = Look { height: &mut with_digits, start, places: outward(start, limit) }.bracket(radii, depth)?;
+    let found = Look { height: &mut with_digits, start, places: outward(start, limit) }.bracket(radii, target)?;
     let Some((lower, upper)) = found else {
-        let reason = if limit.is_finite() {
-            "g stays below this depth as far as the profile goes"
+        return Ok(Err(if limit.is_finite() {
+            "it is not reached as far as the profile goes"
         } else {
-            "g stays below this depth at every radius that was tried"
-        };
-        return Err(ContactError::Unreachable { depth, reason });
+            "it is not reached at any radius that was tried"
+        }));
     };
-    let mut gap = |a: f64| if a <= start { Ok(-depth) } else { height(a).map(|g| g.value - depth) };
+    let mut gap = |a: f64| if a <= start { Ok(-target) } else { height(a).map(|own| own.value - target) };
     let a = bracketed(&mut gap, lower, upper, &RootOptions::default())?.x;
     let mut gap = |a: f64| {
-        let g = height(a)?;
-        Ok(if g.value.is_finite() { g + Estimate::exact(-depth) } else { g })
+        let own = height(a)?;
+        Ok(if own.value.is_finite() { own + Estimate::exact(-target) } else { own })
     };
-    let Some(Certain { reach, bound, .. }) = certain(&mut gap, a, start, limit)? else {
-        return Err(ContactError::Unreachable { depth, reason: "g does not rise through this depth" });
-    };
-    Ok(Reading { estimate: Estimate { value: a, error: reach, evaluations, bound }, method: "root" })
+    Ok(certain(&mut gap, a, start, limit)?.map(|certain| (a, certain)).ok_or("no rise through it can be told from the errors"))
 }
 
 /// How far from a root the sign of a rising function is certain.
@@ -195,7 +204,7 @@ impl Look<'_> {
             }
             upper = lower;
         }
-        Err(ContactError::Unreachable { depth, reason: "the contact radius underflows; expected a larger depth" })
+        Err(ContactError::Unreachable { depth, reason: "the contact radius underflows; expected a larger one" })
     }
 
     /// Samples the next radius, refines the interval before it, and adds the local maxima of g.

@@ -4,17 +4,24 @@
 use sneddon::contact::{Contact, ContactError};
 use sneddon::expr::Bindings;
 use sneddon::num::special::dawson;
+use sneddon::num::{Bound, Estimate};
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Reading, derive};
+use sneddon_checks::decimal::Decimal;
 use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
 
-/// a(d) of a profile in which [s] is the unit of length.
-fn radius(text: &str, unit: f64, depth: f64) -> Result<(Reading, f64), ContactError> {
+/// A profile in which [s] is the unit of length; its solution is kept as long as the tests run.
+fn contact(text: &str, unit: f64) -> Contact<'static> {
     let formula = parse::profile(&text.replace("[s]", &format!("({unit:?})"))).unwrap();
-    let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
-    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
-    let contact = Contact::new(evaluator, 1.0, None, 1e-13);
+    let solution = Box::leak(Box::new(derive(&Profile::new(&formula).unwrap()).unwrap()));
+    let evaluator = Evaluator::new(solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    Contact::new(evaluator, 1.0, None, 1e-13)
+}
+
+/// a(d), and the depth at this radius.
+fn radius(text: &str, unit: f64, depth: f64) -> Result<(Reading, f64), ContactError> {
+    let contact = contact(text, unit);
     let found = contact.contact_radius(depth)?;
     let back = contact.depth(found.estimate.value).unwrap().estimate;
     Ok((found, back.value))
@@ -95,5 +102,30 @@ fn waves_and_ends_are_followed() {
             let (_, back) = radius(text, 1.0, *depth).unwrap_or_else(|error| panic!("{text}: {error}"));
             assert!((back / depth - 1.0).abs() < 1e-12, "{text}: from {depth:e} to {back:e}");
         }
+    }
+}
+
+/// The round trip a → F → a within the bounds, the force of a paraboloid by its formula, and forces that no radius has.
+#[test]
+fn radii_under_forces_keep_their_bounds() {
+    let mut stream = Stream::new(35);
+    for (text, _) in SHAPES {
+        for unit in [1e-9, 1.0, 1e6] {
+            let contact = contact(text, unit);
+            let a = unit * stream.uniform(0.1, 0.7) + if text.contains("r-[s]") { unit } else { 0.0 };
+            let force = contact.force(a).unwrap().estimate;
+            let found = contact.radius_under_force(force.value).unwrap().estimate;
+            // F is rounded, too, and rises at least like a.
+            assert!((found.value - a).abs() <= found.error + 2.0 * a * force.error / force.value, "{text} in {unit}: {found:?} for {a}");
+            assert!(found.error < 1e-12 * a && found.bound == Bound::Proven, "{text} in {unit}: {found:?}");
+        }
+    }
+    // F = 4E*a³/(3R) with R = 2; (1.5·0.7)^(1/3) at 30 digits, 0.7 being a double.
+    let found = contact("r^2/4", 1.0).radius_under_force(0.7).unwrap().estimate;
+    assert!(Decimal::read("1.01639635681485340728290132579").distance(found.value) <= found.error && found.error < 1e-15);
+    assert_eq!(contact("max(0, r-1)", 1.0).radius_under_force(0.0).unwrap().estimate, Estimate::exact(1.0));
+    for (text, force) in [("1-(1-r^2)^(3/2)", 5.0), ("r^2", -1.0), ("r^2", f64::NAN), ("r^2", f64::INFINITY), ("1-exp(-r^2)", 1e70)] {
+        let refused = contact(text, 1.0).radius_under_force(force);
+        assert!(matches!(refused, Err(ContactError::ForceUnreachable { .. })), "{text} under {force}: {refused:?}");
     }
 }

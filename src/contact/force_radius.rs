@@ -1,0 +1,53 @@
+//! The contact radius under a given force with a smooth edge: the root of F(a) = F.
+
+use super::radius::{Certain, Radii, root};
+use super::{Contact, ContactError};
+use crate::num::Estimate;
+use crate::transform::{Quantities, Reading, TransformError};
+
+impl<P: Quantities> Contact<'_, P> {
+    /// The contact radius a with F(a) = F; the tip is flat below it if F is 0.
+    ///
+    /// The error is proven where the sign of F(a) − F is proven on both sides of a.
+    ///
+    /// # Errors
+    /// [`ContactError::ForceUnreachable`] if no radius on the profile has this force, [`ContactError`] if F cannot be computed on the way.
+    ///
+    /// ```
+    /// use sneddon::contact::Contact;
+    /// use sneddon::expr::Bindings;
+    /// use sneddon::{parse, transform::{Evaluator, Method, Profile, derive}};
+    /// let solution = derive(&Profile::new(&parse::profile("r^2/2").unwrap()).unwrap()).unwrap();
+    /// let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+    /// // F = 4E*a³/(3R)
+    /// let a = Contact::new(evaluator, 3.0, None, 1e-12).radius_under_force(0.5).unwrap().estimate;
+    /// assert!((a.value - 0.5).abs() <= a.error && a.error < 1e-15);
+    /// ```
+    pub fn radius_under_force(&self, force: f64) -> Result<Reading, ContactError> {
+        let start = self.evaluator().flat_radius()?;
+        if force == 0.0 {
+            return Ok(Reading { estimate: Estimate::exact(start), method: "exact" });
+        }
+        let unreachable = |reason| ContactError::ForceUnreachable { force, reason };
+        if force.is_nan() || force < 0.0 {
+            return Err(unreachable("the force is not positive; expected F >= 0"));
+        }
+        let mut evaluations = 0;
+        let mut height = |a: f64| match self.force(a) {
+            Ok(own) => {
+                evaluations += own.estimate.evaluations + 1;
+                Ok(own.estimate)
+            }
+            // F overflows beyond every root.
+            Err(ContactError::Transform(TransformError::Overflow { .. })) => Ok(Estimate::exact(f64::INFINITY)),
+            Err(ContactError::Transform(other)) => Err(other),
+            Err(_) => Err(TransformError::NotComputable { at: a }),
+        };
+        let found = root(&mut height, &Radii::default(), force, start, self.evaluator().limit()).map_err(|error| match error {
+            ContactError::Unreachable { reason, .. } => unreachable(reason),
+            other => other,
+        })?;
+        let (a, Certain { reach, bound, .. }) = found.map_err(unreachable)?;
+        Ok(Reading { estimate: Estimate { value: a, error: reach, evaluations, bound }, method: "root" })
+    }
+}
