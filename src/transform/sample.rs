@@ -79,7 +79,7 @@ fn put_in_order(values: &mut BTreeMap<Symbol, Number>, conditions: &[Condition])
 }
 
 /// Conditions on parameters alone decide; those on r are met by the choice of points.
-fn admissible(condition: &Condition) -> bool {
+pub(super) fn admissible(condition: &Condition) -> bool {
     condition.decided().unwrap_or_else(|| super::domain::numeric_sign(&(&condition.right - &condition.left)).is_none_or(|s| s > 0.0))
 }
 

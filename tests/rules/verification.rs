@@ -244,3 +244,15 @@ fn lost_factors_are_noticed() {
     lost.first_mut().unwrap().intervals.first_mut().unwrap().terms.pop();
     assert!(!gate.recognition_holds(chain, &slopes, &lost));
 }
+
+/// Class "a right formula is given up where its own conditions do not hold": logarithms and quotients of roots, whose recognition form has a
+/// pole on one side of the axis or the other, depending on the parameters. The answer names the condition and keeps its rule.
+#[test]
+fn answers_are_compared_where_their_own_conditions_hold() {
+    for text in ["h*ln(1+((h*(sqrt(1+r/w)-1)))/w)", "h*ln(1+c*(sqrt(1+r/w)-1))", "r/(b-w+r)"] {
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+        assert!(solution.verification.demoted.is_empty(), "{text}: {:?}", solution.verification.demoted);
+        assert!(solution.terms().any(|term| term.answer.is_some()), "{text} has no closed part");
+        assert!(!solution.conditions.is_empty(), "{text} names no condition");
+    }
+}

@@ -86,16 +86,23 @@ const LONGEST: u64 = 2_500_000;
 /// The numbers for the parameters at which the terms of a profile are compared.
 pub struct Gate {
     names: Vec<Symbol>,
+    limits: Vec<Expr>,
+    conditions: Vec<Condition>,
     places: Vec<Place>,
 }
 
 impl Gate {
     /// Seeded admissible values of the parameters; without parameters, one comparison is enough.
     pub fn new(profile: &Profile, conditions: &[Condition]) -> Self {
-        let draws = if profile.parameters().is_empty() { 1 } else { DRAWS };
-        let names = profile.parameters();
-        let places = (0..draws).filter_map(|draw| Place::draw(profile, names.clone(), conditions, draw)).collect();
-        Self { names, places }
+        let (names, limits) = (profile.parameters(), profile.limits().cloned().collect());
+        let mut gate = Self { names, limits, conditions: conditions.to_vec(), places: Vec::new() };
+        gate.places = gate.drawn(conditions);
+        gate
+    }
+
+    fn drawn(&self, conditions: &[Condition]) -> Vec<Place> {
+        let draws = if self.names.is_empty() { 1 } else { DRAWS };
+        (0..draws).filter_map(|draw| Place::draw(self.names.clone(), &self.limits, conditions, draw)).collect()
     }
 
     /// True unless the terms are proven not to add up to f′ as it was typed.
@@ -107,8 +114,15 @@ impl Gate {
     pub fn judge(&self, solved: &mut SolvedTerm, found: &mut Verification) {
         let Some((rule, answer)) = &solved.answer else { return };
         let (mut slope, mut force, mut pressure) = (Verdict::Unknown, Verdict::Unknown, Verdict::Unknown);
-        let subject = if self.places.is_empty() { None } else { Subject::new(&solved.term, answer, &self.names) };
-        for (place, subject) in self.places.iter().zip(subject.iter().cycle()) {
+        // An answer that demands more of the parameters than the profile is compared where that holds.
+        let own = if self.places.iter().all(|place| place.admits(&answer.conditions)) {
+            None
+        } else {
+            Some(self.drawn(&[self.conditions.as_slice(), &answer.conditions].concat()))
+        };
+        let places = own.as_ref().unwrap_or(&self.places);
+        let subject = if places.is_empty() { None } else { Subject::new(&solved.term, answer, &self.names) };
+        for (place, subject) in places.iter().zip(subject.iter().cycle()) {
             let own = work::share(LONGEST, || place.compare(subject)).flatten().unwrap_or([Verdict::Unknown; 2]);
             (slope, force) = (slope.or(own[0]), force.or(own[1]));
             // The closed p is compared with an integral over the closed g.

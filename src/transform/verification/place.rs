@@ -5,8 +5,8 @@ use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
 use crate::expr::{Bindings, Condition, Expr, Symbol};
 use crate::num::{Bound, Bounded, Estimate};
 use crate::transform::engine::SolvedChain;
-use crate::transform::sample::Sampler;
-use crate::transform::{Answer, Chain, NumericProfile, Pair, Profile, Segment, Term};
+use crate::transform::sample::{Sampler, admissible};
+use crate::transform::{Answer, Chain, NumericProfile, Pair, Segment, Term};
 use std::sync::LazyLock;
 
 /// Agreement within this share of ∫|integrand| is agreement: two independent computations do not share nine digits by chance.
@@ -44,13 +44,18 @@ struct Radii {
 
 impl Place {
     /// Seeded admissible values; `None` where none were found.
-    pub(super) fn draw(profile: &Profile, names: Vec<Symbol>, conditions: &[Condition], draw: u64) -> Option<Self> {
+    pub(super) fn draw(names: Vec<Symbol>, limits: &[Expr], conditions: &[Condition], draw: u64) -> Option<Self> {
         let bindings = Sampler::new(0x6a7e + draw).admissible(&names, conditions)?;
         let number = |expr: &Expr| constant_value(expr, &bindings).map(|own| own.value).ok();
         let values = names.iter().map(|name| number(&Expr::from(name.clone()))).collect::<Option<Vec<_>>>()?;
-        let limits = profile.limits().map(number).collect::<Option<Vec<_>>>()?;
+        let limits = limits.iter().map(number).collect::<Option<Vec<_>>>()?;
         let limit = limits.into_iter().fold(f64::INFINITY, f64::min);
         Some(Self { bindings, names, values, limit, first: draw == 0 })
+    }
+
+    /// Whether conditions on the parameters hold here; those on radii are not looked at.
+    pub(super) fn admits(&self, conditions: &[Condition]) -> bool {
+        conditions.iter().all(|own| admissible(&own.substitute(&self.bindings)))
     }
 
     fn number(&self, expr: &Expr) -> Option<f64> {
