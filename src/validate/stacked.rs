@@ -6,15 +6,19 @@ use super::layout::{Columns, Layout, columns};
 use crate::scene::{Dimension, Scene};
 use serde::Deserialize;
 
-/// The fields of one load: the name of the column of loads, the load, and the arrays.
+/// The fields of one load: the load in the unit of the file, and the arrays.
 struct Fields {
     load: Option<f64>,
     arrays: Vec<Array>,
 }
 
 #[derive(Deserialize)]
-struct Document {
+struct Head {
     schema: String,
+}
+
+#[derive(Deserialize)]
+struct Document {
     units: Option<Units>,
     grid: Grid,
     loads: Vec<Load>,
@@ -62,10 +66,13 @@ const SCHEMA: &str = "sneddon/reference/";
 /// Reads a document of `sneddon reference`; places without a pressure, where it is infinite or no contact is valid, are left out.
 pub(super) fn json(file: &str, bytes: &[u8], layout: &Layout) -> Result<Columns, ValidationError> {
     let fault = |message: String| ValidationError::data(file, None, message, HELP);
-    let document: Document = serde_json::from_slice(bytes).map_err(|error| fault(format!("this is not data in JSON: {error}")))?;
-    if !document.schema.starts_with(SCHEMA) {
-        return Err(fault(format!("this is a document of the schema {:?}, not fields", document.schema)));
+    // What kind of document it is counts more than what another kind lacks.
+    if let Ok(Head { schema }) = serde_json::from_slice(bytes)
+        && !schema.starts_with(SCHEMA)
+    {
+        return Err(fault(format!("this is a document of the schema {schema:?}, not fields")));
     }
+    let document: Document = serde_json::from_slice(bytes).map_err(|error| fault(format!("this is not data in JSON: {error}")))?;
     let units = document.units.as_ref();
     let named = |name: &str, unit: Option<&String>| {
         unit.filter(|own| !own.is_empty()).map_or_else(|| name.to_owned(), |unit| format!("{name}_{unit}"))

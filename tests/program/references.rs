@@ -156,7 +156,8 @@ fn other_documents_and_other_scenes_are_refused() {
     };
     let one = "{\"d\":0.1,\"fields\":[{\"quantity\":\"p\",\"values\":[[0.1,0.2],[0.3]]}]}";
     for (name, content, said) in [
-        ("other.json", "{\"schema\":\"sneddon/solve/1\",\"grid\":{\"cells\":false},\"loads\":[]}".to_owned(), "sneddon/solve/1"),
+        ("other.json", "{\"schema\":\"sneddon/solve/1\",\"rows\":[]}".to_owned(), "sneddon/solve/1"),
+        ("nameless.json", "{\"a\":1}".to_owned(), "missing field"),
         ("broken.json", "{\"schema\":".to_owned(), "this is not data in JSON"),
         ("empty.json", field(""), "nothing to compare"),
         ("ragged.json", field(one), "differ in length"),
