@@ -112,7 +112,7 @@ impl Frame {
                     let below = total.coefficients.iter_mut().enumerate().filter(|(n, _)| total.shift + (*n as f64) < order - 0.5);
                     below.for_each(|(_, own)| *own = Bounded::exact(0.0));
                 }
-                Ok(total)
+                Ok(self.tightened(total))
             }
             Node::Product(factors) => {
                 let mut total = self.constant(Bounded::exact(1.0));
@@ -168,6 +168,22 @@ impl Frame {
             coefficients: low.coefficients.iter().zip(&high.coefficients).take(length).map(|(a, b)| *a + *b).collect(),
             rest: low.rest.iter().zip(&high.rest).map(|(a, b)| widened(a + b)).collect(),
         })
+    }
+
+    /// The same series with bounds in which coefficients that cancel in a sum count as what is left of them.
+    ///
+    /// N known coefficients are added, and Σ_{n≥N} |A_n| ρ^n is at most (ρ/ρ′)^N times the bound at a larger radius ρ′.
+    fn tightened(&self, mut own: Series) -> Series {
+        let length = own.coefficients.len();
+        let power = i32::try_from(length).unwrap_or(i32::MAX);
+        let tail = |rho: f64| {
+            let larger = self.radii.iter().zip(&own.rest).filter(|(other, _)| **other > rho);
+            larger.map(|(other, rest)| (rho / other).powi(power) * rest).filter(|tail| !tail.is_nan()).fold(f64::INFINITY, f64::min)
+        };
+        let known = |rho: f64| rho * own.coefficients.iter().skip(1).rev().fold(0.0, |sum, c| sum * rho + (c.value.abs() + c.error));
+        let rest = self.radii.iter().zip(&own.rest).map(|(rho, rest)| rest.min(widened(known(*rho) + tail(*rho)))).collect();
+        own.rest = rest;
+        own
     }
 
     /// r^gap times the analytic part, for a whole gap ≥ 0; the shift is taken down by as much.

@@ -7,7 +7,7 @@ use super::combine::ORDER;
 use super::dense::Kept;
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
-use super::kinks::{is_approximate, is_below};
+use super::kinks::is_below;
 use super::quantity::Quantity;
 use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::{constant_value, first_double_from};
@@ -43,7 +43,7 @@ pub struct Evaluator<'a> {
     pub(super) solution: &'a Solution,
     pub(super) bindings: Bindings,
     pub(super) chains: Vec<NumericChain>,
-    limits: Vec<f64>,
+    pub(super) limits: Vec<f64>,
     barriers: Vec<Barrier>,
     /// The smallest limit and the first end of a barrier.
     end: OnceLock<f64>,
@@ -129,22 +129,7 @@ impl<'a> Evaluator<'a> {
         if let Some(ready) = self.typed.get() {
             return Ok(ready);
         }
-        let mut pieces = Vec::new();
-        for chain in &self.solution.profile.chains {
-            let slopes = chain.slopes()?;
-            pieces
-                .extend(chain.intervals().zip(slopes).map(|((lower, upper, _), slope)| (Segment { lower, upper: upper.cloned() }, slope)));
-        }
-        let mut built = NumericProfile::new(&pieces, &self.bindings)?;
-        // The nearest of several limits is where f′ ends.
-        let nearest = self.limit();
-        let ends = self.solution.profile.limits().zip(&self.limits).filter(|(limit, _)| !is_approximate(limit));
-        if let Some((limit, _)) = ends.into_iter().find(|(_, own)| **own == nearest) {
-            built = built.ending_at(limit, &self.bindings)?;
-        }
-        if built.is_ragged() {
-            built = self.mended(built);
-        }
+        let built = self.typed_profile()?;
         work::check()?;
         Ok(self.typed.get_or_init(|| built))
     }

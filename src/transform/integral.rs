@@ -87,7 +87,7 @@ impl NumericProfile {
             let lower_expr = bindings.apply(&segment.lower);
             let lower = constant_value(&lower_expr, &Bindings::default())?;
             let upper = segment.upper.as_ref().map(|upper| constant_value(upper, bindings)).transpose()?;
-            let slope_expr = centred(&balanced(&bindings.apply(slope)));
+            let slope_expr = prepared(slope, bindings);
             let tape = compile_shifted(&slope_expr, &lower_expr)?;
             let slope = Numbers::Tape(tape);
             // Cancellation in a polynomial of high degree is not a singularity.
@@ -463,6 +463,11 @@ impl NumericSegment {
 pub(super) fn compile_shifted(expr: &Expr, lower: &Expr) -> Result<Tape, TransformError> {
     let delta = Symbol::new("δ");
     Ok(Tape::compile(&[shifted(expr, lower, &Expr::from(delta.clone()))], &[delta])?)
+}
+
+/// The expression from which f′ is compiled.
+pub(super) fn prepared(slope: &Expr, bindings: &Bindings) -> Expr {
+    centred(&balanced(&bindings.apply(slope)))
 }
 
 /// The expression with lower + δ for r; polynomials that vanish at the lower end lose their constant term before any

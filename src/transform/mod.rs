@@ -56,6 +56,7 @@ mod stress_slopes;
 mod superposition;
 mod table;
 mod term;
+mod typed;
 mod verification;
 
 pub(crate) use admit::finite_and_not_negative;

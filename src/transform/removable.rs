@@ -3,15 +3,19 @@
 //! (1 − e^(−r))/r has a slope whose expression takes 1/r² from itself, and no double is left of it at small r. f itself has a power
 //! series with proven remainder; its derivative is f′ without cancellation. Away from the axis the expression has its digits.
 
-use super::Evaluator;
 use super::integral::{NumericProfile, NumericSegment, compile_shifted, is_singular};
 use super::slope_source::{Numbers, Scratch, rescue_block, rescued};
+
 use crate::eval::{BlockInput, BoundedAlgebra, FloatAlgebra, RegionAlgebra, RoundingAlgebra, Series, Tape, power_series};
-use crate::expr::{Expr, Node, Number, Sign, Symbol, balanced, leading_term, multiplied_out, sign};
-use crate::num::{Bounded, Region};
+use crate::expr::{Expr, Node, Number, Sign, Symbol, leading_term, multiplied_out, sign};
+use crate::num::{Bounded, Region, work};
 
 /// Coefficients that are kept.
 const LENGTH: usize = 48;
+/// As many of them are added as regions for an enclosure, and the others as magnitudes, which cancel little where the series serves …
+const HEAD: usize = 12;
+/// … and the steps of work that this takes.
+const HEAD_STEPS: u64 = 150;
 /// Radii ρ that are tried first: powers of 16 between these, …
 const SCALES: std::ops::RangeInclusive<i32> = -25..=25;
 /// … and as many between the best one and the next.
@@ -50,12 +54,16 @@ struct Group {
 
 /// True where an expression divides by something that may vanish at the axis, and loses its digits or its enclosure there.
 pub(super) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -> bool {
-    if !divides(slope, &Symbol::new("r")) {
+    let radius = Symbol::new("r");
+    if !divides(slope, &radius, &|_| true) {
         return false;
     }
     // What is regular there though its parts are not has no enclosure.
     let around = Region::new((-TRIALS[0] * scale, TRIALS[0] * scale), (0.0, 0.0));
-    if !singular && !tape.run(&mut RegionAlgebra, &[around], &mut Vec::new()).is_some_and(|own| own.largest().is_finite()) {
+    if !singular
+        && divides(slope, &radius, &|base| may_vanish(base, &radius))
+        && !tape.run(&mut RegionAlgebra, &[around], &mut Vec::new()).is_some_and(|own| own.largest().is_finite())
+    {
         return true;
     }
     let mut slots = Vec::new();
@@ -67,13 +75,28 @@ pub(super) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -
     })
 }
 
-/// True where r is, other than as itself, under a power that is or may be negative.
-fn divides(expr: &Expr, radius: &Symbol) -> bool {
+/// True where r is, other than as itself, under a power that is or may be negative, in a base that is one of those meant.
+fn divides(expr: &Expr, radius: &Symbol, is_meant: &impl Fn(&Expr) -> bool) -> bool {
     let own = match expr.node() {
-        Node::Power(base, exponent) => sign(exponent) != Sign::Positive && base.contains(radius),
+        Node::Power(base, exponent) => sign(exponent) != Sign::Positive && base.contains(radius) && is_meant(base),
         _ => false,
     };
-    own || expr.children().into_iter().any(|child| divides(child, radius))
+    own || expr.children().into_iter().any(|child| divides(child, radius, is_meant))
+}
+
+/// False where the value at r = 0 is finite and not 0 beyond its error or, where it has none, as in r ln r, the value next to the axis is no
+/// smaller than that further away.
+fn may_vanish(expr: &Expr, radius: &Symbol) -> bool {
+    const NEAR: f64 = 1e-30;
+    let Ok(tape) = Tape::compile(std::slice::from_ref(expr), std::slice::from_ref(radius)) else { return true };
+    let value = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut Vec::new()).filter(|own| own.is_finite());
+    let is_apart = |own: Bounded, least: f64| own.value.abs() > own.error.max(least);
+    let there = match (value(0.0), value(NEAR), value(TRIALS[0])) {
+        (Some(own), ..) => is_apart(own, 0.0),
+        (None, Some(near), Some(far)) => is_apart(near, TRIALS[0] * far.value.abs()),
+        _ => false,
+    };
+    !there
 }
 
 impl AxisSeries {
@@ -142,12 +165,17 @@ impl AxisSeries {
             return None;
         }
         let around = |own: &Bounded| Region::new(((own.value - own.error).next_down(), (own.value + own.error).next_up()), (0.0, 0.0));
+        work::spend(HEAD_STEPS * self.groups.len() as u64);
         let mut total = 0.0;
         for group in &self.groups {
-            let sum = group.coefficients.iter().rev().fold(Region::real(0.0), |sum, c| sum * r + around(c));
-            total += (sum * r.power(Region::real(group.whole_power()))).largest() + group.left_out(size);
+            let (head, tail) = group.coefficients.split_at(HEAD.min(group.coefficients.len()));
+            let sum = head.iter().rev().fold(Region::real(0.0), |sum, c| sum * r + around(c));
+            let beyond = tail.iter().rev().fold(0.0, |sum, c| sum * size + (c.value.abs() + c.error)) * size.powi(HEAD as i32);
+            let most = (sum.largest() + beyond).next_up();
+            total += most * r.power(Region::real(group.whole_power())).largest() + group.left_out(size);
         }
-        Some(total * (1.0 + 8.0 * f64::EPSILON))
+        // The magnitudes are rounded at most 50 times.
+        Some(total * (1.0 + 1e-13))
     }
 }
 
@@ -340,7 +368,7 @@ impl NumericProfile {
 
     /// The same profile with a series next to the axis, where its expressions are 0/0 there; `whole` finds f, in r alone, from
     /// its slope.
-    fn mended(mut self, whole: impl Fn(&Expr) -> Option<Expr>) -> Self {
+    pub(super) fn mended(mut self, whole: impl Fn(&Expr) -> Option<Expr>) -> Self {
         let begins = |own: &NumericSegment| own.lower.value == 0.0;
         for segment in self.segments.iter_mut().filter(|own| own.ragged && begins(own)) {
             let Some((slope, lower)) = &segment.source else { continue };
@@ -352,16 +380,9 @@ impl NumericProfile {
         }
         self
     }
-}
 
-impl Evaluator<'_> {
-    /// The profile as typed with series of f next to the axis, where f′ is 0/0 there.
-    pub(super) fn mended(&self, built: NumericProfile) -> NumericProfile {
-        built.mended(|slope| {
-            let own = self.solution.profile.chains.iter().find(|chain| {
-                chain.slopes().is_ok_and(|slopes| slopes.first().is_some_and(|first| balanced(&self.bindings.apply(first)) == *slope))
-            })?;
-            Some(self.bindings.apply(own.pieces.first()?))
-        })
+    /// True where a series has the digits next to the axis, but is not analytic there.
+    pub(super) fn is_fractional(&self) -> bool {
+        self.segments.iter().any(|segment| segment.near.as_ref().is_some_and(AxisSeries::has_fractions))
     }
 }

@@ -39,6 +39,15 @@ REMOVABLE = [
     ("(sqrt(1+r^2)-1)^0.75", "", (sp.sqrt(1 + r**2) - 1) ** Q(3, 4)),
     ("(sqrt(1.21+r^2)-1.1)^0.7", "", (sp.sqrt(Q(121, 100) + r**2) - Q(11, 10)) ** Q(7, 10)),
     ("(1-cos(r))^0.6", "", (1 - sp.cos(r)) ** Q(3, 5)),
+    # What is 0/0 stands within a power or a root, and constants cancel there.
+    ("1/(3-sin(r)/r)", "", 1 / (3 - sp.sin(r) / r)),
+    ("r^2+1/(2+(1-sin(r)/r)^2)", "", r**2 + 1 / (2 + (1 - sp.sin(r) / r) ** 2)),
+    ("sqrt(1+((1-exp(-r))/r-1)^2)+h*r", "h=0.5", sp.sqrt(1 + ((1 - sp.exp(-r)) / r - 1) ** 2) + r / 2),
+    # Beside what is 0/0 stands what has no power series.
+    ("(1-cos(r))/r+r^1.2", "", (1 - sp.cos(r)) / r + r ** Q(6, 5)),
+    ("r^2.5/(1+r^1.5)+(1-exp(-r/2))/r", "", r ** Q(5, 2) / (1 + r ** Q(3, 2)) + (1 - sp.exp(-r / 2)) / r),
+    ("1.8*(cosh(r)-1)/(2.45+(r^2*ln(r))^2)-(1-cos(r))/r", "",
+     Q(9, 5) * (sp.cosh(r) - 1) / (Q(245, 100) + (r**2 * sp.log(r)) ** 2) - (1 - sp.cos(r)) / r),
 ]
 # Text, f, where it is narrow, places.
 OVERFLOWING = [
@@ -133,7 +142,7 @@ def pressure(pieces, s, a, smooth=False):
 
 def lines():
     for text, parameters, f in REMOVABLE:
-        smooth = all(power.exp.is_integer for power in f.atoms(sp.Pow) if r in power.free_symbols)
+        smooth = all(power.exp.is_integer for power in f.atoms(sp.Pow) if r in power.free_symbols) and not f.has(sp.log(r))
         slope = number(sp.diff(f, r), 0 if smooth else 250)
         for at in PLACES:
             with mp.workdps(50):
