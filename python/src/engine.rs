@@ -223,7 +223,8 @@ impl Engine {
             closure = closure.limit(end);
         }
         let made = closure.profile();
-        if let Some(error) = raised.lock().ok().and_then(|mut own| own.take()) {
+        // Where the function has no value, as beyond the end of a sphere, nothing is wrong with it.
+        if let Some(error) = taken(&raised).filter(|error| made.is_err() || !is_numeric(error)) {
             return Err(error);
         }
         let contact = Contact::new(made.map_err(Fault::from)?, effective_modulus, None, tolerance.max(1e-10));
@@ -379,7 +380,7 @@ impl Engine {
             Shape::Table(contact) => read(contact, None, self.tolerance, wanted, at, a),
             Shape::Function { contact, raised } => {
                 let found = read(contact, None, self.tolerance, wanted, at, a);
-                match (raised.lock().ok().and_then(|mut own| own.take()), found) {
+                match (taken(raised), found) {
                     // Where the function has no value, as beyond the end of a sphere, a search goes on without it.
                     (Some(error), Ok(found)) if is_numeric(&error) => Ok(found),
                     (Some(error), _) => Err(Fault::raised(error)),
@@ -388,6 +389,11 @@ impl Engine {
             }
         }
     }
+}
+
+/// The exception that was kept.
+fn taken(raised: &Raised) -> Option<PyErr> {
+    raised.lock().ok().and_then(|mut own| own.take())
 }
 
 /// True for what functions of numbers raise where they have no value: a domain error, a division by zero, an overflow.

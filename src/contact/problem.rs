@@ -27,6 +27,20 @@ const MOST_NESTED: u64 = 5_000;
 /// A value, or the reason why theory has none.
 pub type Measured = Result<Reading, Reason>;
 
+/// A number and its bound as doubles, or why there are none.
+pub(super) fn representable(own: Reading, symbol: &'static str, at: f64) -> Result<Reading, ContactError> {
+    let Estimate { value, error, .. } = own.estimate;
+    if value.is_finite() && error.is_finite() {
+        Ok(own)
+    } else if value.is_infinite() {
+        Err(TransformError::Overflow { symbol, at }.into())
+    } else if value.is_nan() {
+        Err(TransformError::NotComputable { at }.into())
+    } else {
+        Err(TransformError::NoDigits { at, value, error }.into())
+    }
+}
+
 /// Why a quantity has no finite value at a point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
@@ -129,7 +143,7 @@ impl<P: Quantities> Contact<'_, P> {
     pub fn depth(&self, a: f64) -> Result<Reading, ContactError> {
         match self.depth {
             Some(depth) => Ok(exact(depth)),
-            None => Ok(self.evaluator.slope(a)?),
+            None => representable(self.evaluator.slope(a)?, "a", a),
         }
     }
 
@@ -138,6 +152,11 @@ impl<P: Quantities> Contact<'_, P> {
     /// # Errors
     /// As the evaluator.
     pub fn force(&self, a: f64) -> Result<Reading, ContactError> {
+        representable(self.any_force(a)?, "a", a)
+    }
+
+    /// The same, infinite where it is too large for a number.
+    pub(super) fn any_force(&self, a: f64) -> Result<Reading, ContactError> {
         let smooth = self.evaluator.force(a)?;
         let twice = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus);
         let mut total = smooth.estimate.times(twice);
@@ -171,7 +190,7 @@ impl<P: Quantities> Contact<'_, P> {
         }
         let force = self.force(a)?;
         let area = Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a) * Bounded::exact(a);
-        Ok(Ok(Reading { estimate: force.estimate.times(Bounded::exact(1.0) / area), ..force }))
+        representable(Reading { estimate: force.estimate.times(Bounded::exact(1.0) / area), ..force }, "a", a).map(Ok)
     }
 
     /// The displacement of the one-dimensional model, d − g(x) within the contact and 0 outside (3.7).
@@ -194,7 +213,7 @@ impl<P: Quantities> Contact<'_, P> {
     /// As the evaluator.
     pub fn line_load(&self, x: f64, a: f64) -> Result<Reading, ContactError> {
         let Reading { estimate, method } = self.line_displacement(x, a)?;
-        Ok(Reading { estimate: estimate.scaled(self.effective_modulus), method })
+        representable(Reading { estimate: estimate.scaled(self.effective_modulus), method }, "x", x)
     }
 
     /// p(r), positive in compression: (E*/π)(∫_r^a g′/√(x²−r²) dx + (d − g(a))/√(a²−r²)) (3.37) with its edge term.
@@ -224,7 +243,7 @@ impl<P: Quantities> Contact<'_, P> {
             let (gap, sum) = (Bounded::exact(a) - Bounded::exact(r), Bounded::exact(a) + Bounded::exact(r));
             total = total + excess.times(Bounded::exact(1.0) / gap.sqrt() / sum.sqrt());
         }
-        Ok(Ok(Reading { estimate: total.times(factor), method: smooth.method }))
+        representable(Reading { estimate: total.times(factor), method: smooth.method }, "r", r).map(Ok)
     }
 
     /// u_z(r): d − f(r) inside the contact, (2/π)∫₀^a (d − g)/√(r²−x²) dx outside.
@@ -244,7 +263,7 @@ impl<P: Quantities> Contact<'_, P> {
             let angle = (Bounded::exact(a) / Bounded::exact(r)).apply(f64::asin, 2.0);
             total = total + excess.times(angle * Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI));
         }
-        Ok(Reading { estimate: total, method: smooth.method })
+        representable(Reading { estimate: total, method: smooth.method }, "r", r)
     }
 
     /// G(a) = ∫₀^a g dx.
@@ -252,7 +271,7 @@ impl<P: Quantities> Contact<'_, P> {
     /// # Errors
     /// As the evaluator.
     pub fn integral(&self, a: f64) -> Result<Reading, ContactError> {
-        Ok(self.evaluator.integral(a)?)
+        representable(self.evaluator.integral(a)?, "x", a)
     }
 
     /// The strain energy U = E* ∫₀^a (d − g)² dx of the whole profile; it does not superpose.
@@ -260,13 +279,17 @@ impl<P: Quantities> Contact<'_, P> {
     /// # Errors
     /// As the evaluator.
     pub fn energy(&self, a: f64) -> Result<Reading, ContactError> {
-        work::bounded(|| self.nested_energy(a))
+        representable(work::bounded(|| self.nested_energy(a))?, "a", a)
     }
 
     fn nested_energy(&self, a: f64) -> Result<Reading, ContactError> {
         let d = self.depth(a)?.estimate.bounded();
         if let Some(own) = self.evaluator.squared_gap(a, d) {
-            let Reading { estimate, method } = own?;
+            let Reading { mut estimate, method } = own?;
+            if estimate.value == 0.0 && d.value != 0.0 {
+                // A square that is below the smallest doubles.
+                estimate.error = estimate.error.max(f64::from_bits(1));
+            }
             return Ok(Reading { estimate: estimate.scaled(self.effective_modulus), method });
         }
         let mut failure = None;

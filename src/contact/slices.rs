@@ -1,5 +1,6 @@
 //! The numbers of a contact over long lists of points, block by block where closed forms answer.
 
+use super::problem::representable;
 use super::{Contact, ContactError, Measured, Reason};
 use crate::num::{Bound, Bounded, Estimate};
 use crate::transform::{Reading, Slice, TransformError};
@@ -13,7 +14,7 @@ impl Contact<'_> {
     /// # Errors
     /// That of the first point that has one.
     pub fn profiles(&self, r: &[f64]) -> Result<Vec<Measured>, ContactError> {
-        readings(r, |r, out| self.evaluator().heights(r, out), |_, reading| Ok(reading))
+        readings("r", r, |r, out| self.evaluator().heights(r, out), |_, reading| Ok(reading))
     }
 
     /// g(x) at every x.
@@ -21,7 +22,7 @@ impl Contact<'_> {
     /// # Errors
     /// As [`Contact::profiles`].
     pub fn slopes(&self, x: &[f64]) -> Result<Vec<Measured>, ContactError> {
-        readings(x, |x, out| self.evaluator().slopes(x, out), |_, reading| Ok(reading))
+        readings("x", x, |x, out| self.evaluator().slopes(x, out), |_, reading| Ok(reading))
     }
 
     /// d(a) at every a.
@@ -41,7 +42,7 @@ impl Contact<'_> {
             return a.iter().map(|a| Ok(Ok(self.force(*a)?))).collect();
         }
         let twice = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus());
-        readings(a, |a, out| self.evaluator().forces(a, out), |_, smooth| Ok(scaled(smooth, twice)))
+        readings("a", a, |a, out| self.evaluator().forces(a, out), |_, smooth| Ok(scaled(smooth, twice)))
     }
 
     /// p(r) at every r under a contact of radius a.
@@ -55,6 +56,7 @@ impl Contact<'_> {
         let factor = Bounded::exact(self.effective_modulus()) / Bounded::rounded(std::f64::consts::PI);
         let infinite = |r: f64| if r == 0.0 { Reason::Apex } else { Reason::Kink };
         readings(
+            "r",
             r,
             |r, out| self.evaluator().pressures(r, a, out),
             |r, smooth| if smooth.estimate.value.is_infinite() { Err(infinite(r)) } else { Ok(scaled(smooth, factor)) },
@@ -68,6 +70,7 @@ fn scaled(reading: Reading, factor: Bounded) -> Reading {
 
 /// The readings of a list, in parts.
 fn readings(
+    symbol: &'static str,
     points: &[f64],
     run: impl Fn(&[f64], Slice<'_>) -> Result<(), TransformError>,
     measured: impl Fn(f64, Reading) -> Measured,
@@ -93,10 +96,11 @@ fn readings(
         };
         run(points, out)?;
         let numbers = points.iter().zip(&values).zip(&errors).zip(methods.iter().zip(&counts).zip(&bounds));
-        list.extend(numbers.map(|(((point, value), error), ((method, evaluations), bound))| {
+        for (((point, value), error), ((method, evaluations), bound)) in numbers {
             let estimate = Estimate { value: *value, error: *error, evaluations: *evaluations, bound: *bound };
-            measured(*point, Reading { estimate, method })
-        }));
+            let own = measured(*point, Reading { estimate, method });
+            list.push(own.map_or_else(|reason| Ok(Err(reason)), |own| representable(own, symbol, *point).map(Ok))?);
+        }
     }
     Ok(list)
 }

@@ -1,6 +1,8 @@
 //! Whether an expression continues to an even or an odd function of r: read from its tree.
 
+use crate::eval::{RegionAlgebra, Tape};
 use crate::expr::{Expr, Node, Symbol};
+use crate::num::Region;
 
 /// What becomes of a function when r changes its sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +17,8 @@ pub enum Parity {
 const ODD: [&str; 11] = ["sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "erf", "erfi", "dawson"];
 /// even in it, …
 const EVEN: [&str; 2] = ["cos", "cosh"];
+/// without a branch point or a pole, …
+const ENTIRE: [&str; 7] = ["exp", "sin", "cos", "sinh", "cosh", "erf", "erfi"];
 /// … and functions of an order and an argument that are as odd in it as the order is.
 const BESSEL: [&str; 2] = ["besselj", "besseli"];
 
@@ -36,7 +40,9 @@ pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
             Some(if own == so_far { Parity::Even } else { Parity::Odd })
         }),
         Node::Power(base, exponent) => match (parity(base, radius)?, exponent.as_number()) {
-            (Parity::Even, _) => (parity(exponent, radius)? == Parity::Even).then_some(Parity::Even),
+            (Parity::Even, Some(power)) if power.is_integer() => Some(Parity::Even),
+            // √(r² + r⁴) is an even expression and continues to r√(1 + r²).
+            (Parity::Even, _) => (parity(exponent, radius)? == Parity::Even && is_analytic(expr, radius)).then_some(Parity::Even),
             (Parity::Odd, Some(power)) if power.is_integer() => {
                 Some(if (power.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
             }
@@ -52,8 +58,19 @@ pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
                     let order = arguments.first()?.as_number().filter(|order| order.is_integer())?;
                     Some(if (order.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
                 }
-                all => all.iter().all(|p| *p == Parity::Even).then_some(Parity::Even),
+                all => {
+                    let entire = ENTIRE.contains(&function.name());
+                    (all.iter().all(|p| *p == Parity::Even) && (entire || is_analytic(expr, radius))).then_some(Parity::Even)
+                }
             }
         }
     }
+}
+
+/// True where an enclosure shows that an expression in the radius alone is analytic around r = 0, where a function may have a branch point.
+fn is_analytic(expr: &Expr, radius: &Symbol) -> bool {
+    const NEAR: f64 = 1e-30;
+    let around = Region::new((-NEAR, NEAR), (-NEAR, NEAR));
+    let tape = Tape::compile(std::slice::from_ref(expr), std::slice::from_ref(radius));
+    tape.ok().and_then(|tape| tape.run(&mut RegionAlgebra, &[around], &mut Vec::new())).is_some_and(|own| own.largest().is_finite())
 }

@@ -135,6 +135,14 @@ impl AxisSeries {
         self.groups.iter().any(|group| group.whole_power().fract() != 0.0)
     }
 
+    /// True where no even power of r is in it.
+    fn is_odd(&self) -> bool {
+        let none = |own: &Bounded| own.value == 0.0 && own.error == 0.0;
+        let is_odd = |power: f64| (0.5 * (power + 1.0)).fract() == 0.0;
+        let odd = |group: &Group| group.coefficients.iter().enumerate().all(|(n, own)| none(own) || is_odd(group.whole_power() + n as f64));
+        self.groups.iter().all(odd)
+    }
+
     /// (r f′)′ from f′.
     fn bend(&self) -> Self {
         let groups = self.groups.iter().map(|group| {
@@ -376,6 +384,8 @@ impl NumericProfile {
             let Ok(tape) = compile_shifted(slope, lower) else { continue };
             segment.slope = Numbers::Removable(Box::new(Removable::slope(tape, &near)));
             segment.singular = near.has_fractions() || is_singular(&segment.slope, 0.0, segment.upper.map(|upper| upper.value));
+            // What the expression seems to be may stand under a root that vanishes at the axis.
+            segment.odd = near.is_odd();
             segment.near = Some(near);
         }
         self

@@ -48,6 +48,11 @@ REMOVABLE = [
     ("r^2.5/(1+r^1.5)+(1-exp(-r/2))/r", "", r ** Q(5, 2) / (1 + r ** Q(3, 2)) + (1 - sp.exp(-r / 2)) / r),
     ("1.8*(cosh(r)-1)/(2.45+(r^2*ln(r))^2)-(1-cos(r))/r", "",
      Q(9, 5) * (sp.cosh(r) - 1) / (Q(245, 100) + (r**2 * sp.log(r)) ** 2) - (1 - sp.cos(r)) / r),
+    # An even expression that continues to a function that is not even.
+    ("sqrt(1-cos(r))", "", sp.sqrt(1 - sp.cos(r))),
+    ("r*sqrt(ln(1+r^2))", "", r * sp.sqrt(sp.log(1 + r**2))),
+    ("sqrt(1-exp(-(r/w)^2))+r^2", "w=1.5", sp.sqrt(1 - sp.exp(-(r * Q(2, 3)) ** 2)) + r**2),
+    ("(sqrt(1+r^2)-1)^1.5", "", (sp.sqrt(1 + r**2) - 1) ** Q(3, 2)),
 ]
 # Text, f, where it is narrow, places.
 OVERFLOWING = [

@@ -255,3 +255,52 @@ fn closures_that_round_next_to_the_axis_are_answered() {
         }
     }
 }
+
+/// Classes "natural callables are refused" and "a pressure on the axis that is none": offsets, roots of what cancels, ends that are not told,
+/// and units in which the lengths are tiny.
+#[test]
+fn closures_as_people_write_them_are_answered_in_every_unit() {
+    type Own = fn(f64) -> f64;
+    // Text, f, the unit of length, the digits that are left.
+    let natural: [(&str, Own, f64, f64); 14] = [
+        ("r^2", |r| 5.0 + r * r, 1.0, 1e-8),
+        ("cosh(r)-1", |r| r.cosh(), 1.0, 1e-8),
+        ("1-cos(r)", |r| -r.cos(), 1.0, 1e-8),
+        ("sqrt(0.01+r^2)-0.1", |r| r.hypot(0.1), 1.0, 1e-8),
+        ("2-sqrt(4-r^2)", |r| 2.0 - (4.0 - r * r).sqrt(), 1.0, 1e-8),
+        ("500-sqrt(500^2-r^2)", |r| 500.0 - (500.0 * 500.0 - r * r).sqrt(), 1.0, 1e-7),
+        ("1e-6-sqrt(1e-12-r^2)", |r| 1e-6 - (1e-12 - r * r).sqrt(), 4e-7, 1e-8),
+        ("1e-9*(cosh(1e9*r)-1)", |r| 1e-9 * ((r / 1e-9).cosh() - 1.0), 1e-9, 1e-8),
+        ("sqrt(1e-18+r^2)-1e-9", |r| (1e-18 + r * r).sqrt() - 1e-9, 1e-9, 1e-8),
+        ("sqrt(1e-18+r^2)-1e-9", |r| (1e-18 + r * r).sqrt() - 1e-9, 1.0, 1e-8),
+        ("acosh(1+r^2)", |r| (1.0 + r * r).acosh(), 1.0, 1e-7),
+        ("acos(1-r^2)", |r| (1.0 - r * r).acos(), 0.7, 1e-7),
+        ("sqrt(1-cos(r))", |r| (1.0 - r.cos()).sqrt(), 1.0, 1e-7),
+        ("(1-cos(r))/r", |r| if r == 0.0 { 0.0 } else { (1.0 - r.cos()) / r }, 1.0, 1e-7),
+    ];
+    for (text, f, unit, widest) in natural {
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+        let truth = Contact::new(Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap(), 1.0, None, 1e-12);
+        let own = Closure::real(f).tolerance(1e-10).profile().unwrap_or_else(|error| panic!("{text}: {error}"));
+        let own = Contact::new(own, 1.0, None, 1e-10);
+        for a in [0.3 * unit, unit] {
+            let mut all = vec![("g", own.depth(a), truth.depth(a)), ("F", own.force(a), truth.force(a))];
+            for r in [0.0, 0.01 * a, 0.6 * a] {
+                match (
+                    own.pressure(r, a).unwrap_or_else(|error| panic!("{text}, p({r}) under {a}: {error}")),
+                    truth.pressure(r, a).unwrap(),
+                ) {
+                    (Ok(found), Ok(truth)) => all.push(("p", Ok(found), Ok(truth))),
+                    (found, truth) => assert!(found.is_err() && truth.is_err(), "{text}, p({r}) under {a}: {found:?}, {truth:?}"),
+                }
+            }
+            for (quantity, found, truth) in all {
+                let (found, truth) =
+                    (found.unwrap_or_else(|error| panic!("{text}, {quantity}({a}): {error}")).estimate, truth.unwrap().estimate);
+                let error = (found.value - truth.value).abs();
+                assert!(error <= found.error + truth.error, "{text}, {quantity}({a}): {found:?}, {truth:?}");
+                assert!(found.error <= widest * truth.value.abs(), "{text}, {quantity}({a}): {found:?}");
+            }
+        }
+    }
+}

@@ -156,3 +156,32 @@ fn places_that_are_no_finite_radii_are_refused() {
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
+
+/// Class "an infinity or NaN that is called proven": what leaves the range of doubles is refused, one by one and in lists.
+#[test]
+fn values_beyond_the_range_of_doubles_are_refused() {
+    for (text, quantity, at) in [
+        ("r^2/4", "F", 1e200),
+        ("r^2/4", "d", 1e200),
+        ("0.625*r^1.34375", "U", 5e99),
+        ("0.3*r", "p_mean", 1e-300),
+        ("ln(cosh(r))", "p_mean", 1e-200),
+        ("r^3", "G", 1e100),
+    ] {
+        let solution = derive(&profile(text, "")).unwrap();
+        let contact = Contact::new(Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap(), 1.0, None, 1e-12);
+        let found = match quantity {
+            "F" => contact.force(at).is_ok() || contact.forces(&[1.0, at]).is_ok(),
+            "d" => contact.depth(at).is_ok() || contact.depths(&[1.0, at]).is_ok(),
+            "U" => contact.energy(at).is_ok(),
+            "G" => contact.integral(at).is_ok(),
+            _ => contact.mean_pressure(at).is_ok_and(|own| own.is_ok()),
+        };
+        assert!(!found, "{quantity} of {text} at {at:e}");
+    }
+    // (d − g)² is below the smallest doubles, and positive.
+    let solution = derive(&profile("r^2", "")).unwrap();
+    let contact = Contact::new(Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap(), 1.0, None, 1e-12);
+    let energy = contact.energy(1e-70).unwrap().estimate;
+    assert!(energy.value == 0.0 && energy.error > 0.0, "{energy:?}");
+}

@@ -85,13 +85,13 @@ impl Indentation<'_> {
 
     /// F at the depth and the radius of a state.
     fn force_at(&self, state: &State) -> Result<Estimate, ContactError> {
-        let own = self.contact.with_depth(Some(state.depth)).force(state.radius)?.estimate;
+        let own = self.contact.with_depth(Some(state.depth)).any_force(state.radius)?.estimate;
         Ok(from(state.force, own))
     }
 
     /// d for a contact of radius a under the force of a state.
     fn depth_under(&self, state: &State, a: f64) -> Result<Estimate, ContactError> {
-        let lack = Estimate::exact(state.force) + self.contact.force(a)?.estimate.scaled(-1.0);
+        let lack = Estimate::exact(state.force) + self.contact.any_force(a)?.estimate.scaled(-1.0);
         let stiffness = Bounded::exact(2.0) * Bounded::exact(self.setup.effective_modulus) * Bounded::exact(a);
         let own = self.contact.with_depth(None).depth(a)?.estimate + lack.times(Bounded::exact(1.0) / stiffness);
         Ok(from(state.depth, own))

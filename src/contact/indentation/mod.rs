@@ -237,7 +237,7 @@ impl<'a> Indentation<'a> {
         let at_rim = match setup.rim {
             Some(radius) if is_flat => Some(AtRim { radius, slope: 0.0, force: 0.0 }),
             Some(radius) => {
-                let force = contact.force(radius)?.estimate.value;
+                let force = contact.any_force(radius)?.estimate.value;
                 Some(AtRim { radius, slope: contact.evaluator().slope(radius)?.estimate.value, force })
             }
             None => None,
@@ -435,7 +435,7 @@ impl<'a> Indentation<'a> {
             return Ok(unreachable(format!("the profile ends at r = {}", self.naming.length(self.contact.evaluator().limit()))));
         }
         let depth = self.contact.depth(radius)?.estimate.value;
-        let force = self.contact.force(radius)?.estimate.value;
+        let force = self.contact.any_force(radius)?.estimate.value;
         Ok(self.judged(State { depth, force, radius, boundary: Boundary::Smooth }))
     }
 

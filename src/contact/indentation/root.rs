@@ -94,7 +94,7 @@ impl Horizon {
         let reached = |a: f64| match largest {
             Load::Radius(radius) => a >= radius,
             Load::Depth(depth) => contact.depth(a).is_ok_and(|g| g.estimate.value >= depth),
-            Load::Force(force) => contact.force(a).is_ok_and(|f| f.estimate.value >= force),
+            Load::Force(force) => contact.any_force(a).is_ok_and(|f| f.estimate.value >= force),
         };
         let outer = contact.evaluator().breakpoints_below(f64::INFINITY).last().copied();
         let steps = (-60..=60).map(|step| outer.unwrap_or(1.0) * 10f64.powf(0.5 * f64::from(step)));
@@ -160,7 +160,7 @@ impl Indentation<'_> {
         let mut states = Vec::new();
         for Root { radius, asked, value } in self.roots(&self.follower.depths, &mut gap, depth, |own| own.landscape.rises_through(depth))? {
             // F_smooth(a) + 2E* a (d − g(a)) is right to second order in what a is off.
-            let smooth = self.contact.force(asked)?.estimate.value;
+            let smooth = self.contact.any_force(asked)?.estimate.value;
             let force = smooth - 2.0 * self.contact.effective_modulus() * asked * value;
             states.push(State { depth, force, radius, boundary: Boundary::Smooth });
         }
@@ -169,7 +169,7 @@ impl Indentation<'_> {
 
     /// Every smooth contact under a force.
     pub(super) fn smooth_at_force(&self, force: f64) -> Result<Vec<State>, ContactError> {
-        let mut lack = |a: f64| match self.contact.force(a) {
+        let mut lack = |a: f64| match self.contact.any_force(a) {
             Ok(found) => Ok(found.estimate.value - force),
             Err(ContactError::Transform(TransformError::Overflow { .. })) => Ok(f64::INFINITY),
             Err(ContactError::Transform(error)) => Err(error),
@@ -201,7 +201,7 @@ impl Indentation<'_> {
         // Kept for later loads, whose budgets are their own.
         let all = || {
             let places = self.landscape.samples.iter().map(|(x, _)| *x);
-            places.filter_map(|x| Some((x, self.contact.force(x).ok()?.estimate.value))).collect()
+            places.filter_map(|x| Some((x, self.contact.any_force(x).ok()?.estimate.value))).collect()
         };
         self.known.forces.get_or_init(|| work::unbroken(all))
     }

@@ -4,7 +4,7 @@ use crate::num::{Bounded, chebyshev, work};
 use std::sync::OnceLock;
 
 /// Nodes of a cell.
-const NODES: usize = 20;
+pub(super) const NODES: usize = 20;
 /// Halvings of a cell before it is given up: towards an end with a root that leaves nothing of it.
 const DEEPEST: i32 = 50;
 /// Halvings that a function without a kink may take inside its segment.
@@ -17,7 +17,7 @@ const EXPONENTS: usize = 2100;
 /// The interpolant of one function φ on part of a segment.
 ///
 /// It is fitted to an interval that exceeds what it answers for, since derivatives are worst at the ends of a fit.
-struct Cell {
+pub(super) struct Cell {
     /// It answers below this radius.
     to: f64,
     middle: f64,
@@ -44,14 +44,29 @@ pub struct Cells {
 /// The cells between one power of two and the next.
 struct Doubling {
     cells: Vec<Cell>,
-    /// Where, inside the segment, no cell is small enough: a kink, a jump or the end of the function's domain.
+    /// The first place inside the segment where no cell is small enough: a kink, a jump or the end of the function's domain.
     seam: Option<f64>,
+}
+
+/// A place to keep something for every power of two.
+pub(super) fn places<T>() -> Box<[OnceLock<T>]> {
+    (0..EXPONENTS).map(|_| OnceLock::new()).collect()
+}
+
+/// The exponent of the largest power of two that is at most r.
+pub(super) fn exponent_of(r: f64) -> Option<i32> {
+    (r > 0.0 && r.is_finite()).then(|| libm::ilogb(r))
+}
+
+/// Where something is kept for a power of two.
+pub(super) fn place_of(exponent: i32) -> Option<usize> {
+    usize::try_from(exponent + 1075).ok()
 }
 
 impl Cells {
     /// For a segment; nothing is interpolated yet.
     pub fn new(lower: f64, upper: f64) -> Self {
-        Self { lower, upper, doublings: (0..EXPONENTS).map(|_| OnceLock::new()).collect() }
+        Self { lower, upper, doublings: places() }
     }
 
     /// The derivative of φ of order 1 or 2 at r with the bound of its error; NaN where φ is not smooth enough.
@@ -59,9 +74,11 @@ impl Cells {
         self.cell(r, phi).map_or(NOTHING, |cell| cell.derivative(order, r))
     }
 
-    /// A place near r at which φ is not smooth, if there is one: derivatives do not show what happens there.
+    /// A place not far below r at which φ is not smooth, if there is one: derivatives do not show what happens there.
     pub fn seam(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<f64> {
-        self.doubling(r, phi)?.seam
+        // What lies beyond r, as the end of a sphere that is not told, does not matter to it.
+        let own = self.doubling(r, phi)?.seam.filter(|seam| *seam <= r);
+        own.or_else(|| if libm::scalbn(1.0, exponent_of(r)?) > self.lower { self.doubling(0.5 * r, phi)?.seam } else { None })
     }
 
     /// About the largest |φ′| around r; 0 where nothing is known.
@@ -70,9 +87,8 @@ impl Cells {
     }
 
     fn doubling(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Doubling> {
-        let exponent = if r > 0.0 && r.is_finite() { libm::ilogb(r) } else { return None };
-        let place = usize::try_from(exponent + 1075).ok()?;
-        let kept = self.doublings.get(place)?;
+        let exponent = exponent_of(r)?;
+        let kept = self.doublings.get(place_of(exponent)?)?;
         if kept.get().is_none() {
             let built = self.build(exponent, phi);
             // What was cut short is not kept.
@@ -137,7 +153,8 @@ fn nodes() -> [f64; NODES] {
 }
 
 impl Cell {
-    fn fit((from, end): (f64, f64), to: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
+    /// Fitted to an interval; it answers below `to`.
+    pub(super) fn fit((from, end): (f64, f64), to: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
         let (middle, half) = (from + 0.5 * (end - from), 0.5 * (end - from));
         let samples: [Bounded; NODES] = nodes().map(|x| phi(middle + half * x));
         let size = samples.iter().fold(0.0, |size: f64, s| size.max(s.value.abs()));
@@ -167,19 +184,41 @@ impl Cell {
     }
 
     fn derivative(&self, order: usize, r: f64) -> Bounded {
-        if !self.resolved {
-            return NOTHING;
-        }
+        if self.resolved { self.derivative_within(order, r, 0.0) } else { NOTHING }
+    }
+
+    /// Where the fit ends.
+    pub(super) fn end(&self) -> f64 {
+        self.middle + self.half
+    }
+
+    pub(super) fn is_resolved(&self) -> bool {
+        self.resolved
+    }
+
+    /// The largest of the last coefficients, as many as are asked for.
+    pub(super) fn last(&self, count: usize) -> f64 {
+        self.orders[0].iter().rev().take(count).fold(0.0, |most: f64, c| if c.is_nan() { f64::INFINITY } else { most.max(c.abs()) })
+    }
+
+    /// A bound of what φ changes by, from its coefficients.
+    pub(super) fn spread(&self) -> f64 {
+        2.0 * self.orders[0].iter().skip(1).map(|c| c.abs()).sum::<f64>()
+    }
+
+    /// The derivative of order 0, 1 or 2 where the values have so much noise beyond what is known.
+    pub(super) fn derivative_within(&self, order: usize, r: f64, noise: f64) -> Bounded {
         let Some(list) = self.orders.get(order) else { return NOTHING };
         let x = ((r - self.middle) / self.half).clamp(-1.0, 1.0);
         let value = chebyshev::sum(list, x);
         // Bernstein: a polynomial of degree n below ε has |p′| ≤ nε/√(1−x²), and Markov: |p′| ≤ n²ε.
         let n = NODES as f64;
         let bound = (n / (1.0 - x * x).sqrt()).min(n * n) / self.half;
+        let doubt = 3.0 * (self.doubt + noise);
         let error = match order {
-            0 => 3.0 * self.doubt,
-            1 => 3.0 * self.doubt * bound,
-            _ => 3.0 * self.doubt * bound * bound.max(n / self.half),
+            0 => doubt,
+            1 => doubt * bound,
+            _ => doubt * bound * bound.max(n / self.half),
         };
         Bounded::checked(value, error)
     }

@@ -3,6 +3,7 @@
 pub(super) mod cells;
 mod profile;
 mod source;
+mod starts;
 
 use super::{Profile, TransformError};
 use num_complex::Complex64;

@@ -1,7 +1,8 @@
 //! The quantities of a profile that is given as Rust code.
 
 use super::cells::Cells;
-use super::source::{Faults, Function, Piece, STEP, complex_step, noise_of};
+use super::source::{Faults, Function, Piece, STEP, complex_step};
+use super::starts::Starts;
 use super::{Closure, Parity};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{NumericProfile, Quantities, Reading, SlopeSource, TransformError};
@@ -22,14 +23,16 @@ impl ClosureProfile {
         let faults = Arc::new(Faults::new());
         let ends: Vec<f64> = [0.0].into_iter().chain(closure.breakpoints.iter().copied()).chain([closure.limit]).collect();
         let mut segments = Vec::new();
-        let scale = ends.get(1).copied().filter(|end| end.is_finite()).unwrap_or(1.0);
-        let noise = if let Function::Real(f) = &closure.function { noise_of(f.as_ref(), scale, closure.ulps) } else { 0.0 };
+        let mut is_smooth = false;
         for pair in ends.windows(2) {
             let [lower, upper] = *pair else { continue };
-            examine(&closure.function, lower, upper)?;
+            let scale = examine(&closure.function, lower, upper)?;
             let cells = Cells::new(lower, upper);
+            let starts = (lower == 0.0 && matches!(closure.function, Function::Real(_))).then(|| Starts::new(upper));
             let (function, faults) = (closure.function.clone(), Arc::clone(&faults));
-            let piece: Arc<dyn SlopeSource> = Arc::new(Piece { function, lower, upper, ulps: closure.ulps, noise, cells, faults });
+            let piece = Piece { function, lower, upper, ulps: closure.ulps, cells, starts, faults };
+            is_smooth |= piece.begins_smoothly(PARTS[0] * scale);
+            let piece: Arc<dyn SlopeSource> = Arc::new(piece);
             segments.push((lower, upper.is_finite().then_some(upper), piece));
         }
         for b in &closure.breakpoints {
@@ -44,7 +47,7 @@ impl ClosureProfile {
             return Err(TransformError::Undefined { radius: 0.0 });
         }
         let mut numeric = NumericProfile::from_sources(segments);
-        if let Some(n) = closure.exponent {
+        if let Some(n) = closure.exponent.or(is_smooth.then_some(1.0)) {
             numeric.state_exponent(n);
         }
         if closure.parity == Some(Parity::Even) {
@@ -78,14 +81,19 @@ impl ClosureProfile {
     }
 }
 
-/// Finds the closure's value and slope at a few radii of a piece.
-fn examine(function: &Function, lower: f64, upper: f64) -> Result<(), TransformError> {
-    let scale = if upper.is_finite() { upper - lower } else { lower.max(1.0) };
-    for part in [0.127, 0.489, 0.831] {
-        let r = lower + part * scale;
-        if !function.height(r).is_finite() || function.slope(r).is_some_and(|slope| !slope.is_finite()) {
-            return Err(TransformError::Undefined { radius: r });
+/// Finds the closure's value and slope at a few radii of a piece, and returns the length of the part in which they lie.
+///
+/// A piece without an end may have one that is not told, as a sphere has: the part is halved until the closure has values there.
+fn examine(function: &Function, lower: f64, upper: f64) -> Result<f64, TransformError> {
+    let is_defined = |r: f64| function.height(r).is_finite() && function.slope(r).is_none_or(f64::is_finite);
+    let mut scale = if upper.is_finite() { upper - lower } else { lower.max(1.0) };
+    while let Some(radius) = PARTS.map(|part| lower + part * scale).into_iter().find(|r| !is_defined(*r)) {
+        scale *= 0.5;
+        if upper.is_finite() || lower + scale == lower || !scale.is_normal() {
+            return Err(TransformError::Undefined { radius });
         }
+    }
+    for r in PARTS.map(|part| lower + part * scale) {
         if let Function::Complex(f) = function {
             // A larger step is as good, unless f forgets small imaginary parts; real parts must agree with f on the axis.
             let (small, large) = (complex_step(f.as_ref(), r, STEP), complex_step(f.as_ref(), r, LARGE_STEP));
@@ -98,8 +106,11 @@ fn examine(function: &Function, lower: f64, upper: f64) -> Result<(), TransformE
             }
         }
     }
-    Ok(())
+    Ok(scale)
 }
+
+/// Where a part of a piece is examined, as shares of it.
+const PARTS: [f64; 3] = [0.127, 0.489, 0.831];
 
 /// A step of the complex-step derivative whose imaginary parts no function forgets.
 const LARGE_STEP: f64 = 1.0 / (1_u64 << 17) as f64;

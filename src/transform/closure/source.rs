@@ -1,6 +1,7 @@
 //! A function given as Rust code, as a source of f′ and (r f′)′ on one segment.
 
 use super::cells::Cells;
+use super::starts::Starts;
 use crate::num::Bounded;
 use crate::transform::SlopeSource;
 use num_complex::Complex64;
@@ -60,10 +61,10 @@ pub(super) struct Piece {
     pub(super) upper: f64,
     /// The error of the closure's values in units in the last place.
     pub(super) ulps: f64,
-    /// The error that the values have beyond that, next to the axis: what cancels in f leaves the rounding of its parts.
-    pub(super) noise: f64,
     /// The interpolants of what is known and not differentiated: of f alone, else of f′, else of f″.
     pub(super) cells: Cells,
+    /// The interpolants of f from the axis on, where f alone is known and the piece begins there.
+    pub(super) starts: Option<Starts>,
     /// Where the closure had no value, and where it was not smooth.
     pub(super) faults: Arc<Faults>,
 }
@@ -96,25 +97,6 @@ impl Faults {
     }
 }
 
-/// The rounding of the values of f next to the axis beyond so many units in their last place, measured by second differences over
-/// stretches on which f is a straight line; 0 for a function that keeps its relative accuracy.
-pub(super) fn noise_of(f: &(impl Fn(f64) -> f64 + ?Sized), scale: f64, ulps: f64) -> f64 {
-    const POINTS: i32 = 33;
-    const STEP: f64 = 1.0 / (1_u64 << 36) as f64;
-    let mut noise = 0.0;
-    for place in (1..=8).map(|k| scale * 10f64.powi(-k)) {
-        let values: Vec<f64> = (0..POINTS).map(|j| f(place * (1.0 + f64::from(j) * STEP))).collect();
-        let known = ulps * 0.5 * f64::EPSILON * values.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
-        // Each is a sum of four errors; that the largest of them adds up to twice one error is likely.
-        let bent = values.windows(3).map(|own| if let [a, b, c] = own { (a - 2.0 * b + c).abs() } else { 0.0 });
-        let found = 0.5 * bent.fold(0.0, f64::max);
-        if found.is_finite() && found > known {
-            noise = f64::max(noise, 2.0 * found);
-        }
-    }
-    noise
-}
-
 impl Piece {
     /// The radius at a distance from the lower end, strictly within the piece.
     ///
@@ -136,20 +118,38 @@ impl Piece {
             other => other.slope(r).unwrap_or(f64::NAN),
         };
         let sample = self.with_ulps(own);
-        if own.is_finite() { Bounded { error: sample.error + self.noise, ..sample } } else { Bounded { value: f64::NAN, error: f64::NAN } }
+        if own.is_finite() { sample } else { Bounded { value: f64::NAN, error: f64::NAN } }
     }
 
     fn slope_at(&self, r: f64) -> Bounded {
         match self.function.slope(r) {
             Some(value) => self.with_ulps(value),
-            None => self.cells.derivative(1, r, &|r| self.sample(r)),
+            None => self.derivative(1, r),
         }
+    }
+
+    /// True where f alone is known, and is smooth from the axis to beyond r.
+    pub(super) fn begins_smoothly(&self, r: f64) -> bool {
+        self.starts.as_ref().is_some_and(|own| own.begin(r, &|r| self.sample(r)))
+    }
+
+    /// A derivative of f from its values.
+    fn derivative(&self, order: usize, r: f64) -> Bounded {
+        let phi = |r: f64| self.sample(r);
+        let from_the_axis = self.starts.as_ref().and_then(|own| own.derivative(order, r, &phi));
+        from_the_axis.unwrap_or_else(|| self.cells.derivative(order, r, &phi))
+    }
+
+    /// A place near r at which what is interpolated is not smooth.
+    fn seam(&self, r: f64) -> Option<f64> {
+        let phi = |r: f64| self.sample(r);
+        if self.starts.as_ref().is_some_and(|own| own.is_smooth(r, &phi)) { None } else { self.cells.seam(r, &phi) }
     }
 
     fn second_at(&self, r: f64) -> Bounded {
         match &self.function {
             Function::Bend(_, _, second) => self.with_ulps(second(r)),
-            Function::Real(_) => self.cells.derivative(2, r, &|r| self.sample(r)),
+            Function::Real(_) => self.derivative(2, r),
             _ => self.cells.derivative(1, r, &|r| self.sample(r)),
         }
     }
@@ -185,7 +185,7 @@ impl SlopeSource for Piece {
             return Some(Bounded::checked(slope.value, 16.0 * slope.value.abs() + slope.error));
         }
         if !matches!(self.function, Function::Bend(..))
-            && let Some(seam) = self.cells.seam(r, &|r| self.sample(r))
+            && let Some(seam) = self.seam(r)
         {
             Faults::note(&self.faults.seam, seam);
             return Some(Bounded { value: f64::NAN, error: f64::NAN });

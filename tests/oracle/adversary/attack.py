@@ -1,4 +1,4 @@
-"""Attacks the program with generated profiles: python3 attack.py PROGRAM typed|hidden|kinks FIRST COUNT [--out FILE] [--no-formulas] [--table CSV].
+"""Attacks the program with generated profiles: python3 attack.py PROGRAM typed|hidden|kinks|roots FIRST COUNT [--out FILE] [--no-formulas] [--table CSV].
 
 Every number of g, d, F and p at three places is compared with an enclosure of the true value; printed formulas are evaluated by mpmath.
 Faults are written as JSON lines; the summary is printed at the end and every 200 profiles.
@@ -185,7 +185,7 @@ class Attack:
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("mode", choices=["typed", "hidden", "kinks"])
+    parser.add_argument("mode", choices=["typed", "hidden", "kinks", "roots"])
     parser.add_argument("first", type=int)
     parser.add_argument("count", type=int)
     parser.add_argument("--out", default="/dev/null")
@@ -198,7 +198,7 @@ def main():
             attack.table = open(own.table, "w")
         for seed in range(own.first, own.first + own.count):
             profile = getattr(shapes, own.mode)(seed)
-            attack.profile(seed, profile, own.mode == "typed" and not own.no_formulas)
+            attack.profile(seed, profile, own.mode in ("typed", "roots") and not own.no_formulas)
             if attack.count["profiles"] % 200 == 0:
                 attack.summary(own.mode, own.first, own.count)
         attack.summary(own.mode, own.first, own.count)

@@ -153,6 +153,41 @@ class Maker:
             ("*", ("^", R, num(2)), ("fn", "ln", R)),
         ])
 
+    def root(self):
+        """Roots of what vanishes at the axis like a power of r: even in r as they are typed, and often not even as they continue."""
+        self.removable = self.singular = True
+        u, one, two = self.ratio(), num(1), num(2)
+        inner = self.pick([
+            ("-", one, ("fn", "cos", u)),
+            ("-", ("fn", "cosh", u), one),
+            ("-", ("fn", "sqrt", ("+", one, ("^", u, two))), one),
+            ("-", one, ("fn", "exp", ("neg", ("^", u, two)))),
+            ("fn", "ln", ("+", one, ("^", u, two))),
+            ("+", ("^", u, two), ("^", u, num(4))),
+            ("-", u, ("fn", "sin", u)),
+            ("*", u, ("fn", self.pick(["sin", "tanh", "atan"]), u)),
+            ("-", ("bessel", "i", 0, u), one),
+            ("/", ("^", u, two), ("+", one, ("^", u, two))),
+        ])
+        if self.random.random() < 0.6:
+            return ("fn", "sqrt", inner)
+        return ("^", inner, self.pick([num("0.5"), num("1.5"), num("2.5"), ("/", num(3), two), num("0.75"), ("/", num(1), num(3))]))
+
+    def rooted(self):
+        """Such a root alone, beside or inside other shapes."""
+        own, kind = self.scaled(self.root()), self.random.randrange(6)
+        if kind == 0:
+            return own
+        if kind == 1:
+            return (self.pick("++-"), own, self.atom())
+        if kind == 2:
+            return ("*", own, self.atom())
+        if kind == 3:
+            return ("/", own, ("+", self.number(1, 3), self.pick([R, ("^", R, num(2)), ("^", self.atom(), num(2))])))
+        if kind == 4:
+            return ("*", ("^", R, num(self.pick([1, 2]))), own)
+        return self.outer(own)
+
     def angle(self):
         if self.symbolic and "theta" not in self.values and len(self.values) < 3:
             self.values["theta"] = round(self.random.uniform(0.1, 1.3), 2)
@@ -227,7 +262,9 @@ class Maker:
         return ("+", u, ("pw", num(0), b, ("*", self.number(), ("^", shift, num(2)))))
 
     def typed(self):
-        tree = self.kinked() if self.random.random() < 0.28 else self.smooth()
+        return self.spelled(self.kinked() if self.random.random() < 0.28 else self.smooth())
+
+    def spelled(self, tree):
         used = names(tree)
         values = {k: v for k, v in self.values.items() if k in used}
         return Typed(tree, Speller(self.random).profile(tree), values, self.end, self.singular, self.removable)
@@ -461,7 +498,15 @@ def kinks(seed):
 
 def typed(seed):
     maker = Maker(seed)
-    profile = maker.typed()
-    chance = maker.random
+    return placed(maker.typed(), maker.random)
+
+
+def roots(seed):
+    maker = Maker(seed)
+    return placed(maker.spelled(maker.rooted()), maker.random)
+
+
+def placed(profile, chance):
+    """The profile with the places at which it is asked."""
     profile.places = [profile.end * chance.uniform(0.03, 1) for _ in range(3)]
     return profile

@@ -1,0 +1,184 @@
+//! A function next to the axis: Chebyshev fits that begin at r = 0, where those between powers of two see the rounding of its values only.
+
+use super::cells::{Cell, exponent_of, place_of, places};
+use crate::num::{Bounded, work};
+use std::sync::OnceLock;
+
+/// Exponents of two beyond that of r that are tried before one serves, and after one has served without a better one.
+const TRIED: [i32; 2] = [18, 3];
+/// The last coefficients, whose size tells noise from f: halved with the fit, they fall by this factor at least unless they are noise.
+const LAST: usize = 6;
+const FALLING: f64 = 0.6;
+/// Noise above this share of what f changes by hides f.
+const LOUD: f64 = 1e-6;
+/// As many powers of two below its end a fit is compared with narrow ones.
+const DEPTH: i32 = 50;
+/// A narrow fit whose last coefficients are larger than this share of what φ changes by does not see φ, …
+const BLIND: f64 = 1e-3;
+/// … of which rounding may hide this share.
+const HIDDEN: f64 = 5e-8;
+/// Beyond this share of its fit a radius is left to the fits between powers of two.
+const REACH: f64 = 0.75;
+
+/// The fits of one function to 0 ≤ r ≤ 2^k, made where they are asked for.
+pub(super) struct Starts {
+    upper: f64,
+    fits: Box<[OnceLock<Fit>]>,
+    /// Fits between one power of two and the next, beside which the others must stand.
+    octaves: Box<[OnceLock<Cell>]>,
+    /// Which fit serves radii between one power of two and the next.
+    chosen: Box<[OnceLock<Option<i32>>]>,
+    /// The fit that serves radii at which nothing is seen of φ.
+    first: OnceLock<i32>,
+}
+
+struct Fit {
+    cell: Cell,
+    /// The size of the last coefficients.
+    level: f64,
+    /// What f changes by.
+    spread: f64,
+    /// True where it agrees with narrow fits below.
+    stands: OnceLock<bool>,
+    /// True where f′(0) is 0 within its error, and taken to be 0.
+    flat: bool,
+}
+
+impl Starts {
+    /// For a segment that begins at the axis; nothing is fitted yet.
+    pub(super) fn new(upper: f64) -> Self {
+        Self { upper, fits: places(), octaves: places(), chosen: places(), first: OnceLock::new() }
+    }
+
+    /// The derivative of φ of order 1 or 2 at r with a bound of its error; `None` where φ is not smooth from the axis to beyond r.
+    pub(super) fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<Bounded> {
+        let (fit, noise) = self.at(r, phi)?;
+        Some(fit.derivative(order, r, noise))
+    }
+
+    /// Whether φ is smooth from the axis to beyond r; if so, the fit that shows it serves all radii below at which others see nothing of φ.
+    pub(super) fn begin(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
+        let found = exponent_of(r).and_then(|exponent| self.choose(exponent, phi));
+        found.is_some_and(|k| *self.first.get_or_init(|| k) == k)
+    }
+
+    /// True where φ is smooth from the axis to beyond r.
+    pub(super) fn is_smooth(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
+        self.at(r, phi).is_some()
+    }
+
+    fn at(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<(&Fit, f64)> {
+        let exponent = exponent_of(r)?;
+        let kept = self.chosen.get(place_of(exponent)?)?;
+        if kept.get().is_none() {
+            let found = self.choose(exponent, phi);
+            if work::is_exhausted() {
+                return None;
+            }
+            let _ = kept.set(found);
+        }
+        let k = (*kept.get()?).or_else(|| self.first.get().copied())?;
+        self.served(k, phi).filter(|(fit, _)| r < REACH * fit.cell.end())
+    }
+
+    /// The fit with the smallest error for radii from 2^exponent on.
+    fn choose(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Option<i32> {
+        let r = libm::scalbn(1.0, exponent);
+        let (mut best, mut idle) = (None, 0);
+        for k in exponent + 2..=1023 {
+            if libm::scalbn(0.5, k) >= self.upper || work::is_exhausted() {
+                break;
+            }
+            match self.served(k, phi).map(|(fit, noise)| fit.derivative(1, r, noise).error) {
+                Some(error) if best.is_none_or(|(_, least)| error < least) => (best, idle) = (Some((k, error)), 0),
+                // As long as nothing is seen of f, larger fits may see it.
+                None if best.is_none() && self.hides(k, phi) => {}
+                _ => idle += 1,
+            }
+            if idle >= TRIED[usize::from(best.is_some())] {
+                break;
+            }
+        }
+        best.map(|(k, _)| k)
+    }
+
+    fn fit(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> Option<&Fit> {
+        let kept = self.fits.get(place_of(k)?)?;
+        if kept.get().is_none() {
+            let built = Fit::new(libm::scalbn(1.0, k).min(self.upper), phi);
+            if work::is_exhausted() {
+                return None;
+            }
+            let _ = kept.set(built);
+        }
+        kept.get()
+    }
+
+    /// True where nothing but rounding is seen of φ, here and below.
+    fn hides(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
+        self.fit(k, phi).is_some_and(|own| own.is_blind() && *own.stands.get_or_init(|| self.stands(own, k, 4.0 * own.level, phi)))
+    }
+
+    /// A fit that has resolved φ, with the noise beyond what is known of it.
+    fn served(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> Option<(&Fit, f64)> {
+        let own = self.fit(k, phi).filter(|own| !own.is_blind())?;
+        let noise = if own.cell.is_resolved() { 0.0 } else { 4.0 * own.level };
+        let loud = !own.level.is_finite() || own.level > LOUD * own.spread;
+        let still = || self.fit(k - 1, phi).is_some_and(|half| half.level > FALLING * own.level);
+        let serves = noise == 0.0 || (!loud && still());
+        (serves && *own.stands.get_or_init(|| self.stands(own, k, noise, phi))).then_some((own, noise))
+    }
+
+    /// True where a fit agrees with narrow ones at radii far below its end: what it does not see there is noise, and no feature.
+    fn stands(&self, own: &Fit, k: i32, noise: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
+        (1..=DEPTH).all(|below| {
+            let Some(kept) = place_of(k - below).and_then(|place| self.octaves.get(place)) else { return true };
+            let (from, to) = (libm::scalbn(1.0, k - below), libm::scalbn(2.0, k - below));
+            if to > own.cell.end() {
+                return true;
+            }
+            let octave = kept.get_or_init(|| Cell::fit((from, to), to, phi));
+            let level = octave.last(LAST);
+            let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
+            // Where a narrow fit sees nothing but noise, it says little; elsewhere it sees slopes.
+            let (order, hidden) = if is_blind(octave) { (0, HIDDEN * own.spread) } else { (1, 0.0) };
+            places.into_iter().all(|r| {
+                let (narrow, wide) = (octave.derivative_within(order, r, 10.0 * level), own.derivative(order, r, noise));
+                (narrow.value - wide.value).abs() <= hidden + narrow.error + wide.error
+            })
+        })
+    }
+}
+
+/// True where nothing but noise is seen of φ.
+fn is_blind(cell: &Cell) -> bool {
+    cell.last(LAST) >= BLIND * cell.spread()
+}
+
+impl Fit {
+    fn new(end: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
+        let cell = Cell::fit((0.0, end), end, phi);
+        let (level, spread) = (cell.last(LAST), cell.spread());
+        let start = cell.derivative_within(1, 0.0, if cell.is_resolved() { 0.0 } else { 4.0 * level });
+        let flat = start.value.abs() <= start.error;
+        Self { cell, level, spread, stands: OnceLock::new(), flat }
+    }
+
+    fn is_blind(&self) -> bool {
+        is_blind(&self.cell)
+    }
+
+    fn derivative(&self, order: usize, r: f64, noise: f64) -> Bounded {
+        let own = self.cell.derivative_within(order, r, noise);
+        let second = |r: f64| self.cell.derivative_within(2, r, noise);
+        // f′ is at most as wrong as r times the largest error of f″, which is that at the axis.
+        let error = r * second(0.0).error;
+        if order != 1 || !self.flat || own.error < error {
+            return own;
+        }
+        // By three nodes of Gauss, so that f′ keeps its relative accuracy as it vanishes.
+        let nodes = [(0.112_701_665_379_258_31, 5.0), (0.5, 8.0), (0.887_298_334_620_741_7, 5.0)];
+        let mean = nodes.iter().map(|(share, weight)| weight / 18.0 * second(share * r).value).sum::<f64>();
+        Bounded { value: r * mean, error: error + 1e-12 * (r * mean).abs() }
+    }
+}
