@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import os
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -94,6 +95,14 @@ class Solution:
 
     def __len__(self) -> int:
         return len(self.rows)
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        """Iterate over the rows."""
+        return iter(self.rows)
+
+    def __contains__(self, name: object) -> bool:
+        """Whether the rows have a column of that name."""
+        return name in self._names()
 
     def __getitem__(self, name: str) -> np.ndarray:
         """Return a column of numbers, NaN where a row has none; a name that no row has is a KeyError."""

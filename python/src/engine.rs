@@ -382,7 +382,9 @@ impl Engine {
                 let found = read(contact, None, self.tolerance, wanted, at, a);
                 match (taken(raised), found) {
                     // Where the function has no value, as beyond the end of a sphere, a search goes on without it.
-                    (Some(error), Ok(found)) if is_numeric(&error) => Ok(found),
+                    (Some(error), found) if is_numeric(&error) => {
+                        found.map_err(|fault| fault.help(format!("the function raised {error}; end= says where a profile ends")))
+                    }
                     (Some(error), _) => Err(Fault::raised(error)),
                     (None, found) => found,
                 }

@@ -136,6 +136,29 @@ def test_names_that_no_row_has_are_key_errors():
     for name in ("typo", "f", "P"):
         with pytest.raises(KeyError, match="the rows have no"):
             found[name]
+        assert name not in found
+    assert "F" in found and [row["d"] for row in found] == list(found["d"])
+
+
+def test_callables_with_ends_that_are_not_told():
+    for radius in (1.0, 0.05, 2e-6):
+        own = sneddon.Contact(sneddon.Profile(lambda r, R=radius: R - math.sqrt(R * R - r * r)), E_star=1.0)
+        a = 0.1 * radius
+        exact = sneddon.Contact(sneddon.Profile("R-sqrt(R^2-r^2)"), E_star=1.0, R=radius)
+        for r in (0.0, 0.5 * a):
+            value, bound = own.pressure(r, radius=a, with_bound=True)
+            assert abs(value - exact.pressure(r, radius=a)) <= bound <= 1e-8 * value
+        with pytest.raises(sneddon.SneddonError, match="end="):
+            own.force(radius=2 * radius)
+    scaled = sneddon.Contact(sneddon.Profile(lambda r: 1e-9 * (math.cosh(r / 1e-9) - 1)), E_star=1.0)
+    assert scaled.force(radius=1e-9) > 0
+
+
+def test_pressures_on_the_axis_of_callables_with_an_offset():
+    for own in (lambda r: 5 + r * r, lambda r: r * r - 1e-6, lambda r: 3 + math.hypot(r, 0.5)):
+        found = sneddon.Contact(sneddon.Profile(own), E_star=1.0)
+        (axis, bound, ground), near = found.pressure(0.0, radius=0.1, with_bound="ground"), found.pressure(1e-5, radius=0.1)
+        assert abs(axis - near) <= bound + 1e-6 * near and bound <= 1e-7 * axis and ground == "estimated"
 
 
 def test_open_parameters_of_a_fit_need_starting_values():
