@@ -27,7 +27,7 @@ const MOST_NESTED: u64 = 5_000;
 /// A value, or the reason why theory has none.
 pub type Measured = Result<Reading, Reason>;
 
-/// A number and its bound as doubles, or why there are none.
+/// Returns the reading, or an error if its value or its bound is not a finite double.
 pub(super) fn representable(own: Reading, symbol: &'static str, at: f64) -> Result<Reading, ContactError> {
     let Estimate { value, error, .. } = own.estimate;
     if value.is_finite() && error.is_finite() {
@@ -155,7 +155,7 @@ impl<P: Quantities> Contact<'_, P> {
         representable(self.any_force(a)?, "a", a)
     }
 
-    /// The same, infinite where it is too large for a number.
+    /// Like [`Self::force`], but infinite where the force is too large for a double.
     pub(super) fn any_force(&self, a: f64) -> Result<Reading, ContactError> {
         let smooth = self.evaluator.force(a)?;
         let twice = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus);

@@ -170,19 +170,18 @@ impl Frame {
         })
     }
 
-    /// The same series with bounds in which coefficients that cancel in a sum count as what is left of them.
+    /// Returns the series with tighter bounds, to which coefficients that cancel in a sum contribute only what remains of them.
     ///
-    /// N known coefficients are added, and Σ_{n≥N} |A_n| ρ^n is at most (ρ/ρ′)^N times the bound at a larger radius ρ′.
+    /// A bound is the sum over the N known coefficients plus the tail Σ_{n≥N} |A_n| ρ^n, which is at most (ρ/ρ′)^N times the bound at a
+    /// larger radius ρ′.
     fn tightened(&self, mut own: Series) -> Series {
-        let length = own.coefficients.len();
-        let power = i32::try_from(length).unwrap_or(i32::MAX);
+        let power = i32::try_from(own.coefficients.len()).unwrap_or(i32::MAX);
         let tail = |rho: f64| {
             let larger = self.radii.iter().zip(&own.rest).filter(|(other, _)| **other > rho);
             larger.map(|(other, rest)| (rho / other).powi(power) * rest).filter(|tail| !tail.is_nan()).fold(f64::INFINITY, f64::min)
         };
         let known = |rho: f64| rho * own.coefficients.iter().skip(1).rev().fold(0.0, |sum, c| sum * rho + (c.value.abs() + c.error));
-        let rest = self.radii.iter().zip(&own.rest).map(|(rho, rest)| rest.min(widened(known(*rho) + tail(*rho)))).collect();
-        own.rest = rest;
+        own.rest = self.radii.iter().zip(&own.rest).map(|(rho, rest)| rest.min(widened(known(*rho) + tail(*rho)))).collect();
         own
     }
 

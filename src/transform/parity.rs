@@ -67,7 +67,7 @@ pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
     }
 }
 
-/// True where an enclosure shows that an expression in the radius alone is analytic around r = 0, where a function may have a branch point.
+/// Returns true if an enclosure shows that an expression in r alone is analytic around r = 0, where a function may have a branch point.
 fn is_analytic(expr: &Expr, radius: &Symbol) -> bool {
     const NEAR: f64 = 1e-30;
     let around = Region::new((-NEAR, NEAR), (-NEAR, NEAR));

@@ -12,9 +12,10 @@ use crate::num::{Bounded, Region, work};
 
 /// Coefficients that are kept.
 const LENGTH: usize = 48;
-/// As many of them are added as regions for an enclosure, and the others as magnitudes, which cancel little where the series serves …
+/// Number of coefficients that an enclosure sums as regions; the others, which cancel little where the series serves, are summed as
+/// magnitudes.
 const HEAD: usize = 12;
-/// … and the steps of work that this takes.
+/// Steps of work of such a sum.
 const HEAD_STEPS: u64 = 150;
 /// Radii ρ that are tried first: powers of 16 between these, …
 const SCALES: std::ops::RangeInclusive<i32> = -25..=25;
@@ -75,7 +76,7 @@ pub(super) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -
     })
 }
 
-/// True where r is, other than as itself, under a power that is or may be negative, in a base that is one of those meant.
+/// Returns true if r stands in a base that `is_meant` accepts, under a power that is or may be negative.
 fn divides(expr: &Expr, radius: &Symbol, is_meant: &impl Fn(&Expr) -> bool) -> bool {
     let own = match expr.node() {
         Node::Power(base, exponent) => sign(exponent) != Sign::Positive && base.contains(radius) && is_meant(base),
@@ -84,19 +85,19 @@ fn divides(expr: &Expr, radius: &Symbol, is_meant: &impl Fn(&Expr) -> bool) -> b
     own || expr.children().into_iter().any(|child| divides(child, radius, is_meant))
 }
 
-/// False where the value at r = 0 is finite and not 0 beyond its error or, where it has none, as in r ln r, the value next to the axis is no
-/// smaller than that further away.
+/// Returns false if the value at r = 0 is finite and differs from 0 by more than its error.
+///
+/// Where there is no value, as for r ln r, the value next to the axis decides: it must not be small beside one further away.
 fn may_vanish(expr: &Expr, radius: &Symbol) -> bool {
     const NEAR: f64 = 1e-30;
     let Ok(tape) = Tape::compile(std::slice::from_ref(expr), std::slice::from_ref(radius)) else { return true };
     let value = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut Vec::new()).filter(|own| own.is_finite());
-    let is_apart = |own: Bounded, least: f64| own.value.abs() > own.error.max(least);
-    let there = match (value(0.0), value(NEAR), value(TRIALS[0])) {
-        (Some(own), ..) => is_apart(own, 0.0),
-        (None, Some(near), Some(far)) => is_apart(near, TRIALS[0] * far.value.abs()),
-        _ => false,
-    };
-    !there
+    let is_small = |own: Bounded, least: f64| own.value.abs() <= own.error.max(least);
+    match (value(0.0), value(NEAR), value(TRIALS[0])) {
+        (Some(own), ..) => is_small(own, 0.0),
+        (None, Some(near), Some(far)) => is_small(near, TRIALS[0] * far.value.abs()),
+        _ => true,
+    }
 }
 
 impl AxisSeries {
@@ -135,7 +136,7 @@ impl AxisSeries {
         self.groups.iter().any(|group| group.whole_power().fract() != 0.0)
     }
 
-    /// True where no even power of r is in it.
+    /// Returns true if the series has odd powers of r only.
     fn is_odd(&self) -> bool {
         let none = |own: &Bounded| own.value == 0.0 && own.error == 0.0;
         let is_odd = |power: f64| (0.5 * (power + 1.0)).fract() == 0.0;
@@ -384,7 +385,7 @@ impl NumericProfile {
             let Ok(tape) = compile_shifted(slope, lower) else { continue };
             segment.slope = Numbers::Removable(Box::new(Removable::slope(tape, &near)));
             segment.singular = near.has_fractions() || is_singular(&segment.slope, 0.0, segment.upper.map(|upper| upper.value));
-            // What the expression seems to be may stand under a root that vanishes at the axis.
+            // The parity of the expression is not known where a root in it vanishes at the axis.
             segment.odd = near.is_odd();
             segment.near = Some(near);
         }

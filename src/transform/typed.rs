@@ -18,16 +18,16 @@ impl Evaluator<'_> {
     pub(super) fn typed_profile(&self) -> Result<NumericProfile, TransformError> {
         let own = |(lower, upper, f): (Expr, Option<&Expr>, &Expr)| (Segment { lower, upper: upper.cloned() }, f.clone());
         let pieces: Vec<Piece> = self.solution.profile.chains.iter().flat_map(|chain| chain.intervals().map(own)).collect();
-        let built = self.mended(&pieces)?;
+        let built = self.compiled(&pieces)?;
         if (built.is_ragged() || built.is_fractional())
             && let Some(parts) = self.parted(&pieces)?
         {
-            return self.mended(&parts);
+            return self.compiled(&parts);
         }
         Ok(built)
     }
 
-    fn mended(&self, pieces: &[Piece]) -> Result<NumericProfile, TransformError> {
+    fn compiled(&self, pieces: &[Piece]) -> Result<NumericProfile, TransformError> {
         let slopes = pieces.iter().map(|(segment, f)| Ok((segment.clone(), derivative(f, &Symbol::new("r"))?)));
         let slopes: Vec<Piece> = slopes.collect::<Result<_, TransformError>>()?;
         let mut built = NumericProfile::new(&slopes, &self.bindings)?;
@@ -47,7 +47,7 @@ impl Evaluator<'_> {
         Ok(built.mended(whole))
     }
 
-    /// The pieces at the axis as two: the terms that are 0/0 and analytic there, and the others; `None` where that divides nothing.
+    /// Splits each piece at the axis into the terms that are 0/0 and analytic there and the others; `None` if nothing is split.
     fn parted(&self, pieces: &[Piece]) -> Result<Option<Vec<Piece>>, TransformError> {
         let mut parts = Vec::with_capacity(pieces.len() + 1);
         for (segment, f) in pieces {

@@ -4,7 +4,7 @@ use crate::num::{Bounded, chebyshev, work};
 use std::sync::OnceLock;
 
 /// Nodes of a cell.
-pub(super) const NODES: usize = 20;
+const NODES: usize = 20;
 /// Halvings of a cell before it is given up: towards an end with a root that leaves nothing of it.
 const DEEPEST: i32 = 50;
 /// Halvings that a function without a kink may take inside its segment.
@@ -48,17 +48,29 @@ struct Doubling {
     seam: Option<f64>,
 }
 
-/// A place to keep something for every power of two.
+/// Returns an empty place for every power of two.
 pub(super) fn places<T>() -> Box<[OnceLock<T>]> {
     (0..EXPONENTS).map(|_| OnceLock::new()).collect()
 }
 
-/// The exponent of the largest power of two that is at most r.
+/// Returns what is kept, which is built first where nothing is; `None` if the budget of work ends, and what was cut short is not kept.
+pub(super) fn kept<T>(place: &OnceLock<T>, build: impl FnOnce() -> T) -> Option<&T> {
+    if place.get().is_none() {
+        let built = build();
+        if work::is_exhausted() {
+            return None;
+        }
+        let _ = place.set(built);
+    }
+    place.get()
+}
+
+/// Returns the exponent of the largest power of two that is at most r.
 pub(super) fn exponent_of(r: f64) -> Option<i32> {
     (r > 0.0 && r.is_finite()).then(|| libm::ilogb(r))
 }
 
-/// Where something is kept for a power of two.
+/// Returns the index of the place for a power of two.
 pub(super) fn place_of(exponent: i32) -> Option<usize> {
     usize::try_from(exponent + 1075).ok()
 }
@@ -88,16 +100,7 @@ impl Cells {
 
     fn doubling(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Doubling> {
         let exponent = exponent_of(r)?;
-        let kept = self.doublings.get(place_of(exponent)?)?;
-        if kept.get().is_none() {
-            let built = self.build(exponent, phi);
-            // What was cut short is not kept.
-            if work::is_exhausted() {
-                return None;
-            }
-            let _ = kept.set(built);
-        }
-        kept.get()
+        kept(self.doublings.get(place_of(exponent)?)?, || self.build(exponent, phi))
     }
 
     fn cell(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Cell> {
@@ -153,7 +156,7 @@ fn nodes() -> [f64; NODES] {
 }
 
 impl Cell {
-    /// Fitted to an interval; it answers below `to`.
+    /// Fits φ on an interval; the cell answers below `to`.
     pub(super) fn fit((from, end): (f64, f64), to: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
         let (middle, half) = (from + 0.5 * (end - from), 0.5 * (end - from));
         let samples: [Bounded; NODES] = nodes().map(|x| phi(middle + half * x));
@@ -196,17 +199,17 @@ impl Cell {
         self.resolved
     }
 
-    /// The largest of the last coefficients, as many as are asked for.
+    /// Returns the largest magnitude of the last `count` coefficients.
     pub(super) fn last(&self, count: usize) -> f64 {
         self.orders[0].iter().rev().take(count).fold(0.0, |most: f64, c| if c.is_nan() { f64::INFINITY } else { most.max(c.abs()) })
     }
 
-    /// A bound of what φ changes by, from its coefficients.
+    /// Returns a bound on the variation of φ, from its coefficients.
     pub(super) fn spread(&self) -> f64 {
         2.0 * self.orders[0].iter().skip(1).map(|c| c.abs()).sum::<f64>()
     }
 
-    /// The derivative of order 0, 1 or 2 where the values have so much noise beyond what is known.
+    /// Returns the derivative of order 0, 1 or 2, where the values of φ have an error of `noise` beyond the stated one.
     pub(super) fn derivative_within(&self, order: usize, r: f64, noise: f64) -> Bounded {
         let Some(list) = self.orders.get(order) else { return NOTHING };
         let x = ((r - self.middle) / self.half).clamp(-1.0, 1.0);

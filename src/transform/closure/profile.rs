@@ -47,6 +47,7 @@ impl ClosureProfile {
             return Err(TransformError::Undefined { radius: 0.0 });
         }
         let mut numeric = NumericProfile::from_sources(segments);
+        // Where f is smooth at the axis, its leading exponent is whole, whatever samples of f′ seem to say.
         if let Some(n) = closure.exponent.or(is_smooth.then_some(1.0)) {
             numeric.state_exponent(n);
         }

@@ -128,7 +128,7 @@ impl Piece {
         }
     }
 
-    /// True where f alone is known, and is smooth from the axis to beyond r.
+    /// Returns true if f alone is known, and is smooth from the axis to beyond r.
     pub(super) fn begins_smoothly(&self, r: f64) -> bool {
         self.starts.as_ref().is_some_and(|own| own.begin(r, &|r| self.sample(r)))
     }

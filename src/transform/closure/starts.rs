@@ -1,6 +1,6 @@
 //! A function next to the axis: Chebyshev fits that begin at r = 0, where those between powers of two see the rounding of its values only.
 
-use super::cells::{Cell, exponent_of, place_of, places};
+use super::cells::{Cell, exponent_of, kept, place_of, places};
 use crate::num::{Bounded, work};
 use std::sync::OnceLock;
 
@@ -34,8 +34,9 @@ pub(super) struct Starts {
 
 struct Fit {
     cell: Cell,
-    /// The size of the last coefficients.
+    /// The size of the last coefficients, and the error of φ beyond the stated one that they show.
     level: f64,
+    noise: f64,
     /// What f changes by.
     spread: f64,
     /// True where it agrees with narrow fits below.
@@ -50,38 +51,29 @@ impl Starts {
         Self { upper, fits: places(), octaves: places(), chosen: places(), first: OnceLock::new() }
     }
 
-    /// The derivative of φ of order 1 or 2 at r with a bound of its error; `None` where φ is not smooth from the axis to beyond r.
+    /// Returns the derivative of φ of order 1 or 2 at r with a bound on its error, or `None` if φ is not smooth from the axis to beyond r.
     pub(super) fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<Bounded> {
-        let (fit, noise) = self.at(r, phi)?;
-        Some(fit.derivative(order, r, noise))
+        Some(self.at(r, phi)?.derivative(order, r))
     }
 
-    /// Whether φ is smooth from the axis to beyond r; if so, the fit that shows it serves all radii below at which others see nothing of φ.
+    /// Returns true if φ is smooth from the axis to beyond r; the fit that shows it then serves smaller radii at which no other fit does.
     pub(super) fn begin(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
         let found = exponent_of(r).and_then(|exponent| self.choose(exponent, phi));
         found.is_some_and(|k| *self.first.get_or_init(|| k) == k)
     }
 
-    /// True where φ is smooth from the axis to beyond r.
+    /// Returns true if φ is smooth from the axis to beyond r.
     pub(super) fn is_smooth(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
         self.at(r, phi).is_some()
     }
 
-    fn at(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<(&Fit, f64)> {
+    fn at(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Fit> {
         let exponent = exponent_of(r)?;
-        let kept = self.chosen.get(place_of(exponent)?)?;
-        if kept.get().is_none() {
-            let found = self.choose(exponent, phi);
-            if work::is_exhausted() {
-                return None;
-            }
-            let _ = kept.set(found);
-        }
-        let k = (*kept.get()?).or_else(|| self.first.get().copied())?;
-        self.served(k, phi).filter(|(fit, _)| r < REACH * fit.cell.end())
+        let own = kept(self.chosen.get(place_of(exponent)?)?, || self.choose(exponent, phi))?;
+        self.served(own.or_else(|| self.first.get().copied())?, phi).filter(|fit| r < REACH * fit.cell.end())
     }
 
-    /// The fit with the smallest error for radii from 2^exponent on.
+    /// Returns the exponent of the fit with the smallest error for radii from 2^exponent on.
     fn choose(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Option<i32> {
         let r = libm::scalbn(1.0, exponent);
         let (mut best, mut idle) = (None, 0);
@@ -89,7 +81,7 @@ impl Starts {
             if libm::scalbn(0.5, k) >= self.upper || work::is_exhausted() {
                 break;
             }
-            match self.served(k, phi).map(|(fit, noise)| fit.derivative(1, r, noise).error) {
+            match self.served(k, phi).map(|fit| fit.derivative(1, r).error) {
                 Some(error) if best.is_none_or(|(_, least)| error < least) => (best, idle) = (Some((k, error)), 0),
                 // As long as nothing is seen of f, larger fits may see it.
                 None if best.is_none() && self.hides(k, phi) => {}
@@ -103,54 +95,49 @@ impl Starts {
     }
 
     fn fit(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> Option<&Fit> {
-        let kept = self.fits.get(place_of(k)?)?;
-        if kept.get().is_none() {
-            let built = Fit::new(libm::scalbn(1.0, k).min(self.upper), phi);
-            if work::is_exhausted() {
-                return None;
-            }
-            let _ = kept.set(built);
-        }
-        kept.get()
+        kept(self.fits.get(place_of(k)?)?, || Fit::new(libm::scalbn(1.0, k).min(self.upper), phi))
     }
 
-    /// True where nothing but rounding is seen of φ, here and below.
+    /// Returns true if nothing but rounding is seen of φ, by this fit and by the narrow ones below.
     fn hides(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
-        self.fit(k, phi).is_some_and(|own| own.is_blind() && *own.stands.get_or_init(|| self.stands(own, k, 4.0 * own.level, phi)))
+        self.fit(k, phi).is_some_and(|own| is_blind(&own.cell) && self.stands(own, k, phi))
     }
 
-    /// A fit that has resolved φ, with the noise beyond what is known of it.
-    fn served(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> Option<(&Fit, f64)> {
-        let own = self.fit(k, phi).filter(|own| !own.is_blind())?;
-        let noise = if own.cell.is_resolved() { 0.0 } else { 4.0 * own.level };
+    /// Returns the fit if it has resolved φ, to rounding or to noise.
+    fn served(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> Option<&Fit> {
+        let own = self.fit(k, phi).filter(|own| !is_blind(&own.cell))?;
         let loud = !own.level.is_finite() || own.level > LOUD * own.spread;
         let still = || self.fit(k - 1, phi).is_some_and(|half| half.level > FALLING * own.level);
-        let serves = noise == 0.0 || (!loud && still());
-        (serves && *own.stands.get_or_init(|| self.stands(own, k, noise, phi))).then_some((own, noise))
+        let serves = own.cell.is_resolved() || (!loud && still());
+        (serves && self.stands(own, k, phi)).then_some(own)
     }
 
-    /// True where a fit agrees with narrow ones at radii far below its end: what it does not see there is noise, and no feature.
-    fn stands(&self, own: &Fit, k: i32, noise: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
+    /// Returns true if a fit agrees with narrow ones at radii far below its end: what it does not see there is noise, and no feature.
+    fn stands(&self, own: &Fit, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
+        kept(&own.stands, || self.agrees(own, k, phi)).copied().unwrap_or(false)
+    }
+
+    fn agrees(&self, own: &Fit, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
         (1..=DEPTH).all(|below| {
-            let Some(kept) = place_of(k - below).and_then(|place| self.octaves.get(place)) else { return true };
+            let Some(place) = place_of(k - below).and_then(|place| self.octaves.get(place)) else { return true };
             let (from, to) = (libm::scalbn(1.0, k - below), libm::scalbn(2.0, k - below));
             if to > own.cell.end() {
                 return true;
             }
-            let octave = kept.get_or_init(|| Cell::fit((from, to), to, phi));
+            let Some(octave) = kept(place, || Cell::fit((from, to), to, phi)) else { return false };
             let level = octave.last(LAST);
             let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
             // Where a narrow fit sees nothing but noise, it says little; elsewhere it sees slopes.
             let (order, hidden) = if is_blind(octave) { (0, HIDDEN * own.spread) } else { (1, 0.0) };
             places.into_iter().all(|r| {
-                let (narrow, wide) = (octave.derivative_within(order, r, 10.0 * level), own.derivative(order, r, noise));
+                let (narrow, wide) = (octave.derivative_within(order, r, 10.0 * level), own.derivative(order, r));
                 (narrow.value - wide.value).abs() <= hidden + narrow.error + wide.error
             })
         })
     }
 }
 
-/// True where nothing but noise is seen of φ.
+/// Returns true if nothing but noise is seen of φ.
 fn is_blind(cell: &Cell) -> bool {
     cell.last(LAST) >= BLIND * cell.spread()
 }
@@ -159,18 +146,15 @@ impl Fit {
     fn new(end: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
         let cell = Cell::fit((0.0, end), end, phi);
         let (level, spread) = (cell.last(LAST), cell.spread());
-        let start = cell.derivative_within(1, 0.0, if cell.is_resolved() { 0.0 } else { 4.0 * level });
+        let noise = if cell.is_resolved() { 0.0 } else { 4.0 * level };
+        let start = cell.derivative_within(1, 0.0, noise);
         let flat = start.value.abs() <= start.error;
-        Self { cell, level, spread, stands: OnceLock::new(), flat }
+        Self { cell, level, noise, spread, stands: OnceLock::new(), flat }
     }
 
-    fn is_blind(&self) -> bool {
-        is_blind(&self.cell)
-    }
-
-    fn derivative(&self, order: usize, r: f64, noise: f64) -> Bounded {
-        let own = self.cell.derivative_within(order, r, noise);
-        let second = |r: f64| self.cell.derivative_within(2, r, noise);
+    fn derivative(&self, order: usize, r: f64) -> Bounded {
+        let own = self.cell.derivative_within(order, r, self.noise);
+        let second = |r: f64| self.cell.derivative_within(2, r, self.noise);
         // f′ is at most as wrong as r times the largest error of f″, which is that at the axis.
         let error = r * second(0.0).error;
         if order != 1 || !self.flat || own.error < error {

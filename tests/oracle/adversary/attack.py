@@ -149,7 +149,8 @@ class Attack:
             if record[quantity]["status"] != "exact" and (quantity != "g" or seed % 8):
                 continue
             for (name, at), true in values.items():
-                if name != quantity:
+                # An enclosure without digits is no reference.
+                if name != quantity or not arb(true.rad()) <= abs(true) * arb("1e-14"):
                     continue
                 scope = {**profile.values, "E": 1.0, "x": at, "a": a if name == "p" else at, "r": at}
                 try:

@@ -17,14 +17,14 @@ def integral(arguments, scope):
     if low == high:
         return mpf(0)
 
-    def at(t):
-        return value(integrand, {**scope, name.id: t})
-    # Terms of an integrand that cancel next to the axis leave nothing of the digits there.
-    for extra in (0, 250):
-        with mpmath.extradps(extra):
-            found, error = mpmath.quad(at, mpmath.linspace(low, high, 3), error=True, maxdegree=8)
+    # Terms of an integrand that cancel next to the axis leave nothing of the digits of its nodes.
+    for extra in (0, 400):
+        def at(t):
+            with mpmath.extradps(extra):
+                return value(integrand, {**scope, name.id: t})
+        found, error = mpmath.quad(at, mpmath.linspace(low, high, 3), error=True, maxdegree=8)
         if error <= mpf(10) ** -18 * (1 + abs(found)) and abs(found) < mpf(10) ** 30:
-            return +found
+            return found
     raise NoNumber("the quadrature of a printed integral does not settle")
 
 
