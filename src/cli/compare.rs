@@ -70,7 +70,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Format::Json => report::json::comparison(&record, out),
         Format::Text => report::text::comparison(&record, out),
     })?;
-    let is = |verdict| move |own: &contact::Comparison| own.verdict == verdict;
-    let passed = comparisons.iter().any(is(Verdict::Passed)) && !comparisons.iter().any(is(Verdict::Failed));
+    record.why().into_iter().for_each(warn);
+    let has = |verdict| comparisons.quantities.iter().any(|own| own.verdict == verdict);
+    let passed = comparisons.is_complete && has(Verdict::Passed) && !has(Verdict::Failed);
     Ok(if passed { Outcome::Done } else { Outcome::Failed })
 }

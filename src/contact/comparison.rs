@@ -3,7 +3,7 @@
 use super::{Contact, ContactError, Explicit, Measured, explicit};
 use crate::expr::Bindings;
 use crate::num::{Estimate, work};
-use crate::transform::{Evaluator, Method, Sampler, Solution, Status, TransformError, Verdict, reach};
+use crate::transform::{Evaluator, Method, NO_REFERENCE, Sampler, Solution, Status, Tally, Verdict, reach};
 
 /// How one quantity fared.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,10 +16,10 @@ pub struct Comparison {
     pub at: Option<f64>,
     /// Points compared.
     pub points: u32,
-    /// Passed where every difference stays within the sum of both error estimates, and within the tolerance that was set.
+    /// Passed where every difference stays within the sum of both bounds, and within the tolerance that was set.
     pub verdict: Verdict,
     /// Why nothing was compared.
-    pub why: Option<String>,
+    pub why: Option<&'static str>,
 }
 
 /// What is compared, and how.
@@ -33,142 +33,191 @@ pub struct Setting {
     pub tolerance: Option<f64>,
 }
 
+/// What was compared.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparisons {
+    /// One comparison per quantity.
+    pub quantities: Vec<Comparison>,
+    /// False where the budget of work ended the comparison.
+    pub is_complete: bool,
+}
+
 /// Points per quantity.
 const POINTS: u32 = 64;
 /// Draws of the parameters among which the points are shared.
 const DRAWS: u32 = 8;
+/// Steps of work after which no further point is begun: 64 points of a dear profile prove no more than some of them.
+const ENOUGH: u64 = 150_000_000;
 /// The range of the tolerance that the quadratures are asked for.
 const TIGHTEST: f64 = 1e-14;
 const LOOSEST: f64 = 1e-12;
 
 /// Compares g, d, F, p and G, and a(d) and F(d) where they are explicit, at 64 points each, at the set values or at seeded random admissible ones.
 ///
+/// A point counts where both values have digits enough to contradict each other; dear profiles are compared at fewer points.
+///
 /// # Errors
-/// [`ContactError`] where the profile cannot be evaluated at any admissible value of its parameters.
-pub fn compare(solution: &Solution, setting: &Setting) -> Result<Vec<Comparison>, ContactError> {
-    work::bounded(|| compared(solution, setting))
+/// [`ContactError`] where the profile cannot be evaluated at any admissible value of its parameters, or at the radius that is set.
+pub fn compare(solution: &Solution, setting: &Setting) -> Result<Comparisons, ContactError> {
+    work::bounded(|| {
+        // The rest is for whoever writes what was compared.
+        let most = work::left() - work::left() / 8;
+        let (found, spent, is_complete) = work::apart(most, || compared(solution, setting));
+        work::spend(spent);
+        let quantities = found?.into_iter().map(|own| own.outcome(setting, is_complete)).collect();
+        Ok(Comparisons { quantities, is_complete })
+    })
 }
 
-fn compared(solution: &Solution, setting: &Setting) -> Result<Vec<Comparison>, ContactError> {
+fn compared(solution: &Solution, setting: &Setting) -> Result<Vec<Subject>, ContactError> {
     let mut sampler = Sampler::new(0x0c0a_9a6e);
     let draws = if solution.profile.parameters().is_empty() { 1 } else { DRAWS };
     let inverse = if setting.depth.is_none() { explicit(solution) } else { None };
     let mut found = started(solution, inverse.is_some());
+    let run = Run { solution, inverse, setting, enough: work::left().saturating_sub(ENOUGH) };
     let (mut done, mut trouble) = (0, None);
     // Some draws may fail: there are twice as many as are needed.
     for _ in 0..2 * draws {
         let Some(bindings) = sampler.parameters(solution) else { break };
-        let mut own = found.clone();
-        let inverse = inverse.as_ref().and_then(|own| own.substitute(&bindings));
-        match compare_at(solution, &bindings, inverse.as_ref(), setting, POINTS / draws, &mut sampler, &mut own) {
-            Ok(()) => (found, done) = (own, done + 1),
+        match run.compare_at(&bindings, POINTS / draws, &mut sampler, &mut found) {
+            Ok(()) => done += 1,
             Err(error) => trouble = Some(error),
         }
-        if done >= draws {
+        if done >= draws || run.is_over() {
             break;
         }
     }
-    if let (0, Some(error)) = (done, trouble) {
-        return Err(error);
+    match trouble {
+        Some(error) if done == 0 && !work::is_exhausted() => Err(error),
+        _ => Ok(found),
     }
-    for own in found.iter_mut().filter(|own| own.why.is_none()) {
-        if own.points == 0 {
-            own.why = Some("no point could be compared".to_owned());
-        } else if setting.tolerance.is_some_and(|most| !own.max_relative_difference.is_some_and(|own| own <= most)) {
-            own.verdict = Verdict::Failed;
-        }
-    }
-    Ok(found)
 }
 
-/// One empty comparison per quantity; those without a closed form say so.
-fn started(solution: &Solution, explicit: bool) -> Vec<Comparison> {
+/// A quantity that is compared.
+struct Subject {
+    quantity: &'static str,
+    /// What was found; `None` where no closed form is known.
+    tally: Option<Tally>,
+}
+
+impl Subject {
+    fn outcome(self, setting: &Setting, is_complete: bool) -> Comparison {
+        let Self { quantity, tally } = self;
+        let verdict = tally.as_ref().map_or(Verdict::NotCompared, Tally::verdict);
+        let why = match &tally {
+            None => Some("no closed form is known, only quadrature answers"),
+            Some(_) if verdict != Verdict::NotCompared => None,
+            Some(_) if !is_complete => Some("the budget of work did not suffice"),
+            Some(_) => Some(NO_REFERENCE),
+        };
+        let tally = tally.filter(|_| why.is_none()).unwrap_or_default();
+        let too_large = setting.tolerance.is_some_and(|most| tally.largest > most);
+        Comparison {
+            quantity,
+            max_relative_difference: tally.at.map(|_| tally.largest),
+            at: tally.at,
+            points: tally.compared,
+            verdict: if too_large { Verdict::Failed } else { verdict },
+            why,
+        }
+    }
+}
+
+/// One subject per quantity.
+fn started(solution: &Solution, explicit: bool) -> Vec<Subject> {
     let (g, force) = (solution.equivalent_profile().status, solution.force().status);
     let pressure = solution.pressure().map_or(Status::Numeric, |own| own.status);
     let inverse = if explicit { vec![("a_of_d", Status::Exact), ("F_of_d", Status::Exact)] } else { Vec::new() };
     [("g", g), ("d", g), ("F", force), ("p", pressure), ("G", g)]
         .into_iter()
         .chain(inverse)
-        .map(|(quantity, status)| Comparison {
-            quantity,
-            max_relative_difference: None,
-            at: None,
-            points: 0,
-            verdict: Verdict::NotCompared,
-            why: (status == Status::Numeric).then(|| "no closed form is known, only quadrature answers".to_owned()),
-        })
+        .map(|(quantity, status)| Subject { quantity, tally: (status != Status::Numeric).then(Tally::default) })
         .collect()
 }
 
-fn compare_at(
-    solution: &Solution,
-    bindings: &Bindings,
-    inverse: Option<&Explicit>,
-    setting: &Setting,
-    points: u32,
-    sampler: &mut Sampler,
-    found: &mut [Comparison],
-) -> Result<(), ContactError> {
-    let tolerance = setting.tolerance.unwrap_or(LOOSEST).clamp(TIGHTEST, LOOSEST);
-    let contact = |method| -> Result<Contact<'_>, ContactError> {
-        Ok(Contact::new(Evaluator::new(solution, bindings, method, tolerance)?, 1.0, setting.depth, tolerance))
-    };
-    let (closed, plain) = (contact(Method::Auto)?, contact(Method::Quadrature)?);
-    // Beside terms without closed form, the closed ones are compared together with the integrals of the others.
-    let strict = contact(Method::Exact)?;
-    let end = setting.radius.unwrap_or_else(|| reach(closed.evaluator()));
-    for a in sampler.points(end, points) {
-        let radius = setting.radius.unwrap_or(a);
-        let r = radius * sampler.fraction();
-        if let Some(inverse) = inverse {
-            // d and F by quadrature at a; the explicit forms must lead from d back to a, and on to F.
-            let depth = plain.depth(a)?.estimate;
-            // Under the flat part of a worn tip every radius has the depth 0.
-            for own in found.iter_mut().filter(|_| depth.value > 0.0) {
-                let (expr, known) = match own.quantity {
-                    "a_of_d" => (&inverse.contact_radius, Estimate::exact(a)),
-                    "F_of_d" => (&inverse.force, plain.force(a)?.estimate),
-                    _ => continue,
-                };
-                own.take(depth.value, inverse.value(expr, depth.bounded(), 1.0).map_err(TransformError::from)?, known);
-            }
-        }
-        for own in found.iter_mut().filter(|own| own.why.is_none() && !own.quantity.ends_with("_of_d")) {
-            let at = if own.quantity == "p" { r } else { a };
-            let read = |contact: &Contact<'_>| -> Result<Measured, ContactError> {
-                Ok(match own.quantity {
-                    "g" => Ok(contact.evaluator().slope(a)?),
-                    "d" => Ok(contact.depth(a)?),
-                    "F" => Ok(contact.force(a)?),
-                    "p" => contact.pressure(r, radius)?,
-                    _ => Ok(contact.integral(a)?),
-                })
-            };
-            let one = match read(&strict) {
-                Err(ContactError::Transform(
-                    TransformError::NoClosedForm { .. } | TransformError::OutOfDomain { .. } | TransformError::Overflow { .. },
-                )) => read(&closed)?,
-                other => other?,
-            };
-            if let (Ok(one), Ok(other)) = (one, read(&plain)?) {
-                own.take(at, one.estimate, other.estimate);
-            }
-        }
-    }
-    Ok(())
+/// What one call compares.
+struct Run<'a> {
+    solution: &'a Solution,
+    inverse: Option<Explicit>,
+    setting: &'a Setting,
+    /// No further point is begun once fewer steps are left.
+    enough: u64,
 }
 
-impl Comparison {
-    fn take(&mut self, at: f64, one: Estimate, other: Estimate) {
-        let difference = (one.value - other.value).abs();
-        let size = one.value.abs().max(other.value.abs());
-        let relative = if size > 0.0 { difference / size } else { 0.0 };
-        if self.max_relative_difference.is_none_or(|largest| relative.is_nan() || relative > largest) {
-            (self.max_relative_difference, self.at) = (Some(relative), Some(at));
-        }
-        // Written so that a NaN fails.
-        let agrees = difference <= one.error + other.error;
-        self.verdict = if agrees && self.verdict != Verdict::Failed { Verdict::Passed } else { Verdict::Failed };
-        self.points += 1;
+impl Run<'_> {
+    fn is_over(&self) -> bool {
+        work::left() < self.enough || work::is_exhausted()
     }
+
+    fn compare_at(&self, bindings: &Bindings, points: u32, sampler: &mut Sampler, found: &mut [Subject]) -> Result<(), ContactError> {
+        let tolerance = self.setting.tolerance.unwrap_or(LOOSEST).clamp(TIGHTEST, LOOSEST);
+        let contact = |method| -> Result<Contact<'_>, ContactError> {
+            let evaluator = Evaluator::new(self.solution, bindings, method, tolerance)?;
+            Ok(Contact::new(evaluator, 1.0, self.setting.depth, tolerance))
+        };
+        let (closed, plain) = (contact(Method::Auto)?, contact(Method::Quadrature)?);
+        // Beside terms without closed form, the closed ones are compared together with the integrals of the others.
+        let contacts = [contact(Method::Exact)?, closed, plain];
+        let [_, closed, plain] = &contacts;
+        let end = match self.setting.radius {
+            Some(radius) => closed.evaluator().slope(radius).map(|_| radius)?,
+            None => reach(closed.evaluator()),
+        };
+        let typed = plain.evaluator().typed()?;
+        let inverse = self.inverse.as_ref().and_then(|own| own.substitute(bindings));
+        for a in sampler.points(end, points) {
+            let radius = self.setting.radius.unwrap_or(a);
+            let r = radius * sampler.fraction();
+            if self.is_over() {
+                break;
+            }
+            if !typed.is_seen(a) {
+                continue;
+            }
+            let depth = inverse.as_ref().and_then(|_| plain.depth(a).ok()).map(|own| own.estimate);
+            for own in found.iter_mut() {
+                let Some(tally) = &mut own.tally else { continue };
+                let (at, pair) = match own.quantity {
+                    "a_of_d" | "F_of_d" => match (&inverse, depth) {
+                        // Under the flat part of a worn tip every radius has the depth 0.
+                        (Some(inverse), Some(depth)) if depth.value > 0.0 => {
+                            (depth.value, retraced(own.quantity, inverse, depth, a, plain))
+                        }
+                        _ => continue,
+                    },
+                    "p" => (r, pair("p", r, radius, &contacts)),
+                    quantity => (a, pair(quantity, r, a, &contacts)),
+                };
+                // What was read after the budget was exhausted is not complete.
+                if let Some([one, other]) = pair.filter(|_| !work::is_exhausted()) {
+                    tally.take(at, one, other);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A quantity by its closed form and by quadrature; `None` where one of them has no value.
+fn pair(quantity: &str, r: f64, a: f64, [strict, closed, plain]: &[Contact<'_>; 3]) -> Option<[Estimate; 2]> {
+    let read = |contact: &Contact<'_>| -> Result<Measured, ContactError> {
+        Ok(match quantity {
+            "g" => Ok(contact.evaluator().slope(a)?),
+            "d" => Ok(contact.depth(a)?),
+            "F" => Ok(contact.force(a)?),
+            "p" => contact.pressure(r, a)?,
+            _ => Ok(contact.integral(a)?),
+        })
+    };
+    let one = read(strict).or_else(|_| read(closed)).ok()?.ok()?;
+    Some([one.estimate, read(plain).ok()?.ok()?.estimate])
+}
+
+/// a or F from the depth that quadrature gives at a by an explicit form, and as it must come out.
+fn retraced(quantity: &str, inverse: &Explicit, depth: Estimate, a: f64, plain: &Contact<'_>) -> Option<[Estimate; 2]> {
+    let (expr, known) = match quantity {
+        "a_of_d" => (&inverse.contact_radius, Estimate::exact(a)),
+        _ => (&inverse.force, plain.force(a).ok()?.estimate),
+    };
+    Some([inverse.value(expr, depth.bounded(), 1.0).ok()?, known])
 }

@@ -17,7 +17,7 @@ mod slices;
 mod steps;
 mod stress;
 
-pub use comparison::{Comparison, Setting, compare};
+pub use comparison::{Comparison, Comparisons, Setting, compare};
 pub use error::ContactError;
 pub use explicit::{Explicit, explicit};
 pub use foundation::{FoundationState, SpringFoundation};

@@ -8,6 +8,7 @@ mod build;
 mod collected;
 mod compare;
 mod derivative;
+mod divisor;
 mod error;
 mod formula;
 pub mod function;

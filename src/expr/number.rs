@@ -1,5 +1,6 @@
 //! Exact rational numbers that remember whether they were typed as decimals.
 
+use super::divisor::common_divisor;
 use crate::num::work;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -318,22 +319,6 @@ fn long_product(one: &Number, other: &Number) -> BigRational {
 
 fn parts(own: &Number) -> (&BigInt, &BigInt) {
     (own.value.numer(), own.value.denom())
-}
-
-/// The largest positive number that divides both; Euclid's division is fast where one is short or both are much alike in length.
-fn common_divisor(one: &BigInt, other: &BigInt) -> BigInt {
-    if one.is_one() || other.is_one() {
-        return BigInt::one();
-    }
-    let (mut large, mut small) = (one.magnitude().clone(), other.magnitude().clone());
-    while !small.is_zero() {
-        if let (Some(p), Some(q)) = (large.to_u64(), small.to_u64()) {
-            return BigInt::from(p.gcd(&q));
-        }
-        let rest = &large % &small;
-        large = std::mem::replace(&mut small, rest);
-    }
-    BigInt::from(large)
 }
 
 /// Counts the work of an operation on numbers of many words; false where the budget is used up.

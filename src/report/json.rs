@@ -379,15 +379,19 @@ impl Serialize for Compared<'_> {
             #[serde(skip_serializing_if = "Option::is_none")]
             why: Option<&'a str>,
         }
-        let mut map = serializer.serialize_map(Some(self.comparisons.len()))?;
-        for own in self.comparisons {
+        let mut map = serializer.serialize_map(None)?;
+        if let Some(why) = self.why() {
+            map.serialize_entry("complete", &false)?;
+            map.serialize_entry("why", why)?;
+        }
+        for own in &self.comparisons.quantities {
             let entry = Entry {
                 max_relative_difference: own.max_relative_difference.and_then(finite),
                 at: own.at,
                 points: own.points,
                 passed: own.verdict.passed(),
                 verdict: own.verdict.name(),
-                why: own.why.as_deref(),
+                why: own.why,
             };
             map.serialize_entry(own.quantity, &entry)?;
         }

@@ -1,6 +1,6 @@
 //! The records that every output format reads: what was derived, evaluated and compared.
 
-use crate::contact::{Comparison, Edge, Measured, Reason, RelationKey, Relations};
+use crate::contact::{Comparisons, Edge, Measured, Reason, RelationKey, Relations};
 use crate::expr::{Expr, Formula};
 use crate::print::{Prose, Renaming};
 use crate::transform::{Check, Derived, Profile, TransformError};
@@ -185,6 +185,13 @@ impl Evaluation<'_> {
 pub struct Compared<'a> {
     /// The profile as it was typed.
     pub profile: &'a Formula,
-    /// One comparison per quantity.
-    pub comparisons: &'a [Comparison],
+    /// What was compared.
+    pub comparisons: &'a Comparisons,
+}
+
+impl Compared<'_> {
+    /// The reason why the comparison is incomplete; `None` if it is complete.
+    pub fn why(&self) -> Option<&'static str> {
+        (!self.comparisons.is_complete).then_some("the budget of work did not suffice for the comparison")
+    }
 }

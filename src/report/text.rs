@@ -66,17 +66,18 @@ pub fn comparison(record: &Compared<'_>, out: &mut dyn Write) -> io::Result<()> 
     writeln!(out, "closed forms against quadrature, f(r) = {}\n", print::text(record.profile))?;
     let header = ["quantity", "points", "largest relative difference", "at", "verdict"];
     let rows = || {
-        record.comparisons.iter().map(|own| {
+        record.comparisons.quantities.iter().map(|own| {
             [
                 own.quantity.to_owned(),
                 own.points.to_string(),
                 own.max_relative_difference.map_or("-".to_owned(), short),
                 own.at.map_or("-".to_owned(), number),
-                own.why.as_ref().map_or(word(own.verdict).to_owned(), |why| format!("{}: {why}", word(own.verdict))),
+                own.why.map_or(word(own.verdict).to_owned(), |why| format!("{}: {why}", word(own.verdict))),
             ]
         })
     };
-    table(&header, rows, out)
+    table(&header, rows, out)?;
+    record.why().map_or(Ok(()), |why| writeln!(out, "\nnot complete: {why}"))
 }
 
 /// Writes the catalogue of rules.

@@ -2,40 +2,10 @@
 
 use super::evaluator::{Evaluator, Method, Reading};
 use super::sample::{Sampler, reach};
+use super::tally::{Tally, Verdict};
 use super::{Solution, TransformError};
 use crate::expr::Bindings;
-use crate::num::{Estimate, work};
-
-/// How a check ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Closed forms were compared, and every difference stays within the sum of both error bounds.
-    Passed,
-    /// A difference exceeds the sum of both error bounds.
-    Failed,
-    /// Nothing closed could be compared with an independent value that has digits.
-    NotCompared,
-}
-
-impl Verdict {
-    /// True or false; `None` where nothing was compared.
-    pub fn passed(self) -> Option<bool> {
-        match self {
-            Self::Passed => Some(true),
-            Self::Failed => Some(false),
-            Self::NotCompared => None,
-        }
-    }
-
-    /// The words that reports use.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Passed => "passed",
-            Self::Failed => "failed",
-            Self::NotCompared => "not compared",
-        }
-    }
-}
+use crate::num::work;
 
 /// The outcome of a check.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,10 +28,8 @@ const DRAWS: u32 = 8;
 const MANY_TERMS: usize = 40;
 /// The relative tolerance that the quadratures of a check are asked for.
 const TOLERANCE: f64 = 1e-12;
-/// Where the two bounds add up to more than this share of the value, agreement proves nothing.
-const TELLING: f64 = 1e-6;
-/// Where f′ leaves more than this share of its integral below the smallest doubles, its quadrature is no reference.
-const UNSEEN: f64 = 1e-9;
+/// Steps of work after which no further point is begun: 64 points of a dear profile prove no more than some of them.
+const ENOUGH: u64 = 60_000_000;
 
 /// Compares g at 64 points, F and p at up to 16 of them, at the set values or at seeded random admissible ones.
 ///
@@ -91,16 +59,18 @@ fn compared(solution: &Solution) -> Result<Check, TransformError> {
     // A long profile is as well tested by fewer of the dear pressures.
     let every = if solution.terms().count() > MANY_TERMS { 32 } else { 4 };
     let (mut tally, mut visited, mut trouble) = (Tally::default(), 0, None);
+    let before = work::left();
+    let is_enough = || before - work::left() > ENOUGH;
     // Some draws may fail: there are twice as many as are needed.
     for _ in 0..2 * draws {
         let Some(bindings) = sampler.parameters(solution) else {
             return Ok(tally.outcome(NOT_ADMISSIBLE));
         };
-        match compare(solution, &bindings, POINTS / draws, every, &mut sampler, &mut tally) {
+        match compare(solution, &bindings, POINTS / draws, every, &is_enough, &mut sampler, &mut tally) {
             Ok(()) => visited += POINTS / draws,
             Err(error) => trouble = Some(error),
         }
-        if visited >= POINTS {
+        if visited >= POINTS || is_enough() {
             break;
         }
     }
@@ -113,13 +83,15 @@ fn compared(solution: &Solution) -> Result<Check, TransformError> {
 pub(super) const NOTHING_CLOSED: &str = "no part of the answer is closed, and quadrature is not compared with itself";
 pub(super) const FLAT: &str = "f is constant, and there is nothing to compare";
 pub(super) const NOT_ADMISSIBLE: &str = "no values of the parameters were found that meet the conditions";
-pub(super) const NO_REFERENCE: &str = "no point has both a closed form and a quadrature with digits enough to contradict it";
+/// Why nothing was compared although something is closed.
+pub const NO_REFERENCE: &str = "no point has both a closed form and a quadrature with digits enough to contradict it";
 
 fn compare(
     solution: &Solution,
     bindings: &Bindings,
     points: u32,
     every: usize,
+    is_enough: &dyn Fn() -> bool,
     sampler: &mut Sampler,
     tally: &mut Tally,
 ) -> Result<(), TransformError> {
@@ -131,8 +103,11 @@ fn compare(
     let every_pressure = if solution.terms().any(|term| term.has_open_pressure()) { 4 * every } else { every };
     for (index, x) in sampler.points(reach(&closed), points).into_iter().enumerate() {
         let share = sampler.fraction();
+        if is_enough() {
+            break;
+        }
         // A quadrature that cannot see what lies next to the axis refutes nothing.
-        if typed.unseen_share(x) > UNSEEN {
+        if !typed.is_seen(x) {
             continue;
         }
         let before = tally.compared;
@@ -142,7 +117,7 @@ fn compare(
                 && own.method != "quadrature"
                 && let Ok(other) = other()
             {
-                tally.take(own.estimate, other.estimate);
+                tally.take(x, own.estimate, other.estimate);
             }
         };
         take(closed.slope(x), &|| plain.slope(x));
@@ -160,45 +135,13 @@ fn compare(
     Ok(())
 }
 
-/// What was compared so far.
-#[derive(Default)]
-pub(in crate::transform) struct Tally {
-    pub(super) points: u32,
-    pub(super) compared: u32,
-    /// Comparisons of values that are not both 0.
-    telling: u32,
-    largest: f64,
-    failed: bool,
-}
-
 impl Tally {
-    /// Compares two values, unless their bounds are too loose for that.
-    pub(in crate::transform) fn take(&mut self, own: Estimate, other: Estimate) {
-        let difference = (own.value - other.value).abs();
-        let size = own.value.abs().max(other.value.abs());
-        let bound = own.error + other.error;
-        // Written so that a bound that is no number is not telling.
-        let telling = bound <= TELLING * size;
-        if !telling {
-            return;
-        }
-        self.compared += 1;
-        if size > 0.0 {
-            self.telling += 1;
-            self.largest = self.largest.max(difference / size);
-        }
-        // Written so that a NaN fails.
-        let within = difference <= bound;
-        self.failed |= !within;
-    }
-
     /// The outcome; `why` tells why nothing was compared, if so.
     pub(super) fn outcome(&self, why: &'static str) -> Check {
-        if self.telling == 0 {
-            return Check { points: 0, ..Check::not_compared(why) };
+        match self.verdict() {
+            Verdict::NotCompared => Check::not_compared(why),
+            verdict => Check { points: self.points, max_relative_difference: self.largest, verdict, why: None },
         }
-        let verdict = if self.failed { Verdict::Failed } else { Verdict::Passed };
-        Check { points: self.points, max_relative_difference: self.largest, verdict, why: None }
     }
 }
 

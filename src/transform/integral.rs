@@ -143,8 +143,11 @@ impl NumericProfile {
         self.segments.is_empty()
     }
 
-    /// The share of ∫ f′ dr that may lie next to a lower end below the smallest doubles, where f′ is a power just above −1.
-    pub(super) fn unseen_share(&self, x: f64) -> f64 {
+    /// Returns true if quadrature of f′ up to x can serve as a reference.
+    ///
+    /// It cannot where more than 1e-9 of ∫ f′ dr may lie next to a lower end below the smallest doubles, because f′ is a power just above −1.
+    pub fn is_seen(&self, x: f64) -> bool {
+        const UNSEEN: f64 = 1e-9;
         // The second where f′ as typed has left the range of doubles at the first.
         const TINY: [f64; 2] = [1e-290, 1e-100];
         let share = |segment: &NumericSegment| {
@@ -156,7 +159,7 @@ impl NumericProfile {
             let near = TINY.into_iter().map(|tiny| segment.slope.plain(tiny * reach) * tiny).find(|near| near.is_finite());
             near.filter(|near| *near != 0.0).map_or(0.0, |near| (near / far).abs())
         };
-        self.segments.iter().map(share).fold(0.0, f64::max)
+        self.segments.iter().map(share).fold(0.0, f64::max) <= UNSEEN
     }
 
     /// True where a piece that is not flat lies below the contact's end, so that no integral is exactly 0 but by underflow.

@@ -55,13 +55,14 @@ mod stress_series;
 mod stress_slopes;
 mod superposition;
 mod table;
+mod tally;
 mod term;
 mod typed;
 mod verification;
 
 pub(crate) use admit::finite_and_not_negative;
 pub use assemble::{Derived, Status};
-pub use check::{Check, Verdict, check};
+pub use check::{Check, NO_REFERENCE, check};
 pub use closed::ClosedForm;
 pub use closure::{Closure, ClosureProfile, Parity};
 pub use curve::{Curve, PressureCurve};
@@ -82,6 +83,7 @@ pub use slope_source::SlopeSource;
 pub use slopes::{Over, Slopes};
 pub use superposition::Superposition;
 pub use table::{Cubic, Interpolation, Penalty, TableError, TableProfile};
+pub use tally::{Tally, Verdict};
 pub use term::{Segment, Term};
 pub use verification::{Agreement, Demotion, Verification};
 

@@ -64,6 +64,13 @@ fn new(whole: &Value, part: &Value, place: &str) -> Option<String> {
     const OF_THE_CUT: [&str; 4] = ["complete", "why", "check", "method"];
     match (whole, part) {
         _ if part.is_null() || whole == part => None,
+        // A comparison that was cut has fewer points.
+        (Value::Object(whole), Value::Object(part)) if part.contains_key("points") && part.contains_key("max_relative_difference") => {
+            let number = |own: &serde_json::Map<String, Value>, key: &str| own[key].as_f64().unwrap_or(0.0);
+            let least = ["points", "max_relative_difference"].iter().all(|key| number(part, key) <= number(whole, key));
+            let same = least && (part["verdict"] == whole["verdict"] || part["verdict"] == "not compared");
+            (!same).then(|| format!("{place}: {part:?} and not {whole:?}"))
+        }
         (Value::Object(whole), Value::Object(part)) => {
             part.iter().filter(|(key, _)| !OF_THE_CUT.contains(&key.as_str())).find_map(|(key, own)| {
                 // A null point has no bound.

@@ -357,6 +357,31 @@ fn a_comparison_without_points_does_not_pass() {
     assert_eq!((partial.code, &answer["g"]["verdict"], &answer["p"]["verdict"]), (0, &"passed".into(), &"not compared".into()));
 }
 
+/// Class "a comparison without digits passes": the quadrature of a power just above 0 has none, as the check of `derive` says too.
+#[test]
+fn a_comparison_without_digits_does_not_pass() {
+    for profile in ["r^0.001", "r^0.005", "r^0.01", "r^0.03", "r^(1/200)"] {
+        let ran = run(&["compare", profile, "--json"]);
+        let answer: Value = serde_json::from_str(&ran.stdout).unwrap();
+        assert_eq!((ran.code, &answer["g"]["points"], &answer["g"]["verdict"]), (1, &0.into(), &"not compared".into()), "{profile}");
+        assert_eq!(json(&["derive", profile, "--json"])["check"]["verdict"], "not compared", "{profile}");
+    }
+}
+
+/// Class "a dear profile is not compared": fewer points of it are, by `derive` and `compare` alike, and a smaller budget says that it cut them.
+#[test]
+fn dear_profiles_are_compared_at_fewer_points() {
+    for profile in ["(1-r/b)^76", "(1-r/b)^88", "(1-r/b)^70"] {
+        let check = &json(&["derive", profile, "--json"])["check"];
+        assert!(check["verdict"] == "passed" && check["points"].as_u64() < Some(64), "{profile}: {check}");
+        let answer = json(&["compare", profile, "--json"]);
+        assert!(answer["g"]["verdict"] == "passed" && answer["g"]["max_relative_difference"].as_f64() < Some(1e-6), "{profile}: {answer}");
+        let cut = run(&["compare", profile, "--json", "--budget", "0.7"]);
+        let answer: Value = serde_json::from_str(&cut.stdout).unwrap();
+        assert_eq!((cut.code, &answer["complete"]), (1, &false.into()), "{profile}: {answer}");
+    }
+}
+
 /// Each formula of `derive` says whether its closed forms met a quadrature.
 #[test]
 fn formulas_say_whether_they_were_compared() {

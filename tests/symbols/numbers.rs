@@ -1,7 +1,8 @@
 //! Exact numbers: the nearest doubles, long fractions, and what stays a decimal.
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
+use proptest::prelude::*;
 use sneddon::expr::Number;
 
 #[test]
@@ -37,6 +38,27 @@ fn long_numbers_add_and_multiply_as_fractions_do() {
             for (found, expected) in [(&left + &right, one + other), (&left - &right, one - other), (&left * &right, one * other)] {
                 assert_eq!((found.value().numer(), found.value().denom()), (expected.numer(), expected.denom()));
             }
+        }
+    }
+}
+
+proptest! {
+    /// Factors of many lengths in common, against the fractions of another library.
+    #[test]
+    fn random_long_numbers_are_reduced(
+        parts in prop::collection::vec(prop::collection::vec(any::<u32>(), 1..40), 6),
+        alike in any::<bool>(),
+    ) {
+        let [mut p, q, n, m, one, other]: [BigInt; 6] =
+            parts.into_iter().map(|words| BigInt::from_slice(Sign::Plus, &words) + 1).collect::<Vec<_>>().try_into().unwrap();
+        if alike {
+            // Quotients of Euclid's division that are all 1 or 2, or one that is very long.
+            p = (&q << 7) + 1;
+        }
+        let (a, b) = (BigRational::new(&p * &one, q * &other), BigRational::new(-n * other, m * one));
+        let (x, y) = (Number::from(a.clone()), Number::from(b.clone()));
+        for (found, expected) in [(&x + &y, &a + &b), (&x - &y, &a - &b), (&x * &y, &a * &b)] {
+            prop_assert_eq!((found.value().numer(), found.value().denom()), (expected.numer(), expected.denom()));
         }
     }
 }

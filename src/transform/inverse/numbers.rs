@@ -1,7 +1,8 @@
 //! Numbers of an inverse: closed shares with their error bounds, quadrature for the rest, and the check of one by the other.
 
-use super::super::check::{NO_REFERENCE, NOT_ADMISSIBLE, Tally};
+use super::super::check::{NO_REFERENCE, NOT_ADMISSIBLE};
 use super::super::closed::{ClosedForm, for_second_pass, good_enough, total};
+use super::super::tally::Tally;
 use super::super::term::Segment;
 use super::super::{Check, Method, NumericProfile, Reading, Sampler, Solution, TransformError, Verification};
 use super::Inverse;
@@ -183,7 +184,7 @@ fn compare(inverse: &Inverse, bindings: &Bindings, points: u32, sampler: &mut Sa
             continue;
         }
         let before = tally.compared;
-        tally.take(one.estimate, other.estimate);
+        tally.take(r, one.estimate, other.estimate);
         tally.points += u32::from(tally.compared > before);
     }
     Ok(())

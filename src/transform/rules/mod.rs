@@ -29,6 +29,7 @@ pub use outside::outside;
 pub use power::kappa;
 
 use super::{Answer, Rule, Term};
+use crate::num::work;
 
 /// Every rule; the order never matters, because rules are disjoint or say which one they specialise.
 pub static RULES: &[&Rule] = &[
@@ -105,11 +106,17 @@ pub static RULES: &[&Rule] = &[
 /// The rule of last resort: it is asked where no other one answers, and agrees with every other one where both would.
 pub static GENERAL: &Rule = &hypergeometric::RULE;
 
-/// The rule that answers a term, with its answer.
+/// Steps of work after which a rule is given up.
+const LONGEST: u64 = 50_000_000;
+/// The largest formula of g, in nodes of its tree: that of `(1+r/b)^60.5` would fill twenty pages, where quadrature takes a millisecond.
+const LARGEST: usize = 8_000;
+
+/// The rule that answers a term, with its answer; a rule whose answer takes too much work, or is too long to be read, does not answer.
 pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
-    let answers: Vec<(&'static Rule, Answer)> =
-        RULES.iter().filter(|rule| rule.id != GENERAL.id).filter_map(|rule| Some((*rule, (rule.apply)(term)?))).collect();
+    let is_short = |own: &Answer| own.slope.within.shown.size_up_to(LARGEST) < LARGEST;
+    let apply = |rule: &'static Rule| Some((rule, work::share(LONGEST, || (rule.apply)(term)).flatten().filter(is_short)?));
+    let answers: Vec<(&'static Rule, Answer)> = RULES.iter().filter(|rule| rule.id != GENERAL.id).filter_map(|rule| apply(rule)).collect();
     let general: Vec<&str> = answers.iter().filter_map(|(rule, _)| rule.specializes).collect();
     let nicest = answers.into_iter().find(|(rule, _)| !general.contains(&rule.id));
-    nicest.or_else(|| Some((GENERAL, (GENERAL.apply)(term)?)))
+    nicest.or_else(|| apply(GENERAL))
 }
