@@ -5,6 +5,8 @@ Faults are written as JSON lines; the summary is printed at the end and every 20
 """
 import argparse
 import json
+import os
+import pickle
 import random
 import resource
 import subprocess
@@ -16,6 +18,9 @@ import formulas
 import mpmath
 import shapes
 from truth import NoTruth, Truth, acb, arb
+
+# Seconds of processor time after which a profile counts as one without a reference.
+PATIENCE = 60
 
 
 def run(command, limit=12):
@@ -53,6 +58,33 @@ class Attack:
         if code not in (None, 0, 1, 2) or "panicked" in err:
             self.report("crash", seed, profile, command=shown, code=code, stderr=err[:400])
         return code, out, err, shown
+
+    def apart(self, seed, profile, printed):
+        """Attacks with one profile in a process of its own, because an enclosure may take hours and listens to no signal."""
+        reading, writing = os.pipe()
+        self.out.flush()
+        child = os.fork()
+        if child == 0:
+            resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE, PATIENCE))
+            self.count, self.refusals = Counter(), Counter()
+            self.profile(seed, profile, printed)
+            self.out.flush()
+            if self.table is not None:
+                self.table.flush()
+            with os.fdopen(writing, "wb") as pipe:
+                pickle.dump((self.count, self.refusals, self.slowest), pipe)
+            os._exit(0)
+        os.close(writing)
+        with os.fdopen(reading, "rb") as pipe:
+            found = pipe.read()
+        os.waitpid(child, 0)
+        if not found:
+            self.count.update({"profiles": 1, "without a reference": 1})
+            return
+        count, refusals, slowest = pickle.loads(found)
+        self.count.update(count)
+        self.refusals.update(refusals)
+        self.slowest = max(self.slowest, slowest, key=lambda own: own[0])
 
     def profile(self, seed, profile, printed):
         self.count["profiles"] += 1
@@ -199,7 +231,7 @@ def main():
             attack.table = open(own.table, "w")
         for seed in range(own.first, own.first + own.count):
             profile = getattr(shapes, own.mode)(seed)
-            attack.profile(seed, profile, own.mode in ("typed", "roots") and not own.no_formulas)
+            attack.apart(seed, profile, own.mode in ("typed", "roots") and not own.no_formulas)
             if attack.count["profiles"] % 200 == 0:
                 attack.summary(own.mode, own.first, own.count)
         attack.summary(own.mode, own.first, own.count)
