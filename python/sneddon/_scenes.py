@@ -105,24 +105,33 @@ class Solution:
         return name in self._names()
 
     def __getitem__(self, name: str) -> np.ndarray:
-        """Return a column of numbers, NaN where a row has none; a name that no row has is a KeyError."""
+        """Return a column of numbers, NaN where a row has none; a name that no row has is a KeyError.
+
+        ``"F_error"`` are the error bounds of ``"F"``, and ``"F_bound"`` says what each rests on: "proven", "estimated", or "".
+        """
         names = self._names()
         if name not in names:
             raise KeyError(f"the rows have no {name!r}; they have {', '.join(names) or 'nothing'}")
+        quantity, _, kind = name.rpartition("_")
+        if kind == "bound":
+            return np.array([row.get("bounds", {}).get(quantity, "") for row in self.rows], dtype="U9")
+        if kind == "error":
+            return np.array([_number(row.get("error_estimates", {}).get(quantity)) for row in self.rows])
         return np.array([_number(row.get(name)) for row in self.rows])
 
     def _names(self) -> list[str]:
         names: dict[str, None] = {}
         for row in self.rows:
             names.update({key: None for key, own in row.items() if own is None or (isinstance(own, (int, float)) and not isinstance(own, bool))})
-        return list(names)
+        bounded = {key: None for row in self.rows for key in row.get("bounds", {})}
+        return [*names, *(f"{key}_{kind}" for key in bounded for kind in ("error", "bound"))]
 
     def to_numpy(self) -> np.ndarray:
-        """Return a structured array: a field per number, NaN where a row has none, and ``valid``."""
-        names = self._names()
-        array = np.empty(len(self.rows), dtype=[*((name, np.float64) for name in names), ("valid", np.bool_)])
-        for name in names:
-            array[name] = self[name]
+        """Return a structured array: a field per number, NaN where a row has none, its error bound, what that rests on, and ``valid``."""
+        columns = {name: self[name] for name in self._names()}
+        array = np.empty(len(self.rows), dtype=[*((name, own.dtype) for name, own in columns.items()), ("valid", np.bool_)])
+        for name, own in columns.items():
+            array[name] = own
         array["valid"] = [row["valid"] for row in self.rows]
         return array
 
@@ -174,10 +183,13 @@ class Field:
         Pressure and displacement of the surface.
     p_bound, u_bound : ndarray
         Bounds of their errors.
+    p_ground, u_ground : str
+        What the bounds rest on: "proven" if all of them are, else "estimated".
     """
 
-    def __init__(self, p: np.ndarray, p_bound: np.ndarray, u: np.ndarray, u_bound: np.ndarray) -> None:
-        self.p, self.p_bound, self.u, self.u_bound = p, p_bound, u, u_bound
+    def __init__(self, p: np.ndarray, p_bound: np.ndarray, p_ground: str, u: np.ndarray, u_bound: np.ndarray, u_ground: str) -> None:
+        self.p, self.p_bound, self.p_ground = p, p_bound, p_ground
+        self.u, self.u_bound, self.u_ground = u, u_bound, u_ground
 
     def __repr__(self) -> str:
         return f"<Field of the shape {self.p.shape}>"
@@ -202,8 +214,9 @@ def reference(scene: Any, x: Any, y: Any = 0.0, *, cells: bool = False, load: in
         raise SneddonError("a coordinate is not finite", "x, y")
     square = _square(xs, ys) if cells else None
     flat = np.ascontiguousarray(xs).reshape(-1), np.ascontiguousarray(ys).reshape(-1)
-    (p, p_bound), (u, u_bound) = _sneddon.reference(text, directory, load, *flat, square)
-    return Field(*(own.reshape(xs.shape) for own in (p, p_bound, u, u_bound)))
+    (p, p_bound, p_ground), (u, u_bound, u_ground) = _sneddon.reference(text, directory, load, *flat, square)
+    p, p_bound, u, u_bound = (own.reshape(xs.shape) for own in (p, p_bound, u, u_bound))
+    return Field(p, p_bound, p_ground, u, u_bound, u_ground)
 
 
 def _square(x: np.ndarray, y: np.ndarray) -> tuple[float, int, bool]:

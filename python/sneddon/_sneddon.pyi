@@ -42,7 +42,7 @@ def reference(
     x: NDArray[np.float64],
     y: NDArray[np.float64],
     cells: tuple[float, int, bool] | None = None,
-) -> tuple[tuple[NDArray[np.float64], NDArray[np.float64]], tuple[NDArray[np.float64], NDArray[np.float64]]]: ...
+) -> tuple[tuple[NDArray[np.float64], NDArray[np.float64], str], tuple[NDArray[np.float64], NDArray[np.float64], str]]: ...
 def validate(
     text: str,
     directory: str,

@@ -5,6 +5,7 @@ use crate::interrupt::interruptible;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use sneddon::num::Bound as Ground;
 use sneddon::num::work::{self, Budget};
 use sneddon::report::{solved_json, validation};
 use sneddon::scene::{self, Change, Curve, Declared, Dimension, Grid, LONGEST_TIP, Run, Scene, SceneError};
@@ -66,9 +67,9 @@ impl From<work::Exhausted> for Fault {
 }
 
 /// Values and bounds of one curve.
-type Curves<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+type Curves<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, &'static str);
 
-/// A field in the units of the scene's answers: p, its bounds, u, its bounds, one entry per place.
+/// A field in the units of the scene's answers: p, its bounds, what they rest on, and the same of u, one entry per place.
 ///
 /// With `cells` the places are those of a square of `cells` points along each side, in rows, and pressures are means over its cells.
 #[pyfunction]
@@ -84,18 +85,27 @@ pub(crate) fn reference<'py>(
 ) -> PyResult<(Curves<'py>, Curves<'py>)> {
     let (x, y) = (x.as_slice()?.to_vec(), y.as_slice()?.to_vec());
     let fields = interruptible(py, || fields(text, directory, load, (&x, &y), cells))??;
-    let [p, p_bound, u, u_bound] = fields.map(|own| own.into_pyarray(py));
-    Ok(((p, p_bound), (u, u_bound)))
+    let [p, u] = fields.map(|own| (own.values.into_pyarray(py), own.errors.into_pyarray(py), own.ground.name()));
+    Ok((p, u))
 }
 
-/// p, its bounds, u and its bounds.
+/// One quantity at every place.
+#[derive(Default)]
+struct Values {
+    values: Vec<f64>,
+    errors: Vec<f64>,
+    /// What the error bounds rest on, all of them together.
+    ground: Ground,
+}
+
+/// p and u.
 fn fields(
     text: &str,
     directory: &str,
     load: usize,
     (x, y): (&[f64], &[f64]),
     cells: Option<(f64, usize, bool)>,
-) -> Result<[Vec<f64>; 4], Fault> {
+) -> Result<[Values; 2], Fault> {
     let failed = |error: SceneError| Fault::scene(text, &error);
     let scene = with_points(scene::scene_for_grid(text).map_err(failed)?, text, directory)?;
     if !scene.round {
@@ -123,20 +133,28 @@ fn fields(
     }
     let point = |curve: Curve, index: usize, r: f64| {
         let found = match (&means, curve) {
-            (Some((field, count)), Curve::Pressure) => field.at(&[index / count, index % count]),
-            _ => run.point(curve, Some(&state), r).value,
+            (Some((field, count)), Curve::Pressure) => (field.at(&[index / count, index % count]), field.bound()),
+            _ => {
+                let point = run.point(curve, Some(&state), r);
+                (point.value, point.bound)
+            }
         };
         match found {
             // Infinite by theory at an apex, a kink or a rim.
-            Err(why) if why.contains("infinite") => Ok((f64::INFINITY, 0.0)),
-            other => other.map_err(|why| Fault::new(why).place(format!("flat index {index}"))),
+            (Err(why), _) if why.contains("infinite") => Ok(((f64::INFINITY, 0.0), Ground::Proven)),
+            (Err(why), _) => Err(Fault::new(why).place(format!("flat index {index}"))),
+            (Ok(value), ground) => Ok((value, ground)),
         }
     };
-    let mut out = [vec![], vec![], vec![], vec![]];
+    let mut out = [Values::default(), Values::default()];
     for (index, (x, y)) in x.iter().zip(y).enumerate() {
         let r = x.hypot(*y) / length;
-        let (p, u) = within(|| Ok((point(Curve::Pressure, index, r)?, point(Curve::Displacement, index, r)?)))?;
-        out.iter_mut().zip([p.0, p.1, u.0, u.1]).for_each(|(own, value)| own.push(value));
+        let found = within(|| Ok([point(Curve::Pressure, index, r)?, point(Curve::Displacement, index, r)?]))?;
+        for (own, ((value, error), ground)) in out.iter_mut().zip(found) {
+            own.values.push(value);
+            own.errors.push(error);
+            own.ground = own.ground.and(ground);
+        }
     }
     Ok(out)
 }

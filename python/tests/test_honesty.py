@@ -130,6 +130,27 @@ def test_every_value_says_what_its_bound_rests_on():
         own.force(radius=0.1, with_bound="grounds")
 
 
+def test_rows_and_fields_say_how_far_they_can_be_trusted():
+    """Class "a number without bound and ground": rows, tables of rows, and fields on a grid; the sphere's paraboloid has its own law."""
+    scene = {
+        "profile": {"f": "r^2/(2*R)", "parameters": {"R": 2.0}},
+        "material": {"effective_modulus": 3.0},
+        "load": {"depth": [0.0, 0.1, 0.3]},
+        "outputs": {"quantities": ["F", "a", "k", "U"]},
+    }
+    rows = sneddon.solve(scene)
+    depth = np.array([0.0, 0.1, 0.3])
+    for name, truth in [("F", 4.0 * np.sqrt(2.0) * depth**1.5), ("a", np.sqrt(2.0 * depth)), ("U", 1.6 * np.sqrt(2.0) * depth**2.5)]:
+        assert (abs(rows[name] - truth) <= rows[f"{name}_error"] + 4e-16 * truth).all()
+        assert (rows[f"{name}_error"] <= 1e-12 * truth).all() and (rows[f"{name}_bound"] == "proven").all()
+    table = rows.to_numpy()
+    assert table["k_bound"].tolist() == ["proven"] * 3 and (table["k_error"] <= 1e-12 * table["k"]).all()
+    assert rows.to_pandas()["F_bound"].tolist() == ["proven"] * 3
+    assert rows.to_xarray()["F_error"].shape == (3,)
+    field = sneddon.reference(scene, np.linspace(0.0, 0.5, 4), load=1)
+    assert (field.p_ground, field.u_ground) == ("proven", "proven")
+
+
 def test_names_that_no_row_has_are_key_errors():
     found = sneddon.solve({"profile": {"f": "r^2/2"}, "material": {"effective_modulus": 1.0}, "load": {"depth": [0.1, 0.2]}})
     assert found["F"].shape == (2,)

@@ -4,7 +4,7 @@ use super::failure::warn;
 use super::output::{self, Destination, Endings};
 use super::{Failure, Outcome, budget};
 use crate::report::validation::{html, json, text as screen};
-use crate::scene::{Change, Declared, Dimension, SceneError, scene_for_data};
+use crate::scene::{Change, Declared, Dimension, Grid, SceneError, scene_for_data};
 use crate::validate::{Layout, Origin, Request, Source, ValidationError, validate};
 use std::fs::File;
 use std::io::{self, Cursor, Read};
@@ -28,9 +28,9 @@ pub(super) struct Arguments {
     /// The relative error in L2 that is accepted, in the place of that of the grid.
     #[arg(long, value_name = "T")]
     tol: Option<f64>,
-    /// Pixels along a side of the solver's domain, per file.
-    #[arg(long, value_name = "N,N,…", value_delimiter = ',')]
-    grid: Vec<f64>,
+    /// Pixels along a side of the solver's domain, per file; or the radii of an array of `sneddon reference`, as "0:2 um:101".
+    #[arg(long, value_name = "N,N,…|START:STOP:COUNT", allow_hyphen_values = true)]
+    grid: Option<String>,
     /// The column or array of a quantity, as in p=press or p_GPa=press; columns and rows without names are counted from 1.
     #[arg(long, value_name = "NAME=COLUMN", value_parser = mapped)]
     map: Vec<(String, String)>,
@@ -88,14 +88,17 @@ enum Format {
 
 const ENDINGS: &Endings<Format> = &[("html", Format::Html), ("htm", Format::Html), ("txt", Format::Text), ("json", Format::Json)];
 
+/// Reads the number of pixels of one file.
+fn pixels_along_a_side(text: &str) -> Result<f64, Failure> {
+    let number = text.trim().parse().ok().filter(|own: &f64| *own >= 1.0 && own.is_finite());
+    number.ok_or_else(|| Failure::new(format!("--grid has {text:?}")).help("numbers of pixels such as 64,128,256 would be accepted"))
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(tolerance) = arguments.tol
         && !(tolerance > 0.0 && tolerance.is_finite())
     {
         return Err(Failure::new(format!("--tol {tolerance} is not positive")).help("a relative error such as 1e-3 would be accepted"));
-    }
-    if let Some(bad) = arguments.grid.iter().find(|own| !(**own >= 1.0 && own.is_finite())) {
-        return Err(Failure::new(format!("--grid has {bad}")).help("numbers of pixels such as 64,128,256 would be accepted"));
     }
     let flag = arguments.json.then_some(Format::Json);
     let report = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Html)?;
@@ -109,6 +112,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Some(text) => scene.under(text).map_err(failed)?,
         None => scene,
     };
+    let (radii, pixels): (Vec<&str>, Vec<&str>) = arguments.grid.as_deref().into_iter().partition(|own| own.contains(':'));
+    for text in radii {
+        if let Grid::Radial(own) = Grid::parse(text, None, false, &scene).map_err(failed)? {
+            scene.outputs.at = own;
+        }
+    }
+    let grid = pixels.into_iter().flat_map(|own| own.split(',')).map(pixels_along_a_side).collect::<Result<Vec<f64>, Failure>>()?;
     if let Some(text) = &arguments.side {
         let side = scene.length("box", text).map_err(failed)?;
         let data = scene.data.take().unwrap_or_else(Declared::nothing);
@@ -126,8 +136,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }),
     };
     let layout = layout.checked().map_err(|error| failure(&name, &text, &error))?;
-    let request =
-        Request { layout: &layout, text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &arguments.grid };
+    let request = Request { layout: &layout, text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &grid };
     let found = validate(&request).map_err(|error| failure(&name, &text, &error))?;
     found.warnings.iter().for_each(|text| warn(text));
     let page = if report.format() == Format::Html { html::html(&found).map_err(Failure::new)? } else { String::new() };

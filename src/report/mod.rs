@@ -18,6 +18,8 @@ mod reference;
 mod sheet;
 #[cfg(feature = "scene")]
 mod solved;
+#[cfg(feature = "scene")]
+mod solved_bounds;
 #[cfg(feature = "cli")]
 pub mod solved_html;
 #[cfg(feature = "cli")]

@@ -33,7 +33,8 @@ impl Reference<'_, '_> {
         self.grid.shape()
     }
 
-    /// Writes one line per place and load, with the depth of the load where there are several.
+    /// Writes one line per place and load, with the depth of the load where there are several; every field has its error bound
+    /// beside it, and what the bound rests on.
     ///
     /// Returns how many loads have no valid contact.
     ///
@@ -49,7 +50,8 @@ impl Reference<'_, '_> {
         header.extend(if square { ["x", "y", "r"].as_slice() } else { &["r"] }.iter().map(|own| named(own, &length)));
         for curve in self.curves {
             let unit = scene.system.unit_name(curve.dimension());
-            header.extend([named(curve.name(), &unit), named(&format!("{}_error", curve.name()), &unit)]);
+            let (error, bound) = (format!("{}_error", curve.name()), format!("{}_bound", curve.name()));
+            header.extend([named(curve.name(), &unit), named(&error, &unit), bound]);
         }
         writeln!(out, "{}", header.join(","))?;
         let mut missing = 0;
@@ -65,8 +67,8 @@ impl Reference<'_, '_> {
                 write!(out, "{}", numbers.join(","))?;
                 for field in &fields {
                     match field.at(place) {
-                        Ok((value, error)) => write!(out, ",{value:?},{error:?}")?,
-                        Err(_) => write!(out, ",,")?,
+                        Ok((value, error)) => write!(out, ",{value:?},{error:?},{}", field.bound().name())?,
+                        Err(_) => write!(out, ",,,")?,
                     }
                 }
                 writeln!(out)

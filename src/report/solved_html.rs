@@ -5,6 +5,7 @@ use super::page::{Format, Page, Style};
 use super::picture::{Picture, Pictured};
 use super::sheet::SHEET;
 use super::solved::{Verdict, assumptions};
+use super::solved_bounds::Largest;
 use super::solved_text::{cells, columns, edge_of};
 use crate::contact::{Severity, Step};
 use crate::print::escaped;
@@ -33,9 +34,12 @@ pub fn html(sheet: &Sheet<'_>, formally: bool, out: &mut dyn Write) -> io::Resul
     let run = sheet.run;
     let scene = run.scene();
     let mut verdict = Verdict::default();
-    let mut rows = Vec::new();
-    for row in (0..scene.loads.len()).filter_map(|index| run.row(index)) {
+    let (mut rows, mut bounds) = (Vec::new(), Largest::default());
+    for (index, row) in (0..scene.loads.len()).filter_map(|index| Some((index, run.row(index)?))) {
         verdict.take(&row);
+        if row.is_valid() || formally {
+            bounds.take(run, index, &row);
+        }
         let numbers = cells(run, &row, formally).into_iter().map(|own| own.map_or_else(|| "–".to_owned(), |own| format!("{own:?}")));
         let finding = row.indented.findings.iter().find(|own| own.severity == Severity::Error);
         rows.push((numbers.collect::<Vec<_>>(), edge_of(&row), finding.map_or("valid", |own| own.rule)));
@@ -60,6 +64,9 @@ pub fn html(sheet: &Sheet<'_>, formally: bool, out: &mut dyn Write) -> io::Resul
         writeln!(out, "<tr>{numbers}<td>{edge}</td><td>{word}</td></tr>")?;
     }
     writeln!(out, "</tbody>\n</table>")?;
+    if let Some(own) = bounds.sentence() {
+        writeln!(out, "<p>{}</p>", escaped(&own))?;
+    }
     pictures(sheet.swept, out)?;
     if let Some((record, steps)) = sheet.formulas {
         writeln!(out, "<h2>Formulas</h2>")?;

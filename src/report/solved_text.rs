@@ -1,6 +1,7 @@
 //! A solved scene as a table for the terminal, and as CSV.
 
 use super::solved::{Verdict, assumptions, edge};
+use super::solved_bounds::{self, Largest};
 use super::solved_tip::{self, Changes};
 use super::text::marked;
 use crate::contact::Severity;
@@ -24,12 +25,15 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     writeln!(out, "  edge")?;
     let mut verdict = Verdict::default();
     let mut changes = Changes::default();
-    let mut lacking = Vec::new();
+    let (mut lacking, mut bounds) = (Vec::new(), Largest::default());
     for (index, row) in (0..scene.loads.len()).filter_map(|index| Some((index, run.row(index)?))) {
         verdict.take(&row);
         if row.is_valid() {
             let reasons = row.values.iter().filter_map(|(datum, value)| Some((*datum, value.err()?)));
             lacking.extend(reasons.filter(|own| !lacking.contains(own)).collect::<Vec<_>>());
+        }
+        if row.is_valid() || formally {
+            bounds.take(run, index, &row);
         }
         let state = row.indented.state.filter(|_| row.is_valid());
         changes.take(run.row_model_errors(index, state.as_ref()), |datum| row.value(datum));
@@ -47,6 +51,9 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
     }
     verdict.close(run);
     writeln!(out)?;
+    if let Some(own) = bounds.sentence() {
+        writeln!(out, "{own}")?;
+    }
     changes.write(run, out)?;
     let (invalid, rows) = verdict.counts();
     if verdict.is_valid() {
@@ -140,7 +147,8 @@ fn depth(run: &Run<'_>, index: usize, state: Option<&crate::contact::State>) -> 
 
 /// Writes the rows as CSV, and the points where the scene asks for curves.
 ///
-/// Columns are named quantity_unit, as in `d_um,F_mN`; where there is no number the field is empty. Where rows are asked
+/// Columns are named quantity_unit, as in `d_um,F_mN`; where there is no number the field is empty.
+/// The last columns are the error bounds, as in `F_error_mN,F_bound`. Where rows are asked
 /// for as well as curves, an empty line separates the two tables.
 ///
 /// # Errors
@@ -154,15 +162,21 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
     if rows {
         let mut header: Vec<String> = columns(run).iter().map(|(name, unit)| named(name, unit)).collect();
         header.extend(["edge".to_owned(), "valid".to_owned(), "rule".to_owned()]);
+        header.extend(solved_bounds::header(run));
         writeln!(out, "{}", header.join(","))?;
     }
     let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:?}"));
-    for row in (0..scene.loads.len()).filter_map(|index| run.row(index)) {
+    for (index, row) in (0..scene.loads.len()).filter_map(|index| Some((index, run.row(index)?))) {
         verdict.take(&row);
         if rows {
             let numbers: Vec<String> = cells(run, &row, formally).into_iter().map(number).collect();
             let rule = row.indented.findings.iter().find(|own| own.severity == Severity::Error).map_or("", |own| own.rule);
-            writeln!(out, "{},{},{},{rule}", numbers.join(","), edge_of(&row), row.is_valid())?;
+            let bounds = if formally || row.is_valid() {
+                solved_bounds::fields(run, index, &row)
+            } else {
+                vec![String::new(); 2 * scene.outputs.data.len()]
+            };
+            writeln!(out, "{},{},{},{rule},{}", numbers.join(","), edge_of(&row), row.is_valid(), bounds.join(","))?;
         }
     }
     if !curves.is_empty() {
@@ -184,7 +198,7 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
     Ok(verdict)
 }
 
-fn named(name: &str, unit: &str) -> String {
+pub(super) fn named(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") }
 }
 

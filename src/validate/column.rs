@@ -13,6 +13,8 @@ pub(super) enum Kind {
     Y,
     Pressure,
     Displacement,
+    Profile,
+    Equivalent,
 }
 
 /// Names of columns that hold areas of contact, from which their radii follow.
@@ -28,12 +30,19 @@ const NAMES: &[(Kind, &[&str])] = &[
     (Kind::Y, &["y", "Y"]),
     (Kind::Pressure, &["p", "pressure", "contact_pressure", "normal_pressure", "traction", "tractions"]),
     (Kind::Displacement, &["u", "displacement", "uz", "u_z"]),
+    (Kind::Profile, &["f"]),
+    (Kind::Equivalent, &["g"]),
 ];
 
 impl Kind {
     /// The symbol in answers.
     pub(super) fn symbol(self) -> &'static str {
         NAMES.iter().find(|(kind, _)| *kind == self).and_then(|(_, names)| names.first()).copied().unwrap_or("")
+    }
+
+    /// Returns true for what a place has.
+    pub(super) fn is_field(self) -> bool {
+        matches!(self, Self::Pressure | Self::Displacement | Self::Profile | Self::Equivalent)
     }
 
     pub(super) fn dimension(self) -> Dimension {
@@ -68,6 +77,14 @@ fn is(own: &str, name: &str) -> bool {
 
 fn is_area(name: &str) -> bool {
     AREAS.iter().any(|own| is(own, name))
+}
+
+/// Returns true for the error bound of a known quantity and for what it rests on, as `reference` and `solve` write them:
+/// `p_error`, `p_error_GPa`, `p_bound`.
+pub(super) fn is_bound(name: &str) -> bool {
+    let mut words = name.trim().split('_');
+    let known = words.next().is_some_and(|own| Kind::of(own).is_some());
+    known && words.next().is_some_and(|own| own.eq_ignore_ascii_case("error") || own.eq_ignore_ascii_case("bound"))
 }
 
 /// A column that is understood.
@@ -106,8 +123,7 @@ pub(super) fn read(name: &str, index: usize) -> Reading {
     let Some((symbol, unit)) = split else { return Reading::Unknown };
     let Some(kind) = Kind::of(symbol.trim()) else { return Reading::Unknown };
     let unit = unit.trim().trim_end_matches([')', ']']);
-    // The bound of an error, as `reference` writes it beside a bare number; `p_error_GPa` is unknown for its symbol.
-    if unit.eq_ignore_ascii_case("error") {
+    if is_bound(name) {
         return Reading::Unknown;
     }
     let squared = ["^2", "²", "2"].into_iter().find_map(|power| unit.strip_suffix(power));

@@ -68,7 +68,7 @@ impl<'s> Data<'s> {
     fn loads(&self) -> Result<Option<(Kind, Vec<f64>)>, ValidationError> {
         let mut table = Table::open(self)?;
         let has = |kind: Kind| table.index(kind).is_some();
-        let places = (has(Kind::Distance) || has(Kind::X)) && (has(Kind::Pressure) || has(Kind::Displacement));
+        let places = (has(Kind::Distance) || has(Kind::X)) && table.columns.iter().any(|own| own.kind.is_field());
         let kinds: &[Kind] = if self.arrays.is_some() { &[Kind::Depth, Kind::Force, Kind::ContactRadius] } else { &[Kind::Depth] };
         let found = kinds.iter().find_map(|kind| Some((*kind, table.index(*kind)?)));
         let (true, Some((kind, index))) = (places, found) else { return Ok(None) };

@@ -137,6 +137,8 @@ pub(super) fn compare(
     let (mut values, mut index, mut ended) = (Vec::new(), 0u64, false);
     let free_constant = at_u.and_then(|own| survey.columns.get(own)).is_some_and(|own| own.free_constant);
     let mut displacements = Displacements::new(free_constant);
+    let shape = exact.shape();
+    let mut shapes = [Kind::Profile, Kind::Equivalent].map(|kind| (kind, survey.index(kind), Norms::new(false)));
     let (mut block, mut wanted, mut found) = (Vec::with_capacity(BLOCK), Vec::new(), Vec::new());
     while !ended {
         block.clear();
@@ -150,6 +152,12 @@ pub(super) fn compare(
                 && let Ok(reading) = contact.displacement(spot.r, a)
             {
                 displacements.push(survey.shown(Kind::Distance, spot.r), u, reading.estimate.value);
+            }
+            for (kind, column, norms) in shapes.iter_mut().filter(|_| is_drawn(index)) {
+                let exact = if *kind == Kind::Profile { shape.profile(spot.r) } else { shape.depth(spot.r) };
+                if let (Some(own), Ok(exact)) = (value(&values, *column), exact) {
+                    norms.add(survey.shown(Kind::Distance, spot.r), 0.0, own, exact.estimate.value, judge.allowed(pixel.pixel, state));
+                }
             }
             index += 1;
             if at_p.is_some() {
@@ -177,11 +185,16 @@ pub(super) fn compare(
             report.notes.push(format!("u is compared up to a constant, which is {constant:.6e} in the data ({unit})"));
         }
     }
-    report.notes.push(match (mean_over, means) {
-        (Some(_), _) => "pressures are read as means over pixels".to_owned(),
-        (None, Some(true)) => "the pixel is not known, so pressures are read as values at their places".to_owned(),
-        _ => "pressures are read as values at their places".to_owned(),
-    });
+    for (kind, _, norms) in shapes.iter().filter(|own| own.1.is_some()) {
+        report.columns.push(decided(kind.symbol(), norms, true));
+    }
+    if at_p.is_some() {
+        report.notes.push(match (mean_over, means) {
+            (Some(_), _) => "pressures are read as means over pixels".to_owned(),
+            (None, Some(true)) => "the pixel is not known, so pressures are read as values at their places".to_owned(),
+            _ => "pressures are read as values at their places".to_owned(),
+        });
+    }
     let kind = if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X };
     let single = single(&own.compared, |p| sign * survey.shown(Kind::Pressure, p), "p", (|r| survey.shown(kind, r), "r"));
     Ok(Compared { report, spots: own.spots.items, errors: own.errors.items, displacements, margin, single })

@@ -37,7 +37,7 @@ impl Layout {
         match self.map.iter().find(|(symbol, _)| !matches!(read(symbol, 0), Reading::Known(_))) {
             Some((symbol, column)) => Err(ValidationError::request(
                 format!("--map {symbol}={column}: {symbol:?} is not a quantity that can be compared"),
-                "one of d, F, a, A, r, x, y, p, u and u+c, perhaps with a unit as in p_GPa, would be accepted",
+                "one of d, F, a, A, r, x, y, p, u, u+c, f and g, perhaps with a unit as in p_GPa, would be accepted",
             )),
             None => match self.map.iter().enumerate().find(|(index, own)| self.map.iter().take(*index).any(|other| other.1 == own.1)) {
                 Some((_, (symbol, column))) => Err(ValidationError::request(
@@ -147,7 +147,7 @@ pub(super) fn columns(file: &str, mut arrays: Vec<Array>, layout: &Layout) -> Re
         Reading::Known(column) => Some(column.kind),
         _ => None,
     };
-    let field = numbers.iter().find(|own| own.shape.len() == 2 && matches!(kind(own), Some(Kind::Pressure | Kind::Displacement)));
+    let field = numbers.iter().find(|own| own.shape.len() == 2 && kind(own).is_some_and(Kind::is_field));
     let mut columns = Columns { names: Vec::new(), values: Vec::new(), notes, placed: false, cells: None };
     let mut add = |name: &str, values: Vec<f64>| {
         let unit = units.iter().find(|own| own.0 == format!("{name}_unit")).map(|own| own.1.as_str()).filter(|own| !own.is_empty());
@@ -236,7 +236,9 @@ fn layers(array: &Array) -> Vec<Array> {
     array.values.chunks(each).enumerate().map(layer).collect()
 }
 
-/// Row and column of the axis: what is declared, else the nearer one of both middles to the centre of mass.
+/// Row and column of the axis: what is declared, else the middle about which the field is more nearly symmetric.
+///
+/// Displacements do not vanish at the edge of the box, so that their centre of mass tells little.
 fn middle(field: &[f64], rows: usize, across: usize, origin: Option<Origin>) -> (f64, f64) {
     let pixel = ((rows / 2) as f64, (across / 2) as f64);
     let between = (0.5 * (rows as f64 - 1.0), 0.5 * (across as f64 - 1.0));
@@ -245,12 +247,23 @@ fn middle(field: &[f64], rows: usize, across: usize, origin: Option<Origin>) -> 
         Some(Origin::Pixel | Origin::Corner) => return pixel,
         None => {}
     }
-    let (mut mass, mut up, mut right) = (0.0, 0.0, 0.0);
-    for (index, value) in field.iter().enumerate() {
-        mass += value.abs();
-        up += value.abs() * (index / across) as f64;
-        right += value.abs() * (index % across) as f64;
-    }
-    let distance = |own: (f64, f64)| (own.0 - up / mass).abs() + (own.1 - right / mass).abs();
-    if mass > 0.0 && distance(between) < distance(pixel) { between } else { pixel }
+    // The mean difference of values that lie opposite each other.
+    let asymmetry = |(up, right): (f64, f64)| {
+        let opposite = |middle: f64, index: usize, size: usize| {
+            let other = (2.0 * middle) as usize;
+            other.checked_sub(index).filter(|own| *own < size)
+        };
+        let (mut sum, mut pairs) = (0.0, 0_u32);
+        for (index, value) in field.iter().enumerate() {
+            let other = opposite(up, index / across, rows)
+                .zip(opposite(right, index % across, across))
+                .and_then(|(i, j)| field.get(i * across + j));
+            if let Some(difference) = other.map(|other| (value - other).abs()).filter(|own| own.is_finite()) {
+                sum += difference;
+                pairs += 1;
+            }
+        }
+        sum / f64::from(pairs)
+    };
+    if asymmetry(between) < asymmetry(pixel) { between } else { pixel }
 }

@@ -112,13 +112,20 @@ struct Part {
 }
 
 impl Part {
+    /// A load of several under which the bodies do not touch, or just so.
+    fn apart(load: String, warnings: Vec<String>) -> Self {
+        let reason = "nothing was judged: no contact belongs to the load".to_owned();
+        let verdict = Verdict { passed: false, judged: false, reason, advice: None, order: None, grows: false };
+        Self { load: Some(load), verdict, suspicion: None, files: Vec::new(), warnings }
+    }
+
     /// Fails where the places of the data contradict what is declared of them.
     fn against(mut self, contradiction: Option<Suspicion>) -> Self {
         if let Some(found) = contradiction {
             if self.verdict.passed {
                 self.verdict.reason = "the declared box and grid do not fit the places of the data".to_owned();
             }
-            self.verdict.passed = false;
+            (self.verdict.passed, self.verdict.judged) = (false, true);
             // Coordinates from a corner often miss a pixel as well; the axis is the larger fault.
             if self.suspicion.as_ref().is_none_or(|own| !matches!(own.id, "origin-corner" | "fftshift")) {
                 self.suspicion = Some(found);
@@ -142,12 +149,17 @@ const MOST_REASONS: usize = 2;
 
 /// All kinds together.
 fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
-    let passed = parts.iter().all(|own| own.verdict.passed);
-    let mut telling: Vec<String> = parts.iter().filter(|own| own.verdict.passed == passed).map(Part::reason).collect();
+    // A load at which nothing can be compared, such as the first of a ramp from 0, is left out where others can.
+    let passed = parts.iter().any(|own| own.verdict.passed) && parts.iter().all(|own| own.verdict.passed || !own.verdict.judged);
+    let tells = |own: &&Part| own.verdict.passed == passed && (own.verdict.judged || !passed);
+    let mut telling: Vec<String> = parts.iter().filter(tells).map(Part::reason).collect();
     let more = telling.len().saturating_sub(MOST_REASONS);
     if more > 0 {
         telling.truncate(MOST_REASONS);
         telling.push(format!("{more} more loads {}", if passed { "passed" } else { "failed" }));
+    }
+    if passed {
+        telling.extend(parts.iter().filter(|own| !own.verdict.judged).map(Part::reason).take(MOST_REASONS));
     }
     let suspicions: Vec<&Suspicion> = parts.iter().filter_map(|own| own.suspicion.as_ref()).collect();
     let agreed = suspicions.first().filter(|first| suspicions.iter().all(|own| own.id == first.id));
@@ -216,6 +228,9 @@ impl Work<'_> {
         let exact = Exact::new(self.scene, &solution, load)?;
         let state = exact.state(load).filter(|own| own.radius > 0.0);
         let Some(state) = state else {
+            if let Some(load) = files.first().and_then(|(survey, _)| survey.load_name(self.scene)) {
+                return Ok(Part::apart(load, solution.warnings()));
+            }
             return Err(ValidationError::request(
                 "no contact belongs to the scene's load, so there are no exact pressures",
                 "a load under which the bodies touch, in a valid contact, would be accepted",
@@ -233,7 +248,7 @@ impl Work<'_> {
         let region = field::Region::new(state.radius, margin, &exact.sharp(state.radius));
         let relative = files.iter().map(|(_, pixel)| pixel.relative);
         let levels: Vec<Level> = all.iter().zip(relative).map(|(own, pixel)| level(pixel, within(&own.errors, &region))).collect();
-        let column = if finest.report.columns.iter().any(|own| own.name == "p") { "p" } else { "u" };
+        let column = finest.report.columns.first().map_or("p", |own| own.name);
         let levels = if column == "p" { levels } else { Vec::new() };
         let verdict = verdict(column, &finest.report.columns, &levels, self.judge.solver, 0);
         let reversed = reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>());

@@ -130,7 +130,10 @@ pub(super) fn npy(file: &str, array: &Array, layout: &Layout, scene: &Scene) -> 
         radii = scene.outputs.at.iter().map(|own| own * factor).collect();
         if radii.len() != count {
             let message = format!("the array has {count} radii, and at in [outputs] of the scene has {}", radii.len());
-            return fault(message, "a scene whose at in [outputs] has these radii, or CSV or JSON, which contain them, would be accepted");
+            return fault(
+                message,
+                "--grid with the radii as for sneddon reference, such as \"0:2 um:81\", or CSV or JSON, which contain them, would be accepted",
+            );
         }
     }
     let each: usize = places.iter().product();

@@ -228,7 +228,7 @@ fn content(file: &str, table: &Table<'_>) -> Result<Content, ValidationError> {
     let found = if names.is_empty() { "no column is known".to_owned() } else { format!("the columns {} are known", names.join(", ")) };
     let missing = |what: &str| ValidationError::data(file, None, format!("{what}: {found}"), HELP);
     let place = has(Kind::Distance) || has(Kind::X);
-    let values = has(Kind::Pressure) || has(Kind::Displacement);
+    let values = table.columns.iter().any(|own| own.kind.is_field());
     let loads = [Kind::Depth, Kind::Force, Kind::ContactRadius].into_iter().filter(|own| has(*own)).count();
     match (place, values, loads) {
         (true, true, _) => Ok(Content::Field),

@@ -1,7 +1,7 @@
 //! A data file row by row: text with names in its first line and numbers below, of which nothing is kept, or columns of arrays.
 
 use super::ValidationError;
-use super::column::{Column, Kind, Reading};
+use super::column::{Column, Kind, Reading, is_bound};
 use super::data::Data;
 use super::layout::{Columns, Layout};
 use std::io::{self, BufRead, BufReader, Read};
@@ -88,6 +88,7 @@ impl<'s> Table<'s> {
             .trim(csv::Trim::None)
             .from_reader(BufReader::with_capacity(1 << 16, rows));
         let (columns, unread) = understood(name, Some(header.lines), &header.names, layout)?;
+        let empty_is_infinite = has_bounds(&header.names);
         let mut notes: Vec<String> = unread.iter().map(|name| format!("column {name:?} is not read")).collect();
         if header.commented {
             notes.push("the names of the columns stand in a comment".to_owned());
@@ -98,7 +99,6 @@ impl<'s> Table<'s> {
             skipped: header.lines,
             decimal_commas: header.delimiter != b',',
         }));
-        let empty_is_infinite = has_bounds(&unread);
         let skipped = Skipped { empty_is_infinite, ..Skipped::default() };
         Ok(Self { name, columns, notes, unread, names: header.names, body, skipped, placed: false, only: None })
     }
@@ -107,7 +107,7 @@ impl<'s> Table<'s> {
         let (columns, unread) = understood(name, None, &own.names, layout)?;
         let mut notes = own.notes.clone();
         notes.extend(unread.iter().map(|name| format!("array {name:?} is not read")));
-        let skipped = Skipped { empty_is_infinite: has_bounds(&unread), ..Skipped::default() };
+        let skipped = Skipped { empty_is_infinite: has_bounds(&own.names), ..Skipped::default() };
         let body = Body::Arrays { columns: Rc::clone(own), next: 0 };
         Ok(Self { name, columns, notes, unread, names: own.names.clone(), body, skipped, placed: own.placed, only: None })
     }
@@ -174,8 +174,8 @@ struct Skipped {
 }
 
 /// Returns `true` if a column holds error bounds of pressures.
-fn has_bounds(unread: &[String]) -> bool {
-    unread.iter().any(|own| own == "p_error" || own.starts_with("p_error_"))
+fn has_bounds(names: &[String]) -> bool {
+    names.iter().any(|own| own == "p_error" || own.starts_with("p_error_"))
 }
 
 impl Text {
@@ -406,6 +406,7 @@ fn understood(file: &str, line: Option<u64>, names: &[String], layout: &Layout) 
             Reading::BadUnit(why) => {
                 return Err(fault(format!("column {name}: {why}"), "a name such as d_um, F_mN or p_GPa would be accepted"));
             }
+            Reading::Unknown if is_bound(name) => {}
             Reading::Unknown => unread.push(name.clone()),
         }
     }

@@ -6,6 +6,8 @@ use super::record::{Beyond, Column};
 /// What one kind of file says.
 pub(super) struct Verdict {
     pub(super) passed: bool,
+    /// False where no column could be compared; such a file passes beside others only.
+    pub(super) judged: bool,
     pub(super) reason: String,
     /// What to try, where no fault explains the data.
     pub(super) advice: Option<&'static str>,
@@ -103,7 +105,14 @@ pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level],
         (sentence(column, finest, &convergence), None)
     };
     let found = if levels.len() > 1 { order(levels, PRINTED.max(solver)).filter(is_narrow) } else { None };
-    Verdict { passed, reason, advice, order: found.map(|own| (column, own)), grows: convergence.grows() }
+    Verdict {
+        passed,
+        judged: !(none_judged && unmatched == 0),
+        reason,
+        advice,
+        order: found.map(|own| (column, own)),
+        grows: convergence.grows(),
+    }
 }
 
 /// Why no column has a verdict.

@@ -72,7 +72,8 @@ fn tables_of_references_are_validated() {
 }
 
 /// Class "a file that `reference` wrote is refused": every format, loads by depth, force and radius, one and several of them, squares
-/// and radii, a rim with its infinite pressure, means over cells, bare numbers and units; and a wrong pressure is found in each.
+/// and radii, a rim with its infinite pressure, means over cells, bare numbers and units, displacements and shapes without pressures,
+/// ramps that begin where nothing can be compared; and a wrong field is found in each.
 #[test]
 fn every_format_of_references_is_validated() {
     let place = room("formats");
@@ -81,7 +82,18 @@ fn every_format_of_references_is_validated() {
     let radii = "[material]\neffective_modulus = \"2 MPa\"\n[load]\ncontact_radius = [\"0.5 um\", \"0.8 um\", \"1 um\"]\n";
     let at = "[outputs]\nquantities = [\"p\", \"u\", \"f\"]\nat = { start = \"0 um\", stop = \"2 um\", count = 161 }\n";
     let cells = "[data]\nbox = 1.0\ngrid = 64\npressure = \"cell\"\n";
-    let cases: [(String, &[&str], &[&str]); 6] = [
+    let only = |fields: &str| {
+        let paraboloid = "[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"10 um\" }\n[material]\neffective_modulus = \"1 GPa\"\n";
+        format!("{paraboloid}[load]\ndepth = \"0.1 um\"\n[outputs]\nquantities = [{fields}]\n")
+    };
+    let ramp = "[material]\neffective_modulus = 1.0\n[load]\ndepth = [0.0, 0.05, 0.1]\n[outputs]\nquantities = [\"p\", \"u\"]\n";
+    let cases: [(String, &[&str], &[&str]); 12] = [
+        (only("\"u\""), &["--grid", "64", "--box", "4 um"], &["--box", "4 um"]),
+        (only("\"u\""), &["--grid", "64", "--box", "4 um", "--between"], &["--box", "4 um"]),
+        (only("\"p\""), &["--grid", "0 um:2 um:81"], &["--grid", "0 um:2 um:81"]),
+        (only("\"f\", \"g\""), &["--grid", "0:2 um:81"], &["--grid", "0:2 um:81"]),
+        (format!("[profile]\nf = \"r^2\"\n{ramp}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
+        (format!("[profile]\nf = \"max(0,r^2-0.01)\"\n{ramp}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
         (format!("[profile]\nf = \"r^2\"\n{bare}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
         (format!("[profile]\nf = \"r^2\"\n{bare}{cells}"), &[], &[]),
         (format!("[profile]\nf = \"r^2\"\n{bare}"), &["--grid", "64", "--box", "1", "--between"], &["--box", "1"]),
@@ -108,7 +120,7 @@ fn every_format_of_references_is_validated() {
     }
 }
 
-/// The file with every pressure half as large again.
+/// The file with its first field half as large again.
 fn enlarged(file: &str, bytes: &[u8]) -> Vec<u8> {
     if file.ends_with(".npy") {
         let start = bytes.iter().position(|own| *own == b'\n').unwrap() + 1;
@@ -125,7 +137,8 @@ fn enlarged(file: &str, bytes: &[u8]) -> Vec<u8> {
     }
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let column = header.iter().position(|own| *own == "p" || own.starts_with("p_")).unwrap();
+    let of_field = |own: &&str| ["p", "u", "f"].contains(&own.split('_').next().unwrap());
+    let column = header.iter().position(of_field).unwrap();
     let mut out = header.join(",");
     for line in lines {
         let mut fields: Vec<String> = line.split(',').map(str::to_owned).collect();

@@ -136,8 +136,10 @@ fn csv_names_units() {
     assert!(done.status.success() && done.stdout.is_empty());
     let text = fs::read_to_string(place.join("rows.csv")).unwrap();
     let mut lines = text.lines();
-    assert_eq!(lines.next(), Some("d_um,F_mN,a_um,k_mN/um,p_mean_GPa,U_mN*um,edge,valid,rule"));
-    assert!(lines.next().unwrap().starts_with("0.05,") && text.lines().count() == 11);
+    let bounds = "d_error_um,d_bound,F_error_mN,F_bound,a_error_um,a_bound,k_error_mN/um,k_bound,p_mean_error_GPa,p_mean_bound,U_error_mN*um,U_bound";
+    assert_eq!(lines.next(), Some(format!("d_um,F_mN,a_um,k_mN/um,p_mean_GPa,U_mN*um,edge,valid,rule,{bounds}").as_str()));
+    let first = lines.next().unwrap();
+    assert!(first.starts_with("0.05,") && first.matches("proven").count() == 6 && text.lines().count() == 11, "{first}");
 }
 
 /// Rows are not lost where curves are asked for; curves alone stand alone.

@@ -250,7 +250,7 @@ fn a_slice_of_the_closed_form_has_every_digit() {
         let solution = solved(text);
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
         let problem = Problem::new(&solution, &evaluator, quantity, None, None).unwrap();
-        let found = study(problem, &Options { budget: Duration::from_secs(cases(2, 5)), wanted: vec![1e-12] }).unwrap();
+        let found = study(problem, &Options { budget: Duration::from_secs(120), wanted: vec![1e-12] }).unwrap();
         let slice = found.rows.iter().find(|row| row.method == "closed form" && row.setting == "slice of doubles").unwrap();
         // Three quarters of a unit in the last place of a number next to a power of two.
         assert!(slice.error < 0.75 * f64::EPSILON, "{text}: {:e}", slice.error);

@@ -131,7 +131,7 @@ fn every_format_says_the_same() {
     assert_eq!((&json["grid"]["kind"], &json["grid"]["cells"]), (&Value::from("square"), &Value::from(true)));
     let csv = fs::read_to_string(place.join("out.csv")).unwrap();
     let mut lines = csv.lines();
-    assert_eq!(lines.next(), Some("d_um,x_um,y_um,r_um,p_GPa,p_error_GPa,u_um,u_error_um"));
+    assert_eq!(lines.next(), Some("d_um,x_um,y_um,r_um,p_GPa,p_error_GPa,p_bound,u_um,u_error_um,u_bound"));
     let npy = fs::read(place.join("out.npy")).unwrap();
     assert_eq!(&npy[..8], b"\x93NUMPY\x01\x00");
     let length = usize::from(u16::from_le_bytes([npy[8], npy[9]]));
@@ -142,12 +142,12 @@ fn every_format_says_the_same() {
     for load in 0..2 {
         for row in 0..8 {
             for column in 0..8 {
-                let fields: Vec<f64> = lines.next().unwrap().split(',').map(|own| own.parse().unwrap()).collect();
+                let fields: Vec<&str> = lines.next().unwrap().split(',').collect();
                 for (quantity, name) in ["p", "u"].into_iter().enumerate() {
                     let entry = &json["loads"][load]["fields"][quantity];
-                    assert_eq!(entry["quantity"], name);
+                    assert_eq!((&entry["quantity"], &entry["bound"]), (&name.into(), &fields[6 + 3 * quantity].into()));
                     for (part, key) in ["values", "error_estimates"].into_iter().enumerate() {
-                        let own = fields[4 + 2 * quantity + part];
+                        let own: f64 = fields[4 + 3 * quantity + part].parse().unwrap();
                         // The reader of JSON may be off by a last place.
                         let read = entry[key][row][column].as_f64().unwrap();
                         assert!((read - own).abs() <= f64::EPSILON * own.abs(), "{read:?} {own:?}");
@@ -169,7 +169,7 @@ fn radii_have_points_and_an_apex() {
     let first = &json["loads"][0]["fields"][0];
     assert!(first["values"][0].is_null() && first["values"][1].is_number() && first["why"].as_str().unwrap().contains("apex"));
     let done = reference(&place, &["--grid", "0:0.1um:3"]);
-    assert!(String::from_utf8(done.stdout).unwrap().lines().nth(1).unwrap().starts_with("0.01,0.0,,,0.009"));
+    assert!(String::from_utf8(done.stdout).unwrap().lines().nth(1).unwrap().starts_with("0.01,0.0,,,,0.009"));
     assert!(reference(&place, &["--grid", "0:0.1um:3", "-o", "a.npy"]).status.success());
     let bytes = fs::read(place.join("a.npy")).unwrap();
     assert_eq!(f64::from_le_bytes(bytes[128..136].try_into().unwrap()), f64::INFINITY);
