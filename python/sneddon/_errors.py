@@ -3,6 +3,16 @@
 from __future__ import annotations
 
 
+# The longest text of an error, of its message and of its place, in characters; the attributes are whole.
+_MOST, _MESSAGE, _PLACE = 300, 130, 100
+
+
+def _without_middle(text: str, most: int) -> str:
+    """Return a text of at most ``most`` characters that begins and ends as the given one."""
+    end = most // 3
+    return text if len(text) <= most else f"{text[: most - end - 5].rstrip()} ... {text[len(text) - end :].lstrip()}"
+
+
 class SneddonError(ValueError):
     """An input that has no answer.
 
@@ -21,9 +31,9 @@ class SneddonError(ValueError):
         self.help = help
 
     def __str__(self) -> str:
-        where = f" ({self.place})" if self.place else ""
-        what = f"; {self.help}" if self.help else ""
-        return f"{self.message}{where}{what}"
+        where = f" ({_without_middle(self.place, _PLACE)})" if self.place else ""
+        first = _without_middle(self.message, _MESSAGE) + where
+        return f"{first}; {_without_middle(self.help, _MOST - len(first) - 2)}" if self.help else first
 
     def __reduce__(self) -> tuple[object, ...]:
         return (SneddonError, (self.message, self.place, self.help))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import WithBound, map_over
@@ -75,8 +76,8 @@ class Formula:
         Parameters
         ----------
         *coordinates : array_like
-            x for g, a for d, F and k, r and a for p, d for a(d) and F(d), where F(d) of a punch with a rim takes a;
-            they may be given by these names instead.
+            x for g, a for d, F and k, r and a for p, d for a(d) and F(d); F(d) of a punch with a rim takes d and a.
+            They may be given by these names instead.
         with_bound : bool or "ground"
             Whether to return the error bounds beside the values, and what these rest on.
         d : float
@@ -84,14 +85,18 @@ class Formula:
         E : float
             The effective modulus.
         **parameters : float
-            The parameters that the profile leaves open.
+            The parameters that the profile leaves open; those that the formula lacks may be left out.
         """
         # Under a rim the contact radius does not change, and F(a) is the answer for every depth.
-        asked = "F" if self._rim is not None and self.key == "F_of_d" else self.key
-        names = _ARGUMENTS[asked]
+        of_depth = self._rim is not None and self.key == "F_of_d"
+        asked, names = ("F", ("d", "a")) if of_depth else (self.key, _ARGUMENTS[self.key])
         given = dict(zip(names, coordinates))
         if len(coordinates) > len(names):
             raise TypeError(f"{_LEFT[self.key]} has {len(names)} coordinates, {', '.join(names)}; {len(coordinates)} were given")
+        if of_depth:
+            if "d" in given:
+                parameters["d"] = given.pop("d")
+            names = ("a",)
         for name in names:
             if name not in given:
                 if name not in parameters:
@@ -101,23 +106,46 @@ class Formula:
         if not (modulus > 0.0 and modulus < float("inf")):
             raise SneddonError(f"E = {modulus} is not positive and finite", "E", "the effective modulus is accepted")
         depth = None if self._rim is None else self._depth(parameters)
+        profile = self._profile
+        if self.key in ("d", "k") and (missing := self._missing(parameters)) and not missing & self._written():
+            # The formula lacks the parameters of the profile, and any other profile has the same one.
+            profile, parameters = type(profile)("r^2"), {}
         known = {name: float_of_number(name, value) for name, value in parameters.items()}
         key = (*sorted(known.items()), ("E*", modulus), ("d", depth))
         engine = self._engines.get(key)
         if engine is None:
             if len(self._engines) > 64:
                 self._engines.clear()
-            engine = self._engines[key] = self._profile.engine(parameters, modulus, "auto", 1e-13, depth)
+            engine = self._engines[key] = profile.engine(parameters, modulus, "auto", 1e-13, depth)
         return map_over(engine.one, engine.many, asked, given, with_bound)
 
     def _depth(self, parameters: dict[str, Any]) -> float:
         """Return the depth of the rim as a number, and take it out of the parameters where it was left open."""
+        given = parameters.pop("d", None) if self._rim == "d" or self.key == "F_of_d" else None
         if self._rim != "d":
             assert self._rim is not None
-            return float_of_number("depth", self._rim)
-        if "d" not in parameters:
+            depth = float_of_number("depth", self._rim)
+            if given is not None and float_of_number("d", given) != depth:
+                raise SneddonError(f"d = {given} is not the depth of this punch, {depth}", "d", 'derive(depth="d") leaves the depth open')
+            return depth
+        if given is None and "d" not in self._written():
+            # g and k are the same at every depth.
+            return 0.0
+        if given is None:
             raise TypeError(f"{_LEFT[self.key]} needs d, the depth of the punch")
-        return float_of_number("d", parameters.pop("d"))
+        return float_of_number("d", given)
+
+    def _written(self) -> set[str]:
+        """Return the names in the formula."""
+        return set(re.findall(r"[^\W\d]\w*", self.text))
+
+    def _missing(self, parameters: dict[str, Any]) -> set[str]:
+        """Return the open parameters of the profile that have no value; a value for any other name is an error."""
+        open_names = self._profile.open_names()
+        for name in parameters:
+            if name not in open_names:
+                raise SneddonError(f"the profile has no parameter {name}", f"parameter {name}")
+        return open_names - parameters.keys()
 
 
 class Derivation:

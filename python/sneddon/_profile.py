@@ -125,6 +125,10 @@ class Profile:
 
         return Contact(self, **arguments)
 
+    def open_names(self) -> set[str]:
+        """Return the names of the parameters that have no value yet."""
+        return set() if self._text is None else set(_sneddon.parameters(self._text)) - self._values.keys()
+
     def engine(
         self, values: dict[str, Any], e_star: float, method: str, tolerance: float, depth: float | None = None
     ) -> _sneddon.Engine:

@@ -77,6 +77,15 @@ impl Fault {
         }
     }
 
+    /// A file of points that could not be read.
+    pub(crate) fn points(name: &str, text: &str, error: &SceneError) -> Self {
+        let own = Self::with_help(error.to_string(), error.accepted());
+        match error.span() {
+            Some(span) => own.at(name, text, &span),
+            None => own.place(name),
+        }
+    }
+
     /// Data that could not be read or compared.
     pub(crate) fn validation(text: &str, error: &ValidationError) -> Self {
         match error {

@@ -19,7 +19,7 @@ use std::sync::Arc;
 const STEPS: u64 = 1_000_000;
 
 /// The scene with the points of its measured tip, whose file counts from `directory`.
-fn with_points(scene: Scene, text: &str, directory: &str) -> Result<Scene, Fault> {
+fn with_points(scene: Scene, directory: &str) -> Result<Scene, Fault> {
     let Some(measured) = &scene.measured else { return Ok(scene) };
     let path = Path::new(directory).join(measured.file());
     let refused =
@@ -34,7 +34,7 @@ fn with_points(scene: Scene, text: &str, directory: &str) -> Result<Scene, Fault
         return Err(refused(format!("{} has more than {LONGEST_TIP} bytes", path.display())));
     }
     let points = scene::decoded(bytes);
-    scene.with_points(&points).map_err(|error| Fault::scene(text, &error))
+    scene.with_points(&points).map_err(|error| Fault::points(&path.display().to_string(), &points.0, &error))
 }
 
 /// The document that `sneddon solve --json` prints.
@@ -42,7 +42,7 @@ fn with_points(scene: Scene, text: &str, directory: &str) -> Result<Scene, Fault
 pub(crate) fn solve(py: Python<'_>, text: &str, directory: &str, force: bool) -> PyResult<String> {
     let answer = interruptible(py, || -> Result<String, Fault> {
         let failed = |error: SceneError| Fault::scene(text, &error);
-        let scene = with_points(scene::scene(text).map_err(failed)?, text, directory)?;
+        let scene = with_points(scene::scene(text).map_err(failed)?, directory)?;
         within(|| {
             let solution = scene.solution().map_err(failed)?;
             let run = Run::new(&scene, &solution).map_err(failed)?;
@@ -107,7 +107,7 @@ fn fields(
     cells: Option<(f64, usize, bool)>,
 ) -> Result<[Values; 2], Fault> {
     let failed = |error: SceneError| Fault::scene(text, &error);
-    let scene = with_points(scene::scene_for_grid(text).map_err(failed)?, text, directory)?;
+    let scene = with_points(scene::scene_for_grid(text).map_err(failed)?, directory)?;
     if !scene.round {
         return Err(Fault::new("no field is known of a punch with a cross-section").help("a round indenter is accepted"));
     }
@@ -179,7 +179,7 @@ pub(crate) fn validate(
     let answer = interruptible(py, || -> Result<String, Fault> {
         let failed = |error: SceneError| Fault::scene(text, &error);
         let refused = |error: ValidationError| Fault::validation(text, &error);
-        let mut scene = with_points(scene::scene_for_data(text, &Change::None).map_err(failed)?, text, directory)?;
+        let mut scene = with_points(scene::scene_for_data(text, &Change::None).map_err(failed)?, directory)?;
         if let Some(own) = load {
             scene = scene.under(own).map_err(failed)?;
         }

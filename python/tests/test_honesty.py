@@ -79,6 +79,24 @@ def test_a_rim_is_part_of_the_formula():
         open_depth.F(0.5)
 
 
+def test_a_formula_takes_what_is_written_in_it():
+    """Class "a formula demands what it lacks, or takes one name for another"."""
+    fixed = sneddon.Profile("r^2/(2*R)").derive(depth=0.3)
+    force = 0.6 * 0.5 - 2 * 0.5**3 / 6
+    assert fixed.F_of_d(0.3, 0.5, R=2.0) == fixed.F_of_d(0.3, a=0.5, R=2.0) == fixed.F_of_d(a=0.5, R=2.0) == pytest.approx(force, rel=1e-15)
+    with pytest.raises(sneddon.SneddonError, match="not the depth of this punch"):
+        fixed.F_of_d(0.5, a=0.5, R=2.0)
+    with pytest.raises(TypeError, match="needs a"):
+        fixed.F_of_d(0.3, R=2.0)
+    free = sneddon.Profile("r^2/(2*R)").derive(depth="d")
+    assert free.F_of_d(0.3, a=0.5, R=2.0) == free.F(0.5, d=0.3, R=2.0) == pytest.approx(force, rel=1e-15)
+    assert free.g(0.5, R=2.0) == 0.125 and free.k(0.5, E=3.0) == 3.0 and free.d(0.5, d=0.3) == 0.3
+    assert sneddon.Profile("R-sqrt(R^2-r^2)").derive().k([0.5, 1.0]).tolist() == [1.0, 2.0]
+    for bad in ({"Q": 1.0}, {"R": 2.0, "Q": 1.0}):
+        with pytest.raises(sneddon.SneddonError, match="no parameter Q"):
+            free.k(0.5, **bad)
+
+
 NATURAL = [
     (lambda r: 2 - math.sqrt(4 - r * r), "2-sqrt(4-r^2)"),
     (lambda r: math.cosh(r) - 1, "cosh(r)-1"),

@@ -140,3 +140,21 @@ def test_a_fit_model_of_nanite():
     assert module.parameter_keys == ["E", "R", "nu", "contact_point", "baseline"]
     with pytest.raises(sneddon.SneddonError):
         sneddon.nanite.model("E*r^2", register=False)
+
+
+def test_errors_have_a_moderate_length_and_name_the_file(tmp_path):
+    """Class "an error as long as its input", and files that are no tips, whose contents are not shown."""
+    long = "n" * 20_000
+    for bad in (lambda: sneddon.Profile(f"r^2/{long}").derive().g(1.0), lambda: sneddon.Contact("r^2", E_star=1.0, **{long: 1.0})):
+        with pytest.raises(sneddon.SneddonError) as raised:
+            bad()
+        assert len(str(raised.value)) <= 300 and "n" * 20 in str(raised.value)
+    scene = {"profile": {"points": "tip.csv"}, "material": {"effective_modulus": 1.0}, "load": {"depth": 0.1}}
+    scene["profile"]["points"] = str(tmp_path / "tip.csv")
+    (tmp_path / "tip.csv").write_text("r,z\n0,0\n1,word\n")
+    with pytest.raises(sneddon.SneddonError, match=r"line 3, column 3"):
+        sneddon.solve(scene)
+    (tmp_path / "tip.csv").write_text("token secret and more\n1,2\n")
+    with pytest.raises(sneddon.SneddonError, match=r"names no column of radii") as raised:
+        sneddon.solve(scene)
+    assert "tip.csv" in raised.value.place and "secret" not in str(raised.value)

@@ -30,8 +30,12 @@ const FIRST: usize = 120;
 /// Maximum and minimum width of an excerpt, including its dots.
 const SHOWN: usize = 120;
 const NARROWEST: usize = 40;
+/// Maximum number of characters of a word in a message, such as a path.
+const LONGEST_WORD: usize = 48;
 /// Number of characters of `error: ` or `help: `, and of the bar before an excerpt, each with the end of the line.
 const PREFIX: usize = 8;
+/// Number of characters of `warning: `, with the end of the line.
+const WARNING: usize = 10;
 const BAR: usize = 5;
 /// Replaces omitted text.
 const DOTS: &str = " ...";
@@ -132,9 +136,10 @@ impl Place {
     /// The name of the text with line and column.
     fn position(&self) -> String {
         let (line, column) = parse::position(&self.text, self.span.clone());
+        let name = with_short_words(&self.name);
         match self.text.trim_end().contains('\n') {
-            false => format!("{}, column {column}", self.name),
-            true => format!("{}, line {line}, column {column}", self.name),
+            false => format!("{name}, column {column}"),
+            true => format!("{name}, line {line}, column {column}"),
         }
     }
 
@@ -180,8 +185,37 @@ fn visible(c: char) -> char {
 }
 
 /// A message as one line of moderate length: what names, keys and paths bring along moves no cursor and hides nothing.
+///
+/// A message begins with what is wrong and ends with the reason, so that its middle is left out.
 fn line(message: &str) -> String {
-    cut(message, FIRST + 1 - PREFIX)
+    without_middle(&with_short_words(message), FIRST + 1 - PREFIX)
+}
+
+/// The text with the middle of every long word left out, as of a path.
+fn with_short_words(text: &str) -> String {
+    let end = LONGEST_WORD / 3;
+    let short = |word: &str| match word.chars().count() {
+        count if count <= LONGEST_WORD => word.to_owned(),
+        count => word.chars().take(end).chain("...".chars()).chain(word.chars().skip(count - end)).collect(),
+    };
+    text.split(' ').map(short).collect::<Vec<_>>().join(" ")
+}
+
+/// Shortens a text to at most `most` characters, of which the last third is its end.
+fn without_middle(text: &str, most: usize) -> String {
+    let count = text.chars().count();
+    if count <= most {
+        return text.chars().map(visible).collect();
+    }
+    let end = most / 3;
+    let begin = most - end - DOTS.len() - 1;
+    let (begin, end) = (text.chars().take(begin), text.chars().skip(count - end));
+    let (begin, end) = (begin.map(visible).collect::<String>(), end.map(visible).collect::<String>());
+    // Whole words, where the text has some.
+    let is_part = |rest: &str| rest.len() < LONGEST_WORD / 3;
+    let begin = begin.rsplit_once(' ').filter(|(_, rest)| is_part(rest)).map_or(begin.as_str(), |(kept, _)| kept);
+    let end = end.split_once(' ').filter(|(rest, _)| is_part(rest)).map_or(end.as_str(), |(_, kept)| kept);
+    format!("{begin} ... {end}")
 }
 
 /// Truncates a text to at most `most` characters, including the trailing dots.
@@ -219,5 +253,5 @@ fn whole_lines(text: &str, most: usize) -> String {
 /// Something that is worth knowing, on stderr.
 pub(super) fn warn(message: &str) {
     // A warning that cannot be written is no reason to stop.
-    let _ = writeln!(io::stderr(), "warning: {}", line(message));
+    let _ = writeln!(io::stderr(), "warning: {}", without_middle(&with_short_words(message), MOST - WARNING));
 }

@@ -31,7 +31,10 @@ pub(super) fn with_points(scene: Scene, scene_file: &Path, failed: impl Fn(Scene
     }
     let text = decoded(bytes);
     let name = path.display().to_string();
-    scene.with_points(&text).map_err(|error| super::solve::failure(&name, &text.0, &error))
+    scene.with_points(&text).map_err(|error| match error.span() {
+        Some(_) => super::solve::failure(&name, &text.0, &error),
+        None => Failure::new(format!("{name}: {error}")).help(error.accepted().unwrap_or("a file of points would be accepted")),
+    })
 }
 
 /// A path as it stands in a scene: from the directory of the scene on.

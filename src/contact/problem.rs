@@ -143,7 +143,7 @@ impl<P: Quantities> Contact<'_, P> {
     pub fn depth(&self, a: f64) -> Result<Reading, ContactError> {
         match self.depth {
             Some(depth) => Ok(exact(depth)),
-            None => representable(self.evaluator.slope(a)?, "a", a),
+            None => representable(self.evaluator.slope(a).map_err(TransformError::of_radius)?, "a", a),
         }
     }
 

@@ -19,6 +19,10 @@ pub(super) fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, SceneError> {
     DeTable::parse(text).map_err(|error| {
         let message = error.message().trim().replace('\n', "; ");
         let own = SceneError::new(Reason::Syntax(message)).help("a scene file such as `sneddon scene new sphere` writes would be accepted");
+        // A file that is no scene is not shown; it may be confidential.
+        if !text.contains("profile") {
+            return own;
+        }
         match error.span() {
             Some(span) => own.at(span),
             None => own,

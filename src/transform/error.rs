@@ -178,3 +178,15 @@ pub enum TransformError {
     #[error(transparent)]
     Number(#[from] NumError),
 }
+
+impl TransformError {
+    /// The same error where the coordinate x is a contact radius a.
+    #[must_use]
+    pub fn of_radius(self) -> Self {
+        match self {
+            Self::OutOfDomain { symbol: "x", at, limit } => Self::OutOfDomain { symbol: "a", at, limit },
+            Self::Overflow { symbol: "x", at } => Self::Overflow { symbol: "a", at },
+            other => other,
+        }
+    }
+}

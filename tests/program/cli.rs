@@ -586,6 +586,12 @@ fn errors_are_short() {
         assert!(ran.code == 2 && ran.stderr.chars().count() <= 300 && first <= 120, "{case}: {first} characters\n{}", ran.stderr);
         assert!(ran.stderr.starts_with("error"), "{case}: {}", ran.stderr);
     }
+    // A long name leaves out neither the reason nor the place.
+    let (path, names) = (format!("{}/x.toml", "d".repeat(139)), (1..40).map(|i| format!("+name_of_parameter_{i}*r^2")).collect::<String>());
+    assert!(run(&["solve", &path]).stderr.contains("No such file"));
+    assert!(
+        run(&["eval", &format!("r^2{names}"), "--quantity", "g", "--at", "1"]).stderr.lines().next().unwrap().ends_with("have no values")
+    );
     // What fits stands whole.
     let short = run(&["derive", "r^2+foo(r)+@"]).stderr;
     assert!(short.contains("  | r^2+foo(r)+@\n  |            ^\nhelp: "), "{short}");

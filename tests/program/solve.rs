@@ -588,15 +588,21 @@ fn apart_and_too_small_are_said() {
 #[test]
 fn a_file_that_is_no_table_is_not_shown() {
     let place = room("secret");
-    for (name, text) in
-        [("one", "root:x:0:0:root:/root:/bin/bash\n"), ("two", "-----BEGIN PRIVATE KEY-----\nMIIE\n"), ("three", "127.0.0.1\tlocalhost\n")]
-    {
+    for (name, text) in [
+        ("one", "root:x:0:0:root:/root:/bin/bash\n"),
+        ("two", "-----BEGIN PRIVATE KEY-----\nMIIE\n"),
+        ("three", "127.0.0.1\tlocalhost\n"),
+        ("four", "machine\tapi.example\tlogin\tsomebody\tpassword\tsecret\n"),
+        ("five", "token secretly other words\n1,2\n"),
+        ("six", "ELF\0binary secrets\n"),
+    ] {
         fs::write(place.join(name), text).unwrap();
         let scene = format!("[profile]\npoints = \"{name}\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n");
         let done = run_in(&place, &scene, &["solve", "-"]);
         let said = String::from_utf8_lossy(&done.stderr);
         assert_eq!(done.status.code(), Some(2), "{said}");
-        assert!(said.contains("names no column of radii") || said.contains("no number"), "{said}");
+        assert!(said.contains("names no column of radii") || said.contains("no text"), "{said}");
+        assert!(said.contains(&format!("{name}: ")), "{said}");
         for part in text.split(|own: char| !own.is_alphanumeric()).filter(|own| own.len() > 3) {
             assert!(!said.contains(part), "{name}: {said}");
         }

@@ -1,6 +1,7 @@
 //! The page of a derivation: one equation per quantity, then conditions, notes and the check.
 
 use super::{Block, Page, definitions};
+use crate::contact::RelationKey;
 use crate::expr::Formula;
 use crate::print::Prose;
 use crate::report::{Derivation, text};
@@ -10,7 +11,10 @@ impl Page {
     pub fn of_derivation(record: &Derivation<'_>) -> Self {
         let names = record.names;
         let mut page = Self { title: "Derived relations".to_owned(), is_text: false, blocks: Vec::new() };
-        page.equation("f", &names.name("f(r)"), &names.formula(record.formula()), Prose::default());
+        // Where it is asked for, it stands among the others.
+        if !record.asked.contains(&RelationKey::Profile) {
+            page.equation("f", &names.name("f(r)"), &names.formula(record.formula()), Prose::default());
+        }
         if let Some(shift) = record.shift() {
             let remark = Prose::read("$f(0)$ = ").formula(shift.clone()).then(" is subtracted, so that $f$ starts at 0");
             page.blocks.push(Block::Remark(remark.renamed(names)));

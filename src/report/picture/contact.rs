@@ -22,7 +22,7 @@ pub enum Pictured {
 
 /// Points of a curve.
 const POINTS: u32 = 160;
-/// Distances to a kink at which pressures are drawn, as shares of its radius.
+/// Distances to a kink at which pressures are drawn, as shares of its radius, and those to the axis, as shares of the contact radius.
 const NEAR_A_KINK: [f64; 5] = [1e-5, 1e-4, 1e-3, 4e-3, 1.2e-2];
 /// How far beyond the contact surfaces are shown, in contact radii.
 const BEYOND: f64 = 1.8;
@@ -135,10 +135,11 @@ fn radii(run: &Run<'_>, curve: Curve, state: Option<&State>) -> Vec<f64> {
     let kinks = run.kinks().into_iter().map(|(at, _)| at / run.scene().system.out(Dimension::LENGTH));
     match curve {
         Curve::Pressure => {
-            // The pressure is infinite at a kink: the places next to it show how it rises.
+            // The pressure is infinite at a kink or an apex: the places next to it show how it rises.
             let near = |at: f64| NEAR_A_KINK.into_iter().flat_map(move |part| [at * (1.0 - part), at * (1.0 + part)]).chain([at]);
             let even = (0..=POINTS).map(|index| a * (FRAC_PI_2 * share(index)).sin());
-            let mut all: Vec<f64> = even.chain(kinks.filter(|at| *at < a).flat_map(near).filter(|at| *at < a)).collect();
+            let beside = kinks.filter(|at| *at < a).flat_map(near).filter(|at| *at < a).chain(NEAR_A_KINK.map(|part| part * a));
+            let mut all: Vec<f64> = even.chain(beside).collect();
             all.sort_by(f64::total_cmp);
             all
         }

@@ -81,15 +81,20 @@ impl Panel {
             let parts = line.points.split(|(x, y)| !(x.is_finite() && y.abs() <= most));
             return parts.filter(|part| !part.is_empty()).map(<[_]>::to_vec).collect();
         }
-        // The sign of an infinite value is that of its neighbours.
-        let signed = |at: usize, y: f64| {
-            let near = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|index| line.points.get(index));
-            let sign = near.map(|(_, y)| *y).find(|y| y.is_finite() && *y != 0.0).map_or(1.0, f64::signum);
-            if y.is_infinite() { sign * most } else { y.clamp(-most, most) }
-        };
-        let shown: Vec<(f64, f64)> = line.points.iter().enumerate().map(|(at, (x, y))| (*x, signed(at, *y))).collect();
-        let parts = shown.split(|(x, y)| !(x.is_finite() && y.is_finite()));
-        parts.filter(|part| !part.is_empty()).map(<[_]>::to_vec).collect()
+        let is_shown = |(x, y): &(f64, f64)| x.is_finite() && y.abs() <= most;
+        let mut parts = Vec::new();
+        for (at, own) in line.points.iter().enumerate().filter(|(_, own)| is_shown(own)) {
+            let before = at.checked_sub(1).and_then(|index| line.points.get(index));
+            let after = line.points.get(at + 1);
+            if !before.is_some_and(is_shown) {
+                parts.push(before.and_then(|other| leaving(*own, *other, most)).into_iter().collect::<Vec<_>>());
+            }
+            if let Some(part) = parts.last_mut() {
+                part.push(*own);
+                part.extend(after.filter(|other| !is_shown(other)).and_then(|other| leaving(*own, *other, most)));
+            }
+        }
+        parts
     }
 
     /// Where the lines are infinite, in words; empty where they are nowhere.
@@ -129,6 +134,17 @@ impl Panel {
         let infinite = Some(self.notice()).filter(|own| !own.is_empty()).map_or(String::new(), |own| format!("; {own}"));
         format!("{}, {} over {}{of}{infinite}", self.title, self.vertical, self.horizontal)
     }
+}
+
+/// The place at which a line leaves the picture between a point within and one beyond; `None` towards a gap.
+fn leaving((x, y): (f64, f64), (other, beyond): (f64, f64), most: f64) -> Option<(f64, f64)> {
+    if beyond.is_nan() || !other.is_finite() {
+        return None;
+    }
+    // The sign of an infinite value is that of its neighbour.
+    let end = if beyond.is_infinite() { most.copysign(y) } else { most.copysign(beyond) };
+    let share = if beyond.is_infinite() { 1.0 } else { (end - y) / (beyond - y) };
+    Some((x + share * (other - x), end))
 }
 
 impl Picture {

@@ -59,7 +59,7 @@ where
         .bold_line_style(RGBColor(225, 225, 225))
         .label_style((LETTERS, 13))
         .axis_desc_style((LETTERS, 14))
-        .x_desc(&panel.horizontal)
+        .x_desc(if panel.infinite.is_empty() { panel.horizontal.clone() } else { format!("{} (▲ infinite)", panel.horizontal) })
         .y_desc(&panel.vertical)
         .x_labels(horizontal.ticks.len())
         .y_labels(vertical.ticks.len())

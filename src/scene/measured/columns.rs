@@ -54,8 +54,7 @@ const HEADER: &str = "a header such as r_um,z_nm or r [um];z [um] would be accep
 pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
     let begin = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
     if text.contains('\0') {
-        let at = text.find('\0').unwrap_or(0);
-        return Err(SceneError::value("this is no text: it has a byte 0").help("a text file in UTF-8 would be accepted").at(at..at + 1));
+        return Err(SceneError::value("this is no text: it has a byte 0").help("a text file in UTF-8 would be accepted"));
     }
     let mut lines = lines(text, begin).filter(|line| !text.get(line.clone()).unwrap_or_default().trim().is_empty()).peekable();
     let mut comment = None;
@@ -94,10 +93,15 @@ pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
         if named.is_none() {
             return Err(SceneError::missing("the first row has numbers, not the names of columns").help(HEADER).at(first));
         }
-        chosen(&fields, line_scan)?
+        chosen(&fields, true, line_scan)?
     } else {
         lines.next();
-        chosen(&fields, line_scan)?
+        let mut below = Vec::new();
+        if let Some(line) = lines.peek() {
+            split(slice(line), line.start, delimiter, &mut below);
+        }
+        let is_table = below.len() == fields.len() && below.iter().all(|(field, _)| number(field, delimiter).is_some());
+        chosen(&fields, is_table, line_scan)?
     };
     let count = fields.len();
     let (radius, height) = columns;

@@ -23,11 +23,11 @@ const ORDINATES: [&str; 2] = ["y", "y1"];
 
 const HELP: &str = "a column r (or x, for a line scan) and a column z would be accepted, with units as in r_um,z_nm";
 
-/// The columns of radius and height.
+/// The columns of radius and height; `is_table` says whether numbers stand below the names.
 ///
 /// # Errors
 /// [`SceneError`] where one of them is missing or stands twice, or has a unit that is no length.
-pub(super) fn chosen(fields: &[Field<'_>], line_scan: bool) -> Result<(Column, Column), SceneError> {
+pub(super) fn chosen(fields: &[Field<'_>], is_table: bool, line_scan: bool) -> Result<(Column, Column), SceneError> {
     let all: Vec<(String, usize)> = fields.iter().enumerate().map(|(index, (text, _))| (parts(text).0.to_lowercase(), index)).collect();
     let place = |index: usize| fields.get(index).map_or(0..0, |(_, place)| place.clone());
     let find = |names: &[&str], what: &str| -> Result<Column, SceneError> {
@@ -38,9 +38,7 @@ pub(super) fn chosen(fields: &[Field<'_>], line_scan: bool) -> Result<(Column, C
                 Ok(Column { name: text.to_owned(), index: *index, unit: unit(text, &place)?, place })
             }
             // Do not echo the contents of a file that is not a table; it may be confidential.
-            [] if !is_header(fields) => {
-                Err(SceneError::missing(format!("the first line of the points names no column of {what}")).help(HELP))
-            }
+            [] if !is_table => Err(SceneError::missing(format!("the first line of the points names no column of {what}")).help(HELP)),
             [] => {
                 let seen: Vec<&str> = fields.iter().map(|(text, _)| *text).take(8).collect();
                 let whole = place(0).start..place(fields.len().saturating_sub(1)).end;
@@ -66,16 +64,6 @@ pub(super) fn chosen(fields: &[Field<'_>], line_scan: bool) -> Result<(Column, C
         return Err(SceneError::value(message).help("a profile r, z or a line scan x, z would be accepted").at(place(*index)));
     }
     Ok((radius, height))
-}
-
-/// Returns `true` if the fields look like the column names of a table.
-fn is_header(fields: &[Field<'_>]) -> bool {
-    const LONGEST: usize = 40;
-    let is_name = |text: &str| {
-        let starts = text.chars().next().is_some_and(char::is_alphabetic);
-        starts && text.len() <= LONGEST && text.chars().all(|own| own.is_alphanumeric() || " _-/()[]%.²³".contains(own))
-    };
-    fields.iter().all(|(text, _)| is_name(text.trim()))
 }
 
 /// Name and unit as they stand.
