@@ -11,7 +11,7 @@ use sneddon::report::{solved_json, validation};
 use sneddon::scene::{self, Change, Curve, Declared, Dimension, Grid, LONGEST_TIP, Run, Scene, SceneError};
 use sneddon::validate::{Layout, Origin, Request, Source, ValidationError};
 use std::fs::File;
-use std::io::{Cursor, Read};
+use std::io::{self, Cursor, Read, Write};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -47,12 +47,25 @@ pub(crate) fn solve(py: Python<'_>, text: &str, directory: &str, force: bool) ->
             let solution = scene.solution().map_err(failed)?;
             let run = Run::new(&scene, &solution).map_err(failed)?;
             work::allow(run.steps().saturating_mul(STEPS));
-            let mut out = Vec::new();
+            let mut out = UntilStopped(Vec::new());
             solved_json::solved(&run, force, &mut out).map_err(|error| Fault::new(error.to_string()))?;
-            Ok(String::from_utf8_lossy(&out).into_owned())
+            Ok(String::from_utf8_lossy(&out.0).into_owned())
         })
     });
     Ok(answer??)
+}
+
+/// A document that ends with an error once Ctrl-C has ended the work: what is left of a long one need not be written.
+struct UntilStopped(Vec<u8>);
+
+impl Write for UntilStopped {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if work::is_stopped() { Err(io::Error::other("the work was stopped")) } else { self.0.write(bytes) }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 /// A budget for a whole call; what is allowed within counts on top of it.

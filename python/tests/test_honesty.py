@@ -217,12 +217,17 @@ SCENE = {
 }
 SWEEP = {"profile": {"f": "struveh(0,r/R)*r^2", "parameters": {"R": 1.0}}, "material": {"effective_modulus": 1.0}, "load": {"depth": 0.1}}
 PLACES = np.linspace(0.01, 0.9, 100000)
+RADII = np.linspace(0.0, 1.0, 200_000)
 LONG = {
     "solve": lambda: sneddon.solve(SCENE),
     "derive": lambda: [sneddon.Profile("max(0,r-b)^150", b=str(n)).derive() for n in range(1, 12)],
     "sweep": lambda: sneddon.sweep(SWEEP, {"profile.parameters.R": list(np.linspace(1.0, 2.0, 5000))}),
     "formula": lambda: sneddon.Contact("ln(cosh(r))", E_star=1.0).pressure(PLACES, radius=1.0),
     "callable": lambda: sneddon.Contact(sneddon.Profile(lambda r: r * r / 2), E_star=1.0).pressure(PLACES, radius=1.0),
+    "points": lambda: sneddon.Contact(sneddon.Profile(RADII, RADII**2 / 2 + 1e-3 * np.sin(40 * RADII) ** 2), E_star=1.0).pressure(
+        PLACES, radius=0.95
+    ),
+    "curves": lambda: sneddon.solve({**SWEEP, "outputs": {"quantities": ["p", "u"], "at": {"start": 0.0, "stop": 1.0, "count": 200_000}}}),
 }
 
 

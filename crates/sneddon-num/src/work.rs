@@ -179,7 +179,13 @@ pub fn left() -> u64 {
 /// True where more was spent than the open budget has: what is computed from here on will be thrown away.
 #[inline]
 pub fn is_exhausted() -> bool {
-    METER.with(|meter| meter.left.get() == 0 || meter.stop.get().is_some_and(|stop| stop.load(Ordering::Relaxed)))
+    METER.with(|meter| meter.left.get() == 0) || is_stopped()
+}
+
+/// Returns true once another thread has ended the work, as in [`stoppable`].
+#[inline]
+pub fn is_stopped() -> bool {
+    METER.with(|meter| meter.stop.get().is_some_and(|stop| stop.load(Ordering::Relaxed)))
 }
 
 /// # Errors

@@ -1,5 +1,6 @@
 //! The named shapes that come nearest to a measured tip, by least squares.
 
+use crate::num::work;
 use crate::scene::Dimension;
 
 /// A named shape with the parameters that fit best.
@@ -143,6 +144,10 @@ fn fitted(model: &Model, points: &[(f64, f64)], end: f64, size: f64) -> Option<(
 
 /// Factor, constant and root mean square of the best fit with this q. A sphere's factor is its radius and not free.
 fn linear(model: &Model, points: &[(f64, f64)], q: f64, end: f64) -> Option<(f64, f64, f64)> {
+    // Thousands of fits of a long table take seconds.
+    if work::is_stopped() {
+        return None;
+    }
     let count = points.len() as f64;
     let value = |s: f64| (model.value)(s, q);
     let mean = points.iter().map(|own| value(own.0)).sum::<f64>() / count;

@@ -4,13 +4,15 @@ use super::Cubic;
 use super::sums::{MASSES, NARROW};
 use super::tree::{Cluster, Moments, Tree, decay, masses, rule};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
-use crate::num::{Bounded, NumError, special};
+use crate::num::{Bounded, Exhausted, NumError, special};
+use std::sync::OnceLock;
 
-/// What the pressure needs of a table: the jumps of f′ and the masses of every cluster.
+/// What the pressure needs of a table: the jumps of f′, and the masses of every cluster, which are found when they are first asked for.
 pub(super) struct Bends {
     /// b times the jump of f′ at the lower end b of every piece; 0 where it is within rounding.
     pub(super) kinks: Vec<f64>,
-    clusters: Vec<(Moments, Vec<(f64, f64)>)>,
+    moments: Vec<Moments>,
+    masses: Vec<OnceLock<Vec<(f64, f64)>>>,
 }
 
 /// Roundings of one value of the kernel and of the masses, in units of ε.
@@ -20,15 +22,17 @@ const REGULAR_NODES: usize = 16;
 const REGULAR: f64 = 0.4;
 
 impl Bends {
-    pub(super) fn new(pieces: &[Cubic], tree: &Tree) -> Self {
+    pub(super) fn new(pieces: &[Cubic], tree: &Tree) -> Result<Self, Exhausted> {
         let kinks: Vec<f64> = (0..pieces.len()).map(|index| kink(pieces, index)).collect();
         let density = |piece: &Cubic, delta: f64| piece.slope(delta) + (piece.lower + delta) * piece.second(delta);
-        let moments = tree.moments(pieces, density, |index| kinks.get(index).copied().unwrap_or(0.0));
-        let clusters = tree.clusters.iter().zip(moments).map(|(own, moment)| {
-            let masses = masses(own, &moment, MASSES);
-            (moment, masses)
-        });
-        Self { kinks: kinks.clone(), clusters: clusters.collect() }
+        let moments = tree.moments(pieces, density, |index| kinks.get(index).copied().unwrap_or(0.0))?;
+        let masses = moments.iter().map(|_| OnceLock::new()).collect();
+        Ok(Self { kinks, moments, masses })
+    }
+
+    /// The masses of a cluster.
+    fn masses(&self, index: usize, cluster: &Cluster, moment: &Moments) -> &[(f64, f64)] {
+        self.masses.get(index).map_or(&[], |own| own.get_or_init(|| masses(cluster, moment, MASSES)))
     }
 }
 
@@ -61,12 +65,12 @@ struct Work<'a> {
 impl Work<'_> {
     fn gather(&mut self, index: usize) -> Result<(), NumError> {
         let (tree, bends) = (self.tree, self.bends);
-        let (Some(own), Some((moment, masses))) = (tree.clusters.get(index), bends.clusters.get(index)) else { return Ok(()) };
+        let (Some(own), Some(moment)) = (tree.clusters.get(index), bends.moments.get(index)) else { return Ok(()) };
         if own.lower >= self.a || moment.size == 0.0 {
             return Ok(());
         }
         if let Some(h) = self.separation(own).filter(|h| *h <= NARROW) {
-            self.far(moment, masses, h);
+            self.far(moment, bends.masses(index, own, moment), h);
             return Ok(());
         }
         if let Some((left, right)) = own.parts {

@@ -4,7 +4,7 @@ use super::pressure::{Bends, pressure};
 use super::sums::{Kernel, transformed};
 use super::tree::{Moments, Tree, rule};
 use super::{Cubic, TableProfile};
-use crate::num::{Bounded, Estimate};
+use crate::num::{Bounded, Estimate, Exhausted, work};
 use crate::transform::{Quantities, Reading, TransformError};
 
 /// Nodes per piece for the energy; half as many judge them.
@@ -14,17 +14,27 @@ const FEWER_NODES: usize = 6;
 const AXIAL: f64 = 1e-13;
 
 impl TableProfile {
-    fn tree(&self) -> &(Tree, Vec<Moments>) {
-        self.tree.get_or_init(|| {
-            let tree = Tree::new(&self.pieces);
-            let moments = tree.moments(&self.pieces, Cubic::slope, |_| 0.0);
-            (tree, moments)
-        })
+    fn tree(&self) -> Result<&(Tree, Vec<Moments>), Exhausted> {
+        if let Some(ready) = self.tree.get() {
+            return Ok(ready);
+        }
+        work::check()?;
+        let tree = Tree::new(&self.pieces);
+        let moments = tree.moments(&self.pieces, Cubic::slope, |_| 0.0)?;
+        Ok(self.tree.get_or_init(|| (tree, moments)))
     }
 
-    fn transformed(&self, at: f64, kernel: Kernel) -> Bounded {
-        let (tree, moments) = self.tree();
-        transformed(&self.pieces, tree, moments, at, kernel)
+    fn bends(&self, tree: &Tree) -> Result<&Bends, Exhausted> {
+        if let Some(ready) = self.bends.get() {
+            return Ok(ready);
+        }
+        let bends = Bends::new(&self.pieces, tree)?;
+        Ok(self.bends.get_or_init(|| bends))
+    }
+
+    fn transformed(&self, at: f64, kernel: Kernel) -> Result<Bounded, Exhausted> {
+        let (tree, moments) = self.tree()?;
+        Ok(transformed(&self.pieces, tree, moments, at, kernel))
     }
 
     /// g at many places, errors included; each costs the logarithm of the number of points, so that sorting does not pay.
@@ -43,17 +53,17 @@ fn exact(number: Bounded, evaluations: u64) -> Reading {
 impl Quantities for TableProfile {
     fn slope(&self, x: f64) -> Result<Reading, TransformError> {
         self.check_domain("x", x)?;
-        Ok(exact(self.transformed(x, Kernel::Slope) * Bounded::exact(x), 0))
+        Ok(exact(self.transformed(x, Kernel::Slope)? * Bounded::exact(x), 0))
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        Ok(exact(self.transformed(a, Kernel::Force), 0))
+        Ok(exact(self.transformed(a, Kernel::Force)?, 0))
     }
 
     fn integral(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        Ok(exact(self.transformed(a, Kernel::Integral), 0))
+        Ok(exact(self.transformed(a, Kernel::Integral)?, 0))
     }
 
     fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
@@ -62,8 +72,8 @@ impl Quantities for TableProfile {
         if r >= a {
             return Ok(Some(exact(Bounded::exact(0.0), 0)));
         }
-        let (tree, _) = self.tree();
-        let bends = self.bends.get_or_init(|| Bends::new(&self.pieces, tree));
+        let (tree, _) = self.tree()?;
+        let bends = self.bends(tree)?;
         let steep = r == 0.0 && self.pieces.first().is_some_and(|piece| piece.slope(0.0) != 0.0);
         let on_kink = || self.piece(r).is_some_and(|i| self.pieces[i].lower == r && bends.kinks.get(i).is_some_and(|kink| *kink != 0.0));
         if steep || on_kink() {
@@ -85,7 +95,7 @@ impl Quantities for TableProfile {
             return Err(TransformError::OutOfDomain { symbol: "r", at: r, limit: format!(", which begins at a = {a:?} here") });
         }
         let factor = Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a);
-        Ok(exact(self.transformed(a, Kernel::Outside(r)) * factor, 0))
+        Ok(exact(self.transformed(a, Kernel::Outside(r))? * factor, 0))
     }
 
     /// The cubic of the piece, less f(0).
@@ -129,15 +139,22 @@ impl Quantities for TableProfile {
         if let Err(error) = self.check_domain("a", a) {
             return Some(Err(error));
         }
+        let (tree, moments) = match self.tree() {
+            Ok(ready) => ready,
+            Err(error) => return Some(Err(error.into())),
+        };
         let mut total = Bounded::exact(0.0);
         let (mut doubt, mut evaluations) = (0.0, 0);
         for piece in self.pieces.iter().take_while(|piece| piece.lower < a) {
+            if let Err(error) = work::check() {
+                return Some(Err(error.into()));
+            }
             let length = piece.upper.min(a) - piece.lower;
             let measured = |nodes: usize| {
                 let mut sum = Bounded::exact(0.0);
                 for node in rule(nodes) {
                     let x = (piece.lower + length * node.t * node.t).min(a);
-                    let gap = depth - self.transformed(x, Kernel::Slope) * Bounded::exact(x);
+                    let gap = depth - transformed(&self.pieces, tree, moments, x, Kernel::Slope) * Bounded::exact(x);
                     let weight = 2.0 * length * node.t * node.weight;
                     sum = sum + gap * gap * Bounded { value: weight, error: 4.0 * f64::EPSILON * weight };
                 }

@@ -7,6 +7,7 @@
 use super::Cubic;
 use crate::num::legendre::{Node, rule_of};
 use crate::num::stable::Total;
+use crate::num::{Exhausted, work};
 use std::sync::OnceLock;
 
 /// Moments that a cluster has; 0.31³³ is below a rounding.
@@ -49,7 +50,15 @@ impl Tree {
     }
 
     /// The moments of a density, given per piece and δ, and of masses at the lower ends of pieces.
-    pub(super) fn moments(&self, pieces: &[Cubic], density: impl Fn(&Cubic, f64) -> f64, mass: impl Fn(usize) -> f64) -> Vec<Moments> {
+    ///
+    /// # Errors
+    /// [`Exhausted`] where the work was stopped, since this takes seconds for hundreds of thousands of pieces.
+    pub(super) fn moments(
+        &self,
+        pieces: &[Cubic],
+        density: impl Fn(&Cubic, f64) -> f64,
+        mass: impl Fn(usize) -> f64,
+    ) -> Result<Vec<Moments>, Exhausted> {
         self.clusters.iter().map(|own| measured(own, pieces, &density, &mass)).collect()
     }
 }
@@ -99,12 +108,18 @@ fn nodes_for(part: f64) -> usize {
     }
 }
 
-fn measured(own: &Cluster, pieces: &[Cubic], density: &impl Fn(&Cubic, f64) -> f64, mass: &impl Fn(usize) -> f64) -> Moments {
+fn measured(
+    own: &Cluster,
+    pieces: &[Cubic],
+    density: &impl Fn(&Cubic, f64) -> f64,
+    mass: &impl Fn(usize) -> f64,
+) -> Result<Moments, Exhausted> {
     let (b, width) = (own.lower, (own.upper - own.lower) * (own.upper + own.lower));
     let mut sums: [Total; TERMS + 1] = std::array::from_fn(|_| Total::default());
     let mut size = 0.0;
     for index in own.range.0..own.range.1 {
         let Some(piece) = pieces.get(index) else { continue };
+        work::check()?;
         let length = piece.upper - piece.lower;
         let mut part = [0.0; TERMS + 1];
         // t + 1 from the distances to the cluster's lower end.
@@ -132,7 +147,7 @@ fn measured(own: &Cluster, pieces: &[Cubic], density: &impl Fn(&Cubic, f64) -> f
         let below = if k == 0 { 0.0 } else { n * all[k - 1] };
         ((n + 1.0) * all[k + 1] + below) / (2.0 * n + 1.0)
     });
-    Moments { plain, first, size }
+    Ok(Moments { plain, first, size })
 }
 
 /// Adds weight · P_k(t) for every k.
