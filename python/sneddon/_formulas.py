@@ -76,7 +76,7 @@ class Formula:
         Parameters
         ----------
         *coordinates : array_like
-            x for g, a for d, F and k, r and a for p, d for a(d) and F(d); F(d) of a punch with a rim takes d and a.
+            x for g, a for d, F and k, r and a for p, d for a(d) and F(d); F(d) of a punch with a rim takes d, a number, and a.
             They may be given by these names instead.
         with_bound : bool or "ground"
             Whether to return the error bounds beside the values, and what these rest on.
@@ -94,6 +94,8 @@ class Formula:
         if len(coordinates) > len(names):
             raise TypeError(f"{_LEFT[self.key]} has {len(names)} coordinates, {', '.join(names)}; {len(coordinates)} were given")
         if of_depth:
+            if "d" in given and "d" in parameters:
+                raise TypeError(f"{_LEFT[self.key]} has two values of d")
             if "d" in given:
                 parameters["d"] = given.pop("d")
             names = ("a",)

@@ -107,15 +107,15 @@ class Solution:
     def __getitem__(self, name: str) -> np.ndarray:
         """Return a column of numbers, NaN where a row has none; a name that no row has is a KeyError.
 
-        ``"F_error"`` are the error bounds of ``"F"``, and ``"F_bound"`` says what each rests on: "proven", "estimated", or "".
+        ``"F_bound"`` are the error bounds of ``"F"``, and ``"F_ground"`` says what each rests on: "proven", "estimated", or "".
         """
         names = self._names()
         if name not in names:
             raise KeyError(f"the rows have no {name!r}; they have {', '.join(names) or 'nothing'}")
         quantity, _, kind = name.rpartition("_")
-        if kind == "bound":
+        if kind == "ground":
             return np.array([row.get("bounds", {}).get(quantity, "") for row in self.rows], dtype="U9")
-        if kind == "error":
+        if kind == "bound":
             return np.array([_number(row.get("error_estimates", {}).get(quantity)) for row in self.rows])
         return np.array([_number(row.get(name)) for row in self.rows])
 
@@ -124,7 +124,7 @@ class Solution:
         for row in self.rows:
             names.update({key: None for key, own in row.items() if own is None or (isinstance(own, (int, float)) and not isinstance(own, bool))})
         bounded = {key: None for row in self.rows for key in row.get("bounds", {})}
-        return [*names, *(f"{key}_{kind}" for key in bounded for kind in ("error", "bound"))]
+        return [*names, *(f"{key}_{kind}" for key in bounded for kind in ("bound", "ground"))]
 
     def to_numpy(self) -> np.ndarray:
         """Return a structured array: a field per number, NaN where a row has none, its error bound, what that rests on, and ``valid``."""

@@ -8,7 +8,7 @@ use crate::report::{self, Compared};
 use crate::transform::{self, TransformError, Verdict};
 use std::path::PathBuf;
 
-/// Compares the closed forms with quadrature of the profile as typed, at 64 points per quantity.
+/// Compares the closed forms with quadrature of the profile as typed, at up to 64 points per quantity.
 ///
 /// Parameters without value get seeded random admissible ones. The exit code is 1 if a comparison fails, or if nothing was compared.
 #[derive(clap::Args)]
@@ -22,7 +22,7 @@ pub(super) struct Arguments {
     /// The depth of a punch with a rim at the contact radius.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
-    /// The largest relative difference that may stand; without it, differences must stay within the error estimates.
+    /// The largest relative difference that may stand; without it, differences must stay within the error bounds.
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     tol: Option<String>,
     /// Writes JSON.

@@ -136,7 +136,7 @@ impl Place {
     /// The name of the text with line and column.
     fn position(&self) -> String {
         let (line, column) = parse::position(&self.text, self.span.clone());
-        let name = with_short_words(&self.name);
+        let name = if self.name.chars().count() > FIRST / 2 { with_short_words(&self.name) } else { self.name.clone() };
         match self.text.trim_end().contains('\n') {
             false => format!("{name}, column {column}"),
             true => format!("{name}, line {line}, column {column}"),
@@ -188,7 +188,15 @@ fn visible(c: char) -> char {
 ///
 /// A message begins with what is wrong and ends with the reason, so that its middle is left out.
 fn line(message: &str) -> String {
-    without_middle(&with_short_words(message), FIRST + 1 - PREFIX)
+    shortened(message, FIRST + 1 - PREFIX)
+}
+
+/// A text of at most `most` characters; long words are shortened before whole words are left out.
+fn shortened(text: &str, most: usize) -> String {
+    if text.chars().count() <= most {
+        return text.chars().map(visible).collect();
+    }
+    without_middle(&with_short_words(text), most)
 }
 
 /// The text with the middle of every long word left out, as of a path.
@@ -212,7 +220,7 @@ fn without_middle(text: &str, most: usize) -> String {
     let (begin, end) = (text.chars().take(begin), text.chars().skip(count - end));
     let (begin, end) = (begin.map(visible).collect::<String>(), end.map(visible).collect::<String>());
     // Whole words, where the text has some.
-    let is_part = |rest: &str| rest.len() < LONGEST_WORD / 3;
+    let is_part = |rest: &str| rest.chars().count() < LONGEST_WORD / 3;
     let begin = begin.rsplit_once(' ').filter(|(_, rest)| is_part(rest)).map_or(begin.as_str(), |(kept, _)| kept);
     let end = end.split_once(' ').filter(|(rest, _)| is_part(rest)).map_or(end.as_str(), |(_, kept)| kept);
     format!("{begin} ... {end}")
@@ -253,5 +261,5 @@ fn whole_lines(text: &str, most: usize) -> String {
 /// Something that is worth knowing, on stderr.
 pub(super) fn warn(message: &str) {
     // A warning that cannot be written is no reason to stop.
-    let _ = writeln!(io::stderr(), "warning: {}", without_middle(&with_short_words(message), MOST - WARNING));
+    let _ = writeln!(io::stderr(), "warning: {}", shortened(message, MOST - WARNING));
 }

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Compares a contact solver's results with the exact solution of a scene, and says what is wrong with them.
 ///
-/// Files with columns d, F, a hold a load per row; files with r (or x, y) and p or u hold places under the scene's load.
+/// Files with columns d, F, a hold a load per row; files with r (or x, y) and p, u, f or g hold places under the scene's load.
 /// A column d beside the places separates several loads.
 /// Columns are named with their units: d_um,F_mN,a_um or r_m,p_Pa. Several files are several resolutions.
 #[derive(clap::Args)]
@@ -29,8 +29,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "T")]
     tol: Option<f64>,
     /// Pixels along a side of the solver's domain, per file; or the radii of an array of `sneddon reference`, as "0:2 um:101".
-    #[arg(long, value_name = "N,N,…|START:STOP:COUNT", allow_hyphen_values = true)]
-    grid: Option<String>,
+    #[arg(long, value_name = "N,N,…|START:STOP:COUNT", value_delimiter = ',', allow_hyphen_values = true)]
+    grid: Vec<String>,
     /// The column or array of a quantity, as in p=press or p_GPa=press; columns and rows without names are counted from 1.
     #[arg(long, value_name = "NAME=COLUMN", value_parser = mapped)]
     map: Vec<(String, String)>,
@@ -112,13 +112,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Some(text) => scene.under(text).map_err(failed)?,
         None => scene,
     };
-    let (radii, pixels): (Vec<&str>, Vec<&str>) = arguments.grid.as_deref().into_iter().partition(|own| own.contains(':'));
+    let (radii, pixels): (Vec<&String>, Vec<&String>) = arguments.grid.iter().partition(|own| own.contains(':'));
     for text in radii {
         if let Grid::Radial(own) = Grid::parse(text, None, false, &scene).map_err(failed)? {
             scene.outputs.at = own;
         }
     }
-    let grid = pixels.into_iter().flat_map(|own| own.split(',')).map(pixels_along_a_side).collect::<Result<Vec<f64>, Failure>>()?;
+    let grid = pixels.into_iter().map(|own| pixels_along_a_side(own)).collect::<Result<Vec<f64>, Failure>>()?;
     if let Some(text) = &arguments.side {
         let side = scene.length("box", text).map_err(failed)?;
         let data = scene.data.take().unwrap_or_else(Declared::nothing);

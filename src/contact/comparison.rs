@@ -3,7 +3,8 @@
 use super::{Contact, ContactError, Explicit, Measured, explicit};
 use crate::expr::Bindings;
 use crate::num::{Estimate, work};
-use crate::transform::{Evaluator, Method, NO_REFERENCE, Sampler, Solution, Status, Tally, Verdict, reach};
+use crate::transform::{Evaluator, Method, NO_REFERENCE, Sampler, Solution, Status, Tally, TransformError, Verdict, reach};
+use std::borrow::Cow;
 
 /// How one quantity fared.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +20,7 @@ pub struct Comparison {
     /// Passed where every difference stays within the sum of both bounds, and within the tolerance that was set.
     pub verdict: Verdict,
     /// Why nothing was compared.
-    pub why: Option<&'static str>,
+    pub why: Option<Cow<'static, str>>,
 }
 
 /// What is compared, and how.
@@ -46,21 +47,21 @@ pub struct Comparisons {
 const POINTS: u32 = 64;
 /// Draws of the parameters among which the points are shared.
 const DRAWS: u32 = 8;
-/// Steps of work after which no further point is begun: 64 points of a dear profile prove no more than some of them.
+/// Steps of work after which no new point is started: 64 points of an expensive profile prove no more than some of them.
 const ENOUGH: u64 = 150_000_000;
 /// The range of the tolerance that the quadratures are asked for.
 const TIGHTEST: f64 = 1e-14;
 const LOOSEST: f64 = 1e-12;
 
-/// Compares g, d, F, p and G, and a(d) and F(d) where they are explicit, at 64 points each, at the set values or at seeded random admissible ones.
+/// Compares g, d, F, p and G, and a(d) and F(d) where they are explicit, at up to 64 points each, at the set values or at seeded random admissible ones.
 ///
-/// A point counts where both values have digits enough to contradict each other; dear profiles are compared at fewer points.
+/// A point counts where both values have digits enough to contradict each other; expensive profiles are compared at fewer points.
 ///
 /// # Errors
 /// [`ContactError`] where the profile cannot be evaluated at any admissible value of its parameters, or at the radius that is set.
 pub fn compare(solution: &Solution, setting: &Setting) -> Result<Comparisons, ContactError> {
     work::bounded(|| {
-        // The rest is for whoever writes what was compared.
+        // The rest is for writing the answer.
         let most = work::left() - work::left() / 8;
         let (found, spent, is_complete) = work::apart(most, || compared(solution, setting));
         work::spend(spent);
@@ -78,7 +79,11 @@ fn compared(solution: &Solution, setting: &Setting) -> Result<Vec<Subject>, Cont
     let (mut done, mut trouble) = (0, None);
     // Some draws may fail: there are twice as many as are needed.
     for _ in 0..2 * draws {
-        let Some(bindings) = sampler.parameters(solution) else { break };
+        let Some(bindings) = sampler.parameters(solution) else {
+            let why = ContactError::Missing { quantity: "a comparison", needs: "values of the parameters that meet the conditions" };
+            found.iter_mut().for_each(|own| own.trouble = Some(why.clone()));
+            break;
+        };
         match run.compare_at(&bindings, POINTS / draws, &mut sampler, &mut found) {
             Ok(()) => done += 1,
             Err(error) => trouble = Some(error),
@@ -98,17 +103,22 @@ struct Subject {
     quantity: &'static str,
     /// What was found; `None` where no closed form is known.
     tally: Option<Tally>,
+    /// The first value that could not be had.
+    trouble: Option<ContactError>,
 }
 
 impl Subject {
     fn outcome(self, setting: &Setting, is_complete: bool) -> Comparison {
-        let Self { quantity, tally } = self;
+        let Self { quantity, tally, trouble } = self;
         let verdict = tally.as_ref().map_or(Verdict::NotCompared, Tally::verdict);
         let why = match &tally {
-            None => Some("no closed form is known, only quadrature answers"),
+            None => Some("no closed form is known, only quadrature answers".into()),
             Some(_) if verdict != Verdict::NotCompared => None,
-            Some(_) if !is_complete => Some("the budget of work did not suffice"),
-            Some(_) => Some(NO_REFERENCE),
+            Some(_) if !is_complete => Some("the budget of work did not suffice".into()),
+            Some(_) => Some(match trouble {
+                None | Some(ContactError::Transform(TransformError::NoDigits { .. })) => NO_REFERENCE.into(),
+                Some(error) => error.to_string().into(),
+            }),
         };
         let tally = tally.filter(|_| why.is_none()).unwrap_or_default();
         let too_large = setting.tolerance.is_some_and(|most| tally.largest > most);
@@ -131,7 +141,7 @@ fn started(solution: &Solution, explicit: bool) -> Vec<Subject> {
     [("g", g), ("d", g), ("F", force), ("p", pressure), ("G", g)]
         .into_iter()
         .chain(inverse)
-        .map(|(quantity, status)| Subject { quantity, tally: (status != Status::Numeric).then(Tally::default) })
+        .map(|(quantity, status)| Subject { quantity, tally: (status != Status::Numeric).then(Tally::default), trouble: None })
         .collect()
 }
 
@@ -188,9 +198,12 @@ impl Run<'_> {
                     "p" => (r, pair("p", r, radius, &contacts)),
                     quantity => (a, pair(quantity, r, a, &contacts)),
                 };
-                // What was read after the budget was exhausted is not complete.
-                if let Some([one, other]) = pair.filter(|_| !work::is_exhausted()) {
-                    tally.take(at, one, other);
+                match pair {
+                    // What was read after the budget was exhausted is not complete.
+                    _ if work::is_exhausted() => {}
+                    Ok(Some([one, other])) => tally.take(at, one, other),
+                    Ok(None) => {}
+                    Err(error) => own.trouble = own.trouble.take().or(Some(error)),
                 }
             }
         }
@@ -198,8 +211,8 @@ impl Run<'_> {
     }
 }
 
-/// A quantity by its closed form and by quadrature; `None` where one of them has no value.
-fn pair(quantity: &str, r: f64, a: f64, [strict, closed, plain]: &[Contact<'_>; 3]) -> Option<[Estimate; 2]> {
+/// A quantity by its closed form and by quadrature; `None` where it is infinite.
+fn pair(quantity: &str, r: f64, a: f64, [strict, closed, plain]: &[Contact<'_>; 3]) -> Result<Option<[Estimate; 2]>, ContactError> {
     let read = |contact: &Contact<'_>| -> Result<Measured, ContactError> {
         Ok(match quantity {
             "g" => Ok(contact.evaluator().slope(a)?),
@@ -209,15 +222,21 @@ fn pair(quantity: &str, r: f64, a: f64, [strict, closed, plain]: &[Contact<'_>; 
             _ => Ok(contact.integral(a)?),
         })
     };
-    let one = read(strict).or_else(|_| read(closed)).ok()?.ok()?;
-    Some([one.estimate, read(plain).ok()?.ok()?.estimate])
+    let (one, other) = (read(strict).or_else(|_| read(closed))?, read(plain)?);
+    Ok(one.ok().zip(other.ok()).map(|(one, other)| [one.estimate, other.estimate]))
 }
 
 /// a or F from the depth that quadrature gives at a by an explicit form, and as it must come out.
-fn retraced(quantity: &str, inverse: &Explicit, depth: Estimate, a: f64, plain: &Contact<'_>) -> Option<[Estimate; 2]> {
+fn retraced(
+    quantity: &str,
+    inverse: &Explicit,
+    depth: Estimate,
+    a: f64,
+    plain: &Contact<'_>,
+) -> Result<Option<[Estimate; 2]>, ContactError> {
     let (expr, known) = match quantity {
         "a_of_d" => (&inverse.contact_radius, Estimate::exact(a)),
-        _ => (&inverse.force, plain.force(a).ok()?.estimate),
+        _ => (&inverse.force, plain.force(a)?.estimate),
     };
-    Some([inverse.value(expr, depth.bounded(), 1.0).ok()?, known])
+    Ok(Some([inverse.value(expr, depth.bounded(), 1.0).map_err(TransformError::from)?, known]))
 }

@@ -391,7 +391,7 @@ impl Serialize for Compared<'_> {
                 points: own.points,
                 passed: own.verdict.passed(),
                 verdict: own.verdict.name(),
-                why: own.why,
+                why: own.why.as_deref(),
             };
             map.serialize_entry(own.quantity, &entry)?;
         }

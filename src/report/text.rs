@@ -72,7 +72,7 @@ pub fn comparison(record: &Compared<'_>, out: &mut dyn Write) -> io::Result<()> 
                 own.points.to_string(),
                 own.max_relative_difference.map_or("-".to_owned(), short),
                 own.at.map_or("-".to_owned(), number),
-                own.why.map_or(word(own.verdict).to_owned(), |why| format!("{}: {why}", word(own.verdict))),
+                own.why.as_ref().map_or(word(own.verdict).to_owned(), |why| format!("{}: {why}", word(own.verdict))),
             ]
         })
     };

@@ -8,6 +8,9 @@ use toml::de::{DeTable, DeValue};
 /// The longest scene file, in bytes.
 pub const LONGEST: usize = 1 << 24;
 
+/// The tables of a scene.
+pub(super) const TABLES: [&str; 7] = ["profile", "material", "counterbody", "load", "outputs", "method", "data"];
+
 /// Reads the text of a scene file.
 ///
 /// # Errors
@@ -18,14 +21,22 @@ pub(super) fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, SceneError> {
     }
     DeTable::parse(text).map_err(|error| {
         let message = error.message().trim().replace('\n', "; ");
-        let own = SceneError::new(Reason::Syntax(message)).help("a scene file such as `sneddon scene new sphere` writes would be accepted");
+        let fault = |message| {
+            SceneError::new(Reason::Syntax(message)).help("a scene file such as `sneddon scene new sphere` writes would be accepted")
+        };
         // A file that is no scene is not shown; it may be confidential.
-        if !text.contains("profile") {
-            return own;
-        }
+        let opens = |line: &str, table: &str| {
+            let rest = line.trim_start().strip_prefix('[').and_then(|own| own.strip_prefix(table));
+            rest.is_some_and(|own| own.trim_start().is_empty() || own.trim_start().starts_with(']'))
+        };
+        let is_scene = text.lines().any(|line| TABLES.iter().any(|table| opens(line, table)));
         match error.span() {
-            Some(span) => own.at(span),
-            None => own,
+            Some(span) if is_scene => fault(message).at(span),
+            Some(span) => {
+                let line = text.get(..span.start).unwrap_or(text).matches('\n').count() + 1;
+                fault(format!("{message}, in line {line}"))
+            }
+            None => fault(message),
         }
     })
 }

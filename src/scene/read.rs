@@ -4,7 +4,7 @@ use super::body::{self, Body};
 use super::change::Change;
 use super::check::{self, Dimensions};
 use super::declared::Typed;
-use super::document::{Entry, Table, nearest, parsed};
+use super::document::{Entry, TABLES, Table, nearest, parsed};
 use super::error::Reason;
 use super::measured::{self, Measured};
 use super::punch::Punch;
@@ -61,7 +61,7 @@ pub fn scene_for_data(text: &str, change: &Change) -> Result<Scene, SceneError> 
 fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, SceneError> {
     let document = parsed(text)?;
     let root = Table::root(&document, text);
-    root.allow(&["profile", "material", "counterbody", "load", "outputs", "method", "data"])?;
+    root.allow(&TABLES)?;
     let complete = "[profile], [material] and [load] make a scene; `sneddon scene new sphere` writes one";
     root.demand("profile", complete)?;
     root.demand("material", complete)?;

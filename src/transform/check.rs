@@ -1,4 +1,4 @@
-//! The program's own check: closed forms against quadrature of the profile as typed, at 64 points.
+//! The program's own check: closed forms against quadrature of the profile as typed, at up to 64 points.
 
 use super::evaluator::{Evaluator, Method, Reading};
 use super::sample::{Sampler, reach};
@@ -28,10 +28,10 @@ const DRAWS: u32 = 8;
 const MANY_TERMS: usize = 40;
 /// The relative tolerance that the quadratures of a check are asked for.
 const TOLERANCE: f64 = 1e-12;
-/// Steps of work after which no further point is begun: 64 points of a dear profile prove no more than some of them.
+/// Steps of work after which no new point is started: 64 points of an expensive profile prove no more than some of them.
 const ENOUGH: u64 = 60_000_000;
 
-/// Compares g at 64 points, F and p at up to 16 of them, at the set values or at seeded random admissible ones.
+/// Compares g at up to 64 points, F and p at up to 16 of them, at the set values or at seeded random admissible ones.
 ///
 /// A point counts where something closed meets a quadrature whose bound is small enough to contradict it.
 ///

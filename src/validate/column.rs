@@ -40,7 +40,7 @@ impl Kind {
         NAMES.iter().find(|(kind, _)| *kind == self).and_then(|(_, names)| names.first()).copied().unwrap_or("")
     }
 
-    /// Returns true for what a place has.
+    /// Returns true for quantities of a place of the surface.
     pub(super) fn is_field(self) -> bool {
         matches!(self, Self::Pressure | Self::Displacement | Self::Profile | Self::Equivalent)
     }
@@ -79,12 +79,13 @@ fn is_area(name: &str) -> bool {
     AREAS.iter().any(|own| is(own, name))
 }
 
-/// Returns true for the error bound of a known quantity and for what it rests on, as `reference` and `solve` write them:
-/// `p_error`, `p_error_GPa`, `p_bound`.
+/// Quantities whose error bounds `reference` and `solve` write.
+const BOUNDED: [&str; 10] = ["d", "F", "a", "k", "p_mean", "U", "p", "u", "f", "g"];
+
+/// Returns true for an error bound and for what it rests on, as `reference` and `solve` write them: `p_error`, `p_error_GPa`, `p_bound`.
 pub(super) fn is_bound(name: &str) -> bool {
-    let mut words = name.trim().split('_');
-    let known = words.next().is_some_and(|own| Kind::of(own).is_some());
-    known && words.next().is_some_and(|own| own.eq_ignore_ascii_case("error") || own.eq_ignore_ascii_case("bound"))
+    let is_kind = |rest: &str| rest == "bound" || rest == "error" || rest.starts_with("error_");
+    BOUNDED.iter().any(|own| name.trim().strip_prefix(own).and_then(|rest| rest.strip_prefix('_')).is_some_and(is_kind))
 }
 
 /// A column that is understood.
@@ -123,7 +124,7 @@ pub(super) fn read(name: &str, index: usize) -> Reading {
     let Some((symbol, unit)) = split else { return Reading::Unknown };
     let Some(kind) = Kind::of(symbol.trim()) else { return Reading::Unknown };
     let unit = unit.trim().trim_end_matches([')', ']']);
-    if is_bound(name) {
+    if is_bound(name) || unit.eq_ignore_ascii_case("error") {
         return Reading::Unknown;
     }
     let squared = ["^2", "²", "2"].into_iter().find_map(|power| unit.strip_suffix(power));

@@ -112,11 +112,29 @@ struct Part {
 }
 
 impl Part {
-    /// A load of several under which the bodies do not touch, or just so.
-    fn apart(load: String, warnings: Vec<String>) -> Self {
-        let reason = "nothing was judged: no contact belongs to the load".to_owned();
-        let verdict = Verdict { passed: false, judged: false, reason, advice: None, order: None, grows: false };
-        Self { load: Some(load), verdict, suspicion: None, files: Vec::new(), warnings }
+    /// A load of several under which the bodies do not touch, or just so: there p and u are 0.
+    fn apart(load: String, files: &[(&Survey<'_>, Pixel)], scene: &Scene, warnings: Vec<String>) -> Self {
+        let size = |survey: &Survey<'_>, kind: Kind, scale: f64| survey.largest(kind).filter(|own| *own > NOTHING * scale);
+        let wrong = files.iter().find_map(|(survey, _)| {
+            let reach = survey.largest(Kind::Distance).or(survey.largest(Kind::X)).unwrap_or(1.0);
+            let p = size(survey, Kind::Pressure, scene.effective_modulus).map(|_| "p");
+            p.or(size(survey, Kind::Displacement, reach).map(|_| "u"))
+        });
+        let reason = match wrong {
+            Some(name) => format!("{name} is not 0 where the bodies do not touch"),
+            None => "nothing was judged: the bodies do not touch".to_owned(),
+        };
+        let verdict = Verdict { passed: false, judged: wrong.is_some(), reason, advice: None, order: None, grows: false };
+        let report = |(survey, pixel): &(&Survey<'_>, Pixel)| FileReport {
+            name: survey.name(scene),
+            grid: pixel.grid,
+            pixel: None,
+            rows: survey.rows,
+            columns: Vec::new(),
+            notes: survey.notes.clone(),
+            plots: Vec::new(),
+        };
+        Self { load: Some(load), verdict, suspicion: None, files: files.iter().map(report).collect(), warnings }
     }
 
     /// Fails where the places of the data contradict what is declared of them.
@@ -144,6 +162,8 @@ impl Part {
     }
 }
 
+/// Pressures below this share of E*, and displacements below this share of the reach of the places, are 0.
+const NOTHING: f64 = 1e-6;
 /// Maximum number of reasons in one sentence.
 const MOST_REASONS: usize = 2;
 
@@ -151,16 +171,16 @@ const MOST_REASONS: usize = 2;
 fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
     // A load at which nothing can be compared, such as the first of a ramp from 0, is left out where others can.
     let passed = parts.iter().any(|own| own.verdict.passed) && parts.iter().all(|own| own.verdict.passed || !own.verdict.judged);
-    let tells = |own: &&Part| own.verdict.passed == passed && (own.verdict.judged || !passed);
-    let mut telling: Vec<String> = parts.iter().filter(tells).map(Part::reason).collect();
+    let mut telling: Vec<String> =
+        parts.iter().filter(|own| own.verdict.judged && own.verdict.passed == passed).map(Part::reason).collect();
     let more = telling.len().saturating_sub(MOST_REASONS);
     if more > 0 {
         telling.truncate(MOST_REASONS);
-        telling.push(format!("{more} more loads {}", if passed { "passed" } else { "failed" }));
+        let (loads, end) = (if more == 1 { "load" } else { "loads" }, if passed { "passed" } else { "failed" });
+        telling.push(format!("{more} more {loads} {end}"));
     }
-    if passed {
-        telling.extend(parts.iter().filter(|own| !own.verdict.judged).map(Part::reason).take(MOST_REASONS));
-    }
+    let unjudged: Vec<String> = parts.iter().filter(|own| !own.verdict.judged).map(Part::reason).collect();
+    telling.extend(unjudged.into_iter().take(MOST_REASONS));
     let suspicions: Vec<&Suspicion> = parts.iter().filter_map(|own| own.suspicion.as_ref()).collect();
     let agreed = suspicions.first().filter(|first| suspicions.iter().all(|own| own.id == first.id));
     let orders: Vec<_> = parts.iter().filter_map(|own| own.verdict.order).collect();
@@ -226,10 +246,10 @@ impl Work<'_> {
         let known = files.first().and_then(|(survey, _)| survey.load());
         let (solution, load) = (self.scene.solution()?, known.map_or_else(|| self.single_load(), Ok)?);
         let exact = Exact::new(self.scene, &solution, load)?;
-        let state = exact.state(load).filter(|own| own.radius > 0.0);
-        let Some(state) = state else {
-            if let Some(load) = files.first().and_then(|(survey, _)| survey.load_name(self.scene)) {
-                return Ok(Part::apart(load, solution.warnings()));
+        let found = exact.state(load);
+        let Some(state) = found.filter(|own| own.radius > 0.0) else {
+            if let (Some(_), Some(load)) = (found, files.first().and_then(|(survey, _)| survey.load_name(self.scene))) {
+                return Ok(Part::apart(load, files, self.scene, solution.warnings()));
             }
             return Err(ValidationError::request(
                 "no contact belongs to the scene's load, so there are no exact pressures",

@@ -177,7 +177,9 @@ fn joined(file: &str, name: &str, loads: Vec<Fields>, layout: &Layout) -> Result
         }
     }
     if without > 0 {
-        all.notes.push(format!("{without} rows without a pressure, as where it is infinite, are not compared"));
+        all.notes.push(format!(
+            "{without} rows with an empty field, as where a pressure is infinite or the profile has ended, are not compared"
+        ));
     }
     Ok(all)
 }

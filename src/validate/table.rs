@@ -157,7 +157,9 @@ impl<'s> Table<'s> {
     pub(super) fn skipped(&self) -> Vec<String> {
         let Skipped { repeated, empty, .. } = self.skipped;
         let repeated = (repeated > 0).then(|| format!("the first line stands again {repeated} times among the rows and is skipped there"));
-        let empty = (empty > 0).then(|| format!("{empty} rows without a pressure, as where it is infinite, are not compared"));
+        let empty = (empty > 0).then(|| {
+            format!("{empty} rows with an empty field, as where a pressure is infinite or the profile has ended, are not compared")
+        });
         repeated.into_iter().chain(empty).collect()
     }
 }
@@ -167,15 +169,15 @@ impl<'s> Table<'s> {
 struct Skipped {
     /// How often the first line stood again among the rows.
     repeated: u64,
-    /// Rows whose pressure is empty.
+    /// Rows with an empty field.
     empty: u64,
-    /// True for a file with bounds of the pressures, as `reference` writes it: there an infinite pressure is empty.
+    /// True for a file with error bounds, as `reference` writes it: what has no finite value there is empty.
     empty_is_infinite: bool,
 }
 
-/// Returns `true` if a column holds error bounds of pressures.
+/// Returns `true` if a column holds the error bounds of a field.
 fn has_bounds(names: &[String]) -> bool {
-    names.iter().any(|own| own == "p_error" || own.starts_with("p_error_"))
+    names.iter().any(|own| own.split_once('_').is_some_and(|(name, _)| ["p", "u", "f", "g"].contains(&name)) && is_bound(own))
 }
 
 impl Text {
@@ -212,7 +214,7 @@ impl Text {
                 continue;
             }
             let is_empty = |own: &Column| self.record.get(own.index).unwrap_or_default().trim_ascii().is_empty();
-            if skipped.empty_is_infinite && columns.iter().any(|own| own.kind == Kind::Pressure && is_empty(own)) {
+            if skipped.empty_is_infinite && columns.iter().any(|own| own.kind.is_field() && is_empty(own)) {
                 skipped.empty += 1;
                 continue;
             }

@@ -107,7 +107,7 @@ pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level],
     let found = if levels.len() > 1 { order(levels, PRINTED.max(solver)).filter(is_narrow) } else { None };
     Verdict {
         passed,
-        judged: !(none_judged && unmatched == 0),
+        judged: !none_judged || unmatched > 0 || convergence.fails(),
         reason,
         advice,
         order: found.map(|own| (column, own)),

@@ -120,6 +120,49 @@ fn every_format_of_references_is_validated() {
     }
 }
 
+/// Class "a file that `reference` wrote is refused": shapes have no value beyond the end of their profile.
+#[test]
+fn shapes_that_end_are_validated() {
+    let place = room("ends");
+    let scene = "[profile]\nshape = \"sphere\"\nparameters = { R = \"1 um\" }\n[material]\neffective_modulus = \"1 GPa\"\n\
+                 [load]\ndepth = \"0.1 um\"\n[outputs]\nquantities = [\"f\", \"g\"]\n";
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    for file in ["field.csv", "field.json"] {
+        assert!(run_in(&place, &["reference", "scene.toml", "--grid", "0:2 um:21", "-o", file]).status.success());
+        let document = judged(&place, file, &[]);
+        assert!(document["passed"] == true && document["columns"]["f"]["rows"].as_u64().unwrap() >= 10, "{file}: {document}");
+    }
+}
+
+/// Class "what is not judged hides what is wrong": a field that is not 0 where the bodies do not touch fails, and the load that fails is
+/// named before those that cannot be judged.
+#[test]
+fn loads_without_contact_hide_nothing() {
+    let place = room("apart");
+    let scene = "[profile]\nf = \"r^2\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = [-0.1, 0.0, 0.05, 0.1]\n\
+                 [outputs]\nquantities = [\"p\", \"u\"]\n";
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    assert!(run_in(&place, &["reference", "scene.toml", "--grid", "0:0.6:61", "-o", "good.csv"]).status.success());
+    let good = judged(&place, "good.csv", &[]);
+    let said = good["reason"].as_str().unwrap();
+    assert!(good["passed"] == true && said.starts_with("d = 0.05") && said.contains("d = 0: nothing was judged"), "{said}");
+    let text = fs::read_to_string(place.join("good.csv")).unwrap();
+    for (load, column, named) in
+        [("0.0,", 2, "d = 0: p is not 0"), ("-0.1,", 5, "d = -0.1: u is not 0"), ("0.1,", 2, "d = 0.1: the error of p")]
+    {
+        let changed = text.lines().map(|line| {
+            let mut fields: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if line.starts_with(load) {
+                fields[column] = format!("{:?}", 1.5 * fields[column].parse::<f64>().unwrap() + 0.01);
+            }
+            fields.join(",")
+        });
+        fs::write(place.join("bad.csv"), changed.collect::<Vec<_>>().join("\n")).unwrap();
+        let bad = judged(&place, "bad.csv", &[]);
+        assert!(bad["passed"] == false && bad["reason"].as_str().unwrap().starts_with(named), "{bad}");
+    }
+}
+
 /// The file with its first field half as large again.
 fn enlarged(file: &str, bytes: &[u8]) -> Vec<u8> {
     if file.ends_with(".npy") {

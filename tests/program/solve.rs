@@ -607,6 +607,13 @@ fn a_file_that_is_no_table_is_not_shown() {
             assert!(!said.contains(part), "{name}: {said}");
         }
     }
+    // A file that is no scene is not shown either; one with a typo is.
+    for (scene, shown) in [("# my profile\npassword = hunter2secret\n", false), ("[profile]\nf = \"r^2\"\nradius = half\n", true)] {
+        let done = run_in(&place, scene, &["solve", "-"]);
+        let said = String::from_utf8_lossy(&done.stderr);
+        let is_shown = said.contains("hunter2") || said.contains("radius = half");
+        assert!(done.status.code() == Some(2) && is_shown == shown && said.contains("line "), "{said}");
+    }
     // The names of a table help its owner.
     fs::write(place.join("table"), "rad_um,hgt_nm\n0,0\n1,1\n").unwrap();
     let scene = "[profile]\npoints = \"table\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n";

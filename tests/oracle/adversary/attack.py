@@ -12,6 +12,7 @@ import resource
 import subprocess
 import sys
 import time
+import traceback
 from collections import Counter
 import flint
 import formulas
@@ -67,19 +68,26 @@ class Attack:
         if child == 0:
             resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE, PATIENCE))
             self.count, self.refusals = Counter(), Counter()
-            self.profile(seed, profile, printed)
-            self.out.flush()
-            if self.table is not None:
-                self.table.flush()
-            with os.fdopen(writing, "wb") as pipe:
-                pickle.dump((self.count, self.refusals, self.slowest), pipe)
-            os._exit(0)
+            try:
+                self.profile(seed, profile, printed)
+                self.out.flush()
+                if self.table is not None:
+                    self.table.flush()
+                with os.fdopen(writing, "wb") as pipe:
+                    pickle.dump((self.count, self.refusals, self.slowest), pipe)
+                os._exit(0)
+            finally:
+                # A fault of the attack itself.
+                traceback.print_exc()
+                os._exit(1)
         os.close(writing)
         with os.fdopen(reading, "rb") as pipe:
             found = pipe.read()
-        os.waitpid(child, 0)
+        _, status = os.waitpid(child, 0)
         if not found:
-            self.count.update({"profiles": 1, "without a reference": 1})
+            # What such a profile reported before it ended is in the file, and not counted.
+            ended = "ended for lack of time" if os.WIFSIGNALED(status) else "faults of the attack"
+            self.count.update({"profiles": 1, ended: 1})
             return
         count, refusals, slowest = pickle.loads(found)
         self.count.update(count)
