@@ -55,7 +55,7 @@ pub(crate) fn solve(py: Python<'_>, text: &str, directory: &str, force: bool) ->
     Ok(answer??)
 }
 
-/// A document that ends with an error once Ctrl-C has ended the work: what is left of a long one need not be written.
+/// A buffer whose writes fail after Ctrl-C, so that the rest of a long document is not written.
 struct UntilStopped(Vec<u8>);
 
 impl Write for UntilStopped {

@@ -143,7 +143,7 @@ def test_a_fit_model_of_nanite():
 
 
 def test_errors_have_a_moderate_length_and_name_the_file(tmp_path):
-    """Class "an error as long as its input", and files that are no tips, whose contents are not shown."""
+    """Error messages are short for any input, and do not quote a file that is not a table of points."""
     long = "n" * 20_000
     for bad in (lambda: sneddon.Profile(f"r^2/{long}").derive().g(1.0), lambda: sneddon.Contact("r^2", E_star=1.0, **{long: 1.0})):
         with pytest.raises(sneddon.SneddonError) as raised:

@@ -191,7 +191,7 @@ fn line(message: &str) -> String {
     shortened(message, FIRST + 1 - PREFIX)
 }
 
-/// A text of at most `most` characters; long words are shortened before whole words are left out.
+/// Shortens a text to at most `most` characters: long words first, then the middle of the text.
 fn shortened(text: &str, most: usize) -> String {
     if text.chars().count() <= most {
         return text.chars().map(visible).collect();
@@ -199,7 +199,7 @@ fn shortened(text: &str, most: usize) -> String {
     without_middle(&with_short_words(text), most)
 }
 
-/// The text with the middle of every long word left out, as of a path.
+/// Returns the text with the middle of every long word, such as a path, replaced by dots.
 fn with_short_words(text: &str) -> String {
     let end = LONGEST_WORD / 3;
     let short = |word: &str| match word.chars().count() {
@@ -209,7 +209,7 @@ fn with_short_words(text: &str) -> String {
     text.split(' ').map(short).collect::<Vec<_>>().join(" ")
 }
 
-/// Shortens a text to at most `most` characters, of which the last third is its end.
+/// Shortens a text to at most `most` characters by omitting its middle.
 fn without_middle(text: &str, most: usize) -> String {
     let count = text.chars().count();
     if count <= most {

@@ -91,7 +91,7 @@ const ENDINGS: &Endings<Format> = &[("html", Format::Html), ("htm", Format::Html
 /// Reads the number of pixels of one file.
 fn pixels_along_a_side(text: &str) -> Result<f64, Failure> {
     let number = text.trim().parse().ok().filter(|own: &f64| *own >= 1.0 && own.is_finite());
-    number.ok_or_else(|| Failure::new(format!("--grid has {text:?}")).help("numbers of pixels such as 64,128,256 would be accepted"))
+    number.ok_or_else(|| Failure::new(format!("--grid has {text:?}")).help("expected numbers of pixels, such as 64,128,256"))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {

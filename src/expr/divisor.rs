@@ -5,14 +5,14 @@ use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_traits::{One, ToPrimitive};
 
-/// Leading bits from which quotients are found.
+/// Number of leading bits from which quotients are computed.
 const LEADING: u64 = 62;
-/// Steps of work per word of the longer number.
+/// Steps of work per word of the shorter number; `charge` counts the part that is quadratic in the words.
 const STEPS_PER_WORD: u64 = 150;
 
-/// The largest positive integer that divides both.
+/// Returns the greatest common divisor.
 ///
-/// Euclid's quotients are found from leading bits, some thirty bits of them at once, so that long numbers are rarely divided
+/// The quotients of Euclid's algorithm are computed from leading bits, about thirty bits at a time, which avoids most long divisions
 /// (D. E. Knuth, The Art of Computer Programming, volume 2, 4.5.2, algorithm L).
 pub(super) fn common_divisor(one: &BigInt, other: &BigInt) -> BigInt {
     if one.is_one() || other.is_one() {
@@ -25,8 +25,10 @@ pub(super) fn common_divisor(one: &BigInt, other: &BigInt) -> BigInt {
     work::spend(STEPS_PER_WORD * (small.bits() / 64));
     loop {
         if let Some(word) = small.to_u64() {
-            let last = if word == 0 { return large.into() } else { &large % word };
-            return last.to_u64().map_or_else(BigInt::one, |last| word.gcd(&last).into());
+            if word == 0 {
+                return large.into();
+            }
+            return (&large % word).to_u64().map_or_else(BigInt::one, |last| word.gcd(&last).into());
         }
         (large, small) = match quotients(&large, &small) {
             Some([own, next]) => (combined(&large, &small, own), combined(&large, &small, next)),

@@ -180,7 +180,7 @@ pub enum TransformError {
 }
 
 impl TransformError {
-    /// The same error where the coordinate x is a contact radius a.
+    /// Returns the same error with the coordinate x renamed to the contact radius a.
     #[must_use]
     pub fn of_radius(self) -> Self {
         match self {

@@ -39,13 +39,13 @@ impl Verdict {
 /// What was compared so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
-    /// Points at which something was compared, as whoever compares counts them.
+    /// Number of points at which something was compared; the caller counts them.
     pub points: u32,
-    /// Comparisons.
+    /// Number of comparisons.
     pub compared: u32,
     /// The largest |one − other| relative to the size of the value.
     pub largest: f64,
-    /// Where it is largest; `None` where nothing but zeros was compared.
+    /// The coordinate at which it is largest; `None` if every value compared was 0.
     pub at: Option<f64>,
     failed: bool,
 }

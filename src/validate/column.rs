@@ -82,10 +82,20 @@ fn is_area(name: &str) -> bool {
 /// Quantities whose error bounds `reference` and `solve` write.
 const BOUNDED: [&str; 10] = ["d", "F", "a", "k", "p_mean", "U", "p", "u", "f", "g"];
 
-/// Returns true for an error bound and for what it rests on, as `reference` and `solve` write them: `p_error`, `p_error_GPa`, `p_bound`.
+/// Returns true if a column holds error bounds, or what they rest on, as `reference` and `solve` name it: `p_error`, `p_error_GPa`, `p_bound`.
 pub(super) fn is_bound(name: &str) -> bool {
+    bounded_quantity(name).is_some()
+}
+
+/// Returns true if a column holds the error bounds of a field.
+pub(super) fn is_bound_of_field(name: &str) -> bool {
+    bounded_quantity(name).and_then(Kind::of).is_some_and(Kind::is_field)
+}
+
+/// Returns the quantity whose error bounds a column holds.
+fn bounded_quantity(name: &str) -> Option<&'static str> {
     let is_kind = |rest: &str| rest == "bound" || rest == "error" || rest.starts_with("error_");
-    BOUNDED.iter().any(|own| name.trim().strip_prefix(own).and_then(|rest| rest.strip_prefix('_')).is_some_and(is_kind))
+    BOUNDED.into_iter().find(|own| name.trim().strip_prefix(own).and_then(|rest| rest.strip_prefix('_')).is_some_and(is_kind))
 }
 
 /// A column that is understood.

@@ -144,15 +144,7 @@ pub(super) fn compare(
         }
         drawn.push((at, decided.0, decided.1));
     }
-    let mut report = FileReport {
-        name: survey.name(scene),
-        grid: pixel.grid,
-        pixel: None,
-        rows: survey.rows,
-        columns: Vec::new(),
-        notes: survey.notes.clone(),
-        plots: Vec::new(),
-    };
+    let mut report = survey.report(scene, pixel.grid);
     let (has_force, has_depth) = (survey.index(Kind::Force).is_some(), survey.index(Kind::Depth).is_some());
     let column = match control {
         Control::Depth if has_force => "F",

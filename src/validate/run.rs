@@ -112,7 +112,7 @@ struct Part {
 }
 
 impl Part {
-    /// A load of several under which the bodies do not touch, or just so: there p and u are 0.
+    /// Returns the verdict on one of several loads at which the contact radius is 0, so that p and u must be 0.
     fn apart(load: String, files: &[(&Survey<'_>, Pixel)], scene: &Scene, warnings: Vec<String>) -> Self {
         let size = |survey: &Survey<'_>, kind: Kind, scale: f64| survey.largest(kind).filter(|own| *own > NOTHING * scale);
         let wrong = files.iter().find_map(|(survey, _)| {
@@ -125,16 +125,8 @@ impl Part {
             None => "nothing was judged: the bodies do not touch".to_owned(),
         };
         let verdict = Verdict { passed: false, judged: wrong.is_some(), reason, advice: None, order: None, grows: false };
-        let report = |(survey, pixel): &(&Survey<'_>, Pixel)| FileReport {
-            name: survey.name(scene),
-            grid: pixel.grid,
-            pixel: None,
-            rows: survey.rows,
-            columns: Vec::new(),
-            notes: survey.notes.clone(),
-            plots: Vec::new(),
-        };
-        Self { load: Some(load), verdict, suspicion: None, files: files.iter().map(report).collect(), warnings }
+        let files = files.iter().map(|(survey, pixel)| survey.report(scene, pixel.grid)).collect();
+        Self { load: Some(load), verdict, suspicion: None, files, warnings }
     }
 
     /// Fails where the places of the data contradict what is declared of them.
@@ -162,7 +154,7 @@ impl Part {
     }
 }
 
-/// Pressures below this share of E*, and displacements below this share of the reach of the places, are 0.
+/// Pressures below this fraction of E*, and displacements below this fraction of the largest radius, count as 0.
 const NOTHING: f64 = 1e-6;
 /// Maximum number of reasons in one sentence.
 const MOST_REASONS: usize = 2;

@@ -1,6 +1,5 @@
 //! A first look at a file: what it holds, how far it reaches, and the pixel that it betrays.
 
-use super::ValidationError;
 use super::column::{Column, Kind};
 use super::data::Data;
 use super::lattice::{self, Lattice, Offset};
@@ -9,6 +8,7 @@ use super::loads::Row;
 use super::placing::Extent;
 use super::table::Table;
 use super::units::Units;
+use super::{FileReport, ValidationError};
 use crate::contact::Load;
 use crate::scene::Scene;
 use std::collections::BTreeSet;
@@ -116,6 +116,12 @@ impl<'s> Survey<'s> {
         drop(table);
         let cells = data.arrays.as_ref().and_then(|own| own.cells);
         Ok(Self { data, axis, cells, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
+    }
+
+    /// Returns a report of this file without columns and plots.
+    pub(super) fn report(&self, scene: &Scene, grid: Option<f64>) -> FileReport {
+        let (name, notes) = (self.name(scene), self.notes.clone());
+        FileReport { name, grid, pixel: None, rows: self.rows, columns: Vec::new(), notes, plots: Vec::new() }
     }
 
     /// The name of the file, with the load whose rows are read.

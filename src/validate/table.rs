@@ -1,7 +1,7 @@
 //! A data file row by row: text with names in its first line and numbers below, of which nothing is kept, or columns of arrays.
 
 use super::ValidationError;
-use super::column::{Column, Kind, Reading, is_bound};
+use super::column::{Column, Kind, Reading, is_bound, is_bound_of_field};
 use super::data::Data;
 use super::layout::{Columns, Layout};
 use std::io::{self, BufRead, BufReader, Read};
@@ -88,7 +88,7 @@ impl<'s> Table<'s> {
             .trim(csv::Trim::None)
             .from_reader(BufReader::with_capacity(1 << 16, rows));
         let (columns, unread) = understood(name, Some(header.lines), &header.names, layout)?;
-        let empty_is_infinite = has_bounds(&header.names);
+        let empty_is_infinite = header.names.iter().any(|own| is_bound_of_field(own));
         let mut notes: Vec<String> = unread.iter().map(|name| format!("column {name:?} is not read")).collect();
         if header.commented {
             notes.push("the names of the columns stand in a comment".to_owned());
@@ -107,7 +107,7 @@ impl<'s> Table<'s> {
         let (columns, unread) = understood(name, None, &own.names, layout)?;
         let mut notes = own.notes.clone();
         notes.extend(unread.iter().map(|name| format!("array {name:?} is not read")));
-        let skipped = Skipped { empty_is_infinite: has_bounds(&own.names), ..Skipped::default() };
+        let skipped = Skipped { empty_is_infinite: own.names.iter().any(|own| is_bound_of_field(own)), ..Skipped::default() };
         let body = Body::Arrays { columns: Rc::clone(own), next: 0 };
         Ok(Self { name, columns, notes, unread, names: own.names.clone(), body, skipped, placed: own.placed, only: None })
     }
@@ -173,11 +173,6 @@ struct Skipped {
     empty: u64,
     /// True for a file with error bounds, as `reference` writes it: what has no finite value there is empty.
     empty_is_infinite: bool,
-}
-
-/// Returns `true` if a column holds the error bounds of a field.
-fn has_bounds(names: &[String]) -> bool {
-    names.iter().any(|own| own.split_once('_').is_some_and(|(name, _)| ["p", "u", "f", "g"].contains(&name)) && is_bound(own))
 }
 
 impl Text {
