@@ -386,6 +386,8 @@ impl Engine {
                         found.map_err(|fault| fault.help(format!("the function raised {error}; end= says where a profile ends")))
                     }
                     (Some(error), _) => Err(Fault::raised(error)),
+                    // A slope at the apex is judged from samples of the function.
+                    (None, Ok(own)) if own.value.is_infinite() => Ok(Estimate { bound: Ground::Estimated, ..own }),
                     (None, found) => found,
                 }
             }

@@ -212,7 +212,7 @@ pub(crate) fn validate(
             }
         };
         let shown_side = side.map(|own| own * scene.system.out(Dimension::LENGTH));
-        let layout = Layout { map, side, shown_side, origin }.checked().map_err(refused)?;
+        let layout = Layout { map, side, shown_side, origin, radii: false }.checked().map_err(refused)?;
         let bytes: u64 = files.iter().map(|(_, own)| own.len() as u64).sum();
         let source = |(name, bytes): (String, Vec<u8>)| {
             let bytes: Arc<[u8]> = bytes.into();

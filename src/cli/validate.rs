@@ -113,7 +113,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         None => scene,
     };
     let (radii, pixels): (Vec<&String>, Vec<&String>) = arguments.grid.iter().partition(|own| own.contains(':'));
-    for text in radii {
+    for text in &radii {
         if let Grid::Radial(own) = Grid::parse(text, None, false, &scene).map_err(failed)? {
             scene.outputs.at = own;
         }
@@ -134,6 +134,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Place::Centre => Origin::Centre,
             Place::Pixel => Origin::Pixel,
         }),
+        radii: !radii.is_empty(),
     };
     let layout = layout.checked().map_err(|error| failure(&name, &text, &error))?;
     let request = Request { layout: &layout, text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &grid };

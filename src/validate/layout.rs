@@ -26,6 +26,8 @@ pub struct Layout {
     pub shown_side: Option<f64>,
     /// Where the axis lies.
     pub origin: Option<Origin>,
+    /// True where the outputs of the scene have the radii that the user gives for an array without places.
+    pub radii: bool,
 }
 
 impl Layout {
@@ -90,6 +92,8 @@ pub(super) struct Columns {
     pub(super) placed: bool,
     /// Whether pressures are means over cells, where the file says so.
     pub(super) cells: Option<bool>,
+    /// True where the places are the radii of the scene's outputs.
+    pub(super) radii: bool,
 }
 
 /// Fewest rows and columns of an array that is a field unless it is said to be a table.
@@ -136,7 +140,7 @@ pub(super) fn columns(file: &str, mut arrays: Vec<Array>, layout: &Layout) -> Re
                 false => (0..columns).map(|column| only.values.iter().skip(column).step_by(columns).copied().collect()).collect(),
             };
             let names = (1..=if stacked { rows } else { columns }).map(|own| own.to_string()).collect();
-            return Ok(Columns { names, values, notes, placed: false, cells: None });
+            return Ok(Columns { names, values, notes, placed: false, cells: None, radii: false });
         }
         if !known {
             notes.push(format!("the array {:?} is read as p; --map u={} would read it as u", only.name, only.name));
@@ -148,7 +152,7 @@ pub(super) fn columns(file: &str, mut arrays: Vec<Array>, layout: &Layout) -> Re
         _ => None,
     };
     let field = numbers.iter().find(|own| own.shape.len() == 2 && kind(own).is_some_and(Kind::is_field));
-    let mut columns = Columns { names: Vec::new(), values: Vec::new(), notes, placed: false, cells: None };
+    let mut columns = Columns { names: Vec::new(), values: Vec::new(), notes, placed: false, cells: None, radii: false };
     let mut add = |name: &str, values: Vec<f64>| {
         let unit = units.iter().find(|own| own.0 == format!("{name}_unit")).map(|own| own.1.as_str()).filter(|own| !own.is_empty());
         columns.names.push(unit.map_or_else(|| name.to_owned(), |unit| format!("{name}_{unit}")));

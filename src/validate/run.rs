@@ -67,6 +67,10 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     if scene.data.as_ref().is_some_and(|own| own.walls == Walls::Periodic) {
         notes.push("the box is said to repeat: its images are no part of the exact solution".to_owned());
     }
+    let uses_radii = |own: &Survey<'_>| own.data.arrays.as_ref().is_some_and(|arrays| arrays.radii);
+    if request.layout.radii && !surveys.iter().any(uses_radii) {
+        notes.push("the radii of --grid are not used: the data have places of their own".to_owned());
+    }
     let mut found = together(parts, request.sources.len(), notes);
     let unread: BTreeSet<&str> = surveys.iter().flat_map(|survey| survey.unread.iter().map(String::as_str)).collect();
     if !unread.is_empty() {

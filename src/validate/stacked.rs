@@ -152,12 +152,13 @@ pub(super) fn npy(file: &str, array: &Array, layout: &Layout, scene: &Scene) -> 
         }
         loads.push(Fields { load: Some(load * scene.system.out(scene.control.datum().dimension())), arrays });
     }
-    joined(file, scene.control.datum().name(), loads, layout)
+    let all = joined(file, scene.control.datum().name(), loads, layout)?;
+    Ok(Columns { radii: !radii.is_empty(), ..all })
 }
 
 /// The columns of all loads below one another; rows without a number are left out.
 fn joined(file: &str, name: &str, loads: Vec<Fields>, layout: &Layout) -> Result<Columns, ValidationError> {
-    let mut all = Columns { names: Vec::new(), values: Vec::new(), notes: Vec::new(), placed: false, cells: None };
+    let mut all = Columns { names: Vec::new(), values: Vec::new(), notes: Vec::new(), placed: false, cells: None, radii: false };
     let mut without = 0;
     for Fields { load, arrays } in loads {
         let own = columns(file, arrays, layout)?;

@@ -134,6 +134,22 @@ fn shapes_that_end_are_validated() {
     }
 }
 
+/// Class "an option is ignored without a word": radii beside data that have places of their own.
+#[test]
+fn radii_that_are_not_used_are_named() {
+    let place = room("unused-radii");
+    let scene = "[profile]\nf = \"r^2\"\n[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n[outputs]\nquantities = [\"p\"]\n";
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    for (grid, file, used) in
+        [("0:1:41", "line.npy", true), ("0:1:41", "line.csv", false), ("0:1:41", "line.json", false), ("64", "square.npy", false)]
+    {
+        assert!(run_in(&place, &["reference", "scene.toml", "--grid", grid, "--box", "1", "-o", file]).status.success());
+        let document = judged(&place, file, &["--grid", "0:1:41", "--box", "1"]);
+        assert_eq!(document["passed"], true, "{file}: {document}");
+        assert_eq!(document["notes"].to_string().contains("the radii of --grid are not used"), !used, "{file}: {document}");
+    }
+}
+
 /// Class "what is not judged hides what is wrong": a field that is not 0 where the bodies do not touch fails, and the load that fails is
 /// named before those that cannot be judged.
 #[test]

@@ -202,8 +202,8 @@ impl Cells {
             sum += share;
             size += if share.is_finite() { share.abs() } else { 0.0 };
         }
-        // What is within the rounding of the sum is 0.
-        if sum.is_nan() {
+        // Where the bend is unknown nearer to the axis, g′ is; what is within the rounding of the sum is 0.
+        if !sum.is_finite() {
             f64::NEG_INFINITY
         } else if sum.abs() <= ROUNDING * size {
             0.0

@@ -4,8 +4,8 @@ use super::cells::Cells;
 use super::curvature::{Curvature, Kink};
 use super::root::Horizon;
 use super::verdict::rounded;
-use crate::num::NumError;
 use crate::num::roots::{RootOptions, bracketed};
+use crate::num::{NumError, work};
 use crate::transform::{Quantities, Superposition, TransformError};
 
 /// The shape beyond single loads, looked at once.
@@ -55,6 +55,8 @@ const EVEN: i32 = 512;
 const FLOOR: f64 = 1e-12;
 /// … and finely up to this multiple of it, where it has no sign.
 const FINE: f64 = 4.0;
+/// Steps after which g is looked at no farther than twice the largest load: far out, every value of g holds many waves.
+const SAMPLING: u64 = 30_000_000;
 /// Most radii next to places where the bend is negative beyond doubt.
 const MOST_DENTS: usize = 200;
 
@@ -114,24 +116,40 @@ impl<'a> Landscape<'a> {
         });
         if concave || bent {
             let telling = telling(&places, own.cells.as_ref().map(Cells::rising_ranges).unwrap_or_default());
-            own.sample(evaluator, &places, &telling)?;
+            own.sample(evaluator, &places, &telling, 2.0 * scale)?;
         }
         Ok(own)
     }
 
-    /// g at the places that tell where it rises, and the troughs of f between all.
-    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &[f64]) -> Result<(), TransformError> {
+    /// g at the places that tell where it rises, and the troughs of f between all; up to `enough` at least, and to the reach where that is
+    /// not too much work.
+    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &[f64], enough: f64) -> Result<(), TransformError> {
         let mut before = (self.flat, 0.0, 0.0);
         let mut fallen = None;
-        for x in telling {
+        let begin = work::left();
+        for place in telling {
+            let mut x = *place;
+            if x > enough && begin.saturating_sub(work::left()) > SAMPLING {
+                self.reach = before.0.max(enough);
+                self.followed = Some(self.reach);
+                self.places.retain(|r| *r <= self.reach);
+                self.looked = self.places.len() as u64;
+                if before.0 == self.reach {
+                    break;
+                }
+                x = self.reach;
+            }
             // Places without a value are no evidence.
-            let Ok(g) = evaluator.slope(*x) else { continue };
+            let Ok(g) = evaluator.slope(x) else { continue };
             let g = g.estimate;
             if fallen.is_none() && g.value + g.error < before.1 - before.2 {
                 fallen = Some(before.0);
             }
-            before = (*x, g.value, g.error);
-            self.samples.push((*x, g.value));
+            before = (x, g.value, g.error);
+            self.samples.push((x, g.value));
+            if x == self.reach {
+                break;
+            }
         }
         self.rising = fallen.is_none();
         self.first_fall = fallen.unwrap_or(self.reach);
@@ -140,7 +158,7 @@ impl<'a> Landscape<'a> {
             return Ok(());
         }
         let mut falling = None;
-        for r in places {
+        for r in places.iter().filter(|r| **r <= self.reach) {
             let slope = self.curvature.slope(*r);
             if let Some(from) = falling
                 && slope.value > slope.error
@@ -165,18 +183,37 @@ impl<'a> Landscape<'a> {
         root.map_or(0.5 * (from + to), |own| own.x)
     }
 
-    /// The brackets in which g rises through `depth`, from the axis outward.
+    /// The brackets in which g rises through `depth`, from the axis outward; beyond the first, those before which g has not been seen above
+    /// it: see [`Landscape::exceeds`].
     pub(super) fn rises_through(&self, depth: f64) -> Vec<(f64, f64)> {
         let mut found = Vec::new();
         let mut before = (self.flat, 0.0);
+        let mut exceeded = false;
         for (x, g) in &self.samples {
             if before.1 < depth && *g >= depth {
                 found.push((before.0, *x));
+            }
+            exceeded = exceeded || surely_above(*g, depth);
+            if exceeded && !found.is_empty() {
+                break;
             }
             before = (*x, *g);
         }
         found
     }
+
+    /// Whether g has been seen above `depth` before `radius`.
+    ///
+    /// A line load d − g(x) = (2/E*) ∫_x^a r p/√(r²−x²) dr that is negative anywhere below the edge is the sum of a pressure that is,
+    /// so that such a radius is no contact.
+    pub(super) fn exceeds(&self, depth: f64, radius: f64) -> bool {
+        self.samples.iter().take_while(|(x, _)| *x < radius).any(|(_, g)| surely_above(*g, depth))
+    }
+}
+
+/// Whether g exceeds a depth beyond the rounding of both.
+fn surely_above(g: f64, depth: f64) -> bool {
+    g > depth + 1e-9 * depth.abs()
 }
 
 /// The places without those inside ranges in which g is proven to rise: between the ends of such a range g has no other root.

@@ -440,17 +440,10 @@ impl<'a> Indentation<'a> {
     }
 
     /// The first candidate that is proven, else the first that stands the test, else the first one with what speaks against it.
-    ///
-    /// A line load d − g(x) = (2/E*) ∫_x^a r p/√(r²−x²) dr that is negative anywhere below the edge is the sum of a pressure that is:
-    /// where g has been seen above d, a candidate needs no test of its own.
     fn chosen(&self, candidates: &[State]) -> Indented {
-        let pulled = |state: &State| {
-            let most = state.depth + PULLED * state.depth.abs();
-            self.landscape.samples.iter().take_while(|(x, _)| *x < state.radius).any(|(_, g)| *g > most)
-        };
         let (mut first, mut looked_at) = (None, None);
         for (index, state) in candidates.iter().enumerate() {
-            if index > 0 && pulled(state) {
+            if index > 0 && self.landscape.exceeds(state.depth, state.radius) {
                 continue;
             }
             let judged = self.judged(*state);
@@ -471,9 +464,6 @@ impl<'a> Indentation<'a> {
         self.contact(state).energy(state.radius)
     }
 }
-
-/// g exceeds a depth beyond doubt where it does so by this share.
-const PULLED: f64 = 1e-9;
 
 fn unreachable(message: String) -> Indented {
     let finding = Finding { rule: "unreachable", severity: Severity::Error, message, at: None };

@@ -12,8 +12,10 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 pub(super) enum Sign {
     /// Nowhere negative.
     Proven,
-    /// Negative beyond doubt at this radius, the first one as far as ranges were looked at.
+    /// Negative beyond doubt from this radius on, and nowhere before.
     Negative(f64),
+    /// Negative beyond doubt at this radius, and undecided before.
+    NegativeAt(f64),
     /// Undecided after a look at so many radii.
     Open(u64),
 }
@@ -43,7 +45,7 @@ fn sign_over(
         }
         let middle = if from > 0.0 && to > 4.0 * from { (from * to).sqrt() } else { 0.5 * (from + to) };
         if ranges > MOST_RANGES || values > MOST_VALUES || narrow(from, to) || !(middle > from && middle < to) {
-            return found.map_or(Sign::Open(values), |at| Sign::Negative(rounded(bisected(negative, from, at), 8)));
+            return found.map_or(Sign::Open(values), |at| Sign::NegativeAt(bisected(negative, from, at)));
         }
         values += 1;
         if negative(middle) {
@@ -60,7 +62,8 @@ fn sign_over(
 
 /// Where a function that is not negative at `from` becomes so before `to`.
 fn bisected(negative: impl Fn(f64) -> bool, mut from: f64, mut to: f64) -> f64 {
-    while to - from > PLACED * to {
+    let near = PLACED * to;
+    while to - from > near {
         let middle = 0.5 * (from + to);
         if negative(middle) { to = middle } else { from = middle }
     }

@@ -4,7 +4,7 @@ use super::curvature::Curvature;
 use super::{Boundary, Indentation, Load, State};
 use crate::contact::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
-use crate::num::work;
+use crate::num::{Bounded, work};
 use crate::transform::{Quantities, Superposition, TransformError};
 use std::cell::Cell;
 
@@ -77,6 +77,9 @@ const NEAREST: f64 = 1e-290;
 /// The shortest relative distance to a place without a value that is halved.
 const CLOSEST: f64 = 1e-12;
 
+/// Steps after which a profile that does not reach the largest load is looked at no farther out.
+const SEARCHING: u64 = 30_000_000;
+
 /// How far a profile without an end is looked at.
 pub(super) struct Horizon {
     /// About the contact radius of the largest load: the first power of ten at which g or F has reached it.
@@ -106,7 +109,12 @@ impl Horizon {
             return Self { scale: radius, followed: followed.max(10.0 * radius) };
         }
         let mut seen = Vec::new();
+        let begin = work::left();
         for a in steps.take_while(|a| *a < followed) {
+            let falls = seen.iter().any(|(_, g)| *g > 0.0);
+            if falls && begin.saturating_sub(work::left()) > SEARCHING {
+                break;
+            }
             if reached(a) {
                 return Self { scale: a.max(outer.unwrap_or(0.0)), followed };
             }
@@ -134,13 +142,14 @@ fn is_followed(curvature: &Curvature<'_>, a: f64) -> bool {
     if radii.clone().all(|r| curvature.bend(r).value > 0.0) {
         return true;
     }
-    let slopes: Vec<f64> = radii.map(|r| curvature.slope(r).value).collect();
-    let size = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.abs()));
+    let slopes: Vec<Bounded> = radii.map(|r| curvature.slope(r)).collect();
+    let size = slopes.iter().fold(0.0f64, |most, slope| most.max(slope.value.abs()));
     let (mut changes, mut last) = (0, 0.0);
     for own in slopes.windows(3) {
         let [one, two, three] = own else { continue };
-        let bend = (one - two) - (two - three);
-        if bend.abs() > 1e-6 * size {
+        let bend = (one.value - two.value) - (two.value - three.value);
+        // Rounding makes no waves, such as that of 1 - sin(r)/r next to the axis.
+        if bend.abs() > 1e-6 * size + one.error + 2.0 * two.error + three.error {
             changes += u32::from(bend * last < 0.0);
             last = bend;
         }
@@ -290,10 +299,24 @@ impl Indentation<'_> {
         let (flat, limit) = (self.landscape.flat, self.contact.evaluator().limit());
         let end = if limit.is_finite() { limit.next_down() } else { FARTHEST }.min(self.setup.rim.unwrap_or(f64::INFINITY));
         let mut upper = follower.get().map_or(self.landscape.reach * 1e-3, |last| last.root).clamp(flat.max(NEAREST), end);
-        let mut lower = upper;
         let mut factor = 2.0;
         let mut above = |a: f64| function(a).map(|value| value >= 0.0);
-        if above(upper)? {
+        // Next to the end of a profile, and far out, g may have no digits: such a place is approached from below.
+        let mut without = None;
+        let starts_above = loop {
+            match above(upper) {
+                Ok(own) => break own,
+                Err(TransformError::NoDigits { .. } | TransformError::NotComputable { .. }) if upper > flat.max(NEAREST) => {
+                    without = Some(upper);
+                    upper = (upper / factor).max(flat).max(NEAREST);
+                    factor *= factor.min(1e30);
+                }
+                Err(error) => return Err(error.into()),
+            }
+        };
+        let mut lower = upper;
+        factor = 2.0;
+        if starts_above {
             while above(lower)? {
                 if lower <= flat || lower <= NEAREST {
                     return Ok(None);
@@ -303,8 +326,6 @@ impl Indentation<'_> {
                 factor *= factor.min(1e30);
             }
         } else {
-            // Next to the end of a profile g may have no digits: such a place is approached from below.
-            let mut without = None;
             loop {
                 match above(upper) {
                     Ok(true) => break,

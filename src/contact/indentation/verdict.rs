@@ -152,7 +152,7 @@ impl Indentation<'_> {
             match self.landscape.cells.as_ref().map_or(Sign::Open(0), sign) {
                 Sign::Proven => self.known.complete_from.set(state.depth),
                 Sign::Open(looks) => verdict.looked_at(looks + u64::from(LOOKS)),
-                Sign::Negative(at) => verdict.finds_tension(at, &self.naming),
+                Sign::Negative(at) | Sign::NegativeAt(at) => verdict.finds_tension(rounded(at, 8), &self.naming),
             }
             return;
         }
@@ -168,11 +168,8 @@ impl Indentation<'_> {
     /// max over r < c of g(c) − √(c² − r²) π p_smooth/E*, and its place.
     fn least_depth(&self, c: f64, slope: f64) -> (f64, f64) {
         let shape = self.contact.evaluator();
-        if self.landscape.flat == 0.0 && matches!(shape.pressure(0.0, c), Ok(None)) {
-            let near = shape.pressure(1e-9 * c, c);
-            if near.is_ok_and(|p| p.is_some_and(|p| p.estimate.value < 0.0)) {
-                return (f64::INFINITY, 0.0);
-            }
+        if self.pull_on_axis(c) == Some(true) {
+            return (f64::INFINITY, 0.0);
         }
         let mut needed = |r: f64| match shape.pressure(r, c) {
             Ok(Some(p)) => p.estimate.value * ((c - r) * (c + r)).sqrt() - slope,
@@ -187,6 +184,21 @@ impl Indentation<'_> {
         if -value > slope { (-value, at) } else { (slope, c) }
     }
 
+    /// Whether the pressure of a smooth contact of this radius is negative on the axis: `Some(true)` where it is −∞.
+    fn pull_on_axis(&self, a: f64) -> Option<bool> {
+        let pulls = |r: f64| {
+            let p = self.contact.evaluator().pressure(r, a).ok()?;
+            Some(p.map(|p| p.estimate.value + p.estimate.error < 0.0))
+        };
+        if self.landscape.flat > 0.0 || pulls(1e-9 * a) != Some(Some(true)) {
+            return None;
+        }
+        match pulls(0.0)? {
+            None => Some(true),
+            Some(negative) => negative.then_some(false),
+        }
+    }
+
     /// p ≥ 0 inside a contact with a smooth edge.
     fn tension_inside(&self, state: &State, verdict: &mut Inspection) {
         let a = state.radius;
@@ -196,6 +208,15 @@ impl Indentation<'_> {
             return;
         }
         if a <= self.landscape.risen {
+            return;
+        }
+        if let Some(infinite) = self.pull_on_axis(a) {
+            if infinite {
+                let message = "the profile has a concave apex: the pressure at r = 0 is minus infinity".to_owned();
+                verdict.findings.push(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(0.0) });
+            } else {
+                verdict.finds_tension(0.0, &self.naming);
+            }
             return;
         }
         let mean = (state.force / (a * a * self.contact.effective_modulus())).abs();
@@ -211,6 +232,10 @@ impl Indentation<'_> {
         match sign {
             Sign::Proven => {}
             Sign::Negative(at) => verdict.finds_tension(at, &self.naming),
+            Sign::NegativeAt(at) => {
+                let first = first_negative(&mut pressure, &looks_between(0.0, at), 1e-3 * mean);
+                verdict.finds_tension(first.unwrap_or(rounded(at, 8)), &self.naming);
+            }
             Sign::Open(looks) => {
                 let places = looks_between(0.0, a);
                 verdict.looked_at(looks + places.len() as u64);
@@ -298,6 +323,10 @@ impl Indentation<'_> {
         let looks = match self.landscape.cells.as_ref().map(|cells| self.gap_sign(cells, a, depth, NOISE * depth.abs())) {
             Some(Sign::Proven) => return (None, None),
             Some(Sign::Negative(at)) => return (Some(at), None),
+            Some(Sign::NegativeAt(at)) => {
+                let first = first_negative(&mut gap, &looks_between(a, at), f64::INFINITY);
+                return (Some(first.unwrap_or(rounded(at, 8))), None);
+            }
             Some(Sign::Open(looks)) => looks,
             None => 0,
         };
@@ -374,7 +403,8 @@ fn first_negative(function: &mut impl FnMut(f64) -> f64, places: &[f64], shallow
 
 /// Where a function that is not negative at `from` becomes so before `to`, as nearly as [`PLACED`].
 fn sign_change(function: &mut impl FnMut(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
-    while to - from > PLACED * to {
+    let near = PLACED * to;
+    while to - from > near {
         let middle = 0.5 * (from + to);
         if middle <= from || middle >= to {
             break;
