@@ -55,8 +55,12 @@ const EVEN: i32 = 512;
 const FLOOR: f64 = 1e-12;
 /// … and finely up to this multiple of it, where it has no sign.
 const FINE: f64 = 4.0;
-/// Steps after which g is looked at no farther than twice the largest load: far out, every value of g holds many waves.
-const SAMPLING: u64 = 30_000_000;
+/// Steps after which g is looked at in no more of the places near the largest load …
+const NEAR: u64 = 80_000_000;
+/// … and of those far out, where every value of g holds many waves.
+const FAR: u64 = 30_000_000;
+/// One in so many places near the largest load is looked at in any case.
+const COARSE: usize = 16;
 /// Most radii next to places where the bend is negative beyond doubt.
 const MOST_DENTS: usize = 200;
 
@@ -81,9 +85,11 @@ impl<'a> Landscape<'a> {
         let cells = Cells::new(&curvature, &kinks, FLOOR * scale, (FINE * scale).min(reach), reach);
         let bends_up = cells.as_ref().is_some_and(Cells::bends_up);
         let risen = cells.as_ref().map_or(0.0, |own| if bends_up { reach } else { own.risen() });
+        let mut dents = Vec::new();
         if let (Some(own), true) = (&cells, risen < reach) {
-            let dents = own.dents(&places, MOST_DENTS);
-            places.extend(dents.into_iter().filter(|r| *r > flat && *r < reach));
+            dents = own.dents(&places, MOST_DENTS);
+            dents.retain(|r| *r > flat && *r < reach);
+            places.extend(&dents);
             places.sort_by(f64::total_cmp);
             places.dedup();
         }
@@ -115,41 +121,53 @@ impl<'a> Landscape<'a> {
             bend.value < -bend.error
         });
         if concave || bent {
-            let telling = telling(&places, own.cells.as_ref().map(Cells::rising_ranges).unwrap_or_default());
-            own.sample(evaluator, &places, &telling, 2.0 * scale)?;
+            let list = telling(&places, own.cells.as_ref().map(Cells::rising_ranges).unwrap_or_default());
+            own.sample(evaluator, &places, &Telling { list, dents: &dents, enough: 2.0 * scale })?;
         }
         Ok(own)
     }
 
-    /// g at the places that tell where it rises, and the troughs of f between all; up to `enough` at least, and to the reach where that is
-    /// not too much work.
-    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &[f64], enough: f64) -> Result<(), TransformError> {
+    /// g at the places that tell where it rises, and the troughs of f between all.
+    fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &Telling<'_>) -> Result<(), TransformError> {
+        let mut seen = Vec::new();
+        // Places without a value are no evidence.
+        let mut look = |x: f64| seen.extend(evaluator.slope(x).ok().map(|g| (x, g.estimate.value, g.estimate.error)));
+        let spent = |begin: u64| begin.saturating_sub(work::left());
+        let begin = work::left();
+        let (coarse, fine) = telling.near();
+        coarse.into_iter().for_each(&mut look);
+        let thinned = fine.into_iter().any(|x| {
+            spent(begin) > NEAR || {
+                look(x);
+                false
+            }
+        });
+        let begin = work::left();
+        let far = telling.far();
+        let cut = far.iter().position(|x| {
+            spent(begin) > FAR || {
+                look(*x);
+                false
+            }
+        });
+        if let Some(cut) = cut {
+            self.reach = cut.checked_sub(1).and_then(|last| far.get(last)).map_or(telling.enough, |last| *last);
+            self.followed = Some(self.reach);
+            self.places.retain(|r| *r <= self.reach);
+            if cut == 0 {
+                look(self.reach);
+            }
+        }
+        seen.sort_by(|one, other| one.0.total_cmp(&other.0));
+        self.looked = if thinned { seen.len() } else { self.places.len() } as u64;
         let mut before = (self.flat, 0.0, 0.0);
         let mut fallen = None;
-        let begin = work::left();
-        for place in telling {
-            let mut x = *place;
-            if x > enough && begin.saturating_sub(work::left()) > SAMPLING {
-                self.reach = before.0.max(enough);
-                self.followed = Some(self.reach);
-                self.places.retain(|r| *r <= self.reach);
-                self.looked = self.places.len() as u64;
-                if before.0 == self.reach {
-                    break;
-                }
-                x = self.reach;
-            }
-            // Places without a value are no evidence.
-            let Ok(g) = evaluator.slope(x) else { continue };
-            let g = g.estimate;
-            if fallen.is_none() && g.value + g.error < before.1 - before.2 {
+        for (x, g, error) in seen {
+            if fallen.is_none() && g + error < before.1 - before.2 {
                 fallen = Some(before.0);
             }
-            before = (x, g.value, g.error);
-            self.samples.push((x, g.value));
-            if x == self.reach {
-                break;
-            }
+            before = (x, g, error);
+            self.samples.push((x, g));
         }
         self.rising = fallen.is_none();
         self.first_fall = fallen.unwrap_or(self.reach);
@@ -202,6 +220,13 @@ impl<'a> Landscape<'a> {
         found
     }
 
+    /// The radii from which on g was seen to fall, rising.
+    pub(super) fn falls(&self) -> impl Iterator<Item = f64> + '_ {
+        let rises = |pair: &[(f64, f64)]| matches!(pair, [one, two] if one.1 <= two.1);
+        let runs = self.samples.windows(2).zip(self.samples.windows(2).skip(1));
+        runs.filter(move |(before, beyond)| rises(before) && !rises(beyond)).filter_map(|(_, beyond)| Some(beyond.first()?.0))
+    }
+
     /// Whether g has been seen above `depth` before `radius`.
     ///
     /// A line load d − g(x) = (2/E*) ∫_x^a r p/√(r²−x²) dr that is negative anywhere below the edge is the sum of a pressure that is,
@@ -214,6 +239,35 @@ impl<'a> Landscape<'a> {
 /// Whether g exceeds a depth beyond the rounding of both.
 fn surely_above(g: f64, depth: f64) -> bool {
     g > depth + 1e-9 * depth.abs()
+}
+
+/// The places that tell where g rises.
+struct Telling<'p> {
+    list: Vec<f64>,
+    /// Those in and around narrow parts that bend down.
+    dents: &'p [f64],
+    /// Up to here they are near.
+    enough: f64,
+}
+
+impl Telling<'_> {
+    /// The near places: those that are looked at in any case, and the others, first the halves between them, then the quarters.
+    fn near(&self) -> (Vec<f64>, Vec<f64>) {
+        let near = self.list.get(..self.list.len() - self.far().len()).unwrap_or_default();
+        let (mut coarse, mut levels) = (Vec::new(), vec![Vec::new(); COARSE.ilog2() as usize]);
+        for (index, x) in near.iter().enumerate() {
+            let level = levels.len().checked_sub(1 + index.trailing_zeros() as usize);
+            match level.and_then(|level| levels.get_mut(level)) {
+                Some(fine) if index + 1 < near.len() && !self.dents.contains(x) => fine.push(*x),
+                _ => coarse.push(*x),
+            }
+        }
+        (coarse, levels.concat())
+    }
+
+    fn far(&self) -> &[f64] {
+        self.list.get(self.list.partition_point(|x| *x <= self.enough)..).unwrap_or_default()
+    }
 }
 
 /// The places without those inside ranges in which g is proven to rise: between the ends of such a range g has no other root.

@@ -2,8 +2,8 @@
 
 use super::Indentation;
 use super::cells::{Cell, Cells};
-use super::verdict::rounded;
-use crate::num::{Bound, Estimate};
+use super::verdict::{LOOKING, affordable, rounded};
+use crate::num::{Bound, Estimate, work};
 use crate::transform::Quantities;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
@@ -22,8 +22,10 @@ pub(super) enum Sign {
 
 /// Most ranges that are looked at for one load.
 const MOST_RANGES: u64 = 1500;
-/// Most radii at which a value is computed for one load.
+/// Maximum number of radii at which a value is computed for one load …
 const MOST_VALUES: u64 = 300;
+/// … and steps after which there are no more.
+const PROVING: u64 = 100_000_000;
 /// A range is not halved below this share of its radius …
 const NARROWEST: f64 = 1e-12;
 /// … nor below this one where its end is negative: values closer to the change of sign cost more and tell no more.
@@ -37,6 +39,7 @@ fn sign_over(
     narrow: impl Fn(f64, f64) -> bool,
 ) -> Sign {
     let (mut ranges, mut values) = (0, 0);
+    let begin = work::left();
     let mut found = None;
     while let Some((from, to)) = open.pop() {
         ranges += 1;
@@ -44,7 +47,12 @@ fn sign_over(
             continue;
         }
         let middle = if from > 0.0 && to > 4.0 * from { (from * to).sqrt() } else { 0.5 * (from + to) };
-        if ranges > MOST_RANGES || values > MOST_VALUES || narrow(from, to) || !(middle > from && middle < to) {
+        if ranges > MOST_RANGES
+            || values > MOST_VALUES
+            || begin.saturating_sub(work::left()) > PROVING
+            || narrow(from, to)
+            || !(middle > from && middle < to)
+        {
             return found.map_or(Sign::Open(values), |at| Sign::NegativeAt(bisected(negative, from, at)));
         }
         values += 1;
@@ -205,7 +213,7 @@ struct Lift {
     steps: Vec<(f64, f64, f64)>,
 }
 
-/// Radii inside at which g is asked.
+/// Maximum number of radii inside at which g is asked, fewer where it is expensive.
 const STEPS: u32 = 96;
 
 impl Lift {
@@ -213,14 +221,14 @@ impl Lift {
         let proven = |own: Estimate| (own.bound == Bound::Proven).then_some(own);
         let least = |own: Estimate| FRAC_2_PI * (own.value - own.error) * (1.0 - 4.0 * f64::EPSILON);
         let force = shape.force(a).ok().and_then(|own| proven(own.estimate)).map_or(0.0, least);
-        let places = (1..=STEPS).map(|step| a * (FRAC_PI_2 * f64::from(step) / f64::from(STEPS)).sin());
+        let count = if rises { affordable(STEPS, LOOKING, || shape.slope(0.5 * a)) } else { 0 };
+        let places = (1..=count).map(|step| a * (FRAC_PI_2 * f64::from(step) / f64::from(count)).sin());
         let gap = |x: f64| {
             let g = proven(shape.slope(x).ok()?.estimate)?;
             Some((x, (depth - g.value - g.error).max(0.0), depth - g.value + g.error))
         };
         // A radius at which g is not proven widens the step that it would have ended.
-        let steps = if rises { places.filter_map(gap).collect() } else { Vec::new() };
-        Self { a, depth, force: force.max(0.0), steps }
+        Self { a, depth, force: force.max(0.0), steps: places.filter_map(gap).collect() }
     }
 
     /// (2/π)∫₀^a (d − g)/√(r² − x²) dx from below.

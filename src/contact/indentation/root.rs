@@ -77,7 +77,9 @@ const NEAREST: f64 = 1e-290;
 /// The shortest relative distance to a place without a value that is halved.
 const CLOSEST: f64 = 1e-12;
 
-/// Steps after which a profile that does not reach the largest load is looked at no farther out.
+/// Where f has been this many times below the load, so has g: its values, which cost far more, are left out.
+const FAR: f64 = 100.0;
+/// Steps after which a profile is looked at no farther out once g falls or has no value.
 const SEARCHING: u64 = 30_000_000;
 
 /// How far a profile without an end is looked at.
@@ -89,37 +91,49 @@ pub(super) struct Horizon {
 }
 
 impl Horizon {
-    pub(super) fn of(contact: &Contact<'_, Superposition<'_>>, curvature: &Curvature<'_>, rim: Option<f64>, largest: Load) -> Self {
+    pub(super) fn of(contact: &Contact<'_, Superposition<'_>>, curvature: &Curvature<'_>, rim: Option<f64>, load: Load) -> Self {
         let limit = contact.evaluator().limit();
         if let Some(end) = rim.or(limit.is_finite().then_some(limit)) {
             return Self { scale: end, followed: f64::INFINITY };
         }
-        let reached = |a: f64| match largest {
-            Load::Radius(radius) => a >= radius,
-            Load::Depth(depth) => contact.depth(a).is_ok_and(|g| g.estimate.value >= depth),
-            Load::Force(force) => contact.any_force(a).is_ok_and(|f| f.estimate.value >= force),
-        };
         let outer = contact.evaluator().breakpoints_below(f64::INFINITY).last().copied();
         let steps = (-60..=60).map(|step| outer.unwrap_or(1.0) * 10f64.powf(0.5 * f64::from(step)));
         let followed = steps.clone().find(|a| !is_followed(curvature, *a)).unwrap_or(f64::INFINITY);
-        if let Load::Radius(radius) = largest
+        if let Load::Radius(radius) = load
             && radius > 0.0
             && radius.is_finite()
         {
             return Self { scale: radius, followed: followed.max(10.0 * radius) };
         }
-        let mut seen = Vec::new();
+        let (mut seen, mut largest, mut high) = (Vec::new(), f64::NEG_INFINITY, 0.0f64);
         let begin = work::left();
         for a in steps.take_while(|a| *a < followed) {
-            let falls = seen.iter().any(|(_, g)| *g > 0.0);
-            if falls && begin.saturating_sub(work::left()) > SEARCHING {
-                break;
+            high = contact.evaluator().height(a).map_or(high, |f| high.max(f.estimate.value.abs()));
+            let is_far = match load {
+                Load::Radius(_) => false,
+                Load::Depth(target) => FAR * high < target,
+                Load::Force(target) => FAR * high * a * contact.effective_modulus() < target,
+            };
+            if is_far {
+                seen.push((a, high));
+                continue;
             }
-            if reached(a) {
+            let depth = contact.depth(a).ok().map(|g| g.estimate.value);
+            let is_reached = match load {
+                Load::Radius(radius) => a >= radius,
+                Load::Depth(target) => depth.is_some_and(|own| own >= target),
+                Load::Force(target) => contact.any_force(a).is_ok_and(|f| f.estimate.value >= target),
+            };
+            if is_reached {
                 return Self { scale: a.max(outer.unwrap_or(0.0)), followed };
             }
-            if let Ok(g) = contact.depth(a) {
-                seen.push((a, g.estimate.value));
+            if let Some(own) = depth {
+                seen.push((a, own));
+                largest = largest.max(own);
+            }
+            let rises = depth.is_some_and(|own| own > 0.0 && own >= largest);
+            if !rises && begin.saturating_sub(work::left()) > SEARCHING {
+                break;
             }
         }
         // Without an end, the place where the largest g is almost reached is what matters.

@@ -48,8 +48,8 @@ pub(super) struct Known {
     invalid_from: Cell<Option<f64>>,
     /// Radii with F there, for profiles whose g falls somewhere.
     pub(super) forces: OnceCell<Vec<(f64, f64)>>,
-    /// The smallest depth of a complete contact, and where its pressure vanishes first.
-    complete: OnceCell<(f64, f64)>,
+    /// The smallest depth of a complete contact, where its pressure vanishes first, and at how many radii was looked.
+    complete: OnceCell<(f64, f64, u32)>,
     /// From this depth on a complete contact is proven to press everywhere.
     complete_from: Cell<f64>,
 }
@@ -112,8 +112,14 @@ impl Inspection {
     }
 }
 
-/// Radii at which a pressure or a gap is looked at, before its minima are refined.
+/// Maximum number of radii at which a pressure or a gap is looked at, before its minima are refined …
 const LOOKS: u32 = 96;
+/// … and the minimum, where a value is expensive …
+const FEWEST_LOOKS: u64 = 16;
+/// … because all of them together are to take no more than so many steps.
+pub(super) const LOOKING: u64 = 20_000_000;
+/// A share of the radius at which a value costs about as much as elsewhere.
+const TYPICAL: f64 = 0.37;
 /// Where a sign changes is found to this share of the radius: nearer to it a value costs more and tells no more.
 const PLACED: f64 = 1e-9;
 /// Steps of the golden section.
@@ -127,6 +133,8 @@ impl Indentation<'_> {
         let mut verdict = Inspection::default();
         match state.boundary {
             Boundary::Apart => {}
+            // Nothing is known of what lies beyond the reach.
+            _ if state.radius.next_down() > self.landscape.reach => verdict.looked_at(0),
             _ if self.landscape.risen >= self.landscape.reach => {}
             _ if self.landscape.rising => verdict.looked_at(self.landscape.looked),
             Boundary::Rim => self.tension_of_complete_contact(&state, &mut verdict),
@@ -143,7 +151,7 @@ impl Indentation<'_> {
     /// p ≥ 0 for all r < c, which is a limit of the depth: p rises with d as 1/√(c² − r²).
     fn tension_of_complete_contact(&self, state: &State, verdict: &mut Inspection) {
         let Some(rim) = self.at_rim else { return };
-        let (least, at) = *self.known.complete.get_or_init(|| work::unbroken(|| self.least_depth(rim.radius, rim.slope)));
+        let (least, at, places) = *self.known.complete.get_or_init(|| work::unbroken(|| self.least_depth(rim.radius, rim.slope)));
         if state.depth >= least * (1.0 - NOISE * least.signum()) {
             if state.depth >= self.known.complete_from.get() {
                 return;
@@ -151,7 +159,7 @@ impl Indentation<'_> {
             let sign = |cells| self.pressure_sign(cells, rim.radius, state.depth - rim.slope, NOISE * state.depth.abs());
             match self.landscape.cells.as_ref().map_or(Sign::Open(0), sign) {
                 Sign::Proven => self.known.complete_from.set(state.depth),
-                Sign::Open(looks) => verdict.looked_at(looks + u64::from(LOOKS)),
+                Sign::Open(looks) => verdict.looked_at(looks + u64::from(places)),
                 Sign::Negative(at) | Sign::NegativeAt(at) => verdict.finds_tension(rounded(at, 8), &self.naming),
             }
             return;
@@ -165,23 +173,24 @@ impl Indentation<'_> {
         verdict.findings.push(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) });
     }
 
-    /// max over r < c of g(c) − √(c² − r²) π p_smooth/E*, and its place.
-    fn least_depth(&self, c: f64, slope: f64) -> (f64, f64) {
+    /// max over r < c of g(c) − √(c² − r²) π p_smooth/E*, its place, and the number of places that were looked at.
+    fn least_depth(&self, c: f64, slope: f64) -> (f64, f64, u32) {
         let shape = self.contact.evaluator();
         if self.pull_on_axis(c) == Some(true) {
-            return (f64::INFINITY, 0.0);
+            return (f64::INFINITY, 0.0, 0);
         }
-        let mut needed = |r: f64| match shape.pressure(r, c) {
+        let needed = |r: f64| match shape.pressure(r, c) {
             Ok(Some(p)) => p.estimate.value * ((c - r) * (c + r)).sqrt() - slope,
             // A concave kink pulls without limit, a convex one presses.
             Ok(None) => f64::INFINITY,
             Err(_) => f64::NAN,
         };
         if let Some(kink) = self.landscape.kinks.iter().find(|kink| kink.jump < 0.0 && kink.at < c) {
-            return (f64::INFINITY, kink.at);
+            return (f64::INFINITY, kink.at, 0);
         }
-        let (at, value) = lowest(&mut needed, &looks_between(0.0, c));
-        if -value > slope { (-value, at) } else { (slope, c) }
+        let count = affordable(LOOKS, LOOKING, || needed(TYPICAL * c));
+        let (at, value) = lowest(&needed, &looks_between(0.0, c, count));
+        if -value > slope { (-value, at, count) } else { (slope, c, count) }
     }
 
     /// Whether the pressure of a smooth contact of this radius is negative on the axis: `Some(true)` where it is −∞.
@@ -225,7 +234,7 @@ impl Indentation<'_> {
             None => Sign::Open(0),
         };
         let shape = self.contact.evaluator();
-        let mut pressure = |r: f64| match shape.pressure(r, a) {
+        let pressure = |r: f64| match shape.pressure(r, a) {
             Ok(Some(p)) => surely(p.estimate, NOISE * mean),
             _ => f64::NAN,
         };
@@ -233,16 +242,21 @@ impl Indentation<'_> {
             Sign::Proven => {}
             Sign::Negative(at) => verdict.finds_tension(at, &self.naming),
             Sign::NegativeAt(at) => {
-                let first = first_negative(&mut pressure, &looks_between(0.0, at), 1e-3 * mean);
+                let count = affordable(LOOKS, LOOKING, || pressure(TYPICAL * a));
+                let first = first_negative(&pressure, &looks_between(0.0, at, count), 1e-3 * mean);
                 verdict.finds_tension(first.unwrap_or(rounded(at, 8)), &self.naming);
             }
             Sign::Open(looks) => {
-                let places = looks_between(0.0, a);
+                let mut places = looks_between(0.0, a, affordable(LOOKS, LOOKING, || pressure(TYPICAL * a)));
+                // The pressure is least where g begins to fall.
+                places.extend(self.landscape.falls().filter(|r| *r < a).take(LOOKS as usize));
+                places.sort_by(f64::total_cmp);
+                places.dedup();
                 verdict.looked_at(looks + places.len() as u64);
                 if a <= self.landscape.first_fall {
                     return;
                 }
-                if let Some(at) = first_negative(&mut pressure, &places, 1e-3 * mean) {
+                if let Some(at) = first_negative(&pressure, &places, 1e-3 * mean) {
                     verdict.finds_tension(at, &self.naming);
                 }
             }
@@ -305,7 +319,7 @@ impl Indentation<'_> {
         {
             return (Some(a), None);
         }
-        let mut gap = |r: f64| match (contact.evaluator().height(r), contact.evaluator().displacement(r, a)) {
+        let gap = |r: f64| match (contact.evaluator().height(r), contact.evaluator().displacement(r, a)) {
             (Ok(f), Ok(u)) => {
                 let value = f.estimate.value - depth + u.estimate.value;
                 surely(
@@ -324,23 +338,26 @@ impl Indentation<'_> {
             Some(Sign::Proven) => return (None, None),
             Some(Sign::Negative(at)) => return (Some(at), None),
             Some(Sign::NegativeAt(at)) => {
-                let first = first_negative(&mut gap, &looks_between(a, at), f64::INFINITY);
+                let count = affordable(LOOKS, LOOKING, || gap(at));
+                let first = first_negative(&gap, &looks_between(a, at, count), f64::INFINITY);
                 return (Some(first.unwrap_or(rounded(at, 8))), None);
             }
             Some(Sign::Open(looks)) => looks,
             None => 0,
         };
-        let mut places: Vec<f64> = looks_between(a, (8.0 * a).min(reach));
+        let near = (8.0 * a).min(reach);
+        let count = affordable(LOOKS, LOOKING, || gap(0.5 * (a + near)));
+        let mut places: Vec<f64> = looks_between(a, near, count);
         let mut far = 8.0 * a;
         while far < reach {
             places.push(far);
-            far *= 1.2;
+            far *= 1.2f64.powf(f64::from(LOOKS) / f64::from(count));
         }
         places.push(reach);
         places.extend(self.landscape.troughs.iter().copied().filter(|r| *r > a && *r < reach));
         places.sort_by(f64::total_cmp);
         places.dedup();
-        (first_negative(&mut gap, &places, f64::INFINITY), Some(looks + places.len() as u64))
+        (first_negative(&gap, &places, f64::INFINITY), Some(looks + places.len() as u64))
     }
 
     /// The slope of the profile inside the contact, where it is too large for a half-space.
@@ -359,19 +376,28 @@ fn surely(estimate: Estimate, noise: f64) -> f64 {
     if estimate.value.abs() <= estimate.error.max(noise) { 0.0 } else { estimate.value }
 }
 
+/// The number of values that `steps` suffice for, at most `most`, where each takes as many as this one.
+pub(super) fn affordable<T>(most: u32, steps: u64, value: impl Fn() -> T) -> u32 {
+    // What is compiled for the first value is kept for the others.
+    value();
+    let begin = work::left();
+    value();
+    let cost = begin.saturating_sub(work::left()).max(1);
+    (steps / cost).clamp(FEWEST_LOOKS, u64::from(most)) as u32
+}
+
 /// Radii between two ends, denser towards both.
-fn looks_between(lower: f64, upper: f64) -> Vec<f64> {
-    let count = f64::from(LOOKS);
-    (1..LOOKS)
+fn looks_between(lower: f64, upper: f64, count: u32) -> Vec<f64> {
+    (1..count)
         .map(|step| {
-            let angle = std::f64::consts::PI * f64::from(step) / count;
+            let angle = std::f64::consts::PI * f64::from(step) / f64::from(count);
             lower + (upper - lower) * 0.5 * (1.0 - angle.cos())
         })
         .collect()
 }
 
 /// The first place of a sign change to negative values, or the bottom of a dip that goes below 0.
-fn first_negative(function: &mut impl FnMut(f64) -> f64, places: &[f64], shallow: f64) -> Option<f64> {
+fn first_negative(function: &impl Fn(f64) -> f64, places: &[f64], shallow: f64) -> Option<f64> {
     let mut seen: Vec<(f64, f64)> = Vec::new();
     for place in places {
         let value = function(*place);
@@ -402,7 +428,7 @@ fn first_negative(function: &mut impl FnMut(f64) -> f64, places: &[f64], shallow
 }
 
 /// Where a function that is not negative at `from` becomes so before `to`, as nearly as [`PLACED`].
-fn sign_change(function: &mut impl FnMut(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
+fn sign_change(function: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
     let near = PLACED * to;
     while to - from > near {
         let middle = 0.5 * (from + to);
@@ -420,7 +446,7 @@ pub(super) fn rounded(radius: f64, digits: usize) -> f64 {
 }
 
 /// The place of the smallest value, refined.
-fn lowest(function: &mut impl FnMut(f64) -> f64, places: &[f64]) -> (f64, f64) {
+fn lowest(function: &impl Fn(f64) -> f64, places: &[f64]) -> (f64, f64) {
     let mut all: Vec<(f64, f64)> = vec![(0.0, function(0.0))];
     all.extend(places.iter().map(|r| (*r, function(*r))));
     all.retain(|(_, value)| !value.is_nan());
@@ -440,7 +466,7 @@ fn lowest(function: &mut impl FnMut(f64) -> f64, places: &[f64]) -> (f64, f64) {
 }
 
 /// Golden section for a minimum between two places, with one in between that is lower than both.
-fn golden(function: &mut impl FnMut(f64) -> f64, mut lower: f64, mut middle: f64, mut upper: f64) -> (f64, f64) {
+fn golden(function: &impl Fn(f64) -> f64, mut lower: f64, mut middle: f64, mut upper: f64) -> (f64, f64) {
     const SHARE: f64 = 0.381_966_011_250_105_1;
     let mut bottom = function(middle);
     for _ in 0..REFINEMENTS {
