@@ -253,3 +253,29 @@ def test_ctrl_c_ends_long_work(name):
     # Generous for a busy machine; 0.02 s are usual.
     assert time.monotonic() - sent[0] < 2.0
     assert sneddon.Contact("r^2/2", E_star=1.0).force(radius=1.0) == pytest.approx(4 / 3, rel=1e-14)
+
+
+@pytest.mark.parametrize("at", [0.618, 0.8, 1.0, 2.0])
+@pytest.mark.parametrize("unit", [1.0, 1e-6])
+def test_kinks_of_functions_are_found(at, unit):
+    """Class "a function is taken for the law beyond its kink": flat and worn tips, unmarked kinks of f′ and f″; sums over both sides."""
+    c, flat = 0.7, 0.5
+    root = lambda x, b: math.sqrt((x - b) * (x + b)) if x > b else 0.0
+    arc = lambda x, b: math.acos(b / x) if x > b else 0.0
+    cases = {
+        # d(a) = a ∫ f′(a sin t) dt by hand.
+        "abs": (lambda r: abs(r - c), lambda a: a * (2 * arc(a, c) - math.pi / 2)),
+        "worn": (lambda r: max(0.0, r - c), lambda a: a * arc(a, c)),
+        "flat": (lambda r: 0.0 if r < flat else (r - flat) ** 2, lambda a: 2 * a * (root(a, flat) - flat * arc(a, flat))),
+        "joined": (
+            lambda r: r * r / (2 * c) if r < c else r - c / 2,
+            lambda a: a * (a - root(a, c)) / c + a * arc(a, c),
+        ),
+        "two": (lambda r: abs(r - c) + max(0.0, r - flat), lambda a: a * (2 * arc(a, c) - math.pi / 2 + arc(a, flat))),
+    }
+    for name, (f, d) in cases.items():
+        contact = sneddon.Contact(sneddon.Profile(lambda r, f=f: unit * f(r / unit)), E_star=1.0)
+        value, bound = contact.depth(radius=at * unit, with_bound=True)
+        assert abs(value - unit * d(at)) <= bound + 1e-15 * unit, name
+        # Where a kink is taken for noise, the bound has its share.
+        assert bound <= 5e-4 * unit, name

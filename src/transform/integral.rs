@@ -296,7 +296,8 @@ impl NumericSegment {
         if lower >= x {
             return Ok(Estimate { error: smear, ..Estimate::exact(0.0) });
         }
-        if rule.is_none() {
+        let cuts = if rule.is_none() { self.slope.cuts(self.upper.map_or(x, |upper| upper.value.min(x)) - lower) } else { Vec::new() };
+        if rule.is_none() && cuts.is_empty() {
             let found = match self.by_known_rule(x, weight, tolerance)? {
                 Some(found) => Some(found),
                 None => self.by_pieces_or_nested(x, weight, tolerance)?,
@@ -311,9 +312,15 @@ impl NumericSegment {
         let mut scratch = Scratch::take();
         let grades = if rule.is_none() && !self.singular && end >= x { GRADES } else { &[] };
         // The angle from the lower end on, and that to the upper end: points count from the ends of their panels.
+        let mut ends: Vec<f64> = grades.iter().map(|share| share * width).collect();
+        ends.extend(cuts.iter().map(|cut| forms::angle_between(lower, lower + cut, x)).filter(|angle| *angle > 0.0 && *angle < width));
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let (first, last) = (ends.first().copied(), ends.last().copied());
+        ends.push(width);
         let place = |point: &Point| {
-            let last = grades.last().is_none_or(|share| point.x > share * width);
-            let v = if grades.is_empty() { point.from_lower } else { point.x };
+            let last = last.is_none_or(|end| point.x > end);
+            let v = if first.is_none_or(|end| point.x < end) { point.from_lower } else { point.x };
             (v, beyond + if last { point.from_upper } else { width - v })
         };
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
@@ -353,11 +360,9 @@ impl NumericSegment {
                 };
             }
         };
-        let panels = if self.singular {
-            vec![Panel::singular(0.0, width)]
-        } else {
-            Panel::chain(grades.iter().map(|share| share * width).chain([width]))
-        };
+        let singular = |from: f64, to: f64| if self.singular { Panel::singular(from, to) } else { Panel::smooth(from, to) };
+        let from = std::iter::once(0.0).chain(ends.iter().copied());
+        let panels: Vec<Panel> = from.zip(ends.iter().copied()).map(|(from, to)| singular(from, to)).collect();
         // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
         let rel_tol = if near_the_end {

@@ -39,6 +39,11 @@ pub trait SlopeSource: Send + Sync {
     /// (r f′)′ = f′ + r f″ at r = lower + δ, which only the pressure needs; `None` where it is not known.
     fn bend(&self, delta: Bounded) -> Option<Bounded>;
 
+    /// Distances below `end` next to which f′ or f″ may jump, rising: quadrature is cut there.
+    fn cuts(&self, _end: f64) -> Vec<f64> {
+        Vec::new()
+    }
+
     /// f′ in plain doubles at many distances; worth overriding where a loop over them is faster.
     fn slopes(&self, deltas: &[f64], values: &mut [f64]) {
         for (delta, value) in deltas.iter().zip(values) {
@@ -57,6 +62,14 @@ pub(super) enum Numbers {
 }
 
 impl Numbers {
+    /// As [`SlopeSource::cuts`]; a formula has none that its breakpoints do not name.
+    pub(super) fn cuts(&self, end: f64) -> Vec<f64> {
+        match self {
+            Self::Slope(source) => source.cuts(end),
+            _ => Vec::new(),
+        }
+    }
+
     /// The value with its bound; NaN where there is none.
     #[inline]
     pub(super) fn at(&self, delta: Bounded, slots: &mut Vec<Bounded>) -> Bounded {

@@ -9,6 +9,13 @@ const NODES: usize = 20;
 const DEEPEST: i32 = 50;
 /// Halvings that a function without a kink may take inside its segment.
 const SMOOTH: i32 = 34;
+/// Halvings from which on a cell shows something narrow, the maximum number of places in one doubling at which quadrature is cut, and the
+/// number of cells beside the smallest that count.
+const NARROW: i32 = 10;
+const MOST_CUTS: usize = 64;
+const BESIDE: usize = 3;
+/// Doublings below a radius in which they are looked for.
+const OCTAVES: i32 = 10;
 /// Cells that one doubling may be cut into.
 const MOST: usize = 400;
 /// Binary exponents of doubles: from the smallest to the largest.
@@ -46,6 +53,8 @@ struct Doubling {
     cells: Vec<Cell>,
     /// The first place inside the segment where no cell is small enough: a kink, a jump or the end of the function's domain.
     seam: Option<f64>,
+    /// The ends of the smallest cells, where they are far smaller than the doubling.
+    cuts: Vec<f64>,
 }
 
 /// Returns an empty place for every power of two.
@@ -111,7 +120,7 @@ impl Cells {
     /// The cells of radii from 2^exponent to twice that, within the segment.
     fn build(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Doubling {
         let scale = libm::scalbn(1.0, exponent);
-        let mut cells: Vec<Cell> = Vec::new();
+        let (mut cells, mut sizes): (Vec<Cell>, Vec<(f64, f64, i32)>) = (Vec::new(), Vec::new());
         let mut seam = None;
         let mut waiting = vec![(scale.max(self.lower), (2.0 * scale).min(self.upper), 0, f64::INFINITY)];
         while let Some((from, to, depth, wider)) = waiting.pop() {
@@ -132,13 +141,43 @@ impl Cells {
                     seam.get_or_insert(to);
                 }
                 cells.push(cell);
+                sizes.push((from, to, depth));
             } else {
                 waiting.push((middle, to, depth + 1, cell.tail));
                 waiting.push((from, middle, depth + 1, cell.tail));
             }
         }
-        Doubling { cells, seam }
+        Doubling { cells, seam, cuts: cuts(&sizes) }
     }
+
+    /// Places up to r next to which φ is least smooth, rising; none where they are too many to be kinks.
+    pub(super) fn cuts(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Vec<f64> {
+        let Some(last) = exponent_of(r) else { return Vec::new() };
+        let radii = (last - OCTAVES..=last).map(|exponent| libm::scalbn(1.0, exponent));
+        let doublings = radii.filter(|from| 2.0 * from > self.lower).filter_map(|from| self.doubling(from.max(self.lower.next_up()), phi));
+        doublings.flat_map(|own| own.cuts.iter().copied()).filter(|cut| *cut < r).collect()
+    }
+}
+
+/// The ends of the cells that have been halved more often than their neighbours, and of the cells beside them: what is taken for noise may
+/// be the kink beside the smallest cell.
+fn cuts(sizes: &[(f64, f64, i32)]) -> Vec<f64> {
+    let mut found = Vec::new();
+    let mut begin = 0;
+    for run in sizes.chunk_by(|one, other| one.2 == other.2) {
+        let end = begin + run.len();
+        let depth = run.first().map_or(0, |own| own.2);
+        let is_shallower = |index: Option<usize>| index.and_then(|index| sizes.get(index)).is_none_or(|own| own.2 < depth);
+        if depth >= NARROW && is_shallower(begin.checked_sub(1)) && is_shallower(Some(end)) {
+            let around = begin.saturating_sub(BESIDE)..(end + BESIDE).min(sizes.len());
+            let around = sizes.get(around).unwrap_or_default();
+            found.extend(around.first().map(|own| own.0));
+            found.extend(around.iter().map(|own| own.1));
+        }
+        begin = end;
+    }
+    found.dedup();
+    if found.len() > MOST_CUTS { Vec::new() } else { found }
 }
 
 const NOTHING: Bounded = Bounded { value: f64::NAN, error: f64::NAN };
@@ -202,6 +241,11 @@ impl Cell {
     /// Returns the largest magnitude of the last `count` coefficients.
     pub(super) fn last(&self, count: usize) -> f64 {
         self.orders[0].iter().rev().take(count).fold(0.0, |most: f64, c| if c.is_nan() { f64::INFINITY } else { most.max(c.abs()) })
+    }
+
+    /// Returns the rounding that the values of φ show: the last `count` coefficients, and at least half an ulp of the values.
+    pub(super) fn rounding(&self, count: usize) -> f64 {
+        self.last(count).max(0.5 * f64::EPSILON * self.size)
     }
 
     /// Returns a bound on the variation of φ, from its coefficients.

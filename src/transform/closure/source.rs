@@ -178,6 +178,16 @@ impl SlopeSource for Piece {
         Bounded::checked(own.value, own.error + moved * bend)
     }
 
+    fn cuts(&self, end: f64) -> Vec<f64> {
+        let phi = |r: f64| self.sample(r);
+        let r = self.radius(end);
+        if !matches!(self.function, Function::Real(_)) || self.starts.as_ref().is_some_and(|own| own.is_smooth(r, &phi)) {
+            return Vec::new();
+        }
+        let beyond = self.cells.cuts(r, &phi).into_iter().filter(|cut| *cut > self.lower);
+        beyond.map(|cut| cut - self.lower).collect()
+    }
+
     fn bend(&self, delta: Bounded) -> Option<Bounded> {
         let r = self.radius(delta.value);
         if r < FAINT {

@@ -17,6 +17,10 @@ const DEPTH: i32 = 50;
 const BLIND: f64 = 1e-3;
 /// … of which rounding may hide this share.
 const HIDDEN: f64 = 5e-8;
+/// … and no more than so many times the rounding that the next fits beyond show, as soon as one of them sees φ.
+const TRACES: f64 = 1e4;
+const RECENT: usize = 4;
+const GROWTH: f64 = 1e4;
 /// Beyond this share of its fit a radius is left to the fits between powers of two.
 const REACH: f64 = 0.75;
 
@@ -118,6 +122,8 @@ impl Starts {
     }
 
     fn agrees(&self, own: &Fit, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
+        // The rounding seen where φ was last seen, and since.
+        let (mut recent, mut traces) = ([f64::INFINITY; RECENT], f64::INFINITY);
         (1..=DEPTH).all(|below| {
             let Some(place) = place_of(k - below).and_then(|place| self.octaves.get(place)) else { return true };
             let (from, to) = (libm::scalbn(1.0, k - below), libm::scalbn(2.0, k - below));
@@ -127,8 +133,20 @@ impl Starts {
             let Some(octave) = kept(place, || Cell::fit((from, to), to, phi)) else { return false };
             let level = octave.last(LAST);
             let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
+            let blind = is_blind(octave);
+            // Rounding grows little from one octave to the next: what is far above it is a kink.
+            if octave.rounding(LAST) > GROWTH * traces {
+                return false;
+            }
+            if blind {
+                traces = traces.max(octave.rounding(LAST));
+            } else {
+                recent.rotate_right(1);
+                recent[0] = octave.rounding(LAST);
+                traces = recent.into_iter().filter(|own| own.is_finite()).fold(0.0, f64::max);
+            }
             // Where a narrow fit sees nothing but noise, it says little; elsewhere it sees slopes.
-            let (order, hidden) = if is_blind(octave) { (0, HIDDEN * own.spread) } else { (1, 0.0) };
+            let (order, hidden) = if blind { (0, (HIDDEN * own.spread).min(TRACES * traces)) } else { (1, 0.0) };
             places.into_iter().all(|r| {
                 let (narrow, wide) = (octave.derivative_within(order, r, 10.0 * level), own.derivative(order, r));
                 (narrow.value - wide.value).abs() <= hidden + narrow.error + wide.error
