@@ -209,6 +209,10 @@ impl Engine {
                 return f64::NAN;
             }
             Python::attach(|py| {
+                // Nothing is asked of a function that has failed, or was interrupted.
+                if kept.lock().is_ok_and(|own| own.as_ref().is_some_and(|error| !is_numeric(error))) {
+                    return f64::NAN;
+                }
                 let found = f.call1(py, (r,)).and_then(|own| own.extract::<f64>(py));
                 found.unwrap_or_else(|error| {
                     if let Ok(mut own) = kept.lock() {

@@ -279,3 +279,18 @@ def test_kinks_of_functions_are_found(at, unit):
         assert abs(value - unit * d(at)) <= bound + 1e-15 * unit, name
         # Where a kink is taken for noise, the bound has its share.
         assert bound <= 5e-4 * unit, name
+
+
+def test_an_interrupted_function_is_not_called_again():
+    """Class "Ctrl-C is ignored": a function that is slow itself, so that the exception is raised within it."""
+    calls = []
+
+    def f(r):
+        calls.append(r)
+        if len(calls) == 300:
+            raise KeyboardInterrupt
+        return r * r
+
+    with pytest.raises(KeyboardInterrupt):
+        sneddon.Contact(sneddon.Profile(f), E_star=1.0).force(radius=0.5)
+    assert len(calls) == 300
