@@ -132,24 +132,11 @@ impl<'a> Landscape<'a> {
         let mut seen = Vec::new();
         // Places without a value are no evidence.
         let mut look = |x: f64| seen.extend(evaluator.slope(x).ok().map(|g| (x, g.estimate.value, g.estimate.error)));
-        let spent = |begin: u64| begin.saturating_sub(work::left());
-        let begin = work::left();
         let (coarse, fine) = telling.near();
         coarse.into_iter().for_each(&mut look);
-        let thinned = fine.into_iter().any(|x| {
-            spent(begin) > NEAR || {
-                look(x);
-                false
-            }
-        });
-        let begin = work::left();
+        let thinned = look_while(&fine, NEAR, &mut look).is_some();
         let far = telling.far();
-        let cut = far.iter().position(|x| {
-            spent(begin) > FAR || {
-                look(*x);
-                false
-            }
-        });
+        let cut = look_while(far, FAR, &mut look);
         if let Some(cut) = cut {
             self.reach = cut.checked_sub(1).and_then(|last| far.get(last)).map_or(telling.enough, |last| *last);
             self.followed = Some(self.reach);
@@ -234,6 +221,18 @@ impl<'a> Landscape<'a> {
     pub(super) fn exceeds(&self, depth: f64, radius: f64) -> bool {
         self.samples.iter().take_while(|(x, _)| *x < radius).any(|(_, g)| surely_above(*g, depth))
     }
+}
+
+/// Looks at one place after another until more than `most` steps are spent, and returns the index of the first that is left out.
+fn look_while(places: &[f64], most: u64, look: &mut impl FnMut(f64)) -> Option<usize> {
+    let begin = work::left();
+    places.iter().position(|x| {
+        let is_spent = begin.saturating_sub(work::left()) > most;
+        if !is_spent {
+            look(*x);
+        }
+        is_spent
+    })
 }
 
 /// Whether g exceeds a depth beyond the rounding of both.
