@@ -218,6 +218,7 @@ SCENE = {
     "load": {"depth": {"start": 0.1, "stop": 1.0, "count": 5000}},
 }
 SWEEP = {"profile": {"f": "struveh(0,r/R)*r^2", "parameters": {"R": 1.0}}, "material": {"effective_modulus": 1.0}, "load": {"depth": 0.1}}
+WAVES = {"profile": {"f": "r^2/(1+besselj(0,r)^2)"}, "material": {"effective_modulus": 1.0}, "load": {"depth": 0.1}}
 PLACES = np.linspace(0.01, 0.9, 100000)
 RADII = np.linspace(0.0, 1.0, 200_000)
 LONG = {
@@ -229,6 +230,7 @@ LONG = {
     "points": lambda: sneddon.Contact(sneddon.Profile(RADII, RADII**2 / 2 + 1e-3 * np.sin(40 * RADII) ** 2), E_star=1.0).pressure(
         PLACES, radius=0.95
     ),
+    "waves": lambda: sneddon.sweep(WAVES, {"load.depth": list(np.linspace(0.1, 0.2, 5000))}),
     "curves": lambda: sneddon.solve({**SWEEP, "outputs": {"quantities": ["p", "u"], "at": {"start": 0.0, "stop": 1.0, "count": 200_000}}}),
 }
 

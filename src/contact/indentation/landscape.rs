@@ -133,7 +133,7 @@ impl<'a> Landscape<'a> {
         // Places without a value are no evidence.
         let mut look = |x: f64| seen.extend(evaluator.slope(x).ok().map(|g| (x, g.estimate.value, g.estimate.error)));
         let (coarse, fine) = telling.near();
-        coarse.into_iter().for_each(&mut look);
+        look_while(&coarse, u64::MAX, &mut look);
         let thinned = look_while(&fine, NEAR, &mut look).is_some();
         let far = telling.far();
         let cut = look_while(far, FAR, &mut look);
@@ -227,7 +227,8 @@ impl<'a> Landscape<'a> {
 fn look_while(places: &[f64], most: u64, look: &mut impl FnMut(f64)) -> Option<usize> {
     let begin = work::left();
     places.iter().position(|x| {
-        let is_spent = begin.saturating_sub(work::left()) > most;
+        // What is cut short is thrown away.
+        let is_spent = begin.saturating_sub(work::left()) > most || work::is_exhausted();
         if !is_spent {
             look(*x);
         }

@@ -132,7 +132,7 @@ impl Horizon {
                 largest = largest.max(own);
             }
             let rises = depth.is_some_and(|own| own > 0.0 && own >= largest);
-            if !rises && begin.saturating_sub(work::left()) > SEARCHING {
+            if work::is_exhausted() || (!rises && begin.saturating_sub(work::left()) > SEARCHING) {
                 break;
             }
         }
