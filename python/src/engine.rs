@@ -209,7 +209,7 @@ impl Engine {
                 return f64::NAN;
             }
             Python::attach(|py| {
-                // Nothing is asked of a function that has failed, or was interrupted.
+                // A function that raised an exception is not called again.
                 if kept.lock().is_ok_and(|own| own.as_ref().is_some_and(|error| !is_numeric(error))) {
                     return f64::NAN;
                 }
@@ -390,7 +390,7 @@ impl Engine {
                         found.map_err(|fault| fault.help(format!("the function raised {error}; end= says where a profile ends")))
                     }
                     (Some(error), _) => Err(Fault::raised(error)),
-                    // A slope at the apex is judged from samples of the function.
+                    // The slope at the apex is known from samples only.
                     (None, Ok(own)) if own.value.is_infinite() => Ok(Estimate { bound: Ground::Estimated, ..own }),
                     (None, found) => found,
                 }

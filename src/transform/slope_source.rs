@@ -39,7 +39,7 @@ pub trait SlopeSource: Send + Sync {
     /// (r f′)′ = f′ + r f″ at r = lower + δ, which only the pressure needs; `None` where it is not known.
     fn bend(&self, delta: Bounded) -> Option<Bounded>;
 
-    /// Distances below `end` next to which f′ or f″ may jump, rising: quadrature is cut there.
+    /// Returns the distances below `end` at which f′ or f″ may jump, in ascending order; quadrature splits its panels there.
     fn cuts(&self, _end: f64) -> Vec<f64> {
         Vec::new()
     }
@@ -62,7 +62,7 @@ pub(super) enum Numbers {
 }
 
 impl Numbers {
-    /// As [`SlopeSource::cuts`]; a formula has none that its breakpoints do not name.
+    /// As [`SlopeSource::cuts`]; empty for formulas, whose jumps are breakpoints of the profile.
     pub(super) fn cuts(&self, end: f64) -> Vec<f64> {
         match self {
             Self::Slope(source) => source.cuts(end),

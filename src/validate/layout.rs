@@ -26,7 +26,7 @@ pub struct Layout {
     pub shown_side: Option<f64>,
     /// Where the axis lies.
     pub origin: Option<Origin>,
-    /// True where the outputs of the scene have the radii that the user gives for an array without places.
+    /// True if the user gives the radii of an array, which then are the radii of the scene's outputs.
     pub radii: bool,
 }
 
@@ -92,7 +92,7 @@ pub(super) struct Columns {
     pub(super) placed: bool,
     /// Whether pressures are means over cells, where the file says so.
     pub(super) cells: Option<bool>,
-    /// True where the places are the radii of the scene's outputs.
+    /// True if the places are the radii of the scene's outputs.
     pub(super) radii: bool,
 }
 

@@ -455,29 +455,29 @@ fn the_errors_of_a_solved_load_hold() {
     }
 }
 
-/// Class "an unknown bend next to the axis proves that g rises": 0/0 has no enclosure there; radii of the second touch from mpmath.
+/// d(a) = g(a) of a contact with a smooth edge.
+fn depth_at(text: &str, a: f64) -> f64 {
+    let solution = solution(text);
+    Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(a).unwrap().estimate.value
+}
+
+/// Class "an unknown bend next to the axis proves that g rises": a bend of the form 0/0 has no enclosure at the axis.
+/// The radii at which the bodies touch again were computed with mpmath.
 #[test]
 fn what_is_unknown_at_the_axis_proves_nothing() {
     for (text, a, touch) in
         [("1-sin(r)/r+r^2/100", 3.0, 5.61695700374609), ("2/7*(1-sin(r)/r)", 3.0, 4.62839052944073), ("1-sin(r)/r", 2.0, 7.06528018521052)]
     {
-        let depth = {
-            let solution = solution(text);
-            Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(a).unwrap().estimate.value
-        };
-        let (rule, at) = refused(text, None, Load::Depth(depth));
+        let (rule, at) = refused(text, None, Load::Depth(depth_at(text, a)));
         assert!(rule == "outside_gap" && (at.unwrap() / touch - 1.0).abs() < 1e-8, "{text}: {rule} at {at:?}");
     }
 }
 
-/// Class "one load of a profile with waves uses up the budget": rounding next to the axis is no wave, waves far out end the search, and
-/// only the first radius of a depth is looked for.
+/// Class "a single load uses up the budget": oscillating profiles, whose values are expensive far from the axis.
 #[test]
 fn profiles_with_waves_are_solved_within_the_budget() {
     for text in ["r^2/(1+besselj(0,r)^2)", "r^2/(2+besselj(0,r))", "1-sin(r)/r", "r^2*exp(besselj(0,r))", "r^2.5*(r/(1+r))-tanh(r/3)^2/3"] {
-        let solution = solution(text);
-        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
-        let depth = evaluator.slope(0.9).unwrap().estimate.value;
+        let (solution, depth) = (solution(text), depth_at(text, 0.9));
         let work = || Ok::<_, Exhausted>(Indentation::new(&solution, setup(None), Load::Depth(depth)).unwrap().solve(Load::Depth(depth)));
         // Half of the budget of one call.
         let found = within(Budget::seconds(1.5), work).unwrap().unwrap();
@@ -486,18 +486,15 @@ fn profiles_with_waves_are_solved_within_the_budget() {
     }
 }
 
-/// Class "a place without digits far out ends the search": f overflows within the radii that are looked at.
+/// Class "a radius at which g has no value ends the search": f overflows far from the axis.
 #[test]
 fn profiles_that_overflow_far_out_are_solved() {
     for text in ["exp(exp(r)-(1+r))-1-r^2/5", "exp(exp(r))-exp(1)-exp(1)*r", "r^2*exp(r^2)"] {
-        let solution = solution(text);
-        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
-        let depth = evaluator.slope(1.0).unwrap().estimate.value;
-        near(state(text, None, Load::Depth(depth)).radius, 1.0, 100.0);
+        near(state(text, None, Load::Depth(depth_at(text, 1.0))).radius, 1.0, 100.0);
     }
 }
 
-/// Class "a concave apex is told as a tiny radius": the pressure on the axis is −∞, or negative.
+/// Class "tension on the axis is reported at a tiny radius": the pressure there is −∞ or negative.
 #[test]
 fn tension_on_the_axis_is_found_there() {
     for text in ["abs(r-1/3)+r^2", "sqrt(1+abs(r-2/9)^2)-1", "r^4-ln(1+r/2)"] {

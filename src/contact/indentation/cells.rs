@@ -202,7 +202,7 @@ impl Cells {
             sum += share;
             size += if share.is_finite() { share.abs() } else { 0.0 };
         }
-        // Where the bend is unknown nearer to the axis, g′ is; what is within the rounding of the sum is 0.
+        // A sum with infinite bounds proves nothing; a sum within its rounding error is 0.
         if !sum.is_finite() {
             f64::NEG_INFINITY
         } else if sum.abs() <= ROUNDING * size {

@@ -55,11 +55,11 @@ const EVEN: i32 = 512;
 const FLOOR: f64 = 1e-12;
 /// … and finely up to this multiple of it, where it has no sign.
 const FINE: f64 = 4.0;
-/// Steps after which g is looked at in no more of the places near the largest load …
+/// Maximum number of steps for values of g near the largest load.
 const NEAR: u64 = 80_000_000;
-/// … and of those far out, where every value of g holds many waves.
+/// Maximum number of steps for values of g far out, each of which may integrate over many waves.
 const FAR: u64 = 30_000_000;
-/// One in so many places near the largest load is looked at in any case.
+/// Every sixteenth place near the largest load is always evaluated.
 const COARSE: usize = 16;
 /// Most radii next to places where the bend is negative beyond doubt.
 const MOST_DENTS: usize = 200;
@@ -130,7 +130,7 @@ impl<'a> Landscape<'a> {
     /// g at the places that tell where it rises, and the troughs of f between all.
     fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &Telling<'_>) -> Result<(), TransformError> {
         let mut seen = Vec::new();
-        // Places without a value are no evidence.
+        // Skips places where g cannot be evaluated.
         let mut look = |x: f64| seen.extend(evaluator.slope(x).ok().map(|g| (x, g.estimate.value, g.estimate.error)));
         let (coarse, fine) = telling.near();
         look_while(&coarse, u64::MAX, &mut look);
@@ -188,8 +188,9 @@ impl<'a> Landscape<'a> {
         root.map_or(0.5 * (from + to), |own| own.x)
     }
 
-    /// The brackets in which g rises through `depth`, from the axis outward; beyond the first, those before which g has not been seen above
-    /// it: see [`Landscape::exceeds`].
+    /// Returns the brackets in which g rises through `depth`, from the axis outward.
+    ///
+    /// Brackets beyond the first sample above `depth` are left out, since they hold no contact radius; see [`Landscape::exceeds`].
     pub(super) fn rises_through(&self, depth: f64) -> Vec<(f64, f64)> {
         let mut found = Vec::new();
         let mut before = (self.flat, 0.0);
@@ -207,27 +208,27 @@ impl<'a> Landscape<'a> {
         found
     }
 
-    /// The radii from which on g was seen to fall, rising.
+    /// Returns the samples at which g begins to fall, in ascending order.
     pub(super) fn falls(&self) -> impl Iterator<Item = f64> + '_ {
         let rises = |pair: &[(f64, f64)]| matches!(pair, [one, two] if one.1 <= two.1);
         let runs = self.samples.windows(2).zip(self.samples.windows(2).skip(1));
         runs.filter(move |(before, beyond)| rises(before) && !rises(beyond)).filter_map(|(_, beyond)| Some(beyond.first()?.0))
     }
 
-    /// Whether g has been seen above `depth` before `radius`.
+    /// Returns true if g exceeds `depth` at a sample below `radius`.
     ///
-    /// A line load d − g(x) = (2/E*) ∫_x^a r p/√(r²−x²) dr that is negative anywhere below the edge is the sum of a pressure that is,
-    /// so that such a radius is no contact.
+    /// Such a radius is not a contact radius of that depth: d − g(x) = (2/E*) ∫_x^a r p/√(r²−x²) dr is negative only if the pressure p is
+    /// negative somewhere.
     pub(super) fn exceeds(&self, depth: f64, radius: f64) -> bool {
         self.samples.iter().take_while(|(x, _)| *x < radius).any(|(_, g)| surely_above(*g, depth))
     }
 }
 
-/// Looks at one place after another until more than `most` steps are spent, and returns the index of the first that is left out.
+/// Calls `look` for each place until more than `most` steps are spent; returns the index of the first place that was skipped.
 fn look_while(places: &[f64], most: u64, look: &mut impl FnMut(f64)) -> Option<usize> {
     let begin = work::left();
     places.iter().position(|x| {
-        // What is cut short is thrown away.
+        // Once the budget is used up, the result is discarded.
         let is_spent = begin.saturating_sub(work::left()) > most || work::is_exhausted();
         if !is_spent {
             look(*x);
@@ -236,22 +237,22 @@ fn look_while(places: &[f64], most: u64, look: &mut impl FnMut(f64)) -> Option<u
     })
 }
 
-/// Whether g exceeds a depth beyond the rounding of both.
+/// Returns true if g exceeds a depth by more than rounding.
 fn surely_above(g: f64, depth: f64) -> bool {
     g > depth + 1e-9 * depth.abs()
 }
 
-/// The places that tell where g rises.
+/// The places at which g is evaluated to find where it rises.
 struct Telling<'p> {
     list: Vec<f64>,
-    /// Those in and around narrow parts that bend down.
+    /// Places in and around narrow ranges with a negative bend.
     dents: &'p [f64],
-    /// Up to here they are near.
+    /// Largest radius of a near place.
     enough: f64,
 }
 
 impl Telling<'_> {
-    /// The near places: those that are looked at in any case, and the others, first the halves between them, then the quarters.
+    /// Returns the near places that are always evaluated, and the others from coarse to fine.
     fn near(&self) -> (Vec<f64>, Vec<f64>) {
         let near = self.list.get(..self.list.len() - self.far().len()).unwrap_or_default();
         let (mut coarse, mut levels) = (Vec::new(), vec![Vec::new(); COARSE.ilog2() as usize]);

@@ -2,7 +2,7 @@
 
 use super::Indentation;
 use super::cells::{Cell, Cells};
-use super::verdict::{LOOKING, affordable, rounded};
+use super::verdict::{affordable, rounded};
 use crate::num::{Bound, Estimate, work};
 use crate::transform::Quantities;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
@@ -12,9 +12,9 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 pub(super) enum Sign {
     /// Nowhere negative.
     Proven,
-    /// Negative beyond doubt from this radius on, and nowhere before.
+    /// Negative from this radius on, and nowhere below it.
     Negative(f64),
-    /// Negative beyond doubt at this radius, and undecided before.
+    /// Negative at this radius, and undecided below it.
     NegativeAt(f64),
     /// Undecided after a look at so many radii.
     Open(u64),
@@ -22,9 +22,9 @@ pub(super) enum Sign {
 
 /// Most ranges that are looked at for one load.
 const MOST_RANGES: u64 = 1500;
-/// Maximum number of radii at which a value is computed for one load …
+/// Maximum number of radii at which a value is computed for one load.
 const MOST_VALUES: u64 = 300;
-/// … and steps after which there are no more.
+/// Maximum number of steps for these values.
 const PROVING: u64 = 100_000_000;
 /// A range is not halved below this share of its radius …
 const NARROWEST: f64 = 1e-12;
@@ -213,7 +213,7 @@ struct Lift {
     steps: Vec<(f64, f64, f64)>,
 }
 
-/// Maximum number of radii inside at which g is asked, fewer where it is expensive.
+/// Maximum number of radii inside at which g is evaluated; fewer if g is expensive.
 const STEPS: u32 = 96;
 
 impl Lift {
@@ -221,7 +221,7 @@ impl Lift {
         let proven = |own: Estimate| (own.bound == Bound::Proven).then_some(own);
         let least = |own: Estimate| FRAC_2_PI * (own.value - own.error) * (1.0 - 4.0 * f64::EPSILON);
         let force = shape.force(a).ok().and_then(|own| proven(own.estimate)).map_or(0.0, least);
-        let count = if rises { affordable(STEPS, LOOKING, || shape.slope(0.5 * a)) } else { 0 };
+        let count = if rises { affordable(STEPS, || shape.slope(0.5 * a)) } else { 0 };
         let places = (1..=count).map(|step| a * (FRAC_PI_2 * f64::from(step) / f64::from(count)).sin());
         let gap = |x: f64| {
             let g = proven(shape.slope(x).ok()?.estimate)?;

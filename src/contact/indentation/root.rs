@@ -77,9 +77,9 @@ const NEAREST: f64 = 1e-290;
 /// The shortest relative distance to a place without a value that is halved.
 const CLOSEST: f64 = 1e-12;
 
-/// Where f has been this many times below the load, so has g: its values, which cost far more, are left out.
-const FAR: f64 = 100.0;
-/// Steps after which a profile is looked at no farther out once g falls or has no value.
+/// g is not evaluated at radii where this many times the largest f so far is still below the load, because it costs far more than f.
+const BELOW: f64 = 100.0;
+/// Maximum number of steps of the search once g falls or has no value.
 const SEARCHING: u64 = 30_000_000;
 
 /// How far a profile without an end is looked at.
@@ -111,8 +111,8 @@ impl Horizon {
             high = contact.evaluator().height(a).map_or(high, |f| high.max(f.estimate.value.abs()));
             let is_far = match load {
                 Load::Radius(_) => false,
-                Load::Depth(target) => FAR * high < target,
-                Load::Force(target) => FAR * high * a * contact.effective_modulus() < target,
+                Load::Depth(target) => BELOW * high < target,
+                Load::Force(target) => BELOW * high * a * contact.effective_modulus() < target,
             };
             if is_far {
                 seen.push((a, high));
@@ -162,7 +162,7 @@ fn is_followed(curvature: &Curvature<'_>, a: f64) -> bool {
     for own in slopes.windows(3) {
         let [one, two, three] = own else { continue };
         let bend = (one.value - two.value) - (two.value - three.value);
-        // Rounding makes no waves, such as that of 1 - sin(r)/r next to the axis.
+        // Ignores rounding errors, such as those of 1 - sin(r)/r next to the axis.
         if bend.abs() > 1e-6 * size + one.error + 2.0 * two.error + three.error {
             changes += u32::from(bend * last < 0.0);
             last = bend;
@@ -315,7 +315,7 @@ impl Indentation<'_> {
         let mut upper = follower.get().map_or(self.landscape.reach * 1e-3, |last| last.root).clamp(flat.max(NEAREST), end);
         let mut factor = 2.0;
         let mut above = |a: f64| function(a).map(|value| value >= 0.0);
-        // Next to the end of a profile, and far out, g may have no digits: such a place is approached from below.
+        // g may have no accurate value next to the end of a profile or far out; such a place is approached from below.
         let mut without = None;
         let starts_above = loop {
             match above(upper) {

@@ -112,13 +112,13 @@ impl Inspection {
     }
 }
 
-/// Maximum number of radii at which a pressure or a gap is looked at, before its minima are refined …
+/// Maximum number of radii at which a pressure or a gap is evaluated before its minima are refined.
 const LOOKS: u32 = 96;
-/// … and the minimum, where a value is expensive …
+/// Minimum number of such radii, used if a value is expensive.
 const FEWEST_LOOKS: u64 = 16;
-/// … because all of them together are to take no more than so many steps.
-pub(super) const LOOKING: u64 = 20_000_000;
-/// A share of the radius at which a value costs about as much as elsewhere.
+/// Maximum number of steps for all of them together, unless they are already as few as possible.
+const LOOKING: u64 = 20_000_000;
+/// Fraction of the radius at which the cost of a value is measured.
 const TYPICAL: f64 = 0.37;
 /// Where a sign changes is found to this share of the radius: nearer to it a value costs more and tells no more.
 const PLACED: f64 = 1e-9;
@@ -133,7 +133,7 @@ impl Indentation<'_> {
         let mut verdict = Inspection::default();
         match state.boundary {
             Boundary::Apart => {}
-            // Nothing is known of what lies beyond the reach.
+            // Nothing beyond the reach has been examined.
             _ if state.radius.next_down() > self.landscape.reach => verdict.looked_at(0),
             _ if self.landscape.risen >= self.landscape.reach => {}
             _ if self.landscape.rising => verdict.looked_at(self.landscape.looked),
@@ -188,12 +188,12 @@ impl Indentation<'_> {
         if let Some(kink) = self.landscape.kinks.iter().find(|kink| kink.jump < 0.0 && kink.at < c) {
             return (f64::INFINITY, kink.at, 0);
         }
-        let count = affordable(LOOKS, LOOKING, || needed(TYPICAL * c));
+        let count = affordable(LOOKS, || needed(TYPICAL * c));
         let (at, value) = lowest(&needed, &looks_between(0.0, c, count));
         if -value > slope { (-value, at, count) } else { (slope, c, count) }
     }
 
-    /// Whether the pressure of a smooth contact of this radius is negative on the axis: `Some(true)` where it is −∞.
+    /// Returns `None` if the pressure of a smooth contact of this radius is not negative on the axis, else whether it is −∞.
     fn pull_on_axis(&self, a: f64) -> Option<bool> {
         let pulls = |r: f64| {
             let p = self.contact.evaluator().pressure(r, a).ok()?;
@@ -242,12 +242,12 @@ impl Indentation<'_> {
             Sign::Proven => {}
             Sign::Negative(at) => verdict.finds_tension(at, &self.naming),
             Sign::NegativeAt(at) => {
-                let count = affordable(LOOKS, LOOKING, || pressure(TYPICAL * a));
+                let count = affordable(LOOKS, || pressure(TYPICAL * a));
                 let first = first_negative(&pressure, &looks_between(0.0, at, count), 1e-3 * mean);
                 verdict.finds_tension(first.unwrap_or(rounded(at, 8)), &self.naming);
             }
             Sign::Open(looks) => {
-                let mut places = looks_between(0.0, a, affordable(LOOKS, LOOKING, || pressure(TYPICAL * a)));
+                let mut places = looks_between(0.0, a, affordable(LOOKS, || pressure(TYPICAL * a)));
                 // The pressure is least where g begins to fall.
                 places.extend(self.landscape.falls().filter(|r| *r < a).take(LOOKS as usize));
                 places.sort_by(f64::total_cmp);
@@ -338,7 +338,7 @@ impl Indentation<'_> {
             Some(Sign::Proven) => return (None, None),
             Some(Sign::Negative(at)) => return (Some(at), None),
             Some(Sign::NegativeAt(at)) => {
-                let count = affordable(LOOKS, LOOKING, || gap(at));
+                let count = affordable(LOOKS, || gap(at));
                 let first = first_negative(&gap, &looks_between(a, at, count), f64::INFINITY);
                 return (Some(first.unwrap_or(rounded(at, 8))), None);
             }
@@ -346,7 +346,7 @@ impl Indentation<'_> {
             None => 0,
         };
         let near = (8.0 * a).min(reach);
-        let count = affordable(LOOKS, LOOKING, || gap(0.5 * (a + near)));
+        let count = affordable(LOOKS, || gap(0.5 * (a + near)));
         let mut places: Vec<f64> = looks_between(a, near, count);
         let mut far = 8.0 * a;
         while far < reach {
@@ -376,14 +376,14 @@ fn surely(estimate: Estimate, noise: f64) -> f64 {
     if estimate.value.abs() <= estimate.error.max(noise) { 0.0 } else { estimate.value }
 }
 
-/// The number of values that `steps` suffice for, at most `most`, where each takes as many as this one.
-pub(super) fn affordable<T>(most: u32, steps: u64, value: impl Fn() -> T) -> u32 {
-    // What is compiled for the first value is kept for the others.
+/// Returns how many values [`LOOKING`] suffices for, at most `most`, if each takes as many steps as this one.
+pub(super) fn affordable<T>(most: u32, value: impl Fn() -> T) -> u32 {
+    // The first call compiles what later calls reuse, so the second one is measured.
     value();
     let begin = work::left();
     value();
     let cost = begin.saturating_sub(work::left()).max(1);
-    (steps / cost).clamp(FEWEST_LOOKS, u64::from(most)) as u32
+    (LOOKING / cost).clamp(FEWEST_LOOKS, u64::from(most)) as u32
 }
 
 /// Radii between two ends, denser towards both.

@@ -9,12 +9,13 @@ const NODES: usize = 20;
 const DEEPEST: i32 = 50;
 /// Halvings that a function without a kink may take inside its segment.
 const SMOOTH: i32 = 34;
-/// Halvings from which on a cell shows something narrow, the maximum number of places in one doubling at which quadrature is cut, and the
-/// number of cells beside the smallest that count.
+/// Minimum number of halvings of a cell whose ends are cuts of the quadrature.
 const NARROW: i32 = 10;
+/// Maximum number of cuts in one doubling.
 const MOST_CUTS: usize = 64;
+/// Number of cells on each side of the smallest whose ends are cuts as well.
 const BESIDE: usize = 3;
-/// Doublings below a radius in which they are looked for.
+/// Number of doublings below a radius that are searched for cuts.
 const OCTAVES: i32 = 10;
 /// Cells that one doubling may be cut into.
 const MOST: usize = 400;
@@ -53,7 +54,7 @@ struct Doubling {
     cells: Vec<Cell>,
     /// The first place inside the segment where no cell is small enough: a kink, a jump or the end of the function's domain.
     seam: Option<f64>,
-    /// The ends of the smallest cells, where they are far smaller than the doubling.
+    /// Places at which quadrature splits its panels; see [`cuts`].
     cuts: Vec<f64>,
 }
 
@@ -150,7 +151,7 @@ impl Cells {
         Doubling { cells, seam, cuts: cuts(&sizes) }
     }
 
-    /// Places up to r next to which φ is least smooth, rising; none where they are too many to be kinks.
+    /// Returns the places below r next to which φ is least smooth, in ascending order.
     pub(super) fn cuts(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Vec<f64> {
         let Some(last) = exponent_of(r) else { return Vec::new() };
         let radii = (last - OCTAVES..=last).map(|exponent| libm::scalbn(1.0, exponent));
@@ -159,8 +160,8 @@ impl Cells {
     }
 }
 
-/// The ends of the cells that have been halved more often than their neighbours, and of the cells beside them: what is taken for noise may
-/// be the kink beside the smallest cell.
+/// Returns the ends of the cells that were halved more often than their neighbours, and of the cells beside them, one of which may hold the
+/// kink and have taken it for noise; empty if there are too many to be kinks.
 fn cuts(sizes: &[(f64, f64, i32)]) -> Vec<f64> {
     let mut found = Vec::new();
     let mut begin = 0;
@@ -243,7 +244,7 @@ impl Cell {
         self.orders[0].iter().rev().take(count).fold(0.0, |most: f64, c| if c.is_nan() { f64::INFINITY } else { most.max(c.abs()) })
     }
 
-    /// Returns the rounding that the values of φ show: the last `count` coefficients, and at least half an ulp of the values.
+    /// Returns the apparent rounding error of φ: the largest of the last `count` coefficients, but at least half an ulp of the largest value.
     pub(super) fn rounding(&self, count: usize) -> f64 {
         self.last(count).max(0.5 * f64::EPSILON * self.size)
     }

@@ -17,9 +17,11 @@ const DEPTH: i32 = 50;
 const BLIND: f64 = 1e-3;
 /// … of which rounding may hide this share.
 const HIDDEN: f64 = 5e-8;
-/// … and no more than so many times the rounding that the next fits beyond show, as soon as one of them sees φ.
+/// Maximum ratio of what rounding hides to the rounding error of the narrow fits next to it, once one of these resolves φ.
 const TRACES: f64 = 1e4;
+/// Number of narrow fits that count as next to another.
 const RECENT: usize = 4;
+/// Maximum ratio of rounding errors between one narrow fit and those next to it; a larger one is a kink.
 const GROWTH: f64 = 1e4;
 /// Beyond this share of its fit a radius is left to the fits between powers of two.
 const REACH: f64 = 0.75;
@@ -122,7 +124,7 @@ impl Starts {
     }
 
     fn agrees(&self, own: &Fit, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
-        // The rounding seen where φ was last seen, and since.
+        // Rounding errors of the last narrow fits that resolve φ, and the largest of these and of the fits below.
         let (mut recent, mut traces) = ([f64::INFINITY; RECENT], f64::INFINITY);
         (1..=DEPTH).all(|below| {
             let Some(place) = place_of(k - below).and_then(|place| self.octaves.get(place)) else { return true };
@@ -134,7 +136,7 @@ impl Starts {
             let level = octave.last(LAST);
             let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
             let blind = is_blind(octave);
-            // Rounding grows little from one octave to the next: what is far above it is a kink.
+            // Rounding errors do not grow this much from one octave to the next.
             if octave.rounding(LAST) > GROWTH * traces {
                 return false;
             }
