@@ -12,9 +12,11 @@ x*atanh(x/R)
 """
 
 from . import nanite, testing
+from ._comparison import Comparison, compare
 from ._contact import Contact
 from ._errors import SneddonError
 from ._formulas import Derivation, Formula
+from ._inversion import Inversion, invert
 from ._profile import Profile
 from ._scenes import Field, Solution, Validation, reference, solve, validate
 from ._sneddon import __version__
@@ -22,15 +24,19 @@ from ._sweep import sweep
 from ._rules import rules
 
 __all__ = [
+    "Comparison",
     "Contact",
     "Derivation",
     "Field",
     "Formula",
+    "Inversion",
     "Profile",
     "SneddonError",
     "Solution",
     "Validation",
     "__version__",
+    "compare",
+    "invert",
     "nanite",
     "reference",
     "rules",

@@ -8,6 +8,7 @@ import numpy as np
 
 from ._arrays import WithBound, check_with_bound, ground_of, map_over, real
 from ._errors import SneddonError
+from ._numbers import float_of_number
 from ._profile import Profile
 
 _LOADS = ("depth", "force", "radius")
@@ -28,6 +29,13 @@ class Contact:
         How numbers are computed.
     **parameters : float
         The parameters that the profile leaves open.
+
+    Attributes
+    ----------
+    profile : Profile
+        The shape of the indenter.
+    E_star : float
+        The effective modulus.
 
     Notes
     -----
@@ -60,23 +68,47 @@ class Contact:
         if E_star is None:
             if E is None or nu is None:
                 raise TypeError("a contact needs E_star, or E and nu")
+            E, nu = float_of_number("E", E), float_of_number("nu", nu)
             if not -1.0 <= nu <= 0.5:
                 raise SneddonError(f"nu = {nu} is not a Poisson's ratio", "nu", "numbers from -1 to 0.5 are accepted")
             if nu == -1.0:
                 raise SneddonError("nu = -1 makes the half-space rigid", "nu", "a larger number is accepted")
-            E_star = float(E) / ((1.0 - nu) * (1.0 + nu))
+            E_star = E / ((1.0 - nu) * (1.0 + nu))
         elif E is not None or nu is not None:
             raise TypeError("a contact takes E_star, or E and nu, not both")
+        E_star, tolerance = float_of_number("E_star", E_star), float_of_number("tolerance", tolerance)
         if not (E_star > 0.0 and np.isfinite(E_star)):
             raise SneddonError(f"E_star = {E_star} is not positive and finite", "E_star")
         if not 0.0 < tolerance < 1.0:
             raise SneddonError(f"tolerance = {tolerance} is not between 0 and 1", "tolerance")
         self.profile = profile
-        self.E_star = float(E_star)
-        self._engine = profile.engine(parameters, self.E_star, method, float(tolerance))
+        self.E_star = E_star
+        self._own = parameters
+        self._how = method, tolerance
+        self._engine = profile.engine(parameters, E_star, method, tolerance)
 
     def __repr__(self) -> str:
         return f"Contact({self.profile!r}, E_star={self.E_star!r})"
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {key: own for key, own in self.__dict__.items() if key != "_engine"}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._engine = self.profile.engine(self._own, self.E_star, *self._how)
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """The values of all parameters of the profile."""
+        known: dict[str, float] = self.profile.numbers(self._own)
+        return known
+
+    def valid(self, *, depth: Any = None, force: Any = None, radius: Any = None) -> Any:
+        """Return whether a contact belongs to each load whose pressure and gap are nowhere negative; ``sneddon.solve`` says why not."""
+        name, value = _one(depth=depth, force=force, radius=radius)
+        loads = real(name, value)
+        found = np.array(self._engine.valid(name, np.ascontiguousarray(loads).reshape(-1)), dtype=np.bool_)
+        return found.reshape(loads.shape) if loads.shape else bool(found[0])
 
     def shape(self, r: Any, *, with_bound: WithBound = False) -> Any:
         """Return f(r) - f(0)."""

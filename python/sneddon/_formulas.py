@@ -49,6 +49,9 @@ class Formula:
         self._profile = profile
         self._engines: dict[tuple[Any, ...], Any] = {}
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_engines": {}}
+
     def __str__(self) -> str:
         return self.text
 

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from ._errors import SneddonError
+
 
 def text_of_number(name: str, value: Any) -> str:
     """Write a number so that it reads back exactly."""
@@ -27,10 +29,10 @@ def text_of_number(name: str, value: Any) -> str:
 
 def float_of_number(name: str, value: Any) -> float:
     """Convert a parameter to a float."""
-    if isinstance(value, str):
-        try:
-            return float(fractions.Fraction(value))
-        except (ValueError, ZeroDivisionError):
-            raise TypeError(f"{name} is {value!r}; a number is accepted where numbers are computed") from None
     text_of_number(name, value)
-    return float(value)
+    try:
+        return float(fractions.Fraction(value) if isinstance(value, str) else value)
+    except (ValueError, ZeroDivisionError):
+        raise TypeError(f"{name} is {value!r}; a number is accepted where numbers are computed, without a unit") from None
+    except OverflowError:
+        raise SneddonError(f"{name} is larger than a 64-bit float", name) from None

@@ -116,8 +116,12 @@ class Profile:
         if self._text is None:
             raise SneddonError("formulas are derived from formulas", help="a profile of text or of SymPy is accepted; Contact gives numbers")
         rim = None if depth is None else text_of_number("depth", depth)
-        document = _sneddon.derive(self._text, list(self._texts), list(self._texts.values()), rim)
+        document = _sneddon.derive(self._text, *self.texts(), rim)
         return Derivation(document, self, rim)
+
+    def texts(self) -> tuple[list[str], list[str]]:
+        """Return the names of the parameters that have values, and the values as texts that read back exactly."""
+        return list(self._texts), list(self._texts.values())
 
     def contact(self, **arguments: Any) -> Contact:
         """Return ``Contact(self, **arguments)``."""
@@ -127,7 +131,11 @@ class Profile:
 
     def open_names(self) -> set[str]:
         """Return the names of the parameters that have no value yet."""
-        return set() if self._text is None else set(_sneddon.parameters(self._text)) - self._values.keys()
+        return set(self.parameters)
+
+    def numbers(self, values: dict[str, Any]) -> dict[str, float]:
+        """Return the values of all parameters as floats; ``values`` are those of the parameters that the profile leaves open."""
+        return {name: float_of_number(name, value) for name, value in {**self._values, **values}.items()}
 
     def engine(
         self, values: dict[str, Any], e_star: float, method: str, tolerance: float, depth: float | None = None
@@ -141,9 +149,8 @@ class Profile:
         if self._function is not None:
             return _sneddon.Engine.function(self._function, self._kinks, self._end, e_star, tolerance)
         assert self._text is not None
-        known = {**self._values, **values}
-        numbers = [float_of_number(name, value) for name, value in known.items()]
-        return _sneddon.Engine.formula(self._text, list(known), numbers, e_star, method, tolerance, depth)
+        numbers = self.numbers(values)
+        return _sneddon.Engine.formula(self._text, list(numbers), list(numbers.values()), e_star, method, tolerance, depth)
 
     def __repr__(self) -> str:
         given = "".join(f", {name}={value!r}" for name, value in self._values.items())

@@ -88,6 +88,28 @@ class Solution:
         return all(row["valid"] for row in self.rows)
 
     @property
+    def verdict(self) -> str:
+        """``"valid"``, ``"valid at N radii"`` where no proof was found, or ``"not valid"``."""
+        found: str = self.document["validity"]["verdict"]
+        return found
+
+    @property
+    def why(self) -> str | None:
+        """Why rows are not valid or the answer is incomplete; None for a complete valid answer."""
+        if "why" in self.document:
+            return str(self.document["why"])
+        if self.valid:
+            return None
+        findings = [own["message"] for own in self.document["validity"]["findings"] if own["severity"] == "error"]
+        return next(iter([*findings, *(row["why"] for row in self.rows if "why" in row)]), "a row is not valid")
+
+    @property
+    def curves(self) -> list[dict[str, Any]]:
+        """The curves of ``[outputs]``, as in the document: ``quantity``, ``d``, ``row``, and ``points`` with ``at`` and ``value``."""
+        found: list[dict[str, Any]] = self.document["curves"]
+        return found
+
+    @property
     def units(self) -> dict[str, str] | None:
         """The units of the answers; None for bare numbers."""
         found: dict[str, str] | None = self.document.get("units")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import itertools
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,46 +17,61 @@ _NUMBERS = ("d", "F", "a", "k")
 _BLOCK = 200
 
 
-def sweep(scene: dict[str, Any], over: dict[str, Any], client: Any = None) -> Any:
-    """Solve a scene for every combination of values.
+def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]], client: Any = None) -> Any:
+    """Solve a scene for every combination of values, or for a list of points.
 
     Parameters
     ----------
     scene : dict
         The scene, with one load.
-    over : dict
-        Values by the dotted name of a key, such as ``{"profile.parameters.R": [...], "load.depth": [...]}``.
+    over : dict, or list of dict
+        Values by the dotted name of a key, such as ``{"profile.parameters.R": [...], "load.depth": [...]}`` for every combination;
+        or a dict for each scene, such as ``[{"profile.parameters.R": 1.0, "load.depth": 0.1}, ...]``, all with the same names.
     client : dask.distributed.Client, optional
         Where the scenes are solved, in blocks; without it here.
 
     Returns
     -------
     xarray.Dataset
-        ``d``, ``F``, ``a``, ``k``, ``valid`` and ``error`` over the names of ``over``; a scene that cannot be solved has NaN and
-        its reason in ``error``.
+        ``d``, ``F``, ``a``, ``k``, ``valid`` and ``error`` over the names of ``over``, or over ``point`` for a list; a scene that
+        cannot be solved has NaN and its reason in ``error``.
     """
     import xarray
 
     if not isinstance(scene, dict):
         raise TypeError("a sweep takes the scene as a dict")
-    names = list(over)
-    values = [list(np.atleast_1d(over[name])) if not isinstance(over[name], (list, tuple)) else list(over[name]) for name in names]
+    if isinstance(over, dict):
+        names = list(over)
+        values = [list(np.atleast_1d(own)) if not isinstance(own, (list, tuple)) else list(own) for own in over.values()]
+        points = list(itertools.product(*values))
+        dimensions = names
+        coordinates: dict[str, Any] = dict(zip(names, values))
+        shape = tuple(len(own) for own in values)
+    else:
+        names = []
+        for index, own in enumerate(over):
+            if not isinstance(own, dict):
+                raise TypeError(f"over[{index}] is a {type(own).__name__}; a dict of values by dotted names is accepted")
+            names = names or list(own)
+            if own.keys() != set(names):
+                raise SneddonError(f"the names {', '.join(own)} differ from those of the first point", f"over[{index}]")
+        points = [tuple(own[name] for name in names) for own in over]
+        dimensions, shape = ["point"], (len(points),)
+        coordinates = {name: ("point", [own[name] for own in over]) for name in names}
     for name in names:
-        _changed(scene, [(name, over[name])])
-    points = list(itertools.product(*values))
+        _changed(scene, [(name, None)])
     blocks = [points[start : start + _BLOCK] for start in range(0, len(points), _BLOCK)]
     if client is None:
         found = [_solved(scene, names, block) for block in blocks]
     else:
         found = client.gather(client.map(_solved, *zip(*((scene, names, block) for block in blocks)), pure=False))
     rows = [row for block in found for row in block]
-    shape = tuple(len(own) for own in values)
     data: dict[str, Any] = {
-        key: (names, np.array([row[index] for row in rows], dtype=float).reshape(shape)) for index, key in enumerate(_NUMBERS)
+        key: (dimensions, np.array([row[index] for row in rows], dtype=float).reshape(shape)) for index, key in enumerate(_NUMBERS)
     }
-    data["valid"] = (names, np.array([row[-2] for row in rows], dtype=bool).reshape(shape))
-    data["error"] = (names, np.array([row[-1] for row in rows], dtype=object).reshape(shape))
-    return xarray.Dataset(data, coords=dict(zip(names, values)))
+    data["valid"] = (dimensions, np.array([row[-2] for row in rows], dtype=bool).reshape(shape))
+    data["error"] = (dimensions, np.array([row[-1] for row in rows], dtype=object).reshape(shape))
+    return xarray.Dataset(data, coords=coordinates)
 
 
 def _changed(scene: dict[str, Any], changes: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -4,10 +4,10 @@ use crate::error::Fault;
 use crate::formulas::formula;
 use crate::interrupt::interruptible;
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
-use pyo3::exceptions::{PyArithmeticError, PyValueError};
+use pyo3::exceptions::{PyArithmeticError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use self_cell::self_cell;
-use sneddon::contact::{Contact, ContactError, Explicit, Measured, Reason, explicit};
+use sneddon::contact::{Contact, ContactError, Explicit, Indentation, Load, Measured, Part, Reason, Setup, explicit};
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::num::work::{self, Budget};
 use sneddon::num::{Bound as Ground, Estimate};
@@ -249,6 +249,24 @@ impl Engine {
         Ok((found.value, found.error, found.bound == Ground::Proven))
     }
 
+    /// Whether each load is a valid contact: pressure and gap are nowhere negative. A load that cannot be reached is not.
+    fn valid(&self, py: Python<'_>, name: &str, at: PyReadonlyArray1<'_, f64>) -> PyResult<Vec<bool>> {
+        let (load, wanted): (fn(f64) -> Load, _) = match name {
+            "depth" => (Load::Depth, Wanted::RadiusOfDepth),
+            "force" => (Load::Force, Wanted::RadiusOfForce),
+            _ => (Load::Radius, Wanted::Depth),
+        };
+        let at = at.as_slice()?;
+        for (index, value) in at.iter().enumerate() {
+            check(wanted, *value, (at.len() > 1).then_some(index))?;
+        }
+        let steps = Budget::DEFAULT.count().saturating_add(STEPS.saturating_mul(at.len() as u64));
+        let largest = load(at.iter().copied().fold(0.0, f64::max));
+        Ok(interruptible(py, || {
+            work::within(Budget::steps(steps), || self.verdicts(&at.iter().map(|own| load(*own)).collect::<Vec<_>>(), largest))
+        })??)
+    }
+
     /// Values, with bounds and whether they are proven where arrays are given for them, at every entry of `at`; arrays are contiguous and of
     /// one length.
     #[allow(clippy::too_many_arguments)]
@@ -375,6 +393,29 @@ impl Engine {
         })
     }
 
+    fn verdicts(&self, loads: &[Load], largest: Load) -> Result<Vec<bool>, Fault> {
+        let setup = |effective_modulus| Setup { effective_modulus, rim: None, tolerance: self.tolerance, method: self.method };
+        let judge = |indentation: &Indentation<'_>| -> Result<Vec<bool>, ContactError> {
+            loads.iter().map(|load| Ok(indentation.solve(*load)?.is_valid())).collect()
+        };
+        let of_part = |part: Part<'_>, modulus| judge(&Indentation::beside(None, vec![part], setup(modulus), largest)?);
+        let found = match &self.shape {
+            Shape::Formula { solved, .. } => {
+                let modulus = solved.with_dependent(|_, contact| contact.effective_modulus());
+                Indentation::new(solved.borrow_owner(), setup(modulus), largest).and_then(|own| judge(&own))
+            }
+            Shape::Table(contact) => of_part(Part::new(contact.shared_evaluator()), contact.effective_modulus()),
+            Shape::Function { contact, raised } => {
+                let found = of_part(Part::new(contact.shared_evaluator()), contact.effective_modulus());
+                if let Some(error) = taken(raised).filter(|error| !is_numeric(error)) {
+                    return Err(Fault::raised(error));
+                }
+                found
+            }
+        };
+        Ok(found?)
+    }
+
     fn read(&self, wanted: Wanted, at: f64, a: f64) -> Result<Estimate, Fault> {
         match &self.shape {
             Shape::Formula { solved, inverse, .. } => {
@@ -404,9 +445,13 @@ fn taken(raised: &Raised) -> Option<PyErr> {
     raised.lock().ok().and_then(|mut own| own.take())
 }
 
-/// True for what functions of numbers raise where they have no value: a domain error, a division by zero, an overflow.
+/// Returns true for what functions of numbers raise where they have no value: a domain error, a division by zero, an overflow, or a
+/// complex number, which Python returns for roots of negative ones.
 fn is_numeric(error: &PyErr) -> bool {
-    Python::attach(|py| error.is_instance_of::<PyValueError>(py) || error.is_instance_of::<PyArithmeticError>(py))
+    Python::attach(|py| {
+        let is_complex = || error.is_instance_of::<PyTypeError>(py) && error.value(py).to_string().contains("complex");
+        error.is_instance_of::<PyValueError>(py) || error.is_instance_of::<PyArithmeticError>(py) || is_complex()
+    })
 }
 
 /// A value with its bound; infinite by theory is infinite without an error.

@@ -1,14 +1,21 @@
-//! Formulas: what `sneddon derive` and `sneddon rules` print, as JSON documents.
+//! Formulas: what `sneddon derive`, `compare`, `invert` and `rules` print, as JSON documents.
 
 use crate::error::Fault;
 use crate::interrupt::interruptible;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
-use sneddon::contact::{Edge, relations};
-use sneddon::expr::{Bindings, Expr, Formula};
+use sneddon::contact::{self, Edge, Setting, relations};
+use sneddon::expr::{Bindings, Expr, Formula, Number, Symbol};
+use sneddon::num::work::{self, Budget};
+use sneddon::num::{Bound as Ground, Estimate};
 use sneddon::parse;
 use sneddon::print::Renaming;
-use sneddon::report::{self, Derivation, Unchecked};
-use sneddon::transform::{self, Profile};
+use sneddon::report::{self, Compared, Derivation, Inversion, Unchecked, Wanted, inversion};
+use sneddon::transform::{self, FromPressure, Inverse, InverseNumbers, Method, Profile, TransformError};
+use std::io::{self, Write};
+
+/// Steps of work that each radius of an inverted profile may take, beyond those of the call.
+const STEPS: u64 = 300_000;
 
 /// The profile of a text, with the values of its parameters as texts.
 pub(crate) fn formula(text: &str, names: &[String], values: &[String]) -> Result<Formula, Fault> {
@@ -61,17 +68,154 @@ pub(crate) fn derive(py: Python<'_>, text: &str, names: Vec<String>, values: Vec
             names: &Renaming::default(),
             check,
         };
-        let mut out = Vec::new();
-        report::json::derivation(&record, None, &mut out).map_err(|error| Fault::new(error.to_string()))?;
-        Ok(String::from_utf8_lossy(&out).into_owned())
+        written(|out| report::json::derivation(&record, None, out))
     });
     Ok(document??)
+}
+
+/// The document that `sneddon compare --json` prints.
+#[pyfunction]
+#[pyo3(signature = (text, names, values, radius, depth, tolerance))]
+pub(crate) fn compare(
+    py: Python<'_>,
+    text: &str,
+    names: Vec<String>,
+    values: Vec<String>,
+    radius: Option<f64>,
+    depth: Option<f64>,
+    tolerance: Option<f64>,
+) -> PyResult<String> {
+    for (name, value) in [("radius", radius), ("depth", depth), ("tolerance", tolerance)] {
+        if value.is_some_and(|own| !own.is_finite() || own < 0.0 || (own == 0.0 && name != "depth")) {
+            let help = if name == "depth" { "a finite number from 0 on is accepted" } else { "a positive finite number is accepted" };
+            return Err(Fault::new(format!("{name} = {} is not accepted", value.unwrap_or_default())).help(help).place(name).into());
+        }
+    }
+    let typed = formula(text, &names, &values)?;
+    let document = interruptible(py, || -> Result<String, Fault> {
+        let place = |fault: Fault| fault.place(format!("profile {text}"));
+        let profile = Profile::new(&typed).map_err(|error| place(error.into()))?;
+        if profile.is_flat() && depth.is_none() {
+            return Err(place(Fault::new("a flat profile with a smooth edge has no contact problem").help("depth= makes it a punch")));
+        }
+        let solution = transform::derive(&profile).map_err(|error| place(error.into()))?;
+        let comparisons = contact::compare(&solution, &Setting { radius, depth, tolerance }).map_err(|error| place(error.into()))?;
+        written(|out| report::json::comparison(&Compared { profile: &typed, comparisons: &comparisons }, out))
+    });
+    Ok(document??)
+}
+
+/// What has a profile as its answer: g as typed, or the g of a wanted pressure.
+struct Asked {
+    equivalent: Formula,
+    pressure: Option<(Expr, FromPressure)>,
+}
+
+impl Asked {
+    fn read(text: &str, is_pressure: bool) -> Result<Self, Fault> {
+        if !is_pressure {
+            let equivalent = parse::equivalent(text).map_err(|error| Fault::parse("g", text, &error))?;
+            return Ok(Self { equivalent, pressure: None });
+        }
+        let pressure = parse::pressure(text).map_err(|error| Fault::parse("pressure", text, &error))?;
+        let found = transform::equivalent_of_pressure(&pressure)
+            .map_err(|error| Fault::new(error.to_string()).place(format!("pressure {text}")))?;
+        Ok(Self { equivalent: Formula::Closed(found.equivalent.clone()), pressure: Some((pressure, found)) })
+    }
+}
+
+fn refusal(error: &TransformError) -> String {
+    inversion::refusal(error, |text| parse::formula(text).ok())
+}
+
+fn inverse(text: &str, equivalent: &Formula) -> Result<Inverse, Fault> {
+    transform::invert(equivalent, |text| parse::formula(text).ok()).map_err(|error| Fault::new(refusal(&error)).place(format!("g {text}")))
+}
+
+/// The document that `sneddon invert --json` prints.
+#[pyfunction]
+pub(crate) fn invert(py: Python<'_>, text: &str, pressure: bool) -> PyResult<String> {
+    let document = interruptible(py, || -> Result<String, Fault> {
+        let asked = Asked::read(text, pressure)?;
+        let found = inverse(text, &asked.equivalent)?;
+        let check = transform::check_inverse(&found).map_err(Unchecked::from);
+        let wanted = asked.pressure.as_ref();
+        let record = Inversion {
+            pressure: wanted.map(|(pressure, own)| Wanted { pressure, depth: &own.depth, force: &own.force }),
+            equivalent: &asked.equivalent,
+            profile: found.profile(),
+            at_axis: found.at_axis(),
+            conditions: found.conditions.clone(),
+            check,
+            at: Vec::new(),
+            readings: Vec::new(),
+        };
+        written(|out| inversion::json(&record, None, &Renaming::default(), out))
+    });
+    Ok(document??)
+}
+
+/// f at every radius, the bounds of its errors, and whether they are proven, for values of the parameters.
+type Heights<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Vec<bool>);
+
+#[pyfunction]
+pub(crate) fn inverted<'py>(
+    py: Python<'py>,
+    text: &str,
+    pressure: bool,
+    names: Vec<String>,
+    values: Vec<f64>,
+    radii: PyReadonlyArray1<'py, f64>,
+) -> PyResult<Heights<'py>> {
+    let radii = radii.as_slice()?.to_vec();
+    let found = interruptible(py, || -> Result<Vec<Estimate>, Fault> {
+        let bindings: Bindings = names
+            .iter()
+            .zip(&values)
+            .map(|(name, value)| match Number::from_f64(*value).filter(|_| *value > 0.0) {
+                Some(number) => Ok((name.as_str(), Expr::number(number))),
+                None => Err(Fault::new(format!("{name} = {value} is not positive and finite")).place(format!("parameter {name}"))),
+            })
+            .collect::<Result<_, Fault>>()?;
+        let typed = Asked::read(text, pressure)?.equivalent;
+        let equivalent = typed.substitute(&bindings);
+        let coordinate = Symbol::new("x");
+        let known: Vec<Symbol> = typed.symbols().into_iter().filter(|own| *own != coordinate).collect();
+        if let Some(name) = names.iter().find(|own| known.iter().all(|known| known.name() != own.as_str())) {
+            return Err(Fault::new(format!("the formula has no parameter {name}")).place(format!("parameter {name}")));
+        }
+        let open: Vec<&str> = known.iter().map(Symbol::name).filter(|own| names.iter().all(|name| name != own)).collect();
+        if !open.is_empty() {
+            return Err(Fault::new(format!("the parameter {} has no value", open.join(", "))).help("give it by keyword, such as R=2.0"));
+        }
+        let refused = |error: TransformError| Fault::new(refusal(&error)).place(format!("g {text}"));
+        let numbers = InverseNumbers::new(&inverse(text, &equivalent)?, &Bindings::default(), Method::Auto, 1e-13).map_err(refused)?;
+        let steps = Budget::DEFAULT.count().saturating_add(STEPS.saturating_mul(radii.len() as u64));
+        work::within(Budget::steps(steps), || {
+            let value = |(index, r): (usize, &f64)| {
+                if !(r.is_finite() && *r >= 0.0) {
+                    return Err(Fault::new(format!("r = {r} is not a number from 0 on")).place(format!("r, flat index {index}")));
+                }
+                work::check()?;
+                numbers.value(*r).map(|own| own.estimate).map_err(refused)
+            };
+            radii.iter().enumerate().map(value).collect()
+        })
+    })??;
+    let (heights, errors): (Vec<f64>, Vec<f64>) = found.iter().map(|own| (own.value, own.error)).unzip();
+    let proven = found.iter().map(|own| own.bound == Ground::Proven).collect();
+    Ok((heights.into_pyarray(py), errors.into_pyarray(py), proven))
+}
+
+/// A document as text.
+fn written(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<String, Fault> {
+    let mut out = Vec::new();
+    write(&mut out).map_err(|error| Fault::new(error.to_string()))?;
+    Ok(String::from_utf8_lossy(&out).into_owned())
 }
 
 /// The document that `sneddon rules --json` prints.
 #[pyfunction]
 pub(crate) fn rules() -> PyResult<String> {
-    let mut out = Vec::new();
-    report::json::rules(transform::rules::RULES, &mut out).map_err(|error| Fault::new(error.to_string()))?;
-    Ok(String::from_utf8_lossy(&out).into_owned())
+    Ok(written(|out| report::json::rules(transform::rules::RULES, out))?)
 }

@@ -16,6 +16,9 @@ fn _sneddon(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<engine::Engine>()?;
     module.add_function(wrap_pyfunction!(formulas::derive, module)?)?;
+    module.add_function(wrap_pyfunction!(formulas::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(formulas::invert, module)?)?;
+    module.add_function(wrap_pyfunction!(formulas::inverted, module)?)?;
     module.add_function(wrap_pyfunction!(formulas::parameters, module)?)?;
     module.add_function(wrap_pyfunction!(formulas::rules, module)?)?;
     module.add_function(wrap_pyfunction!(scenes::solve, module)?)?;

@@ -182,3 +182,38 @@ def test_long_arrays_do_not_copy_more_than_they_need():
     a = np.linspace(0.01, 1.9, 300_000)
     found = SPHERE.force(radius=a)
     assert found[::50_000] == pytest.approx([SPHERE.force(radius=float(own)) for own in a[::50_000]], rel=4e-16)
+
+
+def test_contacts_know_their_parameters_and_pickle():
+    assert SPHERE.parameters == {"R": 2.0}
+    assert sneddon.Contact(sneddon.Profile("C*r^n", n="5/2"), C=0.3, E_star=1.0).parameters == {"n": 2.5, "C": 0.3}
+    r = np.linspace(0.0, 2.0, 41)
+    for own in (SPHERE, sneddon.Contact((r, r * r / 4), E_star=1.5), sneddon.Contact(np.cosh, E_star=1.5)):
+        assert pickle.loads(pickle.dumps(own)).force(radius=0.5) == own.force(radius=0.5)
+
+
+def test_loads_are_judged():
+    """1 - sin(r)/r + r²/100 touches again at r = 5.617 when a = 3; a formula, a function and a measured tip say so."""
+    shape = lambda r: 1 - np.sin(r) / r + r * r / 100 if r else 0.0
+    r = np.linspace(0.0, 8.0, 4001)
+    for own in (
+        sneddon.Contact("1-sin(r)/r+r^2/100", E_star=1.0),
+        sneddon.Contact(shape, E_star=1.0),
+        sneddon.Contact((r, np.array([shape(own) for own in r])), E_star=1.0),
+    ):
+        assert own.valid(radius=[1.0, 3.0]).tolist() == [True, False]
+        d, force = own.depth(radius=1.0), own.force(radius=1.0)
+        assert own.valid(depth=d) is True and own.valid(force=force) is True
+    assert SPHERE.valid(depth=[0.1, 100.0]).tolist() == [True, False]
+    with pytest.raises(sneddon.SneddonError, match="depth = -1"):
+        SPHERE.valid(depth=-1.0)
+    with pytest.raises(TypeError, match="one of depth, force, radius"):
+        SPHERE.valid()
+
+
+@pytest.mark.parametrize("own", [{"E_star": "1 GPa"}, {"E": 1.0, "nu": "big"}, {"E_star": 1.0, "R": "2 um"}, {"E_star": 1.0, "tolerance": "fine"}])
+def test_numbers_with_units_are_refused_by_name(own):
+    with pytest.raises(TypeError, match="a number is accepted"):
+        sneddon.Contact("r^2/(2*R)", **{"R": 2.0, **own})
+    with pytest.raises(sneddon.SneddonError, match="R is larger than"):
+        sneddon.Contact("r^2/(2*R)", R=10**400, E_star=1.0)

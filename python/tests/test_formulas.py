@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pathlib
+import pickle
 
 import mpmath
 import numpy as np
@@ -104,3 +105,58 @@ def test_bad_formulas_say_where():
 
 def test_rules_are_listed():
     assert {"heß-power", "sphere"} <= {own["id"] for own in sneddon.rules()}
+
+
+@pytest.mark.parametrize("text", ["r^2/(2*R)", "R-sqrt(R^2-r^2)", "r*tan(theta)", "C*r^n", "ln(cosh(r/R))"])
+def test_inverting_the_equivalent_profile_gives_the_profile_back(text):
+    """A law: f from g from f is f."""
+    values = {"R": 2.0, "theta": 0.3, "C": 0.7, "n": 3.5}
+    profile = sneddon.Profile(text)
+    own = {name: values[name] for name in profile.parameters}
+    g = profile.derive().g
+    r = np.array([0.1, 0.5, 1.0])
+    if g.status != "exact":
+        return
+    found, bounds, grounds = sneddon.invert(g.text)(r, with_bound="ground", **own)
+    expected, own_bounds = sneddon.Contact(profile, E_star=1.0, **own).shape(r, with_bound=True)
+    assert (abs(found - expected) <= bounds + own_bounds).all() and (bounds <= 1e-10 * abs(expected)).all()
+    assert set(grounds) <= {"proven", "estimated"}
+
+
+def test_inversions_have_every_formula():
+    found = sneddon.invert("x^2/R + x")
+    assert (found.text, found.status, found.check["verdict"]) == ("r^2/(2*R) + 2/pi*r", "exact", "passed")
+    assert found.sympy().free_symbols == {sympy.Symbol("r", positive=True), sympy.Symbol("R", positive=True)}
+    assert found(0.5, R=2.0) == pytest.approx(0.0625 + 1 / np.pi, rel=1e-15)
+    assert sneddon.invert(sympy.Symbol("x") ** 2).text == "r^2/2"
+    # The pressure of Hertz: F = (2/3) π p_0 a².
+    hertz = sneddon.invert("p_0*sqrt(1-r^2/a^2)", pressure=True)
+    assert sympy.sympify(hertz.F, {"E": sympy.Symbol("E")}).equals(sympy.sympify("2*pi*p_0*a**2/3"))
+    assert hertz(0.5, a=1.0, p_0=1.0, E=2.0) == pytest.approx(np.pi / 32, rel=1e-15)
+    for call, told in ((lambda: found(0.5), "the parameter R has no value"), (lambda: found(0.5, R=1.0, Q=2.0), "no parameter Q"),
+                       (lambda: found(0.5, R=-1.0), "R = -1"), (lambda: found(-0.5, R=1.0), "r = -0.5"),
+                       (lambda: sneddon.invert("x^2/"), "ends too soon"), (lambda: sneddon.invert("1/x"), "no finite value at x = 0")):
+        with pytest.raises(sneddon.SneddonError, match=told):
+            call()
+    with pytest.raises(TypeError):
+        sneddon.invert(3)
+
+
+def test_comparisons_have_verdicts():
+    found = sneddon.compare("R-sqrt(R^2-r^2)")
+    assert found and found["F"]["verdict"] == "passed" and found["g"]["points"] == 64
+    nothing = sneddon.compare("ln(cosh(r))")
+    assert not nothing.passed and {nothing[key]["verdict"] for key in nothing} == {"not compared"}
+    assert sneddon.compare("0", depth=0.1, radius=2.0).passed
+    for call, told in ((lambda: sneddon.compare("0"), "flat"), (lambda: sneddon.compare("r^2", radius=-1.0), "radius = -1"),
+                       (lambda: sneddon.compare(lambda r: r), "belong to formulas")):
+        with pytest.raises(sneddon.SneddonError, match=told):
+            call()
+
+
+def test_formulas_and_derivations_pickle():
+    found = sneddon.Profile("r^2/(2*R)").derive()
+    value = found.F(0.5, R=2.0)
+    again = pickle.loads(pickle.dumps(found))
+    assert again.F(0.5, R=2.0) == value and str(again) == str(found)
+    assert pickle.loads(pickle.dumps(found.F)).sympy() == found.F.sympy()

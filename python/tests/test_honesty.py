@@ -108,6 +108,11 @@ NATURAL = [
     (lambda r: math.log(math.cosh(r)), "ln(cosh(r))"),
     (lambda r: abs(r), "r"),
     (lambda r: r**1.5, "r^1.5"),
+    (lambda r: 1 - math.sin(r) / r + r**2 / 100 if r else 0.0, "1-sin(r)/r+r^2/100"),
+    (lambda r: (r / 0.4 - math.log(1 + r / 0.4)) / (3 + r), "(r/0.4-ln(1+r/0.4))/(3+r)"),
+    (lambda r: 1 - math.exp(-((r**1.3) ** 2)), "1-exp(-r^2.6)"),
+    (lambda r: r**5 / (2 + r) + r * r / 2.5, "r^5/(2+r)+r^2/2.5"),
+    (lambda r: 1.4 * r**6 / (1.14 + math.log(math.cosh(r)) ** 2), "1.4*r^6/(1.14+ln(cosh(r))^2)"),
 ]
 
 

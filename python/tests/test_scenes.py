@@ -158,3 +158,26 @@ def test_errors_have_a_moderate_length_and_name_the_file(tmp_path):
     with pytest.raises(sneddon.SneddonError, match=r"names no column of radii") as raised:
         sneddon.solve(scene)
     assert "tip.csv" in raised.value.place and "secret" not in str(raised.value)
+
+
+def test_solutions_have_a_verdict_a_reason_and_curves():
+    found = sneddon.solve({**SCENE, "outputs": {"quantities": ["F", "p"], "at": [0.0, 1.0]}})
+    assert (found.verdict, found.why) == ("valid", None)
+    (curve,) = found.curves
+    assert curve["quantity"] == "p" and [own["value"] for own in curve["points"]] == pytest.approx(pressure(np.array([0.0, 1.0])), rel=1e-14)
+    again = sneddon.solve({**SCENE, "profile": {"f": "1-sin(r)/r+r^2/100"}, "load": {"contact_radius": [1.0, 3.0]}})
+    assert again.verdict == "not valid" and "5.6169570" in again.why
+
+
+def test_sweeps_take_points():
+    scene = {**SCENE, "load": {"depth": 0.1}}
+    points = [{"load.depth": 0.1, "profile.parameters.R": 5.0}, {"load.depth": 0.3, "profile.parameters.R": 10.0}]
+    found = sneddon.sweep(scene, points)
+    assert found["F"].dims == ("point",) and found["load.depth"].values.tolist() == [0.1, 0.3]
+    d, radius = np.array([0.1, 0.3]), np.array([5.0, 10.0])
+    assert found["F"].values == pytest.approx(4 / 3 * MODULUS * np.sqrt(radius) * d**1.5, rel=1e-14)
+    assert sneddon.sweep(scene, [])["F"].size == 0
+    with pytest.raises(sneddon.SneddonError, match="over.1"):
+        sneddon.sweep(scene, [points[0], {"load.depth": 0.1}])
+    with pytest.raises(TypeError, match="over.0. is a int"):
+        sneddon.sweep(scene, [3])

@@ -6,10 +6,10 @@ use super::units::Units;
 use super::{Failure, Outcome, budget, input, points};
 use crate::contact::inverse_steps;
 use crate::expr::{Bindings, Expr, Formula};
+use crate::parse;
 use crate::report::page::Page;
 use crate::report::{Inversion, Wanted, inversion};
 use crate::transform::{self, Inverse, InverseNumbers, Method, TransformError};
-use crate::{parse, print};
 use std::path::PathBuf;
 
 /// Finds f(r) from g(x), or from a wanted pressure p(r).
@@ -139,28 +139,12 @@ impl Asked {
         Ok((equivalent, found))
     }
 
-    /// The error in words about g(x); the room below speaks of f(r).
+    /// The error in words about g(x); the layer below speaks of f(r).
     fn failure(&self, error: &TransformError) -> Failure {
-        let over_x = |text: &str| {
-            let named = parse::formula(text).map(|formula| print::text(&formula.substitute(&Bindings::one("r", Expr::symbol("x")))));
-            named.unwrap_or_else(|_| text.to_owned())
-        };
-        let message = match error {
-            TransformError::SingularAtAxis { detail } => {
-                let detail = over_x(detail);
-                format!("g has no finite value at x = 0 ({detail}); an equivalent profile such as C*x^n with n > 0 would be accepted")
-            }
-            TransformError::NotReal { detail } => {
-                format!("g is not a real number near x = 0 ({}); check the signs under roots and logarithms", over_x(detail))
-            }
-            TransformError::Jump { at, jump } => format!(
-                "g jumps by {jump} at x = {at}: no profile with a finite slope has it; pieces that meet at their breakpoints would be accepted"
-            ),
-            TransformError::OutOfDomain { .. } | TransformError::Overflow { .. } | TransformError::Evaluation(_) => {
-                return Failure::new(error.to_string());
-            }
-            other => other.to_string().replace("the profile", "g"),
-        };
-        Failure::new(message).at(self.place, &self.typed.text, 0..self.typed.text.len())
+        let failure = Failure::new(inversion::refusal(error, |text| parse::formula(text).ok()));
+        match error {
+            TransformError::OutOfDomain { .. } | TransformError::Overflow { .. } | TransformError::Evaluation(_) => failure,
+            _ => failure.at(self.place, &self.typed.text, 0..self.typed.text.len()),
+        }
     }
 }

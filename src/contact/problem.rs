@@ -24,6 +24,9 @@ pub struct Contact<'a, P: Quantities = Evaluator<'a>> {
 /// The largest number of values of g that one energy may take.
 const MOST_NESTED: u64 = 5_000;
 
+/// Share of the contact radius below which g adds nothing to the energy.
+const NEAREST: f64 = 1e-30;
+
 /// A value, or the reason why theory has none.
 pub type Measured = Result<Reading, Reason>;
 
@@ -116,6 +119,11 @@ impl<P: Quantities> Contact<'_, P> {
     /// The profile's evaluator.
     pub fn evaluator(&self) -> &P {
         &self.evaluator
+    }
+
+    /// The profile's evaluator, to be shared with an indentation.
+    pub fn shared_evaluator(&self) -> Arc<P> {
+        Arc::clone(&self.evaluator)
     }
 
     /// True for a punch with a rim at the contact radius.
@@ -294,12 +302,10 @@ impl<P: Quantities> Contact<'_, P> {
         }
         let mut failure = None;
         let mut inner = 0;
-        let (nearest, rest) = self.nearest_with_digits(a);
-        let mut integrand = |point: Point| match self.evaluator.slope(point.x.max(nearest)) {
+        let mut integrand = |point: Point| match self.near_axis(point.x.max(NEAREST * a), a) {
             Ok(g) => {
-                inner += g.estimate.evaluations;
-                let own = g.estimate.bounded();
-                let gap = d - if point.x < nearest { Bounded { error: own.error + rest, ..own } } else { own };
+                inner += g.evaluations;
+                let gap = d - g.bounded();
                 gap * gap
             }
             Err(error) => {
@@ -324,20 +330,16 @@ impl<P: Quantities> Contact<'_, P> {
         Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
     }
 
-    /// The radius below which g has no digits, or adds nothing to the energy, and the size of g there.
-    ///
-    /// A function that rounds next to the axis gives g no digits far beyond the smallest radii that quadrature asks for.
-    fn nearest_with_digits(&self, a: f64) -> (f64, f64) {
-        let nearest = 1e-30 * a;
-        let candidates = std::iter::successors(Some(nearest), |x| Some(10.0 * x)).take_while(|x| *x < 0.01 * a);
-        for x in candidates {
-            match self.evaluator.slope(x) {
-                Ok(g) => return (x, if x > nearest { g.estimate.value.abs() + g.estimate.error } else { 0.0 }),
-                Err(TransformError::NoDigits { .. }) => {}
-                Err(_) => break,
-            }
+    /// Returns g(x); where a function that rounds next to the axis gives it no digits, 0 with an error of the size of g further out.
+    fn near_axis(&self, x: f64, a: f64) -> Result<Estimate, TransformError> {
+        let mut found = self.evaluator.slope(x).map(|own| own.estimate);
+        let mut place = x;
+        while matches!(found, Err(TransformError::NoDigits { .. })) && place < 1e-3 * a {
+            place *= 10.0;
+            let size = |own: Reading| Estimate::estimated(0.0, own.estimate.value.abs() + own.estimate.error, own.estimate.evaluations);
+            found = self.evaluator.slope(place).map(size);
         }
-        (nearest, 0.0)
+        found
     }
 
     /// a(d): the first root of g(a) = d beyond the flat part of the tip.

@@ -41,6 +41,10 @@ const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
 const STEPS: u32 = 60;
 /// The search ends after this many consecutive samples whose error exceeds their value.
 const LOST: u32 = 3;
+/// Number of radii that are looked at beyond those.
+const LEAP: usize = 20;
+/// Depths below this share of another are nothing beside it.
+const NOTHING: f64 = 1e-9;
 /// The search ends after this many consecutive samples without a new maximum of g.
 const IDLE: u32 = 8;
 
@@ -224,7 +228,12 @@ impl Look<'_> {
                 return;
             }
             Err(_) if seen.places.is_empty() => return,
-            Err(_) => return self.approach(a, seen),
+            Err(error) => {
+                if !(matches!(error, TransformError::NoDigits { .. }) && self.leap(seen)) {
+                    self.approach(a, seen);
+                }
+                return;
+            }
         };
         seen.lost = 0;
         let known = seen.places.len();
@@ -244,6 +253,17 @@ impl Look<'_> {
             seen.idle += 1;
         }
         seen.ended = here.1 == f64::INFINITY || seen.idle >= IDLE;
+    }
+
+    /// Goes on where g has digits again and is so much larger that the places so far are nothing beside it; returns false if that is nowhere.
+    ///
+    /// A function such as exp(r)-1-r rounds to a line next to the axis, and to nothing between there and where it can be told.
+    fn leap(&mut self, seen: &mut Seen) -> bool {
+        let mut rest = self.places.get(seen.next..).unwrap_or_default().iter().take(LEAP);
+        let found = rest.position(|a| (self.height)(*a).is_ok_and(|g| g > seen.largest / NOTHING));
+        let Some(steps) = found else { return false };
+        *seen = Seen { next: seen.next + steps, ..Seen::default() };
+        true
     }
 
     /// Bisects an interval recursively wherever g deviates from a power law.

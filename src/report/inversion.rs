@@ -4,9 +4,9 @@ use super::Unchecked;
 use super::json::{Check, Completion, Quantity, Readings, Step, Typeset, write};
 use super::text::{error, number, table};
 use crate::contact;
-use crate::expr::{Condition, Expr, Formula};
+use crate::expr::{Bindings, Condition, Expr, Formula};
 use crate::print::{self, Notation, Prose, Renaming};
-use crate::transform::{self, Derived, Reading};
+use crate::transform::{self, Derived, Reading, TransformError};
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -54,6 +54,28 @@ impl Inversion<'_> {
             ));
         }
         notes
+    }
+}
+
+/// Returns the message of an error of `transform::invert`, in words about g(x) instead of f(r); `read` reads an expression.
+pub fn refusal(error: &TransformError, read: impl Fn(&str) -> Option<Formula>) -> String {
+    let over_x = |text: &str| {
+        let named = read(text).map(|formula| print::text(&formula.substitute(&Bindings::one("r", Expr::symbol("x")))));
+        named.unwrap_or_else(|| text.to_owned())
+    };
+    match error {
+        TransformError::SingularAtAxis { detail } => {
+            let detail = over_x(detail);
+            format!("g has no finite value at x = 0 ({detail}); an equivalent profile such as C*x^n with n > 0 would be accepted")
+        }
+        TransformError::NotReal { detail } => {
+            format!("g is not a real number near x = 0 ({}); check the signs under roots and logarithms", over_x(detail))
+        }
+        TransformError::Jump { at, jump } => format!(
+            "g jumps by {jump} at x = {at}: no profile with a finite slope has it; pieces that meet at their breakpoints would be accepted"
+        ),
+        TransformError::OutOfDomain { .. } | TransformError::Overflow { .. } | TransformError::Evaluation(_) => error.to_string(),
+        other => other.to_string().replace("the profile", "g"),
     }
 }
 

@@ -189,4 +189,9 @@ impl TransformError {
             other => other,
         }
     }
+
+    /// Returns true if no number was found at one place, where other places may have one.
+    pub fn is_of_one_place(&self) -> bool {
+        matches!(self, Self::NoDigits { .. } | Self::NotComputable { .. } | Self::Undefined { .. } | Self::Seam { .. })
+    }
 }

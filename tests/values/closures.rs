@@ -4,7 +4,7 @@
 use num_complex::Complex64;
 use sneddon::contact::Contact;
 use sneddon::expr::Bindings;
-use sneddon::num::Bounded;
+use sneddon::num::{Bounded, Estimate};
 use sneddon::parse;
 use sneddon::transform::inner::Cells;
 use sneddon::transform::{Closure, Evaluator, Method, Parity, Profile, Quantities, TransformError, derive};
@@ -302,5 +302,61 @@ fn closures_as_people_write_them_are_answered_in_every_unit() {
                 assert!(found.error <= widest * truth.value.abs(), "{text}, {quantity}({a}): {found:?}");
             }
         }
+    }
+}
+
+/// Class "steps are taken for rounding": a staircase is not answered as the line behind it.
+#[test]
+fn steps_are_not_answered_as_what_lies_behind_them() {
+    type Own = fn(f64) -> f64;
+    // f without its steps; g of it is x² times the number.
+    let cases: [(Own, f64, f64); 3] = [
+        (|r| (10.0 * r).floor() / 10.0, 0.0, 0.1),
+        (|r| r * r + (10.0 * r).floor() / 10.0, 2.0, 0.1),
+        (|r| r * r + (4.0 * r).floor() / 4.0, 2.0, 0.25),
+    ];
+    for (index, (f, smooth, step)) in cases.into_iter().enumerate() {
+        let own = Closure::real(f).tolerance(1e-10).profile().unwrap();
+        for x in [0.73_f64, 0.93] {
+            // A step of height h at b adds h x/√(x² − b²).
+            let steps = (1..).map(|k| f64::from(k) * step).take_while(|b| *b < x).map(|b| step * x / ((x - b) * (x + b)).sqrt());
+            let truth = smooth * x * x + steps.sum::<f64>();
+            match own.slope(x) {
+                Ok(found) => {
+                    let Estimate { value, error, .. } = found.estimate;
+                    assert!(
+                        (value - truth).abs() <= error && error > 0.01 * value.abs(),
+                        "case {index}, {x}: {:?}, {truth}",
+                        found.estimate
+                    );
+                }
+                Err(error) => assert!(error.is_of_one_place(), "case {index}, {x}: {error}"),
+            }
+            if let Ok(Some(found)) = own.pressure(0.5 * x, x) {
+                assert!(found.estimate.error > 0.01 * found.estimate.value.abs(), "case {index}, {x}: {:?}", found.estimate);
+            }
+        }
+    }
+}
+
+/// Class "a pressure without the kink": f″ has a delta there that no interpolant sees.
+#[test]
+fn pressures_across_a_kink_that_is_not_told_are_refused_with_its_radius() {
+    type Own = fn(f64) -> f64;
+    let cases: [(Own, f64); 5] = [
+        (|r| 1.54 * (r.exp() - 1.0 - r) + (r - 0.3).max(0.0), 0.3),
+        (|r| r.powi(10) * ((r - 0.9).abs() + 1.0), 0.9),
+        (|r| r * r + (r - 0.4).abs(), 0.4),
+        (|r| (r * r).min(0.5 * r), 0.5),
+        (|r| (1.0 + (r - 0.3).abs()).sqrt() - 1.0, 0.3),
+    ];
+    for (f, kink) in cases {
+        let own = Closure::real(f).tolerance(1e-10).profile().unwrap();
+        match own.pressure(0.6, 1.0) {
+            Err(TransformError::Seam { radius }) => assert!((radius - kink).abs() < 1e-6, "{radius}, {kink}"),
+            other => panic!("{kink}: {other:?}"),
+        }
+        let told = Closure::real(f).breakpoints([kink]).tolerance(1e-10).profile().unwrap();
+        told.pressure(0.6, 1.0).unwrap_or_else(|error| panic!("{kink}: {error}"));
     }
 }

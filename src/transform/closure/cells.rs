@@ -9,6 +9,12 @@ const NODES: usize = 20;
 const DEEPEST: i32 = 50;
 /// Halvings that a function without a kink may take inside its segment.
 const SMOOTH: i32 = 34;
+/// Number of the last coefficients that tell noise from φ.
+pub(super) const LAST: usize = 6;
+/// Number of halvings over which the last coefficients of a cell are compared.
+const WIDER: usize = 5;
+/// Number of halvings beyond which a slow fall of the coefficients is that of a kink, and not of noise that grows sparse.
+const FOLLOWED: i32 = 20;
 /// Minimum number of halvings of a cell whose ends are cuts of the quadrature.
 const NARROW: i32 = 10;
 /// Maximum number of cuts in one doubling.
@@ -35,11 +41,12 @@ pub(super) struct Cell {
     /// What the interpolant leaves out, and the error of the values it was made of.
     doubt: f64,
     resolved: bool,
-    /// The largest of the last coefficients, and the largest |φ|.
-    tail: f64,
+    /// The largest |φ|.
     size: f64,
     /// The largest |φ′| at the nodes.
     steepest: f64,
+    /// The size of the noise that was taken for that of φ.
+    accepted: f64,
 }
 
 /// The interpolants of one function on one segment, made where they are asked for.
@@ -56,6 +63,19 @@ struct Doubling {
     seam: Option<f64>,
     /// Places at which quadrature splits its panels; see [`cuts`].
     cuts: Vec<f64>,
+    /// The sum of the sizes of noise, each of adjacent cells once: noise that stands alone is a step of φ.
+    steps: f64,
+}
+
+/// Returns the slope at r that noise of this size hides.
+pub(super) fn hidden_slope(noise: f64, r: f64) -> f64 {
+    30.0 * noise / r
+}
+
+impl Doubling {
+    fn cell(&self, r: f64) -> Option<&Cell> {
+        self.cells.get(self.cells.partition_point(|cell| cell.to <= r)).or_else(|| self.cells.last())
+    }
 }
 
 /// Returns an empty place for every power of two.
@@ -93,7 +113,12 @@ impl Cells {
 
     /// The derivative of φ of order 1 or 2 at r with the bound of its error; NaN where φ is not smooth enough.
     pub fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Bounded {
-        self.cell(r, phi).map_or(NOTHING, |cell| cell.derivative(order, r))
+        self.doubling(r, phi).and_then(|own| own.cell(r)).map_or(NOTHING, |cell| cell.derivative(order, r))
+    }
+
+    /// Returns the slope at r that steps of φ may have which are taken for noise.
+    pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
+        self.doubling(r, phi).map_or(0.0, |own| hidden_slope(own.steps, r))
     }
 
     /// A place not far below r at which φ is not smooth, if there is one: derivatives do not show what happens there.
@@ -105,7 +130,7 @@ impl Cells {
 
     /// About the largest |φ′| around r; 0 where nothing is known.
     pub(super) fn steepness(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
-        self.cell(r, phi).map_or(0.0, |cell| cell.steepest)
+        self.doubling(r, phi).and_then(|own| own.cell(r)).map_or(0.0, |cell| cell.steepest)
     }
 
     fn doubling(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Doubling> {
@@ -113,17 +138,12 @@ impl Cells {
         kept(self.doublings.get(place_of(exponent)?)?, || self.build(exponent, phi))
     }
 
-    fn cell(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Cell> {
-        let list = &self.doubling(r, phi)?.cells;
-        list.get(list.partition_point(|cell| cell.to <= r)).or_else(|| list.last())
-    }
-
     /// The cells of radii from 2^exponent to twice that, within the segment.
     fn build(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Doubling {
         let scale = libm::scalbn(1.0, exponent);
         let (mut cells, mut sizes): (Vec<Cell>, Vec<(f64, f64, i32)>) = (Vec::new(), Vec::new());
         let mut seam = None;
-        let mut waiting = vec![(scale.max(self.lower), (2.0 * scale).min(self.upper), 0, f64::INFINITY)];
+        let mut waiting = vec![(scale.max(self.lower), (2.0 * scale).min(self.upper), 0, [f64::INFINITY; WIDER])];
         while let Some((from, to, depth, wider)) = waiting.pop() {
             if work::is_exhausted() {
                 break;
@@ -131,24 +151,32 @@ impl Cells {
             let margin = 0.25 * libm::scalbn(scale, -depth);
             let ends = ((from - margin).max(self.lower), (to + margin).min(self.upper));
             let mut cell = Cell::fit(ends, to, phi);
-            cell.accept_noise(wider);
+            // A root at an end of the segment falls slowly as well.
+            if from > self.lower && to < self.upper {
+                cell.accept_noise(&wider);
+            }
             let middle = from + 0.5 * (to - from);
             let can_halve = depth < DEEPEST && cells.len() + waiting.len() < MOST && middle > from && middle < to;
             if cell.resolved || !can_halve {
                 // Roots at the ends of the segment itself are followed by cells as wide as they are far from them. A kink inside
-                // it looks resolved only where it has sunk below the rounding of r.
+                // it looks resolved only where it has sunk below the rounding of r or of φ.
                 let apart = (from - self.lower).min(self.upper - to) > 1e3 * (to - from);
-                if apart && (!cell.resolved || depth > SMOOTH) {
+                if apart && (!cell.resolved || depth > SMOOTH || (depth > FOLLOWED && cell.is_kinked(&wider))) {
                     seam.get_or_insert(to);
                 }
                 cells.push(cell);
                 sizes.push((from, to, depth));
             } else {
-                waiting.push((middle, to, depth + 1, cell.tail));
-                waiting.push((from, middle, depth + 1, cell.tail));
+                let mut wider = wider;
+                wider.rotate_right(1);
+                wider[0] = cell.last(LAST);
+                waiting.push((middle, to, depth + 1, wider));
+                waiting.push((from, middle, depth + 1, wider));
             }
         }
-        Doubling { cells, seam, cuts: cuts(&sizes) }
+        let runs = cells.chunk_by(|one, other| (one.accepted > 0.0) == (other.accepted > 0.0));
+        let steps = runs.map(|run| run.iter().fold(0.0, |most: f64, cell| most.max(cell.accepted))).sum();
+        Doubling { cells, seam, cuts: cuts(&sizes), steps }
     }
 
     /// Returns the places below r next to which φ is least smooth, in ascending order.
@@ -213,17 +241,34 @@ impl Cell {
         let finite = samples.iter().all(|s| s.value.is_finite());
         // Sums of many roundings at random stay well below their number.
         let resolved = finite && tail <= (noise + moved).max(4.0 * f64::EPSILON * size);
-        Self { to, middle, half, orders: [values, slopes, bends], doubt: tail + noise + moved, resolved, tail, size, steepest }
+        Self { to, middle, half, orders: [values, slopes, bends], doubt: tail + noise + moved, resolved, size, steepest, accepted: 0.0 }
     }
 
-    /// Coefficients that do not fall when a cell is halved are noise beyond what was stated, as of ln(cosh(r)) near the axis.
-    fn accept_noise(&mut self, wider: f64) {
-        const STILL: f64 = 0.7;
-        const NOISE: f64 = 1e-6;
-        if !self.resolved && self.tail > STILL * wider && self.tail < NOISE * self.size {
+    /// Coefficients that do not fall when a cell is halved several times are noise beyond what was stated, as of ln(cosh(r)) near the axis.
+    fn accept_noise(&mut self, wider: &[f64; WIDER]) {
+        // At a kink they fall by 8 in three halvings; next to rounding one halving tells.
+        const STILL: f64 = 0.5;
+        let (last, low) = (self.last(LAST), self.noise() == 0.0);
+        if !self.resolved && last.is_finite() && last > STILL * if low { wider[0] } else { wider[2] } {
             self.resolved = true;
-            self.doubt += 4.0 * self.tail;
+            self.accepted = self.noise();
+            self.doubt += 4.0 * last;
         }
+    }
+
+    /// Returns the size of the last coefficients if it is beyond the rounding of φ, else 0.
+    pub(super) fn noise(&self) -> f64 {
+        const LOW: f64 = 64.0 * f64::EPSILON;
+        let last = self.last(LAST);
+        if last > LOW * self.size { last } else { 0.0 }
+    }
+
+    /// Returns true if the last coefficients fell with the width of the cell until rounding hid them, as they do at a jump of φ′.
+    fn is_kinked(&self, wider: &[f64; WIDER]) -> bool {
+        const FALL: f64 = 8.0;
+        const SLOW: f64 = 150.0;
+        let first = wider[WIDER - 1];
+        FALL * self.last(LAST) < first && first < SLOW * self.doubt
     }
 
     fn derivative(&self, order: usize, r: f64) -> Bounded {
@@ -261,12 +306,13 @@ impl Cell {
         let value = chebyshev::sum(list, x);
         // Bernstein: a polynomial of degree n below ε has |p′| ≤ nε/√(1−x²), and Markov: |p′| ≤ n²ε.
         let n = NODES as f64;
-        let bound = (n / (1.0 - x * x).sqrt()).min(n * n) / self.half;
+        let steep = (n / (1.0 - x * x).sqrt()).min(n * n);
         let doubt = 3.0 * (self.doubt + noise);
+        // Divided last, because 1/half may overflow where the error is small.
         let error = match order {
             0 => doubt,
-            1 => doubt * bound,
-            _ => doubt * bound * bound.max(n / self.half),
+            1 => doubt * steep / self.half,
+            _ => doubt * steep / self.half * steep.max(n) / self.half,
         };
         Bounded::checked(value, error)
     }

@@ -128,6 +128,9 @@ fn refuse_jump(function: &Function, b: f64) -> Result<(), TransformError> {
 
 const NEAR: f64 = 1e-7;
 
+/// A g that is known no better than this is in doubt beyond rounding.
+const UNSURE: f64 = 1e-5;
+
 impl Quantities for ClosureProfile {
     fn slope(&self, x: f64) -> Result<Reading, TransformError> {
         self.check_domain("x", x)?;
@@ -150,11 +153,11 @@ impl Quantities for ClosureProfile {
         if r >= a {
             return Ok(Some(Reading { estimate: Estimate::exact(0.0), method: "exact" }));
         }
-        match self.numeric.pressure(r, a, self.closure.tolerance) {
-            Ok(None) => Ok(None),
-            Ok(Some(found)) => self.reading(Ok(found)).map(Some),
-            Err(error) => Err(self.named(error)),
-        }
+        let found = self.numeric.pressure(r, a, self.closure.tolerance).map_err(|error| self.named(error))?;
+        // Steps of f that are taken for noise show in g; where g has no digits, the pressure has none.
+        let g = self.slope(a)?.estimate;
+        let doubt = if g.error > UNSURE * g.value.abs() { g.relative_error() } else { 0.0 };
+        Ok(found.map(|own| Reading { estimate: Estimate { error: own.error + doubt * own.value.abs(), ..own }, method: "quadrature" }))
     }
 
     fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {

@@ -78,6 +78,9 @@ pub(super) struct Faults {
 /// Below this radius a closure's values may underflow; (r f′)′ counts for nothing there, and is about f′.
 const FAINT: f64 = 1e-100;
 
+/// A derivative that is known to within this share from the axis on is not sought between powers of two.
+const CLOSE: f64 = 1e-8;
+
 const NONE: u64 = f64::INFINITY.to_bits();
 
 impl Faults {
@@ -136,14 +139,32 @@ impl Piece {
     /// A derivative of f from its values.
     fn derivative(&self, order: usize, r: f64) -> Bounded {
         let phi = |r: f64| self.sample(r);
-        let from_the_axis = self.starts.as_ref().and_then(|own| own.derivative(order, r, &phi));
-        from_the_axis.unwrap_or_else(|| self.cells.derivative(order, r, &phi))
+        self.across_the_axis(order, r).unwrap_or_else(|| self.cells.derivative(order, r, &phi))
+    }
+
+    /// A derivative from the fits that begin at the axis, where these know it better than those between powers of two.
+    fn across_the_axis(&self, order: usize, r: f64) -> Option<Bounded> {
+        let phi = |r: f64| self.sample(r);
+        let own = self.starts.as_ref()?.derivative(order, r, &phi)?;
+        if own.error <= CLOSE * own.value.abs() {
+            return Some(own);
+        }
+        let between = self.cells.derivative(order, r, &phi);
+        (between.error.is_nan() || own.error <= between.error).then_some(own)
+    }
+
+    /// The slope of steps of f that are taken for noise.
+    fn hidden_slope(&self, r: f64) -> f64 {
+        let phi = |r: f64| self.sample(r);
+        match self.starts.as_ref().filter(|_| self.across_the_axis(1, r).is_some()) {
+            Some(own) => own.hidden_slope(r, &phi),
+            None => self.cells.hidden_slope(r, &phi),
+        }
     }
 
     /// A place near r at which what is interpolated is not smooth.
     fn seam(&self, r: f64) -> Option<f64> {
-        let phi = |r: f64| self.sample(r);
-        if self.starts.as_ref().is_some_and(|own| own.is_smooth(r, &phi)) { None } else { self.cells.seam(r, &phi) }
+        if self.across_the_axis(1, r).is_some() { None } else { self.cells.seam(r, &|r| self.sample(r)) }
     }
 
     fn second_at(&self, r: f64) -> Bounded {
@@ -154,9 +175,10 @@ impl Piece {
         }
     }
 
-    /// Remembers where the closure had no value.
+    /// Remembers where the closure had no value; a derivative whose digits are lost is no fault of the closure.
     fn noted(&self, r: f64, value: Bounded) -> Bounded {
-        if !value.value.is_finite() {
+        let is_defined = || self.function.height(r).is_finite() && self.function.slope(r).is_none_or(f64::is_finite);
+        if !value.value.is_finite() && !is_defined() {
             Faults::note(&self.faults.undefined, r);
         }
         value
@@ -169,19 +191,19 @@ impl SlopeSource for Piece {
         let own = self.noted(r, self.slope_at(r));
         // The closure sees r, not δ: the rounding of r moves f′ by f″.
         let moved = delta.error + 0.5 * f64::EPSILON * r;
-        let bend = match &self.function {
-            Function::Bend(_, _, second) => second(r).abs(),
-            Function::Real(_) => 0.0,
-            _ => self.cells.steepness(r, &|r| self.sample(r)),
+        let moved = match &self.function {
+            Function::Bend(_, _, second) => moved * second(r).abs(),
+            // A closure that is differentiated by interpolation has the rounding of r in the bound of its cell.
+            Function::Real(_) => self.hidden_slope(r),
+            _ => moved * self.cells.steepness(r, &|r| self.sample(r)),
         };
-        // A closure that is differentiated by interpolation has the rounding of r in the bound of its cell.
-        Bounded::checked(own.value, own.error + moved * bend)
+        Bounded::checked(own.value, own.error + moved)
     }
 
     fn cuts(&self, end: f64) -> Vec<f64> {
         let phi = |r: f64| self.sample(r);
         let r = self.radius(end);
-        if !matches!(self.function, Function::Real(_)) || self.starts.as_ref().is_some_and(|own| own.is_smooth(r, &phi)) {
+        if !matches!(self.function, Function::Real(_)) || self.across_the_axis(1, r).is_some() {
             return Vec::new();
         }
         let beyond = self.cells.cuts(r, &phi).into_iter().filter(|cut| *cut > self.lower);

@@ -1,13 +1,12 @@
 //! A function next to the axis: Chebyshev fits that begin at r = 0, where those between powers of two see the rounding of its values only.
 
-use super::cells::{Cell, exponent_of, kept, place_of, places};
+use super::cells::{Cell, LAST, exponent_of, hidden_slope, kept, place_of, places};
 use crate::num::{Bounded, work};
 use std::sync::OnceLock;
 
 /// Exponents of two beyond that of r that are tried before one serves, and after one has served without a better one.
 const TRIED: [i32; 2] = [18, 3];
-/// The last coefficients, whose size tells noise from f: halved with the fit, they fall by this factor at least unless they are noise.
-const LAST: usize = 6;
+/// Halved with the fit, the last coefficients fall by this factor at least unless they are noise.
 const FALLING: f64 = 0.6;
 /// Noise above this share of what f changes by hides f.
 const LOUD: f64 = 1e-6;
@@ -62,15 +61,19 @@ impl Starts {
         Some(self.at(r, phi)?.derivative(order, r))
     }
 
+    /// Returns the slope at r that steps of φ may have which are taken for noise.
+    pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
+        let octave = exponent_of(r).and_then(|exponent| {
+            let from = libm::scalbn(1.0, exponent);
+            kept(self.octaves.get(place_of(exponent)?)?, || Cell::fit((from, (2.0 * from).min(self.upper)), 2.0 * from, phi))
+        });
+        octave.map_or(0.0, |own| hidden_slope(own.noise(), r))
+    }
+
     /// Returns true if φ is smooth from the axis to beyond r; the fit that shows it then serves smaller radii at which no other fit does.
     pub(super) fn begin(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
         let found = exponent_of(r).and_then(|exponent| self.choose(exponent, phi));
         found.is_some_and(|k| *self.first.get_or_init(|| k) == k)
-    }
-
-    /// Returns true if φ is smooth from the axis to beyond r.
-    pub(super) fn is_smooth(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
-        self.at(r, phi).is_some()
     }
 
     fn at(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Fit> {
@@ -125,7 +128,7 @@ impl Starts {
 
     fn agrees(&self, own: &Fit, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
         // Rounding errors of the last narrow fits that resolve φ, and the largest of these and of the fits below.
-        let (mut recent, mut traces) = ([f64::INFINITY; RECENT], f64::INFINITY);
+        let (mut recent, mut traces, mut was_blind) = ([f64::INFINITY; RECENT], f64::INFINITY, false);
         (1..=DEPTH).all(|below| {
             let Some(place) = place_of(k - below).and_then(|place| self.octaves.get(place)) else { return true };
             let (from, to) = (libm::scalbn(1.0, k - below), libm::scalbn(2.0, k - below));
@@ -135,7 +138,9 @@ impl Starts {
             let Some(octave) = kept(place, || Cell::fit((from, to), to, phi)) else { return false };
             let level = octave.last(LAST);
             let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
-            let blind = is_blind(octave);
+            // Below its rounding further out φ may look smooth again, as 1 - sin(r)/r does where sin(r)/r rounds to 1.
+            let blind = is_blind(octave) || (was_blind && octave.spread() <= traces);
+            was_blind = blind;
             // Rounding errors do not grow this much from one octave to the next.
             if octave.rounding(LAST) > GROWTH * traces {
                 return false;
