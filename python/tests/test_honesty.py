@@ -235,6 +235,7 @@ LONG = {
     "points": lambda: sneddon.Contact(sneddon.Profile(RADII, RADII**2 / 2 + 1e-3 * np.sin(40 * RADII) ** 2), E_star=1.0).pressure(
         PLACES, radius=0.95
     ),
+    "sums": lambda: sneddon.Profile("+".join(f"r^{k}*exp(-r/w{k})*ln(1+r/b{k})" for k in range(1, 59))).derive(),
     "waves": lambda: sneddon.sweep(WAVES, {"load.depth": list(np.linspace(0.1, 0.2, 5000))}),
     "curves": lambda: sneddon.solve({**SWEEP, "outputs": {"quantities": ["p", "u"], "at": {"start": 0.0, "stop": 1.0, "count": 200_000}}}),
 }

@@ -364,7 +364,23 @@ fn a_comparison_without_digits_does_not_pass() {
         let ran = run(&["compare", profile, "--json"]);
         let answer: Value = serde_json::from_str(&ran.stdout).unwrap();
         assert_eq!((ran.code, &answer["g"]["points"], &answer["g"]["verdict"]), (1, &0.into(), &"not compared".into()), "{profile}");
-        assert_eq!(json(&["derive", profile, "--json"])["check"]["verdict"], "not compared", "{profile}");
+        let derived = json(&["derive", profile, "--json"]);
+        assert_eq!(derived["check"]["verdict"], "not compared", "{profile}");
+        for key in ["g", "d", "F", "p"] {
+            assert_eq!(derived[key]["compared"], false, "{profile}, {key}");
+        }
+    }
+}
+
+/// Class "the gate does not compare what the check compares": powers that underflow or overflow at some of its radii.
+#[test]
+fn high_powers_are_compared() {
+    for profile in ["r^1000", "C*r^800", "r^300+r^2", "(1+r/b)^90", "r^(1001/2)"] {
+        let derived = json(&["derive", profile, "--json"]);
+        assert_eq!(derived["check"]["verdict"], "passed", "{profile}");
+        for key in ["g", "d", "F", "p"] {
+            assert_eq!(derived[key]["compared"], true, "{profile}, {key}");
+        }
     }
 }
 

@@ -343,7 +343,9 @@ fn steps_are_not_answered_as_what_lies_behind_them() {
 #[test]
 fn pressures_across_a_kink_that_is_not_told_are_refused_with_its_radius() {
     type Own = fn(f64) -> f64;
-    let cases: [(Own, f64); 5] = [
+    let cases: [(Own, f64); 7] = [
+        (|r| 2.19221 * (1.858 / (1.858 - r)).ln() + (r - 0.70252).max(0.0).powi(2), 0.70252),
+        (|r| r * r + 0.3 * (r - 0.25).max(0.0).powi(2), 0.25),
         (|r| 1.54 * (r.exp() - 1.0 - r) + (r - 0.3).max(0.0), 0.3),
         (|r| r.powi(10) * ((r - 0.9).abs() + 1.0), 0.9),
         (|r| r * r + (r - 0.4).abs(), 0.4),
@@ -353,7 +355,8 @@ fn pressures_across_a_kink_that_is_not_told_are_refused_with_its_radius() {
     for (f, kink) in cases {
         let own = Closure::real(f).tolerance(1e-10).profile().unwrap();
         match own.pressure(0.6, 1.0) {
-            Err(TransformError::Seam { radius }) => assert!((radius - kink).abs() < 1e-6, "{radius}, {kink}"),
+            // A jump of f″ sinks below the rounding of f before it is located to six digits.
+            Err(TransformError::Seam { radius }) => assert!((radius - kink).abs() < 1e-5, "{radius}, {kink}"),
             other => panic!("{kink}: {other:?}"),
         }
         let told = Closure::real(f).breakpoints([kink]).tolerance(1e-10).profile().unwrap();

@@ -14,7 +14,7 @@ pub(super) const LAST: usize = 6;
 /// Number of halvings over which the last coefficients of a cell are compared.
 const WIDER: usize = 5;
 /// Number of halvings beyond which a slow fall of the coefficients is that of a kink, and not of noise that grows sparse.
-const FOLLOWED: i32 = 20;
+const FOLLOWED: i32 = 14;
 /// Minimum number of halvings of a cell whose ends are cuts of the quadrature.
 const NARROW: i32 = 10;
 /// Maximum number of cuts in one doubling.
@@ -263,10 +263,11 @@ impl Cell {
         if last > LOW * self.size { last } else { 0.0 }
     }
 
-    /// Returns true if the last coefficients fell with the width of the cell until rounding hid them, as they do at a jump of φ′.
+    /// Returns true if the last coefficients fell with the width of the cell until rounding hid them, as they do at a jump of φ′, or with
+    /// its square, as at a jump of φ″.
     fn is_kinked(&self, wider: &[f64; WIDER]) -> bool {
         const FALL: f64 = 8.0;
-        const SLOW: f64 = 150.0;
+        const SLOW: f64 = 5000.0;
         let first = wider[WIDER - 1];
         FALL * self.last(LAST) < first && first < SLOW * self.doubt
     }

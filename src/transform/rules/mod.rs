@@ -114,7 +114,10 @@ const LARGEST: usize = 8_000;
 /// The rule that answers a term, with its answer; a rule whose answer takes too much work, or is too long to be read, does not answer.
 pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
     let is_short = |own: &Answer| own.slope.within.shown.size_up_to(LARGEST) < LARGEST;
-    let apply = |rule: &'static Rule| Some((rule, work::share(LONGEST, || (rule.apply)(term)).flatten().filter(is_short)?));
+    let apply = |rule: &'static Rule| {
+        let found = if work::is_exhausted() { None } else { work::share(LONGEST, || (rule.apply)(term)).flatten() };
+        Some((rule, found.filter(is_short)?))
+    };
     let answers: Vec<(&'static Rule, Answer)> = RULES.iter().filter(|rule| rule.id != GENERAL.id).filter_map(|rule| apply(rule)).collect();
     let general: Vec<&str> = answers.iter().filter_map(|(rule, _)| rule.specializes).collect();
     let nicest = answers.into_iter().find(|(rule, _)| !general.contains(&rule.id));

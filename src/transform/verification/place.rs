@@ -35,6 +35,14 @@ enum Part {
     Far,
 }
 
+impl Part {
+    /// Notes that a radius of this part told.
+    fn tell(self, [within, beyond]: &mut [bool; 2]) {
+        *within |= self == Self::Within;
+        *beyond |= self == Self::Beyond;
+    }
+}
+
 /// The ends of a segment, and the radii at which its term is compared.
 struct Radii {
     lower: f64,
@@ -120,11 +128,14 @@ impl Place {
     pub(super) fn compare(&self, subject: &Subject<'_>) -> Option<[Verdict; 2]> {
         let Radii { lower, upper, all } = self.radii(subject.segment)?;
         let mut verdicts = [Verdict::Agrees; 2];
+        // Whether some radius within the segment told, and some radius beyond it, if there is one.
+        let ends = all.iter().any(|(_, part)| *part == Part::Beyond);
+        let mut told = [[false, !ends]; 2];
         for (x, part) in all {
             let own = if part == Part::Beyond { subject.beyond.as_ref()? } else { &subject.within };
             let Some(values) = self.bounded(&own.slope_and_force, &[x, x]) else { if part == Part::Far { continue } else { return None } };
             let integrals = self.integrals(&subject.tape, lower, upper, x);
-            for (quantity, verdict) in verdicts.iter_mut().enumerate() {
+            for (quantity, (verdict, told)) in verdicts.iter_mut().zip(&mut told).enumerate() {
                 let (Some(evaluated), Some(shown), Some((value, size))) =
                     (values.get(quantity), values.get(quantity + 2), integrals.get(quantity).copied())
                 else {
@@ -133,6 +144,7 @@ impl Place {
                 let is_telling = |own: &Bounded| own.error <= TELLING * size;
                 let agrees = |own: &Bounded| is_telling(own) && (own.value - value).abs() <= ENOUGH * size + own.error;
                 if agrees(evaluated) && (agrees(shown) || !is_telling(shown)) {
+                    part.tell(told);
                     continue;
                 }
                 if part == Part::Far && !(is_telling(evaluated) && value.is_finite()) {
@@ -140,14 +152,22 @@ impl Place {
                 }
                 let proven = self.proven(subject, quantity, x);
                 let is_wrong = |own: &Bounded| proven.is_some_and(|truth| (own.value - truth.value).abs() > own.error + truth.error);
+                let is_known = proven.is_some_and(|truth| truth.error <= TELLING * size);
                 if is_wrong(evaluated) || is_wrong(shown) {
                     *verdict = Verdict::Wrong;
-                } else if *verdict == Verdict::Agrees
-                    && part != Part::Far
-                    && !proven.is_some_and(|truth| truth.error <= TELLING * size && is_telling(evaluated))
-                {
-                    *verdict = Verdict::Unknown;
+                } else if part != Part::Far && is_telling(evaluated) {
+                    // Where a form has no digits, as next to a kink or where it underflows, nothing is told, and another radius tells.
+                    if is_known {
+                        part.tell(told);
+                    } else if *verdict == Verdict::Agrees {
+                        *verdict = Verdict::Unknown;
+                    }
                 }
+            }
+        }
+        for (verdict, told) in verdicts.iter_mut().zip(told) {
+            if *verdict == Verdict::Agrees && told != [true; 2] {
+                *verdict = Verdict::Unknown;
             }
         }
         Some(verdicts)
