@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from . import _sneddon
 from ._errors import SneddonError
+from ._numbers import float_of_number
 from ._profile import Profile
 
 
-class Comparison:
+class Comparison(Mapping[str, dict[str, Any]]):
     """Closed forms of a profile compared with quadrature of the profile as typed, one comparison for each quantity.
 
     ``comparison["F"]`` has the keys ``verdict`` ("passed", "failed" or "not compared"), ``passed``, ``points``,
@@ -22,17 +23,19 @@ class Comparison:
     passed : bool
         Whether something was compared and nothing failed.
     why : str or None
-        Why the comparison is incomplete.
+        Why the comparison is incomplete, or why nothing was compared.
     document : dict
         The document that ``sneddon compare --json`` prints.
     """
 
     def __init__(self, document: str) -> None:
         self.document: dict[str, Any] = json.loads(document)
-        self.why: str | None = self.document.get("why")
         self._quantities: dict[str, dict[str, Any]] = {key: own for key, own in self.document.items() if isinstance(own, dict)}
-        verdicts = [own["verdict"] for own in self._quantities.values()]
-        self.passed: bool = self.why is None and "passed" in verdicts and "failed" not in verdicts
+        verdicts = {own["verdict"] for own in self._quantities.values()}
+        cut = self.document.get("why")
+        reasons = [own.get("why") for own in self._quantities.values()] if verdicts == {"not compared"} else []
+        self.why: str | None = cut or next(iter(reasons), None)
+        self.passed: bool = cut is None and "passed" in verdicts and "failed" not in verdicts
 
     def __getitem__(self, quantity: str) -> dict[str, Any]:
         return self._quantities[quantity]
@@ -43,9 +46,6 @@ class Comparison:
 
     def __len__(self) -> int:
         return len(self._quantities)
-
-    def __contains__(self, quantity: object) -> bool:
-        return quantity in self._quantities
 
     def __bool__(self) -> bool:
         return self.passed
@@ -81,4 +81,6 @@ def compare(
     own = Profile(profile, **parameters)
     if own.text is None:
         raise SneddonError("closed forms belong to formulas", help="a profile of text or of SymPy is accepted")
-    return Comparison(_sneddon.compare(own.text, *own.texts(), radius, depth, tolerance))
+    asked = {"radius": radius, "depth": depth, "tolerance": tolerance}
+    numbers = [None if value is None else float_of_number(name, value) for name, value in asked.items()]
+    return Comparison(_sneddon.compare(own.text, *own.texts(), *numbers))

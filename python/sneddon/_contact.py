@@ -30,13 +30,6 @@ class Contact:
     **parameters : float
         The parameters that the profile leaves open.
 
-    Attributes
-    ----------
-    profile : Profile
-        The shape of the indenter.
-    E_star : float
-        The effective modulus.
-
     Notes
     -----
     Lengths, forces and moduli may have any consistent units.
@@ -82,7 +75,7 @@ class Contact:
         if not 0.0 < tolerance < 1.0:
             raise SneddonError(f"tolerance = {tolerance} is not between 0 and 1", "tolerance")
         self.profile = profile
-        self.E_star = E_star
+        self._modulus = E_star
         self._own = parameters
         self._how = method, tolerance
         self._engine = profile.engine(parameters, E_star, method, tolerance)
@@ -98,13 +91,23 @@ class Contact:
         self._engine = self.profile.engine(self._own, self.E_star, *self._how)
 
     @property
+    def E_star(self) -> float:  # noqa: N802
+        """The effective modulus."""
+        return self._modulus
+
+    @property
     def parameters(self) -> dict[str, float]:
         """The values of all parameters of the profile."""
         known: dict[str, float] = self.profile.numbers(self._own)
         return known
 
     def valid(self, *, depth: Any = None, force: Any = None, radius: Any = None) -> Any:
-        """Return whether a contact belongs to each load whose pressure and gap are nowhere negative; ``sneddon.solve`` says why not."""
+        """Return whether a contact belongs to each load whose pressure and gap are nowhere negative; ``sneddon.solve`` says why not.
+
+        A load whose contact radius cannot be told, as next to the end of a sphere, has none.
+        Formulas are proven where enclosures suffice; functions, and formulas without a proof, are looked at at many radii, between which
+        a narrow groove may lie.
+        """
         name, value = _one(depth=depth, force=force, radius=radius)
         loads = real(name, value)
         found = np.array(self._engine.valid(name, np.ascontiguousarray(loads).reshape(-1)), dtype=np.bool_)

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _sneddon
 from ._arrays import WithBound, check_with_bound, ground_of, real
-from ._numbers import float_of_number
+from ._numbers import float_of_number, is_sympy
 
 
 class Inversion:
@@ -96,10 +96,12 @@ def invert(text: Any, pressure: bool = False) -> Inversion:
     >>> invert("p_0*sqrt(1-r^2/a^2)", pressure=True).F
     '2*pi/3*a^2*p_0'
     """
-    if type(text).__module__.partition(".")[0] == "sympy" or hasattr(text, "_sympy_"):
+    if is_sympy(text):
         from ._sympy import text_of
 
         text = text_of(text)
     if not isinstance(text, str):
         raise TypeError(f"a {type(text).__name__} is not a formula; text or an expression of SymPy is accepted")
-    return Inversion(text, bool(pressure))
+    if not isinstance(pressure, bool):
+        raise TypeError(f"pressure is {pressure!r}; True or False is accepted")
+    return Inversion(text, pressure)

@@ -12,6 +12,11 @@ import numpy as np
 from ._errors import SneddonError
 
 
+def is_sympy(value: Any) -> bool:
+    """Return whether a value is an expression of SymPy, without importing SymPy."""
+    return str(type(value).__module__).partition(".")[0] == "sympy" or hasattr(value, "_sympy_")
+
+
 def text_of_number(name: str, value: Any) -> str:
     """Write a number so that it reads back exactly."""
     if isinstance(value, str):
@@ -33,6 +38,6 @@ def float_of_number(name: str, value: Any) -> float:
     try:
         return float(fractions.Fraction(value) if isinstance(value, str) else value)
     except (ValueError, ZeroDivisionError):
-        raise TypeError(f"{name} is {value!r}; a number is accepted where numbers are computed, without a unit") from None
+        raise TypeError(f"{name} is {value!r}; a number such as 1.5 or '3/2' is accepted where numbers are computed") from None
     except OverflowError:
         raise SneddonError(f"{name} is larger than a 64-bit float", name) from None

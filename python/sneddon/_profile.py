@@ -11,7 +11,7 @@ from . import _sneddon
 from ._arrays import real
 from ._errors import SneddonError
 from ._formulas import Derivation
-from ._numbers import float_of_number, text_of_number
+from ._numbers import float_of_number, is_sympy, text_of_number
 
 if TYPE_CHECKING:
     from ._contact import Contact
@@ -71,7 +71,7 @@ class Profile:
                     f"radii have the shape {r.shape} and heights {z.shape}", "points", "two arrays of one dimension and length are accepted"
                 )
             self._points = np.array(r, order="C"), np.array(z, order="C")
-        elif type(shape).__module__.partition(".")[0] == "sympy" or hasattr(shape, "_sympy_"):
+        elif is_sympy(shape):
             from ._sympy import text_of
 
             self._text = text_of(shape)

@@ -49,6 +49,8 @@ def _key(name: Any) -> str:
 
 
 def _value(name: str, value: Any) -> str:
+    if isinstance(value, np.ndarray) and value.shape == ():
+        value = value.item()
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):

@@ -48,17 +48,21 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
         coordinates: dict[str, Any] = dict(zip(names, values))
         shape = tuple(len(own) for own in values)
     else:
-        names = []
-        for index, own in enumerate(over):
+        scenes = list(over)
+        for index, own in enumerate(scenes):
             if not isinstance(own, dict):
                 raise TypeError(f"over[{index}] is a {type(own).__name__}; a dict of values by dotted names is accepted")
-            names = names or list(own)
-            if own.keys() != set(names):
-                raise SneddonError(f"the names {', '.join(own)} differ from those of the first point", f"over[{index}]")
-        points = [tuple(own[name] for name in names) for own in over]
+            if own.keys() != scenes[0].keys():
+                raise SneddonError(f"the names {', '.join(map(str, own))} differ from those of the first point", f"over[{index}]")
+        names = list(scenes[0]) if scenes else []
+        points = [tuple(own[name] for name in names) for own in scenes]
         dimensions, shape = ["point"], (len(points),)
-        coordinates = {name: ("point", [own[name] for own in over]) for name in names}
+        coordinates = {name: ("point", _column([point[index] for point in points])) for index, name in enumerate(names)}
     for name in names:
+        if not isinstance(name, str):
+            raise TypeError(f"{name!r} is not the dotted name of a key")
+        if name in (*_NUMBERS, "valid", "error"):
+            raise SneddonError(f"{name} is a result of the sweep", f"over, {name}", "a dotted name such as load.depth is accepted")
         _changed(scene, [(name, None)])
     blocks = [points[start : start + _BLOCK] for start in range(0, len(points), _BLOCK)]
     if client is None:
@@ -72,6 +76,15 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
     data["valid"] = (dimensions, np.array([row[-2] for row in rows], dtype=bool).reshape(shape))
     data["error"] = (dimensions, np.array([row[-1] for row in rows], dtype=object).reshape(shape))
     return xarray.Dataset(data, coords=coordinates)
+
+
+def _column(values: list[Any]) -> np.ndarray:
+    """Return values as a coordinate; lists and tables stay as they are."""
+    if all(np.ndim(own) == 0 and not isinstance(own, dict) for own in values):
+        return np.array(values)
+    column = np.empty(len(values), dtype=object)
+    column[:] = [tuple(own) if isinstance(own, (list, np.ndarray)) else own for own in values]
+    return column
 
 
 def _changed(scene: dict[str, Any], changes: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -101,4 +114,4 @@ def _one(scene: dict[str, Any]) -> tuple[Any, ...]:
     if len(found.rows) != 1:
         return (*(nothing for _ in _NUMBERS), False, f"the scene has {len(found.rows)} loads; a sweep takes one")
     row = found.rows[0]
-    return (*(row[key] if isinstance(row.get(key), (int, float)) else nothing for key in _NUMBERS), row["valid"], "" if row["valid"] else row["verdict"])
+    return (*(row[key] if isinstance(row.get(key), (int, float)) else nothing for key in _NUMBERS), row["valid"], "" if row["valid"] else found.why)

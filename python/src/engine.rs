@@ -254,13 +254,14 @@ impl Engine {
         let (load, wanted): (fn(f64) -> Load, _) = match name {
             "depth" => (Load::Depth, Wanted::RadiusOfDepth),
             "force" => (Load::Force, Wanted::RadiusOfForce),
-            _ => (Load::Radius, Wanted::Depth),
+            "radius" => (Load::Radius, Wanted::Depth),
+            other => return Err(Fault::new(format!("{other} is not a load")).into()),
         };
         let at = at.as_slice()?;
         for (index, value) in at.iter().enumerate() {
             check(wanted, *value, (at.len() > 1).then_some(index))?;
         }
-        let steps = Budget::DEFAULT.count().saturating_add(STEPS.saturating_mul(at.len() as u64));
+        let steps = Budget::DEFAULT.count().saturating_mul(1 + at.len() as u64);
         let largest = load(at.iter().copied().fold(0.0, f64::max));
         Ok(interruptible(py, || {
             work::within(Budget::steps(steps), || self.verdicts(&at.iter().map(|own| load(*own)).collect::<Vec<_>>(), largest))
@@ -449,7 +450,10 @@ fn taken(raised: &Raised) -> Option<PyErr> {
 /// complex number, which Python returns for roots of negative ones.
 fn is_numeric(error: &PyErr) -> bool {
     Python::attach(|py| {
-        let is_complex = || error.is_instance_of::<PyTypeError>(py) && error.value(py).to_string().contains("complex");
+        let is_complex = || {
+            error.is_instance_of::<PyTypeError>(py)
+                && [" not complex", "'complex'"].iter().any(|own| error.value(py).to_string().contains(own))
+        };
         error.is_instance_of::<PyValueError>(py) || error.is_instance_of::<PyArithmeticError>(py) || is_complex()
     })
 }

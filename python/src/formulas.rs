@@ -181,7 +181,11 @@ pub(crate) fn inverted<'py>(
         let equivalent = typed.substitute(&bindings);
         let coordinate = Symbol::new("x");
         let known: Vec<Symbol> = typed.symbols().into_iter().filter(|own| *own != coordinate).collect();
-        if let Some(name) = names.iter().find(|own| known.iter().all(|known| known.name() != own.as_str())) {
+        // What cancels on the way to g was typed; pressures know a and E.
+        let is_typed = |name: &String| {
+            pressure && matches!(name.as_str(), "a" | "E") || known.iter().chain(&parse::parameters(text)).any(|own| own.name() == name)
+        };
+        if let Some(name) = names.iter().find(|own| !is_typed(own)) {
             return Err(Fault::new(format!("the formula has no parameter {name}")).place(format!("parameter {name}")));
         }
         let open: Vec<&str> = known.iter().map(Symbol::name).filter(|own| names.iter().all(|name| name != own)).collect();

@@ -138,8 +138,13 @@ def test_inversions_have_every_formula():
                        (lambda: sneddon.invert("x^2/"), "ends too soon"), (lambda: sneddon.invert("1/x"), "no finite value at x = 0")):
         with pytest.raises(sneddon.SneddonError, match=told):
             call()
+    # a cancels on the way to g, and was typed.
+    flat = sneddon.invert("1/sqrt(a^2-r^2)", pressure=True)
+    assert flat(0.5, a=1.0, E=1.0) == flat(0.2, a=1.0, E=1.0)
     with pytest.raises(TypeError):
         sneddon.invert(3)
+    with pytest.raises(TypeError, match="pressure is 'yes'"):
+        sneddon.invert("x^2", pressure="yes")
 
 
 def test_comparisons_have_verdicts():
@@ -147,6 +152,11 @@ def test_comparisons_have_verdicts():
     assert found and found["F"]["verdict"] == "passed" and found["g"]["points"] == 64
     nothing = sneddon.compare("ln(cosh(r))")
     assert not nothing.passed and {nothing[key]["verdict"] for key in nothing} == {"not compared"}
+    assert "no closed form" in nothing.why and found.why is None and dict(found)["F"] == found["F"]
+    with pytest.raises(TypeError, match="radius is '1 um'"):
+        sneddon.compare("r^2", radius="1 um")
+    with pytest.raises(sneddon.SneddonError, match="radius is larger"):
+        sneddon.compare("r^2", radius=10**400)
     assert sneddon.compare("0", depth=0.1, radius=2.0).passed
     for call, told in ((lambda: sneddon.compare("0"), "flat"), (lambda: sneddon.compare("r^2", radius=-1.0), "radius = -1"),
                        (lambda: sneddon.compare(lambda r: r), "belong to formulas")):

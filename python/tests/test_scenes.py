@@ -177,6 +177,16 @@ def test_sweeps_take_points():
     d, radius = np.array([0.1, 0.3]), np.array([5.0, 10.0])
     assert found["F"].values == pytest.approx(4 / 3 * MODULUS * np.sqrt(radius) * d**1.5, rel=1e-14)
     assert sneddon.sweep(scene, [])["F"].size == 0
+    assert (sneddon.sweep(scene, iter(points))["F"].values == found["F"].values).all()
+    assert sneddon.sweep(scene, [{"load.depth": np.array(0.1)}])["F"].values == pytest.approx([4 / 3 * MODULUS * 10**0.5 * 0.1**1.5])
+    again = sneddon.sweep({**SCENE, "load": {"contact_radius": 1.0}}, [{"profile": {"f": "1-sin(r)/r+r^2/100"}, "load.contact_radius": own} for own in (1.0, 3.0)])
+    assert again["error"].values[0] == "" and "5.6169570" in again["error"].values[1]
+    with pytest.raises(TypeError, match="3 is not the dotted name"):
+        sneddon.sweep(scene, [{3: 4}])
+    with pytest.raises(sneddon.SneddonError, match="F is a result of the sweep"):
+        sneddon.sweep(scene, [{"F": 1.0}])
+    with pytest.raises(sneddon.SneddonError, match="over.1"):
+        sneddon.sweep(scene, [{}, points[0]])
     with pytest.raises(sneddon.SneddonError, match="over.1"):
         sneddon.sweep(scene, [points[0], {"load.depth": 0.1}])
     with pytest.raises(TypeError, match="over.0. is a int"):

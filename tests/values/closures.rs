@@ -363,3 +363,17 @@ fn pressures_across_a_kink_that_is_not_told_are_refused_with_its_radius() {
         told.pressure(0.6, 1.0).unwrap_or_else(|error| panic!("{kink}: {error}"));
     }
 }
+
+/// Class "a kink among noise": rounding halves cells beside the kink as well, and quadrature splits its panels at the smallest of them.
+#[test]
+fn kinks_among_noise_are_found() {
+    for (scale, radius, slope, b) in [(1.5_f64, 4.1_f64, 0.49, 0.369_f64), (1.0, 2.16, 0.994, 0.21), (2.0, 4.2, 1.0, 0.3)] {
+        let f = move |r: f64| (radius - (radius * radius - r * r).sqrt()) * scale + slope * (r - b).abs();
+        let own = Closure::real(f).tolerance(1e-10).profile().unwrap();
+        for x in [0.5_f64, 1.0] {
+            let truth = scale * x * (x / radius).atanh() + slope * x * (0.5 * PI - 2.0 * (b / x).asin());
+            let Estimate { value, error, .. } = own.slope(x).unwrap().estimate;
+            assert!((value - truth).abs() <= error && error <= 1e-8 * truth, "{radius}, {x}: {value} ± {error}, {truth}");
+        }
+    }
+}

@@ -189,24 +189,32 @@ impl Cells {
 }
 
 /// Returns the ends of the cells that were halved more often than their neighbours, and of the cells beside them, one of which may hold the
-/// kink and have taken it for noise; empty if there are too many to be kinks.
+/// kink and have taken it for noise; those of the smallest cells first, as far as [`MOST_CUTS`] reaches, because noise halves cells as well.
 fn cuts(sizes: &[(f64, f64, i32)]) -> Vec<f64> {
-    let mut found = Vec::new();
+    let mut runs = Vec::new();
     let mut begin = 0;
     for run in sizes.chunk_by(|one, other| one.2 == other.2) {
         let end = begin + run.len();
         let depth = run.first().map_or(0, |own| own.2);
         let is_shallower = |index: Option<usize>| index.and_then(|index| sizes.get(index)).is_none_or(|own| own.2 < depth);
         if depth >= NARROW && is_shallower(begin.checked_sub(1)) && is_shallower(Some(end)) {
-            let around = begin.saturating_sub(BESIDE)..(end + BESIDE).min(sizes.len());
-            let around = sizes.get(around).unwrap_or_default();
-            found.extend(around.first().map(|own| own.0));
-            found.extend(around.iter().map(|own| own.1));
+            runs.push((depth, begin.saturating_sub(BESIDE)..(end + BESIDE).min(sizes.len())));
         }
         begin = end;
     }
+    runs.sort_by_key(|(depth, _)| -depth);
+    let mut found = Vec::new();
+    for (_, around) in runs {
+        let around = sizes.get(around).unwrap_or_default();
+        if found.len() + around.len() >= MOST_CUTS {
+            break;
+        }
+        found.extend(around.first().map(|own| own.0));
+        found.extend(around.iter().map(|own| own.1));
+    }
+    found.sort_by(f64::total_cmp);
     found.dedup();
-    if found.len() > MOST_CUTS { Vec::new() } else { found }
+    found
 }
 
 const NOTHING: Bounded = Bounded { value: f64::NAN, error: f64::NAN };
