@@ -125,7 +125,7 @@ impl Asked {
 }
 
 fn refusal(error: &TransformError) -> String {
-    inversion::refusal(error, |text| parse::formula(text).ok())
+    inversion::refusal(error, |text| parse::formula(text).ok()).unwrap_or_else(|| error.to_string())
 }
 
 fn inverse(text: &str, equivalent: &Formula) -> Result<Inverse, Fault> {

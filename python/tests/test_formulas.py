@@ -107,16 +107,15 @@ def test_rules_are_listed():
     assert {"heß-power", "sphere"} <= {own["id"] for own in sneddon.rules()}
 
 
-@pytest.mark.parametrize("text", ["r^2/(2*R)", "R-sqrt(R^2-r^2)", "r*tan(theta)", "C*r^n", "ln(cosh(r/R))"])
+@pytest.mark.parametrize("text", ["r^2/(2*R)", "R-sqrt(R^2-r^2)", "r*tan(theta)", "C*r^n"])
 def test_inverting_the_equivalent_profile_gives_the_profile_back(text):
     """A law: f from g from f is f."""
     values = {"R": 2.0, "theta": 0.3, "C": 0.7, "n": 3.5}
     profile = sneddon.Profile(text)
     own = {name: values[name] for name in profile.parameters}
     g = profile.derive().g
+    assert g.status == "exact"
     r = np.array([0.1, 0.5, 1.0])
-    if g.status != "exact":
-        return
     found, bounds, grounds = sneddon.invert(g.text)(r, with_bound="ground", **own)
     expected, own_bounds = sneddon.Contact(profile, E_star=1.0, **own).shape(r, with_bound=True)
     assert (abs(found - expected) <= bounds + own_bounds).all() and (bounds <= 1e-10 * abs(expected)).all()

@@ -139,12 +139,11 @@ impl Asked {
         Ok((equivalent, found))
     }
 
-    /// The error in words about g(x); the layer below speaks of f(r).
+    /// Converts an error about f(r) to a failure about g(x).
     fn failure(&self, error: &TransformError) -> Failure {
-        let failure = Failure::new(inversion::refusal(error, |text| parse::formula(text).ok()));
-        match error {
-            TransformError::OutOfDomain { .. } | TransformError::Overflow { .. } | TransformError::Evaluation(_) => failure,
-            _ => failure.at(self.place, &self.typed.text, 0..self.typed.text.len()),
+        match inversion::refusal(error, |text| parse::formula(text).ok()) {
+            Some(message) => Failure::new(message).at(self.place, &self.typed.text, 0..self.typed.text.len()),
+            None => Failure::new(error.to_string()),
         }
     }
 }

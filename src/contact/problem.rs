@@ -24,7 +24,7 @@ pub struct Contact<'a, P: Quantities = Evaluator<'a>> {
 /// The largest number of values of g that one energy may take.
 const MOST_NESTED: u64 = 5_000;
 
-/// Share of the contact radius below which g adds nothing to the energy.
+/// Smallest radius at which g is evaluated for the energy, relative to the contact radius.
 const NEAREST: f64 = 1e-30;
 
 /// A value, or the reason why theory has none.
@@ -121,7 +121,7 @@ impl<P: Quantities> Contact<'_, P> {
         &self.evaluator
     }
 
-    /// The profile's evaluator, to be shared with an indentation.
+    /// Returns the profile's evaluator as a shared pointer.
     pub fn shared_evaluator(&self) -> Arc<P> {
         Arc::clone(&self.evaluator)
     }
@@ -330,7 +330,7 @@ impl<P: Quantities> Contact<'_, P> {
         Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
     }
 
-    /// Returns g(x); where a function that rounds next to the axis gives it no digits, 0 with an error of the size of g further out.
+    /// Returns g(x), or 0 with the size of g at a larger radius as its error if rounding leaves g(x) no accurate digit.
     fn near_axis(&self, x: f64, a: f64) -> Result<Estimate, TransformError> {
         let mut found = self.evaluator.slope(x).map(|own| own.estimate);
         let mut place = x;

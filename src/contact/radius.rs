@@ -41,9 +41,9 @@ const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
 const STEPS: u32 = 60;
 /// The search ends after this many consecutive samples whose error exceeds their value.
 const LOST: u32 = 3;
-/// Number of radii that are looked at beyond those.
+/// Maximum number of further radii searched for an accurate value of g.
 const LEAP: usize = 20;
-/// Depths below this share of another are nothing beside it.
+/// Ratio of depths below which the smaller one is negligible.
 const NOTHING: f64 = 1e-9;
 /// The search ends after this many consecutive samples without a new maximum of g.
 const IDLE: u32 = 8;
@@ -255,9 +255,9 @@ impl Look<'_> {
         seen.ended = here.1 == f64::INFINITY || seen.idle >= IDLE;
     }
 
-    /// Goes on where g has digits again and is so much larger that the places so far are nothing beside it; returns false if that is nowhere.
+    /// Continues at the next radius with an accurate g that makes all samples so far negligible; returns false if there is none.
     ///
-    /// A function such as exp(r)-1-r rounds to a line next to the axis, and to nothing between there and where it can be told.
+    /// Rounding turns a function such as exp(r)-1-r into a line next to the axis, and into noise up to a larger radius.
     fn leap(&mut self, seen: &mut Seen) -> bool {
         let mut rest = self.places.get(seen.next..).unwrap_or_default().iter().take(LEAP);
         let found = rest.position(|a| (self.height)(*a).is_ok_and(|g| g > seen.largest / NOTHING));

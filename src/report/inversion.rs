@@ -57,26 +57,28 @@ impl Inversion<'_> {
     }
 }
 
-/// Returns the message of an error of `transform::invert`, in words about g(x) instead of f(r); `read` reads an expression.
-pub fn refusal(error: &TransformError, read: impl Fn(&str) -> Option<Formula>) -> String {
+/// Returns the message of an error of `transform::invert` in terms of g(x), or `None` if the error does not concern g itself.
+///
+/// `read` parses an expression in r.
+pub fn refusal(error: &TransformError, read: impl Fn(&str) -> Option<Formula>) -> Option<String> {
     let over_x = |text: &str| {
         let named = read(text).map(|formula| print::text(&formula.substitute(&Bindings::one("r", Expr::symbol("x")))));
         named.unwrap_or_else(|| text.to_owned())
     };
-    match error {
+    Some(match error {
         TransformError::SingularAtAxis { detail } => {
             let detail = over_x(detail);
-            format!("g has no finite value at x = 0 ({detail}); an equivalent profile such as C*x^n with n > 0 would be accepted")
+            format!("g has no finite value at x = 0 ({detail}); expected a function such as C*x^n with n > 0")
         }
         TransformError::NotReal { detail } => {
             format!("g is not a real number near x = 0 ({}); check the signs under roots and logarithms", over_x(detail))
         }
-        TransformError::Jump { at, jump } => format!(
-            "g jumps by {jump} at x = {at}: no profile with a finite slope has it; pieces that meet at their breakpoints would be accepted"
-        ),
-        TransformError::OutOfDomain { .. } | TransformError::Overflow { .. } | TransformError::Evaluation(_) => error.to_string(),
+        TransformError::Jump { at, jump } => {
+            format!("g jumps by {jump} at x = {at}; expected pieces with equal values at their breakpoints")
+        }
+        TransformError::OutOfDomain { .. } | TransformError::Overflow { .. } | TransformError::Evaluation(_) => return None,
         other => other.to_string().replace("the profile", "g"),
-    }
+    })
 }
 
 /// Writes f at the radii that were asked for, as a table.

@@ -151,7 +151,7 @@ fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>)
     };
     // Over a place that was located numerically no formula is exact.
     let rough = kinks::is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(kinks::is_approximate);
-    let answer = |term: &Term| if rough || work::is_exhausted() { None } else { rules::answer(term) };
+    let answer = |term: &Term| if rough { None } else { rules::answer(term) };
     let solved = |term: Term| SolvedTerm { answer: answer(&term), term, agreement: Agreement::default() };
     let terms = rules::reading::remembered(|| terms.into_iter().map(solved).collect());
     SolvedInterval { segment, slope, terms }

@@ -190,8 +190,8 @@ impl TransformError {
         }
     }
 
-    /// Returns true if no number was found at one place, where other places may have one.
-    pub fn is_of_one_place(&self) -> bool {
+    /// Returns true if the value is unavailable at this radius only, so that other radii may have one.
+    pub fn is_local(&self) -> bool {
         matches!(self, Self::NoDigits { .. } | Self::NotComputable { .. } | Self::Undefined { .. } | Self::Seam { .. })
     }
 }

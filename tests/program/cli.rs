@@ -550,7 +550,7 @@ fn invert_answers_in_the_form_of_derive() {
 fn what_cannot_be_inverted() {
     refused(b"", &["invert", "r^2"], &["column 1", "\n  | ^\n", "the coordinate of g is x"]);
     refused(b"", &["invert", "1/x"], &["no finite value at x = 0", "| ^^^"]);
-    refused(b"", &["invert", "piecewise(0, x<1, 1)"], &["jumps by 1 at x = 1", "no profile"]);
+    refused(b"", &["invert", "piecewise(0, x<1, 1)"], &["jumps by 1 at x = 1", "expected pieces with equal values"]);
     refused(b"", &["invert", "x^2/R", "--at", "1"], &["parameter R has no value"]);
     refused(b"", &["invert", "--pressure", "p_0*exp(-r)"], &["--pressure", "exp(-r)", "(a^2-r^2)^s"]);
     refused(b"", &["invert"], &["required"]);

@@ -330,7 +330,7 @@ fn steps_are_not_answered_as_what_lies_behind_them() {
                         found.estimate
                     );
                 }
-                Err(error) => assert!(error.is_of_one_place(), "case {index}, {x}: {error}"),
+                Err(error) => assert!(error.is_local(), "case {index}, {x}: {error}"),
             }
             if let Ok(Some(found)) = own.pressure(0.5 * x, x) {
                 assert!(found.estimate.error > 0.01 * found.estimate.value.abs(), "case {index}, {x}: {:?}", found.estimate);

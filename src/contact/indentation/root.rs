@@ -320,7 +320,7 @@ impl Indentation<'_> {
         let starts_above = loop {
             match above(upper) {
                 Ok(own) => break own,
-                Err(error) if error.is_of_one_place() && upper > flat.max(NEAREST) => {
+                Err(error) if error.is_local() && upper > flat.max(NEAREST) => {
                     without = Some(upper);
                     upper = (upper / factor).max(flat).max(NEAREST);
                     factor *= factor.min(1e30);
@@ -345,7 +345,7 @@ impl Indentation<'_> {
                     Ok(true) => break,
                     Ok(false) if upper >= end => return Ok(None),
                     Ok(false) => lower = upper,
-                    Err(error) if error.is_of_one_place() && upper - lower > CLOSEST * upper => {
+                    Err(error) if error.is_local() && upper - lower > CLOSEST * upper => {
                         without = Some(upper);
                     }
                     Err(error) => return Err(error.into()),

@@ -13,7 +13,7 @@ const SMOOTH: i32 = 34;
 pub(super) const LAST: usize = 6;
 /// Number of halvings over which the last coefficients of a cell are compared.
 const WIDER: usize = 5;
-/// Number of halvings beyond which a slow fall of the coefficients is that of a kink, and not of noise that grows sparse.
+/// Number of halvings above which slowly decreasing coefficients indicate a kink rather than noise.
 const FOLLOWED: i32 = 14;
 /// Minimum number of halvings of a cell whose ends are cuts of the quadrature.
 const NARROW: i32 = 10;
@@ -45,7 +45,7 @@ pub(super) struct Cell {
     size: f64,
     /// The largest |φ′| at the nodes.
     steepest: f64,
-    /// The size of the noise that was taken for that of φ.
+    /// Size of the noise accepted as rounding, or 0.
     accepted: f64,
 }
 
@@ -63,11 +63,11 @@ struct Doubling {
     seam: Option<f64>,
     /// Places at which quadrature splits its panels; see [`cuts`].
     cuts: Vec<f64>,
-    /// The sum of the sizes of noise, each of adjacent cells once: noise that stands alone is a step of φ.
+    /// Sum of the noise over runs of adjacent cells, because isolated noise may be a step of φ.
     steps: f64,
 }
 
-/// Returns the slope at r that noise of this size hides.
+/// Returns a bound on the slope at r that noise of this size can hide.
 pub(super) fn hidden_slope(noise: f64, r: f64) -> f64 {
     30.0 * noise / r
 }
@@ -116,7 +116,7 @@ impl Cells {
         self.doubling(r, phi).and_then(|own| own.cell(r)).map_or(NOTHING, |cell| cell.derivative(order, r))
     }
 
-    /// Returns the slope at r that steps of φ may have which are taken for noise.
+    /// Returns a bound on the slope at r of steps of φ that were taken for noise.
     pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         self.doubling(r, phi).map_or(0.0, |own| hidden_slope(own.steps, r))
     }

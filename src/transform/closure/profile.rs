@@ -128,7 +128,7 @@ fn refuse_jump(function: &Function, b: f64) -> Result<(), TransformError> {
 
 const NEAR: f64 = 1e-7;
 
-/// A g that is known no better than this is in doubt beyond rounding.
+/// Relative error of g above which steps of f may have been taken for noise.
 const UNSURE: f64 = 1e-5;
 
 impl Quantities for ClosureProfile {
@@ -154,7 +154,7 @@ impl Quantities for ClosureProfile {
             return Ok(Some(Reading { estimate: Estimate::exact(0.0), method: "exact" }));
         }
         let found = self.numeric.pressure(r, a, self.closure.tolerance).map_err(|error| self.named(error))?;
-        // Steps of f that are taken for noise show in g; where g has no digits, the pressure has none.
+        // The relative error of g bounds what steps of f taken for noise change in p.
         let g = self.slope(a)?.estimate;
         let doubt = if g.error > UNSURE * g.value.abs() { g.relative_error() } else { 0.0 };
         Ok(found.map(|own| Reading { estimate: Estimate { error: own.error + doubt * own.value.abs(), ..own }, method: "quadrature" }))

@@ -78,7 +78,7 @@ pub(super) struct Faults {
 /// Below this radius a closure's values may underflow; (r f′)′ counts for nothing there, and is about f′.
 const FAINT: f64 = 1e-100;
 
-/// A derivative that is known to within this share from the axis on is not sought between powers of two.
+/// Relative error at which a derivative from the axis is not compared with one between powers of two.
 const CLOSE: f64 = 1e-8;
 
 const NONE: u64 = f64::INFINITY.to_bits();
@@ -142,7 +142,7 @@ impl Piece {
         self.across_the_axis(order, r).unwrap_or_else(|| self.cells.derivative(order, r, &phi))
     }
 
-    /// A derivative from the fits that begin at the axis, where these know it better than those between powers of two.
+    /// Returns a derivative from the fits that begin at the axis, or `None` if the fits between powers of two are more accurate.
     fn across_the_axis(&self, order: usize, r: f64) -> Option<Bounded> {
         let phi = |r: f64| self.sample(r);
         let own = self.starts.as_ref()?.derivative(order, r, &phi)?;
@@ -153,7 +153,7 @@ impl Piece {
         (between.error.is_nan() || own.error <= between.error).then_some(own)
     }
 
-    /// The slope of steps of f that are taken for noise.
+    /// Returns a bound on the slope at r of steps of f that were taken for noise.
     fn hidden_slope(&self, r: f64) -> f64 {
         let phi = |r: f64| self.sample(r);
         match self.starts.as_ref().filter(|_| self.across_the_axis(1, r).is_some()) {
@@ -175,7 +175,7 @@ impl Piece {
         }
     }
 
-    /// Remembers where the closure had no value; a derivative whose digits are lost is no fault of the closure.
+    /// Records the radius if the closure itself is not finite there; a derivative may be unknown where the closure is finite.
     fn noted(&self, r: f64, value: Bounded) -> Bounded {
         let is_defined = || self.function.height(r).is_finite() && self.function.slope(r).is_none_or(f64::is_finite);
         if !value.value.is_finite() && !is_defined() {

@@ -61,7 +61,7 @@ impl Starts {
         Some(self.at(r, phi)?.derivative(order, r))
     }
 
-    /// Returns the slope at r that steps of φ may have which are taken for noise.
+    /// Returns a bound on the slope at r of steps of φ that were taken for noise.
     pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         let octave = exponent_of(r).and_then(|exponent| {
             let from = libm::scalbn(1.0, exponent);

@@ -144,7 +144,7 @@ impl Gate {
                 answer.pressure = None;
             }
         }
-        // A quadrature that does not see g next to the axis, as that of r^0.001, is no reference for F either.
+        // If g cannot be compared, as for r^0.001, whose slope is too steep at the axis for quadrature, F is not compared either.
         let force = if slope == Verdict::Unknown { Verdict::Unknown } else { force };
         let agrees = |verdict| verdict == Verdict::Agrees;
         solved.agreement = Agreement { slope: agrees(slope), force: agrees(force), pressure: agrees(pressure) };

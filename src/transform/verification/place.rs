@@ -36,8 +36,8 @@ enum Part {
 }
 
 impl Part {
-    /// Notes that a radius of this part told.
-    fn tell(self, [within, beyond]: &mut [bool; 2]) {
+    /// Records that a comparison at a radius of this part was conclusive.
+    fn record(self, [within, beyond]: &mut [bool; 2]) {
         *within |= self == Self::Within;
         *beyond |= self == Self::Beyond;
     }
@@ -128,14 +128,14 @@ impl Place {
     pub(super) fn compare(&self, subject: &Subject<'_>) -> Option<[Verdict; 2]> {
         let Radii { lower, upper, all } = self.radii(subject.segment)?;
         let mut verdicts = [Verdict::Agrees; 2];
-        // Whether some radius within the segment told, and some radius beyond it, if there is one.
+        // Whether a comparison was conclusive within the segment, and beyond it if the segment ends.
         let ends = all.iter().any(|(_, part)| *part == Part::Beyond);
-        let mut told = [[false, !ends]; 2];
+        let mut conclusive = [[false, !ends]; 2];
         for (x, part) in all {
             let own = if part == Part::Beyond { subject.beyond.as_ref()? } else { &subject.within };
             let Some(values) = self.bounded(&own.slope_and_force, &[x, x]) else { if part == Part::Far { continue } else { return None } };
             let integrals = self.integrals(&subject.tape, lower, upper, x);
-            for (quantity, (verdict, told)) in verdicts.iter_mut().zip(&mut told).enumerate() {
+            for (quantity, (verdict, conclusive)) in verdicts.iter_mut().zip(&mut conclusive).enumerate() {
                 let (Some(evaluated), Some(shown), Some((value, size))) =
                     (values.get(quantity), values.get(quantity + 2), integrals.get(quantity).copied())
                 else {
@@ -144,7 +144,7 @@ impl Place {
                 let is_telling = |own: &Bounded| own.error <= TELLING * size;
                 let agrees = |own: &Bounded| is_telling(own) && (own.value - value).abs() <= ENOUGH * size + own.error;
                 if agrees(evaluated) && (agrees(shown) || !is_telling(shown)) {
-                    part.tell(told);
+                    part.record(conclusive);
                     continue;
                 }
                 if part == Part::Far && !(is_telling(evaluated) && value.is_finite()) {
@@ -156,17 +156,17 @@ impl Place {
                 if is_wrong(evaluated) || is_wrong(shown) {
                     *verdict = Verdict::Wrong;
                 } else if part != Part::Far && is_telling(evaluated) {
-                    // Where a form has no digits, as next to a kink or where it underflows, nothing is told, and another radius tells.
+                    // A form without accurate digits, as next to a kink or after underflow, is compared at the other radii only.
                     if is_known {
-                        part.tell(told);
+                        part.record(conclusive);
                     } else if *verdict == Verdict::Agrees {
                         *verdict = Verdict::Unknown;
                     }
                 }
             }
         }
-        for (verdict, told) in verdicts.iter_mut().zip(told) {
-            if *verdict == Verdict::Agrees && told != [true; 2] {
+        for (verdict, conclusive) in verdicts.iter_mut().zip(conclusive) {
+            if *verdict == Verdict::Agrees && conclusive != [true; 2] {
                 *verdict = Verdict::Unknown;
             }
         }

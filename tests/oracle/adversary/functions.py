@@ -46,15 +46,18 @@ def main():
             tally["refused formulas"] += 1
             continue
         began = time.process_time()
-        try:
-            own = sneddon.Contact(sneddon.Profile(function), E_star=1.0)
-        except sneddon.SneddonError as error:
-            tally["refused functions"] += 1
-            print(f"refused {seed} {profile.text} {profile.values}: {error}")
-            continue
-        except Exception as error:
-            tally["raised"] += 1
-            print(f"raised {seed} {profile.text} {profile.values}: {error!r}")
+
+        def attempt(call, what):
+            """Return the result of a call, or None after counting its exception."""
+            try:
+                return call()
+            except Exception as error:
+                kind = "refused" if isinstance(error, sneddon.SneddonError) else "raised"
+                tally[kind] += 1
+                print(f"{kind} {what} {seed} {profile.text} {profile.values}: {error!r}")
+
+        own = attempt(lambda: sneddon.Contact(sneddon.Profile(function), E_star=1.0), "function")
+        if own is None:
             continue
         for a in (0.05, 0.3, 1.0):
             for key, call in (("d", lambda it: it.depth(radius=a, with_bound=True)), ("F", lambda it: it.force(radius=a, with_bound=True)),
@@ -64,16 +67,10 @@ def main():
                 except sneddon.SneddonError:
                     tally["without a reference"] += 1
                     continue
-                try:
-                    value, own_bound = call(own)
-                except sneddon.SneddonError as error:
-                    tally["refused values"] += 1
-                    print(f"refused {key}({a}) {seed} {profile.text} {profile.values}: {error}")
+                found = attempt(lambda: call(own), f"{key}({a})")
+                if found is None:
                     continue
-                except Exception as error:
-                    tally["raised"] += 1
-                    print(f"raised {key}({a}) {seed} {profile.text} {profile.values}: {error!r}")
-                    continue
+                value, own_bound = found
                 tally["values"] += 1
                 if math.isinf(expected) or math.isinf(value):
                     tally["infinite"] += 1
