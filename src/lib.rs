@@ -19,5 +19,5 @@ pub mod scene;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
 pub mod transform;
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 pub mod validate;

@@ -1,11 +1,11 @@
 //! Reports: plain records of what was found, and one file per output format that writes them.
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 pub mod inversion;
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 pub mod json;
 pub mod markdown;
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 mod npy;
 pub mod page;
 #[cfg(feature = "cli")]
@@ -13,7 +13,7 @@ mod palette;
 #[cfg(feature = "cli")]
 pub mod picture;
 mod record;
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 mod reference;
 mod sheet;
 #[cfg(feature = "scene")]
@@ -22,27 +22,27 @@ mod solved;
 mod solved_bounds;
 #[cfg(feature = "cli")]
 pub mod solved_html;
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 pub mod solved_json;
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 pub mod solved_npz;
 #[cfg(feature = "scene")]
 pub mod solved_text;
 #[cfg(feature = "scene")]
 mod solved_tip;
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 mod solved_tip_json;
 mod statement;
 pub mod text;
 #[cfg(feature = "cli")]
 pub mod tradeoff;
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 pub mod validation;
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 pub use inversion::{Inversion, Wanted};
 pub use record::{Compared, Derivation, Entry, Evaluation, Shift, Unchecked, Units};
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 pub use reference::Reference;
 #[cfg(feature = "scene")]
 pub use solved::{ASSUMPTIONS, Verdict};
@@ -51,9 +51,10 @@ pub use statement::Statement;
 pub use tradeoff::Tradeoff;
 
 /// Private parts that tests in `tests/` look at; not part of the interface.
-#[cfg(feature = "cli")]
+#[cfg(feature = "data")]
 #[doc(hidden)]
 pub mod inner {
-    pub use super::npy::{checksum, header};
+    pub use super::npy::header;
+    #[cfg(feature = "cli")]
     pub use super::picture::axis::Axis;
 }

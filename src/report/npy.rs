@@ -1,5 +1,7 @@
 //! NumPy's formats: arrays in NPY, version 1.0, and archives of them in NPZ.
 
+use rawzip::ZipArchiveWriter;
+use rawzip::time::UtcDateTime;
 use std::io::{self, Write};
 
 /// The head of an array: magic, length, and a Python literal that is padded to 64 bytes and ends with a line feed.
@@ -18,19 +20,17 @@ pub fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
 }
 
 /// An archive of named arrays: a ZIP file whose members are not compressed, as `numpy.savez` writes it.
-#[derive(Default)]
-pub(super) struct Archive {
-    bytes: Vec<u8>,
-    directory: Vec<u8>,
-    members: u16,
-}
+pub(super) struct Archive(ZipArchiveWriter<Vec<u8>>);
 
-/// The version of ZIP that plain members need.
-const VERSION: u16 = 20;
 /// 1 January 1980, the first date of ZIP: the same numbers give the same file.
-const DATE: u32 = 0x0021_0000;
+const FIRST_DATE: i64 = 315_532_800;
 
 impl Archive {
+    /// An archive without arrays.
+    pub(super) fn new() -> Self {
+        Self(ZipArchiveWriter::new(Vec::new()))
+    }
+
     /// Adds an array of doubles.
     pub(super) fn numbers(&mut self, name: &str, shape: &[usize], values: &[f64]) -> io::Result<()> {
         let mut array = header("<f8", shape);
@@ -55,67 +55,17 @@ impl Archive {
 
     fn add(&mut self, name: &str, array: &[u8]) -> io::Result<()> {
         let name = format!("{name}.npy");
-        let (offset, size) = (position(self.bytes.len())?, position(array.len())?);
-        let mut entry = Vec::new();
-        for number in [VERSION, 0, 0] {
-            entry.extend(number.to_le_bytes());
-        }
-        for number in [DATE, checksum(array), size, size] {
-            entry.extend(number.to_le_bytes());
-        }
-        entry.extend((name.len() as u16).to_le_bytes());
-        entry.extend([0, 0]);
-        self.bytes.extend(b"PK\x03\x04");
-        self.bytes.extend(&entry);
-        self.bytes.extend(name.as_bytes());
-        self.bytes.extend(array);
-        self.directory.extend(b"PK\x01\x02");
-        self.directory.extend(VERSION.to_le_bytes());
-        self.directory.extend(&entry);
-        // No comment, the first disk, no attributes.
-        self.directory.extend([0; 10]);
-        self.directory.extend(offset.to_le_bytes());
-        self.directory.extend(name.as_bytes());
-        self.members += 1;
+        let (mut member, head) =
+            self.0.new_file(&name).last_modified(UtcDateTime::from_unix(FIRST_DATE)).start().map_err(io::Error::other)?;
+        let mut content = head.wrap(&mut member);
+        content.write_all(array)?;
+        let (_, end) = content.finish().map_err(io::Error::other)?;
+        member.finish(end).map_err(io::Error::other)?;
         Ok(())
     }
 
     /// Writes the archive.
     pub(super) fn write(self, out: &mut dyn Write) -> io::Result<()> {
-        let (offset, size) = (position(self.bytes.len())?, position(self.directory.len())?);
-        out.write_all(&self.bytes)?;
-        out.write_all(&self.directory)?;
-        out.write_all(b"PK\x05\x06\0\0\0\0")?;
-        out.write_all(&[self.members.to_le_bytes(), self.members.to_le_bytes()].concat())?;
-        out.write_all(&[size.to_le_bytes(), offset.to_le_bytes()].concat())?;
-        out.write_all(&[0, 0])
+        out.write_all(&self.0.finish().map_err(io::Error::other)?)
     }
-}
-
-/// A place in the archive, which has at most 4 GiB.
-fn position(bytes: usize) -> io::Result<u32> {
-    let large = || io::Error::new(io::ErrorKind::InvalidData, "an NPZ file holds at most 4 GiB; CSV and JSON have no limit");
-    u32::try_from(bytes).map_err(|_| large())
-}
-
-/// The cyclic redundancy check of ZIP: the reflected polynomial 0xEDB88320.
-pub fn checksum(bytes: &[u8]) -> u32 {
-    const TABLE: [u32; 256] = {
-        let mut table = [0; 256];
-        let mut index = 0;
-        while index < 256 {
-            let (mut value, mut bit) = (index as u32, 0);
-            while bit < 8 {
-                value = if value & 1 == 1 { (value >> 1) ^ 0xEDB8_8320 } else { value >> 1 };
-                bit += 1;
-            }
-            table[index] = value;
-            index += 1;
-        }
-        table
-    };
-    !bytes.iter().fold(u32::MAX, |sum, byte| {
-        let index = (sum as u8 ^ byte) as usize;
-        (sum >> 8) ^ TABLE.get(index).copied().unwrap_or_default()
-    })
 }

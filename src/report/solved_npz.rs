@@ -15,7 +15,7 @@ use std::io::{self, Write};
 /// As the writer; [`io::ErrorKind::InvalidData`] where a number is missing, which an array cannot say.
 pub fn npz(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
     let scene = run.scene();
-    let mut archive = Archive::default();
+    let mut archive = Archive::new();
     let mut verdict = Verdict::default();
     let mut columns: Vec<Vec<f64>> = vec![Vec::new(); scene.outputs.data.len()];
     let (mut touch, mut valid) = (Vec::new(), Vec::new());

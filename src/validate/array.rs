@@ -1,7 +1,10 @@
 //! NumPy's files: the arrays of an NPY or NPZ file with their names, as doubles.
 
 use super::ValidationError;
-use std::io::{Cursor, Read};
+use flate2::read::DeflateDecoder;
+use rawzip::{CompressionMethod, ZipArchive};
+use std::fmt::Display;
+use std::io::Read;
 
 /// One array; the first index changes slowest.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,24 +35,41 @@ pub(super) fn arrays(name: &str, stem: &str, bytes: Vec<u8>) -> Result<Vec<Array
     if bytes.starts_with(NPY) {
         return Ok(array(stem, &bytes).map_err(fault)?.into_iter().collect());
     }
-    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|error| fault(format!("this is not an NPZ file: {error}")))?;
-    if archive.len() > MOST {
-        return Err(fault(format!("{} arrays are more than the {MOST} that are read", archive.len())));
-    }
+    let archive = ZipArchive::from_slice(&bytes).map_err(|error| fault(format!("this is not an NPZ file: {error}")))?;
     let (mut list, mut total) = (Vec::new(), 0);
-    for index in 0..archive.len() {
-        let mut member = archive.by_index(index).map_err(|error| fault(format!("member {}: {error}", index + 1)))?;
-        let own = member.name().map_err(|error| fault(format!("member {}: {error}", index + 1)))?.into_owned();
-        let Some(own) = own.strip_suffix(".npy").map(str::to_owned) else { continue };
-        let mut content = Vec::new();
-        member.by_ref().take(LONGEST - total + 1).read_to_end(&mut content).map_err(|error| fault(format!("array {own}: {error}")))?;
+    for (index, member) in archive.entries().enumerate() {
+        let part = |error: rawzip::Error| fault(format!("member {}: {error}", index + 1));
+        if index == MOST {
+            return Err(fault(format!("there are more arrays than the {MOST} that are read")));
+        }
+        let member = member.map_err(part)?;
+        let name = String::from_utf8_lossy(member.file_path().as_bytes()).into_owned();
+        let Some(own) = name.strip_suffix(".npy") else { continue };
+        let whole = |error: &dyn Display| fault(format!("array {own}: {error}"));
+        let packed = archive.get_entry(member.wayfinder()).map_err(part)?;
+        let content = match member.compression_method() {
+            CompressionMethod::STORE => content(packed.verifying_reader(packed.data()), LONGEST - total),
+            CompressionMethod::DEFLATE => content(packed.verifying_reader(DeflateDecoder::new(packed.data())), LONGEST - total),
+            other => {
+                let name = other.name().unwrap_or("unknown");
+                return Err(whole(&format_args!("compression {name} is not read, expected a member that is stored or deflated")));
+            }
+        };
+        let content = content.map_err(|error| whole(&error))?;
         total += content.len() as u64;
         if total > LONGEST {
             return Err(fault(format!("the arrays are longer than {LONGEST} bytes")));
         }
-        list.extend(array(&own, &content).map_err(|why| fault(format!("array {own}: {why}")))?);
+        list.extend(array(own, &content).map_err(|why| whole(&why))?);
     }
     Ok(list)
+}
+
+/// Reads one member to its end, where its length and checksum are compared, or to one byte beyond `most`.
+fn content(member: impl Read, most: u64) -> std::io::Result<Vec<u8>> {
+    let mut content = Vec::new();
+    member.take(most + 1).read_to_end(&mut content)?;
+    Ok(content)
 }
 
 /// How a number stands in the bytes.

@@ -691,11 +691,24 @@ fn arrays_are_read_as_numpy_writes_them() {
     fs::write(place.join("scene.toml"), &scene).unwrap();
     fs::write(place.join("data.h5"), b"\x89HDF\r\n\x1a\n rest").unwrap();
     fs::write(place.join("short.npy"), b"\x93NUMPY\x01\x00\x10\x00{").unwrap();
+    // A byte of the first member's data is another, its method is BZIP2 in the directory, and the file ends too early.
+    let loads = fs::read(data.join("loads.npz")).unwrap();
+    let mut torn = loads.clone();
+    torn[60] ^= 0xFF;
+    fs::write(place.join("torn.npz"), torn).unwrap();
+    let mut foreign = loads.clone();
+    let entry = foreign.windows(4).position(|own| own == b"PK\x01\x02").unwrap();
+    foreign[entry + 10] = 12;
+    fs::write(place.join("foreign.npz"), foreign).unwrap();
+    fs::write(place.join("cut.npz"), &loads[..loads.len() / 2]).unwrap();
     let corner = data.join("corner.npz").display().to_string();
     let press = data.join("press.npy").display().to_string();
     for (arguments, said) in [
         (&["data.h5"][..], "h5py"),
         (&["short.npy"], "ends within its head"),
+        (&["torn.npz"], "array d: "),
+        (&["foreign.npz"], "array d: compression BZIP2 is not read"),
+        (&["cut.npz"], "this is not an NPZ file"),
         (&[press.as_str()], "has no places"),
         (&[press.as_str(), "--box", "8", "--map", "p=pres"], "no file has a column \"pres\""),
         (&[press.as_str(), "--box", "8", "--map", "q=press"], "is not a quantity"),
