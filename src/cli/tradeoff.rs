@@ -48,8 +48,8 @@ pub(super) struct Arguments {
 
 const EXAMPLES: &str = "Examples:
   sneddon tradeoff 'r^2/(2*R)' --set R=2 --budget 1
-  sneddon tradeoff 'ln(cosh(r))' --quantity g --tol 1e-9 --budget 10 -o ln_cosh.svg
-  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --budget 10 --csv";
+  sneddon tradeoff 'ln(cosh(r))' --quantity g --tol 1e-9 --budget 1 -o ln_cosh.svg
+  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --budget 1 --csv";
 
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
@@ -99,7 +99,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).map_err(refused)?;
     let study = Problem::new(&solution, &evaluator, quantity, radius, at).and_then(|problem| {
         let usual = Options::default();
-        let options = Options { budget, wanted: wanted.map_or(usual.wanted, |own| vec![own]) };
+        let options = Options { budget, wanted: wanted.map_or(usual.wanted, |own| vec![own]), ..usual };
         tradeoff::run(problem, &options)
     });
     let study = study.map_err(|error| match error {

@@ -56,8 +56,6 @@ pub struct Skipped {
     pub why: String,
 }
 
-/// Rounds of batches.
-const ROUNDS: usize = 15;
 /// What one batch should last.
 const BATCH: f64 = 2e6;
 /// Times that a set-up is run.
@@ -79,7 +77,7 @@ pub(super) fn measure<'a>(
     problem: &Problem<'_>,
     truths: &[Truth],
     candidates: Vec<Candidate<'a>>,
-    budget: Duration,
+    (budget, rounds): (Duration, usize),
 ) -> (Vec<Row>, Vec<Skipped>) {
     let start = Instant::now();
     // Errors and set-ups may take half of the time, rounds the rest.
@@ -95,7 +93,7 @@ pub(super) fn measure<'a>(
     }
     let mut order: Vec<usize> = (0..measured.len()).collect();
     let mut state = SEED;
-    for round in 0..ROUNDS {
+    for round in 0..rounds.max(1) {
         shuffle(&mut order, &mut state);
         for index in &order {
             // One round is the least that a time can rest on.

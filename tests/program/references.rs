@@ -81,26 +81,26 @@ fn every_format_of_references_is_validated() {
     let several = "[material]\nE = \"70 GPa\"\nnu = 0.3\n[load]\nforce = [\"10 mN\", \"20 mN\"]\n[outputs]\nquantities = [\"p\"]\n";
     let radii = "[material]\neffective_modulus = \"2 MPa\"\n[load]\ncontact_radius = [\"0.5 um\", \"0.8 um\", \"1 um\"]\n";
     let at = "[outputs]\nquantities = [\"p\", \"u\", \"f\"]\nat = { start = \"0 um\", stop = \"2 um\", count = 161 }\n";
-    let cells = "[data]\nbox = 1.0\ngrid = 64\npressure = \"cell\"\n";
+    let cells = "[data]\nbox = 1.0\ngrid = 32\npressure = \"cell\"\n";
     let only = |fields: &str| {
         let paraboloid = "[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"10 um\" }\n[material]\neffective_modulus = \"1 GPa\"\n";
         format!("{paraboloid}[load]\ndepth = \"0.1 um\"\n[outputs]\nquantities = [{fields}]\n")
     };
     let ramp = "[material]\neffective_modulus = 1.0\n[load]\ndepth = [0.0, 0.05, 0.1]\n[outputs]\nquantities = [\"p\", \"u\"]\n";
     let cases: [(String, &[&str], &[&str]); 12] = [
-        (only("\"u\""), &["--grid", "64", "--box", "4 um"], &["--box", "4 um"]),
-        (only("\"u\""), &["--grid", "64", "--box", "4 um", "--between"], &["--box", "4 um"]),
+        (only("\"u\""), &["--grid", "32", "--box", "4 um"], &["--box", "4 um"]),
+        (only("\"u\""), &["--grid", "32", "--box", "4 um", "--between"], &["--box", "4 um"]),
         (only("\"p\""), &["--grid", "0 um:2 um:81"], &["--grid", "0 um:2 um:81"]),
         (only("\"f\", \"g\""), &["--grid", "0:2 um:81"], &["--grid", "0:2 um:81"]),
-        (format!("[profile]\nf = \"r^2\"\n{ramp}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
-        (format!("[profile]\nf = \"max(0,r^2-0.01)\"\n{ramp}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
-        (format!("[profile]\nf = \"r^2\"\n{bare}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
+        (format!("[profile]\nf = \"r^2\"\n{ramp}"), &["--grid", "32", "--box", "1"], &["--box", "1"]),
+        (format!("[profile]\nf = \"max(0,r^2-0.01)\"\n{ramp}"), &["--grid", "32", "--box", "1"], &["--box", "1"]),
+        (format!("[profile]\nf = \"r^2\"\n{bare}"), &["--grid", "32", "--box", "1"], &["--box", "1"]),
         (format!("[profile]\nf = \"r^2\"\n{bare}{cells}"), &[], &[]),
-        (format!("[profile]\nf = \"r^2\"\n{bare}"), &["--grid", "64", "--box", "1", "--between"], &["--box", "1"]),
-        (format!("[profile]\nf = \"0\"\nradius = 0.25\n{bare}"), &["--grid", "64", "--box", "1"], &["--box", "1"]),
+        (format!("[profile]\nf = \"r^2\"\n{bare}"), &["--grid", "32", "--box", "1", "--between"], &["--box", "1"]),
+        (format!("[profile]\nf = \"0\"\nradius = 0.25\n{bare}"), &["--grid", "32", "--box", "1"], &["--box", "1"]),
         (
             format!("[profile]\nf = \"r^2/(2*R)\"\nparameters = {{ R = \"20 um\" }}\n{several}"),
-            &["--grid", "64", "--box", "6 um"],
+            &["--grid", "32", "--box", "6 um"],
             &["--box", "6 um"],
         ),
         (format!("[profile]\nf = \"r^2/(2*R)\"\nparameters = {{ R = \"20 um\" }}\n{radii}{at}"), &[], &[]),
