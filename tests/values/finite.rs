@@ -185,3 +185,27 @@ fn values_beyond_the_range_of_doubles_are_refused() {
     let energy = contact.energy(1e-70).unwrap().estimate;
     assert!(energy.value == 0.0 && energy.error > 0.0, "{energy:?}");
 }
+
+/// Class "quadrature next to underflow": a length in any unit is the same length, g(s x; s R) = s g(x; R), down to 1e-302.
+#[test]
+fn lengths_next_to_underflow_keep_their_bounds() {
+    let quadrature = |text: &str, scale: f64, x: f64| {
+        let parameters: Bindings = [("R", exact(&format!("{scale:e}")))].into_iter().collect();
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap().substitute(&parameters)).unwrap()).unwrap();
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Quadrature, 1e-10).unwrap();
+        evaluator.slope(x * scale).map(|found| found.estimate)
+    };
+    let mut answered = 0;
+    for text in ["R-sqrt(R^2-r^2)", "R*ln(cosh(r/R))", "r^2/(2*R)", "R*(1-cos(r/R))", "R*(r/R)^2.5", "R*(1-exp(-r/R))"] {
+        for x in [0.0105, 0.24, 0.93] {
+            let usual = quadrature(text, 1.0, x).unwrap();
+            for scale in [600, 960, 980, 990, 995, 998].map(|k| f64::from(-k).exp2()) {
+                let Ok(found) = quadrature(text, scale, x) else { continue };
+                answered += 1;
+                let (error, bound) = ((found.value - scale * usual.value).abs(), found.error + scale * usual.error + f64::from_bits(1));
+                assert!(error <= bound, "{text}, x = {x}, R = {scale:e}: {error:e} beyond {bound:e} of {:e}", found.value);
+            }
+        }
+    }
+    assert!(answered > 100, "{answered}");
+}

@@ -167,6 +167,12 @@ impl Trapezium {
                 ask(at, &mut out[..count], &mut errors[..count]);
             }
             self.evaluations += count as u64;
+            // f′ at a smaller radius is 0, or larger by less than the ratio of the radii, or else its integral has no value.
+            for ((error, out), sine) in
+                errors.iter_mut().zip(&out).zip(sine).take(count).filter(|(_, sine)| extent.x * **sine < f64::MIN_POSITIVE)
+            {
+                *error += out.abs() * (f64::MIN_POSITIVE / extent.x / sine).min(f64::MAX);
+            }
             let (mut sum, mut size, mut noise) = (0.0, 0.0, 0.0);
             let mut last = [0.0; 2];
             for (((out, error), weight), k) in out.iter().zip(&errors).zip(weight).zip(index).take(count) {
