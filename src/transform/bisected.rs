@@ -186,8 +186,11 @@ impl Range for Angles<'_> {
         }
         let numbers: &Numbers = limit.map_or(&self.segment.slope, |limit| &limit.slope);
         numbers.block(&arguments[..count], &doubts[..count], values, errors, scratch);
-        for ((value, error), (factor, share, flat)) in values.iter_mut().zip(errors).zip(factors) {
-            *error = *error * factor + value.abs() * (share * factor + flat);
+        let is_flat = self.power.is_none() && self.segment.lower.value > 0.0;
+        for (((value, error), (factor, share, flat)), argument) in values.iter_mut().zip(errors).zip(factors).zip(arguments) {
+            // At a smaller distance f′ is not known, but where it hardly changes behind a kink.
+            let clipped = if is_flat || argument > f64::MIN_POSITIVE { 0.0 } else { f64::INFINITY };
+            *error = *error * factor + value.abs() * (share * factor + flat) + clipped;
             *value *= factor;
         }
     }

@@ -326,18 +326,24 @@ impl NumericSegment {
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
             let count = points.len().min(MOST);
             let (mut distances, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
-            for ((point, distance), doubt) in points.iter().zip(&mut distances).zip(&mut doubts) {
+            let mut clipped = [0.0; MOST];
+            for (((point, distance), doubt), clipped) in points.iter().zip(&mut distances).zip(&mut doubts).zip(&mut clipped) {
                 let (v, rest) = place(point);
                 // r − lower = 2x sin(v/2) sin(π/2 − t_lower − v/2): every factor is positive.
-                // Below the smallest normal number f′ has no digits; the panel's tail is bounded from its last values.
-                *distance = (2.0 * x * (0.5 * v).sin() * (rest + 0.5 * v).sin()).max(f64::MIN_POSITIVE);
+                let share = 2.0 * (0.5 * v).sin() * (rest + 0.5 * v).sin();
+                // Below the smallest normal number f′ has no digits: it is 0 there, or larger by less than the ratio of the distances,
+                // or else its integral has no value.
+                if (self.singular || lower == 0.0) && x * share < f64::MIN_POSITIVE {
+                    *clipped = (f64::MIN_POSITIVE / x / share).min(f64::MAX);
+                }
+                *distance = (x * share).max(f64::MIN_POSITIVE);
                 // The distance counts from an end that is known to its error only; next to that end `smear` has it.
                 let own = if *distance > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
                 *doubt = with_ulps(*distance, 12.0).error + own;
             }
             self.slope.block(&distances[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
             for (i, height) in heights.iter_mut().enumerate().take(count) {
-                let slope = Bounded { value: values[i], error: errors[i] };
+                let slope = Bounded { value: values[i], error: errors[i] + clipped[i] * values[i].abs() };
                 let (_, rest) = place(&points[i]);
                 *height = match weight {
                     Weight::Slope => slope,
