@@ -22,11 +22,11 @@ pub fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
 /// An archive of named arrays: a ZIP file whose members are not compressed, as `numpy.savez` writes it.
 pub(super) struct Archive(ZipArchiveWriter<Vec<u8>>);
 
-/// 1 January 1980, the first date of ZIP: the same numbers give the same file.
+/// 1 January 1980, the earliest date of ZIP: a fixed date, so that equal arrays give equal files.
 const FIRST_DATE: i64 = 315_532_800;
 
 impl Archive {
-    /// An archive without arrays.
+    /// Creates an archive without arrays.
     pub(super) fn new() -> Self {
         Self(ZipArchiveWriter::new(Vec::new()))
     }

@@ -77,7 +77,8 @@ pub(super) fn measure<'a>(
     problem: &Problem<'_>,
     truths: &[Truth],
     candidates: Vec<Candidate<'a>>,
-    (budget, rounds): (Duration, usize),
+    budget: Duration,
+    rounds: usize,
 ) -> (Vec<Row>, Vec<Skipped>) {
     let start = Instant::now();
     // Errors and set-ups may take half of the time, rounds the rest.

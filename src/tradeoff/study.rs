@@ -15,7 +15,7 @@ const SHARP: f64 = 1e-14;
 pub struct Options {
     /// The time that the measurement may take, by the clock on the wall; a single slow value may run beyond it.
     pub budget: Duration,
-    /// The number of batches whose median is a time, at least 1; errors do not depend on it.
+    /// Number of batches that each time is the median of, at least 1; errors do not depend on it.
     pub rounds: usize,
     /// The accuracies for which advice is wanted.
     pub wanted: Vec<f64>,
@@ -93,7 +93,7 @@ fn measured<'a>(mut problem: Problem<'a>, options: &Options) -> Result<Study<'a>
         }
     }
     let left = options.budget.saturating_sub(start.elapsed());
-    let (mut rows, dropped) = measure(&problem, &truths, candidates, (left, options.rounds));
+    let (mut rows, dropped) = measure(&problem, &truths, candidates, left, options.rounds);
     skipped.extend(dropped);
     front::mark(&mut rows);
     let advice = options.wanted.iter().map(|wanted| front::advise(&rows, *wanted)).collect();

@@ -186,11 +186,11 @@ impl Range for Angles<'_> {
         }
         let numbers: &Numbers = limit.map_or(&self.segment.slope, |limit| &limit.slope);
         numbers.block(&arguments[..count], &doubts[..count], values, errors, scratch);
-        let is_flat = self.power.is_none() && self.segment.lower.value > 0.0;
+        let varies = self.segment.varies_next_to_lower();
         for (((value, error), (factor, share, flat)), argument) in values.iter_mut().zip(errors).zip(factors).zip(arguments) {
-            // At a smaller distance f′ is not known, but where it hardly changes behind a kink.
-            let clipped = if is_flat || argument > f64::MIN_POSITIVE { 0.0 } else { f64::INFINITY };
-            *error = *error * factor + value.abs() * (share * factor + flat) + clipped;
+            // `delta` is at least the smallest normal number, below which nothing is proven.
+            let unknown = if varies && argument <= f64::MIN_POSITIVE { f64::INFINITY } else { 0.0 };
+            *error = *error * factor + value.abs() * (share * factor + flat) + unknown;
             *value *= factor;
         }
     }

@@ -13,7 +13,7 @@ use super::slope_source::{NO_BEND, Numbers, Scratch};
 use super::term::Segment;
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
-use crate::num::quadrature::{Options, Panel, Point, Rule, integrate_blocks};
+use crate::num::quadrature::{Options, Panel, Point, Rule, growth_below_normal, integrate_blocks};
 use crate::num::{Bound, Bounded, Estimate, NumError, forms, work};
 use std::sync::OnceLock;
 
@@ -326,15 +326,13 @@ impl NumericSegment {
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
             let count = points.len().min(MOST);
             let (mut distances, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
-            let mut clipped = [0.0; MOST];
-            for (((point, distance), doubt), clipped) in points.iter().zip(&mut distances).zip(&mut doubts).zip(&mut clipped) {
+            let mut growths = [0.0; MOST];
+            for (((point, distance), doubt), growth) in points.iter().zip(&mut distances).zip(&mut doubts).zip(&mut growths) {
                 let (v, rest) = place(point);
                 // r − lower = 2x sin(v/2) sin(π/2 − t_lower − v/2): every factor is positive.
                 let share = 2.0 * (0.5 * v).sin() * (rest + 0.5 * v).sin();
-                // Below the smallest normal number f′ has no digits: it is 0 there, or larger by less than the ratio of the distances,
-                // or else its integral has no value.
-                if (self.singular || lower == 0.0) && x * share < f64::MIN_POSITIVE {
-                    *clipped = (f64::MIN_POSITIVE / x / share).min(f64::MAX);
+                if self.varies_next_to_lower() {
+                    *growth = growth_below_normal(x, share);
                 }
                 *distance = (x * share).max(f64::MIN_POSITIVE);
                 // The distance counts from an end that is known to its error only; next to that end `smear` has it.
@@ -343,7 +341,7 @@ impl NumericSegment {
             }
             self.slope.block(&distances[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
             for (i, height) in heights.iter_mut().enumerate().take(count) {
-                let slope = Bounded { value: values[i], error: errors[i] + clipped[i] * values[i].abs() };
+                let slope = Bounded { value: values[i], error: errors[i] + growths[i] * values[i].abs() };
                 let (_, rest) = place(&points[i]);
                 *height = match weight {
                     Weight::Slope => slope,
@@ -388,6 +386,11 @@ impl NumericSegment {
         // The rounding of the angle, and of the interval's ends.
         found.error += 8.0 * f64::EPSILON * found.value.abs() + smear;
         Ok(found)
+    }
+
+    /// Returns true if f′ may change by more than rounding within the smallest normal number of the lower end.
+    pub(super) fn varies_next_to_lower(&self) -> bool {
+        self.singular || self.lower.value == 0.0
     }
 
     /// By pieces with a proof, or by nested rules. Next to the end of f′ these have a variable made for it: they come first where nothing

@@ -25,7 +25,7 @@ pub(super) const NPY: &[u8] = b"\x93NUMPY";
 pub(super) const NPZ: &[u8] = b"PK\x03\x04";
 /// Most bytes of all arrays together.
 const LONGEST: u64 = 1_000_000_000;
-/// Most arrays of an archive.
+/// Maximum number of members of an archive.
 const MOST: usize = 1000;
 const HELP: &str = "arrays of real numbers as numpy.save and numpy.savez write them would be accepted";
 
@@ -40,7 +40,7 @@ pub(super) fn arrays(name: &str, stem: &str, bytes: Vec<u8>) -> Result<Vec<Array
     for (index, member) in archive.entries().enumerate() {
         let part = |error: rawzip::Error| fault(format!("member {}: {error}", index + 1));
         if index == MOST {
-            return Err(fault(format!("there are more arrays than the {MOST} that are read")));
+            return Err(fault(format!("the archive has more than {MOST} members")));
         }
         let member = member.map_err(part)?;
         let name = String::from_utf8_lossy(member.file_path().as_bytes()).into_owned();
@@ -52,7 +52,7 @@ pub(super) fn arrays(name: &str, stem: &str, bytes: Vec<u8>) -> Result<Vec<Array
             CompressionMethod::DEFLATE => content(packed.verifying_reader(DeflateDecoder::new(packed.data())), LONGEST - total),
             other => {
                 let name = other.name().unwrap_or("unknown");
-                return Err(whole(&format_args!("compression {name} is not read, expected a member that is stored or deflated")));
+                return Err(whole(&format_args!("unsupported compression method {name}; expected stored or deflated members")));
             }
         };
         let content = content.map_err(|error| whole(&error))?;
@@ -65,7 +65,7 @@ pub(super) fn arrays(name: &str, stem: &str, bytes: Vec<u8>) -> Result<Vec<Array
     Ok(list)
 }
 
-/// Reads one member to its end, where its length and checksum are compared, or to one byte beyond `most`.
+/// Reads a member to its end, which verifies its length and checksum, or one byte more than `most`.
 fn content(member: impl Read, most: u64) -> std::io::Result<Vec<u8>> {
     let mut content = Vec::new();
     member.take(most + 1).read_to_end(&mut content)?;

@@ -358,6 +358,13 @@ fn a_comparison_without_points_does_not_pass() {
     assert_eq!((partial.code, &answer["g"]["verdict"], &answer["p"]["verdict"]), (0, &"passed".into(), &"not compared".into()));
 }
 
+/// Returns the verdict of the check of `derive`, and whether g, d, F and p were compared.
+fn compared(profile: &str) -> (String, [bool; 4]) {
+    let derived = json(&["derive", profile, "--json"]);
+    let verdict = derived["check"]["verdict"].as_str().unwrap().to_owned();
+    (verdict, ["g", "d", "F", "p"].map(|key| derived[key]["compared"].as_bool().unwrap()))
+}
+
 /// Class "a comparison without digits passes": the quadrature of a power just above 0 has none, as the check of `derive` says too.
 #[test]
 fn a_comparison_without_digits_does_not_pass() {
@@ -365,11 +372,7 @@ fn a_comparison_without_digits_does_not_pass() {
         let ran = run(&["compare", profile, "--json"]);
         let answer: Value = serde_json::from_str(&ran.stdout).unwrap();
         assert_eq!((ran.code, &answer["g"]["points"], &answer["g"]["verdict"]), (1, &0.into(), &"not compared".into()), "{profile}");
-        let derived = json(&["derive", profile, "--json"]);
-        assert_eq!(derived["check"]["verdict"], "not compared", "{profile}");
-        for key in ["g", "d", "F", "p"] {
-            assert_eq!(derived[key]["compared"], false, "{profile}, {key}");
-        }
+        assert_eq!(compared(profile), ("not compared".to_owned(), [false; 4]), "{profile}");
     }
 }
 
@@ -377,11 +380,7 @@ fn a_comparison_without_digits_does_not_pass() {
 #[test]
 fn high_powers_are_compared() {
     for profile in ["r^1000", "C*r^800", "r^300+r^2", "(1+r/b)^90", "r^(1001/2)"] {
-        let derived = json(&["derive", profile, "--json"]);
-        assert_eq!(derived["check"]["verdict"], "passed", "{profile}");
-        for key in ["g", "d", "F", "p"] {
-            assert_eq!(derived[key]["compared"], true, "{profile}, {key}");
-        }
+        assert_eq!(compared(profile), ("passed".to_owned(), [true; 4]), "{profile}");
     }
 }
 

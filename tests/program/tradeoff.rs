@@ -38,7 +38,7 @@ fn json_has_every_method_and_its_keys() {
     let path = place("sphere.svg");
     let document = json(&["R-sqrt(R^2-r^2)", "--set", "R=2", "--at", "1,1.5", "-o", path.to_str().unwrap()]);
     is_one_well_formed_svg(&fs::read_to_string(&path).unwrap());
-    // F(a) as its law has it: E* [(R² + a²) artanh(a/R) − R a] (Segedin), E* = 1, R = 2, a = 1.
+    // F(a) = E* [(R² + a²) artanh(a/R) − R a] (Segedin) with E* = 1, R = 2, a = 1.
     let (value, law) = (document["points"][0]["value"].as_f64().unwrap(), 5.0 * 0.5_f64.atanh() - 2.0);
     assert!((value - law).abs() < 1e-15 * law, "{value} {law}");
     assert_eq!(document["quantity"], "F");
@@ -186,7 +186,7 @@ fn the_slow_integral_agrees_with_the_closed_form() {
     }
 }
 
-/// One batch for each time: errors do not depend on their number.
+/// Runs a study with one batch for each time, because errors do not depend on the number of batches.
 fn studied(text: &str, quantity: Quantity, (radius, at): (Option<f64>, Option<Vec<f64>>), look: impl FnOnce(&Study<'_>)) {
     let solution = solved(text);
     let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
@@ -249,7 +249,7 @@ fn a_slice_of_the_closed_form_has_every_digit() {
         let solution = solved(text);
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
         let Problem { points, radius, .. } = Problem::new(&solution, &evaluator, quantity, None, None).unwrap();
-        // As long as those whose time is measured: a short one may go another way.
+        // As long as the slices that a study measures, because short slices may be evaluated differently.
         let long: Vec<f64> = points.iter().copied().cycle().take(131_072).collect();
         let mut values = vec![0.0; long.len()];
         let out = Slice::values(&mut values);
@@ -262,6 +262,7 @@ fn a_slice_of_the_closed_form_has_every_digit() {
         for (at, value) in points.iter().zip(values) {
             let inputs: Vec<f64> = std::iter::once(*at).chain(radius).collect();
             let truth = evaluator.with_30_digits(inner, &inputs).unwrap().unwrap();
+            assert!(truth.error < 1e-20 * truth.value.hi.abs(), "{text} at {at}: {truth:?}");
             let error = truth.value.sub(DoubleDouble::from(value)).hi.abs() / truth.value.hi.abs();
             // Three quarters of a unit in the last place of a number next to a power of two.
             assert!(error < 0.75 * f64::EPSILON, "{text} at {at}: {error:e}");

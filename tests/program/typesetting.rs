@@ -120,9 +120,9 @@ fn no_character_is_lost() {
             let latex = answer(&[&["derive", rule.pattern, "--format", "latex", "--standalone"], more].concat());
             assert!(!latex.contains('?') && !latex.contains("[U+"), "{}: {latex}", rule.id);
         }
-        // The formulas that stand there without the steps are the last of them.
+        // The output with the steps contains every formula of the output without them.
         let mathml = answer(&["derive", rule.pattern, "--steps", "--format", "mathml"]);
-        // Text stands in <mi>, <mn>, <mo> and <mtext> only.
+        // Text is allowed only inside <mi>, <mn>, <mo> and <mtext>.
         for row in mathml.split("<mrow>").skip(1) {
             assert!(row.is_empty() || row.starts_with('<'), "{}: {}", rule.id, row.chars().take(60).collect::<String>());
         }

@@ -186,7 +186,7 @@ fn values_beyond_the_range_of_doubles_are_refused() {
     assert!(energy.value == 0.0 && energy.error > 0.0, "{energy:?}");
 }
 
-/// Class "quadrature next to underflow": a length in any unit is the same length, g(s x; s R) = s g(x; R), down to the smallest doubles.
+/// Class "quadrature next to underflow": g(s x; s R) = s g(x; R) down to the smallest doubles.
 #[test]
 fn lengths_next_to_underflow_keep_their_bounds() {
     let quadrature = |text: &str, scale: f64, x: f64| {
@@ -207,5 +207,5 @@ fn lengths_next_to_underflow_keep_their_bounds() {
             }
         }
     }
-    assert!(answered > 100, "{answered}");
+    assert!(answered >= 120, "{answered}");
 }

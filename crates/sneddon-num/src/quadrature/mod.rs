@@ -11,7 +11,7 @@ mod tests;
 mod transform;
 
 pub use abel::{AbelOptions, AbelTransform, Radii, Start, Strip, abel, abel_force};
-pub use abel::{CHUNK, Extent, Form, Wish, from_the_axis};
+pub use abel::{CHUNK, Extent, Form, Wish, from_the_axis, growth_below_normal};
 pub use adaptive::{Options, Rule, integrate, integrate_blocks};
 pub use even::{EvenIntegrand, Known, Mean, Middles, Nodes, mean};
 pub use transform::{EndBehaviour, Panel, Point};

@@ -6,7 +6,7 @@ mod start;
 mod transform;
 
 pub use forms::{CHUNK, Extent, Form};
-pub use start::{Wish, from_the_axis};
+pub use start::{Wish, from_the_axis, growth_below_normal};
 pub use transform::AbelTransform;
 
 use super::super::bounded::UNIT;

@@ -113,6 +113,16 @@ pub fn from_the_axis(
     Ok((None, work.evaluations))
 }
 
+/// Returns a bound on |f′(r)/f′(r₀)| − 1 for r = x·share below the smallest normal number r₀, or 0 if r is not below it.
+///
+/// At such radii f′ has too few digits, so it is evaluated at r₀ instead.
+/// It may be 0 there, or larger: by less than r₀/r, because an f′ that grows like 1/r has no integral.
+#[inline]
+#[must_use]
+pub fn growth_below_normal(x: f64, share: f64) -> f64 {
+    if x * share < f64::MIN_POSITIVE { (f64::MIN_POSITIVE / x / share).min(f64::MAX) } else { 0.0 }
+}
+
 /// By how much a rule is better than the one of twice its step, from the last two relative differences between rules.
 ///
 /// The error of half the step is the square of that of the step. Where that is seen to happen the root of the difference is
@@ -156,7 +166,7 @@ impl Trapezium {
             }
             let (mut r, mut below, mut out, mut errors) = ([0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK], [0.0; CHUNK]);
             for (((r, below), sine), versine) in r.iter_mut().zip(&mut below).zip(sine).zip(versine) {
-                // Below the smallest normal number f′ has no digits.
+                // See `growth_below_normal`.
                 *r = (extent.x * sine).max(f64::MIN_POSITIVE);
                 *below = extent.rest + extent.x * versine;
             }
@@ -167,11 +177,8 @@ impl Trapezium {
                 ask(at, &mut out[..count], &mut errors[..count]);
             }
             self.evaluations += count as u64;
-            // f′ at a smaller radius is 0, or larger by less than the ratio of the radii, or else its integral has no value.
-            for ((error, out), sine) in
-                errors.iter_mut().zip(&out).zip(sine).take(count).filter(|(_, sine)| extent.x * **sine < f64::MIN_POSITIVE)
-            {
-                *error += out.abs() * (f64::MIN_POSITIVE / extent.x / sine).min(f64::MAX);
+            for ((error, out), sine) in errors.iter_mut().zip(&out).zip(sine).take(count) {
+                *error += out.abs() * growth_below_normal(extent.x, *sine);
             }
             let (mut sum, mut size, mut noise) = (0.0, 0.0, 0.0);
             let mut last = [0.0; 2];
