@@ -8,6 +8,7 @@ use sneddon::num::{Bounded, Estimate};
 use sneddon::parse;
 use sneddon::transform::inner::Cells;
 use sneddon::transform::{Closure, Evaluator, Method, Parity, Profile, Quantities, TransformError, derive};
+use sneddon_checks::formulas::derived;
 use sneddon_checks::quantities::quantity;
 use sneddon_checks::rows::rows;
 use std::f64::consts::PI;
@@ -374,6 +375,27 @@ fn kinks_among_noise_are_found() {
             let truth = scale * x * (x / radius).atanh() + slope * x * (0.5 * PI - 2.0 * (b / x).asin());
             let Estimate { value, error, .. } = own.slope(x).unwrap().estimate;
             assert!((value - truth).abs() <= error && error <= 1e-8 * truth, "{radius}, {x}: {value} ± {error}, {truth}");
+        }
+    }
+}
+
+/// Class "a kink that a wide fit smooths": a fit from the axis to far beyond the kink must not replace the narrow fits beside it.
+#[test]
+fn kinks_between_the_axis_and_the_end_of_a_wide_fit_are_found() {
+    for (w, c, b) in
+        [(0.67_f64, 1.0, 0.9_f64), (1.22, 3.0, 0.53), (1.62, 1.0, 0.94), (0.43, 0.5, 0.83), (2.23, 1.0, 1.16), (0.58, 0.5, 1.09)]
+    {
+        let own = Closure::real(move |r| (r / w - (r / w).sin()) * (c + (r - b).abs())).profile().unwrap();
+        // The kink of a formula is known.
+        let solution = derived(&format!("(r/{w:?}-sin(r/{w:?}))*({c:?}+abs(r-{b:?}))"));
+        let formula = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+        for x in [1.0003, 1.05, 1.4, 2.5].map(|share| share * b) {
+            for (found, truth) in [(own.slope(x), formula.slope(x)), (own.force(x), formula.force(x))] {
+                let (found, truth) = (found.unwrap().estimate, truth.unwrap().estimate);
+                let off = (found.value - truth.value).abs();
+                assert!(off <= found.error + truth.error, "w = {w}, b = {b}, {x}: {off:e} beyond {:e}", found.error);
+                assert!(found.error <= 1e-8 * truth.value, "w = {w}, b = {b}, {x}: {found:?}");
+            }
         }
     }
 }

@@ -65,6 +65,8 @@ struct Doubling {
     cuts: Vec<f64>,
     /// Sum of the noise over runs of adjacent cells, because isolated noise may be a step of φ.
     steps: f64,
+    /// True if the fit that begins at the axis has the slopes of the cells.
+    agrees: OnceLock<bool>,
 }
 
 /// Returns a bound on the slope at r that noise of this size can hide.
@@ -119,6 +121,16 @@ impl Cells {
     /// Returns a bound on the slope at r of steps of φ that were taken for noise.
     pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         self.doubling(r, phi).map_or(0.0, |own| hidden_slope(own.steps, r))
+    }
+
+    /// Returns true if `other` has the slopes of all cells between the powers of two around r, within both bounds. It must be the same
+    /// function whenever this is asked for the same powers of two.
+    pub(super) fn agree(&self, r: f64, phi: &impl Fn(f64) -> Bounded, other: &impl Fn(f64) -> Option<Bounded>) -> bool {
+        let same = |cell: &Cell| {
+            let (own, other) = (cell.derivative(1, cell.middle), other(cell.middle));
+            other.is_none_or(|other| (own.value - other.value).abs() <= own.error + other.error || own.value.is_nan())
+        };
+        self.doubling(r, phi).is_none_or(|own| *own.agrees.get_or_init(|| own.cells.iter().all(same)))
     }
 
     /// A place not far below r at which φ is not smooth, if there is one: derivatives do not show what happens there.
@@ -176,7 +188,7 @@ impl Cells {
         }
         let runs = cells.chunk_by(|one, other| (one.accepted > 0.0) == (other.accepted > 0.0));
         let steps = runs.map(|run| run.iter().fold(0.0, |most: f64, cell| most.max(cell.accepted))).sum();
-        Doubling { cells, seam, cuts: cuts(&sizes), steps }
+        Doubling { cells, seam, cuts: cuts(&sizes), steps, agrees: OnceLock::new() }
     }
 
     /// Returns the places below r next to which φ is least smooth, in ascending order.

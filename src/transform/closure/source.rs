@@ -150,7 +150,10 @@ impl Piece {
             return Some(own);
         }
         let between = self.cells.derivative(order, r, &phi);
-        (between.error.is_nan() || own.error <= between.error).then_some(own)
+        let is_better = between.error.is_nan() || own.error <= between.error;
+        // A fit that begins at the axis may be too wide to see a kink that the cells around it see.
+        let slope = |r: f64| self.starts.as_ref()?.derivative(1, r, &phi);
+        (is_better && self.cells.agree(r, &phi, &slope)).then_some(own)
     }
 
     /// Returns a bound on the slope at r of steps of f that were taken for noise.

@@ -22,6 +22,10 @@ const TRACES: f64 = 1e4;
 const RECENT: usize = 4;
 /// Maximum ratio of rounding errors between one narrow fit and those next to it; a larger one is a kink.
 const GROWTH: f64 = 1e4;
+/// Widths of narrower fits as shares of an octave.
+const CLOSE_UPS: [f64; 3] = [1e-1, 1e-2, 1e-3];
+/// φ changes by more than this multiple of its supposed rounding error within a narrower fit that shows the true one.
+const SEVERAL: f64 = 10.0;
 /// Beyond this share of its fit a radius is left to the fits between powers of two.
 const REACH: f64 = 0.75;
 
@@ -30,11 +34,18 @@ pub(super) struct Starts {
     upper: f64,
     fits: Box<[OnceLock<Fit>]>,
     /// Fits between one power of two and the next, beside which the others must stand.
-    octaves: Box<[OnceLock<Cell>]>,
+    octaves: Box<[OnceLock<Octave>]>,
     /// Which fit serves radii between one power of two and the next.
     chosen: Box<[OnceLock<Option<i32>>]>,
     /// The fit that serves radii at which nothing is seen of φ.
     first: OnceLock<i32>,
+}
+
+/// A fit between one power of two and the next.
+struct Octave {
+    cell: Cell,
+    /// The apparent rounding error of φ.
+    rounding: f64,
 }
 
 struct Fit {
@@ -65,9 +76,9 @@ impl Starts {
     pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         let octave = exponent_of(r).and_then(|exponent| {
             let from = libm::scalbn(1.0, exponent);
-            kept(self.octaves.get(place_of(exponent)?)?, || Cell::fit((from, (2.0 * from).min(self.upper)), 2.0 * from, phi))
+            kept(self.octaves.get(place_of(exponent)?)?, || Octave::new(from, (2.0 * from).min(self.upper), phi))
         });
-        octave.map_or(0.0, |own| hidden_slope(own.noise(), r))
+        octave.map_or(0.0, |own| hidden_slope(own.cell.noise(), r))
     }
 
     /// Returns true if φ is smooth from the axis to beyond r; the fit that shows it then serves smaller radii at which no other fit does.
@@ -135,7 +146,7 @@ impl Starts {
             if to > own.cell.end() {
                 return true;
             }
-            let Some(octave) = kept(place, || Cell::fit((from, to), to, phi)) else { return false };
+            let Some(Octave { cell: octave, rounding }) = kept(place, || Octave::new(from, to, phi)) else { return false };
             let level = octave.last(LAST);
             let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
             // Below its rounding further out φ may look smooth again, as 1 - sin(r)/r does where sin(r)/r rounds to 1.
@@ -146,10 +157,10 @@ impl Starts {
                 return false;
             }
             if blind {
-                traces = traces.max(octave.rounding(LAST));
+                traces = traces.max(*rounding);
             } else {
                 recent.rotate_right(1);
-                recent[0] = octave.rounding(LAST);
+                recent[0] = *rounding;
                 traces = recent.into_iter().filter(|own| own.is_finite()).fold(0.0, f64::max);
             }
             // Where a narrow fit sees nothing but noise, it says little; elsewhere it sees slopes.
@@ -165,6 +176,21 @@ impl Starts {
 /// Returns true if nothing but noise is seen of φ.
 fn is_blind(cell: &Cell) -> bool {
     cell.last(LAST) >= BLIND * cell.spread()
+}
+
+impl Octave {
+    fn new(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
+        let cell = Cell::fit((from, to), to, phi);
+        let rounding = cell.rounding(LAST);
+        // The last coefficients of a fit that has not resolved φ may be those of a wave or a kink. A much narrower fit has those of noise
+        // if φ changes by several times as much within it.
+        let near = || {
+            let fits = CLOSE_UPS.into_iter().map(|share| Cell::fit((from, from + share * (to - from)), to, phi));
+            fits.filter(|own| own.spread() > SEVERAL * rounding).fold(rounding, |least, own| least.min(own.rounding(LAST)))
+        };
+        let rounding = if cell.is_resolved() { rounding } else { near() };
+        Self { cell, rounding }
+    }
 }
 
 impl Fit {
