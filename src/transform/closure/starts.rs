@@ -32,9 +32,9 @@ const REACH: f64 = 0.75;
 /// The fits of one function to 0 ≤ r ≤ 2^k, made where they are asked for.
 pub(super) struct Starts {
     upper: f64,
-    fits: Box<[OnceLock<Fit>]>,
+    fits: Box<[OnceLock<Box<Fit>>]>,
     /// Fits between one power of two and the next, beside which the others must stand.
-    octaves: Box<[OnceLock<Octave>]>,
+    octaves: Box<[OnceLock<Box<Octave>>]>,
     /// Which fit serves radii between one power of two and the next.
     chosen: Box<[OnceLock<Option<i32>>]>,
     /// The fit that serves radii at which nothing is seen of φ.
@@ -76,7 +76,7 @@ impl Starts {
     pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         let octave = exponent_of(r).and_then(|exponent| {
             let from = libm::scalbn(1.0, exponent);
-            kept(self.octaves.get(place_of(exponent)?)?, || Octave::new(from, (2.0 * from).min(self.upper), phi))
+            kept(self.octaves.get(place_of(exponent)?)?, || Octave::boxed(from, (2.0 * from).min(self.upper), phi))
         });
         octave.map_or(0.0, |own| hidden_slope(own.cell.noise(), r))
     }
@@ -115,7 +115,7 @@ impl Starts {
     }
 
     fn fit(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> Option<&Fit> {
-        kept(self.fits.get(place_of(k)?)?, || Fit::new(libm::scalbn(1.0, k).min(self.upper), phi))
+        Some(kept(self.fits.get(place_of(k)?)?, || Fit::boxed(libm::scalbn(1.0, k).min(self.upper), phi))?.as_ref())
     }
 
     /// Returns true if nothing but rounding is seen of φ, by this fit and by the narrow ones below.
@@ -146,7 +146,8 @@ impl Starts {
             if to > own.cell.end() {
                 return true;
             }
-            let Some(Octave { cell: octave, rounding }) = kept(place, || Octave::new(from, to, phi)) else { return false };
+            let Some(found) = kept(place, || Octave::boxed(from, to, phi)) else { return false };
+            let Octave { cell: octave, rounding } = found.as_ref();
             let level = octave.last(LAST);
             let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
             // Below its rounding further out φ may look smooth again, as 1 - sin(r)/r does where sin(r)/r rounds to 1.
@@ -179,7 +180,7 @@ fn is_blind(cell: &Cell) -> bool {
 }
 
 impl Octave {
-    fn new(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
+    fn boxed(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> Box<Self> {
         let cell = Cell::fit((from, to), to, phi);
         let rounding = cell.rounding(LAST);
         // The last coefficients of a fit that has not resolved φ may be those of a wave or a kink. A much narrower fit has those of noise
@@ -189,18 +190,18 @@ impl Octave {
             fits.filter(|own| own.spread() > SEVERAL * rounding).fold(rounding, |least, own| least.min(own.rounding(LAST)))
         };
         let rounding = if cell.is_resolved() { rounding } else { near() };
-        Self { cell, rounding }
+        Box::new(Self { cell, rounding })
     }
 }
 
 impl Fit {
-    fn new(end: f64, phi: &impl Fn(f64) -> Bounded) -> Self {
+    fn boxed(end: f64, phi: &impl Fn(f64) -> Bounded) -> Box<Self> {
         let cell = Cell::fit((0.0, end), end, phi);
         let (level, spread) = (cell.last(LAST), cell.spread());
         let noise = if cell.is_resolved() { 0.0 } else { 4.0 * level };
         let start = cell.derivative_within(1, 0.0, noise);
         let flat = start.value.abs() <= start.error;
-        Self { cell, level, noise, spread, stands: OnceLock::new(), flat }
+        Box::new(Self { cell, level, noise, spread, stands: OnceLock::new(), flat })
     }
 
     fn derivative(&self, order: usize, r: f64) -> Bounded {
