@@ -1,41 +1,57 @@
 //! What the special functions in a formula mean, with the convention of their arguments.
 
-use crate::expr::{Expr, Formula, Function, Node, shown_as_mathematics};
+use crate::expr::{Expr, Formula, Node, shown_as_mathematics};
 use crate::print::Prose;
+use std::collections::BTreeSet;
 
 /// A sentence for every special function that occurs and that has no single definition everywhere.
 pub(super) fn of(formulas: &[Formula]) -> Vec<Prose> {
-    DEFINITIONS
-        .iter()
-        .filter(|(names, _)| {
-            let wanted = |function: &Function| names.contains(&function.name());
-            formulas.iter().any(|formula| occurs(formula, &wanted))
-        })
-        .map(|(_, sentence)| Prose::words(sentence))
-        .collect()
+    let mut found = BTreeSet::new();
+    for formula in formulas {
+        in_formula(formula, &mut found);
+    }
+    let occur = |names: &[&str]| names.iter().any(|name| found.contains(name));
+    DEFINITIONS.iter().filter(|(names, _)| occur(names)).map(|(_, sentence)| Prose::words(sentence)).collect()
 }
 
-fn occurs(formula: &Formula, wanted: &impl Fn(&Function) -> bool) -> bool {
+/// Adds the names of the functions in a formula.
+fn in_formula(formula: &Formula, found: &mut BTreeSet<&'static str>) {
     match formula {
-        Formula::Closed(expr) => calls(expr, wanted),
-        Formula::Sum(parts) => parts.iter().any(|part| occurs(part, wanted)),
-        Formula::Scaled(factor, inner) => calls(factor, wanted) || occurs(inner, wanted),
-        Formula::Piecewise { pieces, last, .. } => {
-            occurs(last, wanted) || pieces.iter().any(|(value, end)| occurs(value, wanted) || calls(end, wanted))
+        Formula::Closed(expr) => in_expression(expr, found),
+        Formula::Sum(parts) => parts.iter().for_each(|part| in_formula(part, found)),
+        Formula::Scaled(factor, inner) => {
+            in_expression(factor, found);
+            in_formula(inner, found);
         }
-        Formula::Integral { integrand, lower, upper, .. } => occurs(integrand, wanted) || calls(lower, wanted) || calls(upper, wanted),
+        Formula::Piecewise { pieces, last, .. } => {
+            in_formula(last, found);
+            for (value, end) in pieces {
+                in_formula(value, found);
+                in_expression(end, found);
+            }
+        }
+        Formula::Integral { integrand, lower, upper, .. } => {
+            in_formula(integrand, found);
+            in_expression(lower, found);
+            in_expression(upper, found);
+        }
     }
 }
 
-fn calls(expr: &Expr, wanted: &impl Fn(&Function) -> bool) -> bool {
+/// Adds the names of the functions in an expression as it is shown.
+fn in_expression(expr: &Expr, found: &mut BTreeSet<&'static str>) {
     /// Larger expressions are not looked through.
     const SIZE: usize = 10_000;
-    fn any(expr: &Expr, wanted: &impl Fn(&Function) -> bool) -> bool {
-        matches!(expr.node(), Node::Function(function, _) if wanted(function))
-            || expr.children().into_iter().any(|child| any(child, wanted))
+    fn every(expr: &Expr, found: &mut BTreeSet<&'static str>) {
+        if let Node::Function(function, _) = expr.node() {
+            found.insert(function.name());
+        }
+        expr.children().into_iter().for_each(|child| every(child, found));
     }
     let shown = shown_as_mathematics(expr);
-    shown.size_up_to(SIZE) < SIZE && any(&shown, wanted)
+    if shown.size_up_to(SIZE) < SIZE {
+        every(&shown, found);
+    }
 }
 
 /// Functions, and the sentence that defines them.
