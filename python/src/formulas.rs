@@ -213,9 +213,25 @@ pub(crate) fn inverted<'py>(
 
 /// A document as text.
 fn written(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<String, Fault> {
-    let mut out = Vec::new();
+    let mut out = Page(Vec::new());
     write(&mut out).map_err(|error| Fault::new(error.to_string()))?;
-    Ok(String::from_utf8_lossy(&out).into_owned())
+    Ok(String::from_utf8_lossy(&out.0).into_owned())
+}
+
+/// A document in memory, which ends with an error once the work is stopped: formulas of thousands of terms take long to write.
+struct Page(Vec<u8>);
+
+impl Write for Page {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if work::is_stopped() {
+            return Err(io::Error::other("the work was stopped"));
+        }
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
 }
 
 /// The document that `sneddon rules --json` prints.
