@@ -2,6 +2,7 @@
 
 use super::{Contact, ContactError};
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
+use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, NumError};
 use crate::transform::{Quantities, TransformError};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -65,8 +66,8 @@ impl<'c, P: Quantities> PartialForce<'c, P> {
         let corners = [x0.hypot(y0), x1.hypot(y0), x0.hypot(y1), x1.hypot(y1)];
         // The circle of radius r lies in the rectangle from the larger of two angles to the smaller of two others.
         let arc = |r: f64| {
-            let acos = |x: f64| if r > x { ((r - x) * (r + x)).sqrt().atan2(x) } else { 0.0 };
-            let asin = |y: f64| if r > y { y.atan2(((r - y) * (r + y)).sqrt()) } else { FRAC_PI_2 };
+            let acos = |x: f64| if r > x { leg(r, x).atan2(x) } else { 0.0 };
+            let asin = |y: f64| if r > y { y.atan2(leg(r, y)) } else { FRAC_PI_2 };
             let (upper, lower) = (acos(x0).min(asin(y1)), acos(x1).max(if y0 > 0.0 { asin(y0) } else { 0.0 }));
             Bounded { value: (upper - lower).max(0.0), error: 6.0 * f64::EPSILON * (upper + lower) }
         };

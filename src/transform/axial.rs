@@ -4,7 +4,8 @@ use super::TransformError;
 use super::admit::finite_and_not_negative;
 use super::integral::{MOST, NumericProfile, NumericSegment, Weight, magnitude, settle, with_ulps};
 use super::slope_source::Scratch;
-use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
+use crate::num::quadrature::{Options, Panel, Point, growth_below_normal, integrate_blocks};
+use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, forms};
 
 impl NumericProfile {
@@ -45,7 +46,7 @@ impl NumericSegment {
         let lower = self.lower.value;
         let end = self.upper.map_or(a, |upper| upper.value.min(a));
         let zero = Estimate::exact(0.0);
-        let heaviest = |r: f64| weight(r, ((a - r) * (a + r)).max(0.0).sqrt() / a, z, a);
+        let heaviest = |r: f64| weight(r, leg(a, r.min(a)) / a, z, a);
         let smear = self.smear(a, Weight::Slope);
         let smear = if smear > 0.0 { smear * heaviest(lower.min(a)).max(heaviest(end)) } else { 0.0 };
         if lower >= end {
@@ -72,23 +73,30 @@ impl NumericSegment {
     fn axial_between(&self, from: f64, to: f64, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
         let width = forms::angle_between(from, if to < a { to } else { f64::INFINITY }, a);
-        let beyond = if to < a { ((a - to) * (a + to)).sqrt().atan2(to) } else { 0.0 };
+        let beyond = if to < a { leg(a, to).atan2(to) } else { 0.0 };
         let mut scratch = Scratch::take();
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
             let count = points.len().min(MOST);
             let (mut distances, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
-            for ((point, distance), doubt) in points.iter().zip(&mut distances).zip(&mut doubts) {
+            let (mut radii, mut growths) = ([0.0; MOST], [0.0; MOST]);
+            let places = points.iter().zip(&mut distances).zip(&mut doubts).zip(&mut radii).zip(&mut growths);
+            for ((((point, distance), doubt), r), growth) in places {
                 let (v, rest) = (point.from_lower, beyond + point.from_upper);
                 // r − from = 2a sin(v/2) sin(π/2 − t_from − v/2), as everywhere over the angle.
-                *distance = ((from - lower) + 2.0 * a * (0.5 * v).sin() * (rest + 0.5 * v).sin()).max(f64::MIN_POSITIVE);
+                let share = (from - lower) / a + 2.0 * (0.5 * v).sin() * (rest + 0.5 * v).sin();
+                *r = lower + a * share;
+                if self.varies_next_to_lower() {
+                    *growth = growth_below_normal(a, share);
+                }
+                *distance = (a * share).max(f64::MIN_POSITIVE);
                 let own = if *distance > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
                 *doubt = with_ulps(*distance, 12.0).error + own;
             }
             self.slope.block(&distances[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
             for (i, (height, point)) in heights.iter_mut().zip(points).enumerate().take(count) {
-                let factor = weight(lower + distances[i], (beyond + point.from_upper).sin(), z, a);
+                let factor = weight(radii[i], (beyond + point.from_upper).sin(), z, a);
                 let factor = Bounded { value: factor, error: 64.0 * f64::EPSILON * factor + f64::MIN_POSITIVE };
-                *height = Bounded { value: values[i], error: errors[i] } * factor;
+                *height = Bounded { value: values[i], error: errors[i] + growths[i] * values[i].abs() } * factor;
             }
         };
         let panel = if self.singular && from == lower { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };

@@ -9,6 +9,7 @@ use super::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
 use super::slope_source::{Numbers, Scratch};
 use crate::eval::{RegionAlgebra, Tape};
 use crate::num::bounded::UNIT;
+use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, Region, forms};
 
 impl NumericSegment {
@@ -63,7 +64,7 @@ impl<'a> Angles<'a> {
     pub(super) fn over(segment: &'a NumericSegment, x: f64) -> Self {
         let end = segment.upper.map_or(f64::INFINITY, |upper| upper.value);
         let width = forms::angle_between(segment.lower.value, end, x);
-        let beyond = if end < x { ((x - end) * (x + end)).sqrt().atan2(end) } else { 0.0 };
+        let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };
         Self { segment, power: None, limit: None, x, weight: Weight::Slope, width, beyond, slots: Vec::new() }
     }
 

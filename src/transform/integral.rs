@@ -14,6 +14,7 @@ use super::term::Segment;
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
 use crate::num::quadrature::{Options, Panel, Point, Rule, growth_below_normal, integrate_blocks};
+use crate::num::stable::leg;
 use crate::num::{Bound, Bounded, Estimate, NumError, forms, work};
 use std::sync::OnceLock;
 
@@ -308,7 +309,7 @@ impl NumericSegment {
         }
         let end = self.upper.map_or(f64::INFINITY, |u| u.value);
         let width = forms::angle_between(lower, end, x);
-        let beyond = if end < x { ((x - end) * (x + end)).sqrt().atan2(end) } else { 0.0 };
+        let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };
         let mut scratch = Scratch::take();
         let grades = if rule.is_none() && !self.singular && end >= x { GRADES } else { &[] };
         // The angle from the lower end on, and that to the upper end: points count from the ends of their panels.

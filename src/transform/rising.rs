@@ -8,6 +8,7 @@ use super::pressure::MORE_DIGITS;
 use super::quantity::Quantity;
 use crate::expr::{Symbol, derivative};
 use crate::num::quadrature::{EndBehaviour, Options, Panel, Point, integrate};
+use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, work};
 
 /// Values of g′ that the smallest rule asks for.
@@ -36,7 +37,7 @@ impl Evaluator<'_> {
             let own = total(&forms, &[x], good_enough(self.tolerance));
             Bounded { error: own.error + moved * own.value.abs(), ..own }
         };
-        let reach = (((a - r) * (a + r)).sqrt() / r).asinh();
+        let reach = (leg(a, r) / r).asinh();
         // More digits are no use if not even the first rule can be afforded.
         let (_, each, _) = work::apart(most, || slope(Point { x: 0.5 * reach, from_lower: 0.5 * reach, from_upper: 0.5 * reach }));
         work::spend(each);

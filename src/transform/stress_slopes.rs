@@ -5,6 +5,7 @@ use super::integral::{NumericProfile, NumericSegment, Weight, stricter};
 use super::slope_source::Numbers;
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{EvenIntegrand, Known, Mean, Middles, Nodes, mean};
+use crate::num::stable::leg;
 use crate::num::{Estimate, Region};
 use std::f64::consts::FRAC_PI_2;
 
@@ -23,7 +24,7 @@ impl NumericProfile {
             return None;
         }
         let bend = segment.bend().ok()?;
-        let reach = (((a - s) * (a + s)).sqrt() / s).asinh();
+        let reach = (leg(a, s) / s).asinh();
         let mut slopes = Slopes { segment, bend, s, a, reach, tolerance, largest: 0.0, evaluations: 0 };
         let accepted = |value: f64| 0.95 * tolerance * value.abs();
         let Mean { value, left_out, noise, reached, .. } = mean(&mut slopes, MOST, accepted).ok()?;
@@ -51,7 +52,7 @@ impl NumericProfile {
         }
         let bend = segment.bend().ok()?;
         let slope_at = segment.bend_rule(bend, a)?;
-        let reach = (((a - s) * (a + s)).sqrt() / s).asinh();
+        let reach = (leg(a, s) / s).asinh();
         // x is wrong by as many roundings as u has whole units.
         if reach > FARTHEST {
             return None;

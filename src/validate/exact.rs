@@ -2,6 +2,7 @@
 
 use crate::contact::{Boundary, Contact, ContactError, Indentation, Load, Part, Setup, State};
 use crate::expr::Bindings;
+use crate::num::stable::leg;
 use crate::scene::MeasuredTip;
 use crate::scene::{DepthFrom, Scene};
 use crate::transform::{Curve, Evaluator, Method, PressureCurve, Quantities, Solution, Superposition};
@@ -131,7 +132,7 @@ impl<'c> Pressures<'c> {
             if *r > a || (*r == a && self.excess == 0.0) {
                 return 0.0;
             }
-            let edge = if self.excess == 0.0 { 0.0 } else { self.factor * self.excess / ((a - r) * (a + r)).sqrt() };
+            let edge = if self.excess == 0.0 { 0.0 } else { self.factor * self.excess / leg(a, *r) };
             let smooth = match (&self.curve, &mut found) {
                 _ if *r == a => None,
                 (Some(curve), _) => curve.at(*r).ok().flatten().map(|own| self.factor * own.value),

@@ -1,6 +1,7 @@
 //! The bend (r f′)′ of a profile enclosed from the axis outward: nothing narrow hides between the radii that are looked at.
 
 use super::curvature::{Curvature, Kink};
+use crate::num::stable::leg;
 use crate::num::work;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
@@ -197,7 +198,7 @@ impl Cells {
         }
         for kink in self.kinks.iter().filter(|kink| kink.at <= from) {
             let x = if kink.jump > 0.0 { to } else { from };
-            let root = ((x - kink.at) * (x + kink.at)).sqrt();
+            let root = leg(x, kink.at);
             let share = kink.jump * kink.at / root;
             sum += share;
             size += if share.is_finite() { share.abs() } else { 0.0 };

@@ -3,6 +3,7 @@
 use super::Indentation;
 use super::cells::{Cell, Cells};
 use super::verdict::{affordable, rounded};
+use crate::num::stable::leg;
 use crate::num::{Bound, Estimate, work};
 use crate::transform::Quantities;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
@@ -82,7 +83,7 @@ impl Cells {
     /// A bound from below on ∫_r^a g′/√(x² − r²) dx, which is π p/E*, for every r between two radii; −∞ where none is known.
     pub(super) fn least_pressure(&self, (from, to): (f64, f64), a: f64) -> f64 {
         // With x² = r² + y² it is ∫ (g′/x) dy.
-        let root = |x: f64, r: f64| if x > r { ((x - r) * (x + r)).sqrt() } else { 0.0 };
+        let root = |x: f64, r: f64| if x > r { leg(x, r) } else { 0.0 };
         let (mut sum, mut size) = (0.0, 0.0);
         // Cells that r may lie in or beyond: together they weigh no more than the last of them reaches.
         let mut within: Option<(f64, f64)> = None;
@@ -145,7 +146,7 @@ impl Indentation<'_> {
     /// Whether π p/E* of a smooth contact plus what a rim adds, `excess`/√(a² − r²), is nowhere below −`noise` inside.
     pub(super) fn pressure_sign(&self, cells: &Cells, a: f64, excess: f64, noise: f64) -> Sign {
         let shape = self.contact.evaluator();
-        let edge = |r: f64| ((a - r) * (a + r)).max(0.0).sqrt();
+        let edge = |r: f64| leg(a, r.min(a));
         let proven = |from: f64, to: f64| {
             let least = cells.least_pressure((from, to), a);
             // Times the root, which is positive inside.

@@ -3,6 +3,7 @@
 use super::landscape::STEEP;
 use super::proof::Sign;
 use super::{Boundary, Indentation, Indented, Naming, State};
+use crate::num::stable::leg;
 use crate::num::{Estimate, work};
 use crate::transform::{Quantities, Reading};
 use std::cell::{Cell, OnceCell};
@@ -180,7 +181,7 @@ impl Indentation<'_> {
             return (f64::INFINITY, 0.0, 0);
         }
         let needed = |r: f64| match shape.pressure(r, c) {
-            Ok(Some(p)) => p.estimate.value * ((c - r) * (c + r)).sqrt() - slope,
+            Ok(Some(p)) => p.estimate.value * leg(c, r) - slope,
             // A concave kink pulls without limit, a convex one presses.
             Ok(None) => f64::INFINITY,
             Err(_) => f64::NAN,

@@ -8,6 +8,7 @@ use super::build::{self, Budget};
 use super::piece::{Integral, Piece, Place, Share};
 use super::source::Source;
 use crate::num::spectral::{above, chop, right_sided, rule};
+use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate};
 use crate::transform::TransformError;
 
@@ -150,7 +151,7 @@ impl<'a> PressureCurve<'a> {
             error += doubt;
         }
         if !self.relative.is_empty() {
-            let root = ((self.a - r) * (self.a + r)).sqrt();
+            let root = leg(self.a, r);
             // Errors rise towards the edge: between two places that of the outer one counts.
             let outer = self.relative.iter().find(|(sine, _)| sine * self.a <= root).or(self.relative.last());
             error = 2.0 * root * outer.map_or(f64::INFINITY, |(_, relative)| 1.5 * relative);

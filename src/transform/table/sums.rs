@@ -3,6 +3,7 @@
 use super::Cubic;
 use super::tree::{Cluster, Moments, OPENING, TERMS, Tree, decay, masses, rule};
 use crate::num::Bounded;
+use crate::num::stable::leg;
 
 /// Roundings of a near piece and of a cluster, in units of ε ∫|…|: measured at most a fifth of it.
 const NEAR_ROUNDINGS: f64 = 6.0;
@@ -76,7 +77,7 @@ fn far(own: &Cluster, moment: &Moments, x: f64, (ratio, h): (f64, f64), kernel: 
     if let Kernel::Outside(r) = kernel {
         let (mut value, mut size) = (0.0, 0.0f64);
         for (at, mass) in masses(own, moment, MASSES) {
-            let height = outside(at, (x - at) * (x + at), x, r) / ((x - at) * (x + at)).sqrt();
+            let height = outside(at, (x - at) * (x + at), x, r) / leg(x, at);
             value += mass * height;
             size = size.max(height);
         }
@@ -140,7 +141,7 @@ fn near(piece: &Cubic, x: f64, kernel: Kernel, sum: &mut Sum) {
 
 /// The kernel of u(R) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt, r = a sin t, as in the quadrature of profiles; from a² − r².
 fn outside(r: f64, gap: f64, a: f64, at: f64) -> f64 {
-    let ratio = a / ((at - a) * (at + a)).sqrt();
+    let ratio = a / leg(at, a);
     let (q, s) = (gap.sqrt() / a, r / a);
     let short = s * s / (1.0 + q);
     let angle = (q * ratio).atan();

@@ -3,6 +3,7 @@
 use super::Verdict;
 use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
 use crate::expr::{Bindings, Condition, Expr, Symbol};
+use crate::num::stable::leg;
 use crate::num::{Bound, Bounded, Estimate};
 use crate::transform::engine::SolvedChain;
 use crate::transform::sample::{Sampler, admissible};
@@ -175,7 +176,7 @@ impl Place {
 
     /// x ∫ f′ dt and ∫ r² f′ dt with their sizes, r = x sin t, by one double exponential rule in plain doubles.
     fn integrals(&self, tape: &Tape, lower: f64, upper: Option<f64>, x: f64) -> [(f64, f64); 2] {
-        let angle = |end: f64| if end < x { end.atan2(((x - end) * (x + end)).sqrt()) } else { std::f64::consts::FRAC_PI_2 };
+        let angle = |end: f64| if end < x { end.atan2(leg(x, end)) } else { std::f64::consts::FRAC_PI_2 };
         let (from, to) = (angle(lower), angle(upper.unwrap_or(f64::INFINITY)));
         let mut found = [(0.0, 0.0); 2];
         let (mut slots, mut inputs) = (Vec::new(), Vec::with_capacity(1 + self.values.len()));
@@ -251,7 +252,7 @@ impl Place {
             let (below, above) = (upper * (1.0 - 1e-12), upper * (1.0 + 1e-12));
             let r = 0.57 * begin;
             // P is continuous at the end of the segment but for a jump of g.
-            let jump = (self.plain(&beyond.slope, above)? - self.plain(&within.slope, below)?) / ((upper - r) * (upper + r)).sqrt();
+            let jump = (self.plain(&beyond.slope, above)? - self.plain(&within.slope, below)?) / leg(upper, r);
             let before = self.bounded(within.pressure.as_ref()?, &[r, below])?;
             let after = self.bounded(beyond.pressure.as_ref()?, &[r, above])?;
             let start = after.into_iter().zip(before).map(|(after, before)| (after, before.value + jump)).collect();
@@ -269,7 +270,7 @@ impl Place {
         [begin, end]: [f64; 2],
         subject: &Subject<'_>,
     ) -> Option<Verdict> {
-        let root = |x: f64| ((x - r) * (x + r)).sqrt();
+        let root = |x: f64| leg(x, r);
         let g = |x: f64| self.plain(&forms.slope, x);
         let mut rise = g(end)? / root(end) - g(begin)? / root(begin);
         for (u, weight) in RULE.iter().flatten().filter(|(_, weight)| *weight > f64::EPSILON) {

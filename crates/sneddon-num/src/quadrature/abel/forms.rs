@@ -2,7 +2,7 @@
 
 use super::super::even::{Middles, Nodes};
 use super::Radii;
-use crate::stable::halves;
+use crate::stable::{halves, leg};
 
 /// Most places that are asked together.
 pub const CHUNK: usize = 16;
@@ -27,7 +27,7 @@ impl Extent {
         if lower == 0.0 {
             return Self { x, rest, sine: 1.0, cosine: 0.0 };
         }
-        let root = ((x - lower) * (x + lower)).sqrt();
+        let root = leg(x, lower);
         Self { x, rest, sine: root / x, cosine: lower / x }
     }
 

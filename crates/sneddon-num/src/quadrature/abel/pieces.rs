@@ -7,6 +7,7 @@ use super::forms::{Extent, Form};
 use super::start::{Wish, from_the_axis};
 use super::{AbelOptions, Radii, Start, Strip, counted, without_spent};
 use crate::bounded::UNIT;
+use crate::stable::leg;
 use crate::{Bounded, Estimate, NumError};
 
 /// ∫ f′ dτ over r = x cos τ, times (r/x)² for the force.
@@ -251,7 +252,7 @@ fn bisected<const FORCE: bool>(
 ) -> Result<Estimate, NumError> {
     let (Extent { x, rest, .. }, angle) = (*extent, extent.angle());
     // τ from 0 at x on; the lower end's own angle from the axis is π/2 − angle.
-    let above_axis = if lower == 0.0 { 0.0 } else { lower.atan2(((x - lower) * (x + lower)).sqrt()) };
+    let above_axis = if lower == 0.0 { 0.0 } else { lower.atan2(leg(x, lower)) };
     let mut place = |point: &Point| {
         let tau = point.x;
         let from_end = if tau > GRADES[GRADES.len() - 1] * angle { point.from_upper } else { angle - tau };
@@ -272,7 +273,7 @@ fn between<const FORCE: bool>(
     options: &AbelOptions<'_>,
 ) -> Result<Estimate, NumError> {
     let width = crate::forms::angle_between(lower, end, x);
-    let beyond = ((x - end) * (x + end)).sqrt().atan2(end);
+    let beyond = leg(x, end).atan2(end);
     let limit = options.limit.unwrap_or(x);
     let mut place = |point: &Point| {
         let (v, tau) = (point.from_lower, beyond + point.from_upper);
