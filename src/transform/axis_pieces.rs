@@ -13,7 +13,7 @@ impl NumericProfile {
     /// ∫₀^a (r f′)′ arccos(r/a)/r dr + Σ δ arccos(b/a), which is p(0)·π/E*, with a proven bound; `None` if the enclosures of (r f′)′ do not
     /// become small in time.
     pub(super) fn pressure_on_axis(&self, a: f64, tolerance: f64) -> Option<Estimate> {
-        if !a.is_normal() || self.starts_steeply() {
+        if !a.is_normal() || self.starts_steeply(a) {
             return None;
         }
         let jumps = self.pressure_of_jumps(0.0, a)?;

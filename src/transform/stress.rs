@@ -52,7 +52,7 @@ impl NumericProfile {
         finite_and_not_negative("a", a)?;
         let Some(total) = self.pressure_of_jumps(s, a) else { return Ok(None) };
         let mut parts = Estimate::exact(0.0);
-        if s == 0.0 && self.starts_steeply() {
+        if s == 0.0 && self.starts_steeply(a) {
             return Ok(None);
         }
         let mut size = total.value.abs();
@@ -104,10 +104,11 @@ impl NumericProfile {
         jumps
     }
 
-    /// True where f′ does not vanish at the axis, so that the pressure is infinite there.
-    pub(super) fn starts_steeply(&self) -> bool {
+    /// Returns true if f′ does not vanish at the axis, so that the pressure is infinite there; a is the contact radius.
+    pub(super) fn starts_steeply(&self, a: f64) -> bool {
         let Some(first) = self.segments.iter().find(|segment| segment.lower.value == 0.0) else { return false };
-        let (near, nearer) = (first.slope_at(1e-12).value.abs(), first.slope_at(1e-15).value.abs());
+        let r = (1e-12 * a).max(1e3 * f64::MIN_POSITIVE);
+        let (near, nearer) = (first.slope_at(r).value.abs(), first.slope_at(1e-3 * r).value.abs());
         // f′ ~ r^m with m > 0 falls by 10^(3m); everything slower is steep.
         nearer > 0.0 && nearer > 0.99 * near
     }

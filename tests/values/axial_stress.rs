@@ -71,6 +71,23 @@ fn stresses_do_not_depend_on_the_unit() {
     assert!(answered >= 70, "{answered}");
 }
 
+/// Class "a length compared with a number": f′ of these shapes is nearly constant from 1e-12 of the axis on, in a small enough unit.
+#[test]
+fn pressures_on_the_axis_are_proven_in_every_unit() {
+    for text in ["R*ln(cosh(r/R))", "sqrt(R^2+r^2)-R"] {
+        let pressure = |unit: f64| {
+            let text = text.replace('R', &format!("({unit:e})"));
+            contact(&solution(&text), None).pressure(0.0, 0.5 * unit).unwrap().unwrap().estimate
+        };
+        let usual = pressure(1.0);
+        for unit in [1e-200, 1e-30, 1e-18, 1e-14, 1e-9, 1e9, 1e30] {
+            let found = pressure(unit);
+            assert!((found.value - usual.value).abs() <= found.error + usual.error, "{text}, R = {unit:e}: {found:?} instead of {usual:?}");
+            assert_eq!(found.bound, usual.bound, "{text}, R = {unit:e}: {found:?}");
+        }
+    }
+}
+
 /// z = 0 gives −p(0), and nothing at a cone's apex; far away the contact is a point force, σ = −3F/(2π z²).
 #[test]
 fn both_ends_are_known() {

@@ -114,7 +114,7 @@ impl<'a> PressureCurve<'a> {
             }
             from = to;
         }
-        let (jumps, steep) = (profile.jumps(a), profile.starts_steeply());
+        let (jumps, steep) = (profile.jumps(a), profile.starts_steeply(a));
         let mut curve = Self { profile, a, parts, jumps, steep, evaluations: budget.evaluations, doubt: 1.0, relative: Vec::new() };
         curve.doubt = curve.check();
         Ok(curve)
