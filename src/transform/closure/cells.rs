@@ -65,7 +65,7 @@ struct Doubling {
     cuts: Vec<f64>,
     /// Sum of the noise over runs of adjacent cells, because isolated noise may be a step of φ.
     steps: f64,
-    /// True if the fit that begins at the axis has the slopes of the cells.
+    /// True if the fit that begins at the axis agrees with the slopes of the cells.
     agrees: OnceLock<bool>,
 }
 
@@ -123,14 +123,14 @@ impl Cells {
         self.doubling(r, phi).map_or(0.0, |own| hidden_slope(own.steps, r))
     }
 
-    /// Returns true if `other` has the slopes of all cells between the powers of two around r, within both bounds. It must be the same
-    /// function whenever this is asked for the same powers of two.
+    /// Returns true if `other` agrees with the slopes of all cells between the powers of two around r, within both bounds; false if the
+    /// budget of work ends. The first answer is kept, so `other` must be the same function in every call.
     pub(super) fn agree(&self, r: f64, phi: &impl Fn(f64) -> Bounded, other: &impl Fn(f64) -> Option<Bounded>) -> bool {
         let same = |cell: &Cell| {
             let (own, other) = (cell.derivative(1, cell.middle), other(cell.middle));
             other.is_none_or(|other| (own.value - other.value).abs() <= own.error + other.error || own.value.is_nan())
         };
-        self.doubling(r, phi).is_none_or(|own| *own.agrees.get_or_init(|| own.cells.iter().all(same)))
+        self.doubling(r, phi).and_then(|own| kept(&own.agrees, || own.cells.iter().all(same))).copied().unwrap_or(false)
     }
 
     /// A place not far below r at which φ is not smooth, if there is one: derivatives do not show what happens there.

@@ -22,9 +22,9 @@ const TRACES: f64 = 1e4;
 const RECENT: usize = 4;
 /// Maximum ratio of rounding errors between one narrow fit and those next to it; a larger one is a kink.
 const GROWTH: f64 = 1e4;
-/// Widths of narrower fits as shares of an octave.
+/// Widths of the narrower fits that tell rounding from waves, as shares of an octave.
 const CLOSE_UPS: [f64; 3] = [1e-1, 1e-2, 1e-3];
-/// φ changes by more than this multiple of its supposed rounding error within a narrower fit that shows the true one.
+/// Minimum ratio of the change of φ within a narrower fit to the supposed rounding error, so that the fit shows the true one.
 const SEVERAL: f64 = 10.0;
 /// Beyond this share of its fit a radius is left to the fits between powers of two.
 const REACH: f64 = 0.75;
