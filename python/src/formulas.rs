@@ -1,7 +1,7 @@
 //! Formulas: what `sneddon derive`, `compare`, `invert` and `rules` print, as JSON documents.
 
 use crate::error::Fault;
-use crate::interrupt::interruptible;
+use crate::interrupt::{interruptible, written};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use sneddon::contact::{self, Edge, Setting, relations};
@@ -12,7 +12,6 @@ use sneddon::parse;
 use sneddon::print::Renaming;
 use sneddon::report::{self, Compared, Derivation, Inversion, Unchecked, Wanted, inversion};
 use sneddon::transform::{self, FromPressure, Inverse, InverseNumbers, Method, Profile, TransformError};
-use std::io::{self, Write};
 
 /// Steps of work that each radius of an inverted profile may take, beyond those of the call.
 const STEPS: u64 = 300_000;
@@ -209,29 +208,6 @@ pub(crate) fn inverted<'py>(
     let (heights, errors): (Vec<f64>, Vec<f64>) = found.iter().map(|own| (own.value, own.error)).unzip();
     let proven = found.iter().map(|own| own.bound == Ground::Proven).collect();
     Ok((heights.into_pyarray(py), errors.into_pyarray(py), proven))
-}
-
-/// A document as text.
-fn written(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<String, Fault> {
-    let mut out = Page(Vec::new());
-    write(&mut out).map_err(|error| Fault::new(error.to_string()))?;
-    Ok(String::from_utf8_lossy(&out.0).into_owned())
-}
-
-/// A document in memory, which ends with an error once the work is stopped: formulas of thousands of terms take long to write.
-struct Page(Vec<u8>);
-
-impl Write for Page {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if work::is_stopped() {
-            return Err(io::Error::other("the work was stopped"));
-        }
-        self.0.write(bytes)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
 }
 
 /// The document that `sneddon rules --json` prints.

@@ -1,8 +1,10 @@
-//! Work without the lock of the interpreter that Ctrl-C ends.
+//! Work without the lock of the interpreter, and the documents it writes, which Ctrl-C ends.
 
+use crate::error::Fault;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use sneddon::num::work;
+use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread;
@@ -58,5 +60,25 @@ impl Drop for Told<'_> {
     fn drop(&mut self) {
         *self.0.lock().unwrap_or_else(PoisonError::into_inner) = true;
         self.1.notify_all();
+    }
+}
+
+/// Returns a document as text; after Ctrl-C its rest is not written.
+pub(crate) fn written<T>(write: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> Result<String, Fault> {
+    let mut out = UntilStopped(Vec::new());
+    write(&mut out).map_err(|error| Fault::new(error.to_string()))?;
+    Ok(String::from_utf8_lossy(&out.0).into_owned())
+}
+
+/// A buffer whose writes fail after Ctrl-C, so that the rest of a long document is not written.
+struct UntilStopped(Vec<u8>);
+
+impl Write for UntilStopped {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if work::is_stopped() { Err(io::Error::other("the work was stopped")) } else { self.0.write(bytes) }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }

@@ -1,7 +1,7 @@
 //! Scenes: what `sneddon solve`, `sneddon reference` and `sneddon validate` answer.
 
 use crate::error::Fault;
-use crate::interrupt::interruptible;
+use crate::interrupt::{interruptible, written};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -11,7 +11,7 @@ use sneddon::report::{solved_json, validation};
 use sneddon::scene::{self, Change, Curve, Declared, Dimension, Grid, LONGEST_TIP, Run, Scene, SceneError};
 use sneddon::validate::{Layout, Origin, Request, Source, ValidationError};
 use std::fs::File;
-use std::io::{self, Cursor, Read, Write};
+use std::io::{Cursor, Read};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -47,25 +47,10 @@ pub(crate) fn solve(py: Python<'_>, text: &str, directory: &str, force: bool) ->
             let solution = scene.solution().map_err(failed)?;
             let run = Run::new(&scene, &solution).map_err(failed)?;
             work::allow(run.steps().saturating_mul(STEPS));
-            let mut out = UntilStopped(Vec::new());
-            solved_json::solved(&run, force, &mut out).map_err(|error| Fault::new(error.to_string()))?;
-            Ok(String::from_utf8_lossy(&out.0).into_owned())
+            written(|out| solved_json::solved(&run, force, out))
         })
     });
     Ok(answer??)
-}
-
-/// A buffer whose writes fail after Ctrl-C, so that the rest of a long document is not written.
-struct UntilStopped(Vec<u8>);
-
-impl Write for UntilStopped {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if work::is_stopped() { Err(io::Error::other("the work was stopped")) } else { self.0.write(bytes) }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
 }
 
 /// A budget for a whole call; what is allowed within counts on top of it.
@@ -223,9 +208,7 @@ pub(crate) fn validate(
             work::allow(bytes.saturating_mul(10_000));
             let request = Request { text, scene: &scene, sources: &sources, tolerance, grid: &grid, layout: &layout };
             let found = sneddon::validate::validate(&request).map_err(refused)?;
-            let mut out = Vec::new();
-            validation::json::validation(&found, &mut out).map_err(|error| Fault::new(error.to_string()))?;
-            Ok(String::from_utf8_lossy(&out).into_owned())
+            written(|out| validation::json::validation(&found, out))
         })
     });
     Ok(answer??)

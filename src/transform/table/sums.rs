@@ -77,7 +77,8 @@ fn far(own: &Cluster, moment: &Moments, x: f64, (ratio, h): (f64, f64), kernel: 
     if let Kernel::Outside(r) = kernel {
         let (mut value, mut size) = (0.0, 0.0f64);
         for (at, mass) in masses(own, moment, MASSES) {
-            let height = outside(at, (x - at) * (x + at), x, r) / leg(x, at);
+            let root = leg(x, at);
+            let height = outside(at, root, x, r) / root;
             value += mass * height;
             size = size.max(height);
         }
@@ -128,7 +129,7 @@ fn near(piece: &Cubic, x: f64, kernel: Kernel, sum: &mut Sum) {
             Kernel::Slope => 1.0,
             Kernel::Force => r * r,
             Kernel::Integral => distance * (x + r),
-            Kernel::Outside(other) => outside(r, distance * (x + r), x, other),
+            Kernel::Outside(other) => outside(r, distance.sqrt() * (x + r).sqrt(), x, other),
         };
         let common = node.weight * weight / (x + r).sqrt();
         value += common * piece.slope(delta);
@@ -139,10 +140,10 @@ fn near(piece: &Cubic, x: f64, kernel: Kernel, sum: &mut Sum) {
     sum.error += NEAR_ROUNDINGS * f64::EPSILON * factor * size + half_ulp(sum.value);
 }
 
-/// The kernel of u(R) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt, r = a sin t, as in the quadrature of profiles; from a² − r².
-fn outside(r: f64, gap: f64, a: f64, at: f64) -> f64 {
+/// The kernel of u(R) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt, r = a sin t, as in the quadrature of profiles; `root` is √(a² − r²).
+fn outside(r: f64, root: f64, a: f64, at: f64) -> f64 {
     let ratio = a / leg(at, a);
-    let (q, s) = (gap.sqrt() / a, r / a);
+    let (q, s) = (root / a, r / a);
     let short = s * s / (1.0 + q);
     let angle = (q * ratio).atan();
     (short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle
