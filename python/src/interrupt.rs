@@ -11,7 +11,7 @@ use std::thread;
 use std::time::Duration;
 
 /// How often signals are looked at.
-const LOOK: Duration = Duration::from_millis(20);
+const LOOK: Duration = Duration::from_millis(10);
 /// The stack of the thread that works, as large as that of a main thread.
 const STACK: usize = 8 << 20;
 

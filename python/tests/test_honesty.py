@@ -237,13 +237,15 @@ LONG = {
     ),
     "sums": lambda: sneddon.Profile("+".join(f"r^{k}*exp(-r/w{k})*ln(1+r/b{k})" for k in range(1, 59))).derive(),
     "waves": lambda: sneddon.sweep(WAVES, {"load.depth": list(np.linspace(0.1, 0.2, 5000))}),
+    "slices": lambda: sneddon.Contact("besselj(0,r)^2*r", E_star=1.0).equivalent_profile(np.linspace(0.01, 0.99, 2_000_000)),
+    "product": lambda: sneddon.Profile("h*(1-exp(-r/w))^25*(1-exp(-r/v))^25").derive(),
     "curves": lambda: sneddon.solve({**SWEEP, "outputs": {"quantities": ["p", "u"], "at": {"start": 0.0, "stop": 1.0, "count": 200_000}}}),
 }
 
 
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="the signal is sent to a thread")
-@pytest.mark.parametrize("name", LONG)
-def test_ctrl_c_ends_long_work(name):
+@pytest.mark.parametrize(("name", "delay"), [*((name, 0.3) for name in LONG), ("product", 1.2)])
+def test_ctrl_c_ends_long_work(name, delay):
     """Class "Ctrl-C is ignored": the exception is raised, and what was cut short is not kept."""
     sent = []
 
@@ -251,7 +253,7 @@ def test_ctrl_c_ends_long_work(name):
         sent.append(time.monotonic())
         os.kill(os.getpid(), signal.SIGINT)
 
-    timer = threading.Timer(0.3, send)
+    timer = threading.Timer(delay, send)
     # A shell that starts the tests in the background has them ignore the signal.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
@@ -263,8 +265,8 @@ def test_ctrl_c_ends_long_work(name):
         timer.join()
     finally:
         signal.signal(signal.SIGINT, before)
-    # Generous for a busy machine; 0.02 s are usual.
-    assert time.monotonic() - sent[0] < 2.0
+    # Generous for a busy machine; 0.05 s are usual.
+    assert time.monotonic() - sent[0] < 1.0
     assert sneddon.Contact("r^2/2", E_star=1.0).force(radius=1.0) == pytest.approx(4 / 3, rel=1e-14)
 
 

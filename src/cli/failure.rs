@@ -73,6 +73,7 @@ impl Failure {
             ContactError::Transform(
                 TransformError::OutOfDomain { .. }
                 | TransformError::Overflow { .. }
+                | TransformError::Underflow { .. }
                 | TransformError::NotComputable { .. }
                 | TransformError::NoDigits { .. }
                 | TransformError::NoClosedForm { .. }

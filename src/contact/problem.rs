@@ -5,6 +5,7 @@ use super::radius::{self, Radii};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, NumError, work};
 use crate::transform::{Evaluator, Quantities, Reading, TransformError, finite_and_not_negative};
+use std::f64::consts::PI;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -197,8 +198,13 @@ impl<P: Quantities> Contact<'_, P> {
             return Ok(Err(Reason::NoArea));
         }
         let force = self.force(a)?;
-        let area = Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a) * Bounded::exact(a);
-        representable(Reading { estimate: force.estimate.times(Bounded::exact(1.0) / area), ..force }, "a", a).map(Ok)
+        // The area alone may leave the range of doubles.
+        let share = |length: Bounded| Bounded::exact(1.0) / length;
+        let mean = force.estimate.times(share(Bounded::exact(a))).times(share(Bounded::rounded(PI) * Bounded::exact(a)));
+        if force.estimate.value.abs() < f64::MIN_POSITIVE && mean.error >= mean.value.abs() {
+            return Err(TransformError::Underflow { quantity: "the force", symbol: "a", at: a }.into());
+        }
+        representable(Reading { estimate: mean, ..force }, "a", a).map(Ok)
     }
 
     /// The displacement of the one-dimensional model, d − g(x) within the contact and 0 outside (3.7).
@@ -292,13 +298,12 @@ impl<P: Quantities> Contact<'_, P> {
 
     fn nested_energy(&self, a: f64) -> Result<Reading, ContactError> {
         let d = self.depth(a)?.estimate.bounded();
+        if !(d.value * d.value * a).is_finite() {
+            return Err(TransformError::Overflow { symbol: "a", at: a }.into());
+        }
         if let Some(own) = self.evaluator.squared_gap(a, d) {
-            let Reading { mut estimate, method } = own?;
-            if estimate.value == 0.0 && d.value != 0.0 {
-                // A square that is below the smallest doubles.
-                estimate.error = estimate.error.max(f64::from_bits(1));
-            }
-            return Ok(Reading { estimate: estimate.scaled(self.effective_modulus), method });
+            let Reading { estimate, method } = own?;
+            return Ok(Reading { estimate: not_quite_nothing(estimate, d).scaled(self.effective_modulus), method });
         }
         let mut failure = None;
         let mut inner = 0;
@@ -326,7 +331,7 @@ impl<P: Quantities> Contact<'_, P> {
             ) if error.is_finite() => Estimate::estimated(value, error, evaluations),
             Err(other) => return Err(failure.map_or_else(|| other.into(), Into::into)),
         };
-        let total = found.scaled(self.effective_modulus);
+        let total = not_quite_nothing(found, d).scaled(self.effective_modulus);
         Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
     }
 
@@ -352,6 +357,12 @@ impl<P: Quantities> Contact<'_, P> {
     pub fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
         work::bounded(|| radius::of_depth(self, &self.radii, depth))
     }
+}
+
+/// Returns ∫ (d − g)² dx with the smallest double as its error if it underflows.
+fn not_quite_nothing(squared: Estimate, d: Bounded) -> Estimate {
+    let underflows = squared.value == 0.0 && (d.value != 0.0 || d.error != 0.0);
+    Estimate { error: if underflows { squared.error.max(f64::from_bits(1)) } else { squared.error }, ..squared }
 }
 
 fn exact(value: f64) -> Reading {

@@ -2,7 +2,7 @@
 
 use super::blocks::Program;
 use super::walk::walk_with;
-use super::{Algebra, EvalError, Kept};
+use super::{Algebra, BoundedAlgebra, EvalError, Kept, PreciseAlgebra};
 use crate::expr::function::Accuracy;
 use crate::expr::{Expr, Function, Node, Symbol};
 use crate::num::{DoubleDouble, Precise, work};
@@ -109,7 +109,7 @@ impl Tape {
         Ok(recorder.tape)
     }
 
-    /// The first output for the given input values; `None` where the number of inputs is wrong.
+    /// Returns the first output, or `None` if the number of inputs is wrong or the work was stopped, as in [`work::stoppable`].
     pub fn run<A: Algebra>(&self, algebra: &mut A, inputs: &[A::Value], slots: &mut Vec<A::Value>) -> Option<A::Value> {
         self.fill(algebra, inputs, slots)?;
         slots.get(*self.outputs.first()? as usize).copied()
@@ -140,7 +140,12 @@ impl Tape {
         slots.reserve(self.operations.len());
         let mut gathered = Vec::new();
         let kept = A::kept(&self.kept).map(|own| own.get_or_init(|| work::unbroken(|| self.constant_values(algebra))));
+        // Enclosures are never cut short: caches that outlive the call keep what they say.
+        let slow = A::COST >= PreciseAlgebra::COST || (A::COST == BoundedAlgebra::COST && self.kept.special);
         for (index, operation) in self.operations.iter().enumerate() {
+            if slow && work::is_stopped() {
+                return None;
+            }
             let value = match kept.and_then(|list| list.get(index).copied().flatten()) {
                 Some(known) => known,
                 None => self.step(operation, algebra, inputs, &|slot| slots.get(*slot as usize).copied(), &mut gathered)?,

@@ -2,9 +2,9 @@
 
 use super::TransformError;
 use super::admit::finite_and_not_negative;
-use super::integral::{MOST, NumericProfile, NumericSegment, Weight, magnitude, settle, with_ulps};
+use super::integral::{NumericProfile, NumericSegment, Weight, magnitude, settle};
 use super::slope_source::Scratch;
-use crate::num::quadrature::{Options, Panel, Point, growth_below_normal, integrate_blocks};
+use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, forms};
 
@@ -76,27 +76,11 @@ impl NumericSegment {
         let beyond = if to < a { leg(a, to).atan2(to) } else { 0.0 };
         let mut scratch = Scratch::take();
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
-            let count = points.len().min(MOST);
-            let (mut distances, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
-            let (mut radii, mut growths) = ([0.0; MOST], [0.0; MOST]);
-            let places = points.iter().zip(&mut distances).zip(&mut doubts).zip(&mut radii).zip(&mut growths);
-            for ((((point, distance), doubt), r), growth) in places {
-                let (v, rest) = (point.from_lower, beyond + point.from_upper);
-                // r − from = 2a sin(v/2) sin(π/2 − t_from − v/2), as everywhere over the angle.
-                let share = (from - lower) / a + 2.0 * (0.5 * v).sin() * (rest + 0.5 * v).sin();
-                *r = lower + a * share;
-                if self.varies_next_to_lower() {
-                    *growth = growth_below_normal(a, share);
-                }
-                *distance = (a * share).max(f64::MIN_POSITIVE);
-                let own = if *distance > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
-                *doubt = with_ulps(*distance, 12.0).error + own;
-            }
-            self.slope.block(&distances[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
-            for (i, (height, point)) in heights.iter_mut().zip(points).enumerate().take(count) {
-                let factor = weight(radii[i], (beyond + point.from_upper).sin(), z, a);
-                let factor = Bounded { value: factor, error: 64.0 * f64::EPSILON * factor + f64::MIN_POSITIVE };
-                *height = Bounded { value: values[i], error: errors[i] + growths[i] * values[i].abs() } * factor;
+            let angle = |point: &Point| (point.from_lower, beyond + point.from_upper);
+            let nodes = self.slopes_over_angle(from, a, points.iter().map(angle), &mut scratch);
+            for (((height, point), slope), distance) in heights.iter_mut().zip(points).zip(nodes.slopes).zip(nodes.distances) {
+                let factor = weight(lower + distance, angle(point).1.sin(), z, a);
+                *height = slope * Bounded { value: factor, error: 64.0 * f64::EPSILON * factor + f64::MIN_POSITIVE };
             }
         };
         let panel = if self.singular && from == lower { Panel::singular(0.0, width) } else { Panel::smooth(0.0, width) };

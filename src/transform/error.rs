@@ -66,6 +66,16 @@ pub enum TransformError {
         /// The coordinate.
         at: f64,
     },
+    /// A value below the smallest normal number, which has too few digits for what follows from it.
+    #[error("{quantity} at {symbol} = {at:?} is too small for a 64-bit float; a larger {symbol}, or other units, would be accepted")]
+    Underflow {
+        /// What is too small.
+        quantity: &'static str,
+        /// Name of the coordinate.
+        symbol: &'static str,
+        /// The coordinate.
+        at: f64,
+    },
     /// f′ or f″ has no value in double precision somewhere below the point.
     #[error(
         "up to {at:?} the profile's slope cannot be computed in double precision (0/0, an overflow or a pole); a form without cancellation, or a smaller range, would be accepted"
@@ -192,6 +202,9 @@ impl TransformError {
 
     /// Returns true if the value is unavailable at this radius only, so that other radii may have one.
     pub fn is_local(&self) -> bool {
-        matches!(self, Self::NoDigits { .. } | Self::NotComputable { .. } | Self::Undefined { .. } | Self::Seam { .. })
+        matches!(
+            self,
+            Self::NoDigits { .. } | Self::NotComputable { .. } | Self::Underflow { .. } | Self::Undefined { .. } | Self::Seam { .. }
+        )
     }
 }

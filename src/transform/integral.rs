@@ -13,7 +13,7 @@ use super::slope_source::{NO_BEND, Numbers, Scratch};
 use super::term::Segment;
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
-use crate::num::quadrature::{Options, Panel, Point, Rule, growth_below_normal, integrate_blocks};
+use crate::num::quadrature::{Options, Panel, Point, Rule, integrate_blocks};
 use crate::num::stable::leg;
 use crate::num::{Bound, Bounded, Estimate, NumError, forms, work};
 use std::sync::OnceLock;
@@ -325,29 +325,14 @@ impl NumericSegment {
             (v, beyond + if last { point.from_upper } else { width - v })
         };
         let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
-            let count = points.len().min(MOST);
-            let (mut distances, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
-            let mut growths = [0.0; MOST];
-            for (((point, distance), doubt), growth) in points.iter().zip(&mut distances).zip(&mut doubts).zip(&mut growths) {
-                let (v, rest) = place(point);
-                // r − lower = 2x sin(v/2) sin(π/2 − t_lower − v/2): every factor is positive.
-                let share = 2.0 * (0.5 * v).sin() * (rest + 0.5 * v).sin();
-                if self.varies_next_to_lower() {
-                    *growth = growth_below_normal(x, share);
-                }
-                *distance = (x * share).max(f64::MIN_POSITIVE);
-                // The distance counts from an end that is known to its error only; next to that end `smear` has it.
-                let own = if *distance > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
-                *doubt = with_ulps(*distance, 12.0).error + own;
-            }
-            self.slope.block(&distances[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
-            for (i, height) in heights.iter_mut().enumerate().take(count) {
-                let slope = Bounded { value: values[i], error: errors[i] + growths[i] * values[i].abs() };
-                let (_, rest) = place(&points[i]);
+            let nodes = self.slopes_over_angle(lower, x, points.iter().map(place), &mut scratch);
+            let known = nodes.slopes.into_iter().zip(nodes.distances).zip(nodes.doubts);
+            for ((height, point), ((slope, distance), doubt)) in heights.iter_mut().zip(points).zip(known) {
+                let (_, rest) = place(point);
                 *height = match weight {
                     Weight::Slope => slope,
                     Weight::Force => {
-                        let r = self.lower + Bounded { value: distances[i], error: doubts[i] };
+                        let r = self.lower + Bounded { value: distance, error: doubt };
                         slope * r * r
                     }
                     Weight::Integral => {
@@ -357,7 +342,7 @@ impl NumericSegment {
                     Weight::Outside(r) => {
                         // Root by root: the product may leave the range of doubles.
                         let ratio = x / (r - x).sqrt() / (r + x).sqrt();
-                        let (q, s) = (rest.sin(), (lower + distances[i]) / x);
+                        let (q, s) = (rest.sin(), (lower + distance) / x);
                         let short = s * s / (1.0 + q);
                         let angle = (q * ratio).atan();
                         slope * with_ulps((short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle, 24.0)
@@ -387,11 +372,6 @@ impl NumericSegment {
         // The rounding of the angle, and of the interval's ends.
         found.error += 8.0 * f64::EPSILON * found.value.abs() + smear;
         Ok(found)
-    }
-
-    /// Returns true if f′ may change by more than rounding within the smallest normal number of the lower end.
-    pub(super) fn varies_next_to_lower(&self) -> bool {
-        self.singular || self.lower.value == 0.0
     }
 
     /// By pieces with a proof, or by nested rules. Next to the end of f′ these have a variable made for it: they come first where nothing
@@ -535,8 +515,13 @@ pub(super) fn is_singular(slope: &Numbers, lower: f64, upper: Option<f64>) -> bo
         None if lower > 0.0 => lower,
         None => 1.0,
     };
-    let at = |factor: f64| slope.plain(scale * factor);
-    let (u, v) = (at(1e-9), at(1e-12));
+    // Below the smallest normal number f′ has too few digits to tell.
+    let near = (1e-12 * scale).max(f64::MIN_POSITIVE);
+    if near > 1e-6 * scale {
+        return true;
+    }
+    let at = |delta: f64| slope.at(Bounded::exact(delta), &mut Vec::new()).value;
+    let (u, v) = (at(1e3 * near), at(near));
     if u == 0.0 && v == 0.0 {
         return false;
     }

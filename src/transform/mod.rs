@@ -32,6 +32,7 @@ mod inverse;
 mod kinks;
 mod leading_power;
 mod limit;
+mod over_angle;
 mod parity;
 mod pieces;
 mod pressure;

@@ -228,6 +228,7 @@ impl Evaluator<'_> {
         // A tolerance sharper than what a good closed form promises is for the scalar way to judge.
         let good = if self.method == Method::Exact { good_enough(self.tolerance) } else { good_enough(self.tolerance).min(self.tolerance) };
         for (index, points) in points.chunks(CHUNK).enumerate() {
+            work::check()?;
             let range = index * CHUNK..index * CHUNK + points.len();
             let Some(values) = out.values.get_mut(range.clone()) else { continue };
             let mut errors = out.errors.as_deref_mut().and_then(|errors| errors.get_mut(range.clone()));
@@ -486,8 +487,14 @@ fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), Transfo
         .collect();
     // The first error by place, whichever thread is faster.
     // Threads count on their own; together they may take what this one has left.
-    let most = work::left();
-    let counted = |(points, out)| work::apart(most, || run(points, out));
+    let (most, stop) = (work::left(), work::stop_flag());
+    let counted = |(points, out)| {
+        let work = || work::apart(most, || run(points, out));
+        match stop {
+            Some(stop) => work::stoppable(stop, work),
+            None => work(),
+        }
+    };
     let ends: Vec<(Result<(), TransformError>, u64, bool)> = tasks.into_par_iter().map(counted).collect();
     ends.iter().for_each(|(_, steps, _)| work::spend(*steps));
     work::check()?;

@@ -147,7 +147,7 @@ impl Numbers {
 
 /// The value, or where it left the range of doubles on its way the value with exponents that have no end.
 pub(super) fn rescued(tape: &Tape, delta: Bounded, own: Bounded) -> Bounded {
-    if own.value.is_finite() && own.error.is_finite() {
+    if !is_lost(own) {
         return own;
     }
     let delta = Wide::new(Precise::checked(delta.value.into(), delta.error));
@@ -157,11 +157,15 @@ pub(super) fn rescued(tape: &Tape, delta: Bounded, own: Bounded) -> Bounded {
 
 /// The same for a block of values.
 pub(super) fn rescue_block(tape: &Tape, deltas: &[f64], doubts: &[f64], values: &mut [f64], errors: &mut [f64]) {
-    let all = deltas.iter().zip(doubts).zip(values.iter_mut().zip(errors));
-    for ((delta, doubt), (value, error)) in all.filter(|(_, (value, error))| !(value.is_finite() && error.is_finite())) {
+    for ((delta, doubt), (value, error)) in deltas.iter().zip(doubts).zip(values.iter_mut().zip(errors)) {
         let own = rescued(tape, Bounded { value: *delta, error: *doubt }, Bounded { value: *value, error: *error });
         (*value, *error) = (own.value, own.error);
     }
+}
+
+/// Whether a value left the range of doubles on its way; the reciprocal of what is too large is 0 with an error.
+fn is_lost(own: Bounded) -> bool {
+    !own.is_finite() || (own.value == 0.0 && own.error > f64::MIN_POSITIVE)
 }
 
 impl Numbers {

@@ -55,13 +55,24 @@ fn hertz_is_closed() {
 #[test]
 fn stresses_do_not_depend_on_the_unit() {
     let mut answered = 0;
-    for text in ["r^2/(2*R)", "R-sqrt(R^2-r^2)", "R*ln(cosh(r/R))", "R*sqrt(r/R)", "R*(1-exp(-r/R))", "max(0,r-R/4)", "R*abs(r/R-0.25)^3"] {
+    for text in [
+        "r^2/(2*R)",
+        "R-sqrt(R^2-r^2)",
+        "R*ln(cosh(r/R))",
+        "R*sqrt(r/R)",
+        "R*(1-exp(-r/R))",
+        "max(0,r-R/4)",
+        "R*abs(r/R-0.25)^3",
+        "R*abs(r/R-0.2)^1.5",
+        "R*max(0,r/R-0.2)^1.2",
+        "R*max(0,r/R-0.2)^2.5",
+    ] {
         let stress = |unit: f64| {
             let text = text.replace('R', &format!("({unit:e})"));
             contact(&solution(&text), None).axial_stress(0.2 * unit, 0.5 * unit).map(|found| found.unwrap().estimate)
         };
         let usual = stress(1.0).unwrap();
-        for unit in [-1012, -1000, -900, -700, -540, -500, 400, 500, 540, 700, 1000].map(|k| f64::from(k).exp2()) {
+        for unit in [-1012, -1004, -996, -984, -900, -700, -540, -500, 400, 500, 540, 700, 1000].map(|k| f64::from(k).exp2()) {
             let Ok(found) = stress(unit) else { continue };
             answered += 1;
             let off = (found.value - usual.value).abs();

@@ -133,6 +133,11 @@ pub fn stoppable<T>(stop: &'static AtomicBool, work: impl FnOnce() -> T) -> T {
     result
 }
 
+/// Returns the flag of [`stoppable`] under which this thread works, for other threads that do a part of its work.
+pub fn stop_flag() -> Option<&'static AtomicBool> {
+    METER.with(|meter| meter.stop.get())
+}
+
 /// Runs work whose result is kept for later budgets as well: it is counted, but never cut short.
 pub fn unbroken<T>(work: impl FnOnce() -> T) -> T {
     let (result, spent, _) = apart(NONE, || finished(work));

@@ -1,0 +1,56 @@
+//! f′ at the nodes of a quadrature over the angle t, r = x sin t.
+
+use super::integral::{MOST, NumericSegment, with_ulps};
+use super::slope_source::Scratch;
+use crate::num::Bounded;
+use crate::num::quadrature::growth_below_normal;
+
+/// Up to [`MOST`] nodes of one segment.
+pub(super) struct Nodes {
+    /// r − lower, and bounds of its errors.
+    pub(super) distances: [f64; MOST],
+    pub(super) doubts: [f64; MOST],
+    pub(super) slopes: [Bounded; MOST],
+}
+
+impl NumericSegment {
+    /// Returns f′ at the nodes whose angles are given from that of `from` on, each with the rest up to π/2.
+    pub(super) fn slopes_over_angle(
+        &self,
+        from: f64,
+        x: f64,
+        angles: impl ExactSizeIterator<Item = (f64, f64)>,
+        scratch: &mut Scratch,
+    ) -> Nodes {
+        let count = angles.len().min(MOST);
+        let (mut distances, mut doubts) = ([0.0; MOST], [0.0; MOST]);
+        let (mut normal, mut growths) = ([0.0; MOST], [0.0; MOST]);
+        let (mut values, mut errors) = ([0.0; MOST], [0.0; MOST]);
+        let first = (from - self.lower.value) / x;
+        let places = distances.iter_mut().zip(&mut doubts).zip(&mut normal).zip(&mut growths);
+        for ((((distance, doubt), normal), growth), (v, rest)) in places.zip(angles) {
+            // r − from = 2x sin(v/2) sin(π/2 − t_from − v/2): every factor is positive.
+            let share = first + 2.0 * (0.5 * v).sin() * (rest + 0.5 * v).sin();
+            if self.varies_next_to_lower() {
+                *growth = growth_below_normal(x, share);
+            }
+            *distance = x * share;
+            // Below the smallest normal number f′ has too few digits.
+            *normal = distance.max(f64::MIN_POSITIVE);
+            // The distance counts from an end that is known to its error only; next to that end `smear` has it.
+            let own = if *normal > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
+            *doubt = with_ulps(*normal, 12.0).error + own;
+        }
+        self.slope.block(&normal[..count], &doubts[..count], &mut values[..count], &mut errors[..count], scratch);
+        let mut slopes = [Bounded::exact(0.0); MOST];
+        for (((slope, value), error), growth) in slopes.iter_mut().zip(values).zip(errors).zip(growths) {
+            *slope = Bounded { value, error: error + growth * value.abs() };
+        }
+        Nodes { distances, doubts, slopes }
+    }
+
+    /// Returns true if f′ may change by more than rounding within the smallest normal number of the lower end.
+    pub(super) fn varies_next_to_lower(&self) -> bool {
+        self.singular || self.lower.value == 0.0
+    }
+}
