@@ -201,7 +201,7 @@ impl<P: Quantities> Contact<'_, P> {
         // The area alone may leave the range of doubles.
         let share = |length: Bounded| Bounded::exact(1.0) / length;
         let mean = force.estimate.times(share(Bounded::exact(a))).times(share(Bounded::rounded(PI) * Bounded::exact(a)));
-        if force.estimate.value.abs() < f64::MIN_POSITIVE && mean.error >= mean.value.abs() {
+        if force.estimate.value.abs() < f64::MIN_POSITIVE && mean.error > mean.value.abs() {
             return Err(TransformError::Underflow { quantity: "the force", symbol: "a", at: a }.into());
         }
         representable(Reading { estimate: mean, ..force }, "a", a).map(Ok)

@@ -181,7 +181,10 @@ impl Source<'_> {
         for (((value, error), &r), &below) in values.iter_mut().zip(errors).zip(at.r).zip(at.below_limit) {
             let (by, roundings) = match self.weight {
                 Weight::Slope => (1.0, 0.0),
-                Weight::Force => (r * r, 24.0 * UNIT + 4.0 * self.doubt / r),
+                Weight::Force => {
+                    let share = r / x;
+                    (share * share, 28.0 * UNIT + 4.0 * self.doubt / r)
+                }
                 // Here below_limit is x − r: sin²τ = (x − r)(x + r)/x².
                 Weight::Integral => {
                     let share = below / x;

@@ -2,7 +2,7 @@
 
 use super::TransformError;
 use super::admit::finite_and_not_negative;
-use super::integral::{NumericProfile, NumericSegment, Weight, magnitude, settle};
+use super::integral::{NumericProfile, NumericSegment, magnitude, settle};
 use super::slope_source::Scratch;
 use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::stable::leg;
@@ -47,7 +47,7 @@ impl NumericSegment {
         let end = self.upper.map_or(a, |upper| upper.value.min(a));
         let zero = Estimate::exact(0.0);
         let heaviest = |r: f64| weight(r, leg(a, r.min(a)) / a, z, a);
-        let smear = self.smear(a, Weight::Slope);
+        let smear = self.smear(a);
         let smear = if smear > 0.0 { smear * heaviest(lower.min(a)).max(heaviest(end)) } else { 0.0 };
         if lower >= end {
             return Ok(Estimate { error: smear, ..zero });

@@ -87,8 +87,8 @@ impl<'a> Angles<'a> {
     fn factor(&self, delta: f64, rest: f64) -> (f64, f64, f64) {
         match self.weight {
             Weight::Force => {
-                let r = self.segment.lower.value + delta;
-                (r * r, 40.0 * UNIT, 0.0)
+                let share = (self.segment.lower.value + delta) / self.x;
+                (share * share, 44.0 * UNIT, 0.0)
             }
             Weight::Integral => (rest.sin() * rest.sin(), 16.0 * UNIT, 16.0 * UNIT),
             Weight::Slope | Weight::Outside(_) => (1.0, 0.0, 0.0),
@@ -121,7 +121,7 @@ impl<'a> Angles<'a> {
 
     fn weight(&self, radii: &Radii) -> f64 {
         match self.weight {
-            Weight::Force => radii.r.largest() * radii.r.largest(),
+            Weight::Force => (radii.r.largest() / self.x).powi(2) * (1.0 + 8.0 * UNIT),
             Weight::Integral => radii.sine.largest() * radii.sine.largest(),
             Weight::Slope | Weight::Outside(_) => 1.0,
         }

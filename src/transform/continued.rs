@@ -156,11 +156,10 @@ impl NumericSegment {
         let scale = form.scale(&extent);
         let mut integrand = self.integrand(numbers, x, weight, form, extent, bounds);
         let found = known.mean(&mut integrand).map_err(|_| TransformError::NotComputable { at: x })?;
-        let left_out = if matches!(weight, Weight::Force) { x * x * found.left_out } else { found.left_out };
         let value = scale * found.value;
-        let error = scale * (left_out + found.noise) + 8.0 * UNIT * value.abs();
+        let error = scale * (found.left_out + found.noise) + 8.0 * UNIT * value.abs();
         let estimate = Estimate { value, error, evaluations: found.evaluations, bound: Bound::Proven };
-        Ok(Found { estimate, mean: found.value, scale, left_out, noise: found.noise })
+        Ok(Found { estimate, mean: found.value, scale, left_out: found.left_out, noise: found.noise })
     }
 
     /// The rule for x.

@@ -66,7 +66,7 @@ pub struct NumericSegment {
 pub enum Weight {
     /// 1: g(x) = x ∫ f′ dt.
     Slope,
-    /// r²: F(a)/(2E*) = ∫ r² f′ dt.
+    /// sin²t: F(a)/(2E*) = a² ∫ f′ sin²t dt.
     Force,
     /// cos²t: G(a) = a² ∫ f′ cos²t dt.
     Integral,
@@ -183,7 +183,7 @@ impl NumericProfile {
     /// As [`Self::slope`].
     pub fn force(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("a", a)?;
-        self.over_angle(a, Weight::Force, tolerance, None)
+        Ok(self.over_angle(a, Weight::Force, tolerance, None)?.scaled(a).scaled(a))
     }
 
     /// g(x) by bisection with one Gauss–Kronrod rule, for those who want to know what a rule costs.
@@ -201,7 +201,7 @@ impl NumericProfile {
     /// As [`Self::slope`].
     pub fn force_by(&self, a: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
         finite_and_not_negative("a", a)?;
-        self.over_angle(a, Weight::Force, tolerance, Some(rule))
+        Ok(self.over_angle(a, Weight::Force, tolerance, Some(rule))?.scaled(a).scaled(a))
     }
 
     /// G(a) = ∫₀^a g dx = ∫₀^a f′ √(a²−r²) dr.
@@ -293,7 +293,7 @@ impl NumericSegment {
 
     fn any_over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
-        let smear = self.smear(x, weight);
+        let smear = self.smear(x);
         if lower >= x {
             return Ok(Estimate { error: smear, ..Estimate::exact(0.0) });
         }
@@ -332,8 +332,8 @@ impl NumericSegment {
                 *height = match weight {
                     Weight::Slope => slope,
                     Weight::Force => {
-                        let r = self.lower + Bounded { value: distance, error: doubt };
-                        slope * r * r
+                        let share = (self.lower + Bounded { value: distance, error: doubt }) / Bounded::exact(x);
+                        slope * share * share
                     }
                     Weight::Integral => {
                         let cosine = with_ulps(rest.sin(), 8.0);
@@ -397,7 +397,7 @@ impl NumericSegment {
     }
 
     /// What the integral may change by while the ends of the interval are known to their errors only.
-    pub(super) fn smear(&self, x: f64, weight: Weight) -> f64 {
+    pub(super) fn smear(&self, x: f64) -> f64 {
         let arc = |end: Bounded| {
             // Half a unit is lost when it is added to the end itself.
             let (from, to) = ((end.value - end.error).next_down().max(0.0), (end.value + end.error).next_up());
@@ -409,9 +409,8 @@ impl NumericSegment {
         }
         let end = self.upper.map_or(x, |u| u.value.min(x));
         let size = |delta: f64| self.slope_at(delta).value.abs();
-        let factor = if matches!(weight, Weight::Force) { x * x } else { 1.0 };
-        // Twice: f′ is taken at the ends, and the weights of the other integrals stay below 2.
-        2.0 * factor * (lower * size(f64::MIN_POSITIVE) + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
+        // Twice: f′ is taken at the ends, and the weights stay below 2.
+        2.0 * (lower * size(f64::MIN_POSITIVE) + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
     }
 
     /// (r f′)′ over δ.

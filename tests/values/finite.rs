@@ -194,7 +194,7 @@ fn values_that_underflow_have_an_error() {
         for method in [Method::Auto, Method::Quadrature] {
             let contact = Contact::new(Evaluator::new(&solution, &Bindings::default(), method, 1e-12).unwrap(), 1.0, None, 1e-12);
             for a in [1e-70, 1e-108, 1e-112, 1e-162, 1e-170, 1e-200, 1e-308] {
-                let numbers = [("d", contact.depth(a)), ("G", contact.integral(a)), ("U", contact.energy(a))];
+                let numbers = [("d", contact.depth(a)), ("F", contact.force(a)), ("G", contact.integral(a)), ("U", contact.energy(a))];
                 for (quantity, found) in numbers {
                     let positive = |own: &Estimate| own.value > 0.0 || own.error > 0.0;
                     assert!(found.as_ref().map_or(true, |own| positive(&own.estimate)), "{quantity} of {text} at {a:e}: {found:?}");
