@@ -1,7 +1,8 @@
-"""Attacks the program with generated profiles: python3 attack.py PROGRAM typed|hidden|kinks|roots FIRST COUNT [--out FILE] [--no-formulas] [--table CSV].
+"""Attacks the program with generated profiles: python3 attack.py PROGRAM typed|hidden|kinks|roots FIRST COUNT [--out FILE] [--no-formulas] [--table CSV] [--references FILE].
 
 Every number of g, d, F and p at three places is compared with an enclosure of the true value; printed formulas are evaluated by mpmath.
 Faults are written as JSON lines; the summary is printed at the end and every 200 profiles.
+References take most of the time; a file of references spares the next run of the same profiles that.
 """
 import argparse
 import json
@@ -9,6 +10,7 @@ import os
 import pickle
 import random
 import resource
+import sqlite3
 import subprocess
 import sys
 import time
@@ -41,10 +43,35 @@ def run(command, limit=12):
     return code, out, err, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
+class References:
+    """The references of profiles, kept in a file from one run to the next."""
+
+    def __init__(self, path):
+        self.path = path
+        with sqlite3.connect(path) as file:
+            file.execute("CREATE TABLE IF NOT EXISTS known (profile TEXT PRIMARY KEY, found BLOB)")
+
+    def of(self, profile, seed, find):
+        """Returns what `find` returned for this profile before, or finds it now; `None` for a profile without a reference."""
+        key = repr((seed, profile.text, profile.values, profile.places))
+        with sqlite3.connect(self.path, timeout=600) as file:
+            row = file.execute("SELECT found FROM known WHERE profile = ?", (key,)).fetchone()
+        if row is not None:
+            kept = pickle.loads(row[0])
+            return kept and (kept[0], kept[1], {name: arb(middle, radius) for name, (middle, radius) in kept[2].items()})
+        found = find()
+        # 80 digits are more than any reference has; the cut is part of the radius.
+        text = lambda own: (own.mid().str(80, radius=False), (own.rad() + abs(own) * arb("1e-78")).upper().str(8, radius=False))
+        kept = found and (found[0], found[1], {name: text(own) for name, own in found[2].items()})
+        with sqlite3.connect(self.path, timeout=600) as file:
+            file.execute("INSERT OR REPLACE INTO known VALUES (?, ?)", (key, pickle.dumps(kept)))
+        return found
+
+
 class Attack:
     def __init__(self, program, out):
         self.program, self.out, self.count, self.slowest = program, out, Counter(), (0.0, None)
-        self.refusals, self.table, self.start = Counter(), None, time.time()
+        self.refusals, self.table, self.references, self.start = Counter(), None, None, time.time()
 
     def report(self, kind, seed, profile, **more):
         self.count[kind] += 1
@@ -99,24 +126,14 @@ class Attack:
     def profile(self, seed, profile, printed):
         self.count["profiles"] += 1
         bits = 700 if profile.removable else 240 if profile.marks else 140
-        try:
-            truth = Truth(profile.tree, profile.values, profile.end, profile.marks, profile.singular, bits)
-            places = profile.places
-            values = {("g", x): truth.g(x) for x in places}
-            values.update({("F", x): truth.force(x) for x in places})
-            for x in places:
-                values["d", x] = values["g", x]
-            a, chance = max(places), random.Random(seed)
-            radii = sorted(a * chance.uniform(0.02, 0.98) for _ in places)
-            if getattr(profile, "feature", None) and profile.places[0] < a:
-                radii[0] = profile.places[0]
-            radii = sorted(r for r in getattr(profile, "radii", radii) if 0 < r < a) or radii
-            for r in radii:
-                values["p", r] = truth.pressure(r, a)
-            deeper = lambda key: self.again(profile, bits, key, a)
-        except (NoTruth, ZeroDivisionError, ValueError, OverflowError, IndexError) as error:
+        find = lambda: self.reference(seed, profile, bits)
+        found = self.references.of(profile, seed, find) if self.references else find()
+        if found is None:
             self.count["without a reference"] += 1
             return
+        a, radii, values = found
+        places = profile.places
+        deeper = lambda key: self.again(profile, bits, key, a)
         sets = [part for name, value in profile.values.items() for part in ("--set", f"{name}={value!r}")]
         for quantity in "gdFp":
             at = radii if quantity == "p" else places
@@ -133,7 +150,27 @@ class Attack:
             for point in json.loads(out).get("points", [{"at": own, "why": "cut"} for own in at]):
                 self.number(seed, profile, quantity, point, values[quantity, point["at"]], deeper, shown)
         if printed:
-            self.printed(seed, profile, truth, values, a, sets)
+            self.printed(seed, profile, values, a, sets)
+
+    def reference(self, seed, profile, bits):
+        """Returns the contact radius, the radii of the pressures, and every true value; `None` where there is no enclosure."""
+        try:
+            truth = Truth(profile.tree, profile.values, profile.end, profile.marks, profile.singular, bits)
+            places = profile.places
+            values = {("g", x): truth.g(x) for x in places}
+            values.update({("F", x): truth.force(x) for x in places})
+            for x in places:
+                values["d", x] = values["g", x]
+            a, chance = max(places), random.Random(seed)
+            radii = sorted(a * chance.uniform(0.02, 0.98) for _ in places)
+            if getattr(profile, "feature", None) and profile.places[0] < a:
+                radii[0] = profile.places[0]
+            radii = sorted(r for r in getattr(profile, "radii", radii) if 0 < r < a) or radii
+            for r in radii:
+                values["p", r] = truth.pressure(r, a)
+            return a, radii, values
+        except (NoTruth, ZeroDivisionError, ValueError, OverflowError, IndexError):
+            return None
 
     def again(self, profile, bits, key, a):
         """The value once more, with twice the digits and other panels."""
@@ -169,7 +206,7 @@ class Attack:
             sets = " ".join(f"{k}={v!r}" for k, v in profile.values.items())
             self.table.write(f"{profile.text};{sets};{quantity};{radius};{point['at']!r};{true.mid().str(30, radius=False)}\n")
 
-    def printed(self, seed, profile, truth, values, a, sets):
+    def printed(self, seed, profile, values, a, sets):
         code, out, err, shown = self.call(seed, profile, [self.program, "derive", profile.text, "--json"])
         if not out.strip():
             code, out, err, shown = self.call(seed, profile, [self.program, "derive", profile.text, "--json", *sets])
@@ -239,11 +276,14 @@ def main():
     parser.add_argument("--out", default="/dev/null")
     parser.add_argument("--no-formulas", action="store_true")
     parser.add_argument("--table")
+    parser.add_argument("--references")
     own = parser.parse_args()
     with open(own.out, "w") as out:
         attack = Attack(own.program, out)
         if own.table:
             attack.table = open(own.table, "w")
+        if own.references:
+            attack.references = References(own.references)
         for seed in range(own.first, own.first + own.count):
             profile = getattr(shapes, own.mode)(seed)
             attack.apart(seed, profile, own.mode in ("typed", "roots") and not own.no_formulas)
