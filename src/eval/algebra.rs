@@ -235,6 +235,9 @@ fn by_spread(row: &Row, arguments: &[Bounded]) -> Option<Bounded> {
     let value = (row.value)(point);
     let carried = if by.iter().all(|by| *by == 0.0) { 0.0 } else { spread(exact, by) };
     let error = (carried + row.ulps() * f64::EPSILON * value.abs()) * (1.0 + 8.0 * f64::EPSILON);
+    if row.is_pair {
+        return Some(Bounded::checked(value, error + f64::from_bits(1)));
+    }
     // Next to underflow the bound would lose its own digits.
     (value.abs() >= 1e-150 && error <= f64::MAX).then_some(Bounded { value, error })
 }

@@ -37,12 +37,12 @@ pub fn walk<A: Algebra>(
 pub fn constant_value(expr: &Expr, bindings: &Bindings) -> Result<Bounded, EvalError> {
     let bound = bindings.apply(expr);
     let own = walk(&bound, &mut BoundedAlgebra, &mut |_| None)?;
-    if own.is_finite() {
+    if own.is_finite() && own.error <= own.value.abs() {
         return Ok(own);
     }
     // What leaves the range of doubles on its way, as e^1000/(1 + e^1000) does, may be a number all the same.
     let wide = walk(&bound, &mut WideAlgebra, &mut |_| None)?.precise().bounded();
-    Ok(if wide.is_finite() { wide } else { own })
+    Ok(if wide.is_finite() && !(own.error <= wide.error) { wide } else { own })
 }
 
 /// The same with 30 digits.
@@ -52,11 +52,11 @@ pub fn constant_value(expr: &Expr, bindings: &Bindings) -> Result<Bounded, EvalE
 pub fn precise_value(expr: &Expr, bindings: &Bindings) -> Result<Precise, EvalError> {
     let bound = shown_to_30_digits(&bindings.apply(expr));
     let own = walk(&bound, &mut PreciseAlgebra, &mut |_| None)?;
-    if own.is_finite() {
+    if own.is_finite() && own.error <= own.value.hi.abs() {
         return Ok(own);
     }
     let wide = walk(&bound, &mut WideAlgebra, &mut |_| None)?.precise();
-    Ok(if wide.is_finite() { wide } else { own })
+    Ok(if wide.is_finite() && !(own.error <= wide.error) { wide } else { own })
 }
 
 /// The smallest double that is not below the value of a constant, as far as 30 digits tell: r ≥ b means that r is this one or larger.

@@ -42,6 +42,11 @@ impl Evaluator<'_> {
         let mut ranges = Vec::new();
         for (lower, upper) in pairs {
             let (after, before) = (lower + clear(lower), upper - clear(upper));
+            if after >= before {
+                // Both ends are known too badly to leave anything between them.
+                skipped += upper - lower;
+                continue;
+            }
             skipped += (after - lower) + (upper - before);
             ranges.push(Gap { typed, slope: &slope, lower: after, upper: before, depth, slots: Vec::new() });
         }

@@ -3,9 +3,9 @@
 use super::angles::{self, Positive};
 use super::domain::numeric_sign;
 use super::{Chain, TransformError};
-use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape};
+use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape, WideAlgebra};
 use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, shown_to_30_digits};
-use crate::num::{Bounded, Precise};
+use crate::num::{Bounded, Precise, Wide};
 
 /// The largest number of kinks that are resolved in one chain.
 const MOST_KINKS: usize = 200;
@@ -223,33 +223,50 @@ const FINE: f64 = 8.0;
 /// … until this many of its lengths have none.
 const EXPECTED: f64 = 8.0;
 
-/// The range of r that is searched for kinks, and the steps per decade.
-const SEARCH: (i32, i32, u32) = (-30, 30, 300);
+/// The decades of r that are searched for kinks, …
+const SEARCH: std::ops::Range<i32> = -307..308;
+/// … those that are searched in so many steps in any case, …
+const USUAL: std::ops::Range<i32> = -30..30;
+const STEPS: u32 = 300;
+/// … and the places at which the others are looked at first.
+const LOOKS: u32 = 5;
 
 /// Sign changes of an expression in r alone: a logarithmic scan, then bisection to the last bit.
 fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
     let radius = [Symbol::new("r")];
     let tape = Tape::compile(std::slice::from_ref(expr), &radius)?;
     let precise = Tape::compile(&[shown_to_30_digits(expr)], &radius)?;
-    let mut slots = Vec::new();
-    let mut value = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots).unwrap_or(Bounded::exact(f64::NAN));
-    let mut slots = Vec::new();
-    // Where doubles leave the sign open.
-    let mut sharper = |r: f64| {
-        let own = precise.run(&mut PreciseAlgebra, &[Precise::exact(r)], &mut slots).map(|own| own.bounded());
-        own.unwrap_or(Bounded::exact(f64::NAN))
+    let unknown = Bounded::exact(f64::NAN);
+    let is_known = |own: &Bounded| own.value.abs() > own.error;
+    let value = |r: f64| {
+        let own = tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut Vec::new()).unwrap_or(unknown);
+        if is_known(&own) || (own.is_finite() && USUAL.contains(&(r.log10().floor() as i32))) {
+            return own;
+        }
+        // Squares of such radii, or constants, leave the range of doubles.
+        let wide = precise.run(&mut WideAlgebra, &[Wide::new(Precise::exact(r))], &mut Vec::new());
+        wide.map(|own| own.precise().bounded()).filter(is_known).unwrap_or(own)
     };
-    let (first, last, per_decade) = SEARCH;
+    // Where doubles leave the sign open.
+    let sharper = |r: f64| {
+        let own = precise.run(&mut PreciseAlgebra, &[Precise::exact(r)], &mut Vec::new()).map(|own| own.bounded());
+        own.unwrap_or(unknown)
+    };
+    let mut places = SEARCH.flat_map(|decade| {
+        let steps = if USUAL.contains(&decade) || is_lively(value, decade) { STEPS } else { 1 };
+        (0..steps).map(move |step| 10f64.powf(f64::from(decade) + f64::from(step) / f64::from(steps)))
+    });
     let mut roots: Vec<f64> = Vec::new();
     let mut end = None;
     let (mut starts, mut before) = (None, None);
-    let mut step = 0;
+    let mut next = places.next();
     let mut r = 0.0;
-    while step <= (last - first).unsigned_abs() * per_decade {
-        let wide = 10f64.powf(f64::from(first) + f64::from(step) / f64::from(per_decade));
+    while let Some(wide) = next {
         // Kinks that come one after another are those of a wave, which steps as wide as its length would pass over.
         let fine = narrow_step(&roots, r).map_or(f64::INFINITY, |by| r + by);
-        step += u32::from(wide <= fine);
+        if wide <= fine {
+            next = places.next();
+        }
         r = if wide <= r { continue } else { wide.min(fine) };
         let own = value(r);
         if own.value.is_nan() {
@@ -290,6 +307,23 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
         }
         None => Err(failure(name, "the sign of its argument is known nowhere")),
     }
+}
+
+/// Whether an expression may change its sign within a decade of r: it is not proportional to a power of r there, or not known.
+fn is_lively(value: impl Fn(f64) -> Bounded, decade: i32) -> bool {
+    const STRAIGHT: f64 = 1e-3;
+    let found: Vec<Bounded> = (0..=LOOKS).map(|look| value(10f64.powf(f64::from(decade) + f64::from(look) / f64::from(LOOKS)))).collect();
+    let is_faint = |own: &Bounded| own.value.abs() + own.error < f64::MIN_POSITIVE;
+    if found.iter().all(is_faint) || [f64::INFINITY, -f64::INFINITY].iter().any(|beyond| found.iter().all(|own| own.value == *beyond)) {
+        return false;
+    }
+    let first = found.first().is_some_and(|own| own.value > 0.0);
+    if found.iter().any(|own| !own.is_finite() || own.value.abs() <= own.error || (own.value > 0.0) != first) {
+        return true;
+    }
+    let sizes: Vec<f64> = found.iter().map(|own| own.value.abs().ln()).collect();
+    let bends = sizes.windows(3).map(|own| if let [a, b, c] = own { (a - b) - (b - c) } else { 0.0 });
+    bends.fold(0.0, |largest: f64, bend| largest.max(bend.abs())) > STRAIGHT
 }
 
 /// The step of the scan beyond the last of several kinks, for as long as more of them are to be expected.

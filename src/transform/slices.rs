@@ -6,7 +6,6 @@ use super::quantity::Quantity;
 use super::{Evaluator, Method, Reading, TransformError, dense};
 use crate::eval::{BlockInput, BlockScratch};
 use crate::num::spectral::Plan;
-#[cfg(feature = "parallel")]
 use crate::num::work;
 use crate::num::{Bound, Bounded, Estimate};
 

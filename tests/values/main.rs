@@ -23,3 +23,4 @@ mod sufficient;
 mod tables;
 mod typed;
 mod typed_quadrature;
+mod units;

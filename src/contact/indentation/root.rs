@@ -312,7 +312,7 @@ impl Indentation<'_> {
     ) -> Result<Option<(f64, f64)>, ContactError> {
         let (flat, limit) = (self.landscape.flat, self.contact.evaluator().limit());
         let end = if limit.is_finite() { limit.next_down() } else { FARTHEST }.min(self.setup.rim.unwrap_or(f64::INFINITY));
-        let mut upper = follower.get().map_or(self.landscape.reach * 1e-3, |last| last.root).clamp(flat.max(NEAREST), end);
+        let mut upper = follower.get().map_or(self.landscape.reach * 1e-3, |last| last.root).max(flat.max(NEAREST)).min(end);
         let mut factor = 2.0;
         let mut above = |a: f64| function(a).map(|value| value >= 0.0);
         // g may have no accurate value next to the end of a profile or far out; such a place is approached from below.

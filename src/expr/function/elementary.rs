@@ -99,7 +99,7 @@ pub(super) static ROWS: &[Row] = &[
         spread: Some(|a, by| {
             one(a, by, |z, by| {
                 let t = z.hi.tan().abs();
-                to_pole(by * (1.0 + t * t), (1.0 - 2.0 * t * (by + z.lo.abs()) - by).powi(2))
+                to_pole(by * (1.0 + t * t), (1.0 - 2.0 * t * (by + z.lo.abs()) - by).max(0.0).powi(2))
             })
         }),
         slice: Some(slices::TAN),

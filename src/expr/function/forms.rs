@@ -53,6 +53,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "ln_near_one",
         accuracy: Accuracy::Measured(2.0),
+        is_pair: true,
         arity: (2, 2),
         value: |a| {
             binary(a, |u, v| {
@@ -71,7 +72,9 @@ pub(super) static ROWS: &[Row] = &[
             _ => Precise::nan(),
         }),
         spread: Some(|a, by| match (a, by) {
-            ([u, _], [distance, _]) if u.hi.abs() < NEAR_ONE => precise::one(&[*u], &[*distance], |u, by| by / (1.0 + u.hi - 2.0 * by)),
+            ([u, _], [distance, _]) if u.hi.abs() < NEAR_ONE => {
+                precise::one(&[*u], &[*distance], |u, by| precise::to_pole(by, 1.0 + u.hi - 2.0 * by))
+            }
             ([_, v], [_, distance]) => precise::one(&[*v], &[*distance], |v, by| precise::to_pole(by, v.hi - 2.0 * by)),
             _ => f64::INFINITY,
         }),

@@ -41,6 +41,8 @@ pub struct Row {
     pub spread: Option<Spread>,
     /// Values and errors over slices, for elementary functions of one number.
     pub slice: Option<SliceLaw>,
+    /// True where the arguments are one number in two forms: moving one of them alone tells nothing.
+    pub is_pair: bool,
     /// The values while one argument runs over a slice and the others stay, for functions of several numbers.
     pub sweep: Option<Sweep>,
     /// The value at complex arguments, for elementary functions.
@@ -129,6 +131,7 @@ pub(super) const PLAIN: Row = Row {
     domain: None,
     shown: None,
     has_sign: false,
+    is_pair: false,
 };
 
 /// A function of the table; compared by name.
