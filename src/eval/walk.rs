@@ -42,7 +42,7 @@ pub fn constant_value(expr: &Expr, bindings: &Bindings) -> Result<Bounded, EvalE
     }
     // What leaves the range of doubles on its way, as e^1000/(1 + e^1000) does, may be a number all the same.
     let wide = walk(&bound, &mut WideAlgebra, &mut |_| None)?.precise().bounded();
-    Ok(if wide.is_finite() && !(own.error <= wide.error) { wide } else { own })
+    Ok(if wide.is_finite() && (wide.error < own.error || own.error.is_nan()) { wide } else { own })
 }
 
 /// The same with 30 digits.
@@ -56,7 +56,7 @@ pub fn precise_value(expr: &Expr, bindings: &Bindings) -> Result<Precise, EvalEr
         return Ok(own);
     }
     let wide = walk(&bound, &mut WideAlgebra, &mut |_| None)?.precise();
-    Ok(if wide.is_finite() && !(own.error <= wide.error) { wide } else { own })
+    Ok(if wide.is_finite() && (wide.error < own.error || own.error.is_nan()) { wide } else { own })
 }
 
 /// The smallest double that is not below the value of a constant, as far as 30 digits tell: r ≥ b means that r is this one or larger.
