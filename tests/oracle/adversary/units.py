@@ -24,7 +24,7 @@ def points(program, text, quantity, at, radius, sets):
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode not in (0, 1, 2):
         print("crash", command, done.stderr[:200], flush=True)
-    return json.loads(done.stdout)["points"] if done.stdout.strip() else []
+    return json.loads(done.stdout).get("points", []) if done.stdout.strip() else []
 
 
 def main():
