@@ -266,7 +266,7 @@ def test_ctrl_c_ends_long_work(name, delay):
     finally:
         signal.signal(signal.SIGINT, before)
     # Generous for a busy machine; 0.05 s are usual.
-    assert time.monotonic() - sent[0] < 1.0
+    assert time.monotonic() - sent[0] < 0.5
     assert sneddon.Contact("r^2/2", E_star=1.0).force(radius=1.0) == pytest.approx(4 / 3, rel=1e-14)
 
 

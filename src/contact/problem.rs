@@ -298,12 +298,12 @@ impl<P: Quantities> Contact<'_, P> {
 
     fn nested_energy(&self, a: f64) -> Result<Reading, ContactError> {
         let d = self.depth(a)?.estimate.bounded();
-        if !(d.value * d.value * a).is_finite() {
+        if !(d.value * (d.value * a)).is_finite() {
             return Err(TransformError::Overflow { symbol: "a", at: a }.into());
         }
         if let Some(own) = self.evaluator.squared_gap(a, d) {
             let Reading { estimate, method } = own?;
-            return Ok(Reading { estimate: not_quite_nothing(estimate, d).scaled(self.effective_modulus), method });
+            return Ok(Reading { estimate: charge_underflow(estimate, d, a).scaled(self.effective_modulus), method });
         }
         let mut failure = None;
         let mut inner = 0;
@@ -331,7 +331,7 @@ impl<P: Quantities> Contact<'_, P> {
             ) if error.is_finite() => Estimate::estimated(value, error, evaluations),
             Err(other) => return Err(failure.map_or_else(|| other.into(), Into::into)),
         };
-        let total = not_quite_nothing(found, d).scaled(self.effective_modulus);
+        let total = charge_underflow(found, d, a).scaled(self.effective_modulus);
         Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
     }
 
@@ -359,10 +359,11 @@ impl<P: Quantities> Contact<'_, P> {
     }
 }
 
-/// Returns ∫ (d − g)² dx with the smallest double as its error if it underflows.
-fn not_quite_nothing(squared: Estimate, d: Bounded) -> Estimate {
+/// Raises the error of ∫₀^a (d − g)² dx, where it underflowed to 0, to what the squares may have lost.
+fn charge_underflow(squared: Estimate, d: Bounded, a: f64) -> Estimate {
     let underflows = squared.value == 0.0 && (d.value != 0.0 || d.error != 0.0);
-    Estimate { error: if underflows { squared.error.max(f64::from_bits(1)) } else { squared.error }, ..squared }
+    let lost = if underflows { f64::from_bits(1) * a.max(1.0) } else { 0.0 };
+    Estimate { error: squared.error.max(lost), ..squared }
 }
 
 fn exact(value: f64) -> Reading {

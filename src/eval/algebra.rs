@@ -13,6 +13,10 @@ pub trait Algebra {
     type Value: Copy;
     /// About how many times longer an operation takes than one in plain doubles.
     const COST: u64 = 1;
+    /// Whether a stop, as in [`work::stoppable`](crate::num::work::stoppable), is looked for before every operation; what is cut short is `None`.
+    const STOPS: bool = false;
+    /// The same for tapes with functions other than the elementary ones.
+    const STOPS_SPECIAL: bool = false;
     /// A number of the tree to 30 digits.
     fn constant(&mut self, number: Precise) -> Self::Value;
     /// a + b.
@@ -107,6 +111,7 @@ pub struct BoundedAlgebra;
 impl Algebra for BoundedAlgebra {
     type Value = Bounded;
     const COST: u64 = 4;
+    const STOPS_SPECIAL: bool = true;
     const READS_NUMBERS: bool = true;
     fn kept(tape: &Kept) -> Option<&KeptValues<Bounded>> {
         Some(&tape.bounded)

@@ -2,7 +2,7 @@
 
 use super::blocks::Program;
 use super::walk::walk_with;
-use super::{Algebra, BoundedAlgebra, EvalError, Kept, PreciseAlgebra};
+use super::{Algebra, EvalError, Kept};
 use crate::expr::function::Accuracy;
 use crate::expr::{Expr, Function, Node, Symbol};
 use crate::num::{DoubleDouble, Precise, work};
@@ -140,10 +140,9 @@ impl Tape {
         slots.reserve(self.operations.len());
         let mut gathered = Vec::new();
         let kept = A::kept(&self.kept).map(|own| own.get_or_init(|| work::unbroken(|| self.constant_values(algebra))));
-        // Enclosures are never cut short: caches that outlive the call keep what they say.
-        let slow = A::COST >= PreciseAlgebra::COST || (A::COST == BoundedAlgebra::COST && self.kept.special);
+        let stops = A::STOPS || (A::STOPS_SPECIAL && self.kept.special);
         for (index, operation) in self.operations.iter().enumerate() {
-            if slow && work::is_stopped() {
+            if stops && work::is_stopped() {
                 return None;
             }
             let value = match kept.and_then(|list| list.get(index).copied().flatten()) {

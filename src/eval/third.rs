@@ -31,6 +31,7 @@ const SEGMENTS: [(&str, f64); 4] =
 impl Algebra for WideAlgebra {
     type Value = Wide;
     const COST: u64 = 60;
+    const STOPS: bool = true;
     fn constant(&mut self, number: Precise) -> Wide {
         Wide::new(number)
     }

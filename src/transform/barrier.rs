@@ -5,7 +5,7 @@ use super::first_zero::Zero;
 use super::{ClosedForm, TransformError};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol};
-use crate::num::Bounded;
+use crate::num::{Bounded, work};
 use std::sync::{Mutex, PoisonError};
 
 /// A demand with numbers for its parameters.
@@ -74,7 +74,7 @@ impl Barrier {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let to = at.min(self.upper);
         if known.end.is_none() && to > known.met {
-            known.end = self.search(known.met, to);
+            known.end = work::finished(|| self.search(known.met, to));
             known.met = to;
         }
         known.end.filter(|end| *end <= at)

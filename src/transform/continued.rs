@@ -6,7 +6,7 @@ use super::integral::{NumericSegment, Weight};
 use super::slope_source::Numbers;
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{Extent, Form, Known};
-use crate::num::{Bound, Estimate, Region};
+use crate::num::{Bound, Estimate, Region, work};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -127,7 +127,7 @@ impl NumericSegment {
                 let high = f64::from_bits((place + 1) << BELOW);
                 let mut slots = Vec::new();
                 let around = |region: Region| self.largest_bend(region, &mut slots);
-                let known = self.fewest(bend, around, (f64::from_bits(place << BELOW), high), false);
+                let known = work::finished(|| self.fewest(bend, around, (f64::from_bits(place << BELOW), high), false));
                 store(own, known)
             }
             rule => rule,
@@ -142,7 +142,7 @@ impl NumericSegment {
     pub(super) fn series_rule(&self, a: f64, find: impl FnOnce(f64, f64) -> Option<Known>) -> Option<Known> {
         let (place, own) = self.cell(a, OF_THE_SERIES)?;
         let rule = match own.rule.load(Ordering::Acquire) {
-            0 => store(own, find(f64::from_bits(place << BELOW), f64::from_bits((place + 1) << BELOW))),
+            0 => store(own, work::finished(|| find(f64::from_bits(place << BELOW), f64::from_bits((place + 1) << BELOW)))),
             rule => rule,
         };
         known_of(rule)
@@ -172,7 +172,7 @@ impl NumericSegment {
         };
         let (place, own) = self.cell(x, list)?;
         let rule = match own.rule.load(Ordering::Acquire) {
-            0 => self.entry(place, weight, own),
+            0 => work::finished(|| self.entry(place, weight, own)),
             rule => rule,
         };
         let known = known_of(rule)?;

@@ -43,7 +43,7 @@ impl Evaluator<'_> {
         for (lower, upper) in pairs {
             let (after, before) = (lower + clear(lower), upper - clear(upper));
             if after >= before {
-                // Both ends are known too badly to leave anything between them.
+                // The uncertainties of both ends cover the whole range.
                 skipped += upper - lower;
                 continue;
             }

@@ -66,7 +66,7 @@ pub enum TransformError {
         /// The coordinate.
         at: f64,
     },
-    /// A value below the smallest normal number, which has too few digits for what follows from it.
+    /// A value below the smallest normal number, too small to compute a further quantity from it.
     #[error("{quantity} at {symbol} = {at:?} is too small for a 64-bit float; a larger {symbol}, or other units, would be accepted")]
     Underflow {
         /// What is too small.

@@ -149,7 +149,7 @@ impl<'a> Evaluator<'a> {
 
     /// The smallest upper limit of r that the profile has.
     pub fn limit(&self) -> f64 {
-        *self.end.get_or_init(|| self.with_ends(Barrier::first_end))
+        *self.end.get_or_init(|| work::finished(|| self.with_ends(Barrier::first_end)))
     }
 
     /// The same, and where the profile is found to end at a place up to `at`, that place.

@@ -6,6 +6,7 @@ use super::{Chain, TransformError};
 use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape, WideAlgebra};
 use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, shown_to_30_digits};
 use crate::num::{Bounded, Precise, Wide};
+use std::cell::RefCell;
 
 /// The largest number of kinks that are resolved in one chain.
 const MOST_KINKS: usize = 200;
@@ -223,13 +224,14 @@ const FINE: f64 = 8.0;
 /// … until this many of its lengths have none.
 const EXPECTED: f64 = 8.0;
 
-/// The decades of r that are searched for kinks, …
+/// The decades of r that are searched for kinks.
 const SEARCH: std::ops::Range<i32> = -307..308;
-/// … those that are searched in so many steps in any case, …
+/// The decades that are always scanned in [`STEPS`] steps; another one is if [`needs_scan`] says so.
 const USUAL: std::ops::Range<i32> = -30..30;
+/// Steps of the scan of a decade.
 const STEPS: u32 = 300;
-/// … and the places at which the others are looked at first.
-const LOOKS: u32 = 5;
+/// Most unusual decades in a row that are scanned: a wave needs the scan without end, and a transition spans fewer.
+const IN_A_ROW: u32 = 20;
 
 /// Sign changes of an expression in r alone: a logarithmic scan, then bisection to the last bit.
 fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
@@ -238,8 +240,9 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
     let precise = Tape::compile(&[shown_to_30_digits(expr)], &radius)?;
     let unknown = Bounded::exact(f64::NAN);
     let is_known = |own: &Bounded| own.value.abs() > own.error;
+    let slots = RefCell::new(Vec::new());
     let value = |r: f64| {
-        let own = tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut Vec::new()).unwrap_or(unknown);
+        let own = tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots.borrow_mut()).unwrap_or(unknown);
         if is_known(&own) || (own.is_finite() && USUAL.contains(&(r.log10().floor() as i32))) {
             return own;
         }
@@ -252,8 +255,11 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
         let own = precise.run(&mut PreciseAlgebra, &[Precise::exact(r)], &mut Vec::new()).map(|own| own.bounded());
         own.unwrap_or(unknown)
     };
+    let mut in_a_row = 0;
     let mut places = SEARCH.flat_map(|decade| {
-        let steps = if USUAL.contains(&decade) || is_lively(value, decade) { STEPS } else { 1 };
+        let is_usual = USUAL.contains(&decade);
+        in_a_row = if is_usual || !needs_scan(&value, decade) { 0 } else { in_a_row + 1 };
+        let steps = if is_usual || (1..=IN_A_ROW).contains(&in_a_row) { STEPS } else { 1 };
         (0..steps).map(move |step| 10f64.powf(f64::from(decade) + f64::from(step) / f64::from(steps)))
     });
     let mut roots: Vec<f64> = Vec::new();
@@ -309,12 +315,13 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
     }
 }
 
-/// Whether an expression may change its sign within a decade of r: it is not proportional to a power of r there, or not known.
-fn is_lively(value: impl Fn(f64) -> Bounded, decade: i32) -> bool {
+/// Returns true unless six values within the decade of r have one sign and lie on a power law; a feature between them is missed.
+fn needs_scan(value: &impl Fn(f64) -> Bounded, decade: i32) -> bool {
+    const LOOKS: u32 = 5;
     const STRAIGHT: f64 = 1e-3;
     let found: Vec<Bounded> = (0..=LOOKS).map(|look| value(10f64.powf(f64::from(decade) + f64::from(look) / f64::from(LOOKS)))).collect();
-    let is_faint = |own: &Bounded| own.value.abs() + own.error < f64::MIN_POSITIVE;
-    if found.iter().all(is_faint) || [f64::INFINITY, -f64::INFINITY].iter().any(|beyond| found.iter().all(|own| own.value == *beyond)) {
+    let underflows = |own: &Bounded| own.value.abs() + own.error < f64::MIN_POSITIVE;
+    if found.iter().all(underflows) || [f64::INFINITY, -f64::INFINITY].iter().any(|beyond| found.iter().all(|own| own.value == *beyond)) {
         return false;
     }
     let first = found.first().is_some_and(|own| own.value > 0.0);

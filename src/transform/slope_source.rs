@@ -163,7 +163,7 @@ pub(super) fn rescue_block(tape: &Tape, deltas: &[f64], doubts: &[f64], values: 
     }
 }
 
-/// Whether a value left the range of doubles on its way; the reciprocal of what is too large is 0 with an error.
+/// Returns true if the value overflowed on its way; the reciprocal of an overflow is 0 with an error.
 fn is_lost(own: Bounded) -> bool {
     !own.is_finite() || (own.value == 0.0 && own.error > f64::MIN_POSITIVE)
 }

@@ -5,10 +5,9 @@
 
 use sneddon::contact::{Contact, ContactError};
 use sneddon::expr::{Bindings, Expr, Number};
-use sneddon::num::Estimate;
 use sneddon::parse;
 use sneddon::transform::{
-    Check, Closure, Evaluator, Interpolation, Method, NumericProfile, Profile, Quantities, TransformError, Verdict, check, derive,
+    Check, Closure, Evaluator, Interpolation, Method, NumericProfile, Profile, Quantities, Reading, TransformError, Verdict, check, derive,
 };
 use sneddon_checks::decimal::Decimal;
 
@@ -186,9 +185,10 @@ fn values_beyond_the_range_of_doubles_are_refused() {
     }
 }
 
-/// Class "0 ± 0 for a value below the smallest doubles", which is positive.
+/// Class "0 ± 0 for a value below the smallest doubles": a positive value that underflows to 0 has a positive error.
 #[test]
 fn values_that_underflow_have_an_error() {
+    let mut answered = 0;
     for text in ["r^2", "ln(cosh(r))", "r^3", "besselj(0,r)^2*r^2", "r^2*tanh(r)", "1-sqrt(1-r^2)", "sin(r)^2", "r^2/(1+r)"] {
         let solution = derive(&profile(text, "")).unwrap();
         for method in [Method::Auto, Method::Quadrature] {
@@ -196,15 +196,18 @@ fn values_that_underflow_have_an_error() {
             for a in [1e-70, 1e-108, 1e-112, 1e-162, 1e-170, 1e-200, 1e-308] {
                 let numbers = [("d", contact.depth(a)), ("F", contact.force(a)), ("G", contact.integral(a)), ("U", contact.energy(a))];
                 for (quantity, found) in numbers {
-                    let positive = |own: &Estimate| own.value > 0.0 || own.error > 0.0;
-                    assert!(found.as_ref().map_or(true, |own| positive(&own.estimate)), "{quantity} of {text} at {a:e}: {found:?}");
+                    let Ok(Reading { estimate, .. }) = found else { continue };
+                    answered += 1;
+                    assert!(estimate.value > 0.0 || estimate.error > 0.0, "{quantity} of {text} at {a:e}: {estimate:?}");
                 }
             }
         }
     }
+    assert!(answered >= 400, "{answered}");
 }
 
-/// Class "a mean over an area that underflows": p_mean of a paraboloid is 4a/(3πR) E* while the force has digits; then the reason is true.
+/// Class "a mean over an area that underflows": p_mean of a paraboloid is 4a/(3πR) E* while the force is not 0; below that, the error names
+/// the underflow.
 #[test]
 fn mean_pressures_do_not_need_the_area() {
     let expected = 4.0 / (3.0 * std::f64::consts::PI);

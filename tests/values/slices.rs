@@ -2,10 +2,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing)]
 
 use sneddon::expr::Bindings;
+use sneddon::num::work;
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Quantity, Reading, Slice, Solution, TransformError, derive};
 use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
+use std::sync::atomic::AtomicBool;
 
 /// Whole, kinked, worn, capped, cancelling, half open, and with an end.
 const PROFILES: &[&str] = &[
@@ -241,5 +243,22 @@ fn a_dense_slice_does_not_remember_those_before_it() {
         let mut alone = [0.0];
         fresh.slopes(&mixed[place..place + 1], Slice::values(&mut alone)).unwrap();
         assert_eq!(alone[0], others[place], "{}", mixed[place]);
+    }
+}
+
+/// Class "Ctrl-C is ignored": a stop ends a slice on every thread, and what was cut short is not kept.
+#[test]
+fn a_stop_ends_slices_and_leaves_nothing_behind() {
+    static STOP: AtomicBool = AtomicBool::new(true);
+    for text in ["besselj(0,r)^2*r", "r^2/besselj(0,r)", "r^2*tanh(r)/(1+r^3)", "1/besselj(0,r)-1"] {
+        let solution = solution(text);
+        let (stopped, fresh) = (evaluator(&solution, 1e-12), evaluator(&solution, 1e-12));
+        let x: Vec<f64> = (1..=40_000).map(|i| 2e-5 * f64::from(i)).collect();
+        let mut values = vec![0.0; x.len()];
+        let ended = work::stoppable(&STOP, || stopped.slopes(&x, Slice::values(&mut values)));
+        assert!(ended.is_err_and(|error| error.to_string().contains("budget")), "{text}");
+        assert_eq!(work::stoppable(&STOP, || stopped.limit()), fresh.limit(), "{text}");
+        let last = |own: &Evaluator<'_>| own.slope(0.8).map(|own| own.estimate);
+        assert_eq!(last(&stopped), last(&fresh), "{text}");
     }
 }

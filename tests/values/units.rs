@@ -28,7 +28,8 @@ fn agree(text: &str, powers: &[i32], x: f64) -> usize {
     for power in powers {
         for (index, (found, usual)) in numbers(text, *power, x).into_iter().zip(usual).enumerate() {
             let Some(found) = found else { continue };
-            answered += 1;
+            // What is known to few digits agrees with anything.
+            answered += usize::from(found.error <= 1e-10 * usual.value.abs());
             let off = (found.value - usual.value).abs();
             assert!(
                 off <= found.error + usual.error,
@@ -54,7 +55,7 @@ fn kinks_are_found_in_every_unit() {
         "abs(r^4-0.3)",
     ];
     let answered: usize = texts.iter().map(|text| agree(text, &powers, 0.9)).sum();
-    assert!(answered >= 198, "{answered}");
+    assert!(answered >= 257, "{answered}");
 }
 
 /// Class "the argument of a logarithm leaves the range of doubles on its way": ln(1 + r²/s²) was 0 with a bound of 0.99.
@@ -63,5 +64,5 @@ fn arguments_beyond_the_range_of_doubles_are_charged() {
     let powers = [-900, -700, -540, 520, 540, 700, 900];
     let texts = ["ln(1+r^2)", "-ln(1-r^2/16)", "ln(cosh(r))*r", "ln(1+r^2)^2+r^2", "tan(r^2/4)", "atanh(r^2/4)", "asin(r^2/4)"];
     let answered: usize = texts.iter().map(|text| agree(text, &powers, 0.7)).sum();
-    assert!(answered >= 161, "{answered}");
+    assert!(answered >= 137, "{answered}");
 }

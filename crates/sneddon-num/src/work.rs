@@ -150,8 +150,8 @@ pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
     apart(NONE, || finished(work)).0
 }
 
-/// Runs work that no other thread ends.
-fn finished<T>(work: impl FnOnce() -> T) -> T {
+/// Runs work that [`stoppable`] does not end, because caches keep its result beyond the call.
+pub fn finished<T>(work: impl FnOnce() -> T) -> T {
     let stop = METER.with(|meter| meter.stop.take());
     let result = work();
     METER.with(|meter| meter.stop.set(stop));

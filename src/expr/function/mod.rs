@@ -41,7 +41,7 @@ pub struct Row {
     pub spread: Option<Spread>,
     /// Values and errors over slices, for elementary functions of one number.
     pub slice: Option<SliceLaw>,
-    /// True where the arguments are one number in two forms: moving one of them alone tells nothing.
+    /// True if both arguments encode the same number, so that varying one of them alone gives no error bound.
     pub is_pair: bool,
     /// The values while one argument runs over a slice and the others stay, for functions of several numbers.
     pub sweep: Option<Sweep>,

@@ -5,11 +5,11 @@ s f(r/s) at s x has the g, F, U, p, … of f at x, each times a power of s. The 
 import json
 import random
 import re
-import subprocess
 import sys
 from fractions import Fraction
 
 import shapes
+from attack import run
 
 # The power of s that each quantity has.
 POWERS = {"f": 1, "g": 1, "F": 2, "G": 2, "U": 3, "p_mean": 0, "p": 0, "u": 1, "sigma_zz": 0}
@@ -21,10 +21,10 @@ def points(program, text, quantity, at, radius, sets):
     command = [program, "eval", text, "--quantity", quantity, "--at", ",".join(map(repr, at)), "--json", *sets]
     if radius is not None:
         command += ["--radius", repr(radius)]
-    done = subprocess.run(command, capture_output=True, text=True)
-    if done.returncode not in (0, 1, 2):
-        print("crash", command, done.stderr[:200], flush=True)
-    return json.loads(done.stdout).get("points", []) if done.stdout.strip() else []
+    code, out, err, _ = run(command)
+    if code not in (0, 1, 2):
+        print("crash", command, err[:200], flush=True)
+    return json.loads(out).get("points", []) if out.strip() else []
 
 
 def main():

@@ -1,6 +1,7 @@
 //! A function as short polynomials over parts of octaves, each made from 30 digits when it is first needed.
 
 use super::super::double_double::{DoubleDouble, Precise};
+use super::super::work;
 use super::local::{LOCAL, Local, local_nodes};
 use std::sync::OnceLock;
 
@@ -129,7 +130,7 @@ impl Dense {
             let Some(counts) = plan.divided.get(first + place) else { continue };
             let mut codes = *counts;
             for ((code, part), index) in codes.iter_mut().zip(parts.iter()).zip(0..) {
-                let part = (*code >= least).then(|| part.get_or_init(|| Part::new(source, prefix + index, depth)));
+                let part = (*code >= least).then(|| part.get_or_init(|| work::finished(|| Part::new(source, prefix + index, depth))));
                 *code = plan.code(part, fresh);
             }
             if let Some(own) = plan.divided.get_mut(first + place) {
@@ -141,7 +142,7 @@ impl Dense {
     /// A sixteenth of an octave.
     fn first(&self, source: &impl Exact, own: usize) -> Option<&Part> {
         let parts = self.octaves.get(own / PARTS)?.get_or_init(|| Box::new(divided()));
-        Some(parts.get(own % PARTS)?.get_or_init(|| Part::new(source, own as u64, 1)))
+        Some(parts.get(own % PARTS)?.get_or_init(|| work::finished(|| Part::new(source, own as u64, 1))))
     }
 }
 
