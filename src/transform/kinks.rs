@@ -241,9 +241,13 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
     let unknown = Bounded::exact(f64::NAN);
     let is_known = |own: &Bounded| own.value.abs() > own.error;
     let slots = RefCell::new(Vec::new());
+    let in_doubles = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots.borrow_mut()).unwrap_or(unknown);
+    let size = [1e-6, 1e-3, 1.0, 1e3].map(|r| in_doubles(r).value.abs()).into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
     let value = |r: f64| {
-        let own = tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots.borrow_mut()).unwrap_or(unknown);
-        if is_known(&own) || (own.is_finite() && USUAL.contains(&(r.log10().floor() as i32))) {
+        let own = in_doubles(r);
+        let is_usual = || USUAL.contains(&(r.log10().floor() as i32));
+        // A difference of near numbers is left open, as ln(1 + r) − r next to the axis.
+        if is_known(&own) || underflows(&own) || (own.is_finite() && (own.error <= 1e-6 * size || is_usual())) {
             return own;
         }
         // Squares of such radii, or constants, leave the range of doubles.
@@ -320,7 +324,6 @@ fn needs_scan(value: &impl Fn(f64) -> Bounded, decade: i32) -> bool {
     const LOOKS: u32 = 5;
     const STRAIGHT: f64 = 1e-3;
     let found: Vec<Bounded> = (0..=LOOKS).map(|look| value(10f64.powf(f64::from(decade) + f64::from(look) / f64::from(LOOKS)))).collect();
-    let underflows = |own: &Bounded| own.value.abs() + own.error < f64::MIN_POSITIVE;
     if found.iter().all(underflows) || [f64::INFINITY, -f64::INFINITY].iter().any(|beyond| found.iter().all(|own| own.value == *beyond)) {
         return false;
     }
@@ -331,6 +334,11 @@ fn needs_scan(value: &impl Fn(f64) -> Bounded, decade: i32) -> bool {
     let sizes: Vec<f64> = found.iter().map(|own| own.value.abs().ln()).collect();
     let bends = sizes.windows(3).map(|own| if let [a, b, c] = own { (a - b) - (b - c) } else { 0.0 });
     bends.fold(0.0, |largest: f64, bend| largest.max(bend.abs())) > STRAIGHT
+}
+
+/// Returns true if the value is below the smallest normal number.
+fn underflows(own: &Bounded) -> bool {
+    own.value.abs() + own.error < f64::MIN_POSITIVE
 }
 
 /// The step of the scan beyond the last of several kinks, for as long as more of them are to be expected.
