@@ -199,8 +199,8 @@ impl<P: Quantities> Contact<'_, P> {
         }
         let force = self.force(a)?;
         // The area alone may leave the range of doubles.
-        let share = |length: Bounded| Bounded::exact(1.0) / length;
-        let mean = force.estimate.times(share(Bounded::exact(a))).times(share(Bounded::rounded(PI) * Bounded::exact(a)));
+        let reciprocal = |length: Bounded| Bounded::exact(1.0) / length;
+        let mean = force.estimate.times(reciprocal(Bounded::exact(a))).times(reciprocal(Bounded::rounded(PI) * Bounded::exact(a)));
         if force.estimate.value.abs() < f64::MIN_POSITIVE && mean.error > mean.value.abs() {
             return Err(TransformError::Underflow { quantity: "the force", symbol: "a", at: a }.into());
         }
@@ -359,7 +359,7 @@ impl<P: Quantities> Contact<'_, P> {
     }
 }
 
-/// Raises the error of ∫₀^a (d − g)² dx, where it underflowed to 0, to what the squares may have lost.
+/// Adds to ∫₀^a (d − g)² dx the error of squares that underflow, if the integral is 0.
 fn charge_underflow(squared: Estimate, d: Bounded, a: f64) -> Estimate {
     let underflows = squared.value == 0.0 && (d.value != 0.0 || d.error != 0.0);
     let lost = if underflows { f64::from_bits(1) * a.max(1.0) } else { 0.0 };

@@ -13,9 +13,10 @@ pub trait Algebra {
     type Value: Copy;
     /// About how many times longer an operation takes than one in plain doubles.
     const COST: u64 = 1;
-    /// Whether a stop, as in [`work::stoppable`](crate::num::work::stoppable), is looked for before every operation; what is cut short is `None`.
+    /// Whether a tape checks for a stop, as in [`work::stoppable`](crate::num::work::stoppable), before every operation.
+    /// A stopped run returns `None`.
     const STOPS: bool = false;
-    /// The same for tapes with functions other than the elementary ones.
+    /// Whether only a tape with special functions does.
     const STOPS_SPECIAL: bool = false;
     /// A number of the tree to 30 digits.
     fn constant(&mut self, number: Precise) -> Self::Value;

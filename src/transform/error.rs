@@ -67,7 +67,7 @@ pub enum TransformError {
         at: f64,
     },
     /// A value below the smallest normal number, too small to compute a further quantity from it.
-    #[error("{quantity} at {symbol} = {at:?} is too small for a 64-bit float; a larger {symbol}, or other units, would be accepted")]
+    #[error("{quantity} at {symbol} = {at:?} is too small for a 64-bit float; expected a larger {symbol}, or other units")]
     Underflow {
         /// What is too small.
         quantity: &'static str,

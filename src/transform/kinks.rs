@@ -226,12 +226,15 @@ const EXPECTED: f64 = 8.0;
 
 /// The decades of r that are searched for kinks.
 const SEARCH: std::ops::Range<i32> = -307..308;
-/// The decades that are always scanned in [`STEPS`] steps; another one is if [`needs_scan`] says so.
+/// The decades that are always scanned in [`STEPS`] steps; others are scanned only if [`needs_scan`] returns true.
 const USUAL: std::ops::Range<i32> = -30..30;
 /// Steps of the scan of a decade.
 const STEPS: u32 = 300;
-/// Most unusual decades in a row that are scanned: a wave needs the scan without end, and a transition spans fewer.
+/// Maximum number of consecutive decades outside [`USUAL`] to scan; only a wave without end needs more.
 const IN_A_ROW: u32 = 20;
+
+/// Maximum error, as a share of the expression at usual radii, that cancellation explains; overflow leaves far larger ones.
+const SMALL: f64 = 1e-6;
 
 /// Sign changes of an expression in r alone: a logarithmic scan, then bisection to the last bit.
 fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
@@ -246,8 +249,8 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
     let value = |r: f64| {
         let own = in_doubles(r);
         let is_usual = || USUAL.contains(&(r.log10().floor() as i32));
-        // A difference of near numbers is left open, as ln(1 + r) − r next to the axis.
-        if is_known(&own) || underflows(&own) || (own.is_finite() && (own.error <= 1e-6 * size || is_usual())) {
+        // Exponents without end do not help against cancellation, as in ln(1 + r) − r near the axis.
+        if is_known(&own) || underflows(&own) || (own.is_finite() && (own.error <= SMALL * size || is_usual())) {
             return own;
         }
         // Squares of such radii, or constants, leave the range of doubles.
@@ -319,7 +322,7 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
     }
 }
 
-/// Returns true unless six values within the decade of r have one sign and lie on a power law; a feature between them is missed.
+/// Returns false if six values within the decade of r have one sign and lie on a power law. A feature between them is missed.
 fn needs_scan(value: &impl Fn(f64) -> Bounded, decade: i32) -> bool {
     const LOOKS: u32 = 5;
     const STRAIGHT: f64 = 1e-3;

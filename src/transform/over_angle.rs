@@ -7,14 +7,14 @@ use crate::num::quadrature::growth_below_normal;
 
 /// Up to [`MOST`] nodes of one segment.
 pub(super) struct Nodes {
-    /// r − lower, and bounds of its errors.
+    /// r − lower, and bounds on its error.
     pub(super) distances: [f64; MOST],
     pub(super) doubts: [f64; MOST],
     pub(super) slopes: [Bounded; MOST],
 }
 
 impl NumericSegment {
-    /// Returns f′ at the nodes whose angles are given from that of `from` on, each with the rest up to π/2.
+    /// Returns f′ at nodes beyond the radius `from`. Each angle is given twice: counted from the angle of `from`, and as the rest up to π/2.
     pub(super) fn slopes_over_angle(
         &self,
         from: f64,
@@ -37,7 +37,7 @@ impl NumericSegment {
             *distance = x * share;
             // Below the smallest normal number f′ has too few digits.
             *normal = distance.max(f64::MIN_POSITIVE);
-            // The distance counts from an end that is known to its error only; next to that end `smear` has it.
+            // The error of the lower end itself; next to that end `smear` bounds its effect.
             let own = if *normal > 2.0 * self.lower.error { self.lower.error } else { 0.0 };
             *doubt = with_ulps(*normal, 12.0).error + own;
         }

@@ -163,9 +163,8 @@ pub(super) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f
         trials += u32::from(size > FAR_BELOW * last);
         scale = Some(if size < 0.5 * last { size } else { 0.1 * last }).filter(|scale| scale.is_normal());
     }
-    // A value of 0 is accepted if only underflow remains in its bound; every piece, of which there are some hundred at most, adds one
-    // smallest normal number.
-    let nothing = 1e3 * f64::MIN_POSITIVE;
+    // A value of 0 is accepted if only underflow remains in its bound: each piece may add the smallest normal number.
+    let nothing = MOST_ENCLOSURES as f64 * f64::MIN_POSITIVE;
     Ok(best.filter(|own| own.error <= ROUGH * own.value.abs() || (own.value == 0.0 && own.error < nothing)))
 }
 

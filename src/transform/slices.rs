@@ -487,13 +487,7 @@ fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), Transfo
     // The first error by place, whichever thread is faster.
     // Threads count on their own; together they may take what this one has left.
     let (most, stop) = (work::left(), work::stop_flag());
-    let counted = |(points, out)| {
-        let work = || work::apart(most, || run(points, out));
-        match stop {
-            Some(stop) => work::stoppable(stop, work),
-            None => work(),
-        }
-    };
+    let counted = |(points, out)| work::stoppable(stop, || work::apart(most, || run(points, out)));
     let ends: Vec<(Result<(), TransformError>, u64, bool)> = tasks.into_par_iter().map(counted).collect();
     ends.iter().for_each(|(_, steps, _)| work::spend(*steps));
     work::check()?;

@@ -203,7 +203,7 @@ fn values_that_underflow_have_an_error() {
             }
         }
     }
-    assert!(answered >= 400, "{answered}");
+    assert!(answered >= 407, "{answered}");
 }
 
 /// Class "a mean over an area that underflows": p_mean of a paraboloid is 4a/(3πR) E* while the force is not 0; below that, the error names
@@ -216,10 +216,12 @@ fn mean_pressures_do_not_need_the_area() {
         let contact = Contact::new(Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap(), 1.0, None, 1e-12);
         contact.mean_pressure(radius).map(|own| own.unwrap().estimate).map_err(|error| error.to_string())
     };
-    for radius in [1e150, 1e9, 1.0, 1e-9, 1e-120, 1e-150, 1e-154, 1e-157, 1e-160, 1e-161] {
+    // Below 1e-150 the force has fewer and fewer digits.
+    let sharp = [1e150, 1e9, 1.0, 1e-9, 1e-120, 1e-150].map(|radius| (radius, 3.5e-16));
+    for (radius, largest) in sharp.into_iter().chain([(1e-154, 1e-14), (1e-157, 5e-9), (1e-160, 5e-3), (1e-161, 0.5)]) {
         let found = mean(radius).unwrap();
         assert!((found.value - expected).abs() <= found.error, "{radius:e}: {found:?}");
-        assert!(found.error <= 1e-15 || radius < 1e-150, "{radius:e}: {found:?}");
+        assert!(found.error <= largest, "{radius:e}: {found:?}");
     }
     for (radius, reason) in [(1e-170, "too small"), (1e-300, "too small"), (1e170, "too large")] {
         assert!(mean(radius).unwrap_err().contains(reason), "{radius:e}: {:?}", mean(radius));

@@ -1,4 +1,4 @@
-//! Laws of scaling: s f(r/s) has the answers of f in other units, from 2⁻⁹⁹⁰ to 2⁹⁰⁰.
+//! Scaling laws: the quantities of s f(r/s) must equal those of f times powers of s, for s from 2⁻⁹⁹⁰ to 2⁹⁰⁰.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use sneddon::contact::Contact;
@@ -7,7 +7,7 @@ use sneddon::num::Estimate;
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, derive};
 
-/// f, g, F/E* and p of s f(r/s) at s x, divided by the power of s that each has; `None` for a number that is refused.
+/// Returns f, g, F/E* and p of s f(r/s) at s x, each divided by its power of s; `None` for a refused number.
 fn numbers(text: &str, power: i32, x: f64) -> [Option<Estimate>; 4] {
     let unit = f64::from(power).exp2();
     let scaled = format!("2^({power})*({})", text.replace('r', &format!("(r/2^({power}))")));
@@ -28,7 +28,7 @@ fn agree(text: &str, powers: &[i32], x: f64) -> usize {
     for power in powers {
         for (index, (found, usual)) in numbers(text, *power, x).into_iter().zip(usual).enumerate() {
             let Some(found) = found else { continue };
-            // What is known to few digits agrees with anything.
+            // Numbers with fewer than ten digits are checked, but not counted.
             answered += usize::from(found.error <= 1e-10 * usual.value.abs());
             let off = (found.value - usual.value).abs();
             assert!(

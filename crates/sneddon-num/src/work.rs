@@ -126,14 +126,14 @@ pub fn apart<T>(steps: u64, work: impl FnOnce() -> T) -> (T, u64, bool) {
 /// STOP.store(true, Ordering::Relaxed);
 /// assert!(stoppable(&STOP, work).is_err());
 /// ```
-pub fn stoppable<T>(stop: &'static AtomicBool, work: impl FnOnce() -> T) -> T {
-    let before = METER.with(|meter| meter.stop.replace(Some(stop)));
+pub fn stoppable<T>(stop: impl Into<Option<&'static AtomicBool>>, work: impl FnOnce() -> T) -> T {
+    let before = METER.with(|meter| meter.stop.replace(stop.into()));
     let result = work();
     METER.with(|meter| meter.stop.set(before));
     result
 }
 
-/// Returns the flag of [`stoppable`] under which this thread works, for other threads that do a part of its work.
+/// Returns the flag that ends the work of this thread, to be passed to [`stoppable`] on threads that share the work.
 pub fn stop_flag() -> Option<&'static AtomicBool> {
     METER.with(|meter| meter.stop.get())
 }
@@ -150,7 +150,7 @@ pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
     apart(NONE, || finished(work)).0
 }
 
-/// Runs work that [`stoppable`] does not end, because caches keep its result beyond the call.
+/// Runs work to its end even under [`stoppable`], for a result that is cached beyond the call.
 pub fn finished<T>(work: impl FnOnce() -> T) -> T {
     let stop = METER.with(|meter| meter.stop.take());
     let result = work();

@@ -3,7 +3,7 @@
 Every number of g, d, F and p at three places is compared with an enclosure of the true value; printed formulas are evaluated by mpmath.
 Faults are written as JSON lines; the summary is printed at the end and every 200 profiles.
 References take most of the time: with --references they are stored, and later runs of the same profiles read them.
-Whoever changes shapes.py or truth.py takes a new file.
+Use a new file after a change of shapes.py or truth.py.
 """
 import argparse
 import json
@@ -45,7 +45,7 @@ def run(command, limit=12):
 
 
 class References:
-    """The references of profiles, kept in a file from one run to the next."""
+    """True values of profiles, stored in a file for later runs."""
 
     def __init__(self, path):
         self.path = path
@@ -53,7 +53,7 @@ class References:
             file.execute("CREATE TABLE IF NOT EXISTS known (profile TEXT PRIMARY KEY, found BLOB)")
 
     def of(self, profile, seed, find):
-        """Returns what `find` returned for this profile before, or finds it now; `None` for a profile without a reference."""
+        """Return the stored references of a profile, or compute and store them with `find`; None if there are none."""
         key = repr((seed, profile.text, profile.values, profile.places))
         with sqlite3.connect(self.path, timeout=600) as file:
             row = file.execute("SELECT found FROM known WHERE profile = ?", (key,)).fetchone()
@@ -137,7 +137,7 @@ class Attack:
         a, radii, values = found
         places = profile.places
         deeper = lambda key: self.again(profile, bits, key, a)
-        sets = [part for name, value in profile.values.items() for part in ("--set", f"{name}={value!r}")]
+        sets = shapes.settings(profile)
         for quantity in "gdFp":
             at = radii if quantity == "p" else places
             command = [self.program, "eval", profile.text, "--quantity", quantity, "--at", ",".join(map(repr, at)), "--json", *sets]
@@ -156,7 +156,7 @@ class Attack:
             self.printed(seed, profile, values, a, sets)
 
     def reference(self, seed, profile, bits):
-        """Returns the contact radius, the radii of the pressures, and every true value; `None` where there is no enclosure."""
+        """Return the contact radius, the radii of the pressures and the true values, or None if they cannot be enclosed."""
         try:
             truth = Truth(profile.tree, profile.values, profile.end, profile.marks, profile.singular, bits)
             places = profile.places

@@ -510,3 +510,8 @@ def placed(profile, chance):
     """The profile with the places at which it is asked."""
     profile.places = [profile.end * chance.uniform(0.03, 1) for _ in range(3)]
     return profile
+
+
+def settings(profile):
+    """Return the options `--set` that give the parameters their values."""
+    return [part for name, value in profile.values.items() for part in ("--set", f"{name}={value!r}")]

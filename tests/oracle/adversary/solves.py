@@ -39,7 +39,7 @@ def main():
     for seed in range(given.first, given.first + given.count):
         profile = shapes.typed(seed)
         place = sorted(profile.places)[1]
-        sets = [part for name, value in profile.values.items() for part in ("--set", f"{name}={value!r}")]
+        sets = shapes.settings(profile)
         _, out, _, _ = run([given.program, "eval", profile.text, "--quantity", "g", "--at", repr(place), "--json", *sets])
         depth = json.loads(out)["points"][0].get("value") if out.strip() else None
         if not depth or depth <= 0:

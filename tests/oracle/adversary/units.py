@@ -1,6 +1,6 @@
 """Compares typed profiles with themselves in other units: python3 units.py PROGRAM FIRST COUNT.
 
-s f(r/s) at s x has the g, F, U, p, … of f at x, each times a power of s. The scale s is a power of two from 2^-1000 to 2^900.
+The quantities g, F, U, p, … of s f(r/s) at s x must equal those of f at x times powers of s, with s from 2^-1000 to 2^900.
 """
 import json
 import random
@@ -17,7 +17,7 @@ SCALES = [-1000, -990, -960, -900, -700, -520, -500, -330, -100, -60, -40, -30, 
 
 
 def points(program, text, quantity, at, radius, sets):
-    """Returns the points of `sneddon eval --json`; none where the program refuses them all."""
+    """Return the points that `sneddon eval --json` prints, an empty list if the program refuses all of them."""
     command = [program, "eval", text, "--quantity", quantity, "--at", ",".join(map(repr, at)), "--json", *sets]
     if radius is not None:
         command += ["--radius", repr(radius)]
@@ -32,7 +32,7 @@ def main():
     compared = wrong = refused = 0
     for seed in range(first, first + count):
         profile, chance = shapes.typed(seed), random.Random(seed)
-        sets = [part for name, value in profile.values.items() for part in ("--set", f"{name}={value!r}")]
+        sets = shapes.settings(profile)
         a = max(profile.places)
         radii = [0.0, a * chance.uniform(0.02, 0.98), a * chance.uniform(0.9, 1.0)]
         power = chance.choice(SCALES)
