@@ -1,6 +1,6 @@
 //! The exact pressure of a worn tip on one's own grid: five lines for whoever writes a solver.
 
-use sneddon::scene::{Control, Curve, Loads, Run, Scene};
+use sneddon::scene::{Control, Loads, Quantity, Run, Scene};
 use sneddon::{parse, transform::Profile};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -11,7 +11,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let state = run.state(0, false).ok_or("no valid contact belongs to this force")?;
     println!("d = {:?}, a = {:?}, {:?}", state.depth, state.radius, state.boundary);
     for r in (0..10).map(|step| f64::from(step) * 0.1) {
-        match run.point(Curve::Pressure, Some(&state), r).value {
+        match run.point(Quantity::Pressure, Some(&state), r).value {
             Ok((pressure, error)) => println!("p({r:.1}) = {pressure:?} with an error of at most {error:.1e}"),
             Err(why) => println!("p({r:.1}): {why}"),
         }

@@ -7,14 +7,12 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyArithmeticError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use self_cell::self_cell;
-use sneddon::contact::{Contact, ContactError, Explicit, Indentation, Load, Measured, Part, Reason, Setup, explicit};
+use sneddon::contact::{Contact, ContactError, Indentation, Load, Measured, Part, Quantity, Reason, Setup, explicit};
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::num::work::{self, Budget};
 use sneddon::num::{Bound as Ground, Estimate};
 use sneddon::parse;
-use sneddon::transform::{
-    self, Closure, ClosureProfile, Evaluator, Interpolation, Method, Profile, Quantities, Reading, Slice, TableProfile,
-};
+use sneddon::transform::{self, Closure, ClosureProfile, Evaluator, Interpolation, Method, Profile, Slice, TableProfile};
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
@@ -33,7 +31,6 @@ self_cell!(
 enum Shape {
     Formula {
         solved: Solved,
-        inverse: Option<Explicit>,
         /// True where the depth is given and the contact ends at a rim.
         has_rim: bool,
     },
@@ -47,63 +44,18 @@ enum Shape {
 
 type Raised = Arc<Mutex<Option<PyErr>>>;
 
-/// A quantity by its key.
-#[derive(Clone, Copy, PartialEq)]
-enum Wanted {
-    Profile,
-    Equivalent,
-    Integral,
-    Depth,
-    Force,
-    Stiffness,
-    Energy,
-    MeanPressure,
-    RadiusOfDepth,
-    RadiusOfForce,
-    ForceOfDepth,
-    DepthOfForce,
-    Pressure,
-    Displacement,
-    AxialStress,
+/// The quantity with a key.
+fn quantity(key: &str) -> Result<Quantity, Fault> {
+    Quantity::of(key).ok_or_else(|| Fault::new(format!("{key} is not a quantity")))
 }
 
-impl Wanted {
-    fn of(key: &str) -> Result<Self, Fault> {
-        Ok(match key {
-            "f" => Self::Profile,
-            "g" => Self::Equivalent,
-            "G" => Self::Integral,
-            "d" => Self::Depth,
-            "F" => Self::Force,
-            "k" => Self::Stiffness,
-            "U" => Self::Energy,
-            "p_mean" => Self::MeanPressure,
-            "a_of_d" => Self::RadiusOfDepth,
-            "a_of_F" => Self::RadiusOfForce,
-            "F_of_d" => Self::ForceOfDepth,
-            "d_of_F" => Self::DepthOfForce,
-            "p" => Self::Pressure,
-            "u" => Self::Displacement,
-            "sigma_zz" => Self::AxialStress,
-            other => return Err(Fault::new(format!("{other} is not a quantity"))),
-        })
-    }
-
-    /// Whether values belong to a place and a contact radius.
-    fn has_radius(self) -> bool {
-        matches!(self, Self::Pressure | Self::Displacement | Self::AxialStress)
-    }
-
-    /// The symbol of the argument.
-    fn argument(self) -> &'static str {
-        match self {
-            Self::Profile | Self::Pressure | Self::Displacement => "r",
-            Self::Equivalent | Self::Integral => "x",
-            Self::AxialStress => "z",
-            Self::RadiusOfDepth | Self::ForceOfDepth => "depth",
-            Self::RadiusOfForce | Self::DepthOfForce => "force",
-            _ => "radius",
-        }
+/// The name of the argument that belongs to a coordinate.
+fn argument(quantity: Quantity) -> &'static str {
+    match quantity.coordinate() {
+        "a" => "radius",
+        "d" => "depth",
+        "F" => "force",
+        place => place,
     }
 }
 
@@ -172,12 +124,13 @@ impl Engine {
                     .help("sneddon.solve takes a punch: a profile with a radius"));
             }
             let solution = transform::derive(&profile).map_err(|error| about(error.into()))?;
-            let inverse = if method == Method::Quadrature || depth.is_some() { None } else { explicit(&solution) };
             let solved = Solved::try_new(solution, |solution| {
                 let evaluator = Evaluator::new(solution, &Bindings::default(), method, tolerance).map_err(Fault::from)?;
-                Ok::<_, Fault>(Contact::new(evaluator, effective_modulus, depth, tolerance))
+                let contact = Contact::new(evaluator, effective_modulus, depth, tolerance);
+                let is_searched = method == Method::Quadrature || depth.is_some();
+                Ok::<_, Fault>(if is_searched { contact } else { contact.with_explicit(explicit(solution), false) })
             })?;
-            Ok(Self { shape: Shape::Formula { solved, inverse, has_rim: depth.is_some() }, tolerance, method })
+            Ok(Self { shape: Shape::Formula { solved, has_rim: depth.is_some() }, tolerance, method })
         });
         Ok(made??)
     }
@@ -238,10 +191,10 @@ impl Engine {
     /// One value, its bound, and whether the bound is proven.
     #[pyo3(signature = (key, at, radius=None))]
     fn one(&self, py: Python<'_>, key: &str, at: f64, radius: Option<f64>) -> PyResult<(f64, f64, bool)> {
-        let wanted = Wanted::of(key)?;
+        let wanted = quantity(key)?;
         check(wanted, at, None)?;
-        if let Some(a) = radius.filter(|_| wanted.has_radius()) {
-            check(Wanted::Depth, a, None)?;
+        if let Some(a) = radius.filter(|_| wanted.needs_radius()) {
+            check(Quantity::Depth, a, None)?;
         }
         let cheap = matches!(&self.shape, Shape::Formula { solved, .. } if solved.borrow_owner().is_closed());
         let read = || self.read(wanted, at, radius.unwrap_or(at));
@@ -252,9 +205,9 @@ impl Engine {
     /// Whether each load is a valid contact: pressure and gap are nowhere negative. A load that cannot be reached is not.
     fn valid(&self, py: Python<'_>, name: &str, at: PyReadonlyArray1<'_, f64>) -> PyResult<Vec<bool>> {
         let (load, wanted): (fn(f64) -> Load, _) = match name {
-            "depth" => (Load::Depth, Wanted::RadiusOfDepth),
-            "force" => (Load::Force, Wanted::RadiusOfForce),
-            "radius" => (Load::Radius, Wanted::Depth),
+            "depth" => (Load::Depth, Quantity::Radius),
+            "force" => (Load::Force, Quantity::RadiusOfForce),
+            "radius" => (Load::Radius, Quantity::Depth),
             other => return Err(Fault::new(format!("{other} is not a load")).into()),
         };
         let at = at.as_slice()?;
@@ -281,7 +234,7 @@ impl Engine {
         bounds: Option<&Bound<'_, PyArray1<f64>>>,
         grounds: Option<&Bound<'_, PyArray1<bool>>>,
     ) -> PyResult<()> {
-        let wanted = Wanted::of(key)?;
+        let wanted = quantity(key)?;
         let at = at.as_slice()?;
         let radius = radius.as_ref().map(|own| own.as_slice()).transpose()?;
         let mut values = values.try_readwrite()?;
@@ -315,11 +268,11 @@ fn in_blocks(count: usize, mut run: impl FnMut(Range<usize>) -> Result<(), Fault
 }
 
 /// Refuses what is no radius, depth or force.
-fn check(wanted: Wanted, value: f64, index: Option<usize>) -> Result<(), Fault> {
+fn check(wanted: Quantity, value: f64, index: Option<usize>) -> Result<(), Fault> {
     if value.is_finite() && value >= 0.0 {
         return Ok(());
     }
-    let name = wanted.argument();
+    let name = argument(wanted);
     let place = index.map_or_else(|| name.to_owned(), |index| format!("{name}, flat index {index}"));
     Err(Fault::new(format!("{name} = {value} is not a number from 0 on")).help("finite numbers from 0 on are accepted").place(place))
 }
@@ -332,12 +285,12 @@ struct Out<'a> {
 }
 
 impl Engine {
-    fn block(&self, wanted: Wanted, offset: usize, at: &[f64], radius: Option<&[f64]>, mut out: Out<'_>) -> Result<(), Fault> {
+    fn block(&self, wanted: Quantity, offset: usize, at: &[f64], radius: Option<&[f64]>, mut out: Out<'_>) -> Result<(), Fault> {
         for (index, value) in at.iter().enumerate() {
             check(wanted, *value, Some(offset + index))?;
         }
         for (index, value) in radius.unwrap_or_default().iter().enumerate() {
-            check(Wanted::Depth, *value, Some(offset + index))?;
+            check(Quantity::Depth, *value, Some(offset + index))?;
         }
         let steps = Budget::DEFAULT.count().saturating_add(STEPS.saturating_mul(at.len() as u64));
         work::within(Budget::steps(steps), || {
@@ -364,9 +317,9 @@ impl Engine {
     }
 
     /// Closed forms of one argument, straight into the buffers; false where there is no such way.
-    fn slice(&self, wanted: Wanted, at: &[f64], values: &mut [f64], bounds: Option<&mut [f64]>) -> Result<bool, Fault> {
+    fn slice(&self, wanted: Quantity, at: &[f64], values: &mut [f64], bounds: Option<&mut [f64]>) -> Result<bool, Fault> {
         let Shape::Formula { solved, has_rim: false, .. } = &self.shape else { return Ok(false) };
-        if !matches!(wanted, Wanted::Profile | Wanted::Equivalent | Wanted::Depth | Wanted::Force) {
+        if !matches!(wanted, Quantity::Profile | Quantity::Equivalent | Quantity::Depth | Quantity::Force) {
             return Ok(false);
         }
         solved.with_dependent(|_, contact| {
@@ -374,11 +327,11 @@ impl Engine {
             let mut bounds = bounds;
             let out = Slice { errors: bounds.as_deref_mut(), ..Slice::values(values) };
             match wanted {
-                Wanted::Profile => evaluator.heights(at, out)?,
-                Wanted::Force => evaluator.forces(at, out)?,
+                Quantity::Profile => evaluator.heights(at, out)?,
+                Quantity::Force => evaluator.forces(at, out)?,
                 _ => evaluator.slopes(at, out)?,
             }
-            if wanted == Wanted::Force {
+            if wanted == Quantity::Force {
                 let twice = 2.0 * contact.effective_modulus();
                 for (index, value) in values.iter_mut().enumerate() {
                     *value *= twice;
@@ -417,15 +370,12 @@ impl Engine {
         Ok(found?)
     }
 
-    fn read(&self, wanted: Wanted, at: f64, a: f64) -> Result<Estimate, Fault> {
+    fn read(&self, wanted: Quantity, at: f64, a: f64) -> Result<Estimate, Fault> {
         match &self.shape {
-            Shape::Formula { solved, inverse, .. } => {
-                let inverse = inverse.as_ref().filter(|_| self.method != Method::Quadrature);
-                solved.with_dependent(|_, contact| read(contact, inverse, self.tolerance, wanted, at, a))
-            }
-            Shape::Table(contact) => read(contact, None, self.tolerance, wanted, at, a),
+            Shape::Formula { solved, .. } => solved.with_dependent(|_, contact| told(wanted.number(contact, at, a)?)),
+            Shape::Table(contact) => told(wanted.number(contact, at, a)?),
             Shape::Function { contact, raised } => {
-                let found = read(contact, None, self.tolerance, wanted, at, a);
+                let found = wanted.number(contact, at, a).map_err(Fault::from).and_then(told);
                 match (taken(raised), found) {
                     // Where the function has no value, as beyond the end of a sphere, a search goes on without it.
                     (Some(error), found) if is_numeric(&error) => {
@@ -465,64 +415,4 @@ fn told(measured: Measured) -> Result<Estimate, Fault> {
         Err(Reason::Apex | Reason::Kink | Reason::Rim) => Ok(Estimate::exact(f64::INFINITY)),
         Err(other) => Err(Fault::new(other.text())),
     }
-}
-
-fn read<P: Quantities>(
-    contact: &Contact<'_, P>,
-    inverse: Option<&Explicit>,
-    tolerance: f64,
-    wanted: Wanted,
-    at: f64,
-    a: f64,
-) -> Result<Estimate, Fault> {
-    let one = |own: Reading| own.estimate;
-    let radius_of_depth = || radius_of_depth(contact, inverse, tolerance, at);
-    let radius_of_force = || contact.radius_under_force(at).map(|own| own.estimate);
-    Ok(match wanted {
-        Wanted::Profile => one(contact.profile(at)?),
-        Wanted::Equivalent => one(contact.evaluator().slope(at)?),
-        Wanted::Integral => one(contact.integral(at)?),
-        Wanted::Depth => one(contact.depth(at)?),
-        Wanted::Force => one(contact.force(at)?),
-        Wanted::Stiffness => one(contact.stiffness(at)?),
-        Wanted::Energy => one(contact.energy(at)?),
-        Wanted::MeanPressure => told(contact.mean_pressure(at)?)?,
-        Wanted::Pressure => told(contact.pressure(at, a)?)?,
-        Wanted::Displacement => one(contact.displacement(at, a)?),
-        Wanted::AxialStress => told(contact.axial_stress(at, a)?)?,
-        Wanted::RadiusOfDepth => radius_of_depth()?,
-        Wanted::RadiusOfForce => radius_of_force()?,
-        Wanted::ForceOfDepth => through(radius_of_depth()?, |a| Ok(one(contact.force(a)?)))?,
-        Wanted::DepthOfForce => through(radius_of_force()?, |a| Ok(one(contact.depth(a)?)))?,
-    })
-}
-
-/// A quantity at a radius that is known to an error: what it changes within that error is added to its own.
-fn through(radius: Estimate, quantity: impl Fn(f64) -> Result<Estimate, ContactError>) -> Result<Estimate, Fault> {
-    let Estimate { value: a, error, .. } = radius;
-    let own = quantity(a)?;
-    if a == 0.0 || error == 0.0 {
-        return Ok(own.resting_on(radius.bound));
-    }
-    let moved = |place: f64| quantity(place).map(|found| (found.value - own.value).abs() + found.error);
-    // Next to the end of the profile there may be one side only.
-    let below = moved((a - error).max(0.0))?;
-    let above = moved(a + error).unwrap_or(2.0 * below);
-    Ok(Estimate { error: own.error + below.max(above), ..own }.resting_on(radius.bound))
-}
-
-fn radius_of_depth<P: Quantities>(
-    contact: &Contact<'_, P>,
-    inverse: Option<&Explicit>,
-    tolerance: f64,
-    depth: f64,
-) -> Result<Estimate, Fault> {
-    // Beyond the largest depth the formula has no value, and the root tells why.
-    if let Some(closed) = inverse.and_then(|own| own.contact_radius_at(depth).ok())
-        && closed.estimate.value.is_finite()
-        && closed.estimate.relative_error() <= tolerance
-    {
-        return Ok(closed.estimate);
-    }
-    Ok(contact.contact_radius(depth)?.estimate)
 }

@@ -8,7 +8,7 @@ use pyo3::types::PyBytes;
 use sneddon::num::Bound as Ground;
 use sneddon::num::work::{self, Budget};
 use sneddon::report::{solved_json, validation};
-use sneddon::scene::{self, Change, Curve, Declared, Dimension, Grid, LONGEST_TIP, Run, Scene, SceneError};
+use sneddon::scene::{self, Change, Declared, Dimension, Grid, LONGEST_TIP, Quantity, Run, Scene, SceneError};
 use sneddon::validate::{Layout, Origin, Request, Source, ValidationError};
 use std::fs::File;
 use std::io::{Cursor, Read};
@@ -126,12 +126,12 @@ fn fields(
         let grid = Grid::Square { side: side / length, count, between }.checked().map_err(failed)?;
         means = Some(within(|| {
             work::allow((grid.distinct() as u64).saturating_mul(STEPS));
-            Ok((run.field(&grid, Curve::Pressure, Some(&state), true), count))
+            Ok((run.field(&grid, Quantity::Pressure, Some(&state), true), count))
         })?);
     }
-    let point = |curve: Curve, index: usize, r: f64| {
+    let point = |curve: Quantity, index: usize, r: f64| {
         let found = match (&means, curve) {
-            (Some((field, count)), Curve::Pressure) => (field.at(&[index / count, index % count]), field.bound()),
+            (Some((field, count)), Quantity::Pressure) => (field.at(&[index / count, index % count]), field.bound()),
             _ => {
                 let point = run.point(curve, Some(&state), r);
                 (point.value, point.bound)
@@ -147,7 +147,7 @@ fn fields(
     let mut out = [Values::default(), Values::default()];
     for (index, (x, y)) in x.iter().zip(y).enumerate() {
         let r = x.hypot(*y) / length;
-        let found = within(|| Ok([point(Curve::Pressure, index, r)?, point(Curve::Displacement, index, r)?]))?;
+        let found = within(|| Ok([point(Quantity::Pressure, index, r)?, point(Quantity::Displacement, index, r)?]))?;
         for (own, ((value, error), ground)) in out.iter_mut().zip(found) {
             own.values.push(value);
             own.errors.push(error);

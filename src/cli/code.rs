@@ -1,9 +1,10 @@
 //! `sneddon code`: the closed forms of a profile as functions of another language.
 
 use super::output;
+use super::quantities::{Quantities, demand};
 use super::{Failure, Outcome, budget, file, input};
-use crate::code::{CodeError, Language, Requested, program, write};
-use crate::contact::ContactError;
+use crate::code::{CodeError, Language, QUANTITIES, program, write};
+use crate::contact::{ContactError, Quantity};
 use crate::{print, transform};
 use clap::ValueEnum;
 use std::path::PathBuf;
@@ -15,8 +16,8 @@ pub(super) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
     /// The quantities, separated by commas: g(x), F(a), p(r, a), d(a) and the contact radius a(d) [default: g,F,d,a].
-    #[arg(long, value_name = "LIST", value_enum, value_delimiter = ',')]
-    quantity: Vec<Named>,
+    #[arg(long, value_name = "LIST", value_parser = Quantities(written), value_delimiter = ',')]
+    quantity: Vec<Quantity>,
     /// The language.
     #[arg(long, value_name = "LANGUAGE", value_enum)]
     lang: Lang,
@@ -31,32 +32,6 @@ const EXAMPLES: &str = "Examples:
   sneddon code 'R-sqrt(R^2-r^2)' --quantity g,F --lang c
   sneddon code 'r*tan(theta)' --quantity F,a --lang fortran -o cone.f90
   sneddon code 'r^2/(2*R)' --lang nanite -o model_paraboloid.py";
-
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Named {
-    #[value(name = "g")]
-    EquivalentProfile,
-    #[value(name = "F")]
-    Force,
-    #[value(name = "p")]
-    Pressure,
-    #[value(name = "d")]
-    Depth,
-    #[value(name = "a")]
-    ContactRadius,
-}
-
-impl Named {
-    fn requested(self) -> Requested {
-        match self {
-            Self::EquivalentProfile => Requested::EquivalentProfile,
-            Self::Force => Requested::Force,
-            Self::Pressure => Requested::Pressure,
-            Self::Depth => Requested::Depth,
-            Self::ContactRadius => Requested::ContactRadius,
-        }
-    }
-}
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Lang {
@@ -91,6 +66,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
     solution.warnings().iter().for_each(|text| super::failure::warn(text));
+    demand(&arguments.quantity, written)?;
     let quantities = quantities(arguments);
     let code = program(&solution, &quantities, arguments.lang.language(), &shown).map_err(|error| match error {
         CodeError::Contact(own) => failed(own),
@@ -107,15 +83,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 /// What was asked for, each once; a model of nanite needs F and a.
-fn quantities(arguments: &Arguments) -> Vec<Requested> {
+fn quantities(arguments: &Arguments) -> Vec<Quantity> {
     if arguments.lang == Lang::Nanite {
-        return vec![Requested::Force, Requested::ContactRadius];
+        return vec![Quantity::Force, Quantity::Radius];
     }
-    let mut list: Vec<Requested> = Vec::new();
-    for own in arguments.quantity.iter().map(|own| own.requested()) {
+    let mut list: Vec<Quantity> = Vec::new();
+    for own in arguments.quantity.iter().copied() {
         if !list.contains(&own) {
             list.push(own);
         }
     }
-    if list.is_empty() { vec![Requested::EquivalentProfile, Requested::Force, Requested::Depth, Requested::ContactRadius] } else { list }
+    if list.is_empty() { vec![Quantity::Equivalent, Quantity::Force, Quantity::Depth, Quantity::Radius] } else { list }
+}
+
+/// Refuses what no code is written for.
+fn written(quantity: Quantity) -> Result<(), &'static str> {
+    if QUANTITIES.contains(&quantity) { Ok(()) } else { Err("code is written for g, F, p, d and a") }
 }

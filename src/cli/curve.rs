@@ -1,7 +1,7 @@
 //! `eval --method curve`: one expansion of f′ for all points.
 
 use super::Failure;
-use crate::contact::{Contact, ContactError, Measured, Reason};
+use crate::contact::{Contact, ContactError, Measured, Quantity, Reason};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{Curve, PressureCurve, Reading, TransformError};
 
@@ -10,7 +10,7 @@ const TOLERANCE: f64 = 1e-9;
 
 /// What a call with `--method curve` asks for.
 pub(super) struct Asked<'a> {
-    pub(super) symbol: &'static str,
+    pub(super) quantity: Quantity,
     pub(super) at: &'a [f64],
     pub(super) radius: Option<f64>,
     pub(super) depth: Option<f64>,
@@ -24,9 +24,10 @@ pub(super) fn readings(
     asked: &Asked<'_>,
     failed: impl Fn(ContactError) -> Failure,
 ) -> Result<Vec<Measured>, Failure> {
-    if !["g", "d", "F", "G", "p", "k"].contains(&asked.symbol) {
-        let message = format!("--method curve does not answer {}", asked.symbol);
-        return Err(Failure::new(message).help("ask for g, d, F, G, p or k, or take another method"));
+    use Quantity::{Depth, Equivalent, Force, Integral, Pressure, Stiffness};
+    if !matches!(asked.quantity, Equivalent | Depth | Force | Integral | Pressure | Stiffness) {
+        let message = format!("--method curve does not compute {}", asked.quantity.key());
+        return Err(Failure::new(message).help("expected g, d, F, G, p or k, or another method"));
     }
     let refused = |error: TransformError| failed(error.into());
     let furthest = asked.radius.unwrap_or_else(|| asked.at.iter().copied().fold(0.0, f64::max));
@@ -53,12 +54,12 @@ fn reading(curve: &Curve<'_>, pressures: Option<&PressureCurve<'_>>, asked: &Ask
             None => Bounded::exact(0.0),
         })
     };
-    let value = match (asked.symbol, pressures) {
-        ("g", _) => curve.slope(at)?.bounded(),
-        ("d", _) => asked.depth.map_or_else(|| curve.slope(at).map(Estimate::bounded), |depth| Ok(Bounded::exact(depth)))?,
-        ("G", _) => curve.integral(at)?.bounded(),
-        ("F", _) => curve.force(at)?.bounded() * twice + excess(at)? * place * twice,
-        ("p", Some(pressures)) => {
+    let value = match (asked.quantity, pressures) {
+        (Quantity::Equivalent, _) => curve.slope(at)?.bounded(),
+        (Quantity::Depth, _) => asked.depth.map_or_else(|| curve.slope(at).map(Estimate::bounded), |depth| Ok(Bounded::exact(depth)))?,
+        (Quantity::Integral, _) => curve.integral(at)?.bounded(),
+        (Quantity::Force, _) => curve.force(at)?.bounded() * twice + excess(at)? * place * twice,
+        (Quantity::Pressure, Some(pressures)) => {
             let a = pressures.radius();
             let excess = excess(a)?;
             if at == a && excess.value != 0.0 {

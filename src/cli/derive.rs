@@ -2,14 +2,14 @@
 
 use super::failure::warn;
 use super::output::Destination;
+use super::quantities::{Quantities, demand};
 use super::typesetting::{ENDINGS, Format, TypesettingArguments};
 use super::{Failure, Outcome, budget, input};
-use crate::contact::{ContactError, Edge, RIM, RelationKey, relations, steps};
+use crate::contact::{ContactError, Edge, Quantity, RIM, relations, steps};
 use crate::expr::{Bindings, Expr};
 use crate::report::page::Page;
 use crate::report::{self, Derivation};
 use crate::transform;
-use clap::ValueEnum;
 use std::path::PathBuf;
 
 /// Derives g, d, F, p, k and, where they are explicit, a(d) and F(d) as formulas.
@@ -35,8 +35,8 @@ pub(super) struct Arguments {
     /// Shows the way from f to every result, step by step.
     #[arg(long)]
     steps: bool,
-    /// Derives these quantities, separated by commas, of f g G d F a k p u U p_mean sigma_zz q u_1d; a is a(d).
-    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
+    /// Quantities to derive, separated by commas; `a` is a(d).
+    #[arg(long, value_parser = Quantities(has_formula), value_delimiter = ',', value_name = "LIST")]
     quantity: Vec<Quantity>,
     #[command(flatten)]
     pub(super) budget: budget::BudgetArguments,
@@ -49,68 +49,11 @@ const EXAMPLES: &str = "Examples:
   sneddon derive --shape cone --format latex --standalone
   echo 'R-sqrt(R^2-r^2)' | sneddon derive - --set R=2 --json";
 
-/// What `--quantity` takes: the keys of `eval`, and those of JSON for the relations over the depth.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Quantity {
-    #[value(name = "f")]
-    Profile,
-    #[value(name = "g")]
-    Equivalent,
-    #[value(name = "G")]
-    Integral,
-    #[value(name = "d")]
-    Depth,
-    #[value(name = "F")]
-    Force,
-    #[value(name = "a", alias = "a_of_d")]
-    ContactRadius,
-    #[value(name = "F_of_d")]
-    ForceOfDepth,
-    #[value(name = "k")]
-    Stiffness,
-    #[value(name = "p")]
-    Pressure,
-    #[value(name = "u")]
-    Displacement,
-    #[value(name = "U")]
-    Energy,
-    #[value(name = "p_mean")]
-    MeanPressure,
-    #[value(name = "sigma_zz")]
-    AxialStress,
-    #[value(name = "q")]
-    LineLoad,
-    #[value(name = "u_1d")]
-    LineDisplacement,
-}
-
-impl Quantity {
-    fn key(self) -> RelationKey {
-        match self {
-            Self::Profile => RelationKey::Profile,
-            Self::Equivalent => RelationKey::Equivalent,
-            Self::Integral => RelationKey::Integral,
-            Self::Depth => RelationKey::Depth,
-            Self::Force => RelationKey::Force,
-            Self::ContactRadius => RelationKey::ContactRadius,
-            Self::ForceOfDepth => RelationKey::ForceOfDepth,
-            Self::Stiffness => RelationKey::Stiffness,
-            Self::Pressure => RelationKey::Pressure,
-            Self::Displacement => RelationKey::Displacement,
-            Self::Energy => RelationKey::Energy,
-            Self::MeanPressure => RelationKey::MeanPressure,
-            Self::AxialStress => RelationKey::AxialStress,
-            Self::LineLoad => RelationKey::LineLoad,
-            Self::LineDisplacement => RelationKey::LineDisplacement,
-        }
-    }
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.format.or(arguments.json.then_some(Format::Json));
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let style = arguments.typesetting.style(answer.format().page())?;
-    let asked: Vec<RelationKey> = arguments.quantity.iter().map(|own| own.key()).collect();
+    demand(&arguments.quantity, has_formula)?;
     let units = arguments.profile.units(&[arguments.depth.as_deref()], None);
     units.tell();
     let edge = arguments.depth.as_deref().map(|text| units.depth(text)).transpose()?.map_or(Edge::Smooth, Edge::Rim);
@@ -124,11 +67,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let relations = relations(&solution, &edge).map_err(failed)?;
     let check = budget::part(|| transform::check(&solution));
     let steps = arguments.steps.then(|| steps(&shown, &solution, &edge, &relations)).transpose().map_err(|error| failed(error.into()))?;
-    let record = Derivation { profile: &profile, typed: &shown, edge: &edge, relations: &relations, asked: &asked, names: &names, check };
+    let record = Derivation {
+        profile: &profile,
+        typed: &shown,
+        edge: &edge,
+        relations: &relations,
+        asked: &arguments.quantity,
+        names: &names,
+        check,
+    };
     answer.write(|format, out| match (format.page(), &steps) {
         (None, steps) => report::json::derivation(&record, steps.as_deref(), out),
         (Some(format), None) => Page::of_derivation(&record).write(format, style, out),
         (Some(format), Some(steps)) => Page::of_steps(&record, steps).write(format, style, out),
     })?;
     Ok(budget::judged(&record.check))
+}
+
+/// Refuses what has no formula for any profile.
+fn has_formula(quantity: Quantity) -> Result<(), &'static str> {
+    if quantity.has_formula() { Ok(()) } else { Err("it has no formula; expected a quantity over r, x, z, a or d, or `eval` for numbers") }
 }

@@ -2,27 +2,28 @@
 
 use super::failure::warn;
 use super::output::{Destination, Endings};
+use super::quantities::Quantities;
 use super::{Failure, Outcome, budget, curve, input, points, series};
-use crate::contact::{self, Contact, ContactError, Explicit, Measured, Reason};
+use crate::contact::{self, Contact, ContactError, Measured, Quantity, Reason};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
 use crate::report::{self, Evaluation, Shift, Units};
 use crate::scene::Dimension;
-use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError};
+use crate::transform::{self, Evaluator, Method, Profile, TransformError};
 use clap::ValueEnum;
 use std::path::PathBuf;
 
 /// Computes numbers, each with a bound of its error.
 ///
-/// The points are r for f, x for g and G, the contact radius a for d, F, k, U and p_mean, r for p and u, x for q and u_1d and
-/// z for sigma_zz (these five need --radius), and the depth d for a.
+/// The points are values of the coordinate in parentheses behind each quantity: r, x or z, the contact radius a, the depth d or the
+/// force F. The quantities p, u, q, u_1d and sigma_zz need --radius as well.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
-    /// What is computed.
-    #[arg(long, value_enum)]
+    /// Quantity to compute.
+    #[arg(long, value_parser = Quantities(any))]
     quantity: Quantity,
     /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
@@ -71,52 +72,6 @@ const TOLERANCE: f64 = 1e-13;
 /// The relative error that is worth a warning where no tolerance was given.
 const FEW_DIGITS: f64 = 1e-8;
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Quantity {
-    /// The shape, shifted so that f(0) = 0.
-    #[value(name = "f")]
-    Profile,
-    /// The equivalent profile g(x).
-    #[value(name = "g")]
-    Equivalent,
-    /// The depth d(a).
-    #[value(name = "d")]
-    Depth,
-    /// The normal force F(a).
-    #[value(name = "F")]
-    Force,
-    /// The pressure p(r), positive in compression.
-    #[value(name = "p")]
-    Pressure,
-    /// The displacement u(r) of the surface, positive inwards.
-    #[value(name = "u")]
-    Displacement,
-    /// The stiffness k(a).
-    #[value(name = "k")]
-    Stiffness,
-    /// The integral of g from 0 to x.
-    #[value(name = "G")]
-    Integral,
-    /// The strain energy U(a).
-    #[value(name = "U")]
-    Energy,
-    /// The contact radius a(d).
-    #[value(name = "a")]
-    Radius,
-    /// The mean pressure F/(pi a^2), by a.
-    #[value(name = "p_mean")]
-    MeanPressure,
-    /// The stress sigma_zz(z) on the axis below the surface, negative in compression.
-    #[value(name = "sigma_zz")]
-    AxialStress,
-    /// The line load q(x) = E* (d - g(x)) of the one-dimensional model.
-    #[value(name = "q")]
-    LineLoad,
-    /// The displacement d - g(x) of the one-dimensional model.
-    #[value(name = "u_1d")]
-    LineDisplacement,
-}
-
 #[derive(Clone, Copy, ValueEnum)]
 enum Way {
     /// The cheapest way that meets the tolerance.
@@ -161,11 +116,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let order = series::order(arguments.order.as_deref())?;
     if quantity.needs_radius() && radius.is_none() {
-        let message = format!("--quantity {} needs the contact radius", quantity.symbol());
+        let message = format!("--quantity {} needs the contact radius", quantity.key());
         return Err(Failure::new(message).help("give it with --radius A"));
     }
-    if quantity == Quantity::Radius && depth.is_some() {
-        return Err(Failure::new("with a rim the contact radius does not depend on the depth")
+    let by_load = matches!(quantity.coordinate(), "d" | "F");
+    if by_load && depth.is_some() {
+        return Err(Failure::new("under a rim the contact radius does not depend on the load")
             .help("leave out --depth, or ask for another quantity"));
     }
     let (typed, settings) = arguments.profile.read(&units)?;
@@ -180,28 +136,33 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
     let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
     // Series and curve answer all points together, and a contact radius belongs to all of them.
-    let together = matches!(arguments.method, Way::Series | Way::Curve) && !quantity.needs_radius() && quantity != Quantity::Radius;
+    let together = matches!(arguments.method, Way::Series | Way::Curve) && !quantity.needs_radius() && !by_load;
     let shared = radius.filter(|_| quantity.needs_radius()).map(|a| ("a", a));
     for (symbol, place) in at.iter().filter(|_| together).map(|place| (quantity.coordinate(), *place)).chain(shared) {
         contact.evaluator().check_domain(symbol, place).map_err(|error| failed(error.into()))?;
     }
-    let inverse = if quantity == Quantity::Radius { contact::explicit(&solution) } else { None };
-    let asked = Asked { contact, inverse, radius, method, tolerance };
-    let readings = if by_series {
-        series::readings(quantity.symbol(), &profile, order, &at, radius, effective_modulus)?
-    } else if matches!(arguments.method, Way::Curve) {
-        let symbol = quantity.symbol();
-        let radius = radius.filter(|_| quantity.needs_radius());
-        let own = curve::Asked { symbol, at: &at, radius, depth, effective_modulus, tolerance: demanded };
-        curve::readings(&asked.contact, &own, failed)?
+    let contact = if quantity.coordinate() == "d" && method != Method::Quadrature {
+        contact.with_explicit(contact::explicit(&solution), method == Method::Exact)
     } else {
-        contact::each_point(&at, |block| quantity.read_all(&asked, block)).map_err(failed)?
+        contact
+    };
+    if quantity == Quantity::Energy && method == Method::Exact {
+        return Err(failed(TransformError::NoClosedForm { quantity: "U" }.into()));
+    }
+    let readings = if by_series {
+        series::readings(quantity, &profile, order, &at, radius, effective_modulus)?
+    } else if matches!(arguments.method, Way::Curve) {
+        let radius = radius.filter(|_| quantity.needs_radius());
+        let own = curve::Asked { quantity, at: &at, radius, depth, effective_modulus, tolerance: demanded };
+        curve::readings(&contact, &own, failed)?
+    } else {
+        contact::each_point(&at, |block| read_all(quantity, &contact, block, radius)).map_err(failed)?
     };
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
     let shift = shift(&profile, &settings.exact_profile(&typed).unwrap_or_else(|_| profile.clone()));
     let record = Evaluation {
-        quantity: quantity.symbol(),
+        quantity: quantity.key(),
         coordinate: quantity.coordinate(),
         profile: &typed.formula,
         parameters: settings.values(),
@@ -212,7 +173,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         at,
         readings,
         units: Units {
-            at: units.name(Dimension::LENGTH),
+            at: units.name(quantity.coordinate_dimension()),
             value: units.name(quantity.dimension()),
             modulus: units.name(Dimension::PRESSURE),
             parameters: settings.units(&units),
@@ -251,7 +212,7 @@ fn warn_of_invalid_contact(quantity: Quantity, readings: &[Measured]) {
     let telling = matches!(quantity, Quantity::Equivalent | Quantity::Depth | Quantity::Force | Quantity::Pressure | Quantity::Integral);
     let negative = readings.iter().flatten().any(|reading| reading.estimate.value < -reading.estimate.error);
     if telling && negative {
-        warn(&format!("{} is negative at some points: no valid contact; the formula is answered all the same", quantity.symbol()));
+        warn(&format!("{} is negative at some points: no valid contact; the formula is answered all the same", quantity.key()));
     }
 }
 
@@ -261,33 +222,6 @@ fn warn_of_missing_values(readings: &[Measured]) {
         || readings.iter().filter_map(|own| own.as_ref().err()).filter(|own| matches!(own, Reason::Refused(_) | Reason::Unfinished));
     if let Some(first) = missing().next() {
         warn(&format!("{} of {} points have no value: {}", missing().count(), readings.len(), first.text()));
-    }
-}
-
-/// What every point of a call shares.
-struct Asked<'a> {
-    contact: Contact<'a>,
-    /// a(d) in closed form, where it is wanted and known.
-    inverse: Option<Explicit>,
-    radius: Option<f64>,
-    method: Method,
-    tolerance: f64,
-}
-
-impl Asked<'_> {
-    /// a(d) by its formula where that meets the tolerance, else as the root of g(a) = d.
-    fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
-        if self.method != Method::Quadrature {
-            let closed = self.inverse.as_ref().map(|inverse| inverse.contact_radius_at(depth)).transpose().map_err(TransformError::from)?;
-            // Beyond the largest depth the formula has no value, and the root tells why.
-            match closed {
-                Some(closed) if !closed.estimate.value.is_finite() => {}
-                Some(closed) if self.method == Method::Exact || closed.estimate.relative_error() <= self.tolerance => return Ok(closed),
-                None if self.method == Method::Exact => return Err(TransformError::NoClosedForm { quantity: "a" }.into()),
-                _ => {}
-            }
-        }
-        self.contact.contact_radius(depth)
     }
 }
 
@@ -302,89 +236,19 @@ impl Way {
     }
 }
 
-impl Quantity {
-    /// The readings of a list, block by block where closed forms answer.
-    fn read_all(self, asked: &Asked<'_>, at: &[f64]) -> Result<Vec<Measured>, ContactError> {
-        match (self, asked.radius) {
-            (Self::Profile, _) => asked.contact.profiles(at),
-            (Self::Equivalent, _) => asked.contact.slopes(at),
-            (Self::Depth, _) => asked.contact.depths(at),
-            (Self::Force, _) => asked.contact.forces(at),
-            (Self::Pressure, Some(a)) => asked.contact.pressures(at, a),
-            _ => at.iter().map(|point| self.read(asked, *point)).collect(),
-        }
+/// The readings of a list, block by block where closed forms answer.
+fn read_all(quantity: Quantity, contact: &Contact<'_>, at: &[f64], radius: Option<f64>) -> Result<Vec<Measured>, ContactError> {
+    match (quantity, radius) {
+        (Quantity::Profile, _) => contact.profiles(at),
+        (Quantity::Equivalent, _) => contact.slopes(at),
+        (Quantity::Depth, _) => contact.depths(at),
+        (Quantity::Force, _) => contact.forces(at),
+        (Quantity::Pressure, Some(a)) => contact.pressures(at, a),
+        _ => at.iter().map(|point| quantity.number(contact, *point, radius.unwrap_or(*point))).collect(),
     }
+}
 
-    fn read(self, asked: &Asked<'_>, at: f64) -> Result<Measured, ContactError> {
-        let contact = &asked.contact;
-        let a = asked.radius.unwrap_or(at);
-        Ok(Ok(match self {
-            Self::Profile => contact.profile(at)?,
-            Self::Equivalent => contact.evaluator().slope(at)?,
-            Self::Depth => contact.depth(at)?,
-            Self::Force => contact.force(at)?,
-            Self::Pressure => return contact.pressure(at, a),
-            Self::Displacement => contact.displacement(at, a)?,
-            Self::Stiffness => contact.stiffness(at)?,
-            Self::Integral => contact.integral(at)?,
-            Self::Energy if asked.method == Method::Exact => return Err(TransformError::NoClosedForm { quantity: "U" }.into()),
-            Self::Energy => contact.energy(at)?,
-            Self::Radius => asked.contact_radius(at)?,
-            Self::MeanPressure => return contact.mean_pressure(at),
-            Self::AxialStress => return contact.axial_stress(at, a),
-            Self::LineLoad => contact.line_load(at, a)?,
-            Self::LineDisplacement => contact.line_displacement(at, a)?,
-        }))
-    }
-
-    fn symbol(self) -> &'static str {
-        match self {
-            Self::Profile => "f",
-            Self::Equivalent => "g",
-            Self::Depth => "d",
-            Self::Force => "F",
-            Self::Pressure => "p",
-            Self::Displacement => "u",
-            Self::Stiffness => "k",
-            Self::Integral => "G",
-            Self::Energy => "U",
-            Self::Radius => "a",
-            Self::MeanPressure => "p_mean",
-            Self::AxialStress => "sigma_zz",
-            Self::LineLoad => "q",
-            Self::LineDisplacement => "u_1d",
-        }
-    }
-
-    fn coordinate(self) -> &'static str {
-        match self {
-            Self::Profile | Self::Pressure | Self::Displacement => "r",
-            Self::Equivalent | Self::Integral | Self::LineLoad | Self::LineDisplacement => "x",
-            Self::AxialStress => "z",
-            Self::Depth | Self::Force | Self::Stiffness | Self::Energy | Self::MeanPressure => "a",
-            Self::Radius => "d",
-        }
-    }
-
-    fn dimension(self) -> Dimension {
-        match self {
-            Self::Profile | Self::Equivalent | Self::Depth | Self::Displacement | Self::LineDisplacement | Self::Radius => {
-                Dimension::LENGTH
-            }
-            Self::Force => Dimension::FORCE,
-            Self::Pressure | Self::MeanPressure | Self::AxialStress => Dimension::PRESSURE,
-            Self::Stiffness | Self::LineLoad => Dimension::STIFFNESS,
-            Self::Integral => Dimension::AREA,
-            Self::Energy => Dimension::ENERGY,
-        }
-    }
-
-    fn needs_radius(self) -> bool {
-        matches!(self, Self::Pressure | Self::Displacement | Self::AxialStress | Self::LineLoad | Self::LineDisplacement)
-    }
-
-    /// False where the quantity belongs to the shape alone.
-    fn needs_contact(self) -> bool {
-        !matches!(self, Self::Profile | Self::Equivalent | Self::Integral | Self::Stiffness)
-    }
+/// `eval` has a number for every quantity.
+fn any(_: Quantity) -> Result<(), &'static str> {
+    Ok(())
 }

@@ -15,6 +15,7 @@ mod output;
 mod plot;
 mod points;
 mod progress;
+mod quantities;
 mod reference;
 mod rules;
 mod scene;

@@ -2,15 +2,18 @@
 
 use super::failure::warn;
 use super::output::{Destination, Endings};
+use super::quantities::{Quantities, demand};
 use super::solve::{failure, read};
 use super::units::Units;
 use super::{Failure, Outcome, budget, input, tip};
-use crate::contact::ContactError;
+use crate::contact::{ContactError, Kind, Quantity};
 use crate::expr::Bindings;
 use crate::report::picture::{Picture, Pictured};
-use crate::scene::{self, Control, Curve, Datum, Dimension, Loads, Run, Scene, SceneError};
+use crate::scene::{self, Control, Dimension, Loads, Run, Scene, SceneError};
 use crate::transform::{Evaluator, Method, Solution, TransformError, derive, reach};
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Arg, Command};
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Draws what a contact does: numbers over the depth, and fields over the radius at the largest load.
@@ -23,9 +26,9 @@ pub(super) struct Arguments {
     /// Shapes f(r), or scene files that end in .toml; behind -- a shape may begin with a minus.
     #[arg(value_name = "PROFILE|SCENE", required = true)]
     subjects: Vec<String>,
-    /// What is drawn, separated by commas [default: F,a,p].
-    #[arg(long, value_enum, value_delimiter = ',', value_name = "LIST")]
-    quantity: Vec<Quantity>,
+    /// Quantities to draw, separated by commas [default: F,a,p].
+    #[arg(long, value_parser = Drawings, value_delimiter = ',', value_name = "LIST")]
+    quantity: Vec<Pictured>,
     /// Gives a parameter a value, with a unit or without; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
@@ -60,78 +63,43 @@ enum Format {
 
 const ENDINGS: &Endings<Format> = &[("svg", Format::Svg), ("png", Format::Png), ("txt", Format::Text)];
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Quantity {
-    /// The profile f(r).
-    #[value(name = "f")]
-    Profile,
-    /// The equivalent profile g(x).
-    #[value(name = "g")]
-    Equivalent,
-    /// The depth d(a).
-    #[value(name = "d")]
-    Depth,
-    /// The force F(d).
-    #[value(name = "F")]
-    Force,
-    /// The contact radius a(d).
-    #[value(name = "a")]
-    Radius,
-    /// The stiffness k(d).
-    #[value(name = "k")]
-    Stiffness,
-    /// The pressure p(r) at the largest load.
-    #[value(name = "p")]
-    Pressure,
-    /// The displacement u(r) of the surface at the largest load.
-    #[value(name = "u")]
-    Displacement,
-    /// The strain energy U(d).
-    #[value(name = "U")]
-    Energy,
-    /// The mean pressure over the depth.
-    #[value(name = "p_mean")]
-    MeanPressure,
-    /// The stress on the axis at the largest load.
-    #[value(name = "sigma_zz")]
-    AxialStress,
-    /// The line load of the one-dimensional model.
-    #[value(name = "q")]
-    LineLoad,
-    /// The displacement of the one-dimensional model.
-    #[value(name = "u_1d")]
-    LineDisplacement,
-    /// The tip in the deformed surface.
-    #[value(name = "section")]
-    Section,
+/// Reads the key of a quantity, or `section`.
+#[derive(Clone)]
+struct Drawings;
+
+const SECTION: &str = "section";
+
+impl TypedValueParser for Drawings {
+    type Value = Pictured;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Pictured, clap::Error> {
+        if value == SECTION {
+            return Ok(Pictured::Section);
+        }
+        Quantities(drawn).parse_ref(command, argument, value).map(Pictured::Quantity)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let section = PossibleValue::new(SECTION).help("the tip in the deformed surface");
+        let known: Vec<PossibleValue> = Quantities(drawn).possible_values().into_iter().flatten().collect();
+        Some(Box::new(known.into_iter().chain([section])))
+    }
 }
 
-impl Quantity {
-    fn pictured(self) -> Pictured {
-        match self {
-            Self::Profile => Pictured::Curve(Curve::Profile),
-            Self::Equivalent => Pictured::Curve(Curve::Equivalent),
-            Self::Depth => Pictured::Datum(Datum::Depth),
-            Self::Force => Pictured::Datum(Datum::Force),
-            Self::Radius => Pictured::Datum(Datum::Radius),
-            Self::Stiffness => Pictured::Datum(Datum::Stiffness),
-            Self::Pressure => Pictured::Curve(Curve::Pressure),
-            Self::Displacement => Pictured::Curve(Curve::Displacement),
-            Self::Energy => Pictured::Datum(Datum::Energy),
-            Self::MeanPressure => Pictured::Datum(Datum::MeanPressure),
-            Self::AxialStress => Pictured::Curve(Curve::AxialStress),
-            Self::LineLoad => Pictured::LineLoad,
-            Self::LineDisplacement => Pictured::LineDisplacement,
-            Self::Section => Pictured::Section,
-        }
-    }
+/// Refuses what another picture has.
+fn drawn(quantity: Quantity) -> Result<(), &'static str> {
+    if quantity.kind() == Kind::Inverse { Err("numbers are drawn over the depth; expected F, a or d") } else { Ok(()) }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let answer = Destination::choose(arguments.output.as_deref(), None, Format::Text, ENDINGS)?;
-    let usual = [Quantity::Force, Quantity::Radius, Quantity::Pressure];
-    let quantities: &[Quantity] = if arguments.quantity.is_empty() { &usual } else { &arguments.quantity };
-    let quantities: Vec<Pictured> = quantities.iter().map(|own| own.pictured()).collect();
+    let usual = [Quantity::Force, Quantity::Radius, Quantity::Pressure].map(Pictured::Quantity);
+    let quantities: &[Pictured] = if arguments.quantity.is_empty() { &usual } else { &arguments.quantity };
+    for own in quantities {
+        if let Pictured::Quantity(own) = own {
+            demand(&[*own], drawn)?;
+        }
+    }
     for item in &arguments.set {
         if !arguments.subjects.iter().any(|own| input::is_about(item, own)) {
             let name = item.split_once('=').map_or(item.as_str(), |(name, _)| name);
@@ -150,7 +118,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let is_alone = subjects.len() == 1;
     let named: Vec<(&str, &Run<'_>)> =
         subjects.iter().zip(&runs).map(|(own, run)| (if is_alone { "" } else { own.name.as_str() }, run)).collect();
-    let picture = Picture::of_contacts(&named, &quantities);
+    let picture = Picture::of_contacts(&named, quantities);
     if picture.is_empty() {
         return Err(
             Failure::new("no load has a valid contact, and there is nothing to draw").help("sneddon solve says what speaks against it")

@@ -77,7 +77,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
     };
     let cells = arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true));
-    let curves = scene.outputs.fields();
+    let (curves, others) = scene.outputs.fields().map_err(failed)?;
+    for other in others {
+        warn(&format!("{} is not a field on a grid; `sneddon solve` writes it", other.key()));
+    }
     if !scene.round {
         return Err(Failure::new("no field is known of a punch with a cross-section of its own")
             .help("d, F and k by sneddon solve, or a round indenter would be accepted"));

@@ -1,7 +1,7 @@
 //! `eval --method series`: the numbers of a quantity by its power series.
 
 use super::Failure;
-use crate::contact::Measured;
+use crate::contact::{Measured, Quantity};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{HIGHEST_ORDER, Profile, Reading, SeriesEvaluator, SeriesFailure};
 
@@ -18,9 +18,9 @@ pub(super) fn order(text: Option<&str>) -> Result<usize, Failure> {
     })
 }
 
-/// The values of the quantity with this symbol at every point.
+/// The values of the quantity at every point.
 pub(super) fn readings(
-    symbol: &'static str,
+    quantity: Quantity,
     profile: &Profile,
     order: usize,
     at: &[f64],
@@ -32,22 +32,22 @@ pub(super) fn readings(
     let modulus = Bounded::exact(effective_modulus);
     let times = |reading: Reading, factor: Bounded| Reading { estimate: reading.estimate.times(factor), ..reading };
     let value = |at: f64| -> Result<Measured, SeriesFailure> {
-        Ok(Ok(match symbol {
-            "f" => series.height(at)?,
-            "g" | "d" => series.slope(at)?,
-            "F" => times(series.force(at)?, Bounded::exact(2.0) * modulus),
-            "G" => series.integral(at)?,
-            "p" => {
+        Ok(Ok(match quantity {
+            Quantity::Profile => series.height(at)?,
+            Quantity::Equivalent | Quantity::Depth => series.slope(at)?,
+            Quantity::Force => times(series.force(at)?, Bounded::exact(2.0) * modulus),
+            Quantity::Integral => series.integral(at)?,
+            Quantity::Pressure => {
                 let a = radius.unwrap_or(at);
                 let over_pi = modulus / Bounded::rounded(std::f64::consts::PI);
                 let outside = Reading { estimate: Estimate::exact(0.0), method: "series" };
                 if at >= a { outside } else { times(series.pressure(at, a)?, over_pi) }
             }
-            "k" => {
+            Quantity::Stiffness => {
                 let value = Bounded::exact(2.0 * at) * modulus;
                 Reading { estimate: Estimate::from_bounded(value, 0), method: "exact" }
             }
-            quantity => return Err(SeriesFailure::Quantity { quantity }),
+            other => return Err(SeriesFailure::Quantity { quantity: other.key() }),
         }))
     };
     at.iter().map(|point| value(*point).map_err(failed)).collect()

@@ -1,13 +1,13 @@
 //! `sneddon tradeoff`: what accuracy costs, method by method.
 
 use super::output::{self, Destination, Endings};
+use super::quantities::{Quantities, demand};
 use super::{Failure, Outcome, budget, input, points};
-use crate::contact::ContactError;
+use crate::contact::{ContactError, Quantity};
 use crate::expr::Bindings;
 use crate::report::{self, Tradeoff};
 use crate::tradeoff::{self, Options, Problem, TradeoffError};
 use crate::transform::{self, Evaluator, Method, TransformError};
-use clap::ValueEnum;
 use std::io::Write;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -20,8 +20,8 @@ use std::time::Duration;
 pub(super) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
-    /// What is computed; only forces have the spring foundation beside them.
-    #[arg(long, value_enum, default_value_t = Quantity::Force)]
+    /// Quantity to compute; the spring foundation computes forces only.
+    #[arg(long, value_parser = Quantities(compared), default_value = "F")]
     quantity: Quantity,
     /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count [default: 32 seeded points within the profile's reach].
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
@@ -61,26 +61,14 @@ enum Format {
 
 const ENDINGS: &Endings<Format> = &[("svg", Format::Svg), ("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
 
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Quantity {
-    /// The equivalent profile g(x).
-    #[value(name = "g")]
-    Equivalent,
-    /// The normal force F(a), E* = 1.
-    #[value(name = "F")]
-    Force,
-    /// The pressure p(r), E* = 1.
-    #[value(name = "p")]
-    Pressure,
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let quantity = arguments.quantity.studied();
+    let quantity = arguments.quantity;
+    demand(&[quantity], compared)?;
     let units = arguments.profile.units(&[arguments.at.as_deref(), arguments.radius.as_deref()], None);
     units.tell();
     let at = arguments.at.as_deref().map(|list| points::read(list, &units)).transpose()?;
     let radius = arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?;
-    if radius.is_some() && arguments.quantity != Quantity::Pressure {
+    if radius.is_some() && quantity != Quantity::Pressure {
         return Err(Failure::new("--radius belongs to --quantity p").help("leave it out, or add --quantity p"));
     }
     let wanted = arguments.tol.as_deref().map(input::tolerance).transpose()?;
@@ -122,12 +110,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-impl Quantity {
-    fn studied(self) -> tradeoff::Quantity {
-        match self {
-            Self::Equivalent => tradeoff::Quantity::Equivalent,
-            Self::Force => tradeoff::Quantity::Force,
-            Self::Pressure => tradeoff::Quantity::Pressure,
-        }
-    }
+/// Refuses what is not compared.
+fn compared(quantity: Quantity) -> Result<(), &'static str> {
+    if Problem::QUANTITIES.contains(&quantity) { Ok(()) } else { Err("methods are compared for g, F and p, from which it follows") }
 }

@@ -5,7 +5,7 @@ use super::failure::warn;
 use super::input::finite;
 use crate::expr::{Expr, Formula, Symbol};
 use crate::parse;
-use crate::scene::{Counting, Dimension, Quantity, SceneError};
+use crate::scene::{Counting, Dimension, DimensionedNumber, SceneError};
 
 /// The units of one call: that of its first length, and that of its modulus; none where all numbers are bare.
 pub struct Units(Counting);
@@ -100,14 +100,15 @@ fn positive(place: &str, text: &str, value: f64) -> Result<f64, Failure> {
 }
 
 /// A number, with a unit behind it or not.
-fn quantity(place: &str, text: &str) -> Result<Quantity, Failure> {
+fn quantity(place: &str, text: &str) -> Result<DimensionedNumber, Failure> {
     let plain = match parse::constant(text) {
-        Ok(_) => return Quantity::plain(text).map_err(|error| failure(place, text, &error)),
+        Ok(_) => return DimensionedNumber::plain(text).map_err(|error| failure(place, text, &error)),
         Err(error) => error,
     };
     let with_unit = text.trim_start().starts_with(|first: char| first.is_ascii_digit() || first == '.')
         && text.trim_end().ends_with(|own: char| own.is_alphabetic() || own.is_ascii_digit());
-    Quantity::parse(text).map_err(|error| if with_unit { failure(place, text, &error) } else { Failure::parse(place, text, &plain) })
+    DimensionedNumber::parse(text)
+        .map_err(|error| if with_unit { failure(place, text, &error) } else { Failure::parse(place, text, &plain) })
 }
 
 fn failure(place: &str, text: &str, error: &SceneError) -> Failure {

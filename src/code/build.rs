@@ -6,80 +6,37 @@ use super::lower::{Names, lowered};
 use super::target::Language;
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, FORMS, names, read};
-use crate::contact::{Edge, Explicit, explicit, relations};
+use crate::contact::{Dimension, Edge, Explicit, Quantity, explicit, relations};
 use crate::expr::{Bindings, Condition, Expr, Node, Relation};
 use crate::print;
-use crate::transform::{Derived, EvaluatedChain, Quantity, Solution};
+use crate::transform::{Derived, EvaluatedChain, Solution, Superposed};
 
-/// A quantity that code can be written for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Requested {
-    /// g(x).
-    EquivalentProfile,
-    /// F(a).
-    Force,
-    /// p(r, a).
-    Pressure,
-    /// d(a).
-    Depth,
-    /// a(d).
-    ContactRadius,
+/// The quantities that code can be written for.
+pub const QUANTITIES: [Quantity; 5] = [Quantity::Equivalent, Quantity::Force, Quantity::Pressure, Quantity::Depth, Quantity::Radius];
+
+/// The coordinates of a quantity, in the order of the arguments.
+pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
+    let radius = quantity.needs_radius().then_some("a");
+    std::iter::once(quantity.coordinate()).chain(radius).collect()
 }
 
-impl Requested {
-    /// Every one.
-    pub const ALL: [Self; 5] = [Self::EquivalentProfile, Self::Force, Self::Pressure, Self::Depth, Self::ContactRadius];
+/// Whether the effective modulus is an argument.
+pub(super) fn needs_modulus(quantity: Quantity) -> bool {
+    [Dimension::FORCE, Dimension::PRESSURE].contains(&quantity.dimension())
+}
 
-    /// The symbol that reports use.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::EquivalentProfile => "g",
-            Self::Force => "F",
-            Self::Pressure => "p",
-            Self::Depth => "d",
-            Self::ContactRadius => "a",
-        }
+/// The unit, in words.
+fn unit(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Force => "Units: lengths in one unit, E a pressure; F in the unit of E times that of length squared.",
+        Quantity::Pressure => "Units: lengths in one unit, E a pressure; p in the unit of E.",
+        _ => "Units: lengths in one unit, which is that of the result.",
     }
+}
 
-    /// What it is, in words.
-    fn title(self) -> &'static str {
-        match self {
-            Self::EquivalentProfile => "the equivalent profile of the one-dimensional model",
-            Self::Force => "the normal force at the contact radius a",
-            Self::Pressure => "the contact pressure at the radius r, positive in compression",
-            Self::Depth => "the indentation depth at the contact radius a",
-            Self::ContactRadius => "the contact radius at the indentation depth d",
-        }
-    }
-
-    /// The coordinates, in the order of the arguments.
-    pub(super) fn coordinates(self) -> &'static [&'static str] {
-        match self {
-            Self::EquivalentProfile => &["x"],
-            Self::Force | Self::Depth => &["a"],
-            Self::Pressure => &["r", "a"],
-            Self::ContactRadius => &["d"],
-        }
-    }
-
-    /// Whether the effective modulus is an argument.
-    pub(super) fn needs_modulus(self) -> bool {
-        matches!(self, Self::Force | Self::Pressure)
-    }
-
-    /// The unit, in words.
-    fn unit(self) -> &'static str {
-        match self {
-            Self::Force => "Units: lengths in one unit, E a pressure; F in the unit of E times that of length squared.",
-            Self::Pressure => "Units: lengths in one unit, E a pressure; p in the unit of E.",
-            _ => "Units: lengths in one unit, which is that of the result.",
-        }
-    }
-
-    /// The name of its routine.
-    pub(super) fn routine(self) -> String {
-        format!("sneddon_{}", self.symbol())
-    }
+/// The name of the routine of a quantity.
+pub(super) fn routine_name(quantity: Quantity) -> String {
+    format!("sneddon_{}", quantity.key())
 }
 
 /// The routines that compute the quantities of a profile.
@@ -89,7 +46,7 @@ pub struct Program {
     /// Every routine; what a routine calls stands before it.
     pub(super) routines: Vec<Routine>,
     /// The quantities that were asked for.
-    pub(super) quantities: Vec<Requested>,
+    pub(super) quantities: Vec<Quantity>,
     /// The parameters with their identifiers.
     pub(super) parameters: Vec<(String, String)>,
     /// The functions of the language's library that are called.
@@ -98,27 +55,28 @@ pub struct Program {
     pub(super) angles: Vec<String>,
     /// f(r) as text.
     pub(super) profile: String,
-    pub(super) claims: Vec<(Requested, Option<Claim>)>,
+    pub(super) claims: Vec<(Quantity, Option<Claim>)>,
 }
 
 /// Builds the program of a profile for a language.
 ///
 /// ```
-/// use sneddon::code::{Language, Requested, program, write};
+/// use sneddon::code::{Language, program, write};
+/// use sneddon::contact::Quantity;
 /// use sneddon::{parse, transform::{Profile, derive}};
 /// let profile = Profile::new(&parse::profile("r^2/(2*R)").unwrap()).unwrap();
-/// let program = program(&derive(&profile).unwrap(), &[Requested::Force], Language::C, "r^2/(2*R)").unwrap();
+/// let program = program(&derive(&profile).unwrap(), &[Quantity::Force], Language::C, "r^2/(2*R)").unwrap();
 /// assert!(write(&program).contains("double sneddon_F(double a, double E, double R)"));
 /// ```
 ///
 /// # Errors
 /// [`CodeError`] where a quantity is not closed, or where a function cannot be written in the language.
-pub fn program(solution: &Solution, quantities: &[Requested], language: Language, profile: &str) -> Result<Program, CodeError> {
+pub fn program(solution: &Solution, quantities: &[Quantity], language: Language, profile: &str) -> Result<Program, CodeError> {
     let symbols = solution.profile.parameters();
     let forms = read::routines(FORMS).ok_or(CodeError::Forms)?;
     let target = language.target();
     let mut taken: Vec<String> = ["x", "a", "r", "d", "E"].map(str::to_owned).to_vec();
-    taken.extend(Requested::ALL.iter().flat_map(|own| [target.spelled(&own.routine()), own.symbol().to_owned()]));
+    taken.extend(QUANTITIES.iter().flat_map(|own| [target.spelled(&routine_name(*own)), own.key().to_owned()]));
     taken.extend(forms.iter().map(|own| target.spelled(&own.name)));
     let mut names = names::identifiers(&symbols, target.ignores_case(), &|word| target.is_reserved(word), &taken);
     let parameters: Vec<(String, String)> =
@@ -167,8 +125,8 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     /// Adds the routine of a quantity and what it calls.
-    fn quantity(&mut self, quantity: Requested) -> Result<(), CodeError> {
-        if self.routines.iter().any(|own| own.name == quantity.routine()) {
+    fn quantity(&mut self, quantity: Quantity) -> Result<(), CodeError> {
+        if self.routines.iter().any(|own| own.name == routine_name(quantity)) {
             return Ok(());
         }
         let shown = self.derived(quantity)?;
@@ -177,7 +135,7 @@ impl Builder<'_> {
         let mut domain = self.domain(quantity)?;
         let arguments = self.parameters(quantity);
         match quantity {
-            Requested::ContactRadius => match explicit(self.solution) {
+            Quantity::Radius => match explicit(self.solution) {
                 Some(found) => {
                     self.conditions(&found.conditions, "d", &mut domain.0, &mut domain.1)?;
                     body.extend(self.guard(domain.0));
@@ -187,59 +145,59 @@ impl Builder<'_> {
                 }
                 None => {
                     references = vec!["g(a) = d solved for a by a bracketed search"];
-                    self.quantity(Requested::EquivalentProfile)?;
+                    self.quantity(Quantity::Equivalent)?;
                     body = self.search()?;
                 }
             },
-            Requested::Depth => {
-                self.quantity(Requested::EquivalentProfile)?;
+            Quantity::Depth => {
+                self.quantity(Quantity::Equivalent)?;
                 let mut values: Vec<Value> = vec![Value::name("a")];
                 values.extend(self.arguments.iter().map(|own| Value::name(own)));
-                body.push(Statement::Return(Value::Call(Requested::EquivalentProfile.routine(), values)));
+                body.push(Statement::Return(Value::Call(routine_name(Quantity::Equivalent), values)));
             }
             _ => {
                 body.extend(self.guard(domain.0.clone()));
                 let (kind, factor) = match quantity {
-                    Requested::Force => (Quantity::Force, Expr::integer(2) * Expr::symbol("E")),
-                    Requested::Pressure => (Quantity::Pressure, Expr::symbol("E") / Expr::pi()),
-                    _ => (Quantity::Slope, Expr::one()),
+                    Quantity::Force => (Superposed::Force, Expr::integer(2) * Expr::symbol("E")),
+                    Quantity::Pressure => (Superposed::Pressure, Expr::symbol("E") / Expr::pi()),
+                    _ => (Superposed::Equivalent, Expr::one()),
                 };
                 let edge = match quantity {
-                    Requested::Pressure => Test::Compare(Comparison::GreaterOrEqual, Value::name("r"), Value::name("a")),
-                    Requested::Force => compare(Comparison::Equal, "a", 0.0),
+                    Quantity::Pressure => Test::Compare(Comparison::GreaterOrEqual, Value::name("r"), Value::name("a")),
+                    Quantity::Force => compare(Comparison::Equal, "a", 0.0),
                     _ => compare(Comparison::Equal, "x", 0.0),
                 };
                 body.push(when(edge, Value::Number(0.0, true)));
-                let chains = self.solution.evaluated(kind).ok_or(CodeError::NotClosed { quantity: quantity.symbol() })?;
+                let chains = self.solution.evaluated(kind).ok_or(CodeError::NotClosed { quantity: quantity.key() })?;
                 body.extend(self.chains(quantity, &chains, &factor)?);
             }
         }
-        let arguments_text = quantity.coordinates().join(", ");
-        comment.push(format!("{}({arguments_text}): {}.", quantity.symbol(), quantity.title()));
+        let arguments_text = coordinates(quantity).join(", ");
+        comment.push(format!("{}({arguments_text}): the {}.", quantity.key(), quantity.title()));
         if let Some(shown) = &shown {
-            comment.push(format!("{} = {}", quantity.symbol(), print::text(&shown.formula)));
+            comment.push(format!("{} = {}", quantity.key(), print::text(&shown.formula)));
         } else {
             comment.push("a is the root of g(a) = d: the only one where g rises.".to_owned());
         }
         comment.push(format!("Source: {}.", references.join("; ")));
         comment.push(format!("Domain: {}.", domain.1.join(", ")));
-        comment.push(quantity.unit().to_owned());
-        let routine = Routine { name: quantity.routine(), parameters: arguments, body, comment };
+        comment.push(unit(quantity).to_owned());
+        let routine = Routine { name: routine_name(quantity), parameters: arguments, body, comment };
         self.needed(&routine, quantity)?;
         self.routines.push(routine);
         Ok(())
     }
 
     /// The formula with its sources; `None` where the contact radius is not explicit.
-    fn derived(&self, quantity: Requested) -> Result<Option<Derived>, CodeError> {
+    fn derived(&self, quantity: Quantity) -> Result<Option<Derived>, CodeError> {
         let found = match quantity {
-            Requested::EquivalentProfile => Some(self.solution.equivalent_profile()),
+            Quantity::Equivalent => Some(self.solution.equivalent_profile()),
             _ => {
                 let all = relations(self.solution, &Edge::Smooth)?;
                 match quantity {
-                    Requested::Force => Some(all.force),
-                    Requested::Pressure => Some(all.pressure.ok_or(CodeError::NotClosed { quantity: "p" })?),
-                    Requested::Depth => Some(all.d),
+                    Quantity::Force => Some(all.force),
+                    Quantity::Pressure => Some(all.pressure.ok_or(CodeError::NotClosed { quantity: "p" })?),
+                    Quantity::Depth => Some(all.d),
                     _ => {
                         if all.g.formula.has_integral() {
                             return Err(CodeError::NotClosed { quantity: "g" });
@@ -250,14 +208,14 @@ impl Builder<'_> {
             }
         };
         if found.as_ref().is_some_and(|own| own.formula.has_integral()) {
-            return Err(CodeError::NotClosed { quantity: quantity.symbol() });
+            return Err(CodeError::NotClosed { quantity: quantity.key() });
         }
         Ok(found)
     }
 
-    fn parameters(&self, quantity: Requested) -> Vec<String> {
-        let mut all: Vec<String> = quantity.coordinates().iter().map(|own| (*own).to_owned()).collect();
-        if quantity.needs_modulus() {
+    fn parameters(&self, quantity: Quantity) -> Vec<String> {
+        let mut all: Vec<String> = coordinates(quantity).iter().map(|own| (*own).to_owned()).collect();
+        if needs_modulus(quantity) {
             all.push("E".to_owned());
         }
         all.extend(self.arguments.iter().cloned());
@@ -265,23 +223,23 @@ impl Builder<'_> {
     }
 
     /// What must hold, as tests and in words.
-    fn domain(&mut self, quantity: Requested) -> Result<(Vec<Test>, Vec<String>), CodeError> {
+    fn domain(&mut self, quantity: Quantity) -> Result<(Vec<Test>, Vec<String>), CodeError> {
         let (mut tests, mut words) = (Vec::new(), Vec::new());
         let largest = |name: &str| Test::Compare(Comparison::LessOrEqual, Value::name(name), Value::Number(f64::MAX, true));
-        for own in quantity.coordinates() {
+        for own in coordinates(quantity) {
             tests.extend([compare(Comparison::GreaterOrEqual, own, 0.0), largest(own)]);
             words.push(format!("{own} >= 0"));
         }
         let mut positive = self.arguments.clone();
-        if quantity.needs_modulus() {
+        if needs_modulus(quantity) {
             positive.insert(0, "E".to_owned());
         }
         for own in &positive {
             tests.extend([compare(Comparison::Greater, own, 0.0), largest(own)]);
             words.push(format!("{own} > 0"));
         }
-        if quantity != Requested::ContactRadius {
-            let coordinate = quantity.coordinates().last().copied().unwrap_or("a");
+        if quantity != Quantity::Radius {
+            let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
             self.conditions(&self.solution.conditions.clone(), coordinate, &mut tests, &mut words)?;
         }
         Ok((tests, words))
@@ -325,7 +283,7 @@ impl Builder<'_> {
     }
 
     /// The sum of the chains; one with breakpoints beside others is a routine of its own.
-    fn chains(&mut self, quantity: Requested, chains: &[EvaluatedChain], factor: &Expr) -> Result<Vec<Statement>, CodeError> {
+    fn chains(&mut self, quantity: Quantity, chains: &[EvaluatedChain], factor: &Expr) -> Result<Vec<Statement>, CodeError> {
         self.counter = 0;
         if let [only] = chains {
             return self.pieces(quantity, only, factor);
@@ -339,12 +297,12 @@ impl Builder<'_> {
                 value
             } else {
                 let counter = std::mem::take(&mut self.counter);
-                let name = format!("{}_{}", quantity.routine(), index + 1);
+                let name = format!("{}_{}", routine_name(quantity), index + 1);
                 let routine = Routine {
                     name: name.clone(),
                     parameters: parameters.clone(),
                     body: self.pieces(quantity, chain, factor)?,
-                    comment: vec![format!("A part of {}, piece by piece.", quantity.symbol())],
+                    comment: vec![format!("A part of {}, piece by piece.", quantity.key())],
                 };
                 self.counter = counter;
                 self.needed(&routine, quantity)?;
@@ -361,8 +319,8 @@ impl Builder<'_> {
     }
 
     /// The pieces of a chain, each where the contact ends in it.
-    fn pieces(&mut self, quantity: Requested, chain: &EvaluatedChain, factor: &Expr) -> Result<Vec<Statement>, CodeError> {
-        let coordinate = quantity.coordinates().last().copied().unwrap_or("a");
+    fn pieces(&mut self, quantity: Quantity, chain: &EvaluatedChain, factor: &Expr) -> Result<Vec<Statement>, CodeError> {
+        let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
         let mut body = Vec::new();
         for (index, value) in chain.values.iter().enumerate() {
             let (mut piece, value) = self.lowered(&(value * factor))?;
@@ -389,7 +347,7 @@ impl Builder<'_> {
     /// The root of g(a) = d between two radii: secants, and halves where these leave the bracket.
     fn search(&mut self) -> Result<Vec<Statement>, CodeError> {
         self.counter = 0;
-        let chains = self.solution.evaluated(Quantity::Slope).ok_or(CodeError::NotClosed { quantity: "g" })?;
+        let chains = self.solution.evaluated(Superposed::Equivalent).ok_or(CodeError::NotClosed { quantity: "g" })?;
         // The flat part of a worn tip carries no depth: the root lies beyond it.
         let flat = match chains.as_slice() {
             [only] => only.values.iter().zip(&only.breakpoints).take_while(|(value, _)| value.is_zero()).last().map(|(_, end)| end.clone()),
@@ -444,7 +402,7 @@ impl Builder<'_> {
     }
 
     /// Adds the stable forms that a routine calls, those first that they call themselves.
-    fn needed(&mut self, routine: &Routine, quantity: Requested) -> Result<(), CodeError> {
+    fn needed(&mut self, routine: &Routine, quantity: Quantity) -> Result<(), CodeError> {
         for name in routine.calls() {
             if ELEMENTARY.contains(&name.as_str()) || self.routines.iter().any(|own| own.name == name) {
                 continue;
@@ -453,7 +411,7 @@ impl Builder<'_> {
                 continue;
             }
             let Some(form) = self.forms.iter().find(|own| own.name == name).cloned() else {
-                return Err(CodeError::Function { quantity: quantity.symbol(), function: name, language: self.language.title() });
+                return Err(CodeError::Function { quantity: quantity.key(), function: name, language: self.language.title() });
             };
             self.needed(&form, quantity)?;
             self.routines.push(form);
@@ -506,22 +464,22 @@ fn when(test: Test, value: Value) -> Statement {
 
 impl Program {
     /// What is claimed of each quantity; `None` where no point with a bound was found.
-    pub fn claims(&self) -> &[(Requested, Option<Claim>)] {
+    pub fn claims(&self) -> &[(Quantity, Option<Claim>)] {
         &self.claims
     }
 }
 
 impl Program {
     /// Whether the quantity is found by a search.
-    pub(super) fn searches(&self, quantity: Requested) -> bool {
-        let is_search = |own: &Routine| own.calls().iter().any(|name| *name == Requested::EquivalentProfile.routine());
-        quantity == Requested::ContactRadius && self.routines.iter().any(|own| own.name == quantity.routine() && is_search(own))
+    pub(super) fn searches(&self, quantity: Quantity) -> bool {
+        let is_search = |own: &Routine| own.calls().iter().any(|name| *name == routine_name(Quantity::Equivalent));
+        quantity == Quantity::Radius && self.routines.iter().any(|own| own.name == routine_name(quantity) && is_search(own))
     }
 }
 
 impl Program {
     /// Whether a routine is one that was asked for.
     pub(super) fn is_public(&self, routine: &Routine) -> bool {
-        self.quantities.iter().any(|own| own.routine() == routine.name)
+        self.quantities.iter().any(|own| routine_name(*own) == routine.name)
     }
 }

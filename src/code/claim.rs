@@ -1,7 +1,8 @@
 //! What a program claims of its accuracy: the largest running error bound at seeded points of its domain.
 
 use super::accuracy::{ELEMENTARY_ULPS, Machine};
-use super::build::{Program, Requested};
+use super::build::{Program, needs_modulus, routine_name};
+use crate::contact::Quantity;
 use crate::num::Bounded;
 use crate::transform::{Evaluator, Method, Sampler, Solution, reach};
 
@@ -33,13 +34,13 @@ pub(super) fn state(program: &mut Program, solution: &Solution) {
         let claim = of(program, quantity, solution);
         program.claims.push((quantity, claim));
         let lines = text(program, claim, quantity);
-        if let Some(routine) = program.routines.iter_mut().find(|own| own.name == quantity.routine()) {
+        if let Some(routine) = program.routines.iter_mut().find(|own| own.name == routine_name(quantity)) {
             routine.comment.extend(lines);
         }
     }
 }
 
-fn text(program: &Program, claim: Option<Claim>, quantity: Requested) -> Vec<String> {
+fn text(program: &Program, claim: Option<Claim>, quantity: Quantity) -> Vec<String> {
     let Some(claim) = claim else {
         return vec!["Accuracy: nothing is claimed, because no point with a bound was found.".to_owned()];
     };
@@ -61,8 +62,8 @@ fn text(program: &Program, claim: Option<Claim>, quantity: Requested) -> Vec<Str
         ));
     }
     let what = match quantity {
-        Requested::ContactRadius => "depths that belong to radii",
-        Requested::Pressure => "radii r < a",
+        Quantity::Radius => "depths that belong to radii",
+        Quantity::Pressure => "radii r < a",
         _ => "points",
     };
     let parameters = if program.parameters.is_empty() { "" } else { ", with parameters between 1/4 and 4" };
@@ -74,7 +75,7 @@ fn text(program: &Program, claim: Option<Claim>, quantity: Requested) -> Vec<Str
 }
 
 /// The claim of a quantity; `None` where no point gives a bound.
-fn of(program: &Program, quantity: Requested, solution: &Solution) -> Option<Claim> {
+fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Claim> {
     let library = |name: &str| program.language.target().library(name).map(|(_, ulps)| ulps);
     let mut machine = Machine::new(&program.routines, &library);
     let searched = program.searches(quantity);
@@ -87,9 +88,9 @@ fn of(program: &Program, quantity: Requested, solution: &Solution) -> Option<Cla
             |name: &str| bindings.iter().find(|(own, _)| own.name() == name).and_then(|(_, own)| own.as_number().map(|n| n.to_f64()));
         let Some(values) = program.parameters.iter().map(|(own, _)| value(own)).collect::<Option<Vec<f64>>>() else { continue };
         for place in places(&mut sampler, &evaluator) {
-            for coordinates in coordinates(quantity, place, &evaluator) {
+            for coordinates in arguments_at(quantity, place, &evaluator) {
                 let mut arguments = coordinates.clone();
-                if quantity.needs_modulus() {
+                if needs_modulus(quantity) {
                     arguments.push(1.0);
                 }
                 arguments.extend(&values);
@@ -97,8 +98,8 @@ fn of(program: &Program, quantity: Requested, solution: &Solution) -> Option<Cla
                     root(&mut machine, place, &values)
                 } else {
                     machine
-                        .run(&quantity.routine(), &arguments)
-                        .map(|own| (own, condition(&mut machine, &quantity.routine(), &arguments, own)))
+                        .run(&routine_name(quantity), &arguments)
+                        .map(|own| (own, condition(&mut machine, &routine_name(quantity), &arguments, own)))
                 };
                 let Some((bound, condition)) = bound else { continue };
                 if bound.is_finite() && bound.value != 0.0 && bound.value.abs() > 1e-280 {
@@ -136,10 +137,10 @@ fn places(sampler: &mut Sampler, evaluator: &Evaluator<'_>) -> Vec<f64> {
     list
 }
 
-fn coordinates(quantity: Requested, place: f64, evaluator: &Evaluator<'_>) -> Vec<Vec<f64>> {
+fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Vec<Vec<f64>> {
     match quantity {
-        Requested::Pressure => [1e-4, 0.1, 0.4, 0.7, 0.95, 0.9999].map(|part| vec![place * part, place]).to_vec(),
-        Requested::ContactRadius => match evaluator.slope(place) {
+        Quantity::Pressure => [1e-4, 0.1, 0.4, 0.7, 0.95, 0.9999].map(|part| vec![place * part, place]).to_vec(),
+        Quantity::Radius => match evaluator.slope(place) {
             Ok(depth) if depth.estimate.value > 0.0 => vec![vec![depth.estimate.value]],
             _ => Vec::new(),
         },

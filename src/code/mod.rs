@@ -14,7 +14,7 @@ mod read;
 mod target;
 mod tree;
 
-pub use build::{Program, Requested, program};
+pub use build::{Program, QUANTITIES, program};
 pub use claim::Claim;
 pub use error::CodeError;
 pub use target::{Language, write};

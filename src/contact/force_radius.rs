@@ -5,7 +5,7 @@ use super::{Contact, ContactError};
 use crate::num::Estimate;
 use crate::transform::{Quantities, Reading, TransformError};
 
-impl<P: Quantities> Contact<'_, P> {
+impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// The contact radius a with F(a) = F; the tip is flat below it if F is 0.
     ///
     /// The error is proven where the sign of F(a) − F is proven on both sides of a.

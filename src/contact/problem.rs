@@ -1,7 +1,7 @@
 //! The numbers of a contact: depth, force, stiffness, pressure, displacement, energy and the inverse a(d).
 
-use super::ContactError;
 use super::radius::{self, Radii};
+use super::{ContactError, Explicit};
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate, NumError, work};
 use crate::transform::{Evaluator, Quantities, Reading, TransformError, finite_and_not_negative};
@@ -12,7 +12,7 @@ use std::sync::Arc;
 /// A contact with numbers for everything: the evaluator of its profile, E*, and the depth of a rim if there is one.
 ///
 /// The profile may be a formula, a closure or a table: whatever answers [`Quantities`].
-pub struct Contact<'a, P: Quantities = Evaluator<'a>> {
+pub struct Contact<'a, P: Quantities + ?Sized = Evaluator<'a>> {
     evaluator: Arc<P>,
     formula: PhantomData<&'a ()>,
     effective_modulus: f64,
@@ -20,6 +20,18 @@ pub struct Contact<'a, P: Quantities = Evaluator<'a>> {
     tolerance: f64,
     /// Samples of g, shared by the contact radii of all depths.
     radii: Arc<Radii>,
+    inverse: Inverse,
+}
+
+/// How a(d) is computed.
+#[derive(Clone)]
+enum Inverse {
+    /// The root of g(a) = d.
+    Root,
+    /// The closed form, without the tolerance with `only`.
+    Explicit { explicit: Arc<Explicit>, only: bool },
+    /// A closed form is demanded, and there is none.
+    Missing,
 }
 
 /// The largest number of values of g that one energy may take.
@@ -96,7 +108,38 @@ impl<P: Quantities> Contact<'_, P> {
     /// assert_eq!(contact.force(1.0).unwrap().estimate.value, 2.0);
     /// ```
     pub fn new(evaluator: P, effective_modulus: f64, depth: Option<f64>, tolerance: f64) -> Self {
-        Self { evaluator: Arc::new(evaluator), formula: PhantomData, effective_modulus, depth, tolerance, radii: Arc::default() }
+        let (evaluator, radii) = (Arc::new(evaluator), Arc::default());
+        Self { evaluator, formula: PhantomData, effective_modulus, depth, tolerance, radii, inverse: Inverse::Root }
+    }
+
+    /// The same contact, the kind of its profile hidden.
+    pub(super) fn erased(&self) -> Contact<'_, dyn Quantities + '_> {
+        Contact {
+            evaluator: Arc::clone(&self.evaluator) as Arc<dyn Quantities + '_>,
+            formula: PhantomData,
+            effective_modulus: self.effective_modulus,
+            depth: self.depth,
+            tolerance: self.tolerance,
+            radii: Arc::clone(&self.radii),
+            inverse: self.inverse.clone(),
+        }
+    }
+}
+
+impl<P: Quantities + ?Sized> Contact<'_, P> {
+    /// The same contact, a(d) computed by its closed form, `None` if there is none, instead of a search.
+    ///
+    /// The search remains where the closed form misses the tolerance or has no finite value; with `only`, it remains for the error that it
+    /// returns where the closed form has no finite value.
+    #[must_use]
+    pub fn with_explicit(self, explicit: Option<Explicit>, only: bool) -> Self {
+        let explicit = explicit.map(Arc::new);
+        let inverse = match (explicit, only) {
+            (Some(explicit), only) => Inverse::Explicit { explicit, only },
+            (None, true) => Inverse::Missing,
+            (None, false) => Inverse::Root,
+        };
+        Self { inverse, ..self }
     }
 
     /// The same contact at another depth of its rim, or with a smooth edge; what the evaluator has compiled is shared.
@@ -109,6 +152,7 @@ impl<P: Quantities> Contact<'_, P> {
             depth,
             tolerance: self.tolerance,
             radii: Arc::clone(&self.radii),
+            inverse: self.inverse.clone(),
         }
     }
 
@@ -355,8 +399,60 @@ impl<P: Quantities> Contact<'_, P> {
     /// # Errors
     /// [`ContactError::Unreachable`] if no sample of g reaches d.
     pub fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
+        match &self.inverse {
+            Inverse::Explicit { explicit, only } => match explicit.contact_radius_at(depth) {
+                Err(error) if *only => return Err(TransformError::from(error).into()),
+                Ok(found) if found.estimate.value.is_finite() && (*only || found.estimate.relative_error() <= self.tolerance) => {
+                    return Ok(found);
+                }
+                _ => {}
+            },
+            Inverse::Missing => return Err(TransformError::NoClosedForm { quantity: "a" }.into()),
+            Inverse::Root => {}
+        }
         work::bounded(|| radius::of_depth(self, &self.radii, depth))
     }
+
+    /// A = πa².
+    ///
+    /// # Errors
+    /// [`ContactError`] for a radius outside the domain, or if A is too large for a number.
+    pub fn area(&self, a: f64) -> Result<Reading, ContactError> {
+        self.evaluator.check_domain("a", a)?;
+        let area = Bounded::rounded(PI) * Bounded::exact(a) * Bounded::exact(a);
+        representable(Reading { estimate: Estimate::from_bounded(area, 0), method: "exact" }, "a", a)
+    }
+
+    /// F(d), the force at the contact radius a(d).
+    ///
+    /// # Errors
+    /// As [`Self::contact_radius`] and [`Self::force`].
+    pub fn force_of_depth(&self, depth: f64) -> Result<Reading, ContactError> {
+        through(self.contact_radius(depth)?, |a| self.force(a))
+    }
+
+    /// d(F), the depth at the contact radius a(F).
+    ///
+    /// # Errors
+    /// As [`Self::radius_under_force`] and [`Self::depth`].
+    pub fn depth_of_force(&self, force: f64) -> Result<Reading, ContactError> {
+        through(self.radius_under_force(force)?, |a| self.depth(a))
+    }
+}
+
+/// A quantity at a radius that is known to an error: what it changes within that error is added to its own.
+fn through(radius: Reading, quantity: impl Fn(f64) -> Result<Reading, ContactError>) -> Result<Reading, ContactError> {
+    let Estimate { value: a, error, bound, .. } = radius.estimate;
+    let own = quantity(a)?;
+    if a == 0.0 || error == 0.0 {
+        return Ok(Reading { estimate: own.estimate.resting_on(bound), ..own });
+    }
+    let moved = |place: f64| quantity(place).map(|found| (found.estimate.value - own.estimate.value).abs() + found.estimate.error);
+    // Next to the end of the profile there may be one side only.
+    let below = moved((a - error).max(0.0))?;
+    let above = moved(a + error).unwrap_or(2.0 * below);
+    let estimate = Estimate { error: own.estimate.error + below.max(above), ..own.estimate };
+    Ok(Reading { estimate: estimate.resting_on(bound), ..own })
 }
 
 /// Adds to ∫₀^a (d − g)² dx the error of squares that underflow, if the integral is 0.

@@ -52,7 +52,7 @@ const IDLE: u32 = 8;
 ///
 /// # Errors
 /// [`ContactError::Unreachable`] if no sample of g reaches the depth.
-pub(super) fn of_depth<P: Quantities>(contact: &Contact<'_, P>, radii: &Radii, depth: f64) -> Result<Reading, ContactError> {
+pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: &Radii, depth: f64) -> Result<Reading, ContactError> {
     if depth < 0.0 {
         return Err(ContactError::Unreachable { depth, reason: "the depth is negative; expected d >= 0" });
     }

@@ -4,7 +4,7 @@ use super::{Contact, ContactError, Measured};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{Quantities, Reading};
 
-impl<P: Quantities> Contact<'_, P> {
+impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// σ_zz at the depth z ≥ 0 on the axis of an isotropic half-space under a contact of radius a, negative in compression.
     ///
     /// σ_zz(z) = −(E*/π)[∫₀^a g′(x) W(x) dx + (d − g(a)) W(a)], W(x) = x(x²+3z²)/(x²+z²)²: every spring is a rigid punch, and

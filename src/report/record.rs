@@ -1,6 +1,6 @@
 //! The records that every output format reads: what was derived, evaluated and compared.
 
-use crate::contact::{Comparisons, Edge, Measured, Reason, RelationKey, Relations};
+use crate::contact::{Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
 use crate::expr::{Expr, Formula};
 use crate::print::{Prose, Renaming};
 use crate::transform::{Check, Derived, Profile, TransformError};
@@ -17,7 +17,7 @@ pub struct Derivation<'a> {
     /// The derived relations.
     pub relations: &'a Relations,
     /// The quantities that were asked for, in this order; empty for the usual ones.
-    pub asked: &'a [RelationKey],
+    pub asked: &'a [Quantity],
     /// Names that are shown in place of the program's own.
     pub names: &'a Renaming,
     /// The outcome of the check, or why it could not be made.
@@ -66,15 +66,14 @@ impl Derivation<'_> {
     pub fn entries(&self) -> Vec<Entry<'_>> {
         let usual;
         let list = if self.asked.is_empty() {
-            usual = RelationKey::USUAL;
+            usual = Quantity::USUAL;
             usual.as_slice()
         } else {
             self.asked
         };
-        let rim = self.has_rim();
-        list.iter()
-            .map(|own| Entry { key: own.key(), left: own.left(rim), derived: own.of(self.relations, self.typed, self.profile, rim) })
-            .collect()
+        let has_rim = self.has_rim();
+        let all = Formulas { relations: self.relations, typed: self.typed, shape: self.profile, has_rim };
+        list.iter().map(|own| Entry { key: own.relation(), left: own.left(has_rim), derived: own.formula(&all) }).collect()
     }
 
     /// f(0), where something had to be subtracted.

@@ -1,7 +1,7 @@
 //! Exact fields on a solver's grid as CSV, JSON and NPY, load by load: one field is kept at a time.
 
 use crate::contact::State;
-use crate::scene::{Curve, Dimension, Field, Grid, Run};
+use crate::scene::{Dimension, Field, Grid, Quantity, Run};
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
 use std::cell::Cell;
@@ -14,7 +14,7 @@ pub struct Reference<'a, 'r> {
     /// The grid.
     pub grid: &'a Grid,
     /// The fields.
-    pub curves: &'a [Curve],
+    pub curves: &'a [Quantity],
     /// True where pressures are means over cells.
     pub cells: bool,
 }
@@ -24,7 +24,7 @@ impl Reference<'_, '_> {
         (0..self.run.scene().loads.len()).map(|index| (index, self.run.state(index, false)))
     }
 
-    fn field(&self, curve: Curve, state: Option<&State>) -> Field {
+    fn field(&self, curve: Quantity, state: Option<&State>) -> Field {
         self.run.field(self.grid, curve, state, self.cells)
     }
 
@@ -50,8 +50,8 @@ impl Reference<'_, '_> {
         header.extend(if square { ["x", "y", "r"].as_slice() } else { &["r"] }.iter().map(|own| named(own, &length)));
         for curve in self.curves {
             let unit = scene.system.unit_name(curve.dimension());
-            let (error, bound) = (format!("{}_error", curve.name()), format!("{}_bound", curve.name()));
-            header.extend([named(curve.name(), &unit), named(&error, &unit), bound]);
+            let (error, bound) = (format!("{}_error", curve.key()), format!("{}_bound", curve.key()));
+            header.extend([named(curve.key(), &unit), named(&error, &unit), bound]);
         }
         writeln!(out, "{}", header.join(","))?;
         let mut missing = 0;
@@ -152,7 +152,7 @@ impl Reference<'_, '_> {
                         Ok((value, error)) => out.write_all(&if part == 0 { value } else { error }.to_le_bytes()),
                         Err(why) if why.contains("is infinite") => out.write_all(&f64::INFINITY.to_le_bytes()),
                         Err(why) => {
-                            let message = format!("load {}, {}: {why}; CSV and JSON can leave values out", index + 1, curve.name());
+                            let message = format!("load {}, {}: {why}; CSV and JSON can leave values out", index + 1, curve.key());
                             Err(io::Error::new(io::ErrorKind::InvalidData, message))
                         }
                     };
@@ -220,7 +220,7 @@ impl Loads<'_, '_, '_> {
                 _ => Rows::Line(Vec::new()),
             };
             let (values, error_estimates) = (rows(|own| own.0), rows(|own| own.1));
-            FieldEntry { quantity: curve.name(), values, error_estimates, bound: field.bound().name(), why }
+            FieldEntry { quantity: curve.key(), values, error_estimates, bound: field.bound().name(), why }
         });
         LoadEntry {
             fields: fields.collect(),

@@ -3,11 +3,11 @@
 use super::solved_text::named;
 use super::text::{marked, short};
 use crate::num::Bound;
-use crate::scene::{Datum, Row, Run};
+use crate::scene::{Quantity, Row, Run};
 
 /// The largest relative error bound of every quantity over the rows.
 #[derive(Default)]
-pub(super) struct Largest(Vec<(Datum, f64, Bound)>);
+pub(super) struct Largest(Vec<(Quantity, f64, Bound)>);
 
 impl Largest {
     /// Takes a row into account.
@@ -28,7 +28,7 @@ impl Largest {
     /// The bounds as a sentence, as in `relative error bounds: F 4.2e-16, a ~1.0e-9 (~ marks estimates)`; `None` without any.
     pub(super) fn sentence(&self) -> Option<String> {
         let list: Vec<String> =
-            self.0.iter().map(|(datum, error, bound)| format!("{} {}", datum.name(), marked(short(*error), *bound))).collect();
+            self.0.iter().map(|(datum, error, bound)| format!("{} {}", datum.key(), marked(short(*error), *bound))).collect();
         let legend = if self.0.iter().any(|own| own.2 == Bound::Estimated) { " (~ marks estimates)" } else { "" };
         (!list.is_empty()).then(|| format!("relative error bounds: {}{legend}", list.join(", ")))
     }
@@ -37,7 +37,8 @@ impl Largest {
 /// Names of the columns that hold the bounds: of each quantity its error bound, and what the bound rests on.
 pub(super) fn header(run: &Run<'_>) -> Vec<String> {
     let system = &run.scene().system;
-    let pair = |own: &Datum| [named(&format!("{}_error", own.name()), &system.unit_name(own.dimension())), format!("{}_bound", own.name())];
+    let pair =
+        |own: &Quantity| [named(&format!("{}_error", own.key()), &system.unit_name(own.dimension())), format!("{}_bound", own.key())];
     run.scene().outputs.data.iter().flat_map(pair).collect()
 }
 

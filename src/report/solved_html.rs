@@ -9,7 +9,7 @@ use super::solved_bounds::Largest;
 use super::solved_text::{cells, columns, edge_of};
 use crate::contact::{Severity, Step};
 use crate::print::escaped;
-use crate::scene::{Curve, Datum, Dimension, Run};
+use crate::scene::{Dimension, Quantity, Run};
 use std::io::{self, Write};
 
 /// Everything on the page.
@@ -110,9 +110,14 @@ fn judged(verdict: &Verdict, run: &Run<'_>, out: &mut dyn Write) -> io::Result<(
 /// The tip in the surface, the pressure, F(d) and a(d).
 fn pictures(swept: &Run<'_>, out: &mut dyn Write) -> io::Result<()> {
     let quantities: &[Pictured] = if swept.scene().round {
-        &[Pictured::Section, Pictured::Curve(Curve::Pressure), Pictured::Datum(Datum::Force), Pictured::Datum(Datum::Radius)]
+        &[
+            Pictured::Section,
+            Pictured::Quantity(Quantity::Pressure),
+            Pictured::Quantity(Quantity::Force),
+            Pictured::Quantity(Quantity::Radius),
+        ]
     } else {
-        &[Pictured::Datum(Datum::Force)]
+        &[Pictured::Quantity(Quantity::Force)]
     };
     let picture = Picture::of_contacts(&[("", swept)], quantities);
     writeln!(out, "<h2>Pictures</h2>")?;

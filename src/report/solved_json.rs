@@ -96,11 +96,11 @@ impl Serialize for RowEntry<'_, '_> {
                 Ok(value) if shown => Some(*value),
                 Ok(_) => None,
                 Err(reason) => {
-                    why.get_or_insert_with(|| format!("{}: {reason}", datum.name()));
+                    why.get_or_insert_with(|| format!("{}: {reason}", datum.key()));
                     None
                 }
             };
-            map.serialize_entry(datum.name(), &own)?;
+            map.serialize_entry(datum.key(), &own)?;
         }
         if scene.counts_from_touch() {
             map.serialize_entry("d_first_touch", &row.load)?;
@@ -109,13 +109,13 @@ impl Serialize for RowEntry<'_, '_> {
         }
         if shown {
             let known = self.run.estimates(self.index, row);
-            let known = || known.iter().filter_map(|(datum, own)| Some((datum.name(), (*own)?)));
+            let known = || known.iter().filter_map(|(datum, own)| Some((datum.key(), (*own)?)));
             map.serialize_entry("error_estimates", &known().map(|(name, own)| (name, own.error)).collect::<BTreeMap<_, _>>())?;
             map.serialize_entry("bounds", &known().map(|(name, own)| (name, own.bound.name())).collect::<BTreeMap<_, _>>())?;
         }
         let state = row.indented.state.filter(|_| shown);
         if let Some(changes) = self.run.row_model_errors(self.index, state.as_ref()) {
-            let changes: BTreeMap<&str, Option<f64>> = changes.into_iter().map(|(datum, own)| (datum.name(), own)).collect();
+            let changes: BTreeMap<&str, Option<f64>> = changes.into_iter().map(|(datum, own)| (datum.key(), own)).collect();
             map.serialize_entry("model_error", &changes)?;
         }
         map.serialize_entry("edge", &row.indented.state.filter(|_| shown).map(|state| edge(state.boundary)))?;
@@ -170,9 +170,9 @@ struct Curves<'a, 'r> {
 impl Serialize for Curves<'_, '_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let scene = self.run.scene();
-        let shapes = scene.outputs.curves.iter().filter(|own| !own.needs_load()).map(|curve| (*curve, None));
+        let shapes = scene.outputs.curves.iter().filter(|own| !own.needs_radius()).map(|curve| (*curve, None));
         let loaded = (0..scene.loads.len()).flat_map(|index| {
-            let wanted = scene.outputs.curves.iter().filter(|own| own.needs_load());
+            let wanted = scene.outputs.curves.iter().filter(|own| own.needs_radius());
             wanted.map(move |curve| (*curve, Some(index)))
         });
         serializer.collect_seq(shapes.chain(loaded).map(|(curve, index)| {
@@ -180,7 +180,7 @@ impl Serialize for Curves<'_, '_> {
             CurveEntry {
                 d: state.zip(index).map(|(state, index)| self.run.shown_depth(index, &state)),
                 row: index,
-                quantity: curve.name(),
+                quantity: curve.key(),
                 points: Points { run: self.run, curve, state, second: index.and_then(|index| self.run.second_state(index)) },
             }
         }))
@@ -197,7 +197,7 @@ struct CurveEntry<'a, 'r> {
 
 struct Points<'a, 'r> {
     run: &'a Run<'r>,
-    curve: crate::scene::Curve,
+    curve: crate::contact::Quantity,
     state: Option<crate::contact::State>,
     /// The state with the points of a measured tip joined in the second way.
     second: Option<crate::contact::State>,

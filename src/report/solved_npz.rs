@@ -3,7 +3,7 @@
 use super::npy::Archive;
 use super::solved::Verdict;
 use crate::contact::State;
-use crate::scene::{Curve, Dimension, Run};
+use crate::scene::{Dimension, Quantity, Run};
 use std::io::{self, Write};
 
 /// Writes an NPZ archive: `d`, `F` and so on over the loads with `valid` beside them, curves over loads and places (`p`, `p_at`,
@@ -27,8 +27,8 @@ pub fn npz(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
             column.push(match value {
                 _ if controlled => row.load,
                 Ok(value) if formally || row.is_valid() => *value,
-                Ok(_) => return Err(missing(index, datum.name(), row.why().unwrap_or("the row is not valid"))),
-                Err(why) => return Err(missing(index, datum.name(), why)),
+                Ok(_) => return Err(missing(index, datum.key(), row.why().unwrap_or("the row is not valid"))),
+                Err(why) => return Err(missing(index, datum.key(), why)),
             });
         }
         if scene.counts_from_touch() {
@@ -37,8 +37,8 @@ pub fn npz(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
     }
     let count = scene.loads.len();
     for (datum, column) in scene.outputs.data.iter().zip(&columns) {
-        archive.numbers(datum.name(), &[count], column)?;
-        archive.text(&format!("{}_unit", datum.name()), &scene.system.unit_name(datum.dimension()))?;
+        archive.numbers(datum.key(), &[count], column)?;
+        archive.text(&format!("{}_unit", datum.key()), &scene.system.unit_name(datum.dimension()))?;
     }
     if scene.counts_from_touch() {
         archive.numbers("d_first_touch", &[count], &touch)?;
@@ -53,7 +53,7 @@ pub fn npz(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
     Ok(verdict)
 }
 
-fn curve_arrays(run: &Run<'_>, curve: Curve, formally: bool, archive: &mut Archive) -> io::Result<()> {
+fn curve_arrays(run: &Run<'_>, curve: Quantity, formally: bool, archive: &mut Archive) -> io::Result<()> {
     let scene = run.scene();
     let places = run.grid(curve).len();
     let (mut at, mut values, mut errors) = (Vec::new(), Vec::new(), Vec::new());
@@ -64,21 +64,21 @@ fn curve_arrays(run: &Run<'_>, curve: Curve, formally: bool, archive: &mut Archi
             let (value, error) = match point.value {
                 Ok(found) => found,
                 Err(why) if why.contains("is infinite") => (f64::INFINITY, f64::INFINITY),
-                Err(why) => return Err(missing(index, curve.name(), why)),
+                Err(why) => return Err(missing(index, curve.key(), why)),
             };
             values.push(value);
             errors.push(error);
         }
         Ok(())
     };
-    let shape = if curve.needs_load() {
+    let shape = if curve.needs_radius() {
         (0..scene.loads.len()).try_for_each(|index| take(index, run.state(index, formally)))?;
         vec![scene.loads.len(), places]
     } else {
         take(0, None)?;
         vec![places]
     };
-    let name = curve.name();
+    let name = curve.key();
     archive.numbers(name, &shape, &values)?;
     archive.numbers(&format!("{name}_error"), &shape, &errors)?;
     archive.numbers(&format!("{name}_at"), &[places], &at)?;

@@ -5,7 +5,7 @@ use super::solved_bounds::{self, Largest};
 use super::solved_tip::{self, Changes};
 use super::text::marked;
 use crate::contact::Severity;
-use crate::scene::{Curve, Dimension, Row, Run};
+use crate::scene::{Dimension, Quantity, Row, Run};
 use std::io::{self, Write};
 
 /// Writes a table of rows, then one of points per curve, then the verdict.
@@ -68,7 +68,7 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
         writeln!(out, "{}: {}: {}", finding.severity.name(), finding.rule, finding.message)?;
     }
     for (datum, why) in lacking {
-        writeln!(out, "{}: no value in some rows: {why}", datum.name())?;
+        writeln!(out, "{}: no value in some rows: {why}", datum.key())?;
     }
     Ok(verdict)
 }
@@ -80,7 +80,7 @@ pub(super) fn edge_of(row: &Row) -> &'static str {
 /// Names and units of the columns.
 pub(super) fn columns(run: &Run<'_>) -> Vec<(String, String)> {
     let scene = run.scene();
-    let mut list: Vec<_> = scene.outputs.data.iter().map(|own| (own.name().to_owned(), scene.system.unit_name(own.dimension()))).collect();
+    let mut list: Vec<_> = scene.outputs.data.iter().map(|own| (own.key().to_owned(), scene.system.unit_name(own.dimension()))).collect();
     if scene.counts_from_touch() {
         list.insert(0, ("d_first_touch".to_owned(), scene.system.unit_name(Dimension::LENGTH)));
     } else if run.touches_beside_the_axis() {
@@ -106,22 +106,22 @@ pub(super) fn cells(run: &Run<'_>, row: &Row, formally: bool) -> Vec<Option<f64>
     list
 }
 
-fn curve_table(run: &Run<'_>, curve: Curve, formally: bool, out: &mut dyn Write) -> io::Result<()> {
+fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, out: &mut dyn Write) -> io::Result<()> {
     let scene = run.scene();
-    let indices: Vec<Option<usize>> = if curve.needs_load() { (0..scene.loads.len()).map(Some).collect() } else { vec![None] };
+    let indices: Vec<Option<usize>> = if curve.needs_radius() { (0..scene.loads.len()).map(Some).collect() } else { vec![None] };
     let (length, unit) = (scene.system.unit_name(Dimension::LENGTH), scene.system.unit_name(curve.dimension()));
     for index in indices {
         let state = index.and_then(|index| run.state(index, formally));
         writeln!(out)?;
         match index {
-            Some(index) => writeln!(out, "{} at d = {}", curve.name(), depth(run, index, state.as_ref()))?,
-            None => writeln!(out, "{}", curve.name())?,
+            Some(index) => writeln!(out, "{} at d = {}", curve.key(), depth(run, index, state.as_ref()))?,
+            None => writeln!(out, "{}", curve.key())?,
         }
         let with = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") };
         let measured = scene.tip.is_some();
         let more = if measured { format!("{:>16}", "model error") } else { String::new() };
-        let place = if curve == Curve::AxialStress { "z" } else { "at" };
-        writeln!(out, "{:>24}{:>24}{:>16}{more}", with(place, &length), with(curve.name(), &unit), "error")?;
+        let place = if curve == Quantity::AxialStress { "z" } else { "at" };
+        writeln!(out, "{:>24}{:>24}{:>16}{more}", with(place, &length), with(curve.key(), &unit), "error")?;
         let second = index.and_then(|index| run.second_state(index));
         for (at, point) in run.points(curve, state) {
             let change = run.point_model_error(curve, state.as_ref().zip(second.as_ref()), at);
@@ -185,11 +185,11 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
             writeln!(out)?;
         }
         writeln!(out, "quantity,{},{},value,error,unit,bound", named("d", &length), named("at", &length))?;
-        for curve in curves.iter().filter(|own| !own.needs_load()) {
+        for curve in curves.iter().filter(|own| !own.needs_radius()) {
             points(run, *curve, None, formally, out)?;
         }
         for index in 0..scene.loads.len() {
-            for curve in curves.iter().filter(|own| own.needs_load()) {
+            for curve in curves.iter().filter(|own| own.needs_radius()) {
                 points(run, *curve, Some(index), formally, out)?;
             }
         }
@@ -202,7 +202,7 @@ pub(super) fn named(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") }
 }
 
-fn points(run: &Run<'_>, curve: Curve, index: Option<usize>, formally: bool, out: &mut dyn Write) -> io::Result<()> {
+fn points(run: &Run<'_>, curve: Quantity, index: Option<usize>, formally: bool, out: &mut dyn Write) -> io::Result<()> {
     let state = index.and_then(|index| run.state(index, formally));
     let depth = state.zip(index).map_or_else(String::new, |(own, index)| format!("{:?}", run.shown_depth(index, &own)));
     let unit = run.scene().system.unit_name(curve.dimension());
@@ -210,7 +210,7 @@ fn points(run: &Run<'_>, curve: Curve, index: Option<usize>, formally: bool, out
         let (value, error) =
             point.value.map_or((String::new(), String::new()), |(value, error)| (format!("{value:?}"), format!("{error:?}")));
         let bound = point.value.map_or("", |_| point.bound.name());
-        writeln!(out, "{},{depth},{:?},{value},{error},{unit},{bound}", curve.name(), point.at)?;
+        writeln!(out, "{},{depth},{:?},{value},{error},{unit},{bound}", curve.key(), point.at)?;
     }
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! What a solved scene says of its measured tip: how it was read, what shapes it resembles, and what the joining of its points decides.
 
 use crate::contact::{Finding, Severity};
-use crate::scene::{Datum, Dimension, Fit, MeasuredTip, Run};
+use crate::scene::{Dimension, Fit, MeasuredTip, Quantity, Run};
 use std::io::{self, Write};
 
 /// The word for the slope at the axis.
@@ -64,11 +64,11 @@ fn short(value: f64) -> String {
 
 /// The largest relative changes of rows with the second way of joining.
 #[derive(Default)]
-pub(super) struct Changes(Vec<(Datum, f64)>);
+pub(super) struct Changes(Vec<(Quantity, f64)>);
 
 impl Changes {
     /// Takes a row into account.
-    pub(super) fn take(&mut self, errors: Option<Vec<(Datum, Option<f64>)>>, value: impl Fn(Datum) -> Option<f64>) {
+    pub(super) fn take(&mut self, errors: Option<Vec<(Quantity, Option<f64>)>>, value: impl Fn(Quantity) -> Option<f64>) {
         for (datum, error) in errors.into_iter().flatten() {
             let (Some(error), Some(value)) = (error, value(datum)) else { continue };
             let own = if value == 0.0 { 0.0 } else { (error / value).abs() };
@@ -84,7 +84,7 @@ impl Changes {
         let Some(tip) = &run.scene().tip else { return Ok(()) };
         let control = run.scene().control.datum();
         let list: Vec<String> =
-            self.0.iter().filter(|(datum, _)| *datum != control).map(|(datum, most)| format!("{} by {most:.1e}", datum.name())).collect();
+            self.0.iter().filter(|(datum, _)| *datum != control).map(|(datum, most)| format!("{} by {most:.1e}", datum.key())).collect();
         if list.is_empty() {
             return Ok(());
         }

@@ -1,7 +1,7 @@
 //! Values of a scene that are given beside its file: the side of a box, a load.
 
-use super::quantity::to_double_double;
-use super::{Control, Dimension, Loads, Quantity, Scene, SceneError};
+use super::dimensioned::to_double_double;
+use super::{Control, Dimension, DimensionedNumber, Loads, Scene, SceneError};
 
 impl Scene {
     /// A length above 0 as typed, in computed units; `name` is that of the argument, for errors.
@@ -38,7 +38,7 @@ impl Scene {
     }
 
     fn positive(&self, name: &str, text: &str, dimension: Dimension) -> Result<f64, SceneError> {
-        let quantity = Quantity::parse(text)?;
+        let quantity = DimensionedNumber::parse(text)?;
         if !self.system.has_units() && quantity.unit().is_some() {
             return Err(SceneError::unit(format!("{name} = {} has a unit, and the numbers of the scene have none", text.trim()))
                 .help("a bare number is accepted, which counts in the scene's unit"));

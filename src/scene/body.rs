@@ -2,7 +2,7 @@
 
 use super::document::Table;
 use super::system::System;
-use super::{Dimension, Quantity, SceneError};
+use super::{Dimension, DimensionedNumber, SceneError};
 use crate::contact::{self, ElasticBody, TransverselyIsotropic};
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ pub(super) const KEYS: [&str; 9] = ["E", "nu", "effective_modulus", "C11", "C12"
 /// A number with its key and place.
 pub(super) struct Typed {
     key: &'static str,
-    quantity: Quantity,
+    quantity: DimensionedNumber,
     span: Range<usize>,
 }
 
@@ -117,7 +117,7 @@ impl Body {
     /// Takes ν for 0, as where E stands for E*.
     pub(super) fn forget_poisson(&mut self) -> Result<(), SceneError> {
         for own in self.numbers.iter_mut().filter(|own| own.key == "nu") {
-            own.quantity = Quantity::plain("0")?;
+            own.quantity = DimensionedNumber::plain("0")?;
         }
         Ok(())
     }
@@ -127,7 +127,7 @@ impl Body {
     }
 
     /// Every number with its unit.
-    pub(super) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+    pub(super) fn quantities(&self) -> impl Iterator<Item = &DimensionedNumber> {
         self.numbers.iter().map(|own| &own.quantity)
     }
 }

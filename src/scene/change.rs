@@ -1,6 +1,6 @@
 //! One thing of a scene taken for another, as it happens to people: a radius for a diameter, an angle for its complement.
 
-use super::Quantity;
+use super::DimensionedNumber;
 use crate::expr::Expr;
 
 /// What is changed while a scene is read; everything else stays as it was typed.
@@ -28,7 +28,7 @@ pub enum Change {
 
 impl Change {
     /// A quantity after the change.
-    pub(super) fn of(&self, name: &str, quantity: &Quantity) -> Quantity {
+    pub(super) fn of(&self, name: &str, quantity: &DimensionedNumber) -> DimensionedNumber {
         match self {
             Self::Times { name: own, ratio, degrees } if own == name => {
                 let turn = Expr::integer(180) / Expr::pi();

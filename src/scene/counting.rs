@@ -1,15 +1,15 @@
 //! The units in which a call without a scene counts: that of its first length, and that of its modulus.
 
 use super::check::{Dimensions, refuse_other_than_length};
-use super::{Dimension, Quantity, SceneError, Unit};
+use super::{Dimension, DimensionedNumber, SceneError, Unit};
 use crate::expr::{Expr, Formula, Symbol};
 
 /// The units of a call; both are `None` where all of its numbers are bare.
 ///
 /// ```
-/// use sneddon::scene::{Counting, Dimension, Quantity};
+/// use sneddon::scene::{Counting, Dimension, DimensionedNumber};
 /// let own = Counting::of(["20 nm", "0.1 um"], Some("70 GPa"));
-/// assert_eq!(own.number("x", &Quantity::parse("0.1 um")?, Dimension::LENGTH)?.as_integer(), Some(100));
+/// assert_eq!(own.number("x", &DimensionedNumber::parse("0.1 um")?, Dimension::LENGTH)?.as_integer(), Some(100));
 /// assert_eq!(own.name(Dimension::FORCE), "nN");
 /// # Ok::<(), sneddon::scene::SceneError>(())
 /// ```
@@ -26,7 +26,7 @@ const PREFIXES: [(&str, i64); 12] =
 impl Counting {
     /// The unit of the first length among the texts, and that of the modulus.
     pub fn of<'a>(texts: impl IntoIterator<Item = &'a str>, modulus: Option<&str>) -> Self {
-        let unit = |text: &str| Quantity::parse(text).ok().and_then(|own| own.unit().cloned());
+        let unit = |text: &str| DimensionedNumber::parse(text).ok().and_then(|own| own.unit().cloned());
         let length = texts.into_iter().filter_map(unit).find(|own| own.dimension() == Dimension::LENGTH);
         Self { length, pressure: modulus.and_then(unit).filter(|own| own.dimension() == Dimension::PRESSURE) }
     }
@@ -40,7 +40,7 @@ impl Counting {
     ///
     /// # Errors
     /// [`SceneError`] for another dimension, and for a bare number where another one has a unit.
-    pub fn number(&self, name: &str, quantity: &Quantity, wanted: Dimension) -> Result<Expr, SceneError> {
+    pub fn number(&self, name: &str, quantity: &DimensionedNumber, wanted: Dimension) -> Result<Expr, SceneError> {
         match quantity.dimension() {
             None if !self.has_units() || wanted.is_none() || quantity.is_zero() => Ok(quantity.in_base()),
             None => Err(SceneError::unit(format!("{name} = {} has no unit, and other numbers of the call have one", quantity.text()))
@@ -55,7 +55,7 @@ impl Counting {
     ///
     /// # Errors
     /// [`SceneError`] where it contains a force and no modulus has a unit.
-    pub fn own(&self, name: &str, quantity: &Quantity) -> Result<Expr, SceneError> {
+    pub fn own(&self, name: &str, quantity: &DimensionedNumber) -> Result<Expr, SceneError> {
         let Some(dimension) = quantity.dimension() else { return Ok(quantity.in_base()) };
         if dimension.is_none() {
             return Ok(quantity.in_base());

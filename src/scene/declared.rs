@@ -1,9 +1,9 @@
 //! `[data]`: what a scene says of the solver whose data are validated.
 
+use super::dimensioned::to_f64;
 use super::document::{Entry, Table};
-use super::quantity::to_f64;
 use super::system::System;
-use super::{Control, Dimension, Quantity, SceneError};
+use super::{Control, Dimension, DimensionedNumber, SceneError};
 use std::ops::Range;
 
 /// The edges of the solver's domain.
@@ -45,7 +45,7 @@ impl Declared {
 
 /// The table as typed.
 pub(super) struct Typed {
-    side: Option<(Quantity, Range<usize>)>,
+    side: Option<(DimensionedNumber, Range<usize>)>,
     rest: Declared,
 }
 
@@ -72,7 +72,7 @@ impl Typed {
     }
 
     /// The side of the box, for its unit.
-    pub(super) fn side(&self) -> Option<&Quantity> {
+    pub(super) fn side(&self) -> Option<&DimensionedNumber> {
         self.side.as_ref().map(|own| &own.0)
     }
 

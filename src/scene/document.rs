@@ -1,6 +1,6 @@
 //! A scene file as TOML with places: tables whose keys are all known, and values of the kind that is wanted.
 
-use super::{Quantity, SceneError, error::Reason};
+use super::{DimensionedNumber, SceneError, error::Reason};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -193,11 +193,11 @@ impl<'t> Entry<'t> {
     }
 
     /// A number, bare or in a string with its unit.
-    pub(super) fn quantity(&self) -> Result<Quantity, SceneError> {
+    pub(super) fn quantity(&self) -> Result<DimensionedNumber, SceneError> {
         let read = match self.value.get_ref() {
-            DeValue::String(text) => Quantity::parse(text),
-            DeValue::Integer(number) if number.radix() == 10 => Quantity::plain(number.as_str()),
-            DeValue::Float(number) => Quantity::plain(number.as_str()),
+            DeValue::String(text) => DimensionedNumber::parse(text),
+            DeValue::Integer(number) if number.radix() == 10 => DimensionedNumber::plain(number.as_str()),
+            DeValue::Float(number) => DimensionedNumber::plain(number.as_str()),
             _ => return Err(self.kind("a number, or a string with a number and its unit")),
         };
         read.map_err(|error| error.at(self.span()))

@@ -1,6 +1,6 @@
 //! Loads: a number, a list or a range, of depth, force or contact radius.
 
-use super::Datum;
+use super::Quantity;
 use crate::contact;
 use crate::num::DoubleDouble;
 use crate::num::precise::{exp, ln};
@@ -27,11 +27,11 @@ impl Control {
     }
 
     /// The number of a row that it is.
-    pub fn datum(self) -> Datum {
+    pub fn datum(self) -> Quantity {
         match self {
-            Self::Depth => Datum::Depth,
-            Self::Force => Datum::Force,
-            Self::ContactRadius => Datum::Radius,
+            Self::Depth => Quantity::Depth,
+            Self::Force => Quantity::Force,
+            Self::ContactRadius => Quantity::Radius,
         }
     }
 

@@ -1,42 +1,10 @@
 //! The scene itself: everything that is known about a contact before it is solved, as numbers of one system.
 
-use super::{Control, Declared, Loads, Measured, MeasuredTip, SceneError, Simple, System};
+use super::{Control, Declared, Loads, Measured, MeasuredTip, Quantity, SceneError, Simple, System};
 use crate::contact::{Body, ContactError};
 use crate::transform::{Method, Profile, Slopes, Solution, derive};
 use std::ops::Range;
 use std::sync::Arc;
-
-/// A number per load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Datum {
-    /// d, the displacement at r = 0.
-    Depth,
-    /// F, the normal force.
-    Force,
-    /// a, the contact radius.
-    Radius,
-    /// k = dF/dd = 2E*a.
-    Stiffness,
-    /// F/(π a²).
-    MeanPressure,
-    /// The strain energy.
-    Energy,
-}
-
-/// A function of a coordinate, per load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Curve {
-    /// g(x).
-    Equivalent,
-    /// f(r).
-    Profile,
-    /// p(r).
-    Pressure,
-    /// u(r), the displacement of the surface.
-    Displacement,
-    /// σ_zz(z) on the axis below the surface.
-    AxialStress,
-}
 
 /// From where a depth is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,9 +19,9 @@ pub enum DepthFrom {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outputs {
     /// Numbers per load.
-    pub data: Vec<Datum>,
+    pub data: Vec<Quantity>,
     /// Functions per load.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<Quantity>,
     /// The radii at which functions of r or x are wanted.
     pub at: Loads,
     /// The depths below the surface at which the stress on the axis is wanted.
@@ -61,11 +29,23 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// The curves that `reference` writes on a grid: those of p, u, f and g that are wanted, p if none of them is.
-    pub fn fields(&self) -> Vec<Curve> {
-        let all = [Curve::Pressure, Curve::Displacement, Curve::Profile, Curve::Equivalent];
-        let wanted: Vec<Curve> = all.into_iter().filter(|own| self.curves.contains(own)).collect();
-        if wanted.is_empty() { vec![Curve::Pressure] } else { wanted }
+    /// The fields that `reference` writes on a grid, those of p, u, f and g that are requested, and the requested curves that it does not
+    /// write; p if no curve is requested.
+    ///
+    /// # Errors
+    /// [`SceneError`] if there are curves, and none of them is such a field.
+    pub fn fields(&self) -> Result<(Vec<Quantity>, Vec<Quantity>), SceneError> {
+        const FIELDS: [Quantity; 4] = [Quantity::Pressure, Quantity::Displacement, Quantity::Profile, Quantity::Equivalent];
+        let fields: Vec<Quantity> = FIELDS.into_iter().filter(|own| self.curves.contains(own)).collect();
+        let others: Vec<Quantity> = self.curves.iter().copied().filter(|own| !FIELDS.contains(own)).collect();
+        match others.first() {
+            Some(other) if fields.is_empty() => {
+                Err(SceneError::value(format!("{} is not a field on a grid; `sneddon solve` writes it", other.key()))
+                    .help("expected p, u, f or g in quantities of [outputs]"))
+            }
+            None if fields.is_empty() => Ok((vec![Quantity::Pressure], others)),
+            _ => Ok((fields, others)),
+        }
     }
 }
 
@@ -155,7 +135,7 @@ impl Scene {
             loads: Loads::List(Vec::new()),
             depth_from: DepthFrom::Apex,
             outputs: Outputs {
-                data: vec![Datum::Depth, Datum::Force, Datum::Radius, Datum::Stiffness],
+                data: vec![Quantity::Depth, Quantity::Force, Quantity::Radius, Quantity::Stiffness],
                 curves: Vec::new(),
                 at: Loads::List(Vec::new()),
                 depths: Loads::List(Vec::new()),
@@ -231,63 +211,5 @@ impl Scene {
             Some(place) => error.at(place.clone()),
             None => error,
         }
-    }
-}
-
-impl Datum {
-    /// Every one, in the order of reading.
-    pub const ALL: [Self; 6] = [Self::Depth, Self::Force, Self::Radius, Self::Stiffness, Self::MeanPressure, Self::Energy];
-
-    /// The name in scene files and answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Depth => "d",
-            Self::Force => "F",
-            Self::Radius => "a",
-            Self::Stiffness => "k",
-            Self::MeanPressure => "p_mean",
-            Self::Energy => "U",
-        }
-    }
-
-    /// Its dimension.
-    pub fn dimension(self) -> super::Dimension {
-        use super::Dimension;
-        match self {
-            Self::Depth | Self::Radius => Dimension::LENGTH,
-            Self::Force => Dimension::FORCE,
-            Self::Stiffness => Dimension::STIFFNESS,
-            Self::MeanPressure => Dimension::PRESSURE,
-            Self::Energy => Dimension::ENERGY,
-        }
-    }
-}
-
-impl Curve {
-    /// Every one, in the order of reading.
-    pub const ALL: [Self; 5] = [Self::Equivalent, Self::Profile, Self::Pressure, Self::Displacement, Self::AxialStress];
-
-    /// The name in scene files and answers.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Equivalent => "g",
-            Self::Profile => "f",
-            Self::Pressure => "p",
-            Self::Displacement => "u",
-            Self::AxialStress => "sigma_zz",
-        }
-    }
-
-    /// Its dimension.
-    pub fn dimension(self) -> super::Dimension {
-        match self {
-            Self::Pressure | Self::AxialStress => super::Dimension::PRESSURE,
-            _ => super::Dimension::LENGTH,
-        }
-    }
-
-    /// True where the curve depends on the load.
-    pub fn needs_load(self) -> bool {
-        matches!(self, Self::Pressure | Self::Displacement | Self::AxialStress)
     }
 }

@@ -1,9 +1,9 @@
 //! Flat punches that are not round: their stiffness is that of a round one with an effective diameter.
 
+use super::dimensioned::to_f64;
 use super::document::Table;
-use super::quantity::to_f64;
 use super::system::System;
-use super::{Datum, Dimension, Quantity, Scene, SceneError};
+use super::{Dimension, DimensionedNumber, Quantity, Scene, SceneError};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -13,7 +13,7 @@ const SECTIONS: [(&str, f64); 3] = [("circle", 1.0), ("square", 1.012), ("triang
 /// A flat punch of any convex cross-section: D = 2β√(A/π), k = D E* (3.40), (3.42).
 pub(super) struct Punch {
     beta: f64,
-    pub(super) area: Quantity,
+    pub(super) area: DimensionedNumber,
     span: Range<usize>,
 }
 
@@ -62,9 +62,9 @@ impl Punch {
 
     /// Refuses what is not known of a punch that is not round: everything but d, F and k.
     pub(super) fn refuse(scene: &Scene, outputs: Option<&Table<'_>>) -> Result<(), SceneError> {
-        let known = [Datum::Depth, Datum::Force, Datum::Stiffness];
-        let data = scene.outputs.data.iter().find(|own| !known.contains(own)).map(|own| own.name());
-        let Some(name) = data.or(scene.outputs.curves.first().map(|own| own.name())) else { return Ok(()) };
+        let known = [Quantity::Depth, Quantity::Force, Quantity::Stiffness];
+        let data = scene.outputs.data.iter().find(|own| !known.contains(own)).map(|own| own.key());
+        let Some(name) = data.or(scene.outputs.curves.first().map(|own| own.key())) else { return Ok(()) };
         let error = SceneError::value(format!("{name} is not known for a punch with a cross-section")).help("d, F and k would be accepted");
         Err(match outputs.and_then(|table| table.get("quantities")) {
             Some(entry) => error.at(entry.span()),

@@ -4,14 +4,14 @@ use super::body::{self, Body};
 use super::change::Change;
 use super::check::{self, Dimensions};
 use super::declared::Typed;
+use super::dimensioned::to_f64;
 use super::document::{Entry, TABLES, Table, nearest, parsed};
 use super::error::Reason;
 use super::measured::{self, Measured};
 use super::punch::Punch;
-use super::quantity::to_f64;
 use super::reading::Asked;
 use super::shape::{Shape, Way, known_shape};
-use super::{Control, Curve, Datum, Dimension, Quantity, Scene, SceneError, Simple, System, Unit};
+use super::{Control, Dimension, DimensionedNumber, Quantity, Scene, SceneError, Simple, System, Unit};
 use crate::contact::ContactError;
 use crate::expr::{Bindings, Expr, Formula, Symbol};
 use crate::parse;
@@ -165,7 +165,7 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     let place = Some(tip.span);
     let scene = Scene { bodies, measured, relatives, rim, effective_modulus, system, place, length, parameters, data, ..Scene::of(bound) };
     let mut scene = asked.scene(scene)?;
-    if scene.outputs.curves.contains(&Curve::AxialStress)
+    if scene.outputs.curves.contains(&Quantity::AxialStress)
         && let Some(body) = [&first, &second].into_iter().find(|own| !own.is_isotropic())
     {
         return Err(SceneError::value("sigma_zz is known in isotropic bodies only, and this one is transversely isotropic")
@@ -175,7 +175,7 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     if punch.is_some() {
         scene.round = false;
         if outputs.as_ref().is_none_or(|table| table.get("quantities").is_none()) {
-            scene.outputs.data.retain(|own| *own != Datum::Radius || scene.control == Control::ContactRadius);
+            scene.outputs.data.retain(|own| *own != Quantity::Radius || scene.control == Control::ContactRadius);
         }
         Punch::refuse(&scene, outputs.as_ref())?;
     }
@@ -195,7 +195,7 @@ fn length_unit(entry: &Entry<'_>) -> Result<Unit, SceneError> {
 }
 
 /// A value that must be above 0, with the text that was typed.
-fn positive(value: Result<f64, SceneError>, what: &str, typed: &Quantity, span: &Range<usize>) -> Result<f64, SceneError> {
+fn positive(value: Result<f64, SceneError>, what: &str, typed: &DimensionedNumber, span: &Range<usize>) -> Result<f64, SceneError> {
     match value {
         Ok(value) if value > 0.0 => Ok(value),
         Ok(_) => Err(SceneError::value(format!("{what} = {} is not positive", typed.text()))
@@ -209,7 +209,7 @@ fn positive(value: Result<f64, SceneError>, what: &str, typed: &Quantity, span: 
 struct Tip {
     formula: Formula,
     parameters: Vec<Parameter>,
-    rim: Option<(&'static str, Quantity)>,
+    rim: Option<(&'static str, DimensionedNumber)>,
     /// The name of the shape; empty where it was typed.
     name: &'static str,
     span: Range<usize>,
@@ -217,7 +217,7 @@ struct Tip {
 
 struct Parameter {
     symbol: Symbol,
-    quantity: Quantity,
+    quantity: DimensionedNumber,
     span: Range<usize>,
 }
 

@@ -1,10 +1,11 @@
 //! Loads, outputs and method of a scene, as typed, and as numbers of its system.
 
+use super::dimensioned::to_double_double;
 use super::document::{Entry, Table};
 use super::load::Steps;
-use super::quantity::to_double_double;
 use super::system::Named;
-use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, Quantity, Scene, SceneError, System, Unit};
+use super::{Control, DepthFrom, Dimension, DimensionedNumber, Loads, Quantity, Scene, SceneError, System, Unit};
+use crate::contact::Kind;
 use crate::transform::Method;
 use std::ops::Range;
 
@@ -13,8 +14,8 @@ const MOST: usize = 100_000_000;
 
 /// Numbers as typed; the ends of a range are start and stop.
 enum Typed {
-    List(Vec<(Quantity, Range<usize>)>),
-    Range { ends: Box<[(Quantity, Range<usize>); 2]>, count: usize, logarithmic: bool },
+    List(Vec<(DimensionedNumber, Range<usize>)>),
+    Range { ends: Box<[(DimensionedNumber, Range<usize>); 2]>, count: usize, logarithmic: bool },
 }
 
 /// What is loaded, wanted and demanded.
@@ -22,8 +23,8 @@ pub(super) struct Asked {
     control: Control,
     loads: Typed,
     depth_from: DepthFrom,
-    data: Vec<Datum>,
-    curves: Vec<Curve>,
+    data: Vec<Quantity>,
+    curves: Vec<Quantity>,
     at: Option<Typed>,
     depths: Option<Typed>,
     lacking: Option<SceneError>,
@@ -82,7 +83,7 @@ impl Asked {
             control,
             loads,
             depth_from,
-            data: vec![Datum::Depth, Datum::Force, Datum::Radius, Datum::Stiffness],
+            data: vec![Quantity::Depth, Quantity::Force, Quantity::Radius, Quantity::Stiffness],
             curves: Vec::new(),
             at: None,
             depths: None,
@@ -100,12 +101,12 @@ impl Asked {
         }
         self.at = outputs.get("at").map(|entry| numbers(&entry)).transpose()?;
         self.depths = outputs.get("depths").map(|entry| numbers(&entry)).transpose()?;
-        if self.depths.is_none() && self.curves.contains(&Curve::AxialStress) {
+        if self.depths.is_none() && self.curves.contains(&Quantity::AxialStress) {
             let missing = SceneError::missing("[outputs] has no depths: places below the surface where sigma_zz is wanted");
             let help = "depths = { start = \"0 um\", stop = \"5 um\", count = 101 } would be accepted";
             self.lacking = Some(missing.help(help).at(outputs.span()));
         }
-        let names: Vec<&str> = self.curves.iter().filter(|own| **own != Curve::AxialStress).map(|own| own.name()).collect();
+        let names: Vec<&str> = self.curves.iter().filter(|own| **own != Quantity::AxialStress).map(|own| own.key()).collect();
         if self.at.is_none() && !names.is_empty() {
             let message = format!("[outputs] has no at: radii where {} are wanted", names.join(", "));
             let help = "at = { start = \"0 um\", stop = \"2 um\", count = 101 } would be accepted";
@@ -130,7 +131,7 @@ impl Asked {
     }
 
     /// Every number with its unit.
-    pub(super) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+    pub(super) fn quantities(&self) -> impl Iterator<Item = &DimensionedNumber> {
         std::iter::once(&self.loads)
             .chain(self.at.as_ref())
             .chain(self.depths.as_ref())
@@ -182,7 +183,7 @@ impl Asked {
         if !data.contains(&own) {
             data.push(own);
         }
-        data.sort_by_key(|own| Datum::ALL.iter().position(|other| other == own));
+        data.sort_by_key(|own| Quantity::ALL.iter().position(|other| other == own));
         let outputs = super::Outputs { data, curves: self.curves, at, depths };
         let tolerance = self.tolerance.unwrap_or(scene.tolerance);
         Ok(Scene {
@@ -201,7 +202,8 @@ impl Asked {
 
 impl Typed {
     fn numbers(&self, system: &System, dimension: Dimension, what: &str) -> Result<Loads, SceneError> {
-        let number = |own: &(Quantity, Range<usize>)| system.number(&own.0, dimension, what).map_err(|error| error.at(own.1.clone()));
+        let number =
+            |own: &(DimensionedNumber, Range<usize>)| system.number(&own.0, dimension, what).map_err(|error| error.at(own.1.clone()));
         Ok(match self {
             Self::List(list) => Loads::List(list.iter().map(number).collect::<Result<_, _>>()?),
             Self::Range { ends, count, logarithmic } => {
@@ -211,7 +213,7 @@ impl Typed {
                     let bad = if first <= 0.0 { start } else { stop };
                     return Err(SceneError::value("a logarithmic range starts and stops above 0").at(bad.1.clone()));
                 }
-                let end = |own: &(Quantity, Range<usize>)| to_double_double(&system.exact(&own.0, dimension, what)?);
+                let end = |own: &(DimensionedNumber, Range<usize>)| to_double_double(&system.exact(&own.0, dimension, what)?);
                 Loads::Range(Steps::new(end(start)?, end(stop)?, *count, *logarithmic))
             }
         })
@@ -219,8 +221,9 @@ impl Typed {
 
     /// The same in the units of the answers.
     fn shown(&self, system: &System, dimension: Dimension) -> Result<Loads, SceneError> {
-        let number =
-            |own: &(Quantity, Range<usize>)| to_double_double(&system.shown(&own.0, dimension)).map_err(|error| error.at(own.1.clone()));
+        let number = |own: &(DimensionedNumber, Range<usize>)| {
+            to_double_double(&system.shown(&own.0, dimension)).map_err(|error| error.at(own.1.clone()))
+        };
         Ok(match self {
             Self::List(list) => Loads::List(list.iter().map(|own| Ok(number(own)?.value())).collect::<Result<_, SceneError>>()?),
             Self::Range { ends, count, logarithmic } => {
@@ -231,7 +234,7 @@ impl Typed {
     }
 
     /// The numbers of a list, or the two ends of a range.
-    fn typed(&self) -> Vec<&(Quantity, Range<usize>)> {
+    fn typed(&self) -> Vec<&(DimensionedNumber, Range<usize>)> {
         match self {
             Self::List(list) => list.iter().collect(),
             Self::Range { ends, .. } => ends.iter().collect(),
@@ -270,26 +273,20 @@ fn numbers(entry: &Entry<'_>) -> Result<Typed, SceneError> {
 }
 
 /// The names of what is wanted, each once.
-fn quantities(entry: &Entry<'_>) -> Result<(Vec<Datum>, Vec<Curve>), SceneError> {
-    const WORDS: [&str; 11] = ["d", "F", "a", "k", "p_mean", "U", "g", "f", "p", "u", "sigma_zz"];
-    let help = format!("a list of {} would be accepted", WORDS.join(", "));
+fn quantities(entry: &Entry<'_>) -> Result<(Vec<Quantity>, Vec<Quantity>), SceneError> {
+    let known: Vec<Quantity> = Quantity::ALL.iter().copied().filter(|own| own.kind() != Kind::Inverse).collect();
+    let words: Vec<&str> = known.iter().map(|own| own.key()).collect();
+    let help = format!("expected a list of {}", words.join(", "));
     let list = entry.list().ok_or_else(|| SceneError::value("quantities is no list").help(&help).at(entry.span()))?;
     let (mut data, mut curves) = (Vec::new(), Vec::new());
     let mut any = false;
     for own in list {
         any = true;
-        let word = own.word(&WORDS)?;
-        let seen = match (Datum::ALL.into_iter().find(|own| own.name() == word), Curve::ALL.into_iter().find(|own| own.name() == word)) {
-            (Some(datum), _) if !data.contains(&datum) => {
-                data.push(datum);
-                false
-            }
-            (None, Some(curve)) if !curves.contains(&curve) => {
-                curves.push(curve);
-                false
-            }
-            _ => true,
-        };
+        let word = own.word(&words)?;
+        let Some(quantity) = known.iter().copied().find(|own| own.key() == word) else { continue };
+        let list = if quantity.kind() == Kind::Number { &mut data } else { &mut curves };
+        let seen = list.contains(&quantity);
+        list.push(quantity);
         if seen {
             return Err(SceneError::value(format!("{word} is asked for twice")).at(own.span()));
         }
@@ -298,7 +295,7 @@ fn quantities(entry: &Entry<'_>) -> Result<(Vec<Datum>, Vec<Curve>), SceneError>
 }
 
 fn tolerance(entry: &Entry<'_>) -> Result<f64, SceneError> {
-    let value = super::quantity::to_f64(&entry.quantity()?.in_base()).map_err(|error| error.at(entry.span()))?;
+    let value = super::dimensioned::to_f64(&entry.quantity()?.in_base()).map_err(|error| error.at(entry.span()))?;
     if value > 0.0 && value < 1.0 {
         return Ok(value);
     }

@@ -1,8 +1,8 @@
 //! Exact fields of a contact on the grid of a solver: values at points, or means of the pressure over cells.
 
+use super::dimensioned::to_double_double;
 use super::load::Steps;
-use super::quantity::to_double_double;
-use super::{Curve, Dimension, Loads, Point, Quantity, Run, Scene, SceneError};
+use super::{Dimension, DimensionedNumber, Loads, Point, Quantity, Run, Scene, SceneError};
 use crate::contact::{PartialForce, State};
 use crate::num::Bound;
 use std::cell::Cell;
@@ -98,7 +98,7 @@ impl Grid {
         let help = "64 with a box, or start:stop:count such as \"0:2 um:101\", would be accepted";
         let fault = || SceneError::value(format!("the grid {text:?} is not understood")).help(help);
         let length = |own: &str| {
-            let quantity = Quantity::parse(own)?;
+            let quantity = DimensionedNumber::parse(own)?;
             if !scene.system.has_units() && quantity.unit().is_some() {
                 return Err(SceneError::unit(format!("{} has a unit, and the numbers of the scene have none", own.trim()))
                     .help("a bare number would be accepted: it counts in the scene's length"));
@@ -196,20 +196,20 @@ impl Run<'_> {
     /// What lies symmetrically to the axes and the diagonals is computed once.
     ///
     /// ```
-    /// use sneddon::scene::{Curve, Grid, Loads, Run, Scene};
+    /// use sneddon::scene::{Quantity, Grid, Loads, Run, Scene};
     /// use sneddon::{parse, transform::Profile};
     /// let tip = Profile::new(&parse::profile("r^2/(2*10)").unwrap()).unwrap();
     /// let scene = Scene { effective_modulus: 3.0, loads: Loads::List(vec![0.1]), ..Scene::of(tip) };
     /// let solution = scene.solution().unwrap();
     /// let run = Run::new(&scene, &solution).unwrap();
     /// let grid = Grid::Square { side: 4.0, count: 64, between: false };
-    /// let field = run.field(&grid, Curve::Pressure, run.state(0, false).as_ref(), true);
+    /// let field = run.field(&grid, Quantity::Pressure, run.state(0, false).as_ref(), true);
     /// let (mean, error) = field.at(&[32, 40]).unwrap();
     /// assert!(mean > 0.0 && error < 1e-10 * mean);
     /// ```
-    pub fn field(&self, grid: &Grid, curve: Curve, state: Option<&State>, cells: bool) -> Field {
+    pub fn field(&self, grid: &Grid, curve: Quantity, state: Option<&State>, cells: bool) -> Field {
         let length = self.scene().system.out(Dimension::LENGTH);
-        let means = if cells && curve == Curve::Pressure { state.filter(|own| own.radius > 0.0) } else { None };
+        let means = if cells && curve == Quantity::Pressure { state.filter(|own| own.radius > 0.0) } else { None };
         let means = means.map(|state| {
             (PartialForce::new(&self.contact(state), state.radius, self.kinks().into_iter().map(|own| own.0 / length)), state)
         });

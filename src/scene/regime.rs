@@ -1,6 +1,6 @@
 //! How far an indenter is from the simple shape for which it is often taken: a sphere from its paraboloid, a worn cone from a cone.
 
-use super::quantity::to_f64;
+use super::dimensioned::to_f64;
 use super::{Dimension, System};
 use crate::expr::Bindings;
 use crate::parse;

@@ -1,6 +1,6 @@
 //! What a load gives: its state, the numbers that were asked for, and what speaks against them.
 
-use super::{Datum, Regime};
+use super::{Quantity, Regime};
 use crate::contact::{Indented, Severity};
 use crate::num::Estimate;
 
@@ -14,9 +14,9 @@ pub struct Row {
     /// The displacement since the first touch, where it differs from d.
     pub depth_from_touch: Option<f64>,
     /// The numbers that were asked for; `None` with a reason where there is none.
-    pub values: Vec<(Datum, Result<f64, &'static str>)>,
-    /// The strain energy in computed units with the error of its quadrature, where it was asked for.
-    pub energy: Option<Estimate>,
+    pub values: Vec<(Quantity, Result<f64, &'static str>)>,
+    /// The numbers that take more than d, F and a, such as the strain energy: in computed units, at the radius of the state.
+    pub computed: Vec<(Quantity, Estimate)>,
     /// The nearest simple shape, where the profile is none itself and the row is valid.
     pub regime: Option<Regime>,
 }
@@ -28,7 +28,7 @@ impl Row {
     }
 
     /// The number of a datum, where there is one.
-    pub fn value(&self, datum: Datum) -> Option<f64> {
+    pub fn value(&self, datum: Quantity) -> Option<f64> {
         self.values.iter().find(|(own, _)| *own == datum).and_then(|(_, value)| value.ok())
     }
 

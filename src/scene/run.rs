@@ -1,16 +1,15 @@
 //! A scene being solved: row by row, curve by curve, nothing before it is asked for and nothing kept.
 
-use super::quantity::to_f64;
+use super::dimensioned::to_f64;
 use super::regime::{Regime, SAME_SHAPE, Simple};
-use super::{Control, Curve, Datum, DepthFrom, Dimension, Loads, MeasuredTip, Row, Scene, SceneError, Work};
-use crate::contact::in_unit;
+use super::{Control, DepthFrom, Dimension, Loads, MeasuredTip, Quantity, Row, Scene, SceneError, Work};
 use crate::contact::{
-    Boundary, Contact, ContactError, Estimates, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State,
+    Boundary, Contact, ContactError, Estimates, Finding, Indentation, Indented, Kind, Load, Loaded, Naming, Part, Reason, Setup, Severity,
+    State, in_unit,
 };
 use crate::num::{Bound, Bounded, Estimate, work};
 use crate::transform::{Reading, Solution, Superposition, TableProfile, TransformError};
 use std::cell::{Cell, OnceCell};
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A scene with its transform, ready for its loads.
@@ -116,8 +115,8 @@ impl<'a> Run<'a> {
 
     /// How often a watch is told, where all rows and curves are asked for.
     pub fn steps(&self) -> u64 {
-        let per_load = |own: &Curve| if own.needs_load() { self.grid(*own).len() as u64 + 1 } else { 0 };
-        let once = |own: &Curve| if own.needs_load() { 0 } else { self.grid(*own).len() as u64 };
+        let per_load = |own: &Quantity| if own.needs_radius() { self.grid(*own).len() as u64 + 1 } else { 0 };
+        let once = |own: &Quantity| if own.needs_radius() { 0 } else { self.grid(*own).len() as u64 };
         let curves = &self.scene.outputs.curves;
         self.scene.loads.len() as u64 * (1 + curves.iter().map(per_load).sum::<u64>()) + curves.iter().map(once).sum::<u64>()
     }
@@ -180,11 +179,11 @@ impl<'a> Run<'a> {
         let (load, mut indented) = self.solved(index)?;
         let system = &self.scene.system;
         let mut values = Vec::with_capacity(self.scene.outputs.data.len());
-        let mut energy = None;
+        let mut computed = Vec::new();
         for datum in &self.scene.outputs.data {
             let own = match indented.state {
                 None => Err("no contact belongs to this load"),
-                Some(state) => match self.datum(*datum, &state, &mut energy) {
+                Some(state) => match self.datum(*datum, &state, &mut computed) {
                     Ok(own) => own.map(|own| own * system.out(datum.dimension())),
                     Err(error) => {
                         indented.findings.extend(not_computable(&error).findings);
@@ -199,13 +198,13 @@ impl<'a> Run<'a> {
         let length = system.out(Dimension::LENGTH);
         let depth_from_touch = indented.state.filter(|_| touch != 0.0).map(|state| (state.depth - touch) * length);
         let regime = indented.state.as_ref().filter(|_| indented.is_valid()).and_then(|state| self.regime(state));
-        Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values, energy, regime })
+        Some(Row { load: self.shown_load(index, load), indented, depth_from_touch, values, computed, regime })
     }
 
     /// Returns the values of a row with error bounds, in the same order; `None` for a missing value or an unknown error.
     ///
     /// The load itself has no error. Computing the bounds takes about three evaluations of g or F.
-    pub fn estimates(&self, index: usize, row: &Row) -> Vec<(Datum, Option<Estimate>)> {
+    pub fn estimates(&self, index: usize, row: &Row) -> Vec<(Quantity, Option<Estimate>)> {
         let found = self.load(index).zip(row.indented.state).and_then(|((_, load), state)| {
             let touch = if self.scene.counts_from_touch() { self.indentation.first_touch() } else { 0.0 };
             let bound = || {
@@ -221,7 +220,7 @@ impl<'a> Run<'a> {
                 None
             })
         });
-        let own = |(datum, value): &(Datum, Result<f64, &'static str>)| {
+        let own = |(datum, value): &(Quantity, Result<f64, &'static str>)| {
             let (own, state) = found.filter(|_| value.is_ok())?;
             let estimate = self.estimate(*datum, row, &state, &own)?.scaled(self.scene.system.out(datum.dimension()));
             estimate.error.is_finite().then_some(estimate)
@@ -229,23 +228,29 @@ impl<'a> Run<'a> {
         row.values.iter().map(|each| (each.0, own(each))).collect()
     }
 
-    fn estimate(&self, datum: Datum, row: &Row, state: &State, own: &Estimates) -> Option<Estimate> {
-        let radius = own.radius.bounded();
-        let times = |own: Estimate, factor: Bounded, bound| Some(own.times(factor).resting_on(bound));
+    fn estimate(&self, datum: Quantity, row: &Row, state: &State, own: &Estimates) -> Option<Estimate> {
         let modulus = self.scene.effective_modulus;
-        let modulus = Bounded { value: modulus, error: ROUNDED * modulus };
-        match datum {
-            Datum::Depth => Some(own.depth),
-            Datum::Force => Some(own.force),
-            Datum::Radius => Some(own.radius),
-            Datum::Stiffness => times(own.radius, Bounded::exact(2.0) * modulus, Bound::Proven),
-            Datum::MeanPressure => times(own.force, Bounded::exact(1.0) / (Bounded::rounded(PI) * radius * radius), own.radius.bound),
-            Datum::Energy if state.force == 0.0 => Some(Estimate::exact(0.0)),
-            Datum::Energy => {
-                let energy = self.indentation.energy_estimate(row.energy?, state, own);
-                Some(Estimate { error: energy.error + ROUNDED * energy.value, ..energy })
-            }
+        let effective_modulus = Bounded { value: modulus, error: ROUNDED * modulus };
+        let loaded = Loaded { depth: own.depth, force: own.force, radius: own.radius, effective_modulus };
+        if let Some(found) = datum.of_state(&loaded) {
+            return found.ok();
         }
+        if state.force == 0.0 {
+            return Some(Estimate::exact(0.0));
+        }
+        let (_, computed) = row.computed.iter().find(|(own, _)| *own == datum)?;
+        if datum == Quantity::Energy {
+            let energy = self.indentation.energy_estimate(*computed, state, own);
+            return Some(Estimate { error: energy.error + ROUNDED * energy.value, ..energy });
+        }
+        // What the value changes by within the error of the radius; E* is a factor of every value.
+        let Estimate { value: a, error, .. } = own.radius;
+        let moved = |a: f64| -> Option<f64> {
+            let found = self.computed(datum, &State { radius: a, ..*state }).ok()?.ok()?;
+            Some((found.value - computed.value).abs() + found.error)
+        };
+        let spread = if error == 0.0 { 0.0 } else { moved(a - error)?.max(moved(a + error)?) };
+        Some(Estimate::estimated(computed.value, computed.error + spread + ROUNDED * computed.value.abs(), computed.evaluations))
     }
 
     /// True where the bodies first touch beside the axis: depths from the apex and from the first touch differ.
@@ -274,21 +279,29 @@ impl<'a> Run<'a> {
         nearest.filter(|own| own.force_error.abs() > SAME_SHAPE)
     }
 
-    fn datum(&self, datum: Datum, state: &State, energy: &mut Option<Estimate>) -> Result<Result<f64, &'static str>, ContactError> {
-        let a = state.radius;
-        Ok(match datum {
-            Datum::Depth => Ok(state.depth),
-            Datum::Force => Ok(state.force),
-            Datum::Radius => Ok(a),
-            Datum::Stiffness => Ok(2.0 * self.scene.effective_modulus * a),
-            Datum::MeanPressure if a == 0.0 => Err("the contact has no area"),
-            Datum::MeanPressure => Ok(state.force / a / a / PI),
-            Datum::Energy if state.force == 0.0 => Ok(0.0),
-            Datum::Energy => {
-                self.count(|asked| asked.energies += 1);
-                Ok(energy.insert(self.indentation.energy(state)?.estimate).value)
-            }
-        })
+    /// A number of a state, which is returned by [`Self::computed`] if depth, force and radius do not suffice for it.
+    fn datum(
+        &self,
+        datum: Quantity,
+        state: &State,
+        computed: &mut Vec<(Quantity, Estimate)>,
+    ) -> Result<Result<f64, &'static str>, ContactError> {
+        if let Some(known) = of_state(datum, state, self.scene.effective_modulus) {
+            return Ok(known);
+        }
+        if datum == Quantity::Energy {
+            self.count(|asked| asked.energies += 1);
+        }
+        let found = self.computed(datum, state)?;
+        if let Ok(own) = &found {
+            computed.push((datum, *own));
+        }
+        Ok(found.map(|own| own.value).map_err(|reason| reason.fixed_text().unwrap_or(FAILED)))
+    }
+
+    fn computed(&self, datum: Quantity, state: &State) -> Result<Result<Estimate, Reason>, ContactError> {
+        let found = datum.number(&self.indentation.contact(state), state.radius, state.radius)?;
+        Ok(found.map(|own| own.estimate))
     }
 
     /// The state of a load for curves; `None` where there is none that stands, or no such load.
@@ -312,14 +325,14 @@ impl<'a> Run<'a> {
     }
 
     /// Where a curve is wanted: radii, or depths below the surface.
-    pub fn grid(&self, curve: Curve) -> &'a Loads {
-        if curve == Curve::AxialStress { &self.scene.outputs.depths } else { &self.scene.outputs.at }
+    pub fn grid(&self, curve: Quantity) -> &'a Loads {
+        if curve.coordinate() == "z" { &self.scene.outputs.depths } else { &self.scene.outputs.at }
     }
 
     /// A curve on its grid, each point behind its coordinate in computed units.
-    pub fn points(&self, curve: Curve, state: Option<State>) -> impl Iterator<Item = (f64, Point)> + '_ {
+    pub fn points(&self, curve: Quantity, state: Option<State>) -> impl Iterator<Item = (f64, Point)> + '_ {
         let grid = self.grid(curve);
-        let shown = self.scene.shown.as_ref().map(|own| if curve == Curve::AxialStress { &own.depths } else { &own.at });
+        let shown = self.scene.shown.as_ref().map(|own| if curve.coordinate() == "z" { &own.depths } else { &own.at });
         (0..grid.len()).filter_map(move |index| {
             let own = grid.get(index)?;
             let point = self.point(curve, state.as_ref(), own);
@@ -328,7 +341,7 @@ impl<'a> Run<'a> {
     }
 
     /// A curve at one coordinate, counted in computed units; the state is needed for p, u and the stress.
-    pub fn point(&self, curve: Curve, state: Option<&State>, at: f64) -> Point {
+    pub fn point(&self, curve: Quantity, state: Option<&State>, at: f64) -> Point {
         let system = &self.scene.system;
         let found = self.curve(curve, state, at);
         self.told();
@@ -341,17 +354,17 @@ impl<'a> Run<'a> {
         Point { at: at * system.out(Dimension::LENGTH), value, bound }
     }
 
-    fn curve(&self, curve: Curve, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
+    fn curve(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
         work::share(work::left() / 2, || self.curve_point(curve, state, at)).unwrap_or_else(|| {
             self.cut.set(true);
             Err(UNFINISHED)
         })
     }
 
-    fn curve_point(&self, curve: Curve, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
+    fn curve_point(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
         let zero = || Reading { estimate: Estimate::exact(0.0), method: "exact" };
         let outside = "the profile ends before this radius";
-        if !curve.needs_load() {
+        if curve.kind() == Kind::Shape {
             self.count(|asked| asked.shapes += 1);
             if self.indentation.rim().is_some_and(|c| at > c) {
                 return Err(outside);
@@ -359,27 +372,33 @@ impl<'a> Run<'a> {
             if at == 0.0 {
                 return Ok(zero());
             }
-            let shape = self.indentation.shape();
-            let found = if curve == Curve::Profile { shape.profile(at) } else { shape.depth(at) };
-            return found.map_err(|_| outside);
+            return curve.number(self.indentation.shape(), at, at).map_err(|_| outside)?.map_err(|_| outside);
         }
         let Some(state) = state else { return Err("the load has no valid contact") };
         if state.boundary == Boundary::Apart || state.radius == 0.0 {
             return Ok(zero());
         }
-        let contact = self.indentation.contact(state);
-        let failed = "it cannot be computed to any digit";
-        if curve == Curve::Pressure {
-            self.count(|asked| asked.pressures += 1);
-            return contact.pressure(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.fixed_text().unwrap_or(failed));
-        }
-        if curve == Curve::AxialStress {
-            self.count(|asked| asked.stresses += 1);
-            return contact.axial_stress(at, state.radius).map_err(|_| failed)?.map_err(|reason| reason.fixed_text().unwrap_or(failed));
-        }
-        self.count(|asked| asked.displacements += 1);
-        contact.displacement(at, state.radius).map_err(|_| failed)
+        self.count(|asked| match curve {
+            Quantity::Pressure => asked.pressures += 1,
+            Quantity::AxialStress => asked.stresses += 1,
+            _ => asked.displacements += 1,
+        });
+        let found = curve.number(&self.indentation.contact(state), at, state.radius);
+        found.map_err(|_| FAILED)?.map_err(|reason| reason.fixed_text().unwrap_or(FAILED))
     }
+}
+
+/// Why a number without a more precise reason is missing.
+const FAILED: &str = "it cannot be computed to any digit";
+
+/// A number that depth, force and radius of a state suffice for; `None` if they do not.
+pub(super) fn of_state(datum: Quantity, state: &State, effective_modulus: f64) -> Option<Result<f64, &'static str>> {
+    if state.force == 0.0 && datum == Quantity::Energy {
+        return Some(Ok(0.0));
+    }
+    let [depth, force, radius] = [state.depth, state.force, state.radius].map(Estimate::exact);
+    let found = datum.of_state(&Loaded { depth, force, radius, effective_modulus: Bounded::exact(effective_modulus) })?;
+    Some(found.map(|own| own.value).map_err(|reason| reason.fixed_text().unwrap_or(FAILED)))
 }
 
 /// Relative rounding error of E* and of the load, from unit conversion and from combining elastic constants.

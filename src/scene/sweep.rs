@@ -1,6 +1,7 @@
 //! A scene whose loads rise evenly from nothing to its largest load, as curves over the load need them.
 
-use super::{Datum, Loads, Scene, Steps};
+use super::{Loads, Quantity, Scene, Steps};
+use crate::contact::Kind;
 
 impl Scene {
     /// The same scene with `count` loads from 0 to its largest one, and every number per load wanted.
@@ -17,7 +18,7 @@ impl Scene {
         let largest = self.loads.extremes().map_or(0.0, |(_, largest)| largest);
         let mut swept = self.clone();
         swept.loads = Loads::Range(Steps::new(0.0.into(), largest.into(), count, false));
-        swept.outputs.data = Datum::ALL.to_vec();
+        swept.outputs.data = Quantity::ALL.iter().copied().filter(|own| own.kind() == Kind::Number).collect();
         swept.outputs.curves.clear();
         swept.shown = None;
         swept

@@ -1,6 +1,6 @@
 //! The system of units that a scene computes in, and the one that it answers in.
 
-use super::{Dimension, Quantity, SceneError, Unit, quantity::to_f64};
+use super::{Dimension, DimensionedNumber, SceneError, Unit, dimensioned::to_f64};
 use crate::expr::Expr;
 use std::ops::Range;
 
@@ -133,7 +133,7 @@ impl System {
     }
 
     /// The exact number of a quantity that must have the given dimension.
-    pub(super) fn exact(&self, quantity: &Quantity, wanted: Dimension, what: &str) -> Result<Expr, SceneError> {
+    pub(super) fn exact(&self, quantity: &DimensionedNumber, wanted: Dimension, what: &str) -> Result<Expr, SceneError> {
         match quantity.dimension() {
             Some(own) if own != wanted => {
                 let unit = quantity.unit().map_or("", Unit::name);
@@ -167,12 +167,12 @@ impl System {
     }
 
     /// The same as the nearest `f64`.
-    pub(super) fn number(&self, quantity: &Quantity, wanted: Dimension, what: &str) -> Result<f64, SceneError> {
+    pub(super) fn number(&self, quantity: &DimensionedNumber, wanted: Dimension, what: &str) -> Result<f64, SceneError> {
         to_f64(&self.exact(quantity, wanted, what)?)
     }
 
     /// A length or a force in the units of the answers.
-    pub(super) fn shown(&self, quantity: &Quantity, dimension: Dimension) -> Expr {
+    pub(super) fn shown(&self, quantity: &DimensionedNumber, dimension: Dimension) -> Expr {
         match quantity.dimension() {
             None => quantity.in_base(),
             Some(_) if dimension == Dimension::FORCE => quantity.in_base() / &self.shown_force,

@@ -1,7 +1,8 @@
 //! The closed form: over a slice without bounds, in doubles with bounds, and with 30 digits.
 
 use super::candidate::{Candidate, Ladder, Refused, Run};
-use super::problem::{Problem, Quantity};
+use super::problem::Problem;
+use crate::contact::Quantity;
 use crate::expr::Bindings;
 use crate::num::Estimate;
 use crate::transform::{Evaluator, Method, Slice, derive};
@@ -20,7 +21,7 @@ pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladd
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Exact, 1e-13).map_err(|error| error.to_string())?;
         problem.read(&evaluator, first).map(|_| ())
     };
-    let quantity = problem.quantity.transformed();
+    let quantity = problem.superposed();
     let by_digits = move |_: usize, at: f64| {
         let value = digits.with_30_digits(quantity, &problem.inputs(at)).map_err(|error| error.to_string())?;
         value.map(|value| Estimate::from_bounded(value.bounded(), 0)).ok_or_else(|| "an open term".to_owned())
@@ -32,7 +33,7 @@ pub(super) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator<'a>) -> Ladd
         let done = match (problem.quantity, radius) {
             (Quantity::Equivalent, _) => slices.slopes(at, out),
             (Quantity::Force, _) => slices.forces(at, out),
-            (Quantity::Pressure, radius) => slices.pressures(at, radius.unwrap_or(1.0), out),
+            (_, radius) => slices.pressures(at, radius.unwrap_or(1.0), out),
         };
         done.map_err(|error| error.to_string())
     };

@@ -1,7 +1,8 @@
 //! The whole curve: f′ expanded once, then values point by point with bounds, or over a slice.
 
 use super::candidate::{Candidate, Ladder, Refused, Run};
-use super::problem::{Problem, Quantity};
+use super::problem::Problem;
+use crate::contact::Quantity;
 use crate::expr::Bindings;
 use crate::num::Estimate;
 use crate::transform::{Curve, Evaluator, Method, PressureCurve, TransformError};

@@ -9,6 +9,12 @@ pub enum TradeoffError {
     /// The profile itself has no answer.
     #[error(transparent)]
     Transform(#[from] TransformError),
+    /// The methods are not compared for this quantity.
+    #[error("methods are compared for g, F and p; {key} follows from them")]
+    Quantity {
+        /// The key of the quantity.
+        key: &'static str,
+    },
     /// No point has a value that errors could be measured against.
     #[error("no reference value could be found within the time at any point ({reason}); other points, or more time, would be accepted")]
     NoReference {

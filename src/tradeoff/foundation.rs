@@ -1,7 +1,8 @@
 //! The discrete spring foundation, over its spacings: the force at the depth that belongs to each contact radius.
 
 use super::candidate::{Candidate, Ladder, Refused, Run};
-use super::problem::{Problem, Quantity};
+use super::problem::Problem;
+use crate::contact::Quantity;
 use crate::contact::SpringFoundation;
 use crate::expr::Bindings;
 use crate::num::Estimate;

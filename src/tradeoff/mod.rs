@@ -16,9 +16,10 @@ mod study;
 mod table;
 mod truth;
 
+pub use crate::contact::Quantity;
 pub use error::TradeoffError;
 pub use front::{Advice, WANTED};
 pub use measure::{Row, Skipped, Time};
-pub use problem::{Problem, Quantity};
+pub use problem::Problem;
 pub use study::{Options, Study, run};
 pub use truth::{MARGIN, Truth};

@@ -1,7 +1,8 @@
 //! Pointwise quadrature by one Gauss–Kronrod rule and bisection, as general programs do it.
 
 use super::candidate::{Candidate, Ladder, Refused, Run};
-use super::problem::{Problem, Quantity};
+use super::problem::Problem;
+use crate::contact::Quantity;
 use crate::num::Estimate;
 use crate::num::quadrature::Rule;
 use crate::transform::Evaluator;

@@ -1,19 +1,9 @@
 //! What is computed: one quantity of one profile at a list of points.
 
 use super::TradeoffError;
+use crate::contact::Quantity;
 use crate::num::Estimate;
-use crate::transform::{self, Evaluator, Profile, Reading, Sampler, Solution, TransformError, reach};
-
-/// The quantities that can be studied.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// The equivalent profile g(x).
-    Equivalent,
-    /// The force F(a) for E* = 1, smooth edge.
-    Force,
-    /// The pressure p(r) for E* = 1, smooth edge.
-    Pressure,
-}
+use crate::transform::{Evaluator, Profile, Reading, Sampler, Solution, Superposed, TransformError, reach};
 
 /// One quantity of one profile, without free parameters, at its points.
 pub struct Problem<'a> {
@@ -21,7 +11,7 @@ pub struct Problem<'a> {
     pub profile: &'a Profile,
     /// Its formulas.
     pub solution: &'a Solution,
-    /// What is computed.
+    /// g, F or p, for E* = 1 and a smooth edge.
     pub quantity: Quantity,
     /// The contact radius, for the pressure.
     pub radius: Option<f64>,
@@ -36,49 +26,14 @@ pub(super) const SEED: u64 = 2026;
 /// The contact radius of a pressure as a part of the reach, where none is given.
 const SHARE: f64 = 0.75;
 
-impl Quantity {
-    /// The symbol that reports use.
-    pub fn symbol(self) -> &'static str {
-        match self {
-            Self::Equivalent => "g",
-            Self::Force => "F",
-            Self::Pressure => "p",
-        }
-    }
-
-    /// The symbol of the coordinate.
-    pub fn coordinate(self) -> &'static str {
-        match self {
-            Self::Equivalent => "x",
-            Self::Force => "a",
-            Self::Pressure => "r",
-        }
-    }
-
-    /// What the transform calls it.
-    pub(super) fn transformed(self) -> transform::Quantity {
-        match self {
-            Self::Equivalent => transform::Quantity::Slope,
-            Self::Force => transform::Quantity::Force,
-            Self::Pressure => transform::Quantity::Pressure,
-        }
-    }
-
-    /// What the transform's value is multiplied with: 1, 2 for F/(2E*), 1/π for p π/E*.
-    pub fn factor(self) -> f64 {
-        match self {
-            Self::Equivalent => 1.0,
-            Self::Force => 2.0,
-            Self::Pressure => std::f64::consts::FRAC_1_PI,
-        }
-    }
-}
-
 impl<'a> Problem<'a> {
+    /// The quantities that can be studied; the others follow from them.
+    pub const QUANTITIES: [Quantity; 3] = [Quantity::Equivalent, Quantity::Force, Quantity::Pressure];
+
     /// The problem at the given points, or at 32 seeded ones within the profile's reach.
     ///
     /// # Errors
-    /// [`TradeoffError::Transform`] for points outside the domain of the profile.
+    /// [`TradeoffError::Transform`] for points outside the domain of the profile, [`TradeoffError::Quantity`] for another quantity.
     pub fn new(
         solution: &'a Solution,
         evaluator: &Evaluator<'_>,
@@ -86,6 +41,9 @@ impl<'a> Problem<'a> {
         radius: Option<f64>,
         points: Option<Vec<f64>>,
     ) -> Result<Self, TradeoffError> {
+        if !Self::QUANTITIES.contains(&quantity) {
+            return Err(TradeoffError::Quantity { key: quantity.key() });
+        }
         let profile = &solution.profile;
         let far = reach(evaluator);
         let radius = (quantity == Quantity::Pressure).then(|| radius.unwrap_or(SHARE * far));
@@ -101,6 +59,24 @@ impl<'a> Problem<'a> {
         Ok(Self { profile, solution, quantity, radius, points })
     }
 
+    /// What the transform computes for it.
+    pub(super) fn superposed(&self) -> Superposed {
+        match self.quantity {
+            Quantity::Equivalent => Superposed::Equivalent,
+            Quantity::Force => Superposed::Force,
+            _ => Superposed::Pressure,
+        }
+    }
+
+    /// What the transform's value is multiplied with: 1, 2 for F/(2E*), 1/π for p π/E*.
+    pub fn factor(&self) -> f64 {
+        match self.quantity {
+            Quantity::Equivalent => 1.0,
+            Quantity::Force => 2.0,
+            _ => std::f64::consts::FRAC_1_PI,
+        }
+    }
+
     /// Where the transform's quantity is evaluated for one coordinate.
     pub(super) fn inputs(&self, at: f64) -> Vec<f64> {
         std::iter::once(at).chain(self.radius).collect()
@@ -111,7 +87,7 @@ impl<'a> Problem<'a> {
         let reading = match (self.quantity, self.radius) {
             (Quantity::Equivalent, _) => evaluator.slope(at).map(Some),
             (Quantity::Force, _) => evaluator.force(at).map(Some),
-            (Quantity::Pressure, radius) => evaluator.pressure(at, radius.unwrap_or(at)),
+            (_, radius) => evaluator.pressure(at, radius.unwrap_or(at)),
         };
         estimate(reading)
     }

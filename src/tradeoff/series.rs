@@ -1,7 +1,8 @@
 //! The power series at the axis, over its orders.
 
 use super::candidate::{Candidate, Ladder, Refused, Run};
-use super::problem::{Problem, Quantity};
+use super::problem::Problem;
+use crate::contact::Quantity;
 use crate::num::Estimate;
 use crate::transform::{Evaluator, SeriesEvaluator};
 
@@ -31,7 +32,7 @@ fn read(problem: &Problem<'_>, series: &SeriesEvaluator, at: f64) -> Result<Esti
     let reading = match (problem.quantity, problem.radius) {
         (Quantity::Equivalent, _) => series.slope(at),
         (Quantity::Force, _) => series.force(at),
-        (Quantity::Pressure, radius) => series.pressure(at, radius.unwrap_or(at)),
+        (_, radius) => series.pressure(at, radius.unwrap_or(at)),
     };
     reading.map(|own| own.estimate).map_err(|error| error.to_string())
 }

@@ -1,7 +1,8 @@
 //! A table of points in the place of the formula: monotone cubics through it, over the number of points.
 
 use super::candidate::{Candidate, Ladder, Refused, Run};
-use super::problem::{Problem, Quantity};
+use super::problem::Problem;
+use crate::contact::Quantity;
 use crate::num::Estimate;
 use crate::transform::{Evaluator, Interpolation, Profile, Quantities, TableProfile, TransformError};
 
@@ -42,7 +43,7 @@ fn read(problem: &Problem<'_>, table: &TableProfile, at: f64) -> Result<Estimate
     let found = match (problem.quantity, problem.radius) {
         (Quantity::Equivalent, _) => table.slope(at).map(Some),
         (Quantity::Force, _) => table.force(at).map(Some),
-        (Quantity::Pressure, radius) => table.pressure(at, radius.unwrap_or(at)),
+        (_, radius) => table.pressure(at, radius.unwrap_or(at)),
     };
     let found = found.map_err(|error| error.to_string())?.ok_or_else(|| "the value is infinite by theory".to_owned())?;
     Ok(Estimate { error: f64::INFINITY, ..found.estimate })

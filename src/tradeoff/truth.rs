@@ -2,7 +2,8 @@
 //! the sharpest quadrature in doubles.
 
 use super::TradeoffError;
-use super::problem::{Problem, Quantity};
+use super::problem::Problem;
+use crate::contact::Quantity;
 use crate::expr::Bindings;
 use crate::num::{DoubleDouble, Estimate, Precise};
 use crate::transform::{Evaluator, Method, PreciseProfile};
@@ -42,7 +43,7 @@ impl Truth {
 
 /// The truth at every point; points without one are dropped, and so are those where the value is 0.
 pub(super) fn find(problem: &mut Problem<'_>, deadline: Instant) -> Result<Vec<Truth>, TradeoffError> {
-    let quantity = problem.quantity.transformed();
+    let quantity = problem.superposed();
     let exact = Evaluator::new(problem.solution, &Bindings::default(), Method::Auto, SHARPEST)?;
     let sharp = Evaluator::new(problem.solution, &Bindings::default(), Method::Quadrature, SHARPEST)?;
     let slow = PreciseProfile::new(problem.profile)?;

@@ -2,7 +2,7 @@
 
 use super::ends::{Growth, growth};
 use super::engine::{SolvedChain, SolvedTerm, expanded_or_same};
-use super::quantity::Quantity;
+use super::superposed::Superposed;
 use super::{Solution, TransformError};
 use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, shown};
 
@@ -61,12 +61,12 @@ impl Derived {
 impl Solution {
     /// g(x), the equivalent profile (3.27).
     pub fn equivalent_profile(&self) -> Derived {
-        self.derived(Quantity::Slope, "x", &Expr::one(), "Popov & Heß (3.27)")
+        self.derived(Superposed::Equivalent, "x", &Expr::one(), "Popov & Heß (3.27)")
     }
 
     /// F(a) under a smooth edge, E for the effective modulus.
     pub fn force(&self) -> Derived {
-        self.derived(Quantity::Force, "a", &(Expr::integer(2) * Expr::symbol("E")), "Popov & Heß (3.22), (3.25)")
+        self.derived(Superposed::Force, "a", &(Expr::integer(2) * Expr::symbol("E")), "Popov & Heß (3.22), (3.25)")
     }
 
     /// p(r) under a smooth edge, positive in compression; `None` where f′ is so large at a breakpoint that g may jump there,
@@ -75,10 +75,10 @@ impl Solution {
         self.chains
             .iter()
             .all(SolvedChain::has_pressure_formula)
-            .then(|| self.derived(Quantity::Pressure, "a", &(Expr::symbol("E") / Expr::pi()), "Popov & Heß (3.37)"))
+            .then(|| self.derived(Superposed::Pressure, "a", &(Expr::symbol("E") / Expr::pi()), "Popov & Heß (3.37)"))
     }
 
-    fn derived(&self, quantity: Quantity, variable: &str, factor: &Expr, reference: &'static str) -> Derived {
+    fn derived(&self, quantity: Superposed, variable: &str, factor: &Expr, reference: &'static str) -> Derived {
         let open = |term: &SolvedTerm| quantity.is_open(term);
         let (mut rules, mut references) = (Vec::new(), vec![reference]);
         let (mut closed, mut left, mut compared) = (0, 0, true);
@@ -110,20 +110,20 @@ impl Solution {
 const MANY: usize = 8;
 
 impl SolvedChain {
-    fn formula(&self, quantity: Quantity, variable: &str, solution: &Solution) -> Formula {
+    fn formula(&self, quantity: Superposed, variable: &str, solution: &Solution) -> Formula {
         let mut pressures = match quantity {
-            Quantity::Pressure => self.open_pressures(solution),
+            Superposed::Pressure => self.open_pressures(solution),
             _ => Vec::new(),
         }
         .into_iter();
         let mut values = (0..self.intervals.len()).map(|interval| {
             let closed = collected(&self.closed(interval, quantity, |pair| &pair.shown));
             let open = match quantity {
-                Quantity::Slope => self.open_integral(interval, "x"),
-                Quantity::Force => self.open_integral(interval, "a"),
-                Quantity::Pressure => pressures.next().unwrap_or_else(Formula::zero),
+                Superposed::Equivalent => self.open_integral(interval, "x"),
+                Superposed::Force => self.open_integral(interval, "a"),
+                Superposed::Pressure => pressures.next().unwrap_or_else(Formula::zero),
                 // No formula of it is shown.
-                Quantity::Outside => Formula::zero(),
+                Superposed::Outside => Formula::zero(),
             };
             Formula::sum([Formula::Closed(closed), open])
         });

@@ -3,7 +3,7 @@
 use super::closed::{good_enough, precise_total, refined, rounded};
 use super::evaluator::{Evaluator, Method, Reading};
 use super::integral::NumericProfile;
-use super::quantity::Quantity;
+use super::superposed::Superposed;
 use super::{SeriesEvaluator, TransformError};
 use crate::num::{Bound, Bounded, Estimate, Precise, work};
 use std::cell::Cell;
@@ -25,7 +25,7 @@ impl Evaluator<'_> {
     /// before quadrature is asked, and half a second where quadrature misses the tolerance.
     pub(super) fn combine(
         &self,
-        quantity: Quantity,
+        quantity: Superposed,
         contact: f64,
         inputs: &[f64],
         integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
@@ -48,7 +48,7 @@ impl Evaluator<'_> {
     /// The same; where `dear` is given, closed forms that take too long are given up, and it is set.
     fn combined(
         &self,
-        quantity: Quantity,
+        quantity: Superposed,
         contact: f64,
         inputs: &[f64],
         integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
@@ -75,7 +75,7 @@ impl Evaluator<'_> {
                 };
                 if value.value.is_infinite() {
                     // Terms that are infinite apart, at the apex or at a kink; elsewhere the value is too large for a float.
-                    if quantity == Quantity::Pressure && self.may_be_infinite(inputs.first().copied().unwrap_or(0.0)) {
+                    if quantity == Superposed::Pressure && self.may_be_infinite(inputs.first().copied().unwrap_or(0.0)) {
                         return Ok(None);
                     }
                     overflow = true;
@@ -168,7 +168,7 @@ impl Evaluator<'_> {
     #[cold]
     pub(super) fn by_quadrature(
         &self,
-        quantity: Quantity,
+        quantity: Superposed,
         contact: f64,
         inputs: &[f64],
         typed: Result<Option<Estimate>, TransformError>,
@@ -216,13 +216,13 @@ impl Evaluator<'_> {
     }
 
     /// g, F or p by the power series at the axis, with a proven remainder.
-    fn by_series(&self, quantity: Quantity, inputs: &[f64]) -> Option<Reading> {
-        let order = if quantity == Quantity::Pressure { PRESSURE_ORDER } else { ORDER };
+    fn by_series(&self, quantity: Superposed, inputs: &[f64]) -> Option<Reading> {
+        let order = if quantity == Superposed::Pressure { PRESSURE_ORDER } else { ORDER };
         let series = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order).ok()?;
         let found = match (quantity, inputs) {
-            (Quantity::Slope, [x]) => series.slope(*x).ok(),
-            (Quantity::Force, [a]) => series.force(*a).ok(),
-            (Quantity::Pressure, [r, a]) if *r > 0.0 => series.pressure(*r, *a).ok(),
+            (Superposed::Equivalent, [x]) => series.slope(*x).ok(),
+            (Superposed::Force, [a]) => series.force(*a).ok(),
+            (Superposed::Pressure, [r, a]) if *r > 0.0 => series.pressure(*r, *a).ok(),
             _ => None,
         };
         found.filter(|own| own.estimate.value != 0.0 || own.estimate.error > 0.0)

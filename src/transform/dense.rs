@@ -1,7 +1,7 @@
 //! Closed forms where a slice has many points close together: short polynomials made from 30 digits, kept for later slices.
 
 use super::Evaluator;
-use super::quantity::Quantity;
+use super::superposed::Superposed;
 use crate::eval::Tape;
 use crate::num::spectral::{Dense, Exact, Plan};
 use crate::num::{Bounded, Precise};
@@ -25,10 +25,10 @@ const KEPT: usize = 8;
 pub(super) struct Kept(Mutex<Vec<Own>>);
 
 /// Those of a quantity at a contact radius, by its bits.
-type Own = (Quantity, Option<u64>, Arc<Dense>);
+type Own = (Superposed, Option<u64>, Arc<Dense>);
 
 impl Kept {
-    fn of(&self, quantity: Quantity, radius: Option<f64>) -> Arc<Dense> {
+    fn of(&self, quantity: Superposed, radius: Option<f64>) -> Arc<Dense> {
         let radius = radius.map(f64::to_bits);
         // Nothing is left half done in the list.
         let mut list = self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -47,7 +47,7 @@ impl Kept {
 /// The closed forms of one quantity, at one contact radius.
 struct Closed<'e> {
     evaluator: &'e Evaluator<'e>,
-    quantity: Quantity,
+    quantity: Superposed,
     radius: Option<f64>,
 }
 
@@ -56,7 +56,7 @@ struct Closed<'e> {
 /// Which points they answer depends on the slice alone, not on those before it.
 pub(super) fn plan<'t>(
     evaluator: &Evaluator<'_>,
-    quantity: Quantity,
+    quantity: Superposed,
     radius: Option<f64>,
     tapes: impl Iterator<Item = &'t Tape>,
     points: &[f64],

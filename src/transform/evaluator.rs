@@ -8,7 +8,7 @@ use super::dense::Kept;
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
 use super::kinks::is_below;
-use super::quantity::Quantity;
+use super::superposed::Superposed;
 use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::{constant_value, first_double_from};
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
@@ -181,9 +181,9 @@ impl<'a> Evaluator<'a> {
         self.check_domain("x", x)?;
         let integrate = |open: &NumericProfile| open.slope(x, self.tolerance);
         if self.method == Method::Quadrature {
-            return self.integral_of(Quantity::Slope, x, integrate);
+            return self.integral_of(Superposed::Equivalent, x, integrate);
         }
-        self.combine(Quantity::Slope, x, &[x], |open| integrate(open).map(Some)).and_then(|r| finite(r, "x", x))
+        self.combine(Superposed::Equivalent, x, &[x], |open| integrate(open).map(Some)).and_then(|r| finite(r, "x", x))
     }
 
     /// F(a)/(2E*) under a smooth edge.
@@ -194,16 +194,16 @@ impl<'a> Evaluator<'a> {
         self.check_domain("a", a)?;
         let integrate = |open: &NumericProfile| open.force(a, self.tolerance);
         if self.method == Method::Quadrature {
-            return self.integral_of(Quantity::Force, a, integrate);
+            return self.integral_of(Superposed::Force, a, integrate);
         }
-        self.combine(Quantity::Force, a, &[a], |open| integrate(open).map(Some)).and_then(|r| finite(r, "a", a))
+        self.combine(Superposed::Force, a, &[a], |open| integrate(open).map(Some)).and_then(|r| finite(r, "a", a))
     }
 
     /// g or F/(2E*) by quadrature alone: at once where f′ as typed has the digits, which is nearly always.
     #[inline]
     fn integral_of(
         &self,
-        quantity: Quantity,
+        quantity: Superposed,
         at: f64,
         integrate: impl Fn(&NumericProfile) -> Result<Estimate, TransformError>,
     ) -> Result<Reading, TransformError> {
@@ -309,7 +309,9 @@ impl<'a> Evaluator<'a> {
 
     /// a g(a) − F/(2E*) with 30 digits, where nothing is left to integrate.
     fn precise_integral(&self, a: f64) -> Result<Precise, TransformError> {
-        let (Some(slope), Some(force)) = (self.with_30_digits(Quantity::Slope, &[a])?, self.with_30_digits(Quantity::Force, &[a])?) else {
+        let (Some(slope), Some(force)) =
+            (self.with_30_digits(Superposed::Equivalent, &[a])?, self.with_30_digits(Superposed::Force, &[a])?)
+        else {
             return Ok(Precise::nan());
         };
         Ok(Precise::exact(a).mul(slope).sub(force))
@@ -319,7 +321,7 @@ impl<'a> Evaluator<'a> {
     ///
     /// # Errors
     /// [`TransformError`] where an answer cannot be compiled.
-    pub fn with_30_digits(&self, quantity: Quantity, inputs: &[f64]) -> Result<Option<Precise>, TransformError> {
+    pub fn with_30_digits(&self, quantity: Superposed, inputs: &[f64]) -> Result<Option<Precise>, TransformError> {
         let contact = inputs.last().copied().unwrap_or(0.0);
         let mut forms = Vec::new();
         for index in 0..self.chains.len() {
@@ -339,7 +341,7 @@ impl<'a> Evaluator<'a> {
     pub fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
         beyond_the_edge("r", r, a)?;
-        let found = self.combine(Quantity::Outside, a, &[r, a], |open| open.displacement(r, a, self.tolerance).map(Some));
+        let found = self.combine(Superposed::Outside, a, &[r, a], |open| open.displacement(r, a, self.tolerance).map(Some));
         found.and_then(|reading| finite(reading, "r", r))
     }
 
@@ -392,23 +394,23 @@ impl<'a> Evaluator<'a> {
         self.chains.get(chain).map_or(0, |c| c.breakpoints.iter().filter(|b| is_below(**b, contact)).count())
     }
 
-    pub(super) fn part(&self, index: usize, quantity: Quantity) -> Result<&Part, TransformError> {
+    pub(super) fn part(&self, index: usize, quantity: Superposed) -> Result<&Part, TransformError> {
         let (Some(numeric), Some(chain)) = (self.chains.get(index), self.solution.chains.get(index)) else {
             return Err(TransformError::NoClosedForm { quantity: quantity.name() });
         };
         let cell = match quantity {
-            Quantity::Slope => &numeric.slope,
-            Quantity::Force => &numeric.force,
-            Quantity::Pressure => &numeric.pressure,
-            Quantity::Outside => &numeric.outside,
+            Superposed::Equivalent => &numeric.slope,
+            Superposed::Force => &numeric.force,
+            Superposed::Pressure => &numeric.pressure,
+            Superposed::Outside => &numeric.outside,
         };
         if let Some(ready) = cell.get() {
             return Ok(ready);
         }
         let inputs: &[&str] = match quantity {
-            Quantity::Slope => &["x"],
-            Quantity::Force => &["a"],
-            Quantity::Pressure | Quantity::Outside => &["r", "a"],
+            Superposed::Equivalent => &["x"],
+            Superposed::Force => &["a"],
+            Superposed::Pressure | Superposed::Outside => &["r", "a"],
         };
         let symbols: Vec<Symbol> = inputs.iter().map(|name| Symbol::new(name)).collect();
         let mut closed = Vec::new();

@@ -4,7 +4,7 @@
 //! the error of a computed value.
 
 use super::admit::finite_and_not_negative;
-use super::quantity::Quantity;
+use super::superposed::Superposed;
 use super::{Chain, Evaluator, Method, Reading, TransformError, domain};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol, normal};
@@ -38,7 +38,7 @@ impl Evaluator<'_> {
         if special && self.is_infinite_at(r)? {
             return Ok(None);
         }
-        let mut found = self.combine(Quantity::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance));
+        let mut found = self.combine(Superposed::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance));
         let poor = |own: &Reading| own.method != "exact" && own.estimate.relative_error() > self.tolerance && !is_trusted(own.estimate);
         let most = worth(found.as_ref().ok().and_then(Option::as_ref));
         if self.method == Method::Auto

@@ -2,7 +2,7 @@
 
 use super::TransformError;
 use super::integral::compile_shifted;
-use super::{Profile, Quantity};
+use super::{Profile, Superposed};
 use crate::eval::{PreciseAlgebra, Tape, precise_value};
 use crate::expr::{Bindings, Expr, Symbol, derivative};
 use crate::num::precise::DoubleExponential;
@@ -12,11 +12,11 @@ use crate::num::{DoubleDouble, Precise};
 /// A profile whose parameters have numbers, ready for slow integrals with about 30 digits.
 ///
 /// ```
-/// use sneddon::{parse, transform::{PreciseProfile, Profile, Quantity}};
+/// use sneddon::{parse, transform::{PreciseProfile, Profile, Superposed}};
 /// let profile = Profile::new(&parse::profile("r^2.5").unwrap()).unwrap();
 /// let precise = PreciseProfile::new(&profile).unwrap();
 /// // F/(2E*) of r^n is n/(n+1) times g(a) a
-/// let (g, force) = (precise.value(Quantity::Slope, &[1.0]).unwrap(), precise.value(Quantity::Force, &[1.0]).unwrap());
+/// let (g, force) = (precise.value(Superposed::Equivalent, &[1.0]).unwrap(), precise.value(Superposed::Force, &[1.0]).unwrap());
 /// assert!((force.value.hi / g.value.hi - 2.5 / 3.5).abs() < 1e-15 && g.error < 1e-25);
 /// ```
 pub struct PreciseProfile {
@@ -61,11 +61,11 @@ impl PreciseProfile {
     /// g(x) at `[x]`, F/(2E*) at `[a]`, p π/E* at `[r, a]`; `None` for other quantities and where nothing is known.
     ///
     /// The bound holds rounding rigorously, and what the rule leaves out by the difference of its last two levels.
-    pub fn value(&self, quantity: Quantity, inputs: &[f64]) -> Option<Precise> {
+    pub fn value(&self, quantity: Superposed, inputs: &[f64]) -> Option<Precise> {
         let found = match (quantity, inputs) {
-            (Quantity::Slope, [x]) => self.over_radius(*x, |_| Precise::exact(*x)),
-            (Quantity::Force, [a]) => self.over_radius(*a, |r| r.mul(r)),
-            (Quantity::Pressure, [r, a]) if r < a => self.pressure(*r, *a)?,
+            (Superposed::Equivalent, [x]) => self.over_radius(*x, |_| Precise::exact(*x)),
+            (Superposed::Force, [a]) => self.over_radius(*a, |r| r.mul(r)),
+            (Superposed::Pressure, [r, a]) if r < a => self.pressure(*r, *a)?,
             _ => return None,
         };
         found.is_finite().then_some(found)

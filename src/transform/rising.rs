@@ -5,7 +5,7 @@ use super::evaluator::Evaluator;
 use super::integral::reached;
 use super::kinks::is_below;
 use super::pressure::MORE_DIGITS;
-use super::quantity::Quantity;
+use super::superposed::Superposed;
 use crate::expr::{Symbol, derivative};
 use crate::num::quadrature::{EndBehaviour, Options, Panel, Point, integrate};
 use crate::num::stable::leg;
@@ -58,10 +58,10 @@ impl Evaluator<'_> {
         let x = Symbol::new("x");
         let chains = self.solution.chains.iter().enumerate();
         let forms = chains.map(|(index, chain)| {
-            if !self.part(index, Quantity::Slope).ok()?.open.is_empty() {
+            if !self.part(index, Superposed::Equivalent).ok()?.open.is_empty() {
                 return None;
             }
-            let slope = self.bindings.apply(&chain.closed(self.interval(index, a), Quantity::Slope, |pair| &pair.shown));
+            let slope = self.bindings.apply(&chain.closed(self.interval(index, a), Superposed::Equivalent, |pair| &pair.shown));
             ClosedForm::new(&derivative(&slope, &x).ok()?, std::slice::from_ref(&x)).ok()
         });
         forms.collect()

@@ -2,7 +2,7 @@
 
 use super::closed::{ClosedForm, good_enough};
 use super::kinks::is_below;
-use super::quantity::Quantity;
+use super::superposed::Superposed;
 use super::{Evaluator, Method, Reading, TransformError, dense};
 use crate::eval::{BlockInput, BlockScratch};
 use crate::num::spectral::Plan;
@@ -56,7 +56,7 @@ const TASK: usize = 16 * CHUNK;
 #[derive(Clone, Copy)]
 enum Wanted {
     Height,
-    Superposed(Quantity, Option<f64>),
+    Superposed(Superposed, Option<f64>),
 }
 
 /// The forms of one chain, one per interval, and the breakpoints between them.
@@ -97,7 +97,7 @@ impl Evaluator<'_> {
     /// # Errors
     /// [`TransformError::Buffer`] for a buffer of another length, else that of the first point that has one.
     pub fn slopes(&self, x: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
-        self.fill(Wanted::Superposed(Quantity::Slope, None), x, out, &|x| self.slope(x).map(Some))
+        self.fill(Wanted::Superposed(Superposed::Equivalent, None), x, out, &|x| self.slope(x).map(Some))
     }
 
     /// F/(2E*) at every contact radius a, as [`Evaluator::force`] has it; see [`Evaluator::slopes`].
@@ -105,7 +105,7 @@ impl Evaluator<'_> {
     /// # Errors
     /// As [`Evaluator::slopes`].
     pub fn forces(&self, a: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
-        self.fill(Wanted::Superposed(Quantity::Force, None), a, out, &|a| self.force(a).map(Some))
+        self.fill(Wanted::Superposed(Superposed::Force, None), a, out, &|a| self.force(a).map(Some))
     }
 
     /// p·π/E* at every r under a contact of radius a, as [`Evaluator::pressure`] has it; see [`Evaluator::slopes`].
@@ -115,7 +115,7 @@ impl Evaluator<'_> {
     /// # Errors
     /// As [`Evaluator::slopes`].
     pub fn pressures(&self, r: &[f64], a: f64, out: Slice<'_>) -> Result<(), TransformError> {
-        self.fill(Wanted::Superposed(Quantity::Pressure, Some(a)), r, out, &|r| self.pressure(r, a))
+        self.fill(Wanted::Superposed(Superposed::Pressure, Some(a)), r, out, &|r| self.pressure(r, a))
     }
 
     /// f(r) − f(0) at every r, as [`Evaluator::height`] has it; see [`Evaluator::slopes`].

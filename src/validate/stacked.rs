@@ -118,7 +118,7 @@ pub(super) fn npy(file: &str, array: &Array, layout: &Layout, scene: &Scene) -> 
     let (&[count, quantities, _, ..], Some(places)) = (array.shape.as_slice(), array.shape.get(3..)) else {
         return fault("the array has no fields".to_owned(), HELP);
     };
-    let curves = scene.outputs.fields();
+    let (curves, _) = scene.outputs.fields()?;
     if count != scene.loads.len() || quantities != curves.len() {
         let (loads, own) = (scene.loads.len(), curves.len());
         let message = format!("the array has {count} loads and {quantities} fields, the scene {loads} and {own}");
@@ -148,11 +148,11 @@ pub(super) fn npy(file: &str, array: &Array, layout: &Layout, scene: &Scene) -> 
             let values = array.values.get(begin..begin + each).unwrap_or_default();
             // The pressure is infinite at a rim.
             let values = values.iter().map(|own| if own.is_finite() { *own } else { f64::NAN }).collect();
-            arrays.push(Array { name: curve.name().to_owned(), shape: places.to_vec(), values, text: None });
+            arrays.push(Array { name: curve.key().to_owned(), shape: places.to_vec(), values, text: None });
         }
         loads.push(Fields { load: Some(load * scene.system.out(scene.control.datum().dimension())), arrays });
     }
-    let all = joined(file, scene.control.datum().name(), loads, layout)?;
+    let all = joined(file, scene.control.datum().key(), loads, layout)?;
     Ok(Columns { radii: !radii.is_empty(), ..all })
 }
 

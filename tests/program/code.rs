@@ -6,10 +6,11 @@
 
 use serde_json::Value;
 use sneddon::code::inner::identifiers;
-use sneddon::code::{CodeError, Language, Program, Requested, program, write};
+use sneddon::code::{CodeError, Language, Program, QUANTITIES, program, write};
+use sneddon::contact::Quantity;
 use sneddon::expr::{Bindings, Expr, Number, Symbol};
 use sneddon::num::{DoubleDouble, Precise, precise};
-use sneddon::transform::{Evaluator, Method, Profile, Quantity, Solution, derive, reach};
+use sneddon::transform::{Evaluator, Method, Profile, Solution, Superposed, derive, reach};
 use sneddon::{parse, print};
 use sneddon_checks::seeds::cases as cases_of;
 use std::collections::BTreeSet;
@@ -43,13 +44,13 @@ fn entries() -> Vec<Entry> {
 }
 
 /// The programs of a profile, one for every quantity that the language has.
-fn programs(entry: &Entry, language: Language) -> Vec<(Requested, Program)> {
-    let made = |own: Requested| match program(&entry.solution, &[own], language, &entry.text) {
+fn programs(entry: &Entry, language: Language) -> Vec<(Quantity, Program)> {
+    let made = |own: Quantity| match program(&entry.solution, &[own], language, &entry.text) {
         Ok(made) => Some((own, made)),
         Err(CodeError::NotClosed { .. } | CodeError::Function { .. } | CodeError::Contact(_)) => None,
-        Err(other) => panic!("{} {}: {other}", entry.id, own.symbol()),
+        Err(other) => panic!("{} {}: {other}", entry.id, own.key()),
     };
-    Requested::ALL.into_iter().filter_map(made).collect()
+    QUANTITIES.into_iter().filter_map(made).collect()
 }
 
 /// A call with what it must give.
@@ -68,7 +69,7 @@ const MODULUS: f64 = 1.5;
 /// The step of condition numbers.
 const STEP: f64 = 1e-6;
 
-fn cases(entry: &Entry, module: &str, own: Requested, made: &Program) -> Vec<Case> {
+fn cases(entry: &Entry, module: &str, own: Quantity, made: &Program) -> Vec<Case> {
     let evaluator = Evaluator::new(&entry.solution, &entry.bindings, Method::Auto, 1e-13).unwrap();
     let (_, claim) = made.claims()[0];
     let Some(claim) = claim else { return Vec::new() };
@@ -80,30 +81,30 @@ fn cases(entry: &Entry, module: &str, own: Requested, made: &Program) -> Vec<Cas
         let mut push = |coordinates: &[f64], truth: Option<Precise>| {
             let Some(truth) = truth.filter(|own| own.is_finite() && own.error <= 1e-22 * own.value.hi.abs()) else { return };
             let mut arguments = coordinates.to_vec();
-            if matches!(own, Requested::Force | Requested::Pressure) {
+            if matches!(own, Quantity::Force | Quantity::Pressure) {
                 arguments.push(MODULUS);
             }
             arguments.extend(&entry.parameters);
-            let (what, function) = (format!("{} {}", entry.id, own.symbol()), format!("sneddon_{}", own.symbol()));
+            let (what, function) = (format!("{} {}", entry.id, own.key()), format!("sneddon_{}", own.key()));
             let (ulps, conditional) = (claim.ulps, claim.condition.is_some());
             list.push(Case { what, module: module.to_owned(), function, arguments, truth: truth.value, ulps, conditional });
         };
         match own {
-            Requested::EquivalentProfile | Requested::Depth => push(&[place], exact(Quantity::Slope, &[place])),
-            Requested::Force => {
-                push(&[place], exact(Quantity::Force, &[place]).map(|own| own.mul(Precise::exact(2.0 * MODULUS))));
+            Quantity::Equivalent | Quantity::Depth => push(&[place], exact(Superposed::Equivalent, &[place])),
+            Quantity::Force => {
+                push(&[place], exact(Superposed::Force, &[place]).map(|own| own.mul(Precise::exact(2.0 * MODULUS))));
             }
-            Requested::Pressure => {
+            Quantity::Pressure => {
                 let pi = Precise { value: precise::PI, error: 3e-33 };
                 for inner in [0.003, 0.35, 0.8] {
                     let r = inner * place;
-                    push(&[r, place], exact(Quantity::Pressure, &[r, place]).map(|own| own.mul(Precise::exact(MODULUS)).div(pi)));
+                    push(&[r, place], exact(Superposed::Pressure, &[r, place]).map(|own| own.mul(Precise::exact(MODULUS)).div(pi)));
                 }
             }
-            Requested::ContactRadius => {
+            Quantity::Radius => {
                 // The depth that belongs to `place`, rounded: a moves by the rest over g′.
-                let Some(depth) = exact(Quantity::Slope, &[place]) else { continue };
-                let at = |x: f64| exact(Quantity::Slope, &[x]).map_or(f64::NAN, |own| own.value.hi);
+                let Some(depth) = exact(Superposed::Equivalent, &[place]) else { continue };
+                let at = |x: f64| exact(Superposed::Equivalent, &[x]).map_or(f64::NAN, |own| own.value.hi);
                 let slope = (at(place * (1.0 + 1e-5)) - at(place * (1.0 - 1e-5))) / (2e-5 * place);
                 let rest = -depth.value.lo / slope;
                 // Where g has fallen before, an inner radius has the same depth.
@@ -113,6 +114,7 @@ fn cases(entry: &Entry, module: &str, own: Requested, made: &Program) -> Vec<Cas
                     push(&[depth.value.hi], Some(Precise::exact(place).add(Precise::exact(rest))));
                 }
             }
+            other => panic!("{other:?} is not written"),
         }
     }
     list
@@ -330,7 +332,7 @@ fn hostile_names_stay_names() {
         let formula = parse::profile(&terms.join(" + ")).unwrap();
         let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
         let place = place(&format!("hostile_{group}"));
-        let quantities = [Requested::EquivalentProfile, Requested::Force, Requested::Depth, Requested::ContactRadius];
+        let quantities = [Quantity::Equivalent, Quantity::Force, Quantity::Depth, Quantity::Radius];
         let text = |language| write(&program(&solution, &quantities, language, &print::text(&formula)).unwrap());
         fs::write(place.join("a.c"), text(Language::C)).unwrap();
         run("cc", &["-Wall", "-Wextra", "-Werror", "-c", "a.c"], &place);
@@ -352,15 +354,13 @@ fn hostile_names_stay_names() {
 /// What has no closed form is an error that says so.
 #[test]
 fn what_cannot_be_written_is_an_error() {
-    let code = |text: &str, own: Requested, language| {
+    let code = |text: &str, own: Quantity, language| {
         let formula = parse::profile(text).unwrap();
         program(&derive(&Profile::new(&formula).unwrap()).unwrap(), &[own], language, text).map(|own| write(&own)).unwrap_err().to_string()
     };
-    assert!(code("ln(cosh(r))", Requested::Force, Language::C).contains("the formula of F holds an integral"));
-    assert!(code("ln(cosh(r))", Requested::ContactRadius, Language::C).contains("holds an integral"));
-    assert!(
-        code("h*(1-cos(k*r))", Requested::EquivalentProfile, Language::C).contains("the function struveh, which cannot be written in C")
-    );
+    assert!(code("ln(cosh(r))", Quantity::Force, Language::C).contains("the formula of F holds an integral"));
+    assert!(code("ln(cosh(r))", Quantity::Radius, Language::C).contains("holds an integral"));
+    assert!(code("h*(1-cos(k*r))", Quantity::Equivalent, Language::C).contains("the function struveh, which cannot be written in C"));
 }
 
 /// A number of the program at a point, in every language that needs nothing but this toolchain: outside the domain there is no number.
@@ -368,7 +368,7 @@ fn what_cannot_be_written_is_an_error() {
 fn outside_the_domain_there_is_no_number() {
     let formula = parse::profile("R-sqrt(R^2-r^2)").unwrap();
     let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
-    let quantities = [Requested::EquivalentProfile, Requested::Force, Requested::ContactRadius];
+    let quantities = [Quantity::Equivalent, Quantity::Force, Quantity::Radius];
     let place = place("domain");
     let mut text = write(&program(&solution, &quantities, Language::C, "f").unwrap());
     text.push_str("#include <stdio.h>\nint main(void)\n{\n");

@@ -50,7 +50,7 @@ const COMMANDS: &[(&[&str], &[Ending])] = &[
             ("json", "{\"schema\":\"sneddon/derive/1\""),
         ],
     ),
-    (&["plot", "r^2"], &[("svg", "<svg role=\"img\""), ("txt", "Force")]),
+    (&["plot", "r^2"], &[("svg", "<svg role=\"img\""), ("txt", "Normal force")]),
     (
         &["eval", "r^2", "--quantity", "g", "--at", "1,2"],
         &[("txt", "g of f(r) = "), ("csv", "x,g,error,method,bound\n1.0,2.0,"), ("json", "{\"schema\":\"sneddon/eval/1\"")],

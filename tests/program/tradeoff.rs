@@ -67,7 +67,7 @@ fn json_has_every_method_and_its_keys() {
 #[test]
 fn points_carry_the_pressure_of_the_contact() {
     studied("r^2/2", Quantity::Pressure, (Some(1.0), Some(vec![0.6])), |found| {
-        let value = Quantity::Pressure.factor() * found.truths[0].value.value.hi;
+        let value = found.problem.factor() * found.truths[0].value.value.hi;
         assert!((value - 1.6 * std::f64::consts::FRAC_1_PI).abs() < 1e-15, "{value}");
     });
 }
@@ -135,7 +135,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         (&["2-sqrt(4-r^2)", "--at", "2"], "outside the domain"),
         (&["r^2", "--at", "-1"], "negative"),
         (&["r^2", "--radius", "1"], "--radius belongs to --quantity p"),
-        (&["r^2", "--quantity", "k"], "invalid value"),
+        (&["r^2", "--quantity", "k"], "--quantity k: methods are compared for g, F and p"),
         (&["r^2", "--tol", "0"], "not positive"),
         (&["r^2", "--json", "--csv"], "cannot be used with"),
         (&["r^2", "--at", "0"], "no reference value"),
@@ -174,8 +174,9 @@ fn the_slow_integral_agrees_with_the_closed_form() {
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Exact, 1e-13).unwrap();
         let slow = PreciseProfile::new(&solution.profile).unwrap();
         for x in points {
-            use sneddon::transform::Quantity::{Force, Pressure, Slope};
-            for (quantity, inputs) in [(Slope, vec![x]), (Force, vec![x]), (Pressure, vec![0.3 * x, x]), (Pressure, vec![0.95 * x, x])] {
+            use sneddon::transform::Superposed::{Equivalent, Force, Pressure};
+            for (quantity, inputs) in [(Equivalent, vec![x]), (Force, vec![x]), (Pressure, vec![0.3 * x, x]), (Pressure, vec![0.95 * x, x])]
+            {
                 let Some(closed) = evaluator.with_30_digits(quantity, &inputs).unwrap().filter(|own| own.is_finite()) else { continue };
                 let Some(own) = slow.value(quantity, &inputs) else { panic!("{text}: {quantity:?} at {inputs:?}") };
                 let difference = own.sub(closed);
@@ -254,9 +255,9 @@ fn a_slice_of_the_closed_form_has_every_digit() {
         let mut values = vec![0.0; long.len()];
         let out = Slice::values(&mut values);
         let inner = match quantity {
-            Quantity::Equivalent => evaluator.slopes(&long, out).map(|()| transform::Quantity::Slope),
-            Quantity::Force => evaluator.forces(&long, out).map(|()| transform::Quantity::Force),
-            Quantity::Pressure => evaluator.pressures(&long, radius.unwrap(), out).map(|()| transform::Quantity::Pressure),
+            Quantity::Equivalent => evaluator.slopes(&long, out).map(|()| transform::Superposed::Equivalent),
+            Quantity::Force => evaluator.forces(&long, out).map(|()| transform::Superposed::Force),
+            _ => evaluator.pressures(&long, radius.unwrap(), out).map(|()| transform::Superposed::Pressure),
         };
         let inner = inner.unwrap();
         for (at, value) in points.iter().zip(values) {

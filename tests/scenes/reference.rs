@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use serde_json::Value;
-use sneddon::scene::{Curve, Grid, Loads, Run, Scene, scene};
+use sneddon::scene::{Grid, Loads, Quantity, Run, Scene, scene};
 use sneddon::{parse, transform::Profile};
 use sneddon_checks::seeds::cases;
 use std::fs;
@@ -27,7 +27,7 @@ fn means_have_their_reference_values() {
         let solution = own.solution().unwrap();
         let run = Run::new(&own, &solution).unwrap();
         let grid = Grid::Square { side: number(side), count: points.parse().unwrap(), between: false };
-        let field = run.field(&grid, Curve::Pressure, run.state(0, true).as_ref(), true);
+        let field = run.field(&grid, Quantity::Pressure, run.state(0, true).as_ref(), true);
         let (value, error) = field.at(&[row.parse().unwrap(), column.parse().unwrap()]).unwrap();
         let off = (value - number(mean)).abs();
         assert!(off <= error + 1e-15 * number(mean), "{line}: {value:?} ± {error:e} is off by {off:e}");
@@ -61,7 +61,7 @@ fn means_add_up_to_the_force() {
         let grids: &[_] =
             if coarse { &[(2.5, 2, true)] } else { &[(2.5, 16, false), (2.5, 16, true), (2.1, 15, false), (2.0 + 1.0 / 8.0, 17, false)] };
         for &(side, count, between) in grids {
-            let field = run.field(&Grid::Square { side, count, between }, Curve::Pressure, Some(&state), true);
+            let field = run.field(&Grid::Square { side, count, between }, Quantity::Pressure, Some(&state), true);
             let area = (side / count as f64).powi(2);
             let (mut total, mut doubt) = (0.0, 0.0);
             for place in (0..count).flat_map(|i| (0..count).map(move |j| [i, j])) {
@@ -74,7 +74,7 @@ fn means_add_up_to_the_force() {
             assert!(doubt < 1e-9 * state.force, "{profile}: {doubt:e}");
         }
         let rings = Grid::Radial(Loads::List((0..20).map(|i| f64::from(i) / 16.0).collect()));
-        let field = run.field(&rings, Curve::Pressure, Some(&state), true);
+        let field = run.field(&rings, Quantity::Pressure, Some(&state), true);
         let force: f64 = (0..20)
             .map(|i| {
                 let (inner, outer) = ((f64::from(i) - 0.5).max(0.0) / 16.0, (f64::from(i) + 0.5) / 16.0);
@@ -92,7 +92,7 @@ fn points_are_symmetric() {
     let solution = own.solution().unwrap();
     let run = Run::new(&own, &solution).unwrap();
     let state = run.state(0, true).unwrap();
-    for curve in [Curve::Pressure, Curve::Displacement, Curve::Profile] {
+    for curve in [Quantity::Pressure, Quantity::Displacement, Quantity::Profile] {
         let grid = Grid::Square { side: 3.0, count: 12, between: false };
         let field = run.field(&grid, curve, Some(&state), false);
         for (i, j) in (0..12).flat_map(|i| (0..12).map(move |j| (i, j))) {

@@ -2,7 +2,7 @@
 #![cfg(feature = "scene")]
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use sneddon::scene::{Datum, Row, Run, scene};
+use sneddon::scene::{Quantity, Row, Run, scene};
 use sneddon_checks::seeds::cases;
 
 fn rows(profile: &str, modulus: &str, load: &str) -> Vec<Row> {
@@ -36,19 +36,19 @@ fn every_shape_at_its_extremes() {
             let by_depth = row(&profile, &format!("{modulus:?}"), &format!("depth = {d}"));
             if number(a) < f64::MIN_POSITIVE {
                 // No double is as small as this radius: that is said, and not answered.
-                assert!(by_depth.value(Datum::Radius).is_none() && by_depth.value(Datum::Force).is_none(), "{line}: {by_depth:?}");
+                assert!(by_depth.value(Quantity::Radius).is_none() && by_depth.value(Quantity::Force).is_none(), "{line}: {by_depth:?}");
                 continue;
             }
             if number(force) * modulus < f64::MIN_POSITIVE {
-                assert!(by_depth.value(Datum::Force).is_none(), "{line}: {by_depth:?}");
+                assert!(by_depth.value(Quantity::Force).is_none(), "{line}: {by_depth:?}");
                 continue;
             }
             let by_force = row(&profile, &format!("{modulus:?}"), &format!("force = {:?}", number(force) * modulus));
             for (what, found, expected) in [
-                ("F", by_depth.value(Datum::Force), number(force) * modulus),
-                ("a", by_depth.value(Datum::Radius), number(a)),
-                ("k", by_depth.value(Datum::Stiffness), 2.0 * number(a) * modulus),
-                ("d of F", by_force.value(Datum::Depth), number(d)),
+                ("F", by_depth.value(Quantity::Force), number(force) * modulus),
+                ("a", by_depth.value(Quantity::Radius), number(a)),
+                ("k", by_depth.value(Quantity::Stiffness), 2.0 * number(a) * modulus),
+                ("d of F", by_force.value(Quantity::Depth), number(d)),
             ] {
                 let Some(found) = found else {
                     faults.push(format!("{line}: no {what}: {:?}", by_depth.indented.findings));
@@ -78,23 +78,23 @@ fn what_overflows_on_the_way_is_answered() {
         let (r, e, d) = (number(radius), number(modulus), number(depth));
         let log = (4.0f64 / 3.0).ln() + e.ln() + 0.5 * r.ln() + 1.5 * d.ln();
         let found = row(&format!("shape = 'paraboloid'\nparameters = {{ R = {radius} }}"), modulus, &format!("depth = {depth}"));
-        let force = found.value(Datum::Force).unwrap_or_else(|| panic!("{radius} {modulus} {depth}: {found:?}"));
+        let force = found.value(Quantity::Force).unwrap_or_else(|| panic!("{radius} {modulus} {depth}: {found:?}"));
         assert!((force.ln() - log).abs() < 1e-11, "{radius} {modulus} {depth}: {force:?}");
-        let root = found.value(Datum::Radius).unwrap();
+        let root = found.value(Quantity::Radius).unwrap();
         assert!((root.ln() - 0.5 * (r.ln() + d.ln())).abs() < 1e-11, "{root:?}");
     }
     let lost = row("shape = 'paraboloid'\nparameters = { R = 1e-300 }", "1e-300", "depth = 1e-300");
-    let force = lost.values.iter().find(|(datum, _)| *datum == Datum::Force).unwrap().1;
+    let force = lost.values.iter().find(|(datum, _)| *datum == Quantity::Force).unwrap().1;
     assert!(force.unwrap_err().contains("too small"), "{lost:?}");
     let lost = row("shape = 'paraboloid'\nparameters = { R = 1e200 }", "1e200", "depth = 1e100");
-    let force = lost.values.iter().find(|(datum, _)| *datum == Datum::Force).unwrap().1;
+    let force = lost.values.iter().find(|(datum, _)| *datum == Quantity::Force).unwrap().1;
     assert!(force.unwrap_err().contains("too large"), "{lost:?}");
 }
 
 /// A hyperboloid is a paraboloid at its tip and a cone far away; capped shapes are the cap below its end and the flank far beyond.
 #[test]
 fn shapes_blend_into_simpler_ones() {
-    let force = |profile: &str, depth: f64| row(profile, "1", &format!("depth = {depth:?}")).value(Datum::Force).unwrap();
+    let force = |profile: &str, depth: f64| row(profile, "1", &format!("depth = {depth:?}")).value(Quantity::Force).unwrap();
     let paraboloid = |r: f64, d: f64| 4.0 / 3.0 * r.sqrt() * d.powf(1.5);
     let cone = |slope: f64, d: f64| 2.0 * d * d / (std::f64::consts::PI * slope);
     let close = |what: &str, value: f64, expected: f64, tolerance: f64| {
@@ -127,7 +127,7 @@ fn shapes_blend_into_simpler_ones() {
     }
     // The ellipsoid with equal axes is the sphere.
     for a in [1e-6, 0.1, 1.9] {
-        let at = |profile: &str| row(profile, "1", &format!("contact_radius = {a:?}")).value(Datum::Force).unwrap();
+        let at = |profile: &str| row(profile, "1", &format!("contact_radius = {a:?}")).value(Quantity::Force).unwrap();
         close("ellipsoid", at("shape = 'ellipsoid'\nparameters = { b = 2, c = 2 }"), at("shape = 'sphere'\nparameters = { R = 2 }"), 2e-15);
     }
     // A tiny flat end, a tiny cap.

@@ -8,7 +8,7 @@ use serde_json::Value;
 use sneddon::contact::{Boundary, State};
 use sneddon::num::quadrature::{Options, Panel, Point, integrate};
 use sneddon::num::{Bounded, NumError};
-use sneddon::scene::{Curve, Datum, Row, Run, SHAPES, Scene, Work, scene, template};
+use sneddon::scene::{Quantity, Row, Run, SHAPES, Scene, Work, scene, template};
 use sneddon_checks::seeds::cases;
 
 fn truth() -> Value {
@@ -68,19 +68,19 @@ fn named_shapes_have_their_reference_values() {
             let found = run.row(0).unwrap();
             // The catalogue is steep and partly beyond validity; the numbers are formal ones.
             let value = |datum| found.values.iter().find(|own| own.0 == datum).unwrap().1.unwrap();
-            close(id, value(Datum::Depth), number(&known["d"]), 1e-12);
-            close(id, value(Datum::Force), number(&known["F"]), 1e-12);
-            close(id, value(Datum::Stiffness), 2.0 * a, 1e-12);
+            close(id, value(Quantity::Depth), number(&known["d"]), 1e-12);
+            close(id, value(Quantity::Force), number(&known["F"]), 1e-12);
+            close(id, value(Quantity::Stiffness), 2.0 * a, 1e-12);
             let state = run.state(0, true);
             for (r, p) in known["p"].as_object().unwrap() {
-                let point = run.point(Curve::Pressure, state.as_ref(), r.parse().unwrap());
+                let point = run.point(Quantity::Pressure, state.as_ref(), r.parse().unwrap());
                 close(id, point.value.unwrap().0, number(p), 1e-12);
             }
         });
         let by_depth = row(&text(profile, &format!("depth = {}", known["d"].as_str().unwrap())));
         if by_depth.is_valid() {
-            close(id, by_depth.value(Datum::Force).unwrap(), number(&known["F"]), 1e-12);
-            close(id, by_depth.value(Datum::Radius).unwrap(), a, 1e-12);
+            close(id, by_depth.value(Quantity::Force).unwrap(), number(&known["F"]), 1e-12);
+            close(id, by_depth.value(Quantity::Radius).unwrap(), a, 1e-12);
         }
     }
 }
@@ -89,24 +89,24 @@ fn named_shapes_have_their_reference_values() {
 #[test]
 fn punches_of_the_chapter() {
     let flat = row(&text("shape = 'flat'\nradius = 2", "depth = 0.3"));
-    close("F", flat.value(Datum::Force).unwrap(), 2.0 * 2.0 * 0.3, 1e-15);
+    close("F", flat.value(Quantity::Force).unwrap(), 2.0 * 2.0 * 0.3, 1e-15);
     assert_eq!(flat.indented.state.unwrap().boundary, Boundary::Rim);
     let concave = read(&text("shape = 'concave-paraboloid'\nparameters = { h = 0.1, c = 2 }", "depth = 0.5"));
     with_run(&concave, |run| {
-        close("F", run.row(0).unwrap().value(Datum::Force).unwrap(), 2.0 * 2.0 * (0.5 + 0.2 / 3.0), 1e-15);
+        close("F", run.row(0).unwrap().value(Quantity::Force).unwrap(), 2.0 * 2.0 * (0.5 + 0.2 / 3.0), 1e-15);
         let state = run.state(0, false);
-        let p = run.point(Curve::Pressure, state.as_ref(), 1.0).value.unwrap().0;
+        let p = run.point(Quantity::Pressure, state.as_ref(), 1.0).value.unwrap().0;
         close("p", p, (0.5 - 0.2 + 0.4 * 0.25) / (std::f64::consts::PI * 3f64.sqrt()), 1e-14);
-        assert!(run.point(Curve::Pressure, state.as_ref(), 2.0).value.unwrap_err().contains("rim"));
+        assert!(run.point(Quantity::Pressure, state.as_ref(), 2.0).value.unwrap_err().contains("rim"));
     });
     let touch = row(&text("shape = 'concave-paraboloid'\nparameters = { h = 0.1, c = 2 }", "depth = 0.6\ndepth_from = 'first_touch'"));
-    close("d", touch.value(Datum::Depth).unwrap(), 0.5, 1e-15);
+    close("d", touch.value(Quantity::Depth).unwrap(), 0.5, 1e-15);
     close("d since the first touch", touch.depth_from_touch.unwrap(), 0.6, 1e-15);
     let (one, other) = (
         row(&text("shape = 'cone'\nparameters = { theta = '12 deg' }", "depth = 1")),
         row(&text("shape = 'cone'\nparameters = { alpha = '78 deg' }", "depth = 1")),
     );
-    close("F", one.value(Datum::Force).unwrap(), other.value(Datum::Force).unwrap(), 1e-14);
+    close("F", one.value(Quantity::Force).unwrap(), other.value(Quantity::Force).unwrap(), 1e-14);
 }
 
 /// Every template reads, solves, is valid, and comes out as a length.
@@ -131,7 +131,7 @@ fn only_what_is_asked_for_is_computed() {
     let curves = read(&base.replace("\"d\", \"F\", \"a\", \"k\", \"p_mean\", \"U\"]", "\"p\"]\nat = [0, 0.1]"));
     with_run(&curves, |run| {
         let state = run.state(3, false);
-        run.point(Curve::Pressure, state.as_ref(), 0.1);
+        run.point(Quantity::Pressure, state.as_ref(), 0.1);
         assert_eq!(run.work(), Work { loads: 1, pressures: 1, ..Work::default() });
     });
 }
@@ -150,9 +150,9 @@ fn two_curved_bodies() {
             .replace("effective_modulus = 1", "E = 1\nnu = 0.3\n[counterbody]\nE = 3\nnu = 0.2"))
     };
     let ball = row(&body("shape = 'paraboloid'\nparameters = { R = 3 }"));
-    close("ball", ball.value(Datum::Force).unwrap(), alone("6/5").value(Datum::Force).unwrap(), 1e-14);
+    close("ball", ball.value(Quantity::Force).unwrap(), alone("6/5").value(Quantity::Force).unwrap(), 1e-14);
     let socket = row(&body("shape = 'paraboloid'\nparameters = { R = 3 }\nsocket = true"));
-    close("socket", socket.value(Datum::Force).unwrap(), alone("6").value(Datum::Force).unwrap(), 1e-14);
+    close("socket", socket.value(Quantity::Force).unwrap(), alone("6").value(Quantity::Force).unwrap(), 1e-14);
 }
 
 /// C₁₁ … C₄₄ of an isotropic body give E/(1 − ν²); bodies may change places.
@@ -180,10 +180,10 @@ fn units_are_converted_exactly() {
     };
     let one = with("'0.1 um^-0.5'", "'3 GPa'", "{ length = 'um', force = 'mN', pressure = 'GPa' }");
     let other = with("'100 m^(-1/2)'", "'3e9 N/m^2'", "{ length = 'nm', force = 'N' }");
-    close("F", other.value(Datum::Force).unwrap() * 1e3, one.value(Datum::Force).unwrap(), 1e-14);
-    close("a", other.value(Datum::Radius).unwrap() * 1e-3, one.value(Datum::Radius).unwrap(), 1e-14);
+    close("F", other.value(Quantity::Force).unwrap() * 1e3, one.value(Quantity::Force).unwrap(), 1e-14);
+    close("a", other.value(Quantity::Radius).unwrap() * 1e-3, one.value(Quantity::Radius).unwrap(), 1e-14);
     let inches = with("'0.1 um^-0.5'", "'3 GPa'", "{ length = 'mil', force = 'lbf', pressure = 'psi' }");
-    close("F", inches.value(Datum::Force).unwrap() * 4.448_221_615_260_5e3, one.value(Datum::Force).unwrap(), 1e-14);
+    close("F", inches.value(Quantity::Force).unwrap() * 4.448_221_615_260_5e3, one.value(Quantity::Force).unwrap(), 1e-14);
 }
 
 /// From 1e-9 m and 1 Pa to 1e6 m and 1e12 Pa, from d/R = 1e-16 on: Hertz's relation for the paraboloid, its limit for the sphere.
@@ -199,9 +199,14 @@ fn extremes_of_size_and_depth() {
                         .replace("effective_modulus = 1", &format!("effective_modulus = '{modulus} Pa'"))
                 };
                 let hertz = 4.0 / 3.0 * e * r.sqrt() * (share * r).powf(1.5);
-                close("paraboloid", row(&profile("paraboloid")).value(Datum::Force).unwrap(), hertz, 2e-15);
+                close("paraboloid", row(&profile("paraboloid")).value(Quantity::Force).unwrap(), hertz, 2e-15);
                 // The sphere's force is Hertz's times 1 − d/(10 R) + ….
-                close("sphere", row(&profile("sphere")).value(Datum::Force).unwrap(), hertz * (1.0 - share / 10.0), 2e-15 + share * share);
+                close(
+                    "sphere",
+                    row(&profile("sphere")).value(Quantity::Force).unwrap(),
+                    hertz * (1.0 - share / 10.0),
+                    2e-15 + share * share,
+                );
             }
         }
     }
@@ -228,7 +233,7 @@ fn profiles() -> impl Strategy<Value = String> {
 fn force(profile: &str, modulus: f64, depth: f64) -> (f64, State) {
     let own =
         row(&text(profile, &format!("depth = {depth:?}")).replace("effective_modulus = 1", &format!("effective_modulus = {modulus:?}")));
-    (own.value(Datum::Force).unwrap(), own.indented.state.unwrap())
+    (own.value(Quantity::Force).unwrap(), own.indented.state.unwrap())
 }
 
 /// The same profiles in every run; others under `just long`.
@@ -247,7 +252,7 @@ proptest! {
         prop_assume!(own.is_valid());
         let step = 1e-4 * depth;
         let slope = (force(&profile, modulus, depth + step).0 - force(&profile, modulus, depth - step).0) / (2.0 * step);
-        let a = own.value(Datum::Radius).unwrap();
+        let a = own.value(Quantity::Radius).unwrap();
         prop_assert!((slope / (2.0 * modulus * a) - 1.0).abs() < 1e-6, "{} {}", slope, 2.0 * modulus * a);
     }
 
@@ -265,12 +270,12 @@ proptest! {
         let work = with_run(&many, |run| {
             let part = |index: usize| {
                 let s = index as f64 / f64::from(count);
-                run.row(index).unwrap().value(Datum::Force).unwrap() * 4.0 * depth * s.powi(3)
+                run.row(index).unwrap().value(Quantity::Force).unwrap() * 4.0 * depth * s.powi(3)
             };
             let weight = |index: usize| if index == 0 || index == 400 { 1.0 } else if index % 2 == 1 { 4.0 } else { 2.0 };
             (0..=400).map(|index| weight(index) * part(index)).sum::<f64>() / (3.0 * f64::from(count))
         });
-        prop_assert!((work / own.value(Datum::Energy).unwrap() - 1.0).abs() < 1e-5, "{} {:?}", work, own.value(Datum::Energy));
+        prop_assert!((work / own.value(Quantity::Energy).unwrap() - 1.0).abs() < 1e-5, "{} {:?}", work, own.value(Quantity::Energy));
     }
 
     /// Lengths times λ: F times λ²; the modulus times μ: F times μ.
@@ -288,7 +293,7 @@ proptest! {
         let at = |profile: String| row(&text(&profile, &format!("contact_radius = {a:?}")));
         let (cone, ball) = (at(format!("f = 'r*tan({theta:?})'")), at(format!("f = 'r^2/(2*{radius:?})'")));
         let both = at(format!("f = 'r*tan({theta:?})+r^2/(2*{radius:?})'"));
-        for datum in [Datum::Depth, Datum::Force] {
+        for datum in [Quantity::Depth, Quantity::Force] {
             let sum = cone.value(datum).unwrap() + ball.value(datum).unwrap();
             prop_assert!((both.value(datum).unwrap() / sum - 1.0).abs() < 1e-14);
         }
@@ -309,7 +314,7 @@ proptest! {
             // r = a sin t takes the root at a rim away.
             let mut integrand = |t: Point| {
                 let r = a * t.x.sin();
-                match run.point(Curve::Pressure, Some(&state), r).value {
+                match run.point(Quantity::Pressure, Some(&state), r).value {
                     Ok((p, error)) => Bounded { value: p * r * a * t.x.cos(), error: error * r * a },
                     Err(_) => Bounded::exact(0.0),
                 }

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use sneddon::contact::State;
-use sneddon::scene::{Curve, Datum, Fit, MeasuredTip, Run, Scene, SceneError, scene};
+use sneddon::scene::{Fit, MeasuredTip, Quantity, Run, Scene, SceneError, scene};
 use std::fmt::Write;
 
 /// Nodes and weights of Gauss–Legendre quadrature on (0, 1).
@@ -38,7 +38,7 @@ fn solved<T>(scene: &Scene, look: impl Fn(&Run<'_>, &State) -> T) -> ([f64; 4], 
     let run = Run::new(scene, &solution).unwrap();
     let row = run.row(0).unwrap();
     assert!(row.is_valid(), "{row:?}");
-    let values = [Datum::Depth, Datum::Force, Datum::Radius, Datum::Energy].map(|datum| row.value(datum).unwrap());
+    let values = [Quantity::Depth, Quantity::Force, Quantity::Radius, Quantity::Energy].map(|datum| row.value(datum).unwrap());
     (values, look(&run, &row.indented.state.unwrap()))
 }
 
@@ -84,7 +84,7 @@ const SHAPES: [Known; 5] = [
 const PARTS: [f64; 4] = [0.13, 0.4, 0.66, 0.85];
 
 fn pressures(run: &Run<'_>, state: &State) -> Vec<f64> {
-    PARTS.iter().map(|part| run.point(Curve::Pressure, Some(state), part * state.radius).value.unwrap().0).collect()
+    PARTS.iter().map(|part| run.point(Quantity::Pressure, Some(state), part * state.radius).value.unwrap().0).collect()
 }
 
 /// Depths that reach contact radii anywhere between two points.
@@ -132,10 +132,11 @@ fn model_errors_cover_the_true_errors() {
                 let (own, (pressure, said)) = solved(&scene, |run, state| {
                     let row = run.row_model_errors(0, Some(state)).unwrap();
                     let second = run.second_state(0).unwrap();
-                    let point = |part: &f64| run.point_model_error(Curve::Pressure, Some((state, &second)), part * state.radius).unwrap();
+                    let point =
+                        |part: &f64| run.point_model_error(Quantity::Pressure, Some((state, &second)), part * state.radius).unwrap();
                     let most = PARTS.iter().map(point).fold(0.0, f64::max);
-                    let of = |datum: Datum| row.iter().find(|own| own.0 == datum).unwrap().1.unwrap();
-                    (pressures(run, state), [of(Datum::Force), of(Datum::Radius), most])
+                    let of = |datum: Quantity| row.iter().find(|own| own.0 == datum).unwrap().1.unwrap();
+                    (pressures(run, state), [of(Quantity::Force), of(Quantity::Radius), most])
                 });
                 let worst = pressure.iter().zip(exact_pressure).map(|(p, e)| (p - e).abs()).fold(0.0, f64::max);
                 for (index, error) in [(own[1] - exact[1]).abs(), (own[2] - exact[2]).abs(), worst].into_iter().enumerate() {
@@ -250,7 +251,7 @@ fn laws_hold_on_measured_tips() {
             ends.push(std::f64::consts::FRAC_PI_2);
             let value = |t: f64| {
                 let r = a * t.sin();
-                let p = run.point(Curve::Pressure, Some(state), r).value.unwrap().0;
+                let p = run.point(Quantity::Pressure, Some(state), r).value.unwrap().0;
                 2.0 * std::f64::consts::PI * p * r * a * t.cos()
             };
             let panel = |pair: &[f64]| integral(pair[0], pair[1], value);

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
 use sneddon::parse;
-use sneddon::transform::{Evaluator, Method, Profile, Quantity, Slice, derive};
+use sneddon::transform::{Evaluator, Method, Profile, Slice, Superposed, derive};
 use sneddon_checks::formulas::bindings;
 use sneddon_checks::profiles::{Outcome, compare, sample};
 use sneddon_checks::random::Stream;
@@ -52,10 +52,10 @@ fn dense_slices_are_never_wrong() {
         let width = stream.log_uniform(1e-5, 0.05);
         let points: Vec<f64> = (0..DENSE).map(|_| (first * (1.0 + width * stream.unit())).min(end * (1.0 - 1e-9))).collect();
         let a = first + (end - first) * stream.unit();
-        for quantity in [Quantity::Slope, Quantity::Force, Quantity::Pressure] {
+        for quantity in [Superposed::Equivalent, Superposed::Force, Superposed::Pressure] {
             let fill = |points: &[f64], out: &mut [f64]| match quantity {
-                Quantity::Slope => evaluator.slopes(points, Slice::values(out)),
-                Quantity::Force => evaluator.forces(points, Slice::values(out)),
+                Superposed::Equivalent => evaluator.slopes(points, Slice::values(out)),
+                Superposed::Force => evaluator.forces(points, Slice::values(out)),
                 _ => evaluator.pressures(points, a, Slice::values(out)),
             };
             if fill(&points, &mut values).is_err() {
@@ -67,7 +67,7 @@ fn dense_slices_are_never_wrong() {
                     single += 1;
                     continue;
                 }
-                let inputs = if quantity == Quantity::Pressure { vec![x, a] } else { vec![x] };
+                let inputs = if quantity == Superposed::Pressure { vec![x, a] } else { vec![x] };
                 let truth = evaluator.with_30_digits(quantity, &inputs).unwrap().unwrap();
                 let size = truth.value.hi.abs();
                 let unit = f64::from_bits(size.to_bits() + 1) - size;

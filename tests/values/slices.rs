@@ -4,7 +4,7 @@
 use sneddon::expr::Bindings;
 use sneddon::num::work;
 use sneddon::parse;
-use sneddon::transform::{Evaluator, Method, Profile, Quantity, Reading, Slice, Solution, TransformError, derive};
+use sneddon::transform::{Evaluator, Method, Profile, Reading, Slice, Solution, Superposed, TransformError, derive};
 use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
 use std::sync::atomic::AtomicBool;
@@ -192,7 +192,7 @@ fn dense_slices_have_every_digit() {
         let mut stream = Stream::new(46);
         let points: Vec<f64> = (0..150_000).map(|_| stream.uniform(0.9, 1.99)).collect();
         let mut values = vec![0.0; points.len()];
-        let mut check = |quantity: Quantity, values: &[f64], radius: Option<f64>| {
+        let mut check = |quantity: Superposed, values: &[f64], radius: Option<f64>| {
             let largest = values.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
             for place in (0..points.len()).step_by(241) {
                 let inputs: Vec<f64> = std::iter::once(points[place]).chain(radius).collect();
@@ -211,14 +211,14 @@ fn dense_slices_have_every_digit() {
             }
         };
         evaluator.slopes(&points, Slice::values(&mut values)).unwrap();
-        check(Quantity::Slope, &values, None);
+        check(Superposed::Equivalent, &values, None);
         evaluator.forces(&points, Slice::values(&mut values)).unwrap();
-        check(Quantity::Force, &values, None);
+        check(Superposed::Force, &values, None);
         if evaluator.pressures(&points[..1], 1.995, Slice::values(&mut values[..1])).is_ok()
-            && evaluator.with_30_digits(Quantity::Pressure, &[1.0, 1.995]).unwrap().is_some()
+            && evaluator.with_30_digits(Superposed::Pressure, &[1.0, 1.995]).unwrap().is_some()
         {
             evaluator.pressures(&points, 1.995, Slice::values(&mut values)).unwrap();
-            check(Quantity::Pressure, &values, Some(1.995));
+            check(Superposed::Pressure, &values, Some(1.995));
         }
     }
     println!("{missed} of {all} values are off by more than 0.8 units, the worst by {worst:e} of the largest");

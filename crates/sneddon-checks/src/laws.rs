@@ -6,7 +6,7 @@ use sneddon::contact::{Boundary, SpringFoundation, State};
 use sneddon::expr::Bindings;
 use sneddon::num::quadrature::{Options, Panel, Point, integrate};
 use sneddon::num::{Bounded, NumError};
-use sneddon::scene::{Control, Curve, Loads, Run, Scene, scene};
+use sneddon::scene::{Control, Loads, Quantity, Run, Scene, scene};
 use sneddon::transform::{Evaluator, Method, Solution};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -105,8 +105,8 @@ fn laws(scene: &Scene, drawn: &Drawn, tally: &mut Tally, said: &impl Fn() -> Str
         tally.hold(0, deviation, said);
     }
     tally.hold(1, (force_of_pressure(&run, &state, &breakpoints(&solution, state.radius)?)? / state.force - 1.0).abs(), said);
-    let g = |x: f64| height(&run, Curve::Equivalent, x);
-    let f = height(&run, Curve::Profile, state.radius);
+    let g = |x: f64| height(&run, Quantity::Equivalent, x);
+    let f = height(&run, Quantity::Profile, state.radius);
     let edges: Vec<f64> = std::iter::once(0.0).chain(breakpoints(&solution, state.radius)?).collect();
     let last = edges.last().copied()?;
     let back = panels(&edges, state.radius, |x| {
@@ -132,7 +132,7 @@ fn laws(scene: &Scene, drawn: &Drawn, tally: &mut Tally, said: &impl Fn() -> Str
 }
 
 /// f or g in computed units.
-fn height(run: &Run<'_>, curve: Curve, at: f64) -> f64 {
+fn height(run: &Run<'_>, curve: Quantity, at: f64) -> f64 {
     run.point(curve, None, at).value.map_or(f64::NAN, |(value, _)| value / run.scene().system.out(curve.dimension()))
 }
 
@@ -154,9 +154,9 @@ fn force_of_pressure(run: &Run<'_>, state: &State, breaks: &[f64]) -> Option<f64
     let edges: Vec<f64> = std::iter::once(0.0).chain(breaks.iter().map(|b| (b / a).asin())).collect();
     let value = |t: Point| {
         let (sine, cosine) = (t.x.sin(), t.x.cos());
-        run.point(Curve::Pressure, Some(state), a * sine).value.map_or(f64::NAN, |(p, _)| p * sine * cosine)
+        run.point(Quantity::Pressure, Some(state), a * sine).value.map_or(f64::NAN, |(p, _)| p * sine * cosine)
     };
-    let factor = run.scene().system.out(Curve::Pressure.dimension());
+    let factor = run.scene().system.out(Quantity::Pressure.dimension());
     Some(2.0 * PI * a * a * panels(&edges, FRAC_PI_2, value)? / factor)
 }
 
@@ -233,7 +233,7 @@ fn with_rim(smooth: &Scene, part: f64, tally: &mut Tally, said: &impl Fn() -> St
     let solution = own.solution().ok()?;
     let run = Run::new(&own, &solution).ok()?;
     tally.hold(1, (force_of_pressure(&run, &pressed, &breakpoints(&solution, c)?)? / pressed.force - 1.0).abs(), said);
-    let g = |x: f64| height(&run, Curve::Equivalent, x);
+    let g = |x: f64| height(&run, Quantity::Equivalent, x);
     springs(&g, c, &pressed, own.effective_modulus, tally, said);
     Some(())
 }

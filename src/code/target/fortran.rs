@@ -2,7 +2,7 @@
 
 use super::{Target, Words, comment, decimal, head, parts};
 use crate::code::accuracy::ELEMENTARY;
-use crate::code::build::Program;
+use crate::code::build::{Program, routine_name};
 
 pub(super) struct Fortran;
 
@@ -87,7 +87,7 @@ impl Target for Fortran {
         let mut lines = head(program);
         lines.push("Outside the domain the result is a quiet NaN.".to_owned());
         let mut text = comment(&lines, "! ");
-        let public: Vec<String> = program.quantities.iter().map(|own| self.spelled(&own.routine())).collect();
+        let public: Vec<String> = program.quantities.iter().map(|own| self.spelled(&routine_name(*own))).collect();
         text.push_str(&format!("module sneddon\n{HEAD}    public :: {}\n{INTERFACE}contains\n", public.join(", ")));
         for routine in &program.routines {
             let (list, body) = parts(routine, self);

@@ -2,7 +2,7 @@
 
 use super::{Target, Words, comment, decimal, head, parts};
 use crate::code::accuracy::ELEMENTARY;
-use crate::code::build::Program;
+use crate::code::build::{Program, routine_name};
 use crate::code::tree::Routine;
 
 pub(super) struct Matlab;
@@ -82,7 +82,8 @@ impl Target for Matlab {
         let mut text = comment(&lines, "% ");
         // What is called from outside comes first.
         let (public, inner): (Vec<&Routine>, Vec<&Routine>) = program.routines.iter().partition(|own| program.is_public(own));
-        let rank = |own: &&Routine| program.quantities.iter().position(|quantity| quantity.routine() == own.name).unwrap_or(usize::MAX);
+        let rank =
+            |own: &&Routine| program.quantities.iter().position(|quantity| routine_name(*quantity) == own.name).unwrap_or(usize::MAX);
         let mut public = public;
         public.sort_by_key(rank);
         for routine in public.into_iter().chain(inner) {

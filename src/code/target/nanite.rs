@@ -2,7 +2,8 @@
 
 use super::python::{Python, imports, routines};
 use super::{Target, comment, decimal, head};
-use crate::code::build::{Program, Requested};
+use crate::code::build::{Program, routine_name};
+use crate::contact::Quantity;
 
 /// The model file of a program that has F and a.
 pub(super) fn file(program: &Program) -> String {
@@ -28,12 +29,12 @@ pub(super) fn file(program: &Program) -> String {
     let described: Vec<String> = program
         .routines
         .iter()
-        .filter(|own| own.name == Requested::Force.routine() || own.name == Requested::ContactRadius.routine())
+        .filter(|own| own.name == routine_name(Quantity::Force) || own.name == routine_name(Quantity::Radius))
         .flat_map(|own| own.comment.clone())
         .collect();
     let described = comment(&described, "    ").replace('"', " ");
     let arguments = identifiers.iter().map(|own| format!(", {own}")).collect::<String>();
-    let (radius, force) = (Python.spelled(&Requested::ContactRadius.routine()), Python.spelled(&Requested::Force.routine()));
+    let (radius, force) = (Python.spelled(&routine_name(Quantity::Radius)), Python.spelled(&routine_name(Quantity::Force)));
     text.push_str(&format!(
         "
 

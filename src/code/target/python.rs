@@ -2,7 +2,7 @@
 
 use super::{Target, Words, comment, decimal, head, parts};
 use crate::code::accuracy::ELEMENTARY;
-use crate::code::build::Program;
+use crate::code::build::{Program, routine_name};
 
 pub(super) struct Python;
 
@@ -93,13 +93,13 @@ impl Target for Python {
         text.push_str(&routines(program));
         text.push_str(CHECKED);
         for quantity in &program.quantities {
-            let name = quantity.routine();
+            let name = routine_name(*quantity);
             let Some(routine) = program.routines.iter().find(|own| own.name == name) else { continue };
             let (list, _) = parts(routine, self);
             text.push_str(&format!(
                 "\n\n{}def {}({list}):\n    return _checked({}, {list})\n",
                 comment(&routine.comment, "# "),
-                quantity.symbol(),
+                quantity.key(),
                 self.spelled(&name)
             ));
         }

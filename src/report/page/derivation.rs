@@ -1,7 +1,7 @@
 //! The page of a derivation: one equation per quantity, then conditions, notes and the check.
 
 use super::{Block, Page, definitions};
-use crate::contact::RelationKey;
+use crate::contact::Quantity;
 use crate::expr::Formula;
 use crate::print::Prose;
 use crate::report::{Derivation, text};
@@ -12,7 +12,7 @@ impl Page {
         let names = record.names;
         let mut page = Self { title: "Derived relations".to_owned(), is_text: false, blocks: Vec::new() };
         // Where it is asked for, it stands among the others.
-        if !record.asked.contains(&RelationKey::Profile) {
+        if !record.asked.contains(&Quantity::Profile) {
             page.equation("f", &names.name("f(r)"), &names.formula(record.formula()), Prose::default());
         }
         if let Some(shift) = record.shift() {

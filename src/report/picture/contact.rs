@@ -1,21 +1,15 @@
 //! The curves of contacts: numbers over the load, and fields over the radius at the largest load.
 
 use super::{Line, Panel, Picture};
-use crate::contact::State;
-use crate::scene::{Curve, Datum, Dimension, Run};
+use crate::contact::{Kind, Quantity, State};
+use crate::scene::{Dimension, Run};
 use std::f64::consts::FRAC_PI_2;
 
 /// What can be drawn of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pictured {
-    /// A number over the depth; the depth itself over the contact radius.
-    Datum(Datum),
-    /// A function at the largest load.
-    Curve(Curve),
-    /// The line load q(x) of the one-dimensional model.
-    LineLoad,
-    /// Its displacement d − g(x).
-    LineDisplacement,
+    /// A number over the depth, the depth itself over the contact radius; or a function at the largest load.
+    Quantity(Quantity),
     /// The tip in the deformed surface.
     Section,
 }
@@ -39,7 +33,7 @@ impl Picture {
                 if unit.is_empty() { name.to_owned() } else { format!("{name} ({unit})") }
             };
             let (title, horizontal, vertical) = quantity.labels();
-            Panel::new(title, titled(horizontal, Dimension::LENGTH), titled(vertical.0, vertical.1), lines)
+            Panel::new(&title, titled(horizontal, Dimension::LENGTH), titled(&vertical.0, vertical.1), lines)
         });
         Self { panels: panels.collect() }
     }
@@ -47,25 +41,26 @@ impl Picture {
 
 impl Pictured {
     /// The title, the name of the coordinate, and the name and dimension of the values.
-    fn labels(self) -> (&'static str, &'static str, (&'static str, Dimension)) {
-        match self {
-            Self::Datum(Datum::Depth) => ("Depth", "contact radius a", ("depth d", Dimension::LENGTH)),
-            Self::Datum(Datum::Force) => ("Force", "depth d", ("normal force F", Dimension::FORCE)),
-            Self::Datum(Datum::Radius) => ("Contact radius", "depth d", ("contact radius a", Dimension::LENGTH)),
-            Self::Datum(Datum::Stiffness) => ("Stiffness", "depth d", ("stiffness k", Dimension::STIFFNESS)),
-            Self::Datum(Datum::MeanPressure) => ("Mean pressure", "depth d", ("mean pressure", Dimension::PRESSURE)),
-            Self::Datum(Datum::Energy) => ("Strain energy", "depth d", ("strain energy U", Dimension::ENERGY)),
-            Self::Curve(Curve::Equivalent) => ("Equivalent profile", "x", ("g(x)", Dimension::LENGTH)),
-            Self::Curve(Curve::Profile) => ("Profile", "radius r", ("f(r)", Dimension::LENGTH)),
-            Self::Curve(Curve::Pressure) => ("Pressure at the largest load", "radius r", ("pressure p", Dimension::PRESSURE)),
-            Self::Curve(Curve::Displacement) => ("Displacement at the largest load", "radius r", ("displacement u", Dimension::LENGTH)),
-            Self::Curve(Curve::AxialStress) => {
-                ("Stress on the axis at the largest load", "depth below the surface z", ("σ_zz", Dimension::PRESSURE))
-            }
-            Self::LineLoad => ("Line load of the one-dimensional model", "x", ("line load q", Dimension::STIFFNESS)),
-            Self::LineDisplacement => ("Displacement of the one-dimensional model", "x", ("d − g(x)", Dimension::LENGTH)),
-            Self::Section => ("Tip and surface at the largest load", "radius r", ("height", Dimension::LENGTH)),
+    fn labels(self) -> (String, &'static str, (String, Dimension)) {
+        let Self::Quantity(own) = self else {
+            return ("Tip and surface at the largest load".to_owned(), "radius r", ("height".to_owned(), Dimension::LENGTH));
+        };
+        let horizontal = match (own.kind(), own.coordinate()) {
+            (Kind::Shape | Kind::Field, "r") => "radius r",
+            (Kind::Shape | Kind::Field, "z") => "depth below the surface z",
+            (Kind::Shape | Kind::Field, _) => "x",
+            _ if own == Quantity::Depth => "contact radius a",
+            _ => "depth d",
+        };
+        let mut title = own.title().to_owned();
+        let vertical = format!("{title} {}", own.key());
+        if own.needs_radius() {
+            title.push_str(" at the largest load");
         }
+        if let Some(first) = title.get_mut(..1) {
+            first.make_ascii_uppercase();
+        }
+        (title, horizontal, (vertical, own.dimension()))
     }
 
     fn lines(self, name: &str, run: &Run<'_>) -> Vec<Line> {
@@ -74,29 +69,15 @@ impl Pictured {
         let state = run.state(last, false);
         let length = run.scene().system.out(Dimension::LENGTH);
         match self {
-            Self::Datum(datum) => vec![line(name.to_owned(), over_loads(run, datum))],
-            Self::Curve(curve) => vec![line(name.to_owned(), over_radius(run, curve, state.as_ref()))],
-            Self::LineLoad | Self::LineDisplacement => {
-                let Some(state) = state else { return Vec::new() };
-                // E* per length is a pressure; what is left are lengths.
-                let factor = if self == Self::LineLoad {
-                    run.scene().effective_modulus * run.scene().system.out(Dimension::STIFFNESS) / length
-                } else {
-                    1.0
-                };
-                let points = radii(run, Curve::Pressure, Some(&state)).into_iter().map(|at| {
-                    let g = value(run, Curve::Equivalent, Some(&state), at);
-                    (at * length, factor * (state.depth * length - g))
-                });
-                vec![line(name.to_owned(), points.collect())]
-            }
+            Self::Quantity(own) if own.kind() == Kind::Number => vec![line(name.to_owned(), over_loads(run, own))],
+            Self::Quantity(own) => vec![line(name.to_owned(), over_radius(run, own, state.as_ref()))],
             Self::Section => {
                 let Some(state) = state else { return Vec::new() };
                 let named = |what: &str| if name.is_empty() { what.to_owned() } else { format!("{name}, {what}") };
                 let depth = state.depth * length;
-                let places = radii(run, Curve::Displacement, Some(&state));
-                let tip = places.iter().map(|at| (*at * length, value(run, Curve::Profile, Some(&state), *at) - depth));
-                let surface = places.iter().map(|at| (*at * length, -value(run, Curve::Displacement, Some(&state), *at)));
+                let places = radii(run, Quantity::Displacement, Some(&state));
+                let tip = places.iter().map(|at| (*at * length, value(run, Quantity::Profile, Some(&state), *at) - depth));
+                let surface = places.iter().map(|at| (*at * length, -value(run, Quantity::Displacement, Some(&state), *at)));
                 vec![line(named("tip"), tip.collect()), line(named("surface"), surface.collect())]
             }
         }
@@ -104,8 +85,8 @@ impl Pictured {
 }
 
 /// A number over the depth, or the depth over the contact radius, of the valid loads.
-fn over_loads(run: &Run<'_>, datum: Datum) -> Vec<(f64, f64)> {
-    let abscissa = if datum == Datum::Depth { Datum::Radius } else { Datum::Depth };
+fn over_loads(run: &Run<'_>, datum: Quantity) -> Vec<(f64, f64)> {
+    let abscissa = if datum == Quantity::Depth { Quantity::Radius } else { Quantity::Depth };
     let rows = (0..run.scene().loads.len()).filter_map(|index| run.row(index));
     let point = |row: crate::scene::Row| {
         let valid = row.is_valid();
@@ -115,12 +96,12 @@ fn over_loads(run: &Run<'_>, datum: Datum) -> Vec<(f64, f64)> {
     rows.map(point).collect()
 }
 
-fn over_radius(run: &Run<'_>, curve: Curve, state: Option<&State>) -> Vec<(f64, f64)> {
+fn over_radius(run: &Run<'_>, curve: Quantity, state: Option<&State>) -> Vec<(f64, f64)> {
     let length = run.scene().system.out(Dimension::LENGTH);
     radii(run, curve, state).into_iter().map(|at| (at * length, value(run, curve, state, at))).collect()
 }
 
-fn value(run: &Run<'_>, curve: Curve, state: Option<&State>, at: f64) -> f64 {
+fn value(run: &Run<'_>, curve: Quantity, state: Option<&State>, at: f64) -> f64 {
     match run.point(curve, state, at).value {
         Ok((value, _)) => value,
         Err(why) if why.contains("infinite") => f64::INFINITY,
@@ -129,12 +110,12 @@ fn value(run: &Run<'_>, curve: Curve, state: Option<&State>, at: f64) -> f64 {
 }
 
 /// Places in computed units: for a pressure within the contact and close to its edge, else beyond it as well.
-fn radii(run: &Run<'_>, curve: Curve, state: Option<&State>) -> Vec<f64> {
+fn radii(run: &Run<'_>, curve: Quantity, state: Option<&State>) -> Vec<f64> {
     let a = state.map_or(1.0, |state| state.radius);
     let share = |index: u32| f64::from(index) / f64::from(POINTS);
     let kinks = run.kinks().into_iter().map(|(at, _)| at / run.scene().system.out(Dimension::LENGTH));
     match curve {
-        Curve::Pressure => {
+        Quantity::Pressure => {
             // The pressure is infinite at a kink or an apex: the places next to it show how it rises.
             let near = |at: f64| NEAR_A_KINK.into_iter().flat_map(move |part| [at * (1.0 - part), at * (1.0 + part)]).chain([at]);
             let even = (0..=POINTS).map(|index| a * (FRAC_PI_2 * share(index)).sin());
@@ -143,7 +124,7 @@ fn radii(run: &Run<'_>, curve: Curve, state: Option<&State>) -> Vec<f64> {
             all.sort_by(f64::total_cmp);
             all
         }
-        Curve::Equivalent => (0..=POINTS).map(|index| a * share(index)).collect(),
+        _ if curve.coordinate() == "x" => (0..=POINTS).map(|index| a * share(index)).collect(),
         _ => {
             let mut all: Vec<f64> =
                 (0..=POINTS).map(|index| BEYOND * a * share(index)).chain([a]).chain(kinks.filter(|at| *at < BEYOND * a)).collect();

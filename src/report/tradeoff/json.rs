@@ -78,11 +78,11 @@ pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
     }
     let study = record.study;
     let problem = &study.problem;
-    let factor = problem.quantity.factor();
+    let factor = problem.factor();
     let document = Document {
         profile: Typeset::of(record.profile),
         parameters: record.parameters.iter().map(|(name, value)| (name.as_str(), *value)).collect(),
-        quantity: problem.quantity.symbol(),
+        quantity: problem.quantity.key(),
         coordinate: problem.quantity.coordinate(),
         effective_modulus: 1.0,
         radius: problem.radius,

@@ -40,7 +40,7 @@ fn draw(record: &Tradeoff<'_>, text: &mut String) -> Result<(), Box<dyn Error>> 
     area.fill(&WHITE)?;
     let quantity = record.study.problem.quantity;
     let profile: String = print::text(record.profile).chars().take(TITLE).collect();
-    let title = format!("{}({}) of f(r) = {profile}", quantity.symbol(), quantity.coordinate());
+    let title = format!("{}({}) of f(r) = {profile}", quantity.key(), quantity.coordinate());
     let mut chart = ChartBuilder::on(&area)
         .caption(title, ("sans-serif", 18))
         .margin(12)

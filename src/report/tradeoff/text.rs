@@ -11,7 +11,7 @@ use std::io::{self, Write};
 /// As the writer.
 pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
     let problem = &record.study.problem;
-    let (quantity, coordinate) = (problem.quantity.symbol(), problem.quantity.coordinate());
+    let (quantity, coordinate) = (problem.quantity.key(), problem.quantity.coordinate());
     writeln!(out, "{quantity}({coordinate}) of f(r) = {}", print::text(record.profile))?;
     let mut given: Vec<String> = record.parameters.iter().map(|(name, value)| format!("{name} = {}", number(*value))).collect();
     given.extend(problem.radius.map(|a| format!("a = {}", number(a))));

@@ -1,7 +1,7 @@
 //! What a scene says of a measured tip: its file, and how its points are to be read and joined.
 
 use crate::scene::document::{Entry, Table};
-use crate::scene::{Dimension, Quantity, SceneError, System, Unit};
+use crate::scene::{Dimension, DimensionedNumber, SceneError, System, Unit};
 use std::ops::Range;
 
 /// The keys of `[profile]` that only measured tips have.
@@ -22,9 +22,9 @@ pub enum Smoothing {
     /// As cross-validation finds.
     CrossValidation,
     /// So much that the residual is the noise of the heights.
-    Noise(Quantity),
+    Noise(DimensionedNumber),
     /// The penalty itself, in units of a length cubed.
-    Weight(Quantity),
+    Weight(DimensionedNumber),
 }
 
 /// The slope at the axis.
@@ -49,7 +49,7 @@ pub struct Measured {
     pub(super) apex: Apex,
     pub(super) length_unit: Option<Unit>,
     pub(super) units: [Option<Unit>; 2],
-    typed: Vec<(Quantity, Range<usize>)>,
+    typed: Vec<(DimensionedNumber, Range<usize>)>,
 }
 
 impl Measured {
@@ -126,7 +126,7 @@ impl Measured {
     }
 
     /// Every number with its unit.
-    pub(in crate::scene) fn quantities(&self) -> impl Iterator<Item = &Quantity> {
+    pub(in crate::scene) fn quantities(&self) -> impl Iterator<Item = &DimensionedNumber> {
         self.typed.iter().map(|own| &own.0)
     }
 
@@ -159,9 +159,9 @@ impl Measured {
     }
 }
 
-fn smoothing(profile: &Table<'_>, typed: &mut Vec<(Quantity, Range<usize>)>) -> Result<Option<Smoothing>, SceneError> {
+fn smoothing(profile: &Table<'_>, typed: &mut Vec<(DimensionedNumber, Range<usize>)>) -> Result<Option<Smoothing>, SceneError> {
     let (noise, weight) = (profile.get("noise"), profile.get("smoothing"));
-    let mut quantity = |entry: &Entry<'_>| -> Result<Quantity, SceneError> {
+    let mut quantity = |entry: &Entry<'_>| -> Result<DimensionedNumber, SceneError> {
         let own = entry.quantity()?;
         typed.push((own.clone(), entry.span()));
         Ok(own)

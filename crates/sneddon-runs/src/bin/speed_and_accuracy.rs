@@ -40,7 +40,7 @@ fn main() {
         for quantity in [Quantity::Force, Quantity::Equivalent, Quantity::Pressure] {
             let study = studied(&solution, quantity);
             let record = Tradeoff { profile: &formula, parameters: Vec::new(), study: &study };
-            let symbol = quantity.symbol();
+            let symbol = quantity.key();
             let closed = study.rows.iter().any(|row| row.method == "closed form");
             leaders.push((title, symbol, leader(&study), closed));
             if quantity == Quantity::Force {
@@ -117,7 +117,7 @@ fn place(study: &Study<'_>, text: &mut Vec<u8>) {
     writeln!(
         text,
         "\n### {}({coordinate})\n\n{} points, {coordinate} from {low:.3} to {high:.3}{radius}.\n",
-        problem.quantity.symbol(),
+        problem.quantity.key(),
         problem.points.len()
     )
     .unwrap();

@@ -8,7 +8,7 @@ use std::fmt;
 /// Powers of length and force; a pressure is force/length².
 ///
 /// ```
-/// use sneddon::scene::Dimension;
+/// use sneddon::contact::Dimension;
 /// assert_eq!(Dimension::PRESSURE.times(Dimension::LENGTH).unwrap().to_string(), "force/length");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +53,7 @@ impl Dimension {
     }
 
     /// The powers of length and force.
-    pub(super) fn exponents(self) -> (Expr, Expr) {
+    pub fn exponents(self) -> (Expr, Expr) {
         let exact = |own: Ratio<i64>| Expr::ratio(*own.numer(), *own.denom());
         (exact(self.length), exact(self.force))
     }

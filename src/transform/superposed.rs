@@ -6,9 +6,9 @@ use crate::expr::Expr;
 
 /// The quantities that superpose term by term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+pub enum Superposed {
     /// g(x).
-    Slope,
+    Equivalent,
     /// F(a)/(2E*) under a smooth edge.
     Force,
     /// p(r)·π/E* under a smooth edge.
@@ -17,11 +17,11 @@ pub enum Quantity {
     Outside,
 }
 
-impl Quantity {
+impl Superposed {
     /// The symbol that reports use.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Slope => "g",
+            Self::Equivalent => "g",
             Self::Force => "F",
             Self::Pressure => "p",
             Self::Outside => "u outside the contact",
@@ -30,13 +30,13 @@ impl Quantity {
 
     /// The symbol of the outer end: x for g, a for the others.
     pub(super) fn coordinate(self) -> &'static str {
-        if self == Self::Slope { "x" } else { "a" }
+        if self == Self::Equivalent { "x" } else { "a" }
     }
 
     fn branches(self, solved: &SolvedTerm) -> Option<Branches> {
         let answer = || solved.answer.as_ref().map(|(_, answer)| answer);
         match self {
-            Self::Slope => Some(answer()?.slope.clone()),
+            Self::Equivalent => Some(answer()?.slope.clone()),
             Self::Force => Some(answer()?.force.clone()),
             Self::Pressure => answer()?.pressure.clone(),
             // Known for terms, whatever their rules say.
@@ -47,7 +47,7 @@ impl Quantity {
     /// True where the closed form of the term agreed with quadrature when it was derived; no formula of u outside is shown.
     pub(super) fn agrees(self, solved: &SolvedTerm) -> bool {
         match self {
-            Self::Slope => solved.agreement.slope,
+            Self::Equivalent => solved.agreement.slope,
             Self::Force => solved.agreement.force,
             Self::Pressure => solved.agreement.pressure,
             Self::Outside => false,
@@ -57,7 +57,7 @@ impl Quantity {
     /// True where the term's share of the quantity is left as an integral.
     pub(super) fn is_open(self, solved: &SolvedTerm) -> bool {
         match self {
-            Self::Slope | Self::Force => solved.is_open(),
+            Self::Equivalent | Self::Force => solved.is_open(),
             Self::Pressure => solved.has_open_pressure(),
             Self::Outside => rules::outside(&solved.term).is_none(),
         }
@@ -66,7 +66,7 @@ impl Quantity {
 
 impl SolvedChain {
     /// The sum of the closed answers where the contact ends in the given interval.
-    pub(super) fn closed(&self, interval: usize, quantity: Quantity, pick: impl Fn(&Pair) -> &Expr) -> Expr {
+    pub(super) fn closed(&self, interval: usize, quantity: Superposed, pick: impl Fn(&Pair) -> &Expr) -> Expr {
         let mut terms = Vec::new();
         for (index, own) in self.intervals.iter().enumerate().take(interval + 1) {
             for branches in own.terms.iter().filter_map(|term| quantity.branches(term)) {
@@ -92,12 +92,12 @@ impl Solution {
     /// g(x) is over x, F/(2E*) over a, and p π/E* over r and a, r < a.
     ///
     /// ```
-    /// use sneddon::{parse, transform::{Profile, Quantity, derive}};
+    /// use sneddon::{parse, transform::{Profile, Superposed, derive}};
     /// let solution = derive(&Profile::new(&parse::profile("r^2/2").unwrap()).unwrap()).unwrap();
-    /// let chains = solution.evaluated(Quantity::Slope).unwrap();
+    /// let chains = solution.evaluated(Superposed::Equivalent).unwrap();
     /// assert_eq!(sneddon::print::text_expr(&chains[0].values[0]), "x^2");
     /// ```
-    pub fn evaluated(&self, quantity: Quantity) -> Option<Vec<EvaluatedChain>> {
+    pub fn evaluated(&self, quantity: Superposed) -> Option<Vec<EvaluatedChain>> {
         if self.terms().any(|term| quantity.is_open(term)) {
             return None;
         }

@@ -10,20 +10,20 @@ use num_traits::ToPrimitive;
 
 /// A number, exactly, with its unit if it has one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Quantity {
+pub struct DimensionedNumber {
     text: String,
     number: Expr,
     unit: Option<Unit>,
 }
 
-impl Quantity {
+impl DimensionedNumber {
     /// Reads a number with or without a unit behind it.
     ///
     /// ```
-    /// use sneddon::scene::{Dimension, Quantity};
-    /// let length = Quantity::parse("250 nm").unwrap();
+    /// use sneddon::scene::{Dimension, DimensionedNumber};
+    /// let length = DimensionedNumber::parse("250 nm").unwrap();
     /// assert_eq!(length.dimension(), Some(Dimension::LENGTH));
-    /// assert_eq!(Quantity::parse("pi/6").unwrap().dimension(), None);
+    /// assert_eq!(DimensionedNumber::parse("pi/6").unwrap().dimension(), None);
     /// ```
     ///
     /// # Errors

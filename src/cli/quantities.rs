@@ -1,0 +1,44 @@
+//! `--quantity`: quantities by their keys.
+
+use super::Failure;
+use crate::contact::Quantity;
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command};
+use std::ffi::OsStr;
+
+/// A quantity that a command has, or the reason why it has not.
+pub(super) type Answered = fn(Quantity) -> Result<(), &'static str>;
+
+/// Reads the key of any quantity; help lists those that the command has.
+#[derive(Clone)]
+pub(super) struct Quantities(pub(super) Answered);
+
+impl TypedValueParser for Quantities {
+    type Value = Quantity;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Quantity, clap::Error> {
+        let typed = value.to_string_lossy();
+        Quantity::of(&typed).ok_or_else(|| {
+            let mut error = clap::Error::new(ErrorKind::InvalidValue).with_cmd(command);
+            if let Some(argument) = argument {
+                error.insert(ContextKind::InvalidArg, ContextValue::String(argument.to_string()));
+            }
+            error.insert(ContextKind::InvalidValue, ContextValue::String(typed.into_owned()));
+            let known = self.possible_values().into_iter().flatten().map(|own| own.get_name().to_owned());
+            error.insert(ContextKind::ValidValue, ContextValue::Strings(known.collect()));
+            error
+        })
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let known = Quantity::ALL.iter().filter(|own| (self.0)(**own).is_ok());
+        Some(Box::new(known.map(|own| PossibleValue::new(own.key()).help(format!("{} {}", own.title(), own.left(false))))))
+    }
+}
+
+/// Refuses, by name and with the reason, the first quantity that the command does not have.
+pub(super) fn demand(asked: &[Quantity], answered: Answered) -> Result<(), Failure> {
+    let refused = |own: &Quantity| answered(*own).err().map(|why| Failure::new(format!("--quantity {}: {why}", own.key())));
+    asked.iter().find_map(refused).map_or(Ok(()), Err)
+}

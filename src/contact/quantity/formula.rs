@@ -1,0 +1,138 @@
+//! The formulas of the quantities: the derived relations, and what follows from them by definition.
+
+use crate::contact::Relations;
+use crate::expr::{Bindings, Expr, Formula, Symbol, derivative, shown};
+use crate::transform::{Derived, Profile};
+use std::borrow::Cow;
+
+/// What the formulas of a contact are made from.
+#[derive(Clone, Copy)]
+pub struct Formulas<'a> {
+    /// The derived relations.
+    pub relations: &'a Relations,
+    /// f as it was typed.
+    pub typed: &'a Formula,
+    /// The profile.
+    pub shape: &'a Profile,
+    /// True for a punch with a rim at the contact radius.
+    pub has_rim: bool,
+}
+
+type Found<'a> = Cow<'a, Derived>;
+
+impl<'a> Formulas<'a> {
+    /// f(r) − f(0).
+    pub(super) fn profile(&self) -> Found<'a> {
+        let formula = Formula::sum([self.typed.clone(), Formula::Closed(-&self.shape.shift)]);
+        Cow::Owned(Derived::given(formula))
+    }
+
+    /// G = a d − F/(2E), under a smooth edge and under a rim.
+    pub(super) fn integral(&self) -> Found<'a> {
+        let Relations { d, force, .. } = self.relations;
+        let below = d.formula.clone().scaled(&a());
+        let part = force.formula.clone().scaled(&-(Expr::integer(2) * modulus()).recip());
+        by_definition(over_x(Formula::sum([below, part])), force)
+    }
+
+    /// A = πa².
+    pub(super) fn area(&self) -> Found<'a> {
+        let stiffness = &self.relations.stiffness;
+        let formula = Formula::Closed(Expr::pi() * a().power(2));
+        Cow::Owned(Derived { formula, reference: Vec::new(), ..stiffness.clone() })
+    }
+
+    /// F/(πa²).
+    pub(super) fn mean_pressure(&self) -> Found<'a> {
+        let force = &self.relations.force;
+        by_definition(force.formula.clone().scaled(&(Expr::pi() * a().power(2)).recip()), force)
+    }
+
+    /// d − g(x).
+    pub(super) fn line_displacement(&self) -> Found<'a> {
+        by_definition(self.compressed(), &self.relations.g)
+    }
+
+    /// E*(d − g(x)).
+    pub(super) fn line_load(&self) -> Found<'a> {
+        by_definition(self.compressed().scaled(&modulus()), &self.relations.g)
+    }
+
+    /// Every spring holds E w²/2 per length, on either side of the axis.
+    pub(super) fn energy(&self) -> Option<Found<'a>> {
+        let work = self.compressed().as_closed()?.power(2);
+        Some(by_definition(integral(Formula::Closed(work), "x", Expr::zero(), a()).scaled(&modulus()), &self.relations.g))
+    }
+
+    /// d − f(r) within the contact, an integral outside.
+    pub(super) fn displacement(&self) -> Option<Found<'a>> {
+        let (d, shift) = (self.relations.d.formula.clone(), Formula::Closed(self.shape.shift.clone()));
+        let inside = Formula::sum([d, self.typed.clone().scaled(&Expr::integer(-1)), shift]);
+        let (r, x) = (Expr::symbol("r"), Expr::symbol("x"));
+        let load = self.compressed().as_closed()? / (r.power(2) - x.power(2)).sqrt();
+        let outside = integral(Formula::Closed(load), "x", Expr::zero(), a()).scaled(&(Expr::integer(2) / Expr::pi()));
+        let formula = Formula::Piecewise { variable: Symbol::new("r"), pieces: vec![(inside, a())], last: Box::new(outside) };
+        Some(by_definition(formula, &self.relations.g))
+    }
+
+    /// −(E*/π) ∫₀^a g′ x(x²+3z²)/(x²+z²)² dx; `None` under a rim, whose edge adds a term that is left to numbers.
+    pub(super) fn axial_stress(&self) -> Option<Found<'a>> {
+        if self.has_rim {
+            return None;
+        }
+        let (x, z, g) = (Expr::symbol("x"), Expr::symbol("z"), &self.relations.g);
+        let derived = derivative(&shown(g.formula.as_closed()?), &Symbol::new("x")).ok()?;
+        let (square, depth) = (x.power(2), z.power(2));
+        let weight = x * (&square + Expr::integer(3) * &depth) / (square + depth).power(2);
+        let formula = integral(Formula::Closed(derived * weight), "x", Expr::zero(), a()).scaled(&-(modulus() / Expr::pi()));
+        Some(by_definition(formula, g))
+    }
+
+    /// d − g(x).
+    fn compressed(&self) -> Formula {
+        let Relations { d, g, .. } = self.relations;
+        Formula::sum([d.formula.clone(), g.formula.clone().scaled(&Expr::integer(-1))])
+    }
+}
+
+fn a() -> Expr {
+    Expr::symbol("a")
+}
+
+fn modulus() -> Expr {
+    Expr::symbol("E")
+}
+
+/// A formula that follows from a relation.
+fn by_definition<'a>(formula: Formula, from: &Derived) -> Found<'a> {
+    let status = if holds_integral(&formula) { from.status.integrated() } else { from.status };
+    Cow::Owned(Derived { formula, status, ..from.clone() })
+}
+
+fn integral(integrand: Formula, variable: &str, lower: Expr, upper: Expr) -> Formula {
+    Formula::Integral { integrand: Box::new(integrand), variable: Symbol::new(variable), lower, upper }
+}
+
+/// A formula over a as one over x.
+fn over_x(formula: Formula) -> Formula {
+    let renamed = Bindings::one("a", Expr::symbol("x"));
+    match formula {
+        Formula::Piecewise { pieces, last, .. } => Formula::Piecewise {
+            variable: Symbol::new("x"),
+            pieces: pieces.into_iter().map(|(value, end)| (value.substitute(&renamed), end)).collect(),
+            last: Box::new(last.substitute(&renamed)),
+        },
+        Formula::Sum(parts) => Formula::sum(parts.into_iter().map(over_x)),
+        other => other.substitute(&renamed),
+    }
+}
+
+fn holds_integral(formula: &Formula) -> bool {
+    match formula {
+        Formula::Closed(_) => false,
+        Formula::Sum(parts) => parts.iter().any(holds_integral),
+        Formula::Scaled(_, inner) => holds_integral(inner),
+        Formula::Piecewise { pieces, last, .. } => holds_integral(last) || pieces.iter().any(|(value, _)| holds_integral(value)),
+        Formula::Integral { .. } => true,
+    }
+}

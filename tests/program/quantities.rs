@@ -1,0 +1,96 @@
+//! The list of quantities in every command: each one answers, or refuses by name and with a reason.
+#![cfg(all(feature = "cli", unix))]
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use sneddon::contact::{Kind, Quantity};
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_sneddon")).args(arguments).output().unwrap()
+}
+
+#[test]
+fn every_command_answers_or_refuses_every_quantity() {
+    let commands: [(&[&str], usize); 5] = [
+        (&["eval", "r^2/4", "--at", "0.2", "--radius", "0.5", "--json"], 18),
+        (&["derive", "r^2/4", "--json"], 16),
+        (&["plot", "r^2/4", "--radius", "0.5"], 15),
+        (&["code", "r^2/4", "--lang", "c"], 5),
+        (&["tradeoff", "r^2/4", "--budget", "0.05"], 3),
+    ];
+    for (command, count) in commands {
+        let help = String::from_utf8(run(&[command[0], "--help"]).stdout).unwrap();
+        let mut answered = 0;
+        for quantity in Quantity::ALL {
+            let key = quantity.key();
+            let done = run(&[command, &["--quantity", key]].concat());
+            let (out, said) = (String::from_utf8(done.stdout).unwrap(), String::from_utf8(done.stderr).unwrap());
+            if done.status.success() {
+                answered += 1;
+                assert!(help.contains(&format!("- {key}:")), "{command:?} {key}: {help}");
+                // A document has the quantity that was asked for, under its key.
+                let named = [quantity.key(), quantity.relation()].map(|own| format!("\"{own}\""));
+                assert!(command.last() != Some(&"--json") || named.iter().any(|own| out.contains(own)), "{command:?} {key}: {out}");
+            } else {
+                assert_eq!(done.status.code(), Some(2), "{command:?} {key}: {said}");
+                assert!(said.starts_with(&format!("error: --quantity {key}: ")) && out.is_empty(), "{command:?} {key}: {said}");
+            }
+        }
+        assert_eq!(answered, count, "{command:?}");
+    }
+}
+
+#[test]
+fn scenes_have_every_quantity_of_a_load_and_references_write_no_other_one() {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("quantities");
+    fs::create_dir_all(&place).unwrap();
+    let scene = |name: &str, quantities: &str| {
+        let path = place.join(name);
+        let outputs = format!("quantities = [{quantities}]\nat = [0.0, 0.2, 0.9]\ndepths = [0.1, 0.4]");
+        let text = format!(
+            "[profile]\nf = \"r^2/(2*R)\"\nparameters = {{ R = 2 }}\n[material]\neffective_modulus = 3\n[load]\ndepth = [0.1, 0.2]\n[outputs]\n{outputs}\n"
+        );
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let known: Vec<&Quantity> = Quantity::ALL.iter().filter(|own| own.kind() != Kind::Inverse).collect();
+    let list = |own: &[&Quantity]| own.iter().map(|own| format!("\"{}\"", own.key())).collect::<Vec<_>>().join(", ");
+    let done = run(&["solve", &scene("all.toml", &list(&known)), "--json"]);
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    for quantity in &known {
+        let key = quantity.key();
+        if quantity.kind() == Kind::Number {
+            let row = &found["rows"][1];
+            assert!(row[key].is_f64() && row["error_estimates"][key].is_f64() && row["bounds"][key].is_string(), "{key}: {row}");
+            // Over the contact radius of the row, as `eval` has it.
+            let a = row["a"].as_f64().unwrap().to_string();
+            let at = if *quantity == &Quantity::Radius { row["d"].as_f64().unwrap().to_string() } else { a };
+            let own = run(&["eval", "r^2/4", "--quantity", key, "--at", &at, "--effective-modulus", "3", "--json"]);
+            let own: serde_json::Value = serde_json::from_slice(&own.stdout).unwrap();
+            let (value, known) = (row[key].as_f64().unwrap(), own["points"][0]["value"].as_f64().unwrap());
+            assert!((value - known).abs() <= 1e-14 * known.abs(), "{key}: {value} {known}");
+        } else {
+            let curves = found["curves"].as_array().unwrap();
+            let own: Vec<_> = curves.iter().filter(|own| own["quantity"] == key).collect();
+            assert_eq!(own.len(), if quantity.kind() == Kind::Shape { 1 } else { 2 }, "{key}");
+            assert!(own.iter().flat_map(|own| own["points"].as_array().unwrap()).all(|own| own["value"].is_f64()), "{key}: {own:?}");
+        }
+    }
+    for (quantities, fields) in
+        [("\"sigma_zz\"", None), ("\"q\", \"sigma_zz\"", None), ("\"p\", \"sigma_zz\"", Some("p")), ("\"d\"", Some("p"))]
+    {
+        let done = run(&["reference", &scene("one.toml", quantities), "--json"]);
+        let said = String::from_utf8(done.stderr).unwrap();
+        match fields {
+            None => assert!(done.status.code() == Some(2) && done.stdout.is_empty() && said.contains("is not a field"), "{said}"),
+            Some(own) => {
+                let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+                let fields = found["loads"][0]["fields"].as_array().unwrap();
+                assert!(fields.len() == 1 && fields[0]["quantity"] == own, "{found}");
+                assert_eq!(said.contains("sigma_zz is not a field"), quantities.contains("sigma_zz"), "{said}");
+            }
+        }
+    }
+}
