@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 # The longest text of an error, of its message and of its place, in characters; the attributes are whole.
-_MOST, _MESSAGE, _PLACE = 300, 130, 100
+_MOST, _MESSAGE, _PLACE = 300, 190, 100
 
 
 def _without_middle(text: str, most: int) -> str:

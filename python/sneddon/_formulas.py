@@ -112,7 +112,8 @@ class Formula:
             raise SneddonError(f"E = {modulus} is not positive and finite", "E", "the effective modulus is accepted")
         depth = None if self._rim is None else self._depth(parameters)
         profile = self._profile
-        if self.key in ("d", "k") and (missing := self._missing(parameters)) and not missing & self._written():
+        missing = self._missing(parameters)
+        if self.key in ("d", "k") and missing and not missing & self._written():
             # The formula lacks the parameters of the profile, and any other profile has the same one.
             profile, parameters = type(profile)("r^2"), {}
         known = {name: float_of_number(name, value) for name, value in parameters.items()}
@@ -149,7 +150,9 @@ class Formula:
         open_names = self._profile.open_names()
         for name in parameters:
             if name not in open_names:
-                raise SneddonError(f"the profile has no parameter {name}", f"parameter {name}")
+                is_set = name in self._profile.numbers({})
+                help = f"{name} was set when the profile was made; leave it open there" if is_set else None
+                raise SneddonError(f"{_LEFT[self.key]} has no parameter {name}", f"parameter {name}", help)
         return open_names - parameters.keys()
 
 

@@ -79,6 +79,17 @@ def test_a_rim_is_part_of_the_formula():
         open_depth.F(0.5)
 
 
+def test_a_formula_does_not_take_parameters_that_are_set():
+    """Class "one formula is printed, another evaluated"."""
+    for given in ({}, {"depth": 0.3}):
+        found = sneddon.Profile("C*r^n", n=2).derive(**given)
+        assert found.F(0.5, C=1.0) == pytest.approx(2 * 0.3 * 0.5 - 4 / 3 * 0.5**3 if given else 8 / 3 * 0.5**3, rel=1e-15)
+        for key in ("g", "d", "F", "p", "k"):
+            places = (0.2, 0.5) if key == "p" else (0.5,)
+            with pytest.raises(sneddon.SneddonError, match="has no parameter n .*was set"):
+                getattr(found, key)(*places, C=1.0, n=3)
+
+
 def test_a_formula_takes_what_is_written_in_it():
     """Class "a formula demands what it lacks, or takes one name for another"."""
     fixed = sneddon.Profile("r^2/(2*R)").derive(depth=0.3)
@@ -113,6 +124,8 @@ NATURAL = [
     (lambda r: 1 - math.exp(-((r**1.3) ** 2)), "1-exp(-r^2.6)"),
     (lambda r: r**5 / (2 + r) + r * r / 2.5, "r^5/(2+r)+r^2/2.5"),
     (lambda r: 1.4 * r**6 / (1.14 + math.log(math.cosh(r)) ** 2), "1.4*r^6/(1.14+ln(cosh(r))^2)"),
+    (lambda r: math.tan(r) - r, "tan(r)-r"),
+    (lambda r: math.exp(r) - 1 - r, "exp(r)-1-r"),
 ]
 
 

@@ -108,9 +108,9 @@ impl NumericProfile {
     pub(super) fn starts_steeply(&self, a: f64) -> bool {
         let Some(first) = self.segments.iter().find(|segment| segment.lower.value == 0.0) else { return false };
         let r = (1e-12 * a).max(1e3 * f64::MIN_POSITIVE);
-        let (near, nearer) = (first.slope_at(r).value.abs(), first.slope_at(1e-3 * r).value.abs());
-        // f′ ~ r^m with m > 0 falls by 10^(3m); everything slower is steep.
-        nearer > 0.0 && nearer > 0.99 * near
+        let (near, nearer) = (first.slope_at(r), first.slope_at(1e-3 * r));
+        // f′ ~ r^m with m > 0 falls by 10^(3m); everything slower is steep. Rounding next to the axis does not fall either.
+        nearer.value.abs() > nearer.error && nearer.value.abs() > 0.99 * near.value.abs()
     }
 }
 

@@ -263,7 +263,7 @@ fn closures_that_round_next_to_the_axis_are_answered() {
 fn closures_as_people_write_them_are_answered_in_every_unit() {
     type Own = fn(f64) -> f64;
     // Text, f, the unit of length, the digits that are left.
-    let natural: [(&str, Own, f64, f64); 14] = [
+    let natural: [(&str, Own, f64, f64); 23] = [
         ("r^2", |r| 5.0 + r * r, 1.0, 1e-8),
         ("cosh(r)-1", |r| r.cosh(), 1.0, 1e-8),
         ("1-cos(r)", |r| -r.cos(), 1.0, 1e-8),
@@ -278,6 +278,17 @@ fn closures_as_people_write_them_are_answered_in_every_unit() {
         ("acos(1-r^2)", |r| (1.0 - r * r).acos(), 0.7, 1e-7),
         ("sqrt(1-cos(r))", |r| (1.0 - r.cos()).sqrt(), 1.0, 1e-7),
         ("(1-cos(r))/r", |r| if r == 0.0 { 0.0 } else { (1.0 - r.cos()) / r }, 1.0, 1e-7),
+        // Far out the waves of the tangent look like rounding, beside which f is a straight line.
+        ("tan(r)-r", |r| r.tan() - r, 1.0, 1e-8),
+        ("3e-7*tan(r/3e-7)-r", |r| 3e-7 * (r / 3e-7).tan() - r, 3e-7, 1e-8),
+        ("50*tan(r/50)-r", |r| 50.0 * (r / 50.0).tan() - r, 50.0, 1e-8),
+        // Below the rounding of the first term the other one is left, whose slope at the axis is 1.
+        ("exp(r)-1-r", |r| r.exp() - 1.0 - r, 1.0, 1e-8),
+        ("1e-5*(exp(r/1e-5)-1-r/1e-5)", |r| 1e-5 * ((r / 1e-5).exp() - 1.0 - r / 1e-5), 1e-5, 1e-8),
+        ("1+r/2-sqrt(1+r)", |r| 1.0 + 0.5 * r - (1.0 + r).sqrt(), 1.0, 1e-8),
+        ("exp(r^2)-1-r^2", |r| (r * r).exp() - 1.0 - r * r, 1.0, 1e-8),
+        ("1-cos(r)+0.3*r^2", |r| 1.0 - r.cos() + 0.3 * r * r, 1.0, 1e-8),
+        ("r^2/(2-r)", |r| r * r / (2.0 - r), 1.0, 1e-8),
     ];
     for (text, f, unit, widest) in natural {
         let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();

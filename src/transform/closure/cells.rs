@@ -23,6 +23,8 @@ const MOST_CUTS: usize = 64;
 const BESIDE: usize = 3;
 /// Number of doublings below a radius that are searched for cuts.
 const OCTAVES: i32 = 10;
+/// Steps within this multiple of a radius count at it.
+const AHEAD: f64 = 1.1;
 /// Cells that one doubling may be cut into.
 const MOST: usize = 400;
 /// Binary exponents of doubles: from the smallest to the largest.
@@ -63,8 +65,8 @@ struct Doubling {
     seam: Option<f64>,
     /// Places at which quadrature splits its panels; see [`cuts`].
     cuts: Vec<f64>,
-    /// Sum of the noise over runs of adjacent cells, because isolated noise may be a step of φ.
-    steps: f64,
+    /// Where runs of adjacent cells with noise begin, and how large it is: isolated noise may be a step of φ.
+    steps: Vec<(f64, f64)>,
     /// True if the fit that begins at the axis agrees with the slopes of the cells.
     agrees: OnceLock<bool>,
 }
@@ -120,7 +122,8 @@ impl Cells {
 
     /// Returns a bound on the slope at r of steps of φ that were taken for noise.
     pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
-        self.doubling(r, phi).map_or(0.0, |own| hidden_slope(own.steps, r))
+        let below = |own: &Doubling| own.steps.iter().filter(|(from, _)| *from <= AHEAD * r).map(|(_, noise)| noise).sum();
+        self.doubling(r, phi).map_or(0.0, |own| hidden_slope(below(own), r))
     }
 
     /// Returns true if `other` agrees with the slopes of all cells between the powers of two around r, within both bounds; false if the
@@ -187,7 +190,8 @@ impl Cells {
             }
         }
         let runs = cells.chunk_by(|one, other| (one.accepted > 0.0) == (other.accepted > 0.0));
-        let steps = runs.map(|run| run.iter().fold(0.0, |most: f64, cell| most.max(cell.accepted))).sum();
+        let noise = |run: &[Cell]| run.iter().fold(0.0, |most: f64, cell| most.max(cell.accepted));
+        let steps = runs.filter_map(|run| Some((run.first()?.begin(), noise(run)))).filter(|(_, noise)| *noise > 0.0).collect();
         Doubling { cells, seam, cuts: cuts(&sizes), steps, agrees: OnceLock::new() }
     }
 
@@ -264,12 +268,15 @@ impl Cell {
         Self { to, middle, half, orders: [values, slopes, bends], doubt: tail + noise + moved, resolved, size, steepest, accepted: 0.0 }
     }
 
-    /// Coefficients that do not fall when a cell is halved several times are noise beyond what was stated, as of ln(cosh(r)) near the axis.
+    /// Coefficients that neither fall nor grow when a cell is halved several times are noise beyond what was stated, as of ln(cosh(r)) near
+    /// the axis.
     fn accept_noise(&mut self, wider: &[f64; WIDER]) {
-        // At a kink they fall by 8 in three halvings; next to rounding one halving tells.
+        // At a kink they fall by 8 in three halvings, next to a pole they grow by 8; next to rounding one halving tells.
         const STILL: f64 = 0.5;
+        const GROWING: f64 = 4.0;
         let (last, low) = (self.last(LAST), self.noise() == 0.0);
-        if !self.resolved && last.is_finite() && last > STILL * if low { wider[0] } else { wider[2] } {
+        let before = if low { wider[0] } else { wider[2] };
+        if !self.resolved && last > STILL * before && last < GROWING * before {
             self.resolved = true;
             self.accepted = self.noise();
             self.doubt += 4.0 * last;
@@ -294,6 +301,15 @@ impl Cell {
 
     fn derivative(&self, order: usize, r: f64) -> Bounded {
         if self.resolved { self.derivative_within(order, r, 0.0) } else { NOTHING }
+    }
+
+    /// Where the fit begins.
+    fn begin(&self) -> f64 {
+        self.middle - self.half
+    }
+
+    pub(super) fn middle(&self) -> f64 {
+        self.middle
     }
 
     /// Where the fit ends.

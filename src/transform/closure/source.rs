@@ -1,7 +1,7 @@
 //! A function given as Rust code, as a source of f′ and (r f′)′ on one segment.
 
 use super::cells::Cells;
-use super::starts::Starts;
+use super::starts::{Seen, Starts};
 use crate::num::Bounded;
 use crate::transform::SlopeSource;
 use num_complex::Complex64;
@@ -145,14 +145,14 @@ impl Piece {
     /// Returns a derivative from the fits that begin at the axis, or `None` if the fits between powers of two are more accurate.
     fn across_the_axis(&self, order: usize, r: f64) -> Option<Bounded> {
         let phi = |r: f64| self.sample(r);
-        let own = self.starts.as_ref()?.derivative(order, r, &phi)?;
-        if own.error <= CLOSE * own.value.abs() {
+        let (own, seen) = self.starts.as_ref()?.derivative(order, r, &phi)?;
+        if seen != Seen::Slopes || own.error <= CLOSE * own.value.abs() {
             return Some(own);
         }
         let between = self.cells.derivative(order, r, &phi);
         let is_better = between.error.is_nan() || own.error <= between.error;
         // A fit that begins at the axis may be too wide to see a kink that the cells around it see.
-        let slope = |r: f64| self.starts.as_ref()?.derivative(1, r, &phi);
+        let slope = |r: f64| Some(self.starts.as_ref()?.derivative(1, r, &phi)?.0);
         (is_better && self.cells.agree(r, &phi, &slope)).then_some(own)
     }
 

@@ -18,6 +18,8 @@ const BLIND: f64 = 1e-3;
 const HIDDEN: f64 = 5e-8;
 /// Maximum ratio of what rounding hides to the rounding error of the narrow fits next to it, once one of these resolves φ.
 const TRACES: f64 = 1e4;
+/// Maximum ratio of rounding errors to the coefficients that show them.
+const AMPLITUDE: f64 = 16.0;
 /// Number of narrow fits that count as next to another.
 const RECENT: usize = 4;
 /// Maximum ratio of rounding errors between one narrow fit and those next to it; a larger one is a kink.
@@ -29,14 +31,24 @@ const SEVERAL: f64 = 10.0;
 /// Beyond this share of its fit a radius is left to the fits between powers of two.
 const REACH: f64 = 0.75;
 
+/// What narrow fits see of φ.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Seen {
+    Slopes,
+    /// The rounding errors of φ, which hide it.
+    Rounding,
+    /// What is left of φ below its rounding, as -r of exp(r) - 1 - r.
+    Remains,
+}
+
 /// The fits of one function to 0 ≤ r ≤ 2^k, made where they are asked for.
 pub(super) struct Starts {
     upper: f64,
     fits: Box<[OnceLock<Box<Fit>>]>,
     /// Fits between one power of two and the next, beside which the others must stand.
     octaves: Box<[OnceLock<Box<Octave>>]>,
-    /// Which fit serves radii between one power of two and the next.
-    chosen: Box<[OnceLock<Option<i32>>]>,
+    /// Which fit serves radii between one power of two and the next, and what narrower fits see there.
+    chosen: Box<[OnceLock<Option<(i32, Seen)>>]>,
     /// The fit that serves radii at which nothing is seen of φ.
     first: OnceLock<i32>,
 }
@@ -46,6 +58,8 @@ struct Octave {
     cell: Cell,
     /// The apparent rounding error of φ.
     rounding: f64,
+    /// True if φ has waves, poles or kinks here that the fit does not resolve.
+    has_features: bool,
 }
 
 struct Fit {
@@ -67,34 +81,44 @@ impl Starts {
         Self { upper, fits: places(), octaves: places(), chosen: places(), first: OnceLock::new() }
     }
 
-    /// Returns the derivative of φ of order 1 or 2 at r with a bound on its error, or `None` if φ is not smooth from the axis to beyond r.
-    pub(super) fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<Bounded> {
-        Some(self.at(r, phi)?.derivative(order, r))
+    /// Returns the derivative of φ of order 1 or 2 at r with a bound on its error, and what narrower fits see there; `None` if φ is not
+    /// smooth from the axis to beyond r.
+    pub(super) fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<(Bounded, Seen)> {
+        let (fit, seen) = self.at(r, phi)?;
+        Some((fit.derivative(order, r), seen))
     }
 
     /// Returns a bound on the slope at r of steps of φ that were taken for noise.
     pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
-        let octave = exponent_of(r).and_then(|exponent| {
-            let from = libm::scalbn(1.0, exponent);
-            kept(self.octaves.get(place_of(exponent)?)?, || Octave::boxed(from, (2.0 * from).min(self.upper), phi))
-        });
+        let octave = exponent_of(r).and_then(|exponent| self.octave(exponent, phi));
         octave.map_or(0.0, |own| hidden_slope(own.cell.noise(), r))
+    }
+
+    fn octave(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Option<&Octave> {
+        let from = libm::scalbn(1.0, exponent);
+        let own = kept(self.octaves.get(place_of(exponent)?)?, || Octave::boxed(from, (2.0 * from).min(self.upper), phi));
+        own.map(AsRef::as_ref)
     }
 
     /// Returns true if φ is smooth from the axis to beyond r; the fit that shows it then serves smaller radii at which no other fit does.
     pub(super) fn begin(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
         let found = exponent_of(r).and_then(|exponent| self.choose(exponent, phi));
-        found.is_some_and(|k| *self.first.get_or_init(|| k) == k)
+        found.is_some_and(|(k, _)| *self.first.get_or_init(|| k) == k)
     }
 
-    fn at(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<&Fit> {
+    fn at(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<(&Fit, Seen)> {
         let exponent = exponent_of(r)?;
         let own = kept(self.chosen.get(place_of(exponent)?)?, || self.choose(exponent, phi))?;
-        self.served(own.or_else(|| self.first.get().copied())?, phi).filter(|fit| r < REACH * fit.cell.end())
+        let (k, seen) = own.or_else(|| Some((*self.first.get()?, Seen::Slopes)))?;
+        let fit = self.served(k, phi).filter(|fit| r < REACH * fit.cell.end())?;
+        // Rounding errors in proportion to φ, as of r^8 times what cancels, are below what the fit resolves.
+        let is_hidden = |own: &Octave| own.shows_rounding() && own.rounding > r * fit.derivative(1, r).error;
+        let seen = if seen == Seen::Slopes && self.octave(exponent, phi).is_some_and(is_hidden) { Seen::Rounding } else { seen };
+        Some((fit, seen))
     }
 
     /// Returns the exponent of the fit with the smallest error for radii from 2^exponent on.
-    fn choose(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Option<i32> {
+    fn choose(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Option<(i32, Seen)> {
         let r = libm::scalbn(1.0, exponent);
         let (mut best, mut idle) = (None, 0);
         for k in exponent + 2..=1023 {
@@ -111,7 +135,21 @@ impl Starts {
                 break;
             }
         }
-        best.map(|(k, _)| k)
+        let (best, _) = best?;
+        match self.first.get() {
+            Some(first) if *first >= best && self.continues(*first, exponent, phi) => Some((*first, Seen::Remains)),
+            _ => Some((best, Seen::Slopes)),
+        }
+    }
+
+    /// Returns true if fit k contradicts the narrow fit at 2^exponent, although it agrees with all narrow fits down to there as far as these
+    /// see φ: this one sees what is left of φ below its rounding, as -r of exp(r) - 1 - r.
+    fn continues(&self, k: i32, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
+        let (Some(wide), Some(narrow)) = (self.fit(k, phi), self.octave(exponent, phi)) else { return false };
+        let r = narrow.cell.middle();
+        let (slope, other) = (wide.derivative(1, r), narrow.cell.derivative_within(1, r, 0.0));
+        let differ = (slope.value - other.value).abs() > slope.error + other.error;
+        narrow.cell.is_resolved() && differ && self.agrees(wide, k, k - exponent, phi)
     }
 
     fn fit(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> Option<&Fit> {
@@ -134,24 +172,29 @@ impl Starts {
 
     /// Returns true if a fit agrees with narrow ones at radii far below its end: what it does not see there is noise, and no feature.
     fn stands(&self, own: &Fit, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
-        kept(&own.stands, || self.agrees(own, k, phi)).copied().unwrap_or(false)
+        kept(&own.stands, || self.agrees(own, k, DEPTH, phi)).copied().unwrap_or(false)
     }
 
-    fn agrees(&self, own: &Fit, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
+    /// Returns true if a fit agrees with narrow ones down to 2^(k - depth).
+    fn agrees(&self, own: &Fit, k: i32, depth: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
         // Rounding errors of the last narrow fits that resolve φ, and the largest of these and of the fits below.
         let (mut recent, mut traces, mut was_blind) = ([f64::INFINITY; RECENT], f64::INFINITY, false);
-        (1..=DEPTH).all(|below| {
+        (1..=depth).all(|below| {
             let Some(place) = place_of(k - below).and_then(|place| self.octaves.get(place)) else { return true };
             let (from, to) = (libm::scalbn(1.0, k - below), libm::scalbn(2.0, k - below));
             if to > own.cell.end() {
                 return true;
             }
             let Some(found) = kept(place, || Octave::boxed(from, to, phi)) else { return false };
-            let Octave { cell: octave, rounding } = found.as_ref();
+            let Octave { cell: octave, rounding, has_features } = found.as_ref();
+            if *has_features {
+                return false;
+            }
             let level = octave.last(LAST);
             let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
-            // Below its rounding further out φ may look smooth again, as 1 - sin(r)/r does where sin(r)/r rounds to 1.
-            let blind = is_blind(octave) || (was_blind && octave.spread() <= traces);
+            // Below its rounding further out φ may look smooth again, as 1 - sin(r)/r does where sin(r)/r rounds to 1, or exp(r) - 1 - r,
+            // which is -r where exp(r) rounds to 1.
+            let blind = is_blind(octave) || (was_blind && octave.spread() <= AMPLITUDE * traces);
             was_blind = blind;
             // Rounding errors do not grow this much from one octave to the next.
             if octave.rounding(LAST) > GROWTH * traces {
@@ -179,7 +222,38 @@ fn is_blind(cell: &Cell) -> bool {
     cell.last(LAST) >= BLIND * cell.spread()
 }
 
+/// Returns true if narrow fits resolve φ and find slopes that go up and down, as at waves and poles.
+///
+/// Rounding errors are either not resolved by any fit, or they are steps between which the slope is that of the part of φ without error.
+fn has_features(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
+    /// Where the narrow fits begin, and their width, as shares of the octave.
+    const BEGINS: [f64; 6] = [0.07, 0.23, 0.41, 0.58, 0.77, 0.93];
+    const WIDTH: f64 = 1e-3;
+    /// Ratio of slopes below which their order says nothing.
+    const ALIKE: f64 = 2.0;
+    let slope = |begin: f64| {
+        let low = from + begin * (to - from);
+        let cell = Cell::fit((low, low + WIDTH * (to - from)), to, phi);
+        (!is_blind(&cell)).then(|| cell.derivative_within(1, cell.end(), 0.0).value)
+    };
+    let slopes: Vec<f64> = BEGINS.into_iter().filter_map(slope).collect();
+    let turns = slopes.iter().any(|own| own * slopes.first().unwrap_or(own) < 0.0);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    let (mut rises, mut falls) = (false, false);
+    for own in slopes.iter().map(|own| own.abs()) {
+        rises |= own > ALIKE * least;
+        falls |= ALIKE * own < most;
+        (least, most) = (least.min(own), most.max(own));
+    }
+    turns || (rises && falls)
+}
+
 impl Octave {
+    /// Returns true if what the fit does not resolve are rounding errors, and no kink or wave.
+    fn shows_rounding(&self) -> bool {
+        is_blind(&self.cell) && !self.has_features && self.rounding > 0.1 * self.cell.rounding(LAST)
+    }
+
     fn boxed(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> Box<Self> {
         let cell = Cell::fit((from, to), to, phi);
         let rounding = cell.rounding(LAST);
@@ -190,7 +264,8 @@ impl Octave {
             fits.filter(|own| own.spread() > SEVERAL * rounding).fold(rounding, |least, own| least.min(own.rounding(LAST)))
         };
         let rounding = if cell.is_resolved() { rounding } else { near() };
-        Box::new(Self { cell, rounding })
+        let has_features = is_blind(&cell) && has_features(from, to, phi);
+        Box::new(Self { cell, rounding, has_features })
     }
 }
 
