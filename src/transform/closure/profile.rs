@@ -32,7 +32,7 @@ impl ClosureProfile {
             let (function, faults) = (closure.function.clone(), Arc::clone(&faults));
             let piece = Piece { function, lower, upper, ulps: closure.ulps, cells, starts, faults };
             // The lengths of the closure may be much smaller than 1.
-            is_smooth |= UNITS.into_iter().any(|unit| piece.begins_smoothly(PARTS[0] * unit * scale));
+            is_smooth |= UNITS.into_iter().any(|unit| piece.begins_smoothly(libm::scalbn(PARTS[0] * scale, unit)));
             let piece: Arc<dyn SlopeSource> = Arc::new(piece);
             segments.push((lower, upper.is_finite().then_some(upper), piece));
         }
@@ -114,8 +114,8 @@ fn examine(function: &Function, lower: f64, upper: f64) -> Result<f64, Transform
 /// Where a part of a piece is examined, as shares of it.
 const PARTS: [f64; 3] = [0.127, 0.489, 0.831];
 
-/// Units of length in which f is examined next to the axis, from 1 to 2^-40.
-const UNITS: [f64; 6] = [1.0, 1.0 / 256.0, 1.0 / 65536.0, 5.9604644775390625e-8, 2.3283064365386963e-10, 9.094947017729282e-13];
+/// Binary exponents of the units of length in which f is examined next to the axis.
+const UNITS: [i32; 6] = [0, -8, -16, -24, -32, -40];
 
 /// A step of the complex-step derivative whose imaginary parts no function forgets.
 const LARGE_STEP: f64 = 1.0 / (1_u64 << 17) as f64;

@@ -41,6 +41,8 @@ pub(super) enum Seen {
     Remains,
 }
 
+type Choice = Option<(i32, Seen)>;
+
 /// The fits of one function to 0 ≤ r ≤ 2^k, made where they are asked for.
 pub(super) struct Starts {
     upper: f64,
@@ -48,7 +50,7 @@ pub(super) struct Starts {
     /// Fits between one power of two and the next, beside which the others must stand.
     octaves: Box<[OnceLock<Box<Octave>>]>,
     /// Which fit serves radii between one power of two and the next, and what narrower fits see there.
-    chosen: Box<[OnceLock<Option<(i32, Seen)>>]>,
+    chosen: Box<[OnceLock<Choice>]>,
     /// The fit that serves radii at which nothing is seen of φ.
     first: OnceLock<i32>,
 }
@@ -118,7 +120,7 @@ impl Starts {
     }
 
     /// Returns the exponent of the fit with the smallest error for radii from 2^exponent on.
-    fn choose(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Option<(i32, Seen)> {
+    fn choose(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Choice {
         let r = libm::scalbn(1.0, exponent);
         let (mut best, mut idle) = (None, 0);
         for k in exponent + 2..=1023 {
