@@ -84,7 +84,10 @@ impl Failure {
             ContactError::Transform(_) => true,
             _ => false,
         };
-        let failure = Self::new(error.to_string());
+        let failure = match error {
+            ContactError::Transform(TransformError::Exhausted(own)) => Self::from(*own),
+            other => Self::new(other.to_string()),
+        };
         if about_profile { failure.at("PROFILE", text, 0..text.len()) } else { failure }
     }
 

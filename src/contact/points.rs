@@ -2,6 +2,7 @@
 
 use super::{ContactError, Measured, Reason};
 use crate::num::work;
+use crate::transform::TransformError;
 
 /// Divisor of the budget: one part of this many is reserved for writing the answer.
 const FOR_THE_ANSWER: u64 = 16;
@@ -49,6 +50,7 @@ pub fn each_point(at: &[f64], mut read: impl FnMut(&[f64]) -> Result<Vec<Measure
                 readings.extend(found);
                 size = 2 * block.len();
             }
+            (Some(Err(ContactError::Transform(TransformError::Exhausted(_)))), [_]) => readings.push(Err(Reason::Unfinished)),
             (Some(Err(error)), [_]) => {
                 readings.push(Err(Reason::Refused(error.to_string())));
                 first.get_or_insert(error);

@@ -39,8 +39,8 @@ impl Archive {
     }
 
     /// Adds an array of truth values.
-    pub(super) fn flags(&mut self, name: &str, values: &[bool]) -> io::Result<()> {
-        let mut array = header("|b1", &[values.len()]);
+    pub(super) fn flags(&mut self, name: &str, shape: &[usize], values: &[bool]) -> io::Result<()> {
+        let mut array = header("|b1", shape);
         array.extend(values.iter().map(|value| u8::from(*value)));
         self.add(name, &array)
     }

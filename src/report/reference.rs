@@ -5,6 +5,7 @@ use crate::scene::{Dimension, Field, Grid, Quantity, Run};
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
 use std::cell::Cell;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 /// What is wanted: fields of all loads of a run on one grid.
@@ -179,6 +180,8 @@ struct LoadEntry {
     #[serde(rename = "F")]
     force: Option<f64>,
     a: Option<f64>,
+    error_estimates: BTreeMap<&'static str, f64>,
+    bounds: BTreeMap<&'static str, &'static str>,
     fields: Vec<FieldEntry>,
 }
 
@@ -205,6 +208,7 @@ impl Loads<'_, '_, '_> {
         let own = self.own;
         let state = own.run.state(index, false);
         let system = &own.run.scene().system;
+        let estimates = state.map(|state| own.run.state_estimates(index, &state)).unwrap_or_default();
         let shape = own.places();
         let fields = own.curves.iter().map(|curve| {
             let field = own.field(*curve, state.as_ref());
@@ -227,6 +231,8 @@ impl Loads<'_, '_, '_> {
             d: state.map(|state| own.run.shown_depth(index, &state)),
             force: state.map(|own| own.force * system.out(Dimension::FORCE)),
             a: state.map(|own| own.radius * system.out(Dimension::LENGTH)),
+            error_estimates: estimates.iter().map(|(quantity, own)| (quantity.key(), own.error)).collect(),
+            bounds: estimates.iter().map(|(quantity, own)| (quantity.key(), own.bound.name())).collect(),
         }
     }
 }

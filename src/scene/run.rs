@@ -205,27 +205,39 @@ impl<'a> Run<'a> {
     ///
     /// The load itself has no error. Computing the bounds takes about three evaluations of g or F.
     pub fn estimates(&self, index: usize, row: &Row) -> Vec<(Quantity, Option<Estimate>)> {
-        let found = self.load(index).zip(row.indented.state).and_then(|((_, load), state)| {
-            let touch = if self.scene.counts_from_touch() { self.indentation.first_touch() } else { 0.0 };
-            let bound = || {
-                let mut own = self.indentation.estimates(&state, load, ROUNDED).ok()?;
-                // The radius of first contact was found by sampling.
-                if touch != 0.0 {
-                    own.depth = own.depth + Estimate::estimated(0.0, 4.0 * f64::EPSILON * touch.abs(), 0);
-                }
-                Some((own, state))
-            };
-            work::share(work::left() / 2, bound).unwrap_or_else(|| {
-                self.cut.set(true);
-                None
-            })
-        });
+        let found = row.indented.state.and_then(|state| Some((self.bounds(index, &state)?, state)));
         let own = |(datum, value): &(Quantity, Result<f64, &'static str>)| {
             let (own, state) = found.filter(|_| value.is_ok())?;
             let estimate = self.estimate(*datum, row, &state, &own)?.scaled(self.scene.system.out(datum.dimension()));
             estimate.error.is_finite().then_some(estimate)
         };
         row.values.iter().map(|each| (each.0, own(each))).collect()
+    }
+
+    /// Returns d, F and a of a state with error bounds, in the units of the answers; without those whose errors are unknown.
+    pub fn state_estimates(&self, index: usize, state: &State) -> Vec<(Quantity, Estimate)> {
+        let Some(own) = self.bounds(index, state) else { return Vec::new() };
+        let all = [(Quantity::Depth, own.depth), (Quantity::Force, own.force), (Quantity::Radius, own.radius)];
+        let shown = all.map(|(quantity, estimate)| (quantity, estimate.scaled(self.scene.system.out(quantity.dimension()))));
+        shown.into_iter().filter(|(_, own)| own.error.is_finite()).collect()
+    }
+
+    /// The error bounds of a state.
+    fn bounds(&self, index: usize, state: &State) -> Option<Estimates> {
+        let (_, load) = self.load(index)?;
+        let touch = if self.scene.counts_from_touch() { self.indentation.first_touch() } else { 0.0 };
+        let bound = || {
+            let mut own = self.indentation.estimates(state, load, ROUNDED).ok()?;
+            // The radius of first contact was found by sampling.
+            if touch != 0.0 {
+                own.depth = own.depth + Estimate::estimated(0.0, 4.0 * f64::EPSILON * touch.abs(), 0);
+            }
+            Some(own)
+        };
+        work::share(work::left() / 2, bound).unwrap_or_else(|| {
+            self.cut.set(true);
+            None
+        })
     }
 
     fn estimate(&self, datum: Quantity, row: &Row, state: &State, own: &Estimates) -> Option<Estimate> {

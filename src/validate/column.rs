@@ -1,5 +1,6 @@
 //! Columns of a data file: what their names mean, and in which unit they count.
 
+use crate::contact::Quantity;
 use crate::scene::{Dimension, Unit};
 
 /// What a column holds.
@@ -79,10 +80,8 @@ fn is_area(name: &str) -> bool {
     AREAS.iter().any(|own| is(own, name))
 }
 
-/// Quantities whose error bounds `reference` and `solve` write.
-const BOUNDED: [&str; 10] = ["d", "F", "a", "k", "p_mean", "U", "p", "u", "f", "g"];
-
-/// Returns true if a column holds error bounds, or what they rest on, as `reference` and `solve` name it: `p_error`, `p_error_GPa`, `p_bound`.
+/// Returns true if a column holds error bounds, or what they rest on, as `reference` and `solve` name it: `p_error`, `p_error_GPa`, `p_bound`,
+/// `p_proven`.
 pub(super) fn is_bound(name: &str) -> bool {
     bounded_quantity(name).is_some()
 }
@@ -94,8 +93,11 @@ pub(super) fn is_bound_of_field(name: &str) -> bool {
 
 /// Returns the quantity whose error bounds a column holds.
 fn bounded_quantity(name: &str) -> Option<&'static str> {
-    let is_kind = |rest: &str| rest == "bound" || rest == "error" || rest.starts_with("error_");
-    BOUNDED.into_iter().find(|own| name.trim().strip_prefix(own).and_then(|rest| rest.strip_prefix('_')).is_some_and(is_kind))
+    let is_kind = |rest: &str| matches!(rest, "bound" | "error" | "proven") || rest.starts_with("error_");
+    Quantity::ALL
+        .iter()
+        .map(|own| own.key())
+        .find(|own| name.trim().strip_prefix(own).and_then(|rest| rest.strip_prefix('_')).is_some_and(is_kind))
 }
 
 /// A column that is understood.

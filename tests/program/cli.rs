@@ -406,6 +406,16 @@ fn expensive_profiles_are_compared_at_fewer_points() {
     }
 }
 
+/// Class "a call that was cut short is called bad input": one place or several without the budget for any.
+#[test]
+fn a_call_that_was_cut_short_says_so() {
+    for places in ["0.1", "0.1,0.5", "0.1,0.2,0.5"] {
+        let cut = run(&["eval", "r^3*sin(1/r)", "--quantity", "U", "--at", places, "--json", "--budget", "0.3"]);
+        let answer: Value = serde_json::from_str(&cut.stdout).unwrap();
+        assert_eq!((cut.code, &answer["complete"]), (1, &false.into()), "{places}: {answer} {}", cut.stderr);
+    }
+}
+
 /// Each formula of `derive` says whether its closed forms met a quadrature.
 #[test]
 fn formulas_say_whether_they_were_compared() {

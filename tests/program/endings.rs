@@ -156,6 +156,8 @@ with zipfile.ZipFile("x.npz") as file:
     for line in [
         "F.npy (1,) [13.333333333333334]",
         "F_unit.npy () mN",
+        "F_proven.npy (1,) [True]",
+        "p_proven.npy (1, 2) [True, True]",
         "a.npy (1,) [1.0]",
         "valid.npy (1,) [True]",
         "p_at.npy (2,) [0.0, 0.5]",
@@ -163,6 +165,8 @@ with zipfile.ZipFile("x.npz") as file:
     ] {
         assert!(text.lines().any(|own| own == line), "{line} is missing in\n{text}");
     }
+    let error = text.lines().find_map(|line| line.strip_prefix("F_error.npy (1,) [")?.strip_suffix("]")).unwrap();
+    assert!(error.parse::<f64>().unwrap() < 1e-13, "{error}");
     let pressure = text.lines().find_map(|line| line.strip_prefix("p.npy (1, 2) [")).unwrap();
     let numbers: Vec<f64> = pressure.trim_end_matches(']').split(", ").map(|own| own.parse().unwrap()).collect();
     // p = (2 E*/(pi R)) sqrt(a^2 - r^2)

@@ -87,6 +87,12 @@ fn scenes_have_every_quantity_of_a_load_and_references_write_no_other_one() {
             None => assert!(done.status.code() == Some(2) && done.stdout.is_empty() && said.contains("is not a field"), "{said}"),
             Some(own) => {
                 let found: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+                for load in found["loads"].as_array().unwrap() {
+                    for key in ["d", "F", "a"] {
+                        let (value, error) = (load[key].as_f64().unwrap(), load["error_estimates"][key].as_f64().unwrap());
+                        assert!(error <= 4e-15 * value && load["bounds"][key] == "proven", "{key}: {load}");
+                    }
+                }
                 let fields = found["loads"][0]["fields"].as_array().unwrap();
                 assert!(fields.len() == 1 && fields[0]["quantity"] == own, "{found}");
                 assert_eq!(said.contains("sigma_zz is not a field"), quantities.contains("sigma_zz"), "{said}");
