@@ -10,6 +10,7 @@ from ._arrays import WithBound, check_with_bound, ground_of, map_over, real
 from ._errors import SneddonError
 from ._numbers import float_of_number
 from ._profile import Profile
+from ._sneddon import quantities
 
 _LOADS = ("depth", "force", "radius")
 
@@ -160,6 +161,51 @@ class Contact:
         """Return σ_zz on the axis at the depth z below the surface; it is negative in compression."""
         return self._field("sigma_zz", "z", z, _one(depth=depth, force=force, radius=radius), with_bound)
 
+    def quantity(
+        self,
+        key: str,
+        place: Any = None,
+        *,
+        depth: Any = None,
+        force: Any = None,
+        radius: Any = None,
+        with_bound: WithBound = False,
+    ) -> Any:
+        """Return a quantity by its key, one of ``f g G d F a k A p_mean U p u sigma_zz q u_1d``.
+
+        Parameters
+        ----------
+        key : str
+            The key, as in ``sneddon eval --quantity``.
+        place : array_like
+            r, x or z for what has values at places.
+        depth, force, radius : array_like
+            The load, one of them, for everything but f, g and G.
+        with_bound : bool or "ground"
+            Whether to return the error bounds beside the values, and what these rest on.
+
+        Raises
+        ------
+        SneddonError
+            For an unknown key.
+        """
+        kind, coordinate = _KINDS.get(key, (None, ""))
+        if kind is None:
+            raise SneddonError(f"{key} is not a quantity", "key", f"expected one of {', '.join(_KINDS)}")
+        if (place is None) != (kind == "number"):
+            raise TypeError(f"{key} has values at places {coordinate}" if place is None else f"{key} has no places")
+        if kind == "shape":
+            return self._map(key, {coordinate: place}, with_bound)
+        load = _one(depth=depth, force=force, radius=radius)
+        if kind == "field":
+            return self._field(key, coordinate, place, load, with_bound)
+        by_load = {("a", "depth"): "a", ("a", "force"): "a_of_F", ("d", "force"): "d_of_F", ("F", "depth"): "F_of_d"}
+        if (key, load[0]) in by_load:
+            return self._map(by_load[key, load[0]], {load[0]: load[1]}, with_bound)
+        if key in ("a", "F", "d") and load[0] == {"a": "radius", "F": "force", "d": "depth"}[key]:
+            raise TypeError(f"{key} is the load itself")
+        return self._at(key, load, with_bound)
+
     def _map(self, key: str, arguments: dict[str, Any], with_bound: WithBound) -> Any:
         return map_over(self._engine.one, self._engine.many, key, arguments, with_bound)
 
@@ -195,6 +241,10 @@ class Contact:
             return found, total
         proven = np.logical_and(np.asarray(ground) == "proven", np.asarray(own_ground) == "proven")
         return found, total, ground_of(bool(proven) if proven.ndim == 0 else proven)
+
+
+# What each quantity is a function of, and the name of its coordinate.
+_KINDS = {key: (kind, coordinate) for key, kind, coordinate, _ in quantities() if kind != "inverse"}
 
 
 def _one(**loads: Any) -> tuple[str, Any]:

@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyArithmeticError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use self_cell::self_cell;
-use sneddon::contact::{Contact, ContactError, Indentation, Load, Measured, Part, Quantity, Reason, Setup, explicit};
+use sneddon::contact::{Contact, ContactError, Indentation, Kind, Load, Measured, Part, Quantity, Reason, Setup, explicit};
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::num::work::{self, Budget};
 use sneddon::num::{Bound as Ground, Estimate};
@@ -47,6 +47,18 @@ type Raised = Arc<Mutex<Option<PyErr>>>;
 /// The quantity with a key.
 fn quantity(key: &str) -> Result<Quantity, Fault> {
     Quantity::of(key).ok_or_else(|| Fault::new(format!("{key} is not a quantity")))
+}
+
+/// Every quantity: its key, what it is a function of, the name of its coordinate, and its title.
+#[pyfunction]
+pub(crate) fn quantities() -> Vec<(&'static str, &'static str, &'static str, &'static str)> {
+    let kind = |own: Quantity| match own.kind() {
+        Kind::Shape => "shape",
+        Kind::Number => "number",
+        Kind::Inverse => "inverse",
+        Kind::Field => "field",
+    };
+    Quantity::ALL.iter().map(|own| (own.key(), kind(*own), argument(*own), own.title())).collect()
 }
 
 /// The name of the argument that belongs to a coordinate.

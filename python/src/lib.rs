@@ -21,6 +21,7 @@ fn _sneddon(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(formulas::inverted, module)?)?;
     module.add_function(wrap_pyfunction!(formulas::parameters, module)?)?;
     module.add_function(wrap_pyfunction!(formulas::rules, module)?)?;
+    module.add_function(wrap_pyfunction!(engine::quantities, module)?)?;
     module.add_function(wrap_pyfunction!(scenes::solve, module)?)?;
     module.add_function(wrap_pyfunction!(scenes::reference, module)?)?;
     module.add_function(wrap_pyfunction!(scenes::validate, module)?)?;

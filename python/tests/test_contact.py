@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import pickle
 
 import mpmath
@@ -221,3 +222,45 @@ def test_numbers_with_units_are_refused_by_name(own):
         sneddon.Contact("r^2/(2*R)", **{"R": 2.0, **own})
     with pytest.raises(sneddon.SneddonError, match="R is larger than"):
         sneddon.Contact("r^2/(2*R)", R=10**400, E_star=1.0)
+
+
+def test_every_quantity_is_known_by_its_key():
+    own = sneddon.Contact("r^2/4", E_star=3.0)
+    a, d, force = 0.6, own.depth(radius=0.6), own.force(radius=0.6)
+    named = {
+        "f": own.shape(0.2),
+        "g": own.equivalent_profile(0.2),
+        "G": 0.2**3 / 6,
+        "d": d,
+        "F": force,
+        "a": a,
+        "k": own.stiffness(radius=a),
+        "A": math.pi * a**2,
+        "p_mean": own.mean_pressure(radius=a),
+        "U": own.energy(radius=a),
+        "p": own.pressure(0.2, radius=a),
+        "u": own.displacement(0.2, radius=a),
+        "sigma_zz": own.stress_on_axis(0.2, radius=a),
+        "q": 3.0 * (d - 0.2**2 / 2),
+        "u_1d": d - 0.2**2 / 2,
+    }
+    places = {"f", "g", "G", "p", "u", "sigma_zz", "q", "u_1d"}
+    for load in ({"radius": a}, {"depth": d}, {"force": force}):
+        itself = {"radius": "a", "depth": "d", "force": "F"}[next(iter(load))]
+        for key, value in named.items():
+            place = (0.2,) if key in places else ()
+            if key == itself:
+                with pytest.raises(TypeError, match="is the load itself"):
+                    own.quantity(key, **load)
+                continue
+            given = {} if key in ("f", "g", "G") else load
+            found, bound, ground = own.quantity(key, *place, **given, with_bound="ground")
+            assert abs(found - value) <= bound + 4e-15 * abs(value) and bound <= 1e-12 * abs(value), (key, load, found, value, bound)
+            # The stress below the surface is a quadrature whose error is estimated.
+            assert ground == ("estimated" if key == "sigma_zz" else "proven"), (key, load)
+    with pytest.raises(sneddon.SneddonError, match="not a quantity"):
+        own.quantity("P", radius=a)
+    with pytest.raises(TypeError, match="values at places r"):
+        own.quantity("p", radius=a)
+    with pytest.raises(TypeError, match="no places"):
+        own.quantity("F", 0.2, radius=a)
