@@ -2,8 +2,8 @@
 
 use super::accuracy::ELEMENTARY;
 use super::claim::{self, Claim};
+use super::languages::Language;
 use super::lower::{Names, lowered};
-use super::target::Language;
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, FORMS, names, read};
 use crate::contact::{Dimension, Edge, Explicit, Quantity, explicit, relations};

@@ -8,16 +8,16 @@ mod accuracy;
 mod build;
 mod claim;
 mod error;
+mod languages;
 mod lower;
 mod names;
 mod read;
-mod target;
 mod tree;
 
 pub use build::{Program, QUANTITIES, program};
 pub use claim::Claim;
 pub use error::CodeError;
-pub use target::{Language, write};
+pub use languages::{Language, write};
 
 /// The stable forms.
 const FORMS: &str = include_str!("forms.txt");

@@ -1,6 +1,6 @@
 //! The pressure on the axis by pieces of the angle with proven rules.
 
-use super::angle::NEAR_THE_LIMIT;
+use super::angle_substitution::NEAR_THE_LIMIT;
 use super::bisected::Angles;
 use super::integral::NumericProfile;
 use super::leading_power::LeadingPower;

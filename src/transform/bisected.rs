@@ -1,7 +1,7 @@
 //! g, F and G of an expression by pieces of the angle with proven rules.
 
 use super::TransformError;
-use super::angle::NEAR_THE_LIMIT;
+use super::angle_substitution::NEAR_THE_LIMIT;
 use super::integral::{NumericSegment, Weight};
 use super::leading_power::LeadingPower;
 use super::limit::Limit;

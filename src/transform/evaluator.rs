@@ -4,10 +4,10 @@ use super::admit::{beyond_the_edge, finite_and_not_negative, tolerance_in_range}
 use super::barrier::Barrier;
 use super::closed::{ClosedForm, for_second_pass, good_enough, precise_total, refined, total};
 use super::combine::ORDER;
-use super::dense::Kept;
 use super::engine::SolvedInterval;
 use super::integral::NumericProfile;
 use super::kinks::is_below;
+use super::local_polynomials::PolynomialCache;
 use super::superposed::Superposed;
 use super::{Segment, SeriesEvaluator, Solution, TransformError};
 use crate::eval::{constant_value, first_double_from};
@@ -51,7 +51,7 @@ pub struct Evaluator<'a> {
     recognised: OnceLock<NumericProfile>,
     heights: OnceLock<Heights>,
     pub(super) steep: OnceLock<bool>,
-    pub(super) dense: Kept,
+    pub(super) polynomials: PolynomialCache,
     pub(super) tolerance: f64,
     pub(super) method: Method,
 }
@@ -115,7 +115,7 @@ impl<'a> Evaluator<'a> {
             recognised: OnceLock::new(),
             heights: OnceLock::new(),
             steep: OnceLock::new(),
-            dense: Kept::default(),
+            polynomials: PolynomialCache::default(),
             tolerance,
             method,
         })

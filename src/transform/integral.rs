@@ -2,8 +2,8 @@
 
 use super::TransformError;
 use super::admit::{beyond_the_edge, finite_and_not_negative};
+use super::analytic_bound::AnalyticBound;
 use super::centred::centred;
-use super::continued::Continued;
 use super::endpoint::Endpoint;
 use super::leading_power::LeadingPower;
 use super::limit::Limit;
@@ -54,7 +54,7 @@ pub struct NumericSegment {
     /// Where f′ ends, if that is known.
     pub(super) limit: Option<Limit>,
     /// How many nodes suffice.
-    pub(super) continued: Continued,
+    pub(super) continued: AnalyticBound,
     /// True where f′ begins at the axis and its expression is 0/0 there.
     pub(super) ragged: bool,
     /// What has the digits there.
@@ -116,7 +116,7 @@ impl NumericProfile {
                 singular,
                 odd,
                 limit: None,
-                continued: Continued::default(),
+                continued: AnalyticBound::default(),
                 ragged,
                 near: None,
             });
@@ -377,7 +377,7 @@ impl NumericSegment {
     /// By pieces with a proof, or by nested rules. Next to the end of f′ these have a variable made for it: they come first where nothing
     /// narrow can hide, and are believed elsewhere where they have more digits and the proof does not exclude them.
     fn by_pieces_or_nested(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
-        let end = self.limit.as_ref().filter(|limit| x > super::angle::NEAR_THE_LIMIT * limit.value.value);
+        let end = self.limit.as_ref().filter(|limit| x > super::angle_substitution::NEAR_THE_LIMIT * limit.value.value);
         if end.is_some_and(|end| end.is_featureless(self.lower.value))
             && let Ok(Some(found)) = self.by_nested_rules(x, weight, tolerance)
         {

@@ -3,7 +3,7 @@
 use super::closed::{ClosedForm, good_enough};
 use super::kinks::is_below;
 use super::superposed::Superposed;
-use super::{Evaluator, Method, Reading, TransformError, dense};
+use super::{Evaluator, Method, Reading, TransformError, local_polynomials};
 use crate::eval::{BlockInput, BlockScratch};
 use crate::num::spectral::Plan;
 use crate::num::work;
@@ -146,7 +146,7 @@ impl Evaluator<'_> {
         let plan = match (&forms, wanted) {
             (Some(forms), Wanted::Superposed(quantity, radius)) if out.is_plain() => {
                 let tapes = forms.iter().flat_map(|own| own.forms.iter().flatten()).map(|form| form.tape());
-                dense::plan(self, quantity, radius, tapes, points)
+                local_polynomials::plan(self, quantity, radius, tapes, points)
             }
             _ => None,
         };
@@ -157,7 +157,7 @@ impl Evaluator<'_> {
         in_tasks(points, out, &run)
     }
 
-    /// Polynomials where the slice is dense, and the forms for the other points.
+    /// Polynomials where the slice is local_polynomials, and the forms for the other points.
     fn planned(
         &self,
         plan: &Plan,

@@ -1,7 +1,7 @@
 //! Where the numbers of f′ come from on one segment: a compiled expression, or anything else that can say f′ and (r f′)′.
 
 use super::TransformError;
-use super::continued::Continued;
+use super::analytic_bound::AnalyticBound;
 use super::endpoint::Endpoint;
 use super::integral::{NumericProfile, NumericSegment};
 use super::removable::Removable;
@@ -266,7 +266,7 @@ impl NumericSegment {
             singular,
             odd: false,
             limit: None,
-            continued: Continued::default(),
+            continued: AnalyticBound::default(),
             ragged: false,
             near: None,
         }

@@ -22,12 +22,12 @@ const KEPT: usize = 8;
 
 /// The polynomials of the slices so far.
 #[derive(Default)]
-pub(super) struct Kept(Mutex<Vec<Own>>);
+pub(super) struct PolynomialCache(Mutex<Vec<Own>>);
 
 /// Those of a quantity at a contact radius, by its bits.
 type Own = (Superposed, Option<u64>, Arc<Dense>);
 
-impl Kept {
+impl PolynomialCache {
     fn of(&self, quantity: Superposed, radius: Option<f64>) -> Arc<Dense> {
         let radius = radius.map(f64::to_bits);
         // Nothing is left half done in the list.
@@ -70,7 +70,7 @@ pub(super) fn plan<'t>(
     if points.len() < least as usize {
         return None;
     }
-    evaluator.dense.of(quantity, radius).plan(&Closed { evaluator, quantity, radius }, points, least as u32)
+    evaluator.polynomials.of(quantity, radius).plan(&Closed { evaluator, quantity, radius }, points, least as u32)
 }
 
 impl Exact for Closed<'_> {

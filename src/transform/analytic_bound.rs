@@ -1,7 +1,7 @@
 //! How many nodes suffice for an f′ that is analytic around the contact: known from its expression, before f′ is asked.
 
 use super::TransformError;
-use super::angle::{Bounds, NEAR_THE_LIMIT};
+use super::angle_substitution::{Bounds, NEAR_THE_LIMIT};
 use super::integral::{NumericSegment, Weight};
 use super::slope_source::Numbers;
 use crate::num::bounded::UNIT;
@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Rules by the upper end x, one list for each weight: one per sixteenth of a power of two from 2⁻³² to 2³², found when they are first
 /// needed.
 #[derive(Default)]
-pub(super) struct Continued([OnceLock<Box<[Octave]>>; LISTS]);
+pub(super) struct AnalyticBound([OnceLock<Box<[Octave]>>; LISTS]);
 
 /// Between one power of two and the next.
 type Octave = OnceLock<Box<[Entry; SIXTEENTHS]>>;
