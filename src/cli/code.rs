@@ -98,5 +98,5 @@ fn quantities(arguments: &Arguments) -> Vec<Quantity> {
 
 /// Refuses what no code is written for.
 fn written(quantity: Quantity) -> Result<(), &'static str> {
-    if QUANTITIES.contains(&quantity) { Ok(()) } else { Err("code is written for g, F, p, d and a") }
+    if QUANTITIES.contains(&quantity) { Ok(()) } else { Err("code writes only g, F, p, d and a") }
 }

@@ -86,5 +86,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// Refuses what has no formula for any profile.
 fn has_formula(quantity: Quantity) -> Result<(), &'static str> {
-    if quantity.has_formula() { Ok(()) } else { Err("it has no formula; expected a quantity over r, x, z, a or d, or `eval` for numbers") }
+    if quantity.has_formula() { Ok(()) } else { Err("derive has no formula over the force; eval has numbers") }
 }

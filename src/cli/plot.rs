@@ -88,7 +88,7 @@ impl TypedValueParser for Drawings {
 
 /// Refuses what another picture has.
 fn drawn(quantity: Quantity) -> Result<(), &'static str> {
-    if quantity.kind() == Kind::Inverse { Err("numbers are drawn over the depth; expected F, a or d") } else { Ok(()) }
+    if quantity.kind() == Kind::Inverse { Err("plot draws numbers over the depth; expected F, a or d") } else { Ok(()) }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {

@@ -112,5 +112,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// Refuses what is not compared.
 fn compared(quantity: Quantity) -> Result<(), &'static str> {
-    if Problem::QUANTITIES.contains(&quantity) { Ok(()) } else { Err("methods are compared for g, F and p, from which it follows") }
+    if Problem::QUANTITIES.contains(&quantity) {
+        Ok(())
+    } else {
+        Err("tradeoff measures only g, F and p, from which the other quantities follow")
+    }
 }

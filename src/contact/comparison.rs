@@ -1,6 +1,6 @@
 //! Closed forms against quadrature, quantity by quantity, at seeded points.
 
-use super::{Contact, ContactError, Explicit, Measured, explicit};
+use super::{Contact, ContactError, Explicit, Quantity, explicit};
 use crate::expr::Bindings;
 use crate::num::{Estimate, work};
 use crate::transform::{Evaluator, Method, NO_REFERENCE, Sampler, Solution, Status, Tally, TransformError, Verdict, reach};
@@ -100,7 +100,7 @@ fn compared(solution: &Solution, setting: &Setting) -> Result<Vec<Subject>, Cont
 
 /// A quantity that is compared.
 struct Subject {
-    quantity: &'static str,
+    quantity: Quantity,
     /// What was found; `None` where no closed form is known.
     tally: Option<Tally>,
     /// The first value that could not be had.
@@ -123,7 +123,7 @@ impl Subject {
         let tally = tally.filter(|_| why.is_none()).unwrap_or_default();
         let too_large = setting.tolerance.is_some_and(|most| tally.largest > most);
         Comparison {
-            quantity,
+            quantity: quantity.relation(),
             max_relative_difference: tally.at.map(|_| tally.largest),
             at: tally.at,
             points: tally.compared,
@@ -137,9 +137,11 @@ impl Subject {
 fn started(solution: &Solution, explicit: bool) -> Vec<Subject> {
     let (g, force) = (solution.equivalent_profile().status, solution.force().status);
     let pressure = solution.pressure().map_or(Status::Numeric, |own| own.status);
-    let inverse = if explicit { vec![("a_of_d", Status::Exact), ("F_of_d", Status::Exact)] } else { Vec::new() };
-    [("g", g), ("d", g), ("F", force), ("p", pressure), ("G", g)]
+    let inverse = if explicit { vec![(Quantity::Radius, Status::Exact), (Quantity::ForceOfDepth, Status::Exact)] } else { Vec::new() };
+    let direct = [Quantity::Equivalent, Quantity::Depth, Quantity::Force, Quantity::Pressure, Quantity::Integral];
+    direct
         .into_iter()
+        .zip([g, g, force, pressure, g])
         .chain(inverse)
         .map(|(quantity, status)| Subject { quantity, tally: (status != Status::Numeric).then(Tally::default), trouble: None })
         .collect()
@@ -188,15 +190,15 @@ impl Run<'_> {
             for own in found.iter_mut() {
                 let Some(tally) = &mut own.tally else { continue };
                 let (at, pair) = match own.quantity {
-                    "a_of_d" | "F_of_d" => match (&inverse, depth) {
+                    Quantity::Radius | Quantity::ForceOfDepth => match (&inverse, depth) {
                         // Under the flat part of a worn tip every radius has the depth 0.
                         (Some(inverse), Some(depth)) if depth.value > 0.0 => {
                             (depth.value, retraced(own.quantity, inverse, depth, a, plain))
                         }
                         _ => continue,
                     },
-                    "p" => (r, pair("p", r, radius, &contacts)),
-                    quantity => (a, pair(quantity, r, a, &contacts)),
+                    Quantity::Pressure => (r, pair(own.quantity, r, radius, &contacts)),
+                    other => (a, pair(other, a, a, &contacts)),
                 };
                 match pair {
                     // What was read after the budget was exhausted is not complete.
@@ -212,30 +214,22 @@ impl Run<'_> {
 }
 
 /// A quantity by its closed form and by quadrature; `None` where it is infinite.
-fn pair(quantity: &str, r: f64, a: f64, [strict, closed, plain]: &[Contact<'_>; 3]) -> Result<Option<[Estimate; 2]>, ContactError> {
-    let read = |contact: &Contact<'_>| -> Result<Measured, ContactError> {
-        Ok(match quantity {
-            "g" => Ok(contact.evaluator().slope(a)?),
-            "d" => Ok(contact.depth(a)?),
-            "F" => Ok(contact.force(a)?),
-            "p" => contact.pressure(r, a)?,
-            _ => Ok(contact.integral(a)?),
-        })
-    };
+fn pair(quantity: Quantity, at: f64, a: f64, [strict, closed, plain]: &[Contact<'_>; 3]) -> Result<Option<[Estimate; 2]>, ContactError> {
+    let read = |contact: &Contact<'_>| quantity.number(contact, at, a);
     let (one, other) = (read(strict).or_else(|_| read(closed))?, read(plain)?);
     Ok(one.ok().zip(other.ok()).map(|(one, other)| [one.estimate, other.estimate]))
 }
 
 /// a or F from the depth that quadrature gives at a by an explicit form, and as it must come out.
 fn retraced(
-    quantity: &str,
+    quantity: Quantity,
     inverse: &Explicit,
     depth: Estimate,
     a: f64,
     plain: &Contact<'_>,
 ) -> Result<Option<[Estimate; 2]>, ContactError> {
     let (expr, known) = match quantity {
-        "a_of_d" => (&inverse.contact_radius, Estimate::exact(a)),
+        Quantity::Radius => (&inverse.contact_radius, Estimate::exact(a)),
         _ => (&inverse.force, plain.force(a)?.estimate),
     };
     Ok(Some([inverse.value(expr, depth.bounded(), 1.0).map_err(TransformError::from)?, known]))

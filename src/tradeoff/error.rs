@@ -10,7 +10,7 @@ pub enum TradeoffError {
     #[error(transparent)]
     Transform(#[from] TransformError),
     /// The methods are not compared for this quantity.
-    #[error("methods are compared for g, F and p; {key} follows from them")]
+    #[error("{key} is not measured; expected g, F or p")]
     Quantity {
         /// The key of the quantity.
         key: &'static str,

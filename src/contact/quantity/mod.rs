@@ -30,19 +30,19 @@ pub enum Kind {
 /// What is known about a quantity.
 struct Record {
     /// The key in commands, scene files and JSON.
-    pub key: &'static str,
+    key: &'static str,
     /// The key in the JSON of `derive` and in Python, if it differs.
-    pub relation: Option<&'static str>,
+    relation: Option<&'static str>,
     /// The name, for axes, help and comments.
-    pub title: &'static str,
+    title: &'static str,
     /// The left side of its equation.
-    pub left: &'static str,
+    left: &'static str,
     /// The symbol of the place, or of the load: r, x, z, a, d or F.
-    pub coordinate: &'static str,
+    coordinate: &'static str,
     /// Its powers of length and force.
-    pub dimension: Dimension,
+    dimension: Dimension,
     /// What it is a function of.
-    pub kind: Kind,
+    kind: Kind,
     /// Its formula; `None` if it has no explicit one.
     formula: Option<Stated>,
     /// Its value at a place or load and, for a field, a contact radius.
