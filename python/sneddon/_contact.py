@@ -193,7 +193,7 @@ class Contact:
         if kind is None:
             raise SneddonError(f"{key} is not a quantity", "key", f"expected one of {', '.join(_KINDS)}")
         if (place is None) != (kind == "number"):
-            raise TypeError(f"{key} has values at places {coordinate}" if place is None else f"{key} has no places")
+            raise TypeError(f"{key} needs {coordinate}" if place is None else f"{key} takes no place")
         if kind == "shape":
             return self._map(key, {coordinate: place}, with_bound)
         load = _one(depth=depth, force=force, radius=radius)

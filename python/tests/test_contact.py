@@ -260,7 +260,7 @@ def test_every_quantity_is_known_by_its_key():
             assert ground == ("estimated" if key == "sigma_zz" else "proven"), (key, load)
     with pytest.raises(sneddon.SneddonError, match="not a quantity"):
         own.quantity("P", radius=a)
-    with pytest.raises(TypeError, match="values at places r"):
+    with pytest.raises(TypeError, match="p needs r"):
         own.quantity("p", radius=a)
-    with pytest.raises(TypeError, match="no places"):
+    with pytest.raises(TypeError, match="F takes no place"):
         own.quantity("F", 0.2, radius=a)

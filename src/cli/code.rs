@@ -96,7 +96,7 @@ fn quantities(arguments: &Arguments) -> Vec<Quantity> {
     if list.is_empty() { vec![Quantity::Equivalent, Quantity::Force, Quantity::Depth, Quantity::Radius] } else { list }
 }
 
-/// Refuses what no code is written for.
+/// Checks whether `code` supports a quantity.
 fn written(quantity: Quantity) -> Result<(), &'static str> {
     if QUANTITIES.contains(&quantity) { Ok(()) } else { Err("code writes only g, F, p, d and a") }
 }

@@ -84,7 +84,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(budget::judged(&record.check))
 }
 
-/// Refuses what has no formula for any profile.
+/// Checks whether `derive` supports a quantity.
 fn has_formula(quantity: Quantity) -> Result<(), &'static str> {
     if quantity.has_formula() { Ok(()) } else { Err("derive has no formula over the force; eval has numbers") }
 }

@@ -86,7 +86,7 @@ impl TypedValueParser for Drawings {
     }
 }
 
-/// Refuses what another picture has.
+/// Checks whether `plot` supports a quantity.
 fn drawn(quantity: Quantity) -> Result<(), &'static str> {
     if quantity.kind() == Kind::Inverse { Err("plot draws numbers over the depth; expected F, a or d") } else { Ok(()) }
 }

@@ -7,10 +7,10 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command};
 use std::ffi::OsStr;
 
-/// A quantity that a command has, or the reason why it has not.
+/// Checks whether a command supports a quantity; the error is the reason why it does not.
 pub(super) type Answered = fn(Quantity) -> Result<(), &'static str>;
 
-/// Reads the key of any quantity; help lists those that the command has.
+/// Reads the key of any quantity; the help lists the supported ones.
 #[derive(Clone)]
 pub(super) struct Quantities(pub(super) Answered);
 
@@ -37,7 +37,7 @@ impl TypedValueParser for Quantities {
     }
 }
 
-/// Refuses, by name and with the reason, the first quantity that the command does not have.
+/// Returns an error that names the first quantity without support and the reason.
 pub(super) fn demand(asked: &[Quantity], answered: Answered) -> Result<(), Failure> {
     let refused = |own: &Quantity| answered(*own).err().map(|why| Failure::new(format!("--quantity {}: {why}", own.key())));
     asked.iter().find_map(refused).map_or(Ok(()), Err)

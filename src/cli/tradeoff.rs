@@ -110,7 +110,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// Refuses what is not compared.
+/// Checks whether `tradeoff` supports a quantity.
 fn compared(quantity: Quantity) -> Result<(), &'static str> {
     if Problem::QUANTITIES.contains(&quantity) {
         Ok(())

@@ -28,7 +28,7 @@ pub struct Contact<'a, P: Quantities + ?Sized = Evaluator<'a>> {
 enum Inverse {
     /// The root of g(a) = d.
     Root,
-    /// The closed form, without the tolerance with `only`.
+    /// The closed form; with `only`, also where its error exceeds the tolerance.
     Explicit { explicit: Arc<Explicit>, only: bool },
     /// A closed form is demanded, and there is none.
     Missing,
@@ -112,7 +112,7 @@ impl<P: Quantities> Contact<'_, P> {
         Self { evaluator, formula: PhantomData, effective_modulus, depth, tolerance, radii, inverse: Inverse::Root }
     }
 
-    /// The same contact, the kind of its profile hidden.
+    /// Returns the same contact with the type of its profile erased.
     pub(super) fn erased(&self) -> Contact<'_, dyn Quantities + '_> {
         Contact {
             evaluator: Arc::clone(&self.evaluator) as Arc<dyn Quantities + '_>,
@@ -127,10 +127,10 @@ impl<P: Quantities> Contact<'_, P> {
 }
 
 impl<P: Quantities + ?Sized> Contact<'_, P> {
-    /// The same contact, a(d) computed by its closed form, `None` if there is none, instead of a search.
+    /// Returns the same contact with a closed form of a(d).
     ///
-    /// The search remains where the closed form misses the tolerance or has no finite value; with `only`, it remains for the error that it
-    /// returns where the closed form has no finite value.
+    /// [`Self::contact_radius`] evaluates the closed form, and searches for the root of g(a) = d where the error of the closed form exceeds the
+    /// tolerance or its value is not finite. With `only`, the tolerance is ignored, and a missing closed form is an error.
     #[must_use]
     pub fn with_explicit(self, explicit: Option<Explicit>, only: bool) -> Self {
         let explicit = explicit.map(Arc::new);
@@ -242,9 +242,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             return Ok(Err(Reason::NoArea));
         }
         let force = self.force(a)?;
-        // The area alone may leave the range of doubles.
-        let reciprocal = |length: Bounded| Bounded::exact(1.0) / length;
-        let mean = force.estimate.times(reciprocal(Bounded::exact(a))).times(reciprocal(Bounded::rounded(PI) * Bounded::exact(a)));
+        let mean = over_area(force.estimate, Bounded::exact(a));
         if force.estimate.value.abs() < f64::MIN_POSITIVE && mean.error > mean.value.abs() {
             return Err(TransformError::Underflow { quantity: "the force", symbol: "a", at: a }.into());
         }
@@ -440,7 +438,13 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     }
 }
 
-/// A quantity at a radius that is known to an error: what it changes within that error is added to its own.
+/// Returns F/(πa²) without the area itself, which may leave the range of doubles.
+pub(super) fn over_area(force: Estimate, a: Bounded) -> Estimate {
+    let reciprocal = |length: Bounded| Bounded::exact(1.0) / length;
+    force.times(reciprocal(a)).times(reciprocal(Bounded::rounded(PI) * a))
+}
+
+/// Evaluates a quantity at a radius with an error; the change of the quantity within that error is added to its own error.
 fn through(radius: Reading, quantity: impl Fn(f64) -> Result<Reading, ContactError>) -> Result<Reading, ContactError> {
     let Estimate { value: a, error, bound, .. } = radius.estimate;
     let own = quantity(a)?;

@@ -120,7 +120,7 @@ fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, out: &mut dyn Wri
         let with = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") };
         let measured = scene.tip.is_some();
         let more = if measured { format!("{:>16}", "model error") } else { String::new() };
-        let place = if curve == Quantity::AxialStress { "z" } else { "at" };
+        let place = if curve.coordinate() == "z" { "z" } else { "at" };
         writeln!(out, "{:>24}{:>24}{:>16}{more}", with(place, &length), with(curve.key(), &unit), "error")?;
         let second = index.and_then(|index| run.second_state(index));
         for (at, point) in run.points(curve, state) {

@@ -220,7 +220,7 @@ impl<'t> Entry<'t> {
             let near = nearest(own, known).map_or(String::new(), |near| format!("did you mean {near}? "));
             let shown: String = own.chars().take(60).collect();
             SceneError::value(format!("{} = {shown:?} is not known", self.key))
-                .help(format!("{near}{} would be accepted", known.join(", ")))
+                .help(format!("{near}expected one of {}", known.join(", ")))
                 .at(self.span())
         })
     }

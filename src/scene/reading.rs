@@ -101,12 +101,12 @@ impl Asked {
         }
         self.at = outputs.get("at").map(|entry| numbers(&entry)).transpose()?;
         self.depths = outputs.get("depths").map(|entry| numbers(&entry)).transpose()?;
-        if self.depths.is_none() && self.curves.contains(&Quantity::AxialStress) {
+        if self.depths.is_none() && self.curves.iter().any(|own| own.coordinate() == "z") {
             let missing = SceneError::missing("[outputs] has no depths: places below the surface where sigma_zz is wanted");
             let help = "depths = { start = \"0 um\", stop = \"5 um\", count = 101 } would be accepted";
             self.lacking = Some(missing.help(help).at(outputs.span()));
         }
-        let names: Vec<&str> = self.curves.iter().filter(|own| **own != Quantity::AxialStress).map(|own| own.key()).collect();
+        let names: Vec<&str> = self.curves.iter().filter(|own| own.coordinate() != "z").map(|own| own.key()).collect();
         if self.at.is_none() && !names.is_empty() {
             let message = format!("[outputs] has no at: radii where {} are wanted", names.join(", "));
             let help = "at = { start = \"0 um\", stop = \"2 um\", count = 101 } would be accepted";

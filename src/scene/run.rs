@@ -291,7 +291,7 @@ impl<'a> Run<'a> {
         nearest.filter(|own| own.force_error.abs() > SAME_SHAPE)
     }
 
-    /// A number of a state, which is returned by [`Self::computed`] if depth, force and radius do not suffice for it.
+    /// Returns a number of a state; its estimate is stored in `computed` if the number does not follow from depth, force and radius.
     fn datum(
         &self,
         datum: Quantity,

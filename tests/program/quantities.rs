@@ -70,7 +70,7 @@ fn scenes_have_every_quantity_of_a_load_and_references_write_no_other_one() {
             let own = run(&["eval", "r^2/4", "--quantity", key, "--at", &at, "--effective-modulus", "3", "--json"]);
             let own: serde_json::Value = serde_json::from_slice(&own.stdout).unwrap();
             let (value, known) = (row[key].as_f64().unwrap(), own["points"][0]["value"].as_f64().unwrap());
-            assert!((value - known).abs() <= 1e-14 * known.abs(), "{key}: {value} {known}");
+            assert!((value - known).abs() <= 5e-16 * known.abs(), "{key}: {value} {known}");
         } else {
             let curves = found["curves"].as_array().unwrap();
             let own: Vec<_> = curves.iter().filter(|own| own["quantity"] == key).collect();
@@ -90,7 +90,7 @@ fn scenes_have_every_quantity_of_a_load_and_references_write_no_other_one() {
                 for load in found["loads"].as_array().unwrap() {
                     for key in ["d", "F", "a"] {
                         let (value, error) = (load[key].as_f64().unwrap(), load["error_estimates"][key].as_f64().unwrap());
-                        assert!(error <= 4e-15 * value && load["bounds"][key] == "proven", "{key}: {load}");
+                        assert!(error <= 2e-15 * value && load["bounds"][key] == "proven", "{key}: {load}");
                     }
                 }
                 let fields = found["loads"][0]["fields"].as_array().unwrap();

@@ -8,6 +8,7 @@ mod formula;
 pub use dimension::Dimension;
 pub use formula::Formulas;
 
+use super::problem::over_area;
 use super::{Contact, ContactError, Measured, Reason};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{Derived, Quantities};
@@ -21,7 +22,7 @@ pub enum Kind {
     Shape,
     /// The load alone.
     Number,
-    /// The depth or the force, of which another quantity is the inverse or a composition.
+    /// The load, given by its depth or its force instead of the contact radius.
     Inverse,
     /// A place, and the contact radius.
     Field,
@@ -305,9 +306,7 @@ fn mean_pressure(load: &Loaded) -> Result<Estimate, Reason> {
     if load.radius.value == 0.0 {
         return Err(Reason::NoArea);
     }
-    let reciprocal = |length: Bounded| Bounded::exact(1.0) / length;
-    let radius = load.radius.bounded();
-    let mean = load.force.times(reciprocal(radius)).times(reciprocal(Bounded::rounded(PI) * radius));
+    let mean = over_area(load.force, load.radius.bounded());
     Ok(mean.resting_on(load.radius.bound))
 }
 

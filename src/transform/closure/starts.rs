@@ -35,9 +35,9 @@ const REACH: f64 = 0.75;
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Seen {
     Slopes,
-    /// The rounding errors of φ, which hide it.
+    /// The rounding errors of φ, which are larger than its variation.
     Rounding,
-    /// What is left of φ below its rounding, as -r of exp(r) - 1 - r.
+    /// The terms of φ that remain where another term rounds to a constant; see [`Starts::continues`].
     Remains,
 }
 
@@ -144,8 +144,10 @@ impl Starts {
         }
     }
 
-    /// Returns true if fit k contradicts the narrow fit at 2^exponent, although it agrees with all narrow fits down to there as far as these
-    /// see φ: this one sees what is left of φ below its rounding, as -r of exp(r) - 1 - r.
+    /// Returns true if the narrow fit at 2^exponent resolves only a remainder of φ.
+    ///
+    /// Where a term of φ rounds to a constant, the other terms remain: exp(r) - 1 - r evaluates to -r for r < 1e-16. The slope of the narrow
+    /// fit then differs from that of fit k, while fit k agrees with the narrow fits at all larger radii.
     fn continues(&self, k: i32, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
         let (Some(wide), Some(narrow)) = (self.fit(k, phi), self.octave(exponent, phi)) else { return false };
         let r = narrow.cell.middle();
@@ -226,7 +228,7 @@ fn is_blind(cell: &Cell) -> bool {
 
 /// Returns true if narrow fits resolve φ and find slopes that go up and down, as at waves and poles.
 ///
-/// Rounding errors are either not resolved by any fit, or they are steps between which the slope is that of the part of φ without error.
+/// Rounding errors are either noise, which no fit resolves, or steps between which the slope varies monotonically.
 fn has_features(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
     /// Where the narrow fits begin, and their width, as shares of the octave.
     const BEGINS: [f64; 6] = [0.07, 0.23, 0.41, 0.58, 0.77, 0.93];
