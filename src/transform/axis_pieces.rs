@@ -2,10 +2,11 @@
 
 use super::angle_substitution::NEAR_THE_LIMIT;
 use super::bisected::Angles;
-use super::integral::NumericProfile;
+use super::integral::{NumericProfile, NumericSegment};
 use super::leading_power::LeadingPower;
 use super::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
 use super::slope_source::{Numbers, Scratch};
+use super::stress_pieces::pressure_of_segments;
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, Region};
 
@@ -16,29 +17,30 @@ impl NumericProfile {
         if !a.is_normal() || self.starts_steeply(a) {
             return None;
         }
-        let jumps = self.pressure_of_jumps(0.0, a)?;
-        let mut ranges = Vec::new();
-        for segment in self.segments.iter().filter(|segment| segment.lower.value < a) {
-            // Next to the end of f′ only the distance to it has digits, and a breakpoint that is known to a rounding smears the kernel.
-            let ends_nearby = segment.limit.as_ref().is_some_and(|limit| a > NEAR_THE_LIMIT * limit.value.value);
-            let is_rough = segment.lower.error > 0.0 || segment.upper.is_some_and(|upper| upper.error > 0.0 && upper.value < a);
-            if ends_nearby || is_rough {
-                return None;
-            }
-            // On the axis it is divided by r.
-            let power = if segment.lower.value == 0.0 { segment.leading_power_of_bend() } else { segment.power_of_bend_for(a) };
-            let bend = segment.bend().ok()?;
-            ranges.push(Axis { angles: Angles::over(segment, a), bend, power });
+        // Next to the end of f′ only the distance to it has digits.
+        let ends_nearby = |segment: &NumericSegment| segment.limit.as_ref().is_some_and(|limit| a > NEAR_THE_LIMIT * limit.value.value);
+        if self.segments.iter().any(|segment| segment.lower.value < a && ends_nearby(segment)) {
+            return None;
         }
-        proven_sum(&mut ranges, jumps, tolerance, a).ok().flatten()
+        let jumps = self.pressure_of_jumps(0.0, a)?;
+        let (inner, outer): (Vec<_>, Vec<_>) = self.segments.iter().partition(|segment| segment.lower.value == 0.0);
+        let outside = pressure_of_segments(outer.into_iter(), 0.0, a, jumps, tolerance)?;
+        let mut ranges = Vec::new();
+        for segment in inner {
+            ranges.push(Axis { angles: Angles::over(segment, a), bend: segment.bend().ok()?, power: segment.leading_power_of_bend() });
+        }
+        let found = proven_sum(&mut ranges, outside.bounded(), tolerance, a).ok().flatten()?;
+        let smear: f64 = ranges.iter_mut().map(Axis::smear).sum();
+        let evaluations = found.evaluations + outside.evaluations;
+        smear.is_finite().then_some(Estimate { error: found.error + smear, evaluations, ..found })
     }
 }
 
-/// r = a cos φ from the lower end of a segment to its end or to the edge, φ = arccos(r/a): (r f′)′ φ a sin φ/r.
+/// r = a cos φ from the axis to the end of the first segment or to the edge, φ = arccos(r/a): (r f′)′ φ a sin φ/r.
 struct Axis<'a> {
     angles: Angles<'a>,
     bend: &'a Numbers,
-    /// (r f′)′ = δ^s h(δ) at the lower end: s, and h for enclosures.
+    /// (r f′)′ = r^s h(r) at the axis: s, and h for enclosures.
     power: Option<&'a LeadingPower>,
 }
 
@@ -46,6 +48,15 @@ impl Axis<'_> {
     /// φ a sin φ.
     fn weight(&self, phi: Region, sine: Region) -> f64 {
         self.angles.x * phi.largest() * sine.largest()
+    }
+
+    /// A bound on the integral between the upper end as a double and as it is, which is known to its error only.
+    fn smear(&mut self) -> f64 {
+        let (x, width) = (self.angles.x, self.angles.width);
+        let Some(end) = self.angles.segment.upper.filter(|upper| upper.value < x && upper.error > 0.0) else { return 0.0 };
+        let phi = self.angles.delta(Place { from_lower: width, from_upper: 0.0, from_above: true }).1;
+        let arc = 2.0 * end.error / (x * phi.sin());
+        arc * self.largest(Piece { from: 0.0, to: arc.min(0.5 * width), from_above: true }, 0.0)
     }
 }
 
@@ -55,19 +66,17 @@ impl Range for Axis<'_> {
     }
 
     fn size_at(&self, place: Place) -> f64 {
-        let (delta, phi) = self.angles.delta(place);
-        let r = self.angles.segment.lower.value + delta;
-        self.bend.plain(delta) * phi * self.angles.x * phi.sin() / r
+        let (r, phi) = self.angles.delta(place);
+        self.bend.plain(r) * phi * self.angles.x * phi.sin() / r
     }
 
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
         let radii = self.angles.radii(piece, sigma);
         let segment = self.angles.segment;
         let mut slots = std::mem::take(&mut self.angles.slots);
-        // From the lower end on δ has digits that the cosine lacks.
-        let r = if segment.lower.value == 0.0 { radii.delta } else { radii.r };
-        let mut ratio = segment.largest_bend(radii.delta, &mut slots) * r.recip().largest();
-        if segment.lower.value == 0.0 && !(ratio.is_finite()) {
+        let r = radii.delta;
+        let mut ratio = segment.largest_bend(r, &mut slots) * r.recip().largest();
+        if !ratio.is_finite() {
             // It vanishes at the axis: by the maximum principle |(r f′)′/r| ≤ M/R within |r| ≤ R.
             let reach = 2.0 * r.largest();
             ratio = segment.largest_bend(Region::new((-reach, reach), (-reach, reach)), &mut slots) / reach * (1.0 + 8.0 * UNIT);
@@ -77,20 +86,19 @@ impl Range for Axis<'_> {
         if largest.is_nan() { f64::INFINITY } else { largest }
     }
 
-    /// By (r f′)′ = δ^s h(δ), where δ/v falls: r is concave in the angle v from the lower end.
+    /// By (r f′)′ = r^s h(r), where r/v falls: r is concave in the angle v from the axis.
     fn tail(&mut self, piece: Piece) -> f64 {
         let Some(own) = self.power.filter(|_| !piece.from_above) else { return f64::INFINITY };
         let radii = self.angles.radii(piece, 0.0);
         let mut slots = std::mem::take(&mut self.angles.slots);
-        let rest = own.rest_over(radii.delta, &mut slots);
+        let (exponent, rest) = own.beyond_zeros(radii.delta, &mut slots);
         self.angles.slots = slots;
-        let lower = self.angles.segment.lower.value;
-        // On the axis the kernel takes one power of r.
-        let (power, over) = if lower == 0.0 { (own.exponent - 1.0, 1.0) } else { (own.exponent, lower) };
+        // The kernel takes one power of r.
+        let power = exponent - 1.0;
         let v = piece.to * (1.0 + 8.0 * UNIT);
         let slope = self.angles.delta(Place { from_lower: v, from_upper: self.angles.width - v, from_above: false }).0 / v;
         let steepness = if power < 0.0 { (slope * (1.0 - 1e-9)).powf(power) } else { self.angles.x.powf(power) };
-        let bound = rest / over * steepness * v.powf(1.0 + power) / (1.0 + power) * self.weight(radii.phi, radii.sine) * (1.0 + 1e-9);
+        let bound = rest * steepness * v.powf(1.0 + power) / (1.0 + power) * self.weight(radii.phi, radii.sine) * (1.0 + 1e-9);
         if bound >= 0.0 && 1.0 + power > 0.0 { bound + f64::MIN_POSITIVE } else { f64::INFINITY }
     }
 
@@ -98,10 +106,10 @@ impl Range for Axis<'_> {
         let (mut deltas, mut doubts, mut weights) = ([0.0; MOST_NODES], [0.0; MOST_NODES], [Bounded::exact(0.0); MOST_NODES]);
         let count = places.len();
         for (((place, delta), doubt), weight) in places.iter().zip(&mut deltas).zip(&mut doubts).zip(&mut weights) {
-            let (own, phi) = self.angles.delta(*place);
-            (*delta, *doubt) = (own, 16.0 * UNIT * own);
-            let value = phi * self.angles.x * phi.sin() / (self.angles.segment.lower.value + own);
-            // Next to the edge the angle is counted from there, next to the lower end from that one.
+            let (r, phi) = self.angles.delta(*place);
+            (*delta, *doubt) = (r, 16.0 * UNIT * r);
+            let value = phi * self.angles.x * phi.sin() / r;
+            // Next to the edge the angle is counted from there, next to the axis from that one.
             *weight = Bounded { value, error: 48.0 * UNIT * value };
         }
         self.bend.block(&deltas[..count], &doubts[..count], values, errors, scratch);

@@ -52,7 +52,7 @@ impl NumericSegment {
     }
 
     /// The power −1 < s that f′ has at its lower end, and h = f′/δ^s for enclosures; `None` where that is not known.
-    fn leading_power(&self) -> Option<&LeadingPower> {
+    pub(super) fn leading_power(&self) -> Option<&LeadingPower> {
         let power = self.power.get_or_init(|| {
             work::unbroken(|| {
                 let (slope, lower) = self.source.as_ref()?;

@@ -10,7 +10,9 @@ use std::cell::Cell;
 use std::f64::consts::FRAC_PI_2;
 
 /// Steps of work after which the proof is given up: nested rules answer then.
-const LONGEST: u64 = 40_000_000;
+const LONGEST: u64 = 60_000_000;
+/// Below this share of a range at the axis a bound on |g| may do.
+const NEXT_TO_THE_AXIS: f64 = 1e-2;
 /// The relative tolerance that the rules are asked for.
 const TOLERANCE: f64 = 1e-13;
 
@@ -76,6 +78,24 @@ impl<F: Fn(f64) -> Bounded> Gap<'_, F> {
         x.clamp(self.lower, self.upper)
     }
 
+    /// d − g, by a bound on |g| alone where that is nothing beside d: next to the axis g itself may take long.
+    fn gap(&self, place: Place, slots: &mut Vec<Region>) -> Bounded {
+        let x = self.place(place);
+        if x < NEXT_TO_THE_AXIS * self.upper && self.lower == 0.0 {
+            let around = Around { lower: 0.0, low: 0.0, high: x, short: 0.0 };
+            let largest = self.largest_equivalent(&around, slots);
+            if largest <= 0.1 * UNIT * self.depth.value.abs() {
+                return Bounded { value: self.depth.value, error: self.depth.error + largest };
+            }
+        }
+        self.depth - (self.slope)(x)
+    }
+
+    /// A bound on |g| in a rectangle; infinite where none is known.
+    fn largest_equivalent(&self, around: &Around, slots: &mut Vec<Region>) -> f64 {
+        self.typed.segments.iter().map(|segment| around.largest_part(segment, self.upper, slots)).sum()
+    }
+
     fn around(&self, piece: Piece, sigma: f64) -> Around {
         let (low, high, short) = piece.around(sigma);
         let (width, hair) = (self.upper - self.lower, 4.0 * UNIT * self.upper);
@@ -126,19 +146,16 @@ impl Around {
             None => from_begin.with_zero(),
         };
         let power = segment.power_for(upper);
-        let is_analytic = self.short == 0.0
-            || match ended {
-                Some(end) => self.from(end.value).0 > end.error,
-                None => low > doubt || (begin == 0.0 && power.is_none()),
-            };
-        if !is_analytic {
+        // Where the ellipse reaches the lower end, f′ must be analytic there; right of it only between both.
+        let is_right = ended.map_or(low > doubt, |end| self.from(end.value).0 > end.error);
+        if !(self.short == 0.0 || is_right || (ended.is_none() && begin == 0.0 && power.is_none())) {
             return f64::INFINITY;
         }
         // f′ = δ^s h(δ).
-        let (exponent, largest) = match power {
-            Some(own) => (own.exponent, own.rest_over(path, slots)),
-            None => (0.0, segment.largest_slope(path, slots)),
-        };
+        let along = if ended.is_some() { path } else { from_begin.above_zero() };
+        let plain = if power.is_none() { segment.largest_slope(path, slots) } else { f64::INFINITY };
+        let power = power.or_else(|| segment.leading_power().filter(|_| is_right && plain.is_infinite()));
+        let (exponent, largest) = power.map_or((0.0, plain), |own| (own.exponent, own.rest_over(along, slots)));
         let steep = exponent.min(0.0);
         let size = self.region(0.0, 0.0).largest();
         if begin == 0.0 && ended.is_none() {
@@ -165,15 +182,17 @@ impl<F: Fn(f64) -> Bounded> Range for Gap<'_, F> {
 
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
         let around = self.around(piece, sigma);
-        let g: f64 = self.typed.segments.iter().map(|segment| around.largest_part(segment, self.upper, &mut self.slots)).sum();
+        let mut slots = std::mem::take(&mut self.slots);
+        let g = self.largest_equivalent(&around, &mut slots);
+        self.slots = slots;
         let largest = (self.depth.value.abs() + self.depth.error + g).powi(2) * (1.0 + 1e-9);
         if largest.is_nan() { f64::INFINITY } else { largest }
     }
 
     fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], _scratch: &mut Scratch) {
-        let (mut variation, mut before): (f64, Option<f64>) = (0.0, None);
+        let (mut variation, mut before, mut slots): (f64, Option<f64>, _) = (0.0, None, Vec::new());
         for ((value, error), place) in values.iter_mut().zip(errors.iter_mut()).zip(places) {
-            let gap = self.depth - (self.slope)(self.place(*place));
+            let gap = self.gap(*place, &mut slots);
             let square = gap * gap;
             (*value, *error) = (square.value, square.error);
             variation += before.map_or(0.0, |before| (before - square.value).abs());

@@ -1,17 +1,24 @@
 //! The power with which a function begins at the lower end of a segment, and a bound on what it multiplies.
 
 use crate::eval::{RegionAlgebra, Tape};
-use crate::expr::{Expr, Node, Number, Sign, Symbol, normal, sign};
+use crate::expr::{Bindings, Expr, Node, Number, Symbol, leading_term, normal};
 use crate::num::Region;
+use num_traits::ToPrimitive;
 
 /// δ^s h(δ) at the lower end, δ the distance to it and s > −1.
 ///
+/// h is enclosed as a function of w = δ^(1/N), in which fractional powers of δ are whole, so that it is analytic at w = 0.
 /// Every logarithm of δ is δ^(−1/4) λ with λ = δ^(1/4) ln δ, which is bounded: it takes a quarter from s.
+/// What else vanishes at the end, as sin δ does, gives h = w^m k(w).
 #[derive(Debug)]
 pub struct LeadingPower {
     /// s.
     pub exponent: f64,
-    /// h over δ and λ for enclosures.
+    /// N.
+    root: u32,
+    /// m, or 0 where it is not known.
+    zeros: i32,
+    /// h over w and λ for enclosures.
     rest: Tape,
 }
 
@@ -19,6 +26,15 @@ pub struct LeadingPower {
 const LEAST: (i64, i64) = (-94, 100);
 /// The share of the power that goes with each logarithm.
 const QUARTER: f64 = 0.25;
+/// The largest N: exponents with two decimals.
+const MOST_ROOT: i64 = 100;
+/// The largest m.
+const MOST_ZEROS: i64 = 400;
+/// Radii in units of |w| on which a bound on k is sought: the next ones are these times the last.
+const STEP: f64 = 8.0;
+const STEPS: i32 = 12;
+/// A relative error of roots, powers and logarithms of the platform, with room.
+const HAIR: f64 = 1e-12;
 
 impl LeadingPower {
     /// Of a function of `delta`; `None` where it does not begin so.
@@ -43,29 +59,103 @@ impl LeadingPower {
         let least = parts.iter().map(|(exponent, _)| exponent.clone()).min().filter(|least| *least > Number::ratio(LEAST.0, LEAST.1))?;
         let rest =
             parts.iter().map(|(exponent, part)| part * variable.pow(&(Expr::number(exponent.clone()) - Expr::number(least.clone()))));
-        let rest = Tape::for_enclosures(&[Expr::sum(rest)], &[delta.clone(), bounded]).ok()?;
-        Some(Self { exponent: least.to_f64(), rest })
+        let rest = Expr::sum(rest);
+        let root = common_root(&rest, delta, 1).unwrap_or(1);
+        let rest = Bindings::one(delta.name(), variable.power(root)).apply(&rest);
+        let zeros = if rest.contains(&bounded) { 0 } else { zeros_of(&rest, delta) };
+        let rest = Tape::for_enclosures(&[rest], &[delta.clone(), bounded]).ok()?;
+        let root = u32::try_from(root).ok()?;
+        Some(Self { exponent: least.to_f64(), root, zeros, rest })
     }
 
-    /// A bound on |h| for real δ from 0 to the largest in a region; infinite where none is known.
-    pub fn rest_over(&self, delta: Region, slots: &mut Vec<Region>) -> f64 {
-        let most = delta.largest();
-        let end = most.powf(QUARTER) * most.ln();
-        // λ falls to −4/e at δ = e^−4 and rises from there.
-        let low = if most < (-4.0_f64).exp() { end } else { -4.0 / std::f64::consts::E };
-        let bounded = Region::interval(low * (1.0 + 1e-12), end.max(0.0) * (1.0 + 1e-12));
-        self.rest.run(&mut RegionAlgebra, &[delta, bounded], slots).map_or(f64::INFINITY, Region::largest)
+    /// A bound on |h| for δ on the straight lines from 0 to all places of a region; infinite where none is known, and where h is not known
+    /// to be analytic on them.
+    pub fn rest_over(&self, end: Region, slots: &mut Vec<Region>) -> f64 {
+        let Some(angle) = end.largest_angle() else { return f64::INFINITY };
+        let (most, share) = (end.largest(), 1.0 / f64::from(self.root));
+        let w = if self.root == 1 {
+            end.with_zero().above_zero()
+        } else {
+            let (most, angle) = (most.powf(share) * (1.0 + HAIR), share * angle);
+            Region::new((0.0, most), (-most * angle, most * angle))
+        };
+        let quarter = most.powf(QUARTER);
+        let last = quarter * most.ln();
+        // λ falls to −4/e at δ = e^−4 and rises from there, for real δ; an angle α adds i α δ^(1/4), and turns all by α/4.
+        let low = if most < (-4.0_f64).exp() { last } else { -4.0 / std::f64::consts::E };
+        let turned = angle * (0.25 * low.abs().max(last.abs()) + quarter) * (1.0 + HAIR);
+        let bounded = Region::new((low * (1.0 + HAIR) - turned, last.max(0.0) * (1.0 + HAIR) + turned), (-turned, turned));
+        self.rest.run(&mut RegionAlgebra, &[w, bounded], slots).map_or(f64::INFINITY, Region::largest)
     }
 }
 
-/// ln(c δ^k) with positive c as ln c and k.
+impl LeadingPower {
+    /// s + m/N and a bound on |k| for real δ from 0 to the largest in a region: by the maximum principle |k| ≤ max |h|/R^m on every larger
+    /// disc |w| ≤ R on which h is analytic.
+    pub fn beyond_zeros(&self, delta: Region, slots: &mut Vec<Region>) -> (f64, f64) {
+        if self.zeros == 0 {
+            return (self.exponent, self.rest_over(delta, slots));
+        }
+        let share = 1.0 / f64::from(self.root);
+        let least = delta.largest().powf(share) * (1.0 + HAIR);
+        let mut on = |radius: f64| {
+            let square = Region::new((-radius, radius), (-radius, radius));
+            let found = self.rest.run(&mut RegionAlgebra, &[square, Region::real(0.0)], slots);
+            let bound = found.map_or(f64::INFINITY, Region::largest) * radius.powi(-self.zeros) * (1.0 + HAIR);
+            if bound.is_nan() { f64::INFINITY } else { bound }
+        };
+        let mut best = f64::INFINITY;
+        for step in 0..STEPS {
+            let own = on(least * STEP.powi(step));
+            // Beyond the first singularity all are infinite.
+            if own.is_infinite() && best.is_finite() {
+                break;
+            }
+            best = best.min(own);
+        }
+        (self.exponent + share * f64::from(self.zeros), best)
+    }
+}
+
+/// With how many powers of the symbol the expression begins, 0 where that is not known.
+fn zeros_of(expr: &Expr, symbol: &Symbol) -> i32 {
+    let in_r = Bindings::one(symbol.name(), Expr::symbol("r")).apply(expr);
+    let exponent = leading_term(&in_r).and_then(|first| first.exponent.to_i64());
+    exponent.filter(|m| (1..=MOST_ZEROS).contains(m)).map_or(0, |m| m as i32)
+}
+
+/// The least common multiple of `root` and the denominators of the exponents of `symbol`; `None` where it is large, or an exponent is no ratio.
+fn common_root(expr: &Expr, symbol: &Symbol, root: i64) -> Option<i64> {
+    match expr.node() {
+        Node::Power(base, exponent) if base.as_symbol() == Some(symbol) => {
+            let own = exponent.as_number()?.value().denom().to_i64()?;
+            let (mut a, mut b) = (root, own);
+            while b != 0 {
+                (a, b) = (b, a % b);
+            }
+            (root / a).checked_mul(own).filter(|root| *root <= MOST_ROOT)
+        }
+        Node::Power(base, exponent) => common_root(exponent, symbol, common_root(base, symbol, root)?),
+        Node::Function(_, list) | Node::Product(list) | Node::Sum(list) => {
+            list.iter().try_fold(root, |root, own| common_root(own, symbol, root))
+        }
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => Some(root),
+    }
+}
+
+/// ln(c δ^k), or ln of a sum that begins with δ^k, as ln(c) and k: what is left under the logarithm has no power of δ in front.
+///
+/// Where c is negative, or has other signs, its enclosure says so.
 fn logarithm(expr: &Expr, delta: &Symbol) -> Option<(Expr, Expr)> {
     let Node::Function(function, arguments) = expr.node() else { return None };
     let ("ln", [argument]) = (function.name(), arguments.as_slice()) else { return None };
-    let (powers, constants): (Vec<Expr>, Vec<Expr>) = argument.factors().into_iter().partition(|factor| factor.contains(delta));
-    let [power] = powers.as_slice() else { return None };
-    let (base, k) = power.split_power();
-    let constant = Expr::product(constants);
-    (base.as_symbol() == Some(delta) && !k.contains(delta) && sign(&constant) == Sign::Positive)
-        .then(|| (if constant.is_one() { Expr::zero() } else { Expr::call("ln", [constant]) }, k))
+    let terms = normal::normal_terms(argument, delta).ok()?;
+    let least = terms.iter().map(|term| term.exponent.as_number()).collect::<Option<Vec<_>>>()?.into_iter().min()?.clone();
+    if least.is_zero() {
+        return None;
+    }
+    let (variable, k) = (Expr::from(delta.clone()), Expr::number(least));
+    let rest = terms.iter().map(|term| &term.coefficient * term.kernel.clone() * variable.pow(&(&term.exponent - &k)));
+    let rest = Expr::sum(rest);
+    Some((if rest.is_one() { Expr::zero() } else { Expr::call("ln", [rest]) }, k))
 }

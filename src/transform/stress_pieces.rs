@@ -17,29 +17,41 @@ impl NumericProfile {
             return None;
         }
         let jumps = self.pressure_of_jumps(s, a)?;
-        let mut ranges = Vec::new();
-        for segment in &self.segments {
-            let lower = segment.ends.0;
-            let end = segment.ends.1.filter(|upper| upper.at < a).unwrap_or(Endpoint::exact(a));
-            if lower.at >= end.at {
-                continue;
-            }
-            let bend = segment.bend().ok()?;
-            let mut add = |from: Endpoint, to: Endpoint| {
-                let power = if from == lower { segment.power_of_bend_for(to.at) } else { None };
-                ranges.push(Radii { segment, bend, power, from, to, s, a, slots: Vec::new() });
-            };
-            if s > lower.at && s < end.at {
-                add(lower, Endpoint::exact(s));
-                add(Endpoint::exact(s), end);
-            } else {
-                add(lower, end);
-            }
-        }
-        let found = proven_sum(&mut ranges, jumps, tolerance, a).ok().flatten()?;
-        let smear: f64 = ranges.iter().map(Radii::smear).sum();
-        Some(Estimate { error: found.error + smear, ..found })
+        pressure_of_segments(self.segments.iter(), s, a, jumps, tolerance)
     }
+}
+
+/// ∫ (r f′)′ K(r, s) dr over segments and `more`, with a proven bound; `None` as [`NumericProfile::pressure_by_pieces`], and where a segment
+/// begins at s = 0.
+pub(super) fn pressure_of_segments<'a>(
+    segments: impl Iterator<Item = &'a NumericSegment>,
+    s: f64,
+    a: f64,
+    more: Bounded,
+    tolerance: f64,
+) -> Option<Estimate> {
+    let mut ranges = Vec::new();
+    for segment in segments {
+        let lower = segment.ends.0;
+        let end = segment.ends.1.filter(|upper| upper.at < a).unwrap_or(Endpoint::exact(a));
+        if lower.at >= end.at {
+            continue;
+        }
+        let bend = segment.bend().ok()?;
+        let mut add = |from: Endpoint, to: Endpoint| {
+            let power = if from == lower { segment.power_of_bend_for(to.at) } else { None };
+            ranges.push(Radii { segment, bend, power, from, to, s, a, slots: Vec::new() });
+        };
+        if s > lower.at && s < end.at {
+            add(lower, Endpoint::exact(s));
+            add(Endpoint::exact(s), end);
+        } else {
+            add(lower, end);
+        }
+    }
+    let found = proven_sum(&mut ranges, more, tolerance, a).ok().flatten()?;
+    let smear: f64 = ranges.iter().map(Radii::smear).sum();
+    Some(Estimate { error: found.error + smear, ..found })
 }
 
 /// The range from `from` to `to`, which lies on one side of s.

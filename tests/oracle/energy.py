@@ -8,7 +8,7 @@ f′ is written out by hand here; g is a quadrature over the angle, piece by pie
 """
 from functools import lru_cache
 
-from mpmath import asin, besselj, cos, exp, mp, mpf, nstr, pi, quad, sin, sqrt, struveh, tanh
+from mpmath import asin, besselj, cos, exp, log, mp, mpf, nstr, pi, quad, sin, sqrt, struveh, tanh
 
 mp.dps = 30
 # Profile; pieces of f′ as (begin, end, f′); contact radii, and a depth where the edge is a rim.
@@ -18,6 +18,10 @@ CASES = [
     ("2*r", [(0, ALL, lambda r: mpf(2))], ("0.7",), None),
     ("r^1.5", [(0, ALL, lambda r: mpf(3) / 2 * sqrt(r))], ("0.01", "1"), None),
     ("sqrt(r)", [(0, ALL, lambda r: 1 / (2 * sqrt(r)))], ("1",), None),
+    ("r^2.5+r^2", [(0, ALL, lambda r: mpf(5) / 2 * r ** mpf("1.5") + 2 * r)], ("1e-6", "0.5", "30"), None),
+    ("r^2*ln(1+1/r)", [(0, ALL, lambda r: 2 * r * log(1 + 1 / r) - r / (1 + r))], ("0.5",), None),
+    ("sqrt(1+r^2.5)-1", [(0, ALL, lambda r: mpf("1.25") * r ** mpf("1.5") / sqrt(1 + r ** mpf("2.5")))], ("0.5",), None),
+    ("r^2/(1+sqrt(r))", [(0, ALL, lambda r: r * (2 + mpf("1.5") * sqrt(r)) / (1 + sqrt(r)) ** 2)], ("0.5",), None),
     ("r^2.3", [(0, ALL, lambda r: mpf(23) / 10 * r ** (mpf(13) / 10))], ("2",), None),
     ("ln(cosh(r))", [(0, ALL, tanh)], ("0.5", "1", "20"), None),
     ("1-sqrt(1-r^2)", [(0, ALL, lambda r: r / sqrt(1 - r * r))], ("0.5", "0.999"), None),

@@ -117,6 +117,15 @@ impl Region {
         }
     }
 
+    /// The largest |arg z| of numbers with a positive real part, 0 on the real axis; `None` where others are in the region.
+    pub fn largest_angle(self) -> Option<f64> {
+        if self.is_on_the_axis() && self.re.high > 0.0 {
+            return Some(0.0);
+        }
+        let own = (self.im.largest() / self.re.low).atan() * (1.0 + 8.0 * f64::EPSILON);
+        (self.is_known() && self.re.low > 0.0).then_some(own)
+    }
+
     /// Whether it is a part of the real axis.
     fn is_on_the_axis(self) -> bool {
         self.im.is(0.0) && self.re.low <= self.re.high
