@@ -144,6 +144,10 @@ fn solve_chain(chain: &Chain, slopes: &[Expr], parts: impl Fn(&Expr) -> Option<V
     chains
 }
 
+/// The largest formula of g on an interval, in nodes of its tree: that of `(1+r/b)^(101/2)` would fill a hundred pages, and one integral is
+/// printed instead.
+const LONGEST: usize = 6_000;
+
 fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>) -> SolvedInterval {
     let terms = match parts {
         Some(parts) => term::split(parts, &segment),
@@ -151,9 +155,17 @@ fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>)
     };
     // Over a place that was located numerically no formula is exact.
     let rough = kinks::is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(kinks::is_approximate);
-    let answer = |term: &Term| if rough { None } else { rules::answer(term) };
-    let solved = |term: Term| SolvedTerm { answer: answer(&term), term, agreement: Agreement::default() };
-    let terms = rules::reading::remembered(|| terms.into_iter().map(solved).collect());
+    let mut length = 0;
+    let mut answer = |term: &Term| {
+        let found = if rough || length >= LONGEST { None } else { rules::answer(term) };
+        length += found.as_ref().map_or(0, |(_, own)| own.slope.within.shown.size_up_to(LONGEST));
+        found
+    };
+    let mut solved = |term: Term| SolvedTerm { answer: answer(&term), term, agreement: Agreement::default() };
+    let mut terms: Vec<SolvedTerm> = rules::reading::remembered(|| terms.into_iter().map(&mut solved).collect());
+    if length >= LONGEST {
+        terms = vec![SolvedTerm { answer: None, term: whole(&slope, &segment), agreement: Agreement::default() }];
+    }
     SolvedInterval { segment, slope, terms }
 }
 

@@ -382,6 +382,28 @@ fn high_powers_are_compared() {
     for profile in ["r^1000", "C*r^800", "r^300+r^2", "(1+r/b)^90", "r^(1001/2)"] {
         assert_eq!(compared(profile), ("passed".to_owned(), [true; 4]), "{profile}");
     }
+    // Next to a kink f′ as a polynomial has no digits; pressures of high powers beyond a kink are integrals.
+    for profile in ["piecewise(0,r<b,(r-b)^20)", "max(0,r-b)^30", "piecewise(0,r<0.7,(r-0.7)^24)", "max(r,b)^50", "max(r,b)^100"] {
+        assert_eq!(compared(profile), ("passed".to_owned(), [true, true, true, false]), "{profile}");
+    }
+}
+
+/// Class "a formula that nobody can read uses up the budget": the answer is an integral, with numbers by quadrature.
+#[test]
+fn endless_formulas_are_left_as_integrals() {
+    for profile in ["(1+r/b)^(101/2)", "(1+r/b)^60.5", "(1-r/b)^(141/2)"] {
+        let derived = json(&["derive", profile, "--json"]);
+        assert_eq!((&derived["g"]["status"], &derived["k"]["status"]), (&"numeric".into(), &"exact".into()), "{profile}");
+        // f′(0) = n/b, and all else is below 1e-9 of it.
+        let point = &json(&["eval", profile, "--set", "b=1", "--quantity", "g", "--at", "1e-12", "--json"])["points"][0];
+        let exponent = profile.rsplit('^').next().unwrap().trim_matches(['(', ')']);
+        let exponent = exponent
+            .split_once('/')
+            .map_or_else(|| exponent.parse().unwrap(), |(p, q)| p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap());
+        let sign = if profile.contains('-') { -1.0 } else { 1.0 };
+        let ratio = point["value"].as_f64().unwrap() / (sign * exponent * std::f64::consts::FRAC_PI_2 * 1e-12);
+        assert!((ratio - 1.0).abs() < 1e-9, "{profile}: {ratio}");
+    }
 }
 
 /// A value that is too large is told as that, and no other reason.

@@ -4,6 +4,7 @@ use super::combination::tidy;
 use crate::expr::function::elliptic_moment_parts;
 use crate::expr::normal;
 use crate::expr::{Expr, Sign, Symbol, derivative, sign};
+use crate::num::work;
 use crate::transform::{Answer, Branches, Pair, Parameter, Rule, Term};
 
 pub(super) static RULE: Rule = Rule {
@@ -23,6 +24,9 @@ pub(super) static RULE: Rule = Rule {
     specializes: None,
     apply,
 };
+
+/// Steps of work after which the pressure is left as an integral.
+const LONGEST: u64 = 28_000_000;
 
 /// f′ = Σ c_m r^m on [b, c).
 ///
@@ -58,7 +62,8 @@ fn apply(term: &Term) -> Option<Answer> {
     Some(Answer {
         slope: Branches { within: slope(None), beyond: slope(upper) },
         force: Branches { within: force(None), beyond: force(upper) },
-        pressure: pressure(&coefficients, lower, upper),
+        // Of high powers the pressure fills pages: g and F stay closed without it.
+        pressure: work::share(LONGEST, || pressure(&coefficients, lower, upper)).flatten(),
         conditions: Vec::new(),
     })
 }

@@ -49,6 +49,8 @@ struct Radii {
     lower: f64,
     upper: Option<f64>,
     all: Vec<(f64, Part)>,
+    /// More radii within, for terms without accurate digits at the others, as (r − b)²⁰ next to b.
+    spare: Vec<f64>,
 }
 
 impl Place {
@@ -89,10 +91,15 @@ impl Place {
             (false, true) => ([1.617 * lower, 1.083 * lower], Some(23.7 * lower)),
             (false, false) => ([1.093, 0.311], Some(17.3)),
         };
+        let spare = match (top.is_finite(), lower > 0.0) {
+            (true, _) => vec![lower + 0.937 * (top - lower)],
+            (false, true) => vec![3.93 * lower, 11.3 * lower],
+            (false, false) => Vec::new(),
+        };
         let beyond = upper.into_iter().flat_map(|upper| [1.21 * upper, 2.63 * upper]).filter(|x| *x < self.limit);
         let all = within.map(|x| (x, Part::Within)).into_iter();
         let all = all.chain(beyond.map(|x| (x, Part::Beyond))).chain(far.filter(|_| self.first).map(|x| (x, Part::Far))).collect();
-        Some(Radii { lower, upper, all })
+        Some(Radii { lower, upper, all, spare })
     }
 
     /// True unless the terms are proven not to add up to f′ as it was typed.
@@ -127,12 +134,16 @@ impl Place {
 
     /// Compares g and F/(2E*) of a term at its radii; `None` if they have no value somewhere.
     pub(super) fn compare(&self, subject: &Subject<'_>) -> Option<[Verdict; 2]> {
-        let Radii { lower, upper, all } = self.radii(subject.segment)?;
+        let Radii { lower, upper, all, spare } = self.radii(subject.segment)?;
         let mut verdicts = [Verdict::Agrees; 2];
         // Whether a comparison was conclusive within the segment, and beyond it if the segment ends.
         let ends = all.iter().any(|(_, part)| *part == Part::Beyond);
         let mut conclusive = [[false, !ends]; 2];
-        for (x, part) in all {
+        let spare = spare.into_iter().map(|x| (x, Part::Within));
+        for (index, (x, part)) in all.iter().copied().chain(spare).enumerate() {
+            if index >= all.len() && conclusive.iter().all(|[within, _]| *within) {
+                break;
+            }
             let own = if part == Part::Beyond { subject.beyond.as_ref()? } else { &subject.within };
             let Some(values) = self.bounded(&own.slope_and_force, &[x, x]) else { if part == Part::Far { continue } else { return None } };
             let integrals = self.integrals(&subject.tape, lower, upper, x);
@@ -160,7 +171,7 @@ impl Place {
                     // A form without accurate digits, as next to a kink or after underflow, is compared at the other radii only.
                     if is_known {
                         part.record(conclusive);
-                    } else if *verdict == Verdict::Agrees {
+                    } else if *verdict == Verdict::Agrees && self.has_digits(&subject.tape, 0.5 * (lower + x)) {
                         *verdict = Verdict::Unknown;
                     }
                 }
@@ -205,6 +216,11 @@ impl Place {
             }
         }
         found
+    }
+
+    /// Whether f′ of a term has digits at a radius: a quadrature of values that cancel neither agrees nor contradicts.
+    fn has_digits(&self, tape: &Tape, r: f64) -> bool {
+        self.bounded(tape, &[r]).is_some_and(|own| own.iter().all(|own| own.error <= ENOUGH * own.value.abs()))
     }
 
     /// g or F/(2E*) of a term by quadrature whose bound is proven.
