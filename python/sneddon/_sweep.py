@@ -33,8 +33,9 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
     Returns
     -------
     xarray.Dataset
-        ``d``, ``F``, ``a``, ``k``, ``valid`` and ``error`` over the names of ``over``, or over ``point`` for a list; a scene that
-        cannot be solved has NaN and its reason in ``error``.
+        ``d``, ``F``, ``a`` and ``k`` over the names of ``over``, or over ``point`` for a list; for each a bound on its error, as
+        ``F_error``, and whether that is proven, as ``F_proven``; ``valid``; and ``error``. A scene that cannot be solved has NaN
+        and its reason in ``error``.
     """
     import xarray
 
@@ -61,7 +62,7 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
     for name in names:
         if not isinstance(name, str):
             raise TypeError(f"{name!r} is not the dotted name of a key")
-        if name in (*_NUMBERS, "valid", "error"):
+        if name in (*(key + own for key in _NUMBERS for own in ("", "_error", "_proven")), "valid", "error"):
             raise SneddonError(f"{name} is a result of the sweep", f"over, {name}", "a dotted name such as load.depth is accepted")
         _changed(scene, [(name, None)])
     blocks = [points[start : start + _BLOCK] for start in range(0, len(points), _BLOCK)]
@@ -70,11 +71,18 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
     else:
         found = client.gather(client.map(_solved, *zip(*((scene, names, block) for block in blocks)), pure=False))
     rows = [row for block in found for row in block]
-    data: dict[str, Any] = {
-        key: (dimensions, np.array([row[index] for row in rows], dtype=float).reshape(shape)) for index, key in enumerate(_NUMBERS)
-    }
-    data["valid"] = (dimensions, np.array([row[-2] for row in rows], dtype=bool).reshape(shape))
-    data["error"] = (dimensions, np.array([row[-1] for row in rows], dtype=object).reshape(shape))
+
+    def values_of(kind: str, key: str, missing: Any, dtype: type) -> tuple[list[str], np.ndarray]:
+        return dimensions, np.array([row[kind].get(key, missing) for row in rows], dtype=dtype).reshape(shape)
+
+    data: dict[str, Any] = {}
+    for key in _NUMBERS:
+        data[key] = values_of("numbers", key, np.nan, float)
+    for key in _NUMBERS:
+        data[f"{key}_error"] = values_of("errors", key, np.nan, float)
+        data[f"{key}_proven"] = values_of("proven", key, False, bool)
+    data["valid"] = (dimensions, np.array([row["valid"] for row in rows], dtype=bool).reshape(shape))
+    data["error"] = (dimensions, np.array([row["why"] for row in rows], dtype=object).reshape(shape))
     return xarray.Dataset(data, coords=coordinates)
 
 
@@ -101,17 +109,24 @@ def _changed(scene: dict[str, Any], changes: list[tuple[str, Any]]) -> dict[str,
     return own
 
 
-def _solved(scene: dict[str, Any], names: list[str], points: list[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
+def _solved(scene: dict[str, Any], names: list[str], points: list[tuple[Any, ...]]) -> list[dict[str, Any]]:
     return [_one(_changed(scene, list(zip(names, point)))) for point in points]
 
 
-def _one(scene: dict[str, Any]) -> tuple[Any, ...]:
-    nothing = float("nan")
+def _one(scene: dict[str, Any]) -> dict[str, Any]:
+    """Return the numbers of a scene, the bounds on their errors, whether these are proven, and why there are none."""
+    nothing: dict[str, Any] = {"numbers": {}, "errors": {}, "proven": {}, "valid": False}
     try:
         found = solve(scene)
     except (SneddonError, TypeError) as error:
-        return (*(nothing for _ in _NUMBERS), False, str(error))
+        return {**nothing, "why": str(error)}
     if len(found.rows) != 1:
-        return (*(nothing for _ in _NUMBERS), False, f"the scene has {len(found.rows)} loads; a sweep takes one")
+        return {**nothing, "why": f"the scene has {len(found.rows)} loads; a sweep takes one"}
     row = found.rows[0]
-    return (*(row[key] if isinstance(row.get(key), (int, float)) else nothing for key in _NUMBERS), row["valid"], "" if row["valid"] else found.why)
+    return {
+        "numbers": {key: row[key] for key in _NUMBERS if isinstance(row.get(key), (int, float))},
+        "errors": row.get("error_estimates", {}),
+        "proven": {key: ground == "proven" for key, ground in row.get("bounds", {}).items()},
+        "valid": row["valid"],
+        "why": "" if row["valid"] else found.why,
+    }
