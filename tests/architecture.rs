@@ -3,7 +3,11 @@
 //! The table of rooms below is the only place that says who may know whom; `docs/architecture.md` explains it.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
 
-use std::collections::BTreeSet;
+#[path = "architecture/imports.rs"]
+mod imports;
+
+use imports::{Module, cycles, imports, names};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -25,7 +29,11 @@ const ROOMS: &[Room] = &[
     Room { name: "print", may_use: &["expr"] },
     Room { name: "eval", may_use: &["num", "expr"] },
     // Across, once: print, for the expressions that stand in error texts. Never parse: rules build expressions, they do not read text.
-    Room { name: "transform", may_use: &["num", "expr", "eval", "print"] },
+    Room { name: "integrate", may_use: &["num", "expr", "eval", "print"] },
+    Room { name: "derive", may_use: &["num", "expr", "eval", "print", "integrate"] },
+    Room { name: "evaluate", may_use: &["num", "expr", "eval", "print", "integrate", "derive"] },
+    // The public names of the three.
+    Room { name: "transform", may_use: &["integrate", "derive", "evaluate"] },
     // print for the texts of conditions, as in transform.
     Room { name: "contact", may_use: &["num", "expr", "eval", "print", "transform"] },
     // Beside scene: closed forms as programs in other languages, with claims that the sampled error bounds support.
@@ -114,6 +122,101 @@ fn every_file_says_what_it_is_and_is_not_too_long() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// What one room may name of another below it, beyond which their borders would blur.
+const NARROW: &[(&str, &str, &[&str])] = &[
+    ("derive", "integrate", &["TransformError", "NumericProfile", "Segment", "Growth", "growth"]),
+    (
+        "evaluate",
+        "derive",
+        &[
+            "Solution",
+            "SolvedInterval",
+            "Superposed",
+            "Pair",
+            "closed_form",
+            "Profile",
+            "Chain",
+            "Inverse",
+            "Verification",
+            "Sampler",
+            "Stream",
+            "Barrier",
+            "is_below",
+            "is_approximate",
+            "domain",
+        ],
+    ),
+];
+
+#[test]
+fn borders_between_rooms_are_narrow() {
+    let mut faults = Vec::new();
+    for (module, code) in sources("src") {
+        for (room, below, allowed) in NARROW.iter().filter(|(room, ..)| module.first().is_some_and(|first| first == room)) {
+            let named = names(&module, &code).into_iter().filter(|path| path.first().is_some_and(|first| first == below));
+            let foreign = named.filter(|path| !path.iter().any(|part| allowed.contains(&part.as_str())));
+            faults.extend(foreign.map(|path| format!("{}: {room} may not name {}", module.join("/"), path.join("::"))));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The number of groups of files that name each other in a circle; files and their own folders do not count.
+const CYCLES: [(&str, usize); 2] = [("src", 22), ("crates/sneddon-num/src", 1)];
+
+#[test]
+fn there_are_no_more_cycles_between_files() {
+    for (directory, most) in CYCLES {
+        let found = cycles(&imports(&sources(directory)));
+        let list = found.iter().map(|group| group.join(", ")).collect::<Vec<_>>().join("\n");
+        assert_eq!(found.len(), most, "cycles in {directory}:\n{list}");
+    }
+}
+
+/// The most files at the root of a folder.
+const MOST_FILES: usize = 15;
+/// Folders that are lists and grow, or that have more files still, with their numbers.
+const LONG_FOLDERS: &[(&str, usize)] = &[
+    ("src/derive/rules", 40),
+    ("crates/sneddon-num/src/special", 26),
+    ("src/cli", 27),
+    ("src/scene", 25),
+    ("src/validate", 25),
+    ("src/report", 19),
+    ("src/print", 18),
+    ("src/tradeoff", 16),
+];
+
+#[test]
+fn folders_are_short() {
+    let mut count: BTreeMap<String, usize> = BTreeMap::new();
+    for file in source_files().into_iter().chain(rust_files(&root().join("crates/sneddon-num/src"))) {
+        *count.entry(file.parent().unwrap().strip_prefix(root()).unwrap().display().to_string()).or_default() += 1;
+    }
+    let most = |folder: &str| LONG_FOLDERS.iter().find(|(own, _)| *own == folder).map_or(MOST_FILES, |(_, most)| *most);
+    let faults: Vec<String> =
+        count.iter().filter(|(folder, own)| **own > most(folder)).map(|(folder, own)| format!("{folder} has {own} files")).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// The code of every module below a directory, without comments, strings and tests.
+fn sources(directory: &str) -> BTreeMap<Module, String> {
+    let base = root().join(directory);
+    let module = |file: &Path| {
+        let mut parts: Module =
+            file.strip_prefix(&base).unwrap().with_extension("").iter().map(|part| part.to_str().unwrap().to_owned()).collect();
+        if parts.last().is_some_and(|last| last == "mod") || parts == ["lib"] {
+            parts.pop();
+        }
+        parts
+    };
+    let code = |file: &Path| {
+        let code = code_only(&fs::read_to_string(file).unwrap());
+        code.split("#[cfg(test)]").next().unwrap_or_default().to_owned()
+    };
+    rust_files(&base).iter().map(|file| (module(file), code(file))).collect()
 }
 
 #[test]

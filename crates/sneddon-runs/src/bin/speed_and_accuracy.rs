@@ -75,7 +75,7 @@ How to read the tables:
 - The stated error is the largest bound that the method itself gave; a dash is a method that states none.
 - Times are processor time for one point: the median over 15 rounds of batches, the order of the methods shuffled with a fixed seed in every round, and the middle half of the rounds.
 - The set-up is everything from the profile to the first value, and is paid once; for a slice, also what its first pass makes for those after it.
-- A slice has 131 072 points, those of the profile again and again; a closed form is expanded in short polynomials where so many lie close together (`src/transform/local_polynomials.rs`).
+- A slice has 131 072 points, those of the profile again and again; a closed form is expanded in short polynomials where so many lie close together (`src/evaluate/local_polynomials.rs`).
 - ★ marks the Pareto front: nothing else is both as accurate and faster.",
         system.0, system.1
     )

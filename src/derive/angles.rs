@@ -1,0 +1,261 @@
+//! Slope angles: constants such as tan θ, whose angles lie between 0 and π/2.
+//!
+//! The flank of a cone has a slope angle, so that its sine, cosine and tangent are positive.
+//! What is proven under that assumption carries the condition that the angle is acute.
+
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Condition, Expr, Node, Sign, Symbol, normal};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// The largest multiple of an angle that is expanded.
+const LARGEST_MULTIPLE: i64 = 12;
+
+/// Expressions in which every sine, cosine and tangent of a constant angle is a positive symbol.
+pub(crate) struct Positive {
+    values: Vec<(Expr, Symbol)>,
+}
+
+impl Positive {
+    /// Collects the constants of the expression.
+    pub(crate) fn of(expr: &Expr) -> Self {
+        let mut calls = Vec::new();
+        collect(expr, &mut calls);
+        let values = calls.into_iter().enumerate().map(|(place, call)| (call, Symbol::new(&format!("angle·{place}")))).collect();
+        Self { values }
+    }
+
+    /// The expression with symbols for these constants.
+    pub(crate) fn replaced(&self, expr: &Expr) -> Expr {
+        map_calls(expr, &|call| self.values.iter().find(|(known, _)| known == call).map(|(_, symbol)| Expr::from(symbol.clone())))
+    }
+
+    /// The expression with the constants for their symbols.
+    pub(crate) fn restored(&self, expr: &Expr) -> Expr {
+        self.values.iter().map(|(call, symbol)| (symbol.name(), call.clone())).collect::<Bindings>().apply(expr)
+    }
+}
+
+/// The sign of an expression whose slope angles are acute.
+pub(crate) fn sign(expr: &Expr) -> Sign {
+    let known = crate::expr::sign(expr);
+    if known != Sign::Unknown || !has_angle(expr) {
+        return known;
+    }
+    crate::expr::sign(&Positive::of(expr).replaced(expr))
+}
+
+/// True where the expression is proven to be zero, its slope angles being acute; false proves nothing.
+pub(crate) fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
+    normal::is_proven_zero(expr, variable)
+        || (has_angle(expr) && algebraic(expr).is_some_and(|algebraic| normal::is_proven_zero(&algebraic, variable)))
+}
+
+/// Parameters for which angles are not acute.
+const OTHER_ANGLES: [(i64, i64); 4] = [(67, 32), (87, 32), (141, 32), (167, 32)];
+
+/// True where the expression is zero because of its angles, acute or not, as tan θ − sin θ/cos θ; false proves nothing.
+pub(crate) fn cancels(expr: &Expr, variable: &Symbol) -> bool {
+    let vanishes = |value: Expr| {
+        let set: Bindings = expr.symbols().iter().map(|symbol| (symbol.name(), value.clone())).collect();
+        constant_value(expr, &set).is_ok_and(|own| own.value.abs() <= 4.0 * own.error)
+    };
+    // The proof takes the angles for acute; sin θ − √(1 − cos² θ) is zero for those only.
+    has_angle(expr) && is_proven_zero(expr, variable) && OTHER_ANGLES.iter().all(|(p, q)| vanishes(Expr::ratio(*p, *q)))
+}
+
+/// True where the quotient of the two is a product of sines and cosines of acute angles, so that the first is the smaller one.
+pub(crate) fn is_proven_below(lower: &Expr, upper: &Expr) -> bool {
+    let quotient = lower / upper;
+    let below_one = |factor: &Expr| {
+        let (base, exponent) = factor.split_power();
+        match base.node() {
+            Node::Number(number) => exponent.is_one() && number.is_positive() && number.value() <= &BigRational::from_integer(1.into()),
+            Node::Function(function, _) => {
+                matches!(function.name(), "sin" | "cos") && is_angle(&base) && crate::expr::sign(&exponent) == Sign::Positive
+            }
+            _ => false,
+        }
+    };
+    has_angle(&quotient) && quotient.factors().iter().all(below_one)
+}
+
+/// The conditions 0 < u < π/2 for every slope angle u of the expressions that is no number.
+pub(crate) fn conditions<'a>(exprs: impl Iterator<Item = &'a Expr>) -> Vec<Condition> {
+    let mut calls = Vec::new();
+    exprs.for_each(|expr| collect(expr, &mut calls));
+    let mut conditions = Vec::new();
+    for angle in calls.iter().filter_map(argument).filter(|angle| !angle.symbols().is_empty()) {
+        conditions.push(Condition::less(Expr::zero(), angle.clone()));
+        conditions.push(Condition::less(angle.clone(), Expr::pi() / Expr::integer(2)));
+    }
+    conditions
+}
+
+/// The upper end of the values that a parameter may take, where it is a slope angle or a part of one.
+pub(crate) fn largest(expr: &Expr, parameter: &Symbol) -> Option<f64> {
+    let mut calls = Vec::new();
+    collect(expr, &mut calls);
+    let multiples = calls.iter().filter_map(argument).filter_map(|angle| {
+        let (number, rest) = angle.split_coefficient();
+        // Degrees are multiples of π.
+        let factor = if rest.factors().iter().any(|factor| *factor == Expr::pi()) { std::f64::consts::PI } else { 1.0 };
+        (rest.contains(parameter) && number.is_positive()).then(|| number.to_f64() * factor)
+    });
+    multiples.reduce(f64::max).map(|multiple| std::f64::consts::FRAC_PI_2 / multiple)
+}
+
+fn has_angle(expr: &Expr) -> bool {
+    is_angle(expr) || expr.children().into_iter().any(has_angle)
+}
+
+/// True for the sine, cosine or tangent of an angle that is constant and may be acute.
+fn is_angle(expr: &Expr) -> bool {
+    let Some(angle) = argument(expr) else { return false };
+    if angle.contains(&Symbol::new("r")) {
+        return false;
+    }
+    if !angle.symbols().is_empty() {
+        return true;
+    }
+    let value = constant_value(&angle, &Bindings::default());
+    value.is_ok_and(|value| value.value - value.error > 0.0 && value.value + value.error < std::f64::consts::FRAC_PI_2)
+}
+
+/// The argument of a sine, cosine or tangent.
+fn argument(expr: &Expr) -> Option<Expr> {
+    match expr.node() {
+        Node::Function(function, arguments) if matches!(function.name(), "sin" | "cos" | "tan") => arguments.first().cloned(),
+        _ => None,
+    }
+}
+
+fn collect(expr: &Expr, calls: &mut Vec<Expr>) {
+    if is_angle(expr) {
+        if !calls.contains(expr) {
+            calls.push(expr.clone());
+        }
+    } else {
+        expr.children().into_iter().for_each(|child| collect(child, calls));
+    }
+}
+
+/// The expression with what `form` has in the place of such constants.
+fn map_calls(expr: &Expr, form: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
+    if is_angle(expr) {
+        return form(expr).unwrap_or_else(|| expr.clone());
+    }
+    let all = |list: &[Expr]| list.iter().map(|part| map_calls(part, form)).collect::<Vec<_>>();
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Power(base, exponent) => map_calls(base, form).pow(&map_calls(exponent, form)),
+        Node::Function(function, arguments) => Expr::function(*function, all(arguments)),
+        Node::Product(factors) => Expr::product(all(factors)),
+        Node::Sum(terms) => Expr::sum(all(terms)),
+    }
+}
+
+/// The expression over the cosines of the smallest angles in it: sin θ = √(1 − c²), cos 2θ = 2c² − 1.
+fn algebraic(expr: &Expr) -> Option<Expr> {
+    let mut calls = Vec::new();
+    collect(expr, &mut calls);
+    let units = Units::of(&calls.iter().filter_map(argument).collect::<Vec<_>>());
+    let mut values = Vec::with_capacity(calls.len());
+    for call in &calls {
+        let Node::Function(function, arguments) = call.node() else { return None };
+        let (cosine, sine) = units.rotation(arguments.first()?)?;
+        let value = match function.name() {
+            "sin" => sine,
+            "cos" => cosine,
+            _ => sine / cosine,
+        };
+        values.push((call, value));
+    }
+    let replaced = map_calls(expr, &|call| values.iter().find(|(known, _)| *known == call).map(|(_, value)| value.clone()));
+    // Sums under roots are collected, so that R² − R²(1 − c²) is (Rc)².
+    Some(expanded_under_roots(&replaced))
+}
+
+fn expanded_under_roots(expr: &Expr) -> Expr {
+    let radius = Symbol::new("r");
+    let all = |list: &[Expr]| list.iter().map(expanded_under_roots).collect::<Vec<_>>();
+    match expr.node() {
+        Node::Power(base, exponent) => {
+            let base = expanded_under_roots(base);
+            normal::expanded(&base, &radius).unwrap_or(base).pow(exponent)
+        }
+        Node::Product(factors) => Expr::product(all(factors)),
+        Node::Sum(terms) => Expr::sum(all(terms)),
+        Node::Function(function, arguments) => Expr::function(*function, all(arguments)),
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+    }
+}
+
+/// For every base of an angle, such as θ, the largest number of which all its multiples are whole multiples.
+struct Units(Vec<(Expr, BigRational)>);
+
+impl Units {
+    fn of(angles: &[Expr]) -> Self {
+        let mut units: Vec<(Expr, BigRational)> = Vec::new();
+        for term in angles.iter().flat_map(Expr::terms) {
+            let (number, base) = term.split_coefficient();
+            let number = number.value().abs();
+            match units.iter_mut().find(|(known, _)| *known == base) {
+                Some((_, unit)) => *unit = common(unit, &number),
+                None => units.push((base, number)),
+            }
+        }
+        Self(units)
+    }
+
+    /// Cosine and sine of an angle.
+    fn rotation(&self, angle: &Expr) -> Option<(Expr, Expr)> {
+        let mut turned = (Expr::one(), Expr::zero());
+        for term in angle.terms() {
+            let (number, base) = term.split_coefficient();
+            let place = self.0.iter().position(|(known, _)| *known == base)?;
+            let (_, unit) = self.0.get(place)?;
+            let quarters = number.value() * BigRational::from_integer(2.into());
+            let (count, one) = if base == Expr::pi() && quarters.is_integer() {
+                (quarters.to_integer(), (Expr::zero(), Expr::one()))
+            } else {
+                let cosine = Expr::from(Symbol::new(&format!("cosine·{place}")));
+                let sine = (Expr::one() - cosine.power(2)).sqrt();
+                ((number.value() / unit).to_integer(), (cosine, sine))
+            };
+            let count = count.to_i64().filter(|count| count.abs() <= LARGEST_MULTIPLE)?;
+            let one = if count < 0 { (one.0, -one.1) } else { one };
+            for _ in 0..count.unsigned_abs() {
+                turned = product(&turned, &one);
+            }
+        }
+        Some(turned)
+    }
+}
+
+/// Cosine and sine of the sum of two angles.
+fn product((cosine, sine): &(Expr, Expr), (other_cosine, other_sine): &(Expr, Expr)) -> (Expr, Expr) {
+    (cosine * other_cosine - sine * other_sine, sine * other_cosine + cosine * other_sine)
+}
+
+/// The largest number of which both are whole multiples.
+fn common(one: &BigRational, other: &BigRational) -> BigRational {
+    if one.is_zero() || other.is_zero() {
+        return one + other;
+    }
+    let denominator: BigInt = one.denom().lcm(other.denom());
+    let whole = |number: &BigRational| number.numer() * (&denominator / number.denom());
+    BigRational::new(whole(one).gcd(&whole(other)), denominator)
+}
+
+/// The sign of a number or of an expression whose slope angles are acute.
+pub(crate) fn known_sign(expr: &Expr) -> Sign {
+    match sign(expr) {
+        Sign::Unknown => {
+            crate::derive::domain::numeric_sign(expr).map_or(Sign::Unknown, |s| if s > 0.0 { Sign::Positive } else { Sign::Negative })
+        }
+        known => known,
+    }
+}

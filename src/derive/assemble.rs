@@ -1,0 +1,277 @@
+//! The derived formulas: each term's closed answer or its integral, put together per interval.
+
+use crate::derive::engine::Solution;
+use crate::derive::engine::{SolvedChain, SolvedTerm, expanded_or_same};
+use crate::derive::superposed::Superposed;
+use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, shown};
+use crate::integrate::error::TransformError;
+use crate::integrate::source::ends::{Growth, growth};
+
+/// Sizes of expressions are compared up to this number of nodes.
+const SIZE: usize = 10_000;
+
+/// How much of a formula is closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// The whole formula.
+    Exact,
+    /// Some terms stay as integrals.
+    Partial,
+    /// No term is closed.
+    Numeric,
+}
+
+impl Status {
+    /// The status of a formula that leaves an integral over one of this status.
+    pub fn integrated(self) -> Self {
+        if self == Self::Numeric { self } else { Self::Partial }
+    }
+
+    /// The word that reports use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Partial => "partial",
+            Self::Numeric => "numeric",
+        }
+    }
+}
+
+/// A derived formula with the rules and the equations that it rests on.
+#[derive(Clone, Debug)]
+pub struct Derived {
+    /// The formula as it is shown.
+    pub formula: Formula,
+    /// How much of it is closed.
+    pub status: Status,
+    /// True if every closed form that a rule gave agreed with quadrature when it was derived; `None` if only a later check compares it.
+    pub compared: Option<bool>,
+    /// The rules that answered, in the order of the terms.
+    pub rules: Vec<&'static str>,
+    /// The equations of the source.
+    pub reference: Vec<&'static str>,
+}
+
+impl Derived {
+    /// A formula that was given and rests on nothing.
+    pub fn given(formula: Formula) -> Self {
+        Self { formula, status: Status::Exact, compared: Some(true), rules: Vec::new(), reference: Vec::new() }
+    }
+}
+
+impl Solution {
+    /// g(x), the equivalent profile (3.27).
+    pub fn equivalent_profile(&self) -> Derived {
+        self.derived(Superposed::Equivalent, "x", &Expr::one(), "Popov & Heß (3.27)")
+    }
+
+    /// F(a) under a smooth edge, E for the effective modulus.
+    pub fn force(&self) -> Derived {
+        self.derived(Superposed::Force, "a", &(Expr::integer(2) * Expr::symbol("E")), "Popov & Heß (3.22), (3.25)")
+    }
+
+    /// p(r) under a smooth edge, positive in compression; `None` where f′ is so large at a breakpoint that g may jump there,
+    /// because then neither ∫ g′/√(x²−r²) dx nor the integral over (r f′)′ is the pressure.
+    pub fn pressure(&self) -> Option<Derived> {
+        self.chains
+            .iter()
+            .all(SolvedChain::has_pressure_formula)
+            .then(|| self.derived(Superposed::Pressure, "a", &(Expr::symbol("E") / Expr::pi()), "Popov & Heß (3.37)"))
+    }
+
+    fn derived(&self, quantity: Superposed, variable: &str, factor: &Expr, reference: &'static str) -> Derived {
+        let open = |term: &SolvedTerm| quantity.is_open(term);
+        let (mut rules, mut references) = (Vec::new(), vec![reference]);
+        let (mut closed, mut left, mut compared) = (0, 0, true);
+        for term in self.terms() {
+            match &term.answer {
+                Some((rule, _)) if !open(term) => {
+                    closed += 1;
+                    compared &= quantity.agrees(term);
+                    if !rules.contains(&rule.id) {
+                        rules.push(rule.id);
+                        references.extend(rule.reference.iter().filter(|r| !references.contains(r)).copied().collect::<Vec<_>>());
+                    }
+                }
+                _ => left += 1,
+            }
+        }
+        let status = match (closed, left) {
+            (_, 0) => Status::Exact,
+            (0, _) => Status::Numeric,
+            _ => Status::Partial,
+        };
+        let formula = Formula::sum(self.chains.iter().map(|chain| chain.formula(quantity, variable, self)));
+        let compared = Some(compared && status != Status::Numeric);
+        Derived { formula: formula.scaled(factor), status, compared, rules, reference: references }
+    }
+}
+
+/// From this number of intervals on g′ is not added up for each of them.
+const MANY: usize = 8;
+
+impl SolvedChain {
+    fn formula(&self, quantity: Superposed, variable: &str, solution: &Solution) -> Formula {
+        let mut pressures = match quantity {
+            Superposed::Pressure => self.open_pressures(solution),
+            _ => Vec::new(),
+        }
+        .into_iter();
+        let mut values = (0..self.intervals.len()).map(|interval| {
+            let closed = collected(&self.closed(interval, quantity, |pair| &pair.shown));
+            let open = match quantity {
+                Superposed::Equivalent => self.open_integral(interval, "x"),
+                Superposed::Force => self.open_integral(interval, "a"),
+                Superposed::Pressure => pressures.next().unwrap_or_else(Formula::zero),
+                // No formula of it is shown.
+                Superposed::Outside => Formula::zero(),
+            };
+            Formula::sum([Formula::Closed(closed), open])
+        });
+        let pieces: Vec<(Formula, Expr)> = values.by_ref().take(self.breakpoints.len()).zip(self.breakpoints.iter().cloned()).collect();
+        let last = values.next().unwrap_or_else(Formula::zero);
+        if pieces.is_empty() { last } else { Formula::Piecewise { variable: Symbol::new(variable), pieces, last: Box::new(last) } }
+    }
+
+    /// g or F/(2E*) of the terms without a rule, as integrals over f′.
+    fn open_integral(&self, interval: usize, variable: &str) -> Formula {
+        let (end, radius) = (Expr::symbol(variable), Expr::symbol("r"));
+        let root = (end.power(2) - radius.power(2)).sqrt();
+        let parts = self.remainder(SolvedTerm::is_open).into_iter().take(interval + 1).filter(|(_, slope)| !slope.is_zero());
+        Formula::sum(parts.map(|(segment, slope)| {
+            let upper = segment.upper.clone().filter(|upper| self.ends_before(upper, interval)).unwrap_or_else(|| end.clone());
+            let (factor, weight) = if variable == "x" { (end.clone(), Expr::one()) } else { (Expr::one(), radius.power(2)) };
+            integral(slope * weight / &root, "r", segment.lower, upper).scaled(&factor)
+        }))
+    }
+
+    /// True where the breakpoint lies below the given interval.
+    fn ends_before(&self, upper: &Expr, interval: usize) -> bool {
+        self.breakpoints.iter().take(interval).any(|b| b == upper)
+    }
+
+    /// Over g′ the integral needs a g without jumps; straight from f′ it needs a bounded f′. A symbolic exponent of a closed g
+    /// is taken to be one without jumps.
+    fn has_pressure_formula(&self) -> bool {
+        let worst = self.remainder(SolvedTerm::has_open_pressure).iter().map(|(segment, slope)| growth(slope, segment)).max();
+        let closed = self.intervals.iter().flat_map(|i| &i.terms).filter(|t| t.has_open_pressure()).all(|t| t.answer.is_some());
+        match worst {
+            None | Some(Growth::Bounded) => true,
+            Some(Growth::Gentle | Growth::Unproven) => closed,
+            Some(Growth::Steep) => false,
+        }
+    }
+
+    /// p π/E* of the terms without a pressure rule, per interval: over g′ where g is closed, else straight from f′.
+    fn open_pressures(&self, solution: &Solution) -> Vec<Formula> {
+        if !self.intervals.iter().flat_map(|i| &i.terms).any(SolvedTerm::has_open_pressure) {
+            return vec![Formula::zero(); self.intervals.len()];
+        }
+        match self.slopes_of_equivalent() {
+            Ok(Some(slopes)) => self.open_pressures_from_slopes(&slopes),
+            // `derive` has made sure that (r f′)′ exists.
+            _ => self.open_pressures_from_profile(solution).unwrap_or_else(|_| vec![Formula::zero(); self.intervals.len()]),
+        }
+    }
+
+    /// What the terms of every interval whose pressure is left as an integral add to g′, within the interval and beyond it; `None` where g is
+    /// not closed.
+    fn slopes_of_equivalent(&self) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
+        let x = Symbol::new("x");
+        let mut slopes = Vec::with_capacity(self.intervals.len());
+        for solved in &self.intervals {
+            let (mut within, mut beyond) = (Vec::new(), Vec::new());
+            for term in solved.terms.iter().filter(|t| t.has_open_pressure()) {
+                let Some((_, answer)) = &term.answer else { return Ok(None) };
+                within.push(derivative(&shown(&answer.slope.within.shown), &x)?);
+                beyond.push(derivative(&shown(&answer.slope.beyond.shown), &x)?);
+            }
+            slopes.push([Expr::sum(within), Expr::sum(beyond)]);
+        }
+        Ok(Some(slopes))
+    }
+
+    /// ∫ g′(x)/√(x²−r²) dx for the contacts that end on each interval: over the intervals below the end with all that g′ is there, or, where
+    /// these are many, over what every interval adds, within it and beyond it.
+    fn open_pressures_from_slopes(&self, slopes: &[[Expr; 2]]) -> Vec<Formula> {
+        let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
+        let root = (x.power(2) - r.power(2)).sqrt();
+        let from = |begin: Option<&Expr>| begin.map_or_else(|| r.clone(), |begin| Expr::call("max", [begin.clone(), r.clone()]));
+        let part = |slope: &Expr, begin: Option<&Expr>, end: Option<&Expr>| {
+            let lower = match end {
+                Some(end) => Expr::call("min", [from(begin), end.clone()]),
+                None => from(begin),
+            };
+            (!slope.is_zero()).then(|| integral(slope / &root, "x", lower, end.cloned().unwrap_or_else(|| a.clone())))
+        };
+        let begin = |index: usize| index.checked_sub(1).and_then(|i| self.breakpoints.get(i));
+        let apart = slopes.len() > MANY;
+        let shorter = |slope: Expr| {
+            let expanded = expanded_or_same(&slope, "x");
+            if expanded.size_up_to(SIZE) <= slope.size_up_to(SIZE) { expanded } else { slope }
+        };
+        let (mut ended, mut before) = (Vec::new(), Vec::new());
+        let mut all = Vec::with_capacity(slopes.len());
+        for (index, [within, beyond]) in slopes.iter().enumerate() {
+            let slope = if apart { within.clone() } else { shorter(Expr::sum(before.iter().chain([within]).cloned())) };
+            all.push(Formula::sum(ended.iter().cloned().chain(part(&slope, begin(index), None))));
+            let end = self.breakpoints.get(index);
+            ended.extend(part(&slope, begin(index), end));
+            if apart {
+                ended.extend(part(beyond, end, None));
+            } else {
+                before.push(beyond.clone());
+            }
+        }
+        all
+    }
+
+    /// ∫ (s f′(s))′ K(s, r) ds + Σ b δ K(b, r), per interval.
+    fn open_pressures_from_profile(&self, solution: &Solution) -> Result<Vec<Formula>, TransformError> {
+        let name = bound_name(solution);
+        let (s, a) = (Expr::symbol(name), Expr::symbol("a"));
+        let radius = Symbol::new("r");
+        let rename = Bindings::one("r", s.clone());
+        let mut ended: Vec<Formula> = Vec::new();
+        let mut all = Vec::with_capacity(self.intervals.len());
+        let mut previous = Expr::zero();
+        for (segment, slope) in self.remainder(SolvedTerm::has_open_pressure) {
+            if !segment.lower.is_zero() {
+                let place = Bindings::one("r", segment.lower.clone());
+                let jump = expanded_or_same(&(place.apply(&slope) - place.apply(&previous)), "r");
+                ended.push(Formula::Closed(jump * &segment.lower * kernel(&segment.lower)));
+            }
+            let bend = derivative(&(Expr::symbol("r") * &slope), &radius)?;
+            let up_to = |upper: Expr| integral(rename.apply(&bend) * kernel(&s), name, segment.lower.clone(), upper);
+            let own = (!bend.is_zero()).then(|| up_to(a.clone()));
+            all.push(Formula::sum(ended.iter().cloned().chain(own)));
+            if !bend.is_zero() {
+                ended.push(up_to(segment.upper.clone().unwrap_or_else(|| a.clone())));
+            }
+            previous = slope;
+        }
+        Ok(all)
+    }
+}
+
+/// K(s, r) = √(a²−M²) R_F(M²(M²−m²), a²(M²−m²), M²(a²−m²)) with M = max(r, s), m = min(r, s).
+fn kernel(s: &Expr) -> Expr {
+    let (r, a) = (Expr::symbol("r"), Expr::symbol("a"));
+    let big = Expr::call("max", [r.clone(), s.clone()]).power(2);
+    let small = Expr::call("min", [r, s.clone()]).power(2);
+    let (square, spread) = (a.power(2), &big - &small);
+    (&square - &big).sqrt() * Expr::call("elliprf", [&big * &spread, &square * &spread, &big * (&square - &small)])
+}
+
+/// A name for the bound radius that no parameter has.
+fn bound_name(solution: &Solution) -> &'static str {
+    let taken = solution.profile.parameters();
+    ["s", "t", "rho", "sigma", "tau", "r_0", "r_1", "r_2"]
+        .into_iter()
+        .find(|name| !taken.iter().any(|p| p.name() == *name))
+        .unwrap_or("r_bound")
+}
+
+fn integral(integrand: Expr, variable: &str, lower: Expr, upper: Expr) -> Formula {
+    Formula::Integral { integrand: Box::new(Formula::Closed(integrand)), variable: Symbol::new(variable), lower, upper }
+}

@@ -1,0 +1,147 @@
+//! Where a demand on r fails for given parameters: enclosures find the place, or prove that there is none.
+
+use crate::derive::closed_form::ClosedForm;
+use crate::derive::domain::demands::Demand;
+use crate::derive::domain::first_zero::Zero;
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Expr, Symbol};
+use crate::integrate::error::TransformError;
+use crate::num::{Bounded, work};
+use std::sync::{Mutex, PoisonError};
+
+/// A demand with numbers for its parameters.
+pub(crate) struct Barrier {
+    form: ClosedForm,
+    /// The sign that the expression must keep.
+    sign: f64,
+    zero: Zero,
+    lower: f64,
+    upper: f64,
+    known: Mutex<Known>,
+}
+
+#[derive(Clone, Copy)]
+struct Known {
+    /// The demand is met from the lower end up to here.
+    met: f64,
+    /// Where it fails.
+    end: Option<f64>,
+}
+
+/// Enclosures for one question, beyond which the demand is looked at from place to place only.
+const MOST_ENCLOSURES: u32 = 2_000;
+/// Places of that look.
+const PLACES: u32 = 512;
+/// An interval as short as this, relative to its place, is a place.
+const SHORTEST: f64 = 4.0 * f64::EPSILON;
+/// An interval from the axis on is a place where it is this small a part of the range.
+const NEAREST: f64 = 1e-18;
+/// Powers of two at which a sign is looked for.
+const OCTAVES: std::ops::Range<i32> = -200..200;
+
+impl Barrier {
+    /// # Errors
+    /// [`TransformError::Evaluation`] where a parameter has no value.
+    pub(crate) fn new(demand: &Demand, bindings: &Bindings) -> Result<Self, TransformError> {
+        let number = |expr: &Expr| constant_value(expr, bindings).map(|own| own.value);
+        let form = ClosedForm::new(&bindings.apply(&demand.expr), &[Symbol::new("r")])?;
+        let lower = number(&demand.lower)?;
+        let upper = demand.upper.as_ref().map_or(Ok(f64::INFINITY), number)?;
+        let next = if lower > 0.0 { lower * (1.0 + NEAREST.sqrt()) } else { f64::from(OCTAVES.start).exp2() };
+        let starts_negative = || [lower, next].into_iter().map(|r| form.value(&[r])).find_map(certain_sign) == Some(-1.0);
+        let sign = if demand.either_sign && starts_negative() { -1.0 } else { 1.0 };
+        Ok(Self { form, sign, zero: demand.zero, lower, upper, known: Mutex::new(Known { met: lower, end: None }) })
+    }
+
+    /// Where the demand fails, if it does at some power of two, or before.
+    pub(crate) fn first_end(&self) -> Option<f64> {
+        let places = OCTAVES.map(|power| f64::from(power).exp2()).filter(|r| self.lower < *r && *r < self.upper);
+        let mut failing = None;
+        for r in places {
+            let value = self.form.value(&[r]);
+            if value.value.is_nan() {
+                break;
+            }
+            if certain_sign(value) == Some(-self.sign) {
+                failing = Some(r);
+                break;
+            }
+        }
+        self.end_up_to(failing?)
+    }
+
+    /// Where the demand fails, if that is not beyond `at`.
+    pub(crate) fn end_up_to(&self, at: f64) -> Option<f64> {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let to = at.min(self.upper);
+        if known.end.is_none() && to > known.met {
+            known.end = work::finished(|| self.search(known.met, to));
+            known.met = to;
+        }
+        known.end.filter(|end| *end <= at)
+    }
+
+    /// The first place of a range at which the demand fails, from left to right by bisection.
+    fn search(&self, from: f64, to: f64) -> Option<f64> {
+        let mut open = vec![(from, to)];
+        // A divisor that is zero at the lower end, as in sin(r)/r, has no certain sign next to it.
+        let mut has_sign = from > self.lower;
+        for _ in 0..MOST_ENCLOSURES {
+            let (low, high) = open.pop()?;
+            match self.form.over(low, high).map(|(one, other)| (self.sign * one, self.sign * other)) {
+                Some((one, other)) if one.min(other) > 0.0 || (one.min(other) >= 0.0 && self.zero == Zero::Crossing) => {
+                    has_sign = true;
+                    continue;
+                }
+                Some((one, other)) if one.max(other) < 0.0 => return Some(low),
+                _ => {}
+            }
+            let sign = certain_sign(self.form.value(&[high]));
+            if sign.is_none() && !has_sign {
+                continue;
+            }
+            let is_place = high <= low * (1.0 + SHORTEST) || (low == 0.0 && high <= NEAREST * to);
+            if is_place {
+                match sign {
+                    Some(sign) if sign != self.sign => return Some(low),
+                    None if self.zero == Zero::Any => return Some(low),
+                    _ => {
+                        has_sign = true;
+                        continue;
+                    }
+                }
+            }
+            let middle = match low {
+                0.0 => high / 1024.0,
+                low if high > 4.0 * low => low.sqrt() * high.sqrt(),
+                low => low + 0.5 * (high - low),
+            };
+            open.extend([(middle, high), (low, middle)]);
+        }
+        self.look(from, to)
+    }
+
+    /// The same without proof.
+    fn look(&self, from: f64, to: f64) -> Option<f64> {
+        let mut before = from;
+        for step in 1..=PLACES {
+            let at = from + (to - from) * f64::from(step) / f64::from(PLACES);
+            if certain_sign(self.form.value(&[at])) == Some(-self.sign) {
+                let mut beyond = at;
+                while beyond > before * (1.0 + SHORTEST) {
+                    let middle = before + 0.5 * (beyond - before);
+                    let fails = certain_sign(self.form.value(&[middle])) == Some(-self.sign);
+                    *(if fails { &mut beyond } else { &mut before }) = middle;
+                }
+                return Some(before);
+            }
+            before = at;
+        }
+        None
+    }
+}
+
+/// 1 or −1 where the bound leaves no doubt.
+fn certain_sign(value: Bounded) -> Option<f64> {
+    (value.value.abs() > value.error).then(|| value.value.signum())
+}

@@ -1,0 +1,207 @@
+//! What roots, divisors and functions demand of r: that an expression be positive, up to where it is, and under which conditions.
+
+use crate::derive::domain::barrier::Barrier;
+use crate::derive::domain::first_zero::{Zero, fails_somewhere, first_zero, starting_sign};
+use crate::derive::domain::numeric_sign;
+use crate::derive::profile::Chain;
+use crate::derive::{angles, kinks};
+use crate::expr::{Bindings, Condition, Expr, Node, Relation, Sign, Symbol, normal, sign};
+use crate::integrate::error::TransformError;
+use crate::print;
+
+/// An expression that must keep its sign between the ends of a piece, of which this is not proven for all parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Demand {
+    /// Positive where the profile has a value.
+    pub(crate) expr: Expr,
+    pub(crate) zero: Zero,
+    /// True for a divisor, which may have either sign.
+    pub(crate) either_sign: bool,
+    /// The ends of the piece.
+    pub(crate) lower: Expr,
+    pub(crate) upper: Option<Expr>,
+}
+
+/// Adds what the functions and roots of a chain demand of r, solved for r where that is possible.
+///
+/// # Errors
+/// [`TransformError::NotReal`] where a demand can never be met near the axis.
+pub(crate) fn collect(chain: &Chain, conditions: &mut Vec<Condition>, open: &mut Vec<Demand>) -> Result<(), TransformError> {
+    for (lower, upper, piece) in chain.intervals() {
+        let mut demands = Vec::new();
+        gather(piece, &lower, upper, &mut demands);
+        for demand in demands {
+            match solve(&demand)? {
+                Outcome::Holds => {}
+                Outcome::Holding(condition) => conditions.push(condition),
+                Outcome::Open if open.contains(&demand) => {}
+                Outcome::Open => {
+                    conditions.extend(stated(&demand)?);
+                    open.push(demand);
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Expressions under fractional powers, in divisors and in restricted functions.
+fn gather(expr: &Expr, lower: &Expr, upper: Option<&Expr>, demands: &mut Vec<Demand>) {
+    let mut add = |expr: &Expr, zero, either_sign| {
+        if sign(expr) != Sign::Positive {
+            let negative = either_sign && starts_negative(expr, lower);
+            let expr = if negative { -expr } else { expr.clone() };
+            demands.push(Demand { expr, zero, either_sign, lower: lower.clone(), upper: upper.cloned() });
+        }
+    };
+    match expr.node() {
+        Node::Power(base, exponent) => match (exponent.as_integer(), base.node()) {
+            // The reciprocal of a tangent has no pole where the tangent has one.
+            (Some(n), Node::Function(function, arguments)) if n < 0 && function.name() == "tan" => {
+                add(&Expr::call("sin", arguments.iter().cloned()), Zero::Any, true);
+                return arguments.iter().for_each(|argument| gather(argument, lower, upper, demands));
+            }
+            (Some(n), _) if n < 0 => add(base, Zero::Any, true),
+            (Some(_), _) => {}
+            (None, _) if sign(exponent) == Sign::Positive => add(base, Zero::Crossing, false),
+            (None, _) => add(base, Zero::Any, false),
+        },
+        Node::Function(function, arguments) => {
+            let zero = if matches!(function.name(), "asin" | "acos" | "acosh") { Zero::Crossing } else { Zero::Any };
+            let own = function.row().domain.map_or_else(Vec::new, |domain| domain(arguments));
+            own.iter().for_each(|expr| add(expr, zero, false));
+            match (function.name(), arguments.last()) {
+                ("tan", Some(u)) => add(&Expr::call("cos", [u.clone()]), Zero::Any, true),
+                // Between the poles at 0, −1, −2, … nothing is demanded.
+                ("gamma" | "digamma" | "polygamma", Some(u)) if !starts_negative(u, lower) => add(u, Zero::Any, false),
+                _ => {}
+            }
+        }
+        _ => {}
+    }
+    expr.children().into_iter().for_each(|child| gather(child, lower, upper, demands));
+}
+
+/// True where the expression is known to be negative next to the lower end.
+fn starts_negative(expr: &Expr, lower: &Expr) -> bool {
+    let here = Bindings::one("r", lower.clone()).apply(expr);
+    sign(&here) == Sign::Negative || numeric_sign(&here) == Some(-1.0)
+}
+
+enum Outcome {
+    /// It is met throughout the piece.
+    Holds,
+    /// It is met throughout the piece under this condition.
+    Holding(Condition),
+    /// Nothing is proven.
+    Open,
+}
+
+/// What is proven of a demand.
+fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
+    let Demand { expr, lower, upper, .. } = demand;
+    let radius = Symbol::new("r");
+    let never = || TransformError::NotReal { detail: print::text_expr(expr) };
+    if !expr.contains(&radius) {
+        return match sign(expr) {
+            Sign::Negative => Err(never()),
+            Sign::Positive => Ok(Outcome::Holds),
+            _ => match numeric_sign(expr) {
+                Some(s) if s > 0.0 => Ok(Outcome::Holds),
+                Some(_) => Err(never()),
+                // A divisor of unknown sign must only not be zero.
+                None if demand.either_sign => Ok(Outcome::Holds),
+                None => Ok(Outcome::Holding(at_least_zero(expr))),
+            },
+        };
+    }
+    if lower.is_zero() && starts_negative(expr, lower) {
+        return Err(never());
+    }
+    let Ok(terms) = normal::normal_terms(expr, &radius) else { return Ok(Outcome::Open) };
+    let (mut constant, mut power) = (Expr::zero(), None);
+    for term in terms {
+        if term.kernel.is_one() && term.exponent.is_zero() {
+            constant = term.coefficient;
+        } else if term.kernel.is_one() && power.is_none() && sign(&term.exponent) == Sign::Positive {
+            power = Some(term);
+        } else {
+            return Ok(Outcome::Open);
+        }
+    }
+    let Some(power) = power else { return Ok(Outcome::Holds) };
+    let limit = || (-&constant / &power.coefficient).pow(&power.exponent.recip());
+    match (sign(&constant), sign(&power.coefficient)) {
+        (Sign::Positive | Sign::Zero, Sign::Positive) => Ok(Outcome::Holds),
+        (Sign::Negative, Sign::Negative) => Err(never()),
+        (Sign::Positive, Sign::Negative) => Ok(below(limit(), upper.as_ref()).map_or(Outcome::Holds, Outcome::Holding)),
+        (Sign::Negative, Sign::Positive) => match sign(&(lower - limit())) {
+            Sign::Positive | Sign::Zero => Ok(Outcome::Holds),
+            _ => Ok(Outcome::Holding(Condition::less(limit(), lower.clone()))),
+        },
+        _ => Ok(Outcome::Open),
+    }
+}
+
+/// r < limit on a piece; `None` where the piece ends before the limit, or at it.
+fn below(limit: Expr, upper: Option<&Expr>) -> Option<Condition> {
+    let radius = Symbol::new("r");
+    let r = Expr::from(radius.clone());
+    let Some(end) = upper else { return Some(Condition::less(r, limit)) };
+    let room = &limit - end;
+    match (sign(&room), numeric_sign(&room)) {
+        (Sign::Positive | Sign::Zero, _) | (_, Some(1.0)) => None,
+        _ if angles::is_proven_zero(&room, &radius) || angles::is_proven_below(end, &limit) => None,
+        (Sign::Negative, _) | (_, Some(_)) => Some(Condition::less(r, limit)),
+        _ => Some(Condition { left: end.clone(), relation: Relation::LessOrEqual, right: limit }),
+    }
+}
+
+/// The conditions of a demand that is not proven: what its lower end demands of the parameters, and where its first zero is.
+fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
+    let Demand { expr, zero, lower, upper, .. } = demand;
+    let upper = upper.as_ref();
+    let mut conditions = Vec::new();
+    if starting_sign(expr, lower).is_none() {
+        if demand.either_sign {
+            // Which sign it has, and where that ends, depends on the parameters.
+            return Ok(conditions);
+        }
+        let start = Bindings::one("r", lower.clone()).apply(expr);
+        if sign(&start) == Sign::Unknown && !start.symbols().is_empty() {
+            conditions.push(at_least_zero(&start));
+        }
+    }
+    if let Some(limit) = first_zero(expr, lower, *zero) {
+        conditions.extend(below(limit, upper));
+    } else if expr.symbols().iter().chain(&lower.symbols()).all(|symbol| symbol.name() == "r") {
+        let end = Barrier::new(demand, &Bindings::default())?.first_end();
+        conditions.extend(end.and_then(kinks::approximate).map(|end| Condition::less(Expr::symbol("r"), end)));
+    } else if upper.is_none() && fails_somewhere(expr, lower) {
+        conditions.push(Condition::less(Expr::zero(), expr.clone()));
+    }
+    Ok(conditions)
+}
+
+/// 0 < expr, solved for a parameter where that leaves a parameter alone on either side, as in b < R.
+fn at_least_zero(expr: &Expr) -> Condition {
+    for symbol in expr.symbols() {
+        let Ok(terms) = normal::normal_terms(expr, &symbol) else { continue };
+        let [one, other] = terms.as_slice() else { continue };
+        let (constant, power) = if one.exponent.is_zero() { (one, other) } else { (other, one) };
+        let plain = constant.exponent.is_zero() && constant.kernel.is_one() && power.kernel.is_one();
+        if !plain || sign(&power.exponent) != Sign::Positive {
+            continue;
+        }
+        let limit = (-&constant.coefficient / &power.coefficient).pow(&power.exponent.recip());
+        if limit.as_symbol().is_none() {
+            continue;
+        }
+        let own = Expr::from(symbol);
+        return match sign(&power.coefficient) {
+            Sign::Negative => Condition::less(own, limit),
+            _ => Condition::less(limit, own),
+        };
+    }
+    Condition::less(Expr::zero(), expr.clone())
+}

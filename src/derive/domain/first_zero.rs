@@ -1,0 +1,191 @@
+//! The first radius beyond a lower end where an expression vanishes, as a formula.
+
+use crate::derive::domain::{sample_bindings, value_at};
+use crate::derive::kinks::approximate;
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Expr, Node, Sign, Symbol, normal, sign};
+
+/// How an expression behaves at its first zero.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Zero {
+    /// Every zero counts, as for a divisor or the argument of a logarithm.
+    Any,
+    /// Only a change of sign counts, as for the argument of a square root.
+    Crossing,
+}
+
+/// Random admissible parameters at which a formula is tested.
+const SAMPLES: usize = 12;
+/// Fewer samples prove too little.
+const FEWEST: usize = 4;
+/// Places between the lower end and the zero at which the expression must be positive.
+const PLACES: u32 = 24;
+/// The relative distance from the lower end at which the sign is read, …
+const NEAR: f64 = 1e-9;
+/// … and that beyond a zero, where a double zero must stand out of the rounding.
+const BEYOND: f64 = 1e-4;
+
+/// The sign next to the lower end at random parameters: `None` where it depends on them, or is known nowhere.
+pub(crate) fn starting_sign(expr: &Expr, lower: &Expr) -> Option<Sign> {
+    let signs: Vec<bool> = starts(expr, lower).into_iter().map(|(_, _, positive)| positive).collect();
+    match signs.first() {
+        Some(first) if signs.iter().all(|own| own == first) => Some(if *first { Sign::Positive } else { Sign::Negative }),
+        _ => None,
+    }
+}
+
+/// Random parameters, the lower end there, and whether the expression is positive next to it.
+fn starts(expr: &Expr, lower: &Expr) -> Vec<(Bindings, f64, bool)> {
+    let sets = sample_bindings(&(expr + lower), SAMPLES);
+    let start = |set: Bindings| {
+        let low = number(lower, &set)?;
+        let value = value_at(expr, &set, low + NEAR * if low > 0.0 { low } else { 1.0 });
+        (value.is_finite() && value != 0.0).then_some((set, low, value > 0.0))
+    };
+    sets.into_iter().filter_map(start).collect()
+}
+
+/// The first zero of an expression that is positive next to `lower`; `None` where it has none, or none that this finds.
+///
+/// The candidates solve the equation exactly.
+/// Which of them comes first is found at random parameters, between which and `lower` the expression must be positive.
+pub(crate) fn first_zero(expr: &Expr, lower: &Expr, zero: Zero) -> Option<Expr> {
+    let mut places = Vec::new();
+    reached(expr, &Expr::zero(), &mut places);
+    places.dedup();
+    let samples: Vec<(Bindings, f64)> =
+        starts(expr, lower).into_iter().filter(|(_, _, positive)| *positive).map(|(set, low, _)| (set, low)).collect();
+    if places.is_empty() || samples.len() < FEWEST {
+        return None;
+    }
+    let mut chosen = None;
+    for (set, low) in &samples {
+        let mut found: Option<(usize, f64)> = None;
+        for (index, place) in places.iter().enumerate() {
+            let Some(at) = number(place, set).filter(|at| *at > low * (1.0 + NEAR)) else { continue };
+            let beyond = value_at(expr, set, at * (1.0 + BEYOND));
+            let counts = zero == Zero::Any || beyond.is_nan() || beyond <= 0.0;
+            if counts && found.is_none_or(|(_, first)| at < first) {
+                found = Some((index, at));
+            }
+        }
+        let (index, at) = found?;
+        let inside = |step: u32| low + (at - low) * f64::from(step) / f64::from(PLACES);
+        let positive = (1..PLACES).all(|step| value_at(expr, set, inside(step)) > 0.0);
+        if !positive || chosen.is_some_and(|own| own != index) {
+            return None;
+        }
+        chosen = Some(index);
+    }
+    places.into_iter().nth(chosen?)
+}
+
+/// True where the expression is not positive at some radius beyond `lower`, for some of the random parameters.
+pub(crate) fn fails_somewhere(expr: &Expr, lower: &Expr) -> bool {
+    starts(expr, lower).iter().any(|(set, low, positive)| {
+        (-24..24).any(|power| {
+            let value = value_at(expr, set, low + f64::from(power).exp2());
+            value.is_finite() && value != 0.0 && (value > 0.0) != *positive
+        })
+    })
+}
+
+fn number(expr: &Expr, set: &Bindings) -> Option<f64> {
+    constant_value(expr, set).ok().map(|own| own.value).filter(|own| own.is_finite())
+}
+
+/// Adds the radii at which `part` has the given value, as far as inverse functions give them.
+fn reached(part: &Expr, value: &Expr, places: &mut Vec<Expr>) {
+    let radius = Symbol::new("r");
+    let depends = |expr: &Expr| expr.contains(&radius);
+    match part.node() {
+        Node::Symbol(_) if depends(part) => places.push(value.clone()),
+        Node::Sum(terms) => {
+            let (own, free): (Vec<Expr>, Vec<Expr>) = terms.iter().cloned().partition(|term| depends(term));
+            let value = value - Expr::sum(free);
+            match own.as_slice() {
+                [only] => reached(only, &value, places),
+                _ => of_powers(&(Expr::sum(own) - value), &radius, places),
+            }
+        }
+        Node::Product(factors) => {
+            let (own, free): (Vec<Expr>, Vec<Expr>) = factors.iter().cloned().partition(|factor| depends(factor));
+            match own.as_slice() {
+                [only] => reached(only, &(value / Expr::product(free)), places),
+                _ if value.is_zero() => own.iter().for_each(|factor| reached(factor, value, places)),
+                _ => {}
+            }
+        }
+        Node::Power(base, exponent) if !depends(exponent) => {
+            if !value.is_zero() {
+                let root = value.pow(&exponent.recip());
+                reached(base, &root, places);
+                if exponent.as_integer().is_some_and(|n| n % 2 == 0) {
+                    reached(base, &-root, places);
+                }
+            } else if sign(exponent) == Sign::Positive {
+                reached(base, value, places);
+            }
+        }
+        Node::Power(base, exponent) if !depends(base) && !value.is_zero() => {
+            let logarithm = |of: &Expr| Expr::call("ln", [of.clone()]);
+            reached(exponent, &(logarithm(value) / logarithm(base)), places);
+        }
+        Node::Function(function, arguments) => {
+            let arguments: Vec<&Expr> = arguments.iter().collect();
+            for (argument, value) in inverses(function.name(), &arguments, value) {
+                reached(argument, &value, places);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Zeros of sums of two powers of r, and of three that are quadratic in a power of r.
+fn of_powers(sum: &Expr, radius: &Symbol, places: &mut Vec<Expr>) {
+    let Ok(mut terms) = normal::normal_terms(sum, radius) else { return };
+    if terms.iter().any(|term| !term.kernel.is_one() || term.exponent.as_number().is_none()) {
+        return;
+    }
+    terms.sort_by(|one, other| one.exponent.as_number().cmp(&other.exponent.as_number()));
+    match terms.as_slice() {
+        [low, high] => {
+            let gap = &high.exponent - &low.exponent;
+            places.push((-&low.coefficient / &high.coefficient).pow(&gap.recip()));
+        }
+        [c, b, a] if &c.exponent + &a.exponent == Expr::integer(2) * &b.exponent => {
+            let (half, power) = (&b.coefficient / Expr::integer(2), (&b.exponent - &c.exponent).recip());
+            let root = (half.power(2) - &a.coefficient * &c.coefficient).sqrt();
+            let tidy = |own: Expr| normal::expanded(&own, radius).unwrap_or(own);
+            places.push(tidy((&root - &half) / &a.coefficient).pow(&power));
+            places.push(tidy((-root - half) / &a.coefficient).pow(&power));
+        }
+        _ => {}
+    }
+}
+
+/// The arguments, not below zero where there are several, at which a function has a value.
+fn inverses<'a>(name: &str, arguments: &[&'a Expr], value: &Expr) -> Vec<(&'a Expr, Expr)> {
+    let call = |name: &'static str| Expr::call(name, [value.clone()]);
+    let (argument, values) = match (name, arguments) {
+        ("sin", [u]) if value.is_zero() => (*u, vec![Expr::zero(), Expr::pi()]),
+        ("sin", [u]) => (*u, vec![call("asin"), Expr::pi() - call("asin")]),
+        ("cos", [u]) => (*u, vec![call("acos"), Expr::integer(2) * Expr::pi() - call("acos")]),
+        ("tan", [u]) => (*u, vec![call("atan"), call("atan") + Expr::pi()]),
+        ("exp", [u]) => (*u, vec![call("ln")]),
+        ("ln", [u]) => (*u, vec![call("exp")]),
+        ("asin", [u]) => (*u, vec![call("sin")]),
+        ("acos", [u]) => (*u, vec![call("cos")]),
+        ("atan", [u]) => (*u, vec![call("tan")]),
+        ("sinh", [u]) => (*u, vec![call("asinh")]),
+        ("cosh", [u]) => (*u, vec![call("acosh")]),
+        ("tanh", [u]) => (*u, vec![call("atanh")]),
+        ("asinh", [u]) => (*u, vec![call("sinh")]),
+        ("acosh", [u]) => (*u, vec![call("cosh")]),
+        ("atanh", [u]) => (*u, vec![call("tanh")]),
+        ("besselj", [n, u]) if value.is_zero() && n.is_zero() => (*u, approximate(2.404_825_557_695_773).into_iter().collect()),
+        ("besselj", [n, u]) if value.is_zero() && n.is_one() => (*u, approximate(3.831_705_970_207_512).into_iter().collect()),
+        _ => return Vec::new(),
+    };
+    values.into_iter().map(|own| (argument, own)).collect()
+}

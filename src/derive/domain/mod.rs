@@ -1,0 +1,209 @@
+//! Where a profile is real and finite: its value at the axis, and tests at random admissible points.
+
+pub(crate) mod barrier;
+pub(crate) mod demands;
+pub(crate) mod first_zero;
+
+use crate::derive::angles;
+use crate::derive::stream::Stream;
+use crate::eval::{BoundedAlgebra, WideAlgebra, constant_value, walk};
+use crate::expr::{Bindings, Condition, Expr, Node, Number, Sign, Symbol, leading_term, normal, sign};
+use crate::integrate::error::TransformError;
+use crate::num::{Bounded, Precise, Wide};
+use crate::print;
+
+/// f(0) of the innermost piece.
+///
+/// # Errors
+/// [`TransformError::SingularAtAxis`] where f is infinite there, [`TransformError::NotReal`] where it is not real.
+pub(crate) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Result<Expr, TransformError> {
+    let radius = Symbol::new("r");
+    if let Some(value) = finite_limit_of_terms(piece, &radius, conditions) {
+        return value;
+    }
+    if is_regular(piece) {
+        let here = Bindings::one("r", Expr::zero()).apply(piece);
+        return match probe(&here, 0.0) {
+            Probe::Finite => Ok(here),
+            Probe::NotReal => Err(TransformError::NotReal { detail: print::text_expr(piece) }),
+            Probe::Infinite => Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) }),
+        };
+    }
+    if let Some(value) = limit_of_regular_terms(piece, &radius) {
+        return Ok(value);
+    }
+    // sin(k r)/(k r) and the like: the leading term of their power series.
+    if let Some(term) = leading_term(piece) {
+        return match term.exponent {
+            own if own.is_positive() => Ok(Expr::zero()),
+            own if own.is_zero() => Ok(term.coefficient),
+            _ => Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) }),
+        };
+    }
+    // r^n ln(1 + 1/r) and the like: look at the sequence r → 0.
+    let settled = sample_bindings(piece, 3).iter().all(|set| {
+        let near = |r: f64| value_at(piece, set, r);
+        let (u, v, w) = (near(1e-80), near(1e-120), near(1e-160));
+        let size = near(1e-3).abs().max(f64::MIN_POSITIVE);
+        u.is_finite()
+            && v.is_finite()
+            && w.is_finite()
+            && (v - w).abs() <= 1e-9 * size.max(w.abs())
+            && (u - v).abs() <= 1e-6 * size.max(w.abs())
+    });
+    if !settled {
+        return Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) });
+    }
+    let limits: Vec<f64> = sample_bindings(piece, 3).iter().map(|set| value_at(piece, set, 1e-160)).collect();
+    if limits.iter().all(|limit| limit.abs() < 1e-30) {
+        return Ok(Expr::zero());
+    }
+    match (limits.first().copied().and_then(Number::from_f64), piece.symbols().len()) {
+        // A limit that was looked at is known to a double's digits only.
+        (Some(limit), 0 | 1) => Ok(Expr::call("approximate", [Expr::number(limit)])),
+        _ => Err(TransformError::SingularAtAxis { detail: format!("{} is 0/0 there", print::text_expr(piece)) }),
+    }
+}
+
+/// The limit from the recognition form, where every term is a plain power.
+fn finite_limit_of_terms(piece: &Expr, radius: &Symbol, conditions: &mut Vec<Condition>) -> Option<Result<Expr, TransformError>> {
+    let terms = normal::normal_terms(piece, radius).ok()?;
+    let (mut limit, mut demands) = (Expr::zero(), Vec::new());
+    // Poles of several terms may cancel, as in (1 − cos r)/r; those of plain powers cannot.
+    let plain = terms.iter().all(|term| term.kernel.is_one());
+    for term in terms {
+        let positive = sign(&term.exponent) == Sign::Positive;
+        if positive && is_logarithmic(&term.kernel, radius) {
+            continue;
+        }
+        if !term.kernel.is_one() {
+            return None;
+        }
+        match sign(&term.exponent) {
+            Sign::Positive => {}
+            Sign::Zero => limit = limit + term.coefficient,
+            Sign::Negative if !plain => return None,
+            Sign::Negative => {
+                let detail = print::text_expr(&term.to_expr(radius));
+                return Some(Err(TransformError::SingularAtAxis { detail }));
+            }
+            // An exponent of unknown sign must be positive: that is for the reader to judge.
+            Sign::Unknown => demands.push(Condition::less(Expr::zero(), term.exponent)),
+        }
+    }
+    conditions.extend(demands);
+    Some(Ok(limit))
+}
+
+/// The limit from the recognition form, where every kernel is finite at the axis or a logarithm under a positive power.
+fn limit_of_regular_terms(piece: &Expr, radius: &Symbol) -> Option<Expr> {
+    let at_axis = Bindings::one("r", Expr::zero());
+    let mut limit = Expr::zero();
+    for term in normal::normal_terms(piece, radius).ok()? {
+        let positive = sign(&term.exponent) == Sign::Positive;
+        if positive && is_logarithmic(&term.kernel, radius) {
+            continue;
+        }
+        let here =
+            is_regular(&term.kernel).then(|| at_axis.apply(&term.kernel)).filter(|value| matches!(probe(value, 0.0), Probe::Finite))?;
+        match sign(&term.exponent) {
+            Sign::Positive => {}
+            Sign::Zero => limit = limit + term.coefficient * here,
+            Sign::Negative | Sign::Unknown => return None,
+        }
+    }
+    Some(limit)
+}
+
+/// True for 1 and for powers of logarithms of r, which any positive power of r outweighs at the axis.
+fn is_logarithmic(kernel: &Expr, radius: &Symbol) -> bool {
+    kernel.factors().iter().all(|factor| match factor.split_power().0.node() {
+        Node::Number(_) => true,
+        Node::Function(function, arguments) => {
+            function.name() == "ln"
+                && arguments
+                    .iter()
+                    .all(|a| a.factors().iter().all(|f| f.split_power().0.as_symbol() == Some(radius) || !f.contains(radius)))
+        }
+        _ => false,
+    })
+}
+
+enum Probe {
+    Finite,
+    NotReal,
+    Infinite,
+}
+
+fn probe(expr: &Expr, r: f64) -> Probe {
+    let mut real = false;
+    for set in sample_bindings(expr, 4) {
+        let value = value_at(expr, &set, r);
+        if value.is_infinite() {
+            return Probe::Infinite;
+        }
+        real |= value.is_finite();
+    }
+    if real { Probe::Finite } else { Probe::NotReal }
+}
+
+/// False where something vanishes at the axis under a power that may be negative, or in a logarithm.
+fn is_regular(expr: &Expr) -> bool {
+    let vanishes = |inner: &Expr| Bindings::one("r", Expr::zero()).apply(inner).is_zero();
+    let own = match expr.node() {
+        Node::Power(base, exponent) => sign(exponent) == Sign::Positive || !vanishes(base),
+        Node::Function(function, arguments) => function.name() != "ln" || !arguments.iter().any(vanishes),
+        _ => true,
+    };
+    own && expr.children().into_iter().all(is_regular)
+}
+
+/// True where the expression vanishes within its error bound at 32 random admissible points; `None` where it is real at none.
+pub(crate) fn vanishes_at_random_points(expr: &Expr) -> Option<bool> {
+    let mut seen = false;
+    for set in sample_bindings(expr, 32) {
+        let Ok(value) = constant_value(expr, &set) else { return Some(false) };
+        if value.value.is_nan() {
+            continue;
+        }
+        seen = true;
+        if value.value.abs() > 4.0 * value.error {
+            return Some(false);
+        }
+    }
+    seen.then_some(true)
+}
+
+/// The sign of an expression without symbols, where its error bound leaves no doubt.
+pub(crate) fn numeric_sign(expr: &Expr) -> Option<f64> {
+    if !expr.symbols().is_empty() {
+        return None;
+    }
+    let value = constant_value(expr, &Bindings::default()).ok()?;
+    (value.value.abs() > value.error).then(|| value.value.signum())
+}
+
+/// Seeded random positive values, exact in `f64`, for every symbol of the expression besides r.
+pub(crate) fn sample_bindings(expr: &Expr, count: usize) -> Vec<Bindings> {
+    let names: Vec<Symbol> = expr.symbols().into_iter().filter(|s| s.name() != "r").collect();
+    let mut stream = Stream::new(0x5eed_0d0e);
+    let largest: Vec<Option<f64>> = names.iter().map(|name| angles::largest(expr, name)).collect();
+    let mut draw = |largest: Option<f64>| {
+        let value = stream.dyadic();
+        // A slope angle is acute.
+        let acute = largest.and_then(|end| Number::from_f64(end * value.to_f64() / (1.0 + value.to_f64())));
+        Expr::number(acute.unwrap_or(value))
+    };
+    (0..count).map(|_| names.iter().zip(&largest).map(|(name, largest)| (name.name(), draw(*largest))).collect()).collect()
+}
+
+pub(crate) fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {
+    let here = set.apply(expr);
+    let own = walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).map_or(f64::NAN, |v| v.value);
+    if !own.is_nan() {
+        return own;
+    }
+    // Infinite parts may meet in a number.
+    let wide = Wide::new(Precise::exact(r));
+    walk(&here, &mut WideAlgebra, &mut |_| Some(wide)).map_or(f64::NAN, |v| v.precise().value.hi)
+}

@@ -1,0 +1,235 @@
+//! The derivation: split a profile into terms, match each with the rules, collect the answers.
+
+use crate::derive::angles;
+use crate::derive::kinks;
+use crate::derive::profile::{Chain, Profile};
+use crate::derive::rule::{Answer, Rule};
+use crate::derive::rules;
+use crate::derive::term;
+use crate::derive::term::Term;
+use crate::derive::verification::{Agreement, Demotion, Gate, Verification};
+use crate::expr::normal::NormalTerm;
+use crate::expr::{Condition, Expr, Symbol, derivative, normal};
+use crate::integrate::error::TransformError;
+use crate::integrate::segment::Segment;
+use crate::num::work;
+
+/// A profile with the answer of every term: exact where a rule answers, an integral where none does.
+#[derive(Clone)]
+pub struct Solution {
+    /// The profile.
+    pub profile: Profile,
+    /// Its chains, solved term by term.
+    pub chains: Vec<SolvedChain>,
+    /// What must hold: the profile's conditions and the rules'.
+    pub conditions: Vec<Condition>,
+    /// What the comparison of every term with quadrature found.
+    pub verification: Verification,
+}
+
+/// A chain whose intervals are split into terms.
+#[derive(Clone)]
+pub struct SolvedChain {
+    /// The breakpoints, rising.
+    pub breakpoints: Vec<Expr>,
+    /// The intervals between them, in order.
+    pub intervals: Vec<SolvedInterval>,
+}
+
+/// The terms of f′ on one interval.
+#[derive(Clone)]
+pub struct SolvedInterval {
+    /// Where the interval lies.
+    pub segment: Segment,
+    /// f′ there, as it follows from the typed expression where nothing was taken out of it.
+    pub slope: Expr,
+    /// The terms with their answers.
+    pub terms: Vec<SolvedTerm>,
+}
+
+/// A term and its answer, if a rule has one.
+#[derive(Clone)]
+pub struct SolvedTerm {
+    /// The term.
+    pub term: Term,
+    /// The rule that answered, and what it said.
+    pub answer: Option<(&'static Rule, Answer)>,
+    /// Which of its closed forms agreed with quadrature when it was derived.
+    pub agreement: Agreement,
+}
+
+/// Derives the solution of a profile: superposition (3.25)–(3.26) of the solutions of its terms.
+///
+/// # Errors
+/// [`TransformError`] where a function has no derivative.
+///
+/// ```
+/// use sneddon::{parse, transform};
+/// let profile = transform::Profile::new(&parse::profile("r^2/(2*R)").unwrap()).unwrap();
+/// let solution = transform::derive(&profile).unwrap();
+/// assert!(solution.is_closed());
+/// ```
+pub fn derive(profile: &Profile) -> Result<Solution, TransformError> {
+    work::bounded(|| solve(profile))
+}
+
+fn solve(profile: &Profile) -> Result<Solution, TransformError> {
+    let mut conditions = profile.conditions.clone();
+    let (mut chains, mut verification) = (Vec::new(), Verification::default());
+    let gate = Gate::new(profile, &profile.conditions);
+    for chain in &profile.chains {
+        let slopes = chain.slopes()?;
+        let mut solved = solve_chain(chain, &slopes, normal_parts);
+        if !gate.recognition_holds(chain, &slopes, &solved) {
+            verification.demoted.push(Demotion { rule: "recognition", quantity: "f'" });
+            solved = solve_chain(chain, &slopes, |_| None);
+        }
+        chains.extend(solved);
+    }
+    for term in chains.iter_mut().flat_map(|chain| &mut chain.intervals).flat_map(|interval| &mut interval.terms) {
+        gate.judge(term, &mut verification);
+    }
+    for term in chains.iter().flat_map(|chain| &chain.intervals).flat_map(|interval| &interval.terms) {
+        if let Some((_, answer)) = &term.answer {
+            conditions.extend(answer.conditions.iter().cloned());
+        }
+    }
+    // The pressure of an open term is an integral over (r f′)′: without it the answer would lack that term.
+    for (_, slope) in chains.iter().flat_map(|chain| chain.remainder(SolvedTerm::has_open_pressure)) {
+        derivative(&(Expr::symbol("r") * slope), &Symbol::new("r"))?;
+    }
+    conditions.sort();
+    conditions.dedup();
+    conditions.retain(|c| c.decided() != Some(true));
+    Ok(Solution { profile: profile.clone(), chains, conditions, verification })
+}
+
+/// The terms of f′; what cannot be expanded stays one term without a rule.
+///
+/// A coefficient that is zero because of its slope angles, such as tan θ − sin θ/cos θ, is none.
+fn normal_parts(slope: &Expr) -> Option<Vec<NormalTerm>> {
+    let radius = Symbol::new("r");
+    let mut terms = normal::normal_terms(slope, &radius).ok()?;
+    terms.retain(|term| !angles::cancels(&term.coefficient, &radius));
+    Some(terms)
+}
+
+/// Splits a chain into terms; what every interval has in common acts on the whole axis and becomes a chain of its own.
+fn solve_chain(chain: &Chain, slopes: &[Expr], parts: impl Fn(&Expr) -> Option<Vec<NormalTerm>>) -> Vec<SolvedChain> {
+    let radius = Symbol::new("r");
+    let mut parts: Vec<Option<Vec<NormalTerm>>> = slopes.iter().map(parts).collect();
+    let mut common: Vec<NormalTerm> = Vec::new();
+    if let [Some(first), others @ ..] = parts.as_slice()
+        && !others.is_empty()
+    {
+        let everywhere = |part: &&NormalTerm| others.iter().all(|list| list.as_ref().is_some_and(|list| list.contains(*part)));
+        common = first.iter().filter(everywhere).cloned().collect();
+    }
+    for list in parts.iter_mut().flatten() {
+        list.retain(|part| !common.contains(part));
+    }
+    let mut chains = Vec::new();
+    if !common.is_empty() {
+        let slope = Expr::sum(common.iter().map(|part| part.to_expr(&radius)));
+        let intervals = vec![solve_interval(Segment::whole(), slope, Some(common.clone()))];
+        chains.push(SolvedChain { breakpoints: Vec::new(), intervals });
+    }
+    let mut intervals = Vec::new();
+    for (index, (slope, list)) in slopes.iter().cloned().zip(parts).enumerate() {
+        let lower = index.checked_sub(1).and_then(|i| chain.breakpoints.get(i)).cloned().unwrap_or_else(Expr::zero);
+        let segment = Segment { lower, upper: chain.breakpoints.get(index).cloned() };
+        let slope = match (&list, common.is_empty()) {
+            (Some(list), false) => Expr::sum(list.iter().map(|part| part.to_expr(&radius))),
+            _ => slope,
+        };
+        intervals.push(solve_interval(segment, slope, list));
+    }
+    chains.push(SolvedChain { breakpoints: chain.breakpoints.clone(), intervals });
+    chains
+}
+
+/// The largest formula of g on an interval, in nodes of its tree: that of `(1+r/b)^(101/2)` would fill a hundred pages, and one integral is
+/// printed instead.
+const LONGEST: usize = 6_000;
+
+fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>) -> SolvedInterval {
+    let terms = match parts {
+        Some(parts) => term::split(parts, &segment),
+        None => vec![whole(&slope, &segment)],
+    };
+    // Over a place that was located numerically no formula is exact.
+    let rough = kinks::is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(kinks::is_approximate);
+    let mut length = 0;
+    let mut answer = |term: &Term| {
+        let found = if rough || length >= LONGEST { None } else { rules::answer(term) };
+        length += found.as_ref().map_or(0, |(_, own)| own.slope.within.shown.size_up_to(LONGEST));
+        found
+    };
+    let mut solved = |term: Term| SolvedTerm { answer: answer(&term), term, agreement: Agreement::default() };
+    let mut terms: Vec<SolvedTerm> = rules::reading::remembered(|| terms.into_iter().map(&mut solved).collect());
+    if length >= LONGEST {
+        terms = vec![SolvedTerm { answer: None, term: whole(&slope, &segment), agreement: Agreement::default() }];
+    }
+    SolvedInterval { segment, slope, terms }
+}
+
+fn whole(slope: &Expr, segment: &Segment) -> Term {
+    let part = NormalTerm { coefficient: Expr::one(), exponent: Expr::zero(), kernel: slope.clone() };
+    Term { parts: vec![part], segment: segment.clone() }
+}
+
+impl Solution {
+    /// What a reader must know of closed forms that were given up.
+    pub fn warnings(&self) -> Vec<String> {
+        self.verification.demoted.iter().map(crate::derive::verification::Demotion::text).collect()
+    }
+
+    /// True where every term has an exact answer for g and F.
+    pub fn is_closed(&self) -> bool {
+        self.terms().all(|term| term.answer.is_some())
+    }
+
+    /// Every term of every interval.
+    pub fn terms(&self) -> impl Iterator<Item = &SolvedTerm> {
+        self.chains.iter().flat_map(|chain| &chain.intervals).flat_map(|interval| &interval.terms)
+    }
+}
+
+impl SolvedChain {
+    /// f′ of the terms that `left_out` picks, per interval; zero where it picks none.
+    ///
+    /// Where it picks every term of an interval the derivative is given as it was typed.
+    pub(crate) fn remainder(&self, left_out: impl Fn(&SolvedTerm) -> bool) -> Vec<(Segment, Expr)> {
+        self.intervals
+            .iter()
+            .map(|interval| {
+                let picked: Vec<Expr> = interval.terms.iter().filter(|t| left_out(t)).map(|t| t.term.slope()).collect();
+                let slope = if picked.is_empty() {
+                    Expr::zero()
+                } else if picked.len() == interval.terms.len() {
+                    interval.slope.clone()
+                } else {
+                    Expr::sum(picked)
+                };
+                (interval.segment.clone(), slope)
+            })
+            .collect()
+    }
+}
+
+impl SolvedTerm {
+    /// True where g and F of the term are left as integrals.
+    pub fn is_open(&self) -> bool {
+        self.answer.is_none()
+    }
+
+    /// True where the pressure of the term is left as an integral.
+    pub fn has_open_pressure(&self) -> bool {
+        self.answer.as_ref().is_none_or(|(_, answer)| answer.pressure.is_none())
+    }
+}
+
+/// The expression in its expanded form with respect to a variable, or as it is where that is too large.
+pub(crate) fn expanded_or_same(expr: &Expr, variable: &str) -> Expr {
+    normal::expanded(expr, &Symbol::new(variable)).unwrap_or_else(|_| expr.clone())
+}

@@ -1,0 +1,399 @@
+//! The kinks of abs, min and max: located exactly where the equation solves, numerically where it has no parameters.
+
+use crate::derive::angles;
+use crate::derive::angles::Positive;
+use crate::derive::domain::numeric_sign;
+use crate::derive::profile::Chain;
+use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape, WideAlgebra};
+use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, shown_to_30_digits};
+use crate::integrate::error::TransformError;
+use crate::num::{Bounded, Precise, Wide};
+use std::cell::RefCell;
+
+/// The largest number of kinks that are resolved in one chain.
+const MOST_KINKS: usize = 200;
+
+/// An abs, min or max with its arguments.
+type Kink = (Function, Vec<Expr>);
+
+/// True where the breakpoint is, or may be, below the contact's end.
+pub(crate) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
+    breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
+}
+
+/// Replaces every abs, min and max that depends on r by pieces.
+///
+/// Of kinks without end, such as those of |sin r|, the first ones are located; a condition says how far they reach.
+///
+/// # Errors
+/// [`TransformError::Kinks`] where a kink cannot be located.
+pub(crate) fn resolve(mut chain: Chain, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
+    for _ in 0..MOST_KINKS {
+        let found = chain.pieces.iter().enumerate().find_map(|(i, piece)| Some((i, find(piece)?)));
+        let Some((index, (function, arguments))) = found else { return Ok(chain) };
+        if let Some(end) = split(&mut chain, index, function, &arguments)? {
+            conditions.push(Condition::less(Expr::symbol("r"), end));
+        }
+    }
+    Err(TransformError::TooManyPieces { limit: MOST_KINKS })
+}
+
+/// The summands of an expression, those without kinks together and those with the same kinks together.
+pub(crate) fn groups(expr: &Expr) -> Vec<Expr> {
+    let mut groups: Vec<(Option<Kink>, Vec<Expr>)> = vec![(None, Vec::new())];
+    for term in expr.terms() {
+        let kink = find(&term);
+        match groups.iter_mut().find(|(own, _)| *own == kink) {
+            Some((_, list)) => list.push(term),
+            None => groups.push((kink, vec![term])),
+        }
+    }
+    let plain_only = groups.len() == 1;
+    groups.into_iter().filter(|(_, list)| plain_only || !list.is_empty()).map(|(_, list)| Expr::sum(list)).collect()
+}
+
+/// The innermost abs, min or max that depends on r.
+fn find(expr: &Expr) -> Option<Kink> {
+    if let Some(inner) = expr.children().into_iter().find_map(find) {
+        return Some(inner);
+    }
+    match expr.node() {
+        Node::Function(function, arguments)
+            if matches!(function.name(), "abs" | "min" | "max") && arguments.iter().any(|a| a.contains(&Symbol::new("r"))) =>
+        {
+            Some((*function, arguments.clone()))
+        }
+        _ => None,
+    }
+}
+
+/// Splits one piece at the sign changes of the deciding difference, and says up to where they are known, if not throughout.
+fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]) -> Result<Option<Expr>, TransformError> {
+    let name = function.name();
+    // abs(u) is u where u > 0; max(u, v) is u where u − v > 0; min(u, v) is v there.
+    let (difference, above, below) = match (name, arguments) {
+        ("abs", [u]) => (u.clone(), u.clone(), -u),
+        ("max", [u, v]) => (u - v, u.clone(), v.clone()),
+        ("min", [u, v]) => (u - v, v.clone(), u.clone()),
+        _ => return Err(failure(name, "the number of arguments is wrong")),
+    };
+    let lower = if index == 0 { None } else { chain.breakpoints.get(index - 1).cloned() };
+    let upper = chain.breakpoints.get(index).cloned();
+    let Some(piece) = chain.pieces.get(index).cloned() else { return Err(failure(name, "the piece is missing")) };
+    let constants = Positive::of(&difference);
+    let found = sign_changes(&constants.replaced(&difference), name).or_else(|_| sign_changes(&difference, name))?;
+    let Changes { roots, starts: mut positive, end } = found;
+    let roots: Vec<Expr> = roots.iter().map(|root| constants.restored(root)).collect();
+    // Keep the roots inside the piece; those before it flip the sign that holds at its lower end.
+    let mut inside = Vec::new();
+    for root in roots {
+        if let Some(lower) = &lower {
+            match order(&root, lower)? {
+                Sign::Positive => {}
+                _ => {
+                    positive = !positive;
+                    continue;
+                }
+            }
+        }
+        match &upper {
+            Some(upper) if order(&root, upper)? != Sign::Negative => {}
+            _ => inside.push(root),
+        }
+    }
+    let target = Expr::function(function, arguments.to_vec());
+    let mut pieces = Vec::new();
+    for _ in 0..=inside.len() {
+        pieces.push(replace(&piece, &target, if positive { &above } else { &below }));
+        positive = !positive;
+    }
+    chain.pieces.splice(index..=index, pieces);
+    chain.breakpoints.splice(index..index, inside);
+    Ok(end)
+}
+
+/// The order of two breakpoints: proven, numeric, or an error.
+fn order(root: &Expr, end: &Expr) -> Result<Sign, TransformError> {
+    match angles::known_sign(&(root - end)) {
+        Sign::Unknown if angles::is_proven_zero(&(root - end), &Symbol::new("r")) => Ok(Sign::Zero),
+        Sign::Unknown if angles::is_proven_below(root, end) => Ok(Sign::Negative),
+        Sign::Unknown if angles::is_proven_below(end, root) => Ok(Sign::Positive),
+        Sign::Unknown => {
+            Err(crate::expr::ExprError::UnknownOrder { left: crate::print::text_expr(root), right: crate::print::text_expr(end) }.into())
+        }
+        known => Ok(known),
+    }
+}
+
+fn failure(function: &'static str, reason: &str) -> TransformError {
+    TransformError::Kinks { function, reason: reason.to_owned() }
+}
+
+/// The sign changes of an expression on r > 0.
+struct Changes {
+    /// Where it changes its sign, rising.
+    roots: Vec<Expr>,
+    /// Whether it is positive just beyond r = 0.
+    starts: bool,
+    /// Up to where all of them are known, if not throughout.
+    end: Option<Expr>,
+}
+
+impl Changes {
+    fn all(roots: Vec<Expr>, starts: bool) -> Self {
+        Self { roots, starts, end: None }
+    }
+}
+
+/// The sign changes on r > 0.
+fn sign_changes(difference: &Expr, name: &'static str) -> Result<Changes, TransformError> {
+    let radius = Symbol::new("r");
+    let expanded = normal::expanded(difference, &radius)?;
+    match angles::known_sign(&expanded) {
+        Sign::Positive | Sign::Zero => return Ok(Changes::all(Vec::new(), true)),
+        Sign::Negative => return Ok(Changes::all(Vec::new(), false)),
+        Sign::Unknown => {}
+    }
+    let terms = normal::normal_terms(&expanded, &radius)?;
+    if let [one, two] = terms.as_slice()
+        && one.kernel.is_one()
+        && two.kernel.is_one()
+    {
+        // A r^p + B r^q = 0 at r = (−A/B)^(1/(q−p)).
+        let gap = &two.exponent - &one.exponent;
+        let ratio = -&one.coefficient / &two.coefficient;
+        match (angles::known_sign(&ratio), angles::known_sign(&gap)) {
+            (Sign::Positive, Sign::Positive | Sign::Negative) => {
+                let first = if angles::known_sign(&gap) == Sign::Positive { one } else { two };
+                let starts = known_sign(&first.coefficient, name)?;
+                return Ok(Changes::all(vec![ratio.pow(&gap.recip())], starts == Sign::Positive));
+            }
+            (Sign::Negative, _) => {
+                let starts = known_sign(&one.coefficient, name)?;
+                return Ok(Changes::all(Vec::new(), starts == Sign::Positive));
+            }
+            _ => {}
+        }
+    }
+    if let Some((roots, starts)) = quadratic(&expanded, &radius) {
+        return Ok(Changes::all(roots, starts));
+    }
+    let others: Vec<Symbol> = expanded.symbols().into_iter().filter(|s| *s != radius).collect();
+    if !others.is_empty() {
+        return Err(failure(name, &format!("their place depends on {} in a way that does not solve", others[0])));
+    }
+    isolate(&expanded, name)
+}
+
+fn known_sign(expr: &Expr, name: &'static str) -> Result<Sign, TransformError> {
+    match angles::known_sign(expr) {
+        Sign::Unknown => Err(failure(name, &format!("the sign of {} is not known", crate::print::text_expr(expr)))),
+        known => Ok(known),
+    }
+}
+
+/// The positive roots of a quadratic with numbers for coefficients, and whether it is positive near r = 0.
+fn quadratic(expanded: &Expr, radius: &Symbol) -> Option<(Vec<Expr>, bool)> {
+    let coefficients = normal::polynomial_coefficients(expanded, radius)?;
+    let [c, b, a] = coefficients.as_slice() else { return None };
+    let starts = numeric_sign(c)? > 0.0;
+    let discriminant = b.power(2) - Expr::integer(4) * a * c;
+    if numeric_sign(&discriminant)? < 0.0 {
+        return Some((Vec::new(), starts));
+    }
+    let side = |sign: i64| (Expr::integer(sign) * discriminant.sqrt() - b) / (Expr::integer(2) * a);
+    let mut roots = [side(-1), side(1)];
+    if numeric_sign(a)? < 0.0 {
+        roots.reverse();
+    }
+    let tidy = |root: Expr| normal::expanded(&root, radius).unwrap_or(root);
+    let positive = roots.into_iter().map(|root| Some((numeric_sign(&root)? > 0.0, tidy(root)))).collect::<Option<Vec<_>>>()?;
+    Some((positive.into_iter().filter(|(positive, _)| *positive).map(|(_, root)| root).collect(), starts))
+}
+
+/// True where a place was located numerically, so that no formula over it is exact.
+pub(crate) fn is_approximate(expr: &Expr) -> bool {
+    matches!(expr.node(), Node::Function(function, _) if function.name() == "approximate")
+        || expr.children().into_iter().any(is_approximate)
+}
+
+/// Most kinks that are located numerically.
+const MOST_LOCATED: usize = 64;
+/// Kinks that are a wave, …
+const WAVE: usize = 4;
+/// … whose shortest distance has at least this many steps of the scan …
+const FINE: f64 = 8.0;
+/// … until this many of its lengths have none.
+const EXPECTED: f64 = 8.0;
+
+/// The decades of r that are searched for kinks.
+const SEARCH: std::ops::Range<i32> = -307..308;
+/// The decades that are always scanned in [`STEPS`] steps; others are scanned only if [`needs_scan`] returns true.
+const USUAL: std::ops::Range<i32> = -30..30;
+/// Steps of the scan of a decade.
+const STEPS: u32 = 300;
+/// Maximum number of consecutive decades outside [`USUAL`] to scan; only a wave without end needs more.
+const IN_A_ROW: u32 = 20;
+
+/// Maximum error, as a share of the expression at usual radii, that cancellation explains; overflow leaves far larger ones.
+const SMALL: f64 = 1e-6;
+
+/// Sign changes of an expression in r alone: a logarithmic scan, then bisection to the last bit.
+fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
+    let radius = [Symbol::new("r")];
+    let tape = Tape::compile(std::slice::from_ref(expr), &radius)?;
+    let precise = Tape::compile(&[shown_to_30_digits(expr)], &radius)?;
+    let unknown = Bounded::exact(f64::NAN);
+    let is_known = |own: &Bounded| own.value.abs() > own.error;
+    let slots = RefCell::new(Vec::new());
+    let in_doubles = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut slots.borrow_mut()).unwrap_or(unknown);
+    let size = [1e-6, 1e-3, 1.0, 1e3].map(|r| in_doubles(r).value.abs()).into_iter().filter(|size| size.is_finite()).fold(0.0, f64::max);
+    let value = |r: f64| {
+        let own = in_doubles(r);
+        let is_usual = || USUAL.contains(&(r.log10().floor() as i32));
+        // Exponents without end do not help against cancellation, as in ln(1 + r) − r near the axis.
+        if is_known(&own) || underflows(&own) || (own.is_finite() && (own.error <= SMALL * size || is_usual())) {
+            return own;
+        }
+        // Squares of such radii, or constants, leave the range of doubles.
+        let wide = precise.run(&mut WideAlgebra, &[Wide::new(Precise::exact(r))], &mut Vec::new());
+        wide.map(|own| own.precise().bounded()).filter(is_known).unwrap_or(own)
+    };
+    // Where doubles leave the sign open.
+    let sharper = |r: f64| {
+        let own = precise.run(&mut PreciseAlgebra, &[Precise::exact(r)], &mut Vec::new()).map(|own| own.bounded());
+        own.unwrap_or(unknown)
+    };
+    let mut in_a_row = 0;
+    let mut places = SEARCH.flat_map(|decade| {
+        let is_usual = USUAL.contains(&decade);
+        in_a_row = if is_usual || !needs_scan(&value, decade) { 0 } else { in_a_row + 1 };
+        let steps = if is_usual || (1..=IN_A_ROW).contains(&in_a_row) { STEPS } else { 1 };
+        (0..steps).map(move |step| 10f64.powf(f64::from(decade) + f64::from(step) / f64::from(steps)))
+    });
+    let mut roots: Vec<f64> = Vec::new();
+    let mut end = None;
+    let (mut starts, mut before) = (None, None);
+    let mut next = places.next();
+    let mut r = 0.0;
+    while let Some(wide) = next {
+        // Kinks that come one after another are those of a wave, which steps as wide as its length would pass over.
+        let fine = narrow_step(&roots, r).map_or(f64::INFINITY, |by| r + by);
+        if wide <= fine {
+            next = places.next();
+        }
+        r = if wide <= r { continue } else { wide.min(fine) };
+        let own = value(r);
+        if own.value.is_nan() {
+            // The argument's domain ends here, or it overflows on both sides of a difference.
+            break;
+        }
+        // Without a sign beyond doubt nothing is known at this place.
+        if own.value.abs() <= own.error {
+            continue;
+        }
+        let positive = own.value > 0.0;
+        starts.get_or_insert(positive);
+        if let Some((left, was, size)) = before
+            && was != positive
+        {
+            let mut sure = |r: f64| Some(value(r)).filter(|own| own.value.abs() > own.error).unwrap_or_else(|| sharper(r));
+            let root = bisect(&mut sure, left, r, was);
+            let (below, above) = (sure(root * (1.0 - SHARP)), sure(root * (1.0 + SHARP)));
+            if below.value.abs().min(above.value.abs()) > own.value.abs().max(size) {
+                return Err(failure(name, &format!("its argument has a pole near r = {root:?}")));
+            }
+            let certain = below.value.abs() > below.error && above.value.abs() > above.error;
+            if !certain || (below.value > 0.0) == (above.value > 0.0) {
+                return Err(failure(name, &format!("the one near r = {root:?} is not sharp enough in double precision")));
+            }
+            if roots.len() >= MOST_LOCATED {
+                end = Some(located(left, name)?);
+                break;
+            }
+            roots.push(root);
+        }
+        before = Some((r, positive, own.value.abs()));
+    }
+    match starts {
+        Some(starts) => {
+            let roots = roots.into_iter().map(|root| located(root, name)).collect::<Result<_, _>>()?;
+            Ok(Changes { roots, starts, end })
+        }
+        None => Err(failure(name, "the sign of its argument is known nowhere")),
+    }
+}
+
+/// Returns false if six values within the decade of r have one sign and lie on a power law. A feature between them is missed.
+fn needs_scan(value: &impl Fn(f64) -> Bounded, decade: i32) -> bool {
+    const LOOKS: u32 = 5;
+    const STRAIGHT: f64 = 1e-3;
+    let found: Vec<Bounded> = (0..=LOOKS).map(|look| value(10f64.powf(f64::from(decade) + f64::from(look) / f64::from(LOOKS)))).collect();
+    if found.iter().all(underflows) || [f64::INFINITY, -f64::INFINITY].iter().any(|beyond| found.iter().all(|own| own.value == *beyond)) {
+        return false;
+    }
+    let first = found.first().is_some_and(|own| own.value > 0.0);
+    if found.iter().any(|own| !own.is_finite() || own.value.abs() <= own.error || (own.value > 0.0) != first) {
+        return true;
+    }
+    let sizes: Vec<f64> = found.iter().map(|own| own.value.abs().ln()).collect();
+    let bends = sizes.windows(3).map(|own| if let [a, b, c] = own { (a - b) - (b - c) } else { 0.0 });
+    bends.fold(0.0, |largest: f64, bend| largest.max(bend.abs())) > STRAIGHT
+}
+
+/// Returns true if the value is below the smallest normal number.
+fn underflows(own: &Bounded) -> bool {
+    own.value.abs() + own.error < f64::MIN_POSITIVE
+}
+
+/// The step of the scan beyond the last of several kinks, for as long as more of them are to be expected.
+fn narrow_step(roots: &[f64], r: f64) -> Option<f64> {
+    let last = roots.get(roots.len().checked_sub(WAVE)?..)?;
+    let gap = last.windows(2).filter_map(|pair| Some(pair.get(1)? - pair.first()?)).fold(f64::INFINITY, f64::min);
+    let beyond = r - last.last()?;
+    let whole = last.last()? - last.first()?;
+    (beyond <= EXPECTED * whole).then_some(gap / FINE)
+}
+
+/// A place that was found numerically.
+fn located(place: f64, name: &'static str) -> Result<Expr, TransformError> {
+    approximate(place).ok_or_else(|| failure(name, "a kink lies out of range"))
+}
+
+/// The shortest decimal of a place that was found numerically, marked as approximate.
+pub(crate) fn approximate(place: f64) -> Option<Expr> {
+    let number = Number::parse_decimal(&format!("{place:?}"))?;
+    Some(Expr::call("approximate", [Expr::number(number)]))
+}
+
+/// Half of the relative width within which a located kink must lie: 30 ulps.
+const SHARP: f64 = 30.0 * f64::EPSILON;
+
+fn bisect(value: &mut impl FnMut(f64) -> Bounded, mut lower: f64, mut upper: f64, positive_below: bool) -> f64 {
+    for _ in 0..120 {
+        let middle = lower + 0.5 * (upper - lower);
+        if middle <= lower || middle >= upper {
+            break;
+        }
+        if (value(middle).value > 0.0) == positive_below {
+            lower = middle;
+        } else {
+            upper = middle;
+        }
+    }
+    upper
+}
+
+/// The expression with every occurrence of `target` replaced.
+fn replace(expr: &Expr, target: &Expr, by: &Expr) -> Expr {
+    if expr == target {
+        return by.clone();
+    }
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Power(base, exponent) => replace(base, target, by).pow(&replace(exponent, target, by)),
+        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(|a| replace(a, target, by)).collect()),
+        Node::Product(factors) => Expr::product(factors.iter().map(|f| replace(f, target, by))),
+        Node::Sum(terms) => Expr::sum(terms.iter().map(|t| replace(t, target, by))),
+    }
+}

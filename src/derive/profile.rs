@@ -1,0 +1,254 @@
+//! The profile as chains of smooth pieces, read from a formula and examined for jumps, kinks and poles.
+
+use crate::derive::domain::demands;
+use crate::derive::domain::demands::Demand;
+use crate::derive::{angles, domain, kinks};
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative};
+use crate::integrate::error::TransformError;
+use crate::num::work;
+use crate::print;
+
+/// The largest number of pieces of one chain.
+const MOST_PIECES: usize = 10_000;
+
+/// Smooth pieces between rising breakpoints; a smooth function is a chain without breakpoints.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    /// The breakpoints, rising.
+    pub breakpoints: Vec<Expr>,
+    /// One expression more than there are breakpoints.
+    pub pieces: Vec<Expr>,
+}
+
+/// A profile f(r) as a sum of chains, with the conditions under which it is what it claims to be.
+#[derive(Clone, Debug)]
+pub struct Profile {
+    /// The formula as it was typed, with set parameters in place.
+    pub typed: Formula,
+    /// The chains whose sum is f.
+    pub chains: Vec<Chain>,
+    /// f(0), which is subtracted so that f starts at 0.
+    pub shift: Expr,
+    /// What must hold for the parameters and for r.
+    pub conditions: Vec<Condition>,
+    /// What must be positive where the profile has a value, and is not proven to be so for all parameters.
+    pub(crate) demands: Vec<Demand>,
+}
+
+impl Profile {
+    /// Reads a formula: finds the pieces, locates kinks, refuses jumps and poles at the axis.
+    ///
+    /// ```
+    /// use sneddon::{parse, transform::{Profile, TransformError}};
+    /// let read = |text| Profile::new(&parse::profile(text).unwrap());
+    /// assert_eq!(read("abs(r-b)").unwrap().chains[0].breakpoints.len(), 1);
+    /// assert!(matches!(read("piecewise(0, r<b, 1)"), Err(TransformError::Jump { .. })));
+    /// assert!(matches!(read("ln(r)"), Err(TransformError::SingularAtAxis { .. })));
+    /// ```
+    ///
+    /// # Errors
+    /// [`TransformError`] with the place and the reason.
+    pub fn new(formula: &Formula) -> Result<Self, TransformError> {
+        work::bounded(|| Self::read(formula))
+    }
+
+    fn read(formula: &Formula) -> Result<Self, TransformError> {
+        let radius = Symbol::new("r");
+        let mut conditions = Vec::new();
+        let mut chains = Vec::new();
+        let mut closed = Vec::new();
+        let parts = match formula {
+            Formula::Sum(parts) => parts.clone(),
+            other => vec![other.clone()],
+        };
+        for part in parts {
+            match Chain::from_formula(&part)? {
+                chain if chain.breakpoints.is_empty() => closed.extend(chain.pieces),
+                chain => chains.push(chain),
+            }
+        }
+        let whole = |expr| Chain { breakpoints: Vec::new(), pieces: vec![expr] };
+        // Summands with kinks of their own are chains of their own, so that unrelated kinks need no order.
+        let (together, mut apart) = (Expr::sum(closed), Vec::new());
+        if !together.is_zero() || chains.is_empty() {
+            apart = kinks::groups(&together).into_iter().map(whole).collect();
+        }
+        let split = apart.into_iter().map(|chain| examined(chain, &radius, &mut conditions)).collect::<Result<Vec<_>, _>>();
+        let mut resolved = match split {
+            // A jump of one summand may be undone by another one.
+            Err(TransformError::Jump { .. }) => vec![examined(whole(together), &radius, &mut conditions)?],
+            other => other?,
+        };
+        for chain in chains {
+            resolved.push(examined(chain, &radius, &mut conditions)?);
+        }
+        for piece in resolved.iter_mut().flat_map(|chain| &mut chain.pieces) {
+            if angles::cancels(piece, &radius) {
+                *piece = Expr::zero();
+            }
+        }
+        let mut shift = Vec::new();
+        for chain in &resolved {
+            if let Some(first) = chain.pieces.first() {
+                shift.push(domain::value_at_axis(first, &mut conditions)?);
+            }
+        }
+        let mut open = Vec::new();
+        for chain in &resolved {
+            demands::collect(chain, &mut conditions, &mut open)?;
+        }
+        // Pieces are put in order and joined for acute slope angles only.
+        if resolved.iter().any(|chain| !chain.breakpoints.is_empty()) {
+            conditions.extend(angles::conditions(resolved.iter().flat_map(|chain| chain.breakpoints.iter().chain(&chain.pieces))));
+        }
+        conditions.sort();
+        conditions.dedup();
+        if let Some(failing) = conditions.iter().find(|c| c.decided() == Some(false)) {
+            return Err(TransformError::ConditionFails { condition: print::text_condition(failing) });
+        }
+        conditions.retain(|c| c.decided().is_none());
+        let mut profile = Self { typed: formula.clone(), chains: resolved, shift: Expr::sum(shift), conditions, demands: open };
+        profile.end_at_limits();
+        Ok(profile)
+    }
+
+    /// Drops the pieces that begin where the profile has ended.
+    fn end_at_limits(&mut self) {
+        let limits: Vec<Expr> = self.limits().cloned().collect();
+        let unreached = |breakpoint: &Expr| limits.iter().any(|limit| is_proven_not_below(breakpoint, limit));
+        for chain in &mut self.chains {
+            while chain.breakpoints.last().is_some_and(unreached) {
+                chain.breakpoints.pop();
+                chain.pieces.pop();
+            }
+        }
+    }
+
+    /// The same profile with parameters replaced.
+    ///
+    /// # Errors
+    /// As [`Profile::new`].
+    pub fn substitute(&self, bindings: &Bindings) -> Result<Self, TransformError> {
+        if bindings.is_empty() { Ok(self.clone()) } else { Self::new(&self.typed.substitute(bindings)) }
+    }
+
+    /// The parameters that have no value yet, by name.
+    pub fn parameters(&self) -> Vec<Symbol> {
+        self.typed.symbols().into_iter().filter(|s| s.name() != "r").collect()
+    }
+
+    /// True where f does not depend on r.
+    pub fn is_flat(&self) -> bool {
+        let radius = Symbol::new("r");
+        self.chains.iter().all(|chain| chain.pieces.iter().all(|piece| !piece.contains(&radius)))
+    }
+
+    /// Upper limits of r that the conditions state: the right sides of r < limit.
+    pub fn limits(&self) -> impl Iterator<Item = &Expr> {
+        let radius = Expr::symbol("r");
+        self.conditions.iter().filter(move |c| c.left == radius && c.relation != Relation::Equal).map(|c| &c.right)
+    }
+}
+
+/// True where the two are numbers, and the first is not below the second beyond doubt.
+fn is_proven_not_below(one: &Expr, other: &Expr) -> bool {
+    let difference = constant_value(&(one - other), &Bindings::default());
+    one == other || difference.is_ok_and(|difference| difference.value > difference.error)
+}
+
+impl Chain {
+    fn from_formula(formula: &Formula) -> Result<Self, TransformError> {
+        match formula {
+            Formula::Closed(expr) => Ok(Self { breakpoints: Vec::new(), pieces: vec![expr.clone()] }),
+            Formula::Piecewise { pieces, last, .. } => {
+                let (mut breakpoints, mut values) = (Vec::new(), Vec::new());
+                for (value, end) in pieces {
+                    values.push(closed(value)?);
+                    breakpoints.push(end.clone());
+                }
+                values.push(closed(last)?);
+                Ok(Self { breakpoints, pieces: values })
+            }
+            Formula::Scaled(..) | Formula::Sum(_) | Formula::Integral { .. } => {
+                Err(TransformError::Kinks { function: "piecewise", reason: "pieces inside this expression cannot be separated".to_owned() })
+            }
+        }
+    }
+
+    /// The intervals of the chain: lower end, upper end, expression.
+    pub fn intervals(&self) -> impl Iterator<Item = (Expr, Option<&Expr>, &Expr)> {
+        self.pieces.iter().enumerate().map(|(i, piece)| {
+            let lower = if i == 0 { Expr::zero() } else { self.breakpoints.get(i - 1).cloned().unwrap_or_else(Expr::zero) };
+            (lower, self.breakpoints.get(i), piece)
+        })
+    }
+
+    /// Breakpoints must rise: proven, or stated as a condition.
+    fn refuse_disorder(&self, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
+        for pair in self.breakpoints.windows(2) {
+            let [lower, upper] = pair else { continue };
+            match angles::sign(&(upper - lower)) {
+                Sign::Positive => {}
+                Sign::Unknown if angles::is_proven_below(lower, upper) => {}
+                Sign::Unknown => match domain::numeric_sign(&(upper - lower)) {
+                    Some(s) if s > 0.0 => {}
+                    Some(_) => return Err(disorder(lower, upper)),
+                    None => conditions.push(Condition::less(lower.clone(), upper.clone())),
+                },
+                Sign::Zero | Sign::Negative => return Err(disorder(lower, upper)),
+            }
+        }
+        Ok(())
+    }
+
+    /// Neighbouring pieces must meet: proven zero is accepted, a difference at an admissible point is a jump.
+    fn refuse_jumps(&self, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
+        for ((before, beyond), at) in self.pieces.iter().zip(self.pieces.iter().skip(1)).zip(&self.breakpoints) {
+            let place = Bindings::one(radius.name(), at.clone());
+            let jump = place.apply(beyond) - place.apply(before);
+            if angles::is_proven_zero(&jump, radius) {
+                continue;
+            }
+            match domain::vanishes_at_random_points(&jump) {
+                // At a place that was located numerically nothing can be proven, and nothing is left to demand.
+                Some(true) if kinks::is_approximate(at) => {}
+                Some(true) => conditions.push(Condition::equal(place.apply(before), place.apply(beyond))),
+                Some(false) => return Err(TransformError::Jump { at: print::text_expr(at), jump: print::text_expr(&jump) }),
+                None => return Err(TransformError::NotReal { detail: print::text_expr(&jump) }),
+            }
+        }
+        Ok(())
+    }
+
+    /// The derivative of every piece.
+    ///
+    /// # Errors
+    /// Where a function of the table has no derivative.
+    pub fn slopes(&self) -> Result<Vec<Expr>, TransformError> {
+        let radius = Symbol::new("r");
+        Ok(self.pieces.iter().map(|piece| derivative(piece, &radius)).collect::<Result<_, _>>()?)
+    }
+}
+
+/// The chain with its kinks resolved; its breakpoints rise and its pieces meet.
+fn examined(chain: Chain, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
+    let chain = kinks::resolve(chain, conditions)?;
+    if chain.pieces.len() > MOST_PIECES {
+        return Err(TransformError::TooManyPieces { limit: MOST_PIECES });
+    }
+    chain.refuse_disorder(conditions)?;
+    chain.refuse_jumps(radius, conditions)?;
+    Ok(chain)
+}
+
+fn closed(formula: &Formula) -> Result<Expr, TransformError> {
+    formula
+        .as_closed()
+        .cloned()
+        .ok_or_else(|| TransformError::Kinks { function: "piecewise", reason: "a piece contains pieces itself".to_owned() })
+}
+
+fn disorder(lower: &Expr, upper: &Expr) -> TransformError {
+    TransformError::ConditionFails { condition: format!("{} < {}", print::text_expr(lower), print::text_expr(upper)) }
+}

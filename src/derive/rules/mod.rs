@@ -1,0 +1,126 @@
+//! The list of exact solutions: one line per family, one file per line.
+
+mod bessel;
+mod combination;
+mod error_function;
+mod gaussian;
+mod gaussian_bessel;
+mod hypergeometric;
+pub(crate) mod laurent;
+mod linear;
+mod log_linear;
+mod moments;
+mod outside;
+mod pole;
+mod polynomial_segment;
+mod power;
+mod power_log;
+mod quadratic;
+mod quadratic_wave;
+pub(crate) mod reading;
+mod root;
+mod segment_power;
+mod series;
+mod shifted_power;
+mod struve;
+mod wave;
+
+pub use outside::outside;
+pub use power::kappa;
+
+use crate::derive::rule::{Answer, Rule};
+use crate::derive::term::Term;
+use crate::num::work;
+
+/// Every rule; the order never matters, because rules are disjoint or say which one they specialise.
+pub static RULES: &[&Rule] = &[
+    &power::RULE,
+    &polynomial_segment::RULE,
+    &root::SPHERE,
+    &root::WORN_SPHERE,
+    &root::HYPERBOLOID,
+    &root::WORN_HYPERBOLOID,
+    &quadratic::pole::ODD,
+    &quadratic::pole::ODD_BELOW,
+    &quadratic::pole::EVEN,
+    &quadratic::pole::EVEN_BELOW,
+    &quadratic::pole::WORN_ODD,
+    &quadratic::pole::WORN_ODD_BELOW,
+    &quadratic::pole::WORN_EVEN,
+    &quadratic::pole::WORN_EVEN_BELOW,
+    &quadratic::logarithm::ABOVE,
+    &quadratic::logarithm::BELOW,
+    &quadratic::logarithm::WORN_ABOVE,
+    &quadratic::logarithm::WORN_BELOW,
+    &power_log::RULE,
+    &power_log::ON_SEGMENT,
+    &linear::RATIONAL,
+    &linear::ROOT,
+    &log_linear::RULE,
+    &bessel::FIRST_KIND,
+    &bessel::MODIFIED,
+    &wave::CIRCULAR,
+    &wave::HYPERBOLIC,
+    &wave::EXPONENTIAL,
+    &quadratic_wave::WHOLE,
+    &quadratic_wave::SEGMENT,
+    &gaussian::DECAY,
+    &gaussian::GROWTH,
+    &gaussian::SEGMENT,
+    &gaussian_bessel::RULE,
+    &error_function::ERROR_FUNCTION,
+    &error_function::DAWSON,
+    &struve::STRUVE,
+    &struve::MODIFIED_STRUVE,
+    &struve::BESSEL_SQUARE,
+    &struve::MODIFIED_BESSEL_SQUARE,
+    &quadratic::arcs::ATAN_EVEN,
+    &quadratic::arcs::ATAN_ODD,
+    &quadratic::arcs::ATANH_EVEN,
+    &quadratic::arcs::ATANH_ODD,
+    &quadratic::arcs::WORN_ATAN,
+    &quadratic::arcs::WORN_ATANH,
+    &quadratic::arcs::ASINH_EVEN,
+    &quadratic::arcs::ASINH_ODD,
+    &quadratic::arcs::ASIN_EVEN,
+    &quadratic::arcs::ASIN_ODD,
+    &quadratic::arcs::WORN_ASINH,
+    &quadratic::arcs::WORN_ASIN,
+    &quadratic::roots::ODD,
+    &quadratic::roots::ODD_BELOW,
+    &quadratic::roots::WORN_ODD,
+    &quadratic::roots::WORN_ODD_BELOW,
+    &quadratic::roots::EVEN,
+    &quadratic::roots::EVEN_BELOW,
+    &quadratic::roots::WORN_EVEN,
+    &quadratic::roots::WORN_EVEN_BELOW,
+    &quadratic::binomial::WHOLE,
+    &quadratic::binomial::WHOLE_BELOW,
+    &quadratic::binomial::WORN,
+    &quadratic::binomial::WORN_BELOW,
+    &segment_power::NEGATIVE,
+    &segment_power::REAL,
+    &shifted_power::RULE,
+    GENERAL,
+];
+
+/// The rule of last resort: it is asked where no other one answers, and agrees with every other one where both would.
+pub static GENERAL: &Rule = &hypergeometric::RULE;
+
+/// Steps of work after which a rule is given up.
+const LONGEST: u64 = 50_000_000;
+/// The largest formula of g, in nodes of its tree: that of `(1+r/b)^60.5` would fill twenty pages, where quadrature takes a millisecond.
+const LARGEST: usize = 8_000;
+
+/// The rule that answers a term, with its answer; a rule whose answer takes too much work, or is too long to be read, does not answer.
+pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
+    let is_short = |own: &Answer| own.slope.within.shown.size_up_to(LARGEST) < LARGEST;
+    let apply = |rule: &'static Rule| {
+        let found = if work::is_exhausted() { None } else { work::share(LONGEST, || (rule.apply)(term)).flatten() };
+        Some((rule, found.filter(is_short)?))
+    };
+    let answers: Vec<(&'static Rule, Answer)> = RULES.iter().filter(|rule| rule.id != GENERAL.id).filter_map(|rule| apply(rule)).collect();
+    let general: Vec<&str> = answers.iter().filter_map(|(rule, _)| rule.specializes).collect();
+    let nicest = answers.into_iter().find(|(rule, _)| !general.contains(&rule.id));
+    nicest.or_else(|| apply(GENERAL))
+}

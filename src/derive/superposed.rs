@@ -1,0 +1,112 @@
+//! The quantities that superpose term by term, and the sum of their closed answers.
+
+use crate::derive::engine::Solution;
+use crate::derive::engine::{SolvedChain, SolvedTerm};
+use crate::derive::rule::{Branches, Pair};
+use crate::derive::rules;
+use crate::expr::Expr;
+
+/// The quantities that superpose term by term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Superposed {
+    /// g(x).
+    Equivalent,
+    /// F(a)/(2E*) under a smooth edge.
+    Force,
+    /// p(r)·π/E* under a smooth edge.
+    Pressure,
+    /// u(r) outside a contact with a smooth edge.
+    Outside,
+}
+
+impl Superposed {
+    /// The symbol that reports use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Equivalent => "g",
+            Self::Force => "F",
+            Self::Pressure => "p",
+            Self::Outside => "u outside the contact",
+        }
+    }
+
+    /// The symbol of the outer end: x for g, a for the others.
+    pub(crate) fn coordinate(self) -> &'static str {
+        if self == Self::Equivalent { "x" } else { "a" }
+    }
+
+    fn branches(self, solved: &SolvedTerm) -> Option<Branches> {
+        let answer = || solved.answer.as_ref().map(|(_, answer)| answer);
+        match self {
+            Self::Equivalent => Some(answer()?.slope.clone()),
+            Self::Force => Some(answer()?.force.clone()),
+            Self::Pressure => answer()?.pressure.clone(),
+            // Known for terms, whatever their rules say.
+            Self::Outside => rules::outside(&solved.term),
+        }
+    }
+
+    /// True where the closed form of the term agreed with quadrature when it was derived; no formula of u outside is shown.
+    pub(crate) fn agrees(self, solved: &SolvedTerm) -> bool {
+        match self {
+            Self::Equivalent => solved.agreement.slope,
+            Self::Force => solved.agreement.force,
+            Self::Pressure => solved.agreement.pressure,
+            Self::Outside => false,
+        }
+    }
+
+    /// True where the term's share of the quantity is left as an integral.
+    pub(crate) fn is_open(self, solved: &SolvedTerm) -> bool {
+        match self {
+            Self::Equivalent | Self::Force => solved.is_open(),
+            Self::Pressure => solved.has_open_pressure(),
+            Self::Outside => rules::outside(&solved.term).is_none(),
+        }
+    }
+}
+
+impl SolvedChain {
+    /// The sum of the closed answers where the contact ends in the given interval.
+    pub(crate) fn closed(&self, interval: usize, quantity: Superposed, pick: impl Fn(&Pair) -> &Expr) -> Expr {
+        let mut terms = Vec::new();
+        for (index, own) in self.intervals.iter().enumerate().take(interval + 1) {
+            for branches in own.terms.iter().filter_map(|term| quantity.branches(term)) {
+                terms.push(pick(if index < interval { &branches.beyond } else { &branches.within }).clone());
+            }
+        }
+        Expr::sum(terms)
+    }
+}
+
+/// The evaluated closed forms of a chain: the values where the contact ends in each of its intervals.
+#[derive(Clone, Debug)]
+pub struct EvaluatedChain {
+    /// The breakpoints, rising.
+    pub breakpoints: Vec<Expr>,
+    /// The values, one more than there are breakpoints; each holds up to its breakpoint.
+    pub values: Vec<Expr>,
+}
+
+impl Solution {
+    /// A quantity in the form in which it is evaluated, chain by chain, to be added up; `None` where something is left to integrate.
+    ///
+    /// g(x) is over x, F/(2E*) over a, and p π/E* over r and a, r < a.
+    ///
+    /// ```
+    /// use sneddon::{parse, transform::{Profile, Superposed, derive}};
+    /// let solution = derive(&Profile::new(&parse::profile("r^2/2").unwrap()).unwrap()).unwrap();
+    /// let chains = solution.evaluated(Superposed::Equivalent).unwrap();
+    /// assert_eq!(sneddon::print::text_expr(&chains[0].values[0]), "x^2");
+    /// ```
+    pub fn evaluated(&self, quantity: Superposed) -> Option<Vec<EvaluatedChain>> {
+        if self.terms().any(|term| quantity.is_open(term)) {
+            return None;
+        }
+        let evaluated = |chain: &SolvedChain| EvaluatedChain {
+            breakpoints: chain.breakpoints.clone(),
+            values: (0..chain.intervals.len()).map(|index| chain.closed(index, quantity, |pair| &pair.evaluated)).collect(),
+        };
+        Some(self.chains.iter().map(evaluated).collect())
+    }
+}

@@ -1,0 +1,160 @@
+//! The program's own check: closed forms against quadrature of the profile as typed, at up to 64 points.
+
+use crate::derive::engine::Solution;
+use crate::derive::sample::Sampler;
+use crate::evaluate::evaluator::{Evaluator, Method, Reading};
+use crate::evaluate::reach::reach;
+use crate::evaluate::tally::{Tally, Verdict};
+use crate::expr::Bindings;
+use crate::integrate::error::TransformError;
+use crate::num::work;
+
+/// The outcome of a check.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Check {
+    /// Points at which something closed was compared.
+    pub points: u32,
+    /// The largest |closed − quadrature| relative to the size of the quantity, over what was compared.
+    pub max_relative_difference: f64,
+    /// How it ended.
+    pub verdict: Verdict,
+    /// Why nothing was compared, where that is so.
+    pub why: Option<&'static str>,
+}
+
+/// Points of a check.
+const POINTS: u32 = 64;
+/// Draws of the parameters among which the points are shared.
+const DRAWS: u32 = 8;
+/// More terms than this make a profile long.
+const MANY_TERMS: usize = 40;
+/// The relative tolerance that the quadratures of a check are asked for.
+const TOLERANCE: f64 = 1e-12;
+/// Steps of work after which no new point is started: 64 points of an expensive profile prove no more than some of them.
+const ENOUGH: u64 = 60_000_000;
+
+/// Compares g at up to 64 points, F and p at up to 16 of them, at the set values or at seeded random admissible ones.
+///
+/// A point counts where something closed meets a quadrature whose bound is small enough to contradict it.
+///
+/// ```
+/// use sneddon::{parse, transform::{Profile, Verdict, check, derive}};
+/// let of = |text| check(&derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()).unwrap();
+/// let outcome = of("R - sqrt(R^2 - r^2)");
+/// assert!(outcome.verdict == Verdict::Passed && outcome.points == 64);
+/// assert_eq!(of("ln(cosh(r))").verdict, Verdict::NotCompared);
+/// ```
+///
+/// # Errors
+/// [`TransformError`] where the profile cannot be evaluated at any admissible value of its parameters.
+pub fn check(solution: &Solution) -> Result<Check, TransformError> {
+    work::bounded(|| compared(solution))
+}
+
+fn compared(solution: &Solution) -> Result<Check, TransformError> {
+    let closed_pressure = solution.terms().any(|term| !term.has_open_pressure());
+    if solution.terms().all(|term| term.is_open()) && !closed_pressure {
+        return Ok(Check::not_compared(if solution.terms().next().is_some() { NOTHING_CLOSED } else { FLAT }));
+    }
+    let mut sampler = Sampler::new(0x0c4e_c4ed);
+    let draws = if solution.profile.parameters().is_empty() { 1 } else { DRAWS };
+    // A long profile is as well tested by fewer of the dear pressures.
+    let every = if solution.terms().count() > MANY_TERMS { 32 } else { 4 };
+    let (mut tally, mut visited, mut trouble) = (Tally::default(), 0, None);
+    let before = work::left();
+    let is_enough = || before - work::left() > ENOUGH;
+    // Some draws may fail: there are twice as many as are needed.
+    for _ in 0..2 * draws {
+        let Some(bindings) = sampler.parameters(solution) else {
+            return Ok(tally.outcome(NOT_ADMISSIBLE));
+        };
+        match compare(solution, &bindings, POINTS / draws, every, &is_enough, &mut sampler, &mut tally) {
+            Ok(()) => visited += POINTS / draws,
+            Err(error) => trouble = Some(error),
+        }
+        if visited >= POINTS || is_enough() {
+            break;
+        }
+    }
+    match trouble {
+        Some(error) if visited == 0 => Err(error),
+        _ => Ok(tally.outcome(NO_REFERENCE)),
+    }
+}
+
+pub(crate) const NOTHING_CLOSED: &str = "no part of the answer is closed, and quadrature is not compared with itself";
+pub(crate) const FLAT: &str = "f is constant, and there is nothing to compare";
+pub(crate) const NOT_ADMISSIBLE: &str = "no values of the parameters were found that meet the conditions";
+/// Why nothing was compared although something is closed.
+pub const NO_REFERENCE: &str = "no point has both a closed form and a quadrature with digits enough to contradict it";
+
+fn compare(
+    solution: &Solution,
+    bindings: &Bindings,
+    points: u32,
+    every: usize,
+    is_enough: &dyn Fn() -> bool,
+    sampler: &mut Sampler,
+    tally: &mut Tally,
+) -> Result<(), TransformError> {
+    let closed = Evaluator::new(solution, bindings, Method::Auto, TOLERANCE)?;
+    let plain = Evaluator::new(solution, bindings, Method::Quadrature, TOLERANCE)?;
+    let typed = plain.typed()?;
+    let closed_pressure = solution.terms().any(|term| !term.has_open_pressure());
+    // Where integrals stand beside closed terms of the pressure, both sides are dear.
+    let every_pressure = if solution.terms().any(|term| term.has_open_pressure()) { 4 * every } else { every };
+    for (index, x) in sampler.points(reach(&closed), points).into_iter().enumerate() {
+        let share = sampler.fraction();
+        if is_enough() {
+            break;
+        }
+        // A quadrature that cannot see what lies next to the axis refutes nothing.
+        if !typed.is_seen(x) {
+            continue;
+        }
+        let before = tally.compared;
+        // A value that one side refuses is not compared; where it should exist, other points show it.
+        let mut take = |own: Result<Reading, TransformError>, other: &dyn Fn() -> Result<Reading, TransformError>| {
+            if let Ok(own) = own
+                && own.method != "quadrature"
+                && let Ok(other) = other()
+            {
+                tally.take(x, own.estimate, other.estimate);
+            }
+        };
+        take(closed.slope(x), &|| plain.slope(x));
+        if index % every == 0 {
+            take(closed.force(x), &|| plain.force(x));
+            if closed_pressure && index % every_pressure == 0 {
+                let r = x * share;
+                if let (Ok(Some(one)), Ok(Some(other))) = (closed.pressure(r, x), plain.pressure(r, x)) {
+                    take(Ok(one), &|| Ok(other));
+                }
+            }
+        }
+        tally.points += u32::from(tally.compared > before);
+    }
+    Ok(())
+}
+
+impl Tally {
+    /// The outcome; `why` tells why nothing was compared, if so.
+    pub(crate) fn outcome(&self, why: &'static str) -> Check {
+        match self.verdict() {
+            Verdict::NotCompared => Check::not_compared(why),
+            verdict => Check { points: self.points, max_relative_difference: self.largest, verdict, why: None },
+        }
+    }
+}
+
+impl Check {
+    /// Nothing was compared.
+    pub(crate) fn not_compared(why: &'static str) -> Self {
+        Self { points: 0, max_relative_difference: f64::NAN, verdict: Verdict::NotCompared, why: Some(why) }
+    }
+
+    /// True where something closed was compared and agrees.
+    pub fn passed(&self) -> bool {
+        self.verdict == Verdict::Passed
+    }
+}

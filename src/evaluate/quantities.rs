@@ -1,0 +1,132 @@
+//! What a contact asks of a profile, whatever the profile is made of: a formula, a closure or a table.
+
+use crate::evaluate::evaluator::{Evaluator, Reading};
+use crate::integrate::error::TransformError;
+use crate::num::Bounded;
+
+/// The quantities of a contact with a smooth edge as numbers with errors, in units in which E* = 1.
+///
+/// [`Evaluator`] answers them from formulas; closures and tables have their own; a contact takes any of them.
+pub trait Quantities: Send + Sync {
+    /// g(x) = x ∫₀^x f′/√(x²−r²) dr.
+    ///
+    /// # Errors
+    /// [`TransformError`] outside the domain, or where no digits can be promised.
+    fn slope(&self, x: f64) -> Result<Reading, TransformError>;
+
+    /// F(a)/(2E*) = ∫₀^a r² f′/√(a²−r²) dr.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    fn force(&self, a: f64) -> Result<Reading, TransformError>;
+
+    /// G(a) = ∫₀^a g dx.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    fn integral(&self, a: f64) -> Result<Reading, TransformError>;
+
+    /// p(r)·π/E* = ∫_r^a g′(x)/√(x²−r²) dx; `None` where it is infinite by theory.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError>;
+
+    /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz·π/E* at the depth z > 0 on the axis.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        let _ = (z, a);
+        Err(TransformError::NoClosedForm { quantity: "the stress below the surface" })
+    }
+
+    /// u_z(r) outside a contact of radius a < r.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError>;
+
+    /// f(r) − f(0).
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    fn height(&self, r: f64) -> Result<Reading, TransformError>;
+
+    /// The upper limit of r; infinite where there is none.
+    fn limit(&self) -> f64;
+
+    /// The places below `end` where g is not smooth, rising.
+    fn breakpoints_below(&self, end: f64) -> Vec<f64>;
+
+    /// Refuses a place that the profile does not reach.
+    ///
+    /// # Errors
+    /// [`TransformError::OutOfDomain`].
+    fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError>;
+
+    /// The radius of the flat part around the axis; 0 for a tip that is not flat.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    fn flat_radius(&self) -> Result<f64, TransformError> {
+        let mut flat = 0.0;
+        for b in self.breakpoints_below(f64::INFINITY) {
+            if self.slope(b)?.estimate.value == 0.0 {
+                flat = b;
+            }
+        }
+        Ok(flat)
+    }
+
+    /// ∫₀^a (d − g)² dx, for profiles that have a better way than quadrature between their breakpoints.
+    fn squared_gap(&self, _a: f64, _depth: Bounded) -> Option<Result<Reading, TransformError>> {
+        None
+    }
+}
+
+impl Quantities for Evaluator<'_> {
+    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+        Self::slope(self, x)
+    }
+
+    fn force(&self, a: f64) -> Result<Reading, TransformError> {
+        Self::force(self, a)
+    }
+
+    fn integral(&self, a: f64) -> Result<Reading, TransformError> {
+        Self::integral(self, a)
+    }
+
+    fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
+        Self::pressure(self, r, a)
+    }
+
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        Self::axial(self, z, a)
+    }
+
+    fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
+        Self::displacement(self, r, a)
+    }
+
+    fn height(&self, r: f64) -> Result<Reading, TransformError> {
+        Self::height(self, r)
+    }
+
+    fn squared_gap(&self, a: f64, depth: Bounded) -> Option<Result<Reading, TransformError>> {
+        self.proven_squared_gap(a, depth)
+    }
+
+    fn limit(&self) -> f64 {
+        Self::limit(self)
+    }
+
+    fn breakpoints_below(&self, end: f64) -> Vec<f64> {
+        Self::breakpoints_below(self, end)
+    }
+
+    fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
+        Self::check_domain(self, symbol, at)
+    }
+}

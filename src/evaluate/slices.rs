@@ -1,0 +1,497 @@
+//! Closed forms over slices: blocks of points on every core, and the scalar way for the points that need another one.
+
+use crate::derive::closed_form::{ClosedForm, good_enough};
+use crate::derive::kinks::is_below;
+use crate::derive::superposed::Superposed;
+use crate::eval::{BlockInput, BlockScratch};
+use crate::evaluate::evaluator::{Evaluator, Method, Reading};
+use crate::evaluate::local_polynomials;
+use crate::integrate::error::TransformError;
+use crate::num::spectral::Plan;
+use crate::num::work;
+use crate::num::{Bound, Bounded, Estimate};
+
+/// The caller's buffers for the numbers of a slice, each as long as the slice.
+///
+/// Values alone are the way for speed: no point is looked at twice and nothing is told of errors. Where a closed form takes more than
+/// some nanoseconds, and so many points of the slice lie within a sixteenth of an octave that it pays, it is expanded there in short
+/// polynomials from its values with 30 digits, which are kept: right to 0.75 units in the last place, the largest error measured,
+/// whatever the form loses by cancellation. Close to kinks, ends and changes of sign the form in doubles stays.
+#[derive(Debug)]
+pub struct Slice<'a> {
+    /// The values.
+    pub values: &'a mut [f64],
+    /// Bounds of their errors, if they are wanted.
+    pub errors: Option<&'a mut [f64]>,
+    /// How each value was found, as in [`Reading`], if that is wanted.
+    pub methods: Option<&'a mut [&'static str]>,
+    /// Evaluations of f′ that each value cost, if they are wanted; 0 for a closed form.
+    pub evaluations: Option<&'a mut [u64]>,
+    /// What each error rests on, if that is wanted.
+    pub bounds: Option<&'a mut [Bound]>,
+}
+
+impl<'a> Slice<'a> {
+    /// Values alone.
+    pub fn values(values: &'a mut [f64]) -> Self {
+        Self { values, errors: None, methods: None, evaluations: None, bounds: None }
+    }
+
+    /// Whether nothing but values is wanted.
+    fn is_plain(&self) -> bool {
+        self.errors.is_none() && self.methods.is_none() && self.evaluations.is_none() && self.bounds.is_none()
+    }
+
+    /// Values and bounds of their errors.
+    pub fn bounded(values: &'a mut [f64], errors: &'a mut [f64]) -> Self {
+        Self { values, errors: Some(errors), methods: None, evaluations: None, bounds: None }
+    }
+}
+
+/// Points that are looked at together: whether all lie in one interval, whether all are inside the domain.
+const CHUNK: usize = 1024;
+/// Points of one task; measured, a task of the cheapest closed form then takes ten times as long as handing it to a thread.
+#[cfg(feature = "parallel")]
+const TASK: usize = 16 * CHUNK;
+
+/// One of the quantities whose closed forms are known per interval.
+#[derive(Clone, Copy)]
+enum Wanted {
+    Height,
+    Superposed(Superposed, Option<f64>),
+}
+
+/// The forms of one chain, one per interval, and the breakpoints between them.
+struct Forms<'e> {
+    breakpoints: Vec<Bounded>,
+    /// True where a breakpoint belongs to the interval beyond it.
+    closed_below: bool,
+    forms: Vec<Option<&'e ClosedForm>>,
+}
+
+/// What one thread needs.
+#[derive(Default)]
+struct Scratch {
+    block: BlockScratch,
+    radius: Vec<f64>,
+    places: Vec<usize>,
+    gathered: Vec<f64>,
+    part: Vec<f64>,
+    part_errors: Vec<f64>,
+}
+
+impl Evaluator<'_> {
+    /// g at every x, as [`Evaluator::slope`] has it.
+    ///
+    /// With bounds, values are those of the scalar way, and bounds may differ in their last digits; values alone are those of the form
+    /// in doubles or, in dense parts of the slice, of polynomials (see [`Slice`]). They depend on the slice, not on those before it.
+    /// Long slices run on every core with the feature `parallel`; no result depends on the number of threads.
+    ///
+    /// ```
+    /// use sneddon::{expr::Bindings, parse, transform::{Evaluator, Method, Profile, Slice, derive}};
+    /// let solution = derive(&Profile::new(&parse::profile("r^2/4").unwrap()).unwrap()).unwrap();
+    /// let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    /// let (mut g, mut errors) = ([0.0; 3], [0.0; 3]);
+    /// evaluator.slopes(&[1.0, 2.0, 3.0], Slice::bounded(&mut g, &mut errors)).unwrap();
+    /// assert_eq!(g, [0.5, 2.0, 4.5]);
+    /// ```
+    ///
+    /// # Errors
+    /// [`TransformError::Buffer`] for a buffer of another length, else that of the first point that has one.
+    pub fn slopes(&self, x: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
+        self.fill(Wanted::Superposed(Superposed::Equivalent, None), x, out, &|x| self.slope(x).map(Some))
+    }
+
+    /// F/(2E*) at every contact radius a, as [`Evaluator::force`] has it; see [`Evaluator::slopes`].
+    ///
+    /// # Errors
+    /// As [`Evaluator::slopes`].
+    pub fn forces(&self, a: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
+        self.fill(Wanted::Superposed(Superposed::Force, None), a, out, &|a| self.force(a).map(Some))
+    }
+
+    /// p·π/E* at every r under a contact of radius a, as [`Evaluator::pressure`] has it; see [`Evaluator::slopes`].
+    ///
+    /// Where theory makes the pressure infinite the value and its error are infinite, and the method is `infinite`.
+    ///
+    /// # Errors
+    /// As [`Evaluator::slopes`].
+    pub fn pressures(&self, r: &[f64], a: f64, out: Slice<'_>) -> Result<(), TransformError> {
+        self.fill(Wanted::Superposed(Superposed::Pressure, Some(a)), r, out, &|r| self.pressure(r, a))
+    }
+
+    /// f(r) − f(0) at every r, as [`Evaluator::height`] has it; see [`Evaluator::slopes`].
+    ///
+    /// # Errors
+    /// As [`Evaluator::slopes`].
+    pub fn heights(&self, r: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
+        self.fill(Wanted::Height, r, out, &|r| self.height(r).map(Some))
+    }
+
+    fn fill(
+        &self,
+        wanted: Wanted,
+        points: &[f64],
+        out: Slice<'_>,
+        scalar: &(impl Fn(f64) -> Result<Option<Reading>, TransformError> + Sync),
+    ) -> Result<(), TransformError> {
+        let wanted_too = [
+            out.errors.as_ref().map(|e| e.len()),
+            out.methods.as_ref().map(|m| m.len()),
+            out.evaluations.as_ref().map(|n| n.len()),
+            out.bounds.as_ref().map(|b| b.len()),
+        ];
+        if let Some(buffer) = wanted_too.into_iter().flatten().chain([out.values.len()]).find(|length| *length != points.len()) {
+            return Err(TransformError::Buffer { points: points.len(), buffer });
+        }
+        let forms = self.forms(wanted)?;
+        let plan = match (&forms, wanted) {
+            (Some(forms), Wanted::Superposed(quantity, radius)) if out.is_plain() => {
+                let tapes = forms.iter().flat_map(|own| own.forms.iter().flatten()).map(|form| form.tape());
+                local_polynomials::plan(self, quantity, radius, tapes, points)
+            }
+            _ => None,
+        };
+        let run = |points: &[f64], out: Slice<'_>| match &plan {
+            Some(plan) => self.planned(plan, &forms, wanted, points, out.values, scalar),
+            None => self.task(&forms, wanted, points, out, scalar),
+        };
+        in_tasks(points, out, &run)
+    }
+
+    /// Polynomials where the slice is local_polynomials, and the forms for the other points.
+    fn planned(
+        &self,
+        plan: &Plan,
+        forms: &Option<Vec<Forms<'_>>>,
+        wanted: Wanted,
+        points: &[f64],
+        values: &mut [f64],
+        scalar: &impl Fn(f64) -> Result<Option<Reading>, TransformError>,
+    ) -> Result<(), TransformError> {
+        let (mut places, mut gathered, mut found) = (Vec::new(), Vec::new(), Vec::new());
+        // What is left is gathered by the chunks of the slice, which no number of threads moves.
+        for (points, values) in points.chunks(CHUNK).zip(values.chunks_mut(CHUNK)) {
+            places.clear();
+            plan.fill(points, values, &mut places);
+            if places.is_empty() {
+                continue;
+            }
+            gathered.clear();
+            gathered.extend(places.iter().filter_map(|place| points.get(*place).copied()));
+            found.clear();
+            found.resize(gathered.len(), 0.0);
+            self.task(forms, wanted, &gathered, Slice::values(&mut found), scalar)?;
+            for (place, found) in places.iter().zip(&found) {
+                if let Some(value) = values.get_mut(*place) {
+                    *value = *found;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The closed forms, where they alone are the answer; `None` where every point goes the scalar way.
+    fn forms(&self, wanted: Wanted) -> Result<Option<Vec<Forms<'_>>>, TransformError> {
+        if self.method == Method::Quadrature {
+            return Ok(None);
+        }
+        let Wanted::Superposed(quantity, _) = wanted else {
+            let chains = self.height_forms()?.chains.iter();
+            let list = chains.map(|(breakpoints, pieces)| Forms {
+                breakpoints: breakpoints.iter().copied().map(Bounded::exact).collect(),
+                closed_below: true,
+                forms: pieces.iter().map(Some).collect(),
+            });
+            return Ok(Some(list.collect()));
+        };
+        let mut list = Vec::new();
+        for (index, chain) in self.chains.iter().enumerate() {
+            let part = self.part(index, quantity)?;
+            if !part.open.is_empty() {
+                return Ok(None);
+            }
+            let forms = part.closed.iter().map(Option::as_ref).collect();
+            list.push(Forms { breakpoints: chain.breakpoints.clone(), closed_below: false, forms });
+        }
+        Ok(Some(list))
+    }
+
+    fn task(
+        &self,
+        forms: &Option<Vec<Forms<'_>>>,
+        wanted: Wanted,
+        points: &[f64],
+        mut out: Slice<'_>,
+        scalar: &impl Fn(f64) -> Result<Option<Reading>, TransformError>,
+    ) -> Result<(), TransformError> {
+        let mut scratch = Scratch::default();
+        // A tolerance sharper than what a good closed form promises is for the scalar way to judge.
+        let good = if self.method == Method::Exact { good_enough(self.tolerance) } else { good_enough(self.tolerance).min(self.tolerance) };
+        for (index, points) in points.chunks(CHUNK).enumerate() {
+            work::check()?;
+            let range = index * CHUNK..index * CHUNK + points.len();
+            let Some(values) = out.values.get_mut(range.clone()) else { continue };
+            let mut errors = out.errors.as_deref_mut().and_then(|errors| errors.get_mut(range.clone()));
+            let mut methods = out.methods.as_deref_mut().and_then(|methods| methods.get_mut(range.clone()));
+            let mut evaluations = out.evaluations.as_deref_mut().and_then(|evaluations| evaluations.get_mut(range.clone()));
+            let mut bounds = out.bounds.as_deref_mut().and_then(|bounds| bounds.get_mut(range));
+            if let Some(bounds) = &mut bounds {
+                bounds.fill(Bound::Proven);
+            }
+            if let Some(evaluations) = &mut evaluations {
+                evaluations.fill(0);
+            }
+            let done = forms
+                .as_ref()
+                .is_some_and(|forms| self.closed(forms, wanted, points, values, errors.as_deref_mut(), &mut scratch).is_some());
+            if let Some(methods) = &mut methods {
+                methods.fill("exact");
+            }
+            if done && all_enough(values, errors.as_deref(), good) {
+                continue;
+            }
+            for (place, (point, value)) in points.iter().zip(values).enumerate() {
+                let error = errors.as_deref_mut().and_then(|errors| errors.get_mut(place));
+                let enough = match &error {
+                    Some(error) => **error <= good * value.abs() && error.is_finite(),
+                    None => value.is_finite(),
+                };
+                if done && enough {
+                    continue;
+                }
+                let (found, method) = match scalar(*point)? {
+                    Some(reading) => (reading.estimate, reading.method),
+                    None => (Estimate { error: f64::INFINITY, ..Estimate::exact(f64::INFINITY) }, "infinite"),
+                };
+                *value = found.value;
+                if let Some(error) = error {
+                    *error = found.error;
+                }
+                if let Some(method_of) = methods.as_deref_mut().and_then(|methods| methods.get_mut(place)) {
+                    *method_of = method;
+                }
+                if let Some(count) = evaluations.as_deref_mut().and_then(|evaluations| evaluations.get_mut(place)) {
+                    *count = found.evaluations;
+                }
+                if let Some(bound) = bounds.as_deref_mut().and_then(|bounds| bounds.get_mut(place)) {
+                    *bound = found.bound;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The sum of the closed forms at every point of a chunk; `None` where some point is outside the domain.
+    fn closed(
+        &self,
+        forms: &[Forms<'_>],
+        wanted: Wanted,
+        points: &[f64],
+        values: &mut [f64],
+        mut errors: Option<&mut [f64]>,
+        scratch: &mut Scratch,
+    ) -> Option<()> {
+        // Only breakpoints ask for the lowest point too.
+        let (lowest, highest) =
+            if forms.iter().all(|form| form.breakpoints.is_empty()) { (f64::NAN, highest(points)) } else { ends(points) };
+        let radius = match wanted {
+            Wanted::Superposed(_, radius) => radius,
+            Wanted::Height => None,
+        };
+        if radius.unwrap_or(highest) >= self.limit_up_to(radius.unwrap_or(highest))
+            || radius.is_some_and(|a| highest >= a)
+            || highest.is_nan()
+        {
+            return None;
+        }
+        if let Some(a) = radius {
+            scratch.radius.resize(CHUNK, a);
+            scratch.radius.fill(a);
+        }
+        if let [form] = forms
+            && let (first, last) = (form.interval(radius.unwrap_or(lowest)), form.interval(radius.unwrap_or(highest)))
+            && first == last
+        {
+            return run(form.forms.get(first).copied()?, points, radius.is_some(), values, errors, scratch);
+        }
+        values.fill(0.0);
+        if let Some(errors) = &mut errors {
+            errors.fill(0.0);
+        }
+        for form in forms {
+            let (first, last) = (form.interval(radius.unwrap_or(lowest)), form.interval(radius.unwrap_or(highest)));
+            for interval in first..=last {
+                self.gathered(form, interval, points, radius, values, errors.as_deref_mut(), scratch)?;
+            }
+        }
+        Some(())
+    }
+
+    /// Adds one chain's form at the points of one interval.
+    #[allow(clippy::too_many_arguments)]
+    fn gathered(
+        &self,
+        form: &Forms<'_>,
+        interval: usize,
+        points: &[f64],
+        radius: Option<f64>,
+        values: &mut [f64],
+        errors: Option<&mut [f64]>,
+        scratch: &mut Scratch,
+    ) -> Option<()> {
+        let own = form.forms.get(interval).copied()?;
+        let Some(_) = own else { return Some(()) };
+        let inside = |x: &f64| form.interval(radius.unwrap_or(*x)) == interval;
+        let (mut places, mut gathered) = (std::mem::take(&mut scratch.places), std::mem::take(&mut scratch.gathered));
+        let (mut part, mut part_errors) = (std::mem::take(&mut scratch.part), std::mem::take(&mut scratch.part_errors));
+        places.clear();
+        places.extend(points.iter().enumerate().filter(|(_, x)| inside(x)).map(|(place, _)| place));
+        gathered.clear();
+        gathered.extend(places.iter().filter_map(|place| points.get(*place)));
+        part.resize(gathered.len(), 0.0);
+        part_errors.resize(gathered.len(), 0.0);
+        let with_errors = errors.is_some();
+        let done = run(own, &gathered, radius.is_some(), &mut part, with_errors.then_some(&mut part_errors), scratch);
+        match errors {
+            Some(errors) => {
+                for ((place, value), error) in places.iter().zip(&part).zip(&part_errors) {
+                    if let (Some(sum), Some(bound)) = (values.get_mut(*place), errors.get_mut(*place)) {
+                        let total = Bounded { value: *sum, error: *bound } + Bounded { value: *value, error: *error };
+                        (*sum, *bound) = (total.value, total.error);
+                    }
+                }
+            }
+            None => {
+                for (place, value) in places.iter().zip(&part) {
+                    if let Some(sum) = values.get_mut(*place) {
+                        *sum += value;
+                    }
+                }
+            }
+        }
+        (scratch.places, scratch.gathered, scratch.part, scratch.part_errors) = (places, gathered, part, part_errors);
+        done
+    }
+}
+
+impl Forms<'_> {
+    /// The interval in which the contact ends, or the point lies.
+    fn interval(&self, at: f64) -> usize {
+        let below = |b: &&Bounded| if self.closed_below { b.value <= at } else { is_below(**b, at) };
+        self.breakpoints.iter().filter(below).count()
+    }
+}
+
+/// The smallest and the largest point; NaN where the first one is. Eight lanes, for the compiler to join.
+fn ends(points: &[f64]) -> (f64, f64) {
+    const LANES: usize = 8;
+    let first = points.first().copied().unwrap_or(f64::NAN);
+    let (mut low, mut high) = ([first; LANES], [first; LANES]);
+    let (whole, rest) = points.as_chunks::<LANES>();
+    let mut meet = |part: &[f64; LANES]| {
+        for i in 0..LANES {
+            low[i] = if part[i] < low[i] { part[i] } else { low[i] };
+            high[i] = if part[i] > high[i] { part[i] } else { high[i] };
+        }
+    };
+    whole.iter().for_each(&mut meet);
+    let mut last = [first; LANES];
+    last.iter_mut().zip(rest).for_each(|(own, x)| *own = *x);
+    meet(&last);
+    (low.into_iter().fold(first, f64::min), high.into_iter().fold(first, f64::max))
+}
+
+/// The largest point alone; NaN where the first one is.
+fn highest(points: &[f64]) -> f64 {
+    const LANES: usize = 8;
+    let first = points.first().copied().unwrap_or(f64::NAN);
+    let mut high = [first; LANES];
+    let (whole, rest) = points.as_chunks::<LANES>();
+    whole.iter().for_each(|part| (0..LANES).for_each(|i| high[i] = if part[i] > high[i] { part[i] } else { high[i] }));
+    high.into_iter().chain(rest.iter().copied()).fold(first, f64::max)
+}
+
+/// Whether no point of a chunk needs a second look.
+fn all_enough(values: &[f64], errors: Option<&[f64]>, good: f64) -> bool {
+    // Without a branch, so that the compiler takes several points at once.
+    match errors {
+        Some(errors) => {
+            let mut enough = true;
+            values.iter().zip(errors).for_each(|(value, error)| enough &= (*error <= good * value.abs()) & (*error <= f64::MAX));
+            enough
+        }
+        None => {
+            // Zero times a number is zero; times what is none it is none, and stays so in a sum.
+            let (whole, rest) = values.as_chunks::<8>();
+            let mut sums = [0.0; 8];
+            whole.iter().for_each(|part| (0..8).for_each(|i| sums[i] += 0.0 * part[i]));
+            sums.iter().chain(rest).all(|value| value.is_finite())
+        }
+    }
+}
+
+/// One form over points of one interval.
+fn run(
+    form: Option<&ClosedForm>,
+    points: &[f64],
+    with_radius: bool,
+    values: &mut [f64],
+    errors: Option<&mut [f64]>,
+    scratch: &mut Scratch,
+) -> Option<()> {
+    let radius = scratch.radius.get(..if with_radius { points.len() } else { 0 })?;
+    let Some(form) = form else {
+        values.fill(0.0);
+        if let Some(errors) = errors {
+            errors.fill(0.0);
+        }
+        return Some(());
+    };
+    let both = [points, radius];
+    match errors {
+        None => form.tape().run_block(both.get(..if with_radius { 2 } else { 1 })?, values, &mut scratch.block),
+        Some(errors) => {
+            let both = both.map(BlockInput::exact);
+            form.tape().run_block_bounded(both.get(..if with_radius { 2 } else { 1 })?, values, errors, &mut scratch.block)
+        }
+    }
+}
+
+/// One task of a slice.
+type Run<'r> = dyn Fn(&[f64], Slice<'_>) -> Result<(), TransformError> + Sync + 'r;
+
+#[cfg(not(feature = "parallel"))]
+fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), TransformError> {
+    run(points, out)
+}
+
+#[cfg(feature = "parallel")]
+fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), TransformError> {
+    use rayon::iter::{IntoParallelIterator, ParallelIterator};
+    // With one thread the caller does the work itself: its points are in the memory next to it.
+    if points.len() <= 2 * TASK || rayon::current_num_threads() == 1 {
+        return run(points, out);
+    }
+    let mut errors = out.errors.map(|errors| errors.chunks_mut(TASK));
+    let mut methods = out.methods.map(|methods| methods.chunks_mut(TASK));
+    let mut counts = out.evaluations.map(|evaluations| evaluations.chunks_mut(TASK));
+    let mut bounds = out.bounds.map(|bounds| bounds.chunks_mut(TASK));
+    let tasks: Vec<(&[f64], Slice<'_>)> = points
+        .chunks(TASK)
+        .zip(out.values.chunks_mut(TASK))
+        .map(|(points, values)| {
+            let (errors, methods) = (errors.as_mut().and_then(Iterator::next), methods.as_mut().and_then(Iterator::next));
+            let (evaluations, bounds) = (counts.as_mut().and_then(Iterator::next), bounds.as_mut().and_then(Iterator::next));
+            (points, Slice { values, errors, methods, evaluations, bounds })
+        })
+        .collect();
+    // The first error by place, whichever thread is faster.
+    // Threads count on their own; together they may take what this one has left.
+    let (most, stop) = (work::left(), work::stop_flag());
+    let counted = |(points, out)| work::stoppable(stop, || work::apart(most, || run(points, out)));
+    let ends: Vec<(Result<(), TransformError>, u64, bool)> = tasks.into_par_iter().map(counted).collect();
+    ends.iter().for_each(|(_, steps, _)| work::spend(*steps));
+    work::check()?;
+    ends.into_iter().try_for_each(|(end, ..)| end)
+}

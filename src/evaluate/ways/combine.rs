@@ -1,0 +1,249 @@
+//! One number from a solution: closed terms and integrals together, or whichever other way has more digits.
+
+use crate::derive::closed_form::{good_enough, precise_total, refined, rounded};
+use crate::derive::superposed::Superposed;
+use crate::evaluate::evaluator::{Evaluator, Method, Reading};
+use crate::evaluate::series::SeriesEvaluator;
+use crate::integrate::error::TransformError;
+use crate::integrate::integral::NumericProfile;
+use crate::num::{Bound, Bounded, Estimate, Precise, work};
+use std::cell::Cell;
+
+/// The order of the power series at the axis.
+pub(crate) const ORDER: usize = 24;
+/// The same for the pressure, which has nothing else next to the axis.
+const PRESSURE_ORDER: usize = 64;
+
+/// Where a quadrature has fewer digits than this relative error says, the series is asked too.
+const SCANT: f64 = 1e-10;
+
+impl Evaluator<'_> {
+    /// Closed terms plus the integrals of the others; or the whole by quadrature where that is demanded or has more digits.
+    ///
+    /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
+    ///
+    /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form is given about a millisecond
+    /// before quadrature is asked, and half a second where quadrature misses the tolerance.
+    pub(crate) fn combine(
+        &self,
+        quantity: Superposed,
+        contact: f64,
+        inputs: &[f64],
+        integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
+    ) -> Result<Option<Reading>, TransformError> {
+        let integrate = |profile: &NumericProfile| work::bounded(|| integrate(profile));
+        let dear = Cell::new(false);
+        let found = self.combined(quantity, contact, inputs, &integrate, Some(&dear));
+        if !dear.get() {
+            return found;
+        }
+        match self.by_quadrature(quantity, contact, inputs, self.typed().and_then(integrate), integrate) {
+            Ok(Some(other)) if other.estimate.relative_error() <= self.tolerance => Ok(Some(other)),
+            other => match work::share(DEAREST, || self.combined(quantity, contact, inputs, &integrate, None)) {
+                Some(found) => found,
+                None => other,
+            },
+        }
+    }
+
+    /// The same; where `dear` is given, closed forms that take too long are given up, and it is set.
+    fn combined(
+        &self,
+        quantity: Superposed,
+        contact: f64,
+        inputs: &[f64],
+        integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
+        dear: Option<&Cell<bool>>,
+    ) -> Result<Option<Reading>, TransformError> {
+        work::spend(OVERHEAD);
+        let dear = dear.filter(|_| self.method == Method::Auto);
+        let typed = || self.typed().and_then(integrate);
+        if self.method == Method::Quadrature {
+            return self.by_quadrature(quantity, contact, inputs, typed(), integrate);
+        }
+        let whole = || self.integrated(typed(), integrate, contact);
+        let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
+        let (mut closed, mut open, mut any_open) = (Bounded::exact(0.0), Estimate::exact(0.0), false);
+        let mut overflow = false;
+        let mut forms = Vec::new();
+        let mut slots = Vec::new();
+        for index in 0..self.chains.len() {
+            let part = self.part(index, quantity)?;
+            let interval = self.interval(index, contact);
+            if let Some(form) = part.closed.get(interval).and_then(Option::as_ref) {
+                let Some(value) = in_time(form.tape().is_special(), dear, DEAR, || form.in_doubles(&exact, &mut slots)) else {
+                    return Ok(None);
+                };
+                if value.value.is_infinite() {
+                    // Terms that are infinite apart, at the apex or at a kink; elsewhere the value is too large for a float.
+                    if quantity == Superposed::Pressure && self.may_be_infinite(inputs.first().copied().unwrap_or(0.0)) {
+                        return Ok(None);
+                    }
+                    overflow = true;
+                }
+                closed = closed + value;
+                forms.push(form);
+            }
+            if !part.open.is_empty() {
+                if self.method == Method::Exact {
+                    return Err(TransformError::NoClosedForm { quantity: quantity.name() });
+                }
+                // Terms that are 0/0 at the axis, one by one and together: what has a series there is the whole.
+                if part.open.is_ragged()
+                    && self.typed()?.is_mended()
+                    && let Ok(own) = whole()
+                {
+                    return Ok(own);
+                }
+                let found = match integrate(&part.open) {
+                    Ok(Some(found)) => found,
+                    Ok(None) => return Ok(None),
+                    // A term that underflows, or is 0/0 next to the axis: the whole may have its digits all the same.
+                    // An estimate would hide what could not be resolved alone.
+                    Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
+                        let whole = self.by_quadrature(quantity, contact, inputs, typed(), integrate)?;
+                        return whole.filter(|whole| whole.estimate.bound == Bound::Proven).map(Some).ok_or(error);
+                    }
+                    Err(error) => return Err(error),
+                };
+                open = open + found;
+                any_open = true;
+            }
+        }
+        let special = forms.iter().any(|form| form.tape().is_special());
+        let precise = || in_time(special, dear, DEAR_TWICE, || precise_total(&forms, inputs)).unwrap_or_else(Precise::nan);
+        let closed = if closed.value.is_finite() {
+            refined(closed, (closed + open.bounded()).value, good_enough(self.tolerance), precise)
+        } else {
+            // What overflows on the way may be a number all the same.
+            let exact = precise_total(&forms, inputs);
+            if exact.value.hi.is_infinite() || (overflow && !exact.is_finite()) {
+                return Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact });
+            }
+            rounded(exact)
+        };
+        let closed = Estimate::from_bounded(closed, 0);
+        let estimate = if any_open { closed + open } else { closed };
+        let method = match (!forms.is_empty(), any_open) {
+            (true, true) => "mixed",
+            (false, true) => "quadrature",
+            _ => "exact",
+        };
+        let own = Reading { estimate, method };
+        if estimate.value.is_nan() && self.method == Method::Exact {
+            // Infinite parts of both signs: theory says whether the whole is infinite too.
+            return match whole()? {
+                None => Ok(None),
+                Some(_) => Err(TransformError::NoClosedForm { quantity: quantity.name() }),
+            };
+        }
+        if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
+            return Ok(Some(own));
+        }
+        if method == "quadrature" {
+            let better = if estimate.relative_error() > SCANT { self.by_series(quantity, inputs) } else { None };
+            return Ok(better.filter(|other| other.estimate.is_better_than(estimate)).or(Some(own)));
+        }
+        // The closed form lost digits here, or left its domain: quadrature may have them, and next to the axis the series.
+        let mut other = whole();
+        let poor = |reading: &Result<Option<Reading>, TransformError>| match reading {
+            Ok(reading) => reading.is_some_and(|own| own.estimate.relative_error() > self.tolerance),
+            Err(_) => true,
+        };
+        if poor(&other)
+            && let Some(series) = self.by_series(quantity, inputs)
+            && other.as_ref().map_or(true, |own| own.is_some_and(|own| series.estimate.is_better_than(own.estimate)))
+        {
+            other = Ok(Some(series));
+        }
+        match other {
+            Ok(Some(other)) if other.estimate.is_better_than(own.estimate) => Ok(Some(other)),
+            Ok(Some(other)) => Ok(Some(Reading { estimate: own.estimate.sharpened_by(other.estimate), ..own })),
+            Ok(None) if estimate.value.is_nan() => Ok(None),
+            Err(error) if estimate.value.is_nan() => Err(error),
+            _ => Ok(Some(own)),
+        }
+    }
+
+    /// The whole where quadrature is demanded; `typed` is what f′ as typed has.
+    #[cold]
+    pub(crate) fn by_quadrature(
+        &self,
+        quantity: Superposed,
+        contact: f64,
+        inputs: &[f64],
+        typed: Result<Option<Estimate>, TransformError>,
+        integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
+    ) -> Result<Option<Reading>, TransformError> {
+        match self.integrated(typed, &integrate, contact) {
+            // An integrand that is 0/0 in doubles next to the axis may have a series.
+            Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
+                let own = self.by_series(quantity, inputs).filter(|own| own.estimate.error < own.estimate.value.abs());
+                own.map(Some).ok_or(error)
+            }
+            other => other,
+        }
+    }
+
+    /// The whole by quadrature of f′ as typed or, where that cancels or leaves the range of doubles, of its recognition form.
+    fn integrated(
+        &self,
+        typed: Result<Option<Estimate>, TransformError>,
+        integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
+        contact: f64,
+    ) -> Result<Option<Reading>, TransformError> {
+        let by_quadrature = |estimate| Reading { estimate, method: "quadrature" };
+        // An exact 0 of a slope that is not 0 is an underflow, or a divisor that is infinite.
+        let own = |profile: &NumericProfile, found: Result<Option<Estimate>, TransformError>| match found {
+            Ok(Some(own)) if own.value == 0.0 && own.error == 0.0 && profile.reaches(contact) => {
+                Err(TransformError::NotComputable { at: contact })
+            }
+            other => other,
+        };
+        let typed = self.typed().and_then(|profile| own(profile, typed));
+        let enough = match &typed {
+            Ok(Some(own)) => own.relative_error() <= self.tolerance,
+            Ok(None) => true,
+            Err(TransformError::NoDigits { .. } | TransformError::NotComputable { .. }) => false,
+            Err(_) => true,
+        };
+        if !enough
+            && let Ok(Some(other)) = self.recognised().and_then(|profile| own(profile, integrate(profile)))
+            && typed.as_ref().map_or(true, |own| own.is_some_and(|own| other.is_better_than(own)))
+        {
+            return Ok(Some(by_quadrature(other)));
+        }
+        Ok(typed?.map(by_quadrature))
+    }
+
+    /// g, F or p by the power series at the axis, with a proven remainder.
+    fn by_series(&self, quantity: Superposed, inputs: &[f64]) -> Option<Reading> {
+        let order = if quantity == Superposed::Pressure { PRESSURE_ORDER } else { ORDER };
+        let series = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order).ok()?;
+        let found = match (quantity, inputs) {
+            (Superposed::Equivalent, [x]) => series.slope(*x).ok(),
+            (Superposed::Force, [a]) => series.force(*a).ok(),
+            (Superposed::Pressure, [r, a]) if *r > 0.0 => series.pressure(*r, *a).ok(),
+            _ => None,
+        };
+        found.filter(|own| own.estimate.value != 0.0 || own.estimate.error > 0.0)
+    }
+}
+
+/// Steps of one number beside its tapes: measured by `benches/steps.rs`.
+const OVERHEAD: u64 = 50;
+/// Steps of work after which a closed form with special functions is given up where quadrature may answer: about a millisecond …
+const DEAR: u64 = 100_000;
+/// … and with 30 digits.
+const DEAR_TWICE: u64 = 400_000;
+
+/// … and where quadrature has been asked and misses the tolerance.
+const DEAREST: u64 = 50_000_000;
+
+/// What the work finds, unless it takes more than so many steps and may be given up; `dear` is set then.
+fn in_time<T>(special: bool, dear: Option<&Cell<bool>>, steps: u64, find: impl FnOnce() -> T) -> Option<T> {
+    let Some(dear) = dear.filter(|_| special) else { return Some(find()) };
+    let found = work::share(steps, find);
+    dear.set(dear.get() || found.is_none());
+    found
+}

@@ -1,0 +1,164 @@
+//! The pressure, and where theory makes it infinite: under a tip whose slope does not vanish at the axis, and where f′ jumps.
+//!
+//! p(0) is an integral of f′/r, and p(b) has the jump of f′ at b before a logarithm; both are decided from the expressions, never by
+//! the error of a computed value.
+
+use crate::derive::domain;
+use crate::derive::profile::Chain;
+use crate::derive::superposed::Superposed;
+use crate::eval::constant_value;
+use crate::evaluate::evaluator::{Evaluator, Method, Reading};
+use crate::expr::{Bindings, Expr, Symbol, normal};
+use crate::integrate::admit::finite_and_not_negative;
+use crate::integrate::error::TransformError;
+use crate::num::{Bound, Estimate, work};
+
+/// Steps of work that a few more digits of a pressure are worth: some twenty milliseconds …
+pub(crate) const MORE_DIGITS: u64 = 2_000_000;
+/// … and the first ones.
+const FIRST_DIGITS: u64 = 50_000_000;
+/// A pressure as rough as this has not many digits yet.
+const ROUGH: f64 = 1e-7;
+
+/// The work that a better value than this one is worth.
+fn worth(found: Option<&Reading>) -> u64 {
+    if found.is_some_and(|own| own.estimate.relative_error() <= ROUGH) { MORE_DIGITS } else { FIRST_DIGITS }
+}
+
+impl Evaluator<'_> {
+    /// p(r)·π/E* under a smooth edge of radius a; `None` where it is infinite by theory.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
+        self.check_domain("a", a)?;
+        finite_and_not_negative("r", r)?;
+        if r >= a {
+            let zero = Estimate::exact(0.0);
+            return Ok(Some(Reading { estimate: zero, method: "exact" }));
+        }
+        let special = self.may_be_infinite(r);
+        if special && self.is_infinite_at(r)? {
+            return Ok(None);
+        }
+        let mut found = self.combine(Superposed::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance));
+        let poor = |own: &Reading| own.method != "exact" && own.estimate.relative_error() > self.tolerance && !is_trusted(own.estimate);
+        let most = worth(found.as_ref().ok().and_then(Option::as_ref));
+        if self.method == Method::Auto
+            && found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(poor))
+            && let Some(Some(estimate)) = work::share(most, || self.pressure_by_closed_slope(r, a, most))
+            && found.as_ref().is_ok_and(|own| own.is_some_and(|own| estimate.is_better_than(own.estimate)))
+        {
+            found = Ok(Some(Reading { estimate, method: "quadrature" }));
+        }
+        if special && self.method != Method::Exact {
+            // Parts that are infinite one by one may meet in a number without any digit, or in none.
+            let digits = |own: &Reading| own.estimate.relative_error() <= self.tolerance;
+            if !found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(digits))
+                && let Ok(other) = self.finite_pressure(r, a)
+                && found.as_ref().map_or(true, |own| own.is_none_or(|own| other.is_better_than(own.estimate)))
+            {
+                found = Ok(Some(Reading { estimate: other, method: "quadrature" }));
+            }
+        }
+        match found? {
+            Some(own) if own.estimate.value.is_nan() => Err(TransformError::NotComputable { at: a }),
+            Some(own) if own.estimate.value.is_finite() && !own.estimate.error.is_finite() => Err(TransformError::NotComputable { at: a }),
+            Some(own) if own.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol: "a", at: a }),
+            Some(own) => Ok(Some(own)),
+            None if self.method == Method::Exact => Err(TransformError::NoClosedForm { quantity: "p" }),
+            None => Err(TransformError::NotComputable { at: a }),
+        }
+    }
+
+    /// True where r is the axis or a breakpoint, the only places at which the pressure below a smooth edge may be infinite.
+    pub(crate) fn may_be_infinite(&self, r: f64) -> bool {
+        r == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == r))
+    }
+
+    /// True where the pressure is infinite by theory.
+    ///
+    /// # Errors
+    /// [`TransformError`] where f′ cannot be formed.
+    pub(crate) fn is_infinite_at(&self, r: f64) -> Result<bool, TransformError> {
+        if r == 0.0 {
+            if let Some(ready) = self.steep.get() {
+                return Ok(*ready);
+            }
+            let mut first = Vec::new();
+            for chain in &self.solution.profile.chains {
+                first.extend(chain.slopes()?.into_iter().next());
+            }
+            let slope = self.bindings.apply(&Expr::sum(first));
+            // A limit that does not exist is that of a pole, or of a logarithm.
+            let steep = limit(&slope).is_none_or(|own| !is_zero(&own));
+            work::check()?;
+            return Ok(*self.steep.get_or_init(|| steep));
+        }
+        let mut jump = Vec::new();
+        for (numeric, chain) in self.chains.iter().zip(&self.solution.profile.chains) {
+            let places = numeric.breakpoints.iter().enumerate().filter(|(_, b)| b.value == r);
+            for (index, _) in places {
+                match self.jump(chain, index)? {
+                    Some(own) => jump.push(own),
+                    None => return Ok(true),
+                }
+            }
+        }
+        Ok(!is_zero(&Expr::sum(jump)))
+    }
+
+    /// p·π/E* by quadrature at a place where it is finite by theory, though some of its parts may not be.
+    ///
+    /// # Errors
+    /// [`TransformError`] where quadrature has no digits.
+    pub(crate) fn finite_pressure(&self, r: f64, a: f64) -> Result<Estimate, TransformError> {
+        if r > 0.0 {
+            return self.typed()?.stress_direct(r, a, self.tolerance)?.ok_or(TransformError::NotComputable { at: a });
+        }
+        if let Some(proven) = self.typed()?.pressure_on_axis(a, self.tolerance).filter(|own| own.relative_error() <= self.tolerance) {
+            return Ok(proven);
+        }
+        let typed = self.typed()?.axial(0.0, a, self.tolerance);
+        if typed.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance) {
+            return typed;
+        }
+        let recognised = self.recognised().and_then(|own| own.axial(0.0, a, self.tolerance));
+        // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
+        let direct = self.typed()?.pressure(0.0, a, self.tolerance).and_then(|own| own.ok_or(TransformError::NotComputable { at: a }));
+        let better = |best: Result<Estimate, TransformError>, other: Result<Estimate, TransformError>| match (&best, &other) {
+            (Ok(own), Ok(next)) if next.is_better_than(*own) => other,
+            (Err(_), Ok(_)) => other,
+            _ => best,
+        };
+        better(better(typed, recognised), direct)
+    }
+
+    /// f′ beyond a breakpoint less f′ before it; `None` where one of them is infinite.
+    fn jump(&self, chain: &Chain, index: usize) -> Result<Option<Expr>, TransformError> {
+        let (Some(place), slopes) = (chain.breakpoints.get(index), chain.slopes()?) else { return Ok(None) };
+        let (Some(below), Some(beyond)) = (slopes.get(index), slopes.get(index + 1)) else { return Ok(None) };
+        let place = self.bindings.apply(place);
+        let distance = Expr::symbol("r");
+        let at = |slope: &Expr, distance: Expr| limit(&Bindings::one("r", &place + distance).apply(&self.bindings.apply(slope)));
+        Ok(at(beyond, distance.clone()).and_then(|beyond| Some(beyond - at(below, -distance)?)))
+    }
+}
+
+/// True for a proven error that no estimate can better.
+fn is_trusted(own: Estimate) -> bool {
+    own.bound == Bound::Proven && own.relative_error() <= Estimate::TRUSTED
+}
+
+fn limit(slope: &Expr) -> Option<Expr> {
+    domain::value_at_axis(slope, &mut Vec::new()).ok()
+}
+
+/// True for what is zero exactly, or within the error of its value where it is no rational number.
+fn is_zero(value: &Expr) -> bool {
+    if value.as_number().is_some() {
+        return value.is_zero();
+    }
+    normal::is_proven_zero(value, &Symbol::new("r"))
+        || constant_value(value, &Bindings::default()).is_ok_and(|own| own.value.abs() <= own.error)
+}

@@ -1,0 +1,198 @@
+//! g, F and G of an expression by pieces of the angle with proven rules.
+
+use crate::eval::{RegionAlgebra, Tape};
+use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
+use crate::integrate::error::TransformError;
+use crate::integrate::integral::{NumericSegment, Weight};
+use crate::integrate::source::leading_power::LeadingPower;
+use crate::integrate::source::limit::Limit;
+use crate::integrate::source::slope::{Numbers, Scratch};
+use crate::num::bounded::UNIT;
+use crate::num::stable::leg;
+use crate::num::{Bounded, Estimate, Region, forms};
+
+impl NumericSegment {
+    /// The integral with a proven bound; `None` where f′ is no expression, where its enclosures do not become small in time, or where
+    /// they leave more open than the tolerance and the rounding.
+    ///
+    /// # Errors
+    /// [`TransformError::NotComputable`] where f′ is not finite.
+    pub(crate) fn by_pieces(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        if !self.slope.is_expression() || matches!(weight, Weight::Outside(_)) || !(x.is_normal() && self.lower.value < x) {
+            return Ok(None);
+        }
+        let power = self.power_for(x);
+        if self.singular && power.is_none() {
+            return Ok(None);
+        }
+        // Next to the end of f′ its distance to that end has the digits.
+        let limit = self.limit.as_ref().filter(|limit| x > NEAR_THE_LIMIT * limit.value.value && x < limit.value.value - limit.value.error);
+        let limit = limit.and_then(|limit| Some((limit, limit.enclosing()?)));
+        let mut range = Angles { power, limit, weight, ..Angles::over(self, x) };
+        proven_sum(std::slice::from_mut(&mut range), Bounded::exact(0.0), tolerance, x)
+    }
+}
+
+/// The range of one integral: r = x cos τ from the lower end of the segment to its end or to x.
+pub(crate) struct Angles<'a> {
+    pub(crate) segment: &'a NumericSegment,
+    /// f′ = δ^s h(δ) at the lower end: s, and h for enclosures.
+    power: Option<&'a LeadingPower>,
+    /// The end of f′, where x is near to it, and f′ over the distance to it for enclosures.
+    limit: Option<(&'a Limit, &'a Tape)>,
+    pub(crate) x: f64,
+    weight: Weight,
+    /// The angle between both ends, and that from the upper end to the one at which r = x.
+    pub(crate) width: f64,
+    beyond: f64,
+    pub(crate) slots: Vec<Region>,
+}
+
+/// Where r is while the angle is in a region: r, r − lower, and limit − r.
+pub(crate) struct Radii {
+    pub(crate) r: Region,
+    pub(crate) delta: Region,
+    below: Option<Region>,
+    /// The angle to the place at which r = x, and its sine.
+    pub(crate) phi: Region,
+    pub(crate) sine: Region,
+}
+
+impl<'a> Angles<'a> {
+    /// The range of g, from the lower end of a segment to its end or to x.
+    pub(crate) fn over(segment: &'a NumericSegment, x: f64) -> Self {
+        let end = segment.upper.map_or(f64::INFINITY, |upper| upper.value);
+        let width = forms::angle_between(segment.lower.value, end, x);
+        let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };
+        Self { segment, power: None, limit: None, x, weight: Weight::Slope, width, beyond, slots: Vec::new() }
+    }
+
+    /// r − lower and the angle to r = x, where the angles from both ends are these.
+    pub(crate) fn delta(&self, place: Place) -> (f64, f64) {
+        let rest = self.beyond + place.from_upper;
+        let delta = 2.0 * self.x * (0.5 * place.from_lower).sin() * (rest + 0.5 * place.from_lower).sin();
+        (delta.max(f64::MIN_POSITIVE), rest)
+    }
+
+    /// limit − r at an angle to r = x, and a bound on its error.
+    fn below(&self, limit: &Limit, rest: f64) -> (f64, f64) {
+        let half = (0.5 * rest).sin();
+        let gap = limit.value.value - self.x;
+        let below = (gap + 2.0 * self.x * half * half).max(f64::MIN_POSITIVE);
+        (below, 16.0 * UNIT * below + limit.value.error)
+    }
+
+    /// The weight, and bounds on its error as a share and as a number.
+    fn factor(&self, delta: f64, rest: f64) -> (f64, f64, f64) {
+        match self.weight {
+            Weight::Force => {
+                let share = (self.segment.lower.value + delta) / self.x;
+                (share * share, 44.0 * UNIT, 0.0)
+            }
+            Weight::Integral => (rest.sin() * rest.sin(), 16.0 * UNIT, 16.0 * UNIT),
+            Weight::Slope | Weight::Outside(_) => (1.0, 0.0, 0.0),
+        }
+    }
+
+    pub(crate) fn radii(&self, piece: Piece, sigma: f64) -> Radii {
+        let hair = 4.0 * UNIT * self.width;
+        let (low, high, short) = piece.around(sigma);
+        let angle = Region::new((low, high), (-short, short));
+        let width = Region::new((self.width - hair, self.width + hair), (0.0, 0.0));
+        let beyond = Region::new((self.beyond * (1.0 - 4.0 * UNIT), self.beyond * (1.0 + 4.0 * UNIT)), (0.0, 0.0));
+        let (v, rest) = if piece.from_above { (width - angle, beyond + angle) } else { (angle, beyond + width - angle) };
+        let half_v = Region::real(0.5) * v;
+        let x = Region::real(self.x);
+        let lower = self.segment.lower;
+        let lower = Region::new((lower.value - lower.error, lower.value + lower.error), (0.0, 0.0));
+        // Both have all values of δ; the product keeps its digits next to the lower end, the cosine is narrow next to the upper one.
+        let doubt = Region::new((-self.segment.lower.error, self.segment.lower.error), (0.0, 0.0));
+        let by_product = x * Region::real(2.0) * half_v.sin() * (beyond + width - half_v).sin() + doubt;
+        let r = x * rest.cos();
+        let delta = by_product.and(r - lower);
+        let below = self.limit.map(|(limit, _)| {
+            let (from, to) = (limit.value.value - limit.value.error - self.x, limit.value.value + limit.value.error - self.x);
+            let gap = Region::new((from.next_down(), to.next_up()), (0.0, 0.0));
+            gap + x * Region::real(2.0) * (Region::real(0.5) * rest).sin().powi(2)
+        });
+        Radii { r, delta: if sigma == 0.0 { delta.above_zero() } else { delta }, below, phi: rest, sine: rest.sin() }
+    }
+
+    fn weight(&self, radii: &Radii) -> f64 {
+        match self.weight {
+            Weight::Force => (radii.r.largest() / self.x).powi(2) * (1.0 + 8.0 * UNIT),
+            Weight::Integral => radii.sine.largest() * radii.sine.largest(),
+            Weight::Slope | Weight::Outside(_) => 1.0,
+        }
+    }
+}
+
+impl Range for Angles<'_> {
+    fn width(&self) -> f64 {
+        self.width
+    }
+
+    fn size_at(&self, place: Place) -> f64 {
+        let (delta, rest) = self.delta(place);
+        let slope = match self.limit {
+            Some((limit, _)) if place.from_above => limit.slope.plain(self.below(limit, rest).0),
+            _ => self.segment.slope.plain(delta),
+        };
+        slope * self.factor(delta, rest).0
+    }
+
+    fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
+        let radii = self.radii(piece, sigma);
+        let slope = match (self.limit, radii.below) {
+            (Some((_, tape)), Some(below)) if piece.from_above => {
+                tape.run(&mut RegionAlgebra, &[below], &mut self.slots).map_or(f64::INFINITY, Region::largest)
+            }
+            _ => self.segment.largest_slope(radii.delta, &mut self.slots),
+        };
+        let largest = slope * self.weight(&radii) * (1.0 + 8.0 * UNIT);
+        if largest.is_nan() { f64::INFINITY } else { largest }
+    }
+
+    /// ∫₀^v |f′| dv ≤ C ∫₀^v δ^s dv, where δ/v falls: r is concave in v.
+    fn tail(&mut self, piece: Piece) -> f64 {
+        let Some(own) = self.power else { return f64::INFINITY };
+        if piece.from_above || self.segment.lower.error > 0.0 {
+            return f64::INFINITY;
+        }
+        let radii = self.radii(piece, 0.0);
+        let (rest, power) = (own.rest_over(radii.delta, &mut self.slots), own.exponent);
+        let v = piece.to * (1.0 + 8.0 * UNIT);
+        let slope = self.delta(Place { from_lower: v, from_upper: self.width - v, from_above: false }).0 / v;
+        // Where s > 0, δ ≤ x v.
+        let steepness = if power < 0.0 { (slope * (1.0 - 1e-9)).powf(power) } else { self.x.powf(power) };
+        let bound = rest * steepness * v.powf(1.0 + power) / (1.0 + power) * self.weight(&radii) * (1.0 + 1e-9);
+        if bound.is_nan() { f64::INFINITY } else { bound + f64::MIN_POSITIVE }
+    }
+
+    fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
+        let (mut arguments, mut doubts, mut factors) = ([0.0; MOST_NODES], [0.0; MOST_NODES], [(0.0, 0.0, 0.0); MOST_NODES]);
+        let count = places.len();
+        let end = self.segment.lower.error;
+        // All places of a piece count from the same end.
+        let limit = self.limit.map(|(limit, _)| limit).filter(|_| places.first().is_some_and(|place| place.from_above));
+        for (((place, argument), doubt), factor) in places.iter().zip(&mut arguments).zip(&mut doubts).zip(&mut factors) {
+            let (delta, rest) = self.delta(*place);
+            // δ keeps its digits towards the lower end; the width is known to a rounding.
+            (*argument, *doubt) = match limit {
+                Some(limit) => self.below(limit, rest),
+                None => (delta, 16.0 * UNIT * delta + if delta > 2.0 * end { end } else { 0.0 }),
+            };
+            *factor = self.factor(delta, rest);
+        }
+        let numbers: &Numbers = limit.map_or(&self.segment.slope, |limit| &limit.slope);
+        numbers.block(&arguments[..count], &doubts[..count], values, errors, scratch);
+        let varies = self.segment.varies_next_to_lower();
+        for (((value, error), (factor, share, flat)), argument) in values.iter_mut().zip(errors).zip(factors).zip(arguments) {
+            // `delta` is at least the smallest normal number, below which nothing is proven.
+            let unknown = if varies && argument <= f64::MIN_POSITIVE { f64::INFINITY } else { 0.0 };
+            *error = *error * factor + value.abs() * (share * factor + flat) + unknown;
+            *value *= factor;
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! What can go wrong between a profile and its answers.
+
+use crate::eval::EvalError;
+use crate::expr::ExprError;
+use crate::integrate::table_error::TableError;
+use crate::num::{Exhausted, NumError};
+use thiserror::Error;
+
+/// Errors of the transform layer.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum TransformError {
+    /// f has no finite limit at r = 0.
+    #[error(
+        "the profile has no finite value at r = 0 ({detail}); a shape that starts at a finite height, such as C*r^n with n > 0, would be accepted"
+    )]
+    SingularAtAxis {
+        /// What was found there.
+        detail: String,
+    },
+    /// The value of f jumps at a breakpoint.
+    #[error("the profile jumps by {jump} at r = {at}; pieces that meet at their breakpoints would be accepted")]
+    Jump {
+        /// The breakpoint.
+        at: String,
+        /// Value beyond minus value before.
+        jump: String,
+    },
+    /// The profile is real nowhere near the axis.
+    #[error("the profile is not a real number near r = 0 ({detail}); check the signs under roots and logarithms")]
+    NotReal {
+        /// The expression that is not real.
+        detail: String,
+    },
+    /// f does not depend on r, and no depth was given.
+    #[error("a flat profile with a smooth edge has no contact problem; give the depth of the punch with --depth d (or a number)")]
+    Flat,
+    /// The kinks of abs, min or max could not be located.
+    #[error("the kinks of {function} cannot be located ({reason}); set the parameters with --set, or write the pieces with piecewise(…)")]
+    Kinks {
+        /// The function whose kinks are wanted.
+        function: &'static str,
+        /// Why not.
+        reason: String,
+    },
+    /// Too many pieces.
+    #[error("the profile has more than {limit} pieces; fewer would be accepted")]
+    TooManyPieces {
+        /// The largest number.
+        limit: usize,
+    },
+    /// A point lies outside the profile's domain.
+    #[error("{symbol} = {at:?} lies outside the domain of the profile{limit}")]
+    OutOfDomain {
+        /// Name of the coordinate.
+        symbol: &'static str,
+        /// The value.
+        at: f64,
+        /// The known limit, as text that follows the sentence.
+        limit: String,
+    },
+    /// A value beyond the largest number.
+    #[error("the value at {symbol} = {at:?} is too large for a 64-bit float; a smaller {symbol}, or other units, would be accepted")]
+    Overflow {
+        /// Name of the coordinate.
+        symbol: &'static str,
+        /// The coordinate.
+        at: f64,
+    },
+    /// A value below the smallest normal number, too small to compute a further quantity from it.
+    #[error("{quantity} at {symbol} = {at:?} is too small for a 64-bit float; expected a larger {symbol}, or other units")]
+    Underflow {
+        /// What is too small.
+        quantity: &'static str,
+        /// Name of the coordinate.
+        symbol: &'static str,
+        /// The coordinate.
+        at: f64,
+    },
+    /// f′ or f″ has no value in double precision somewhere below the point.
+    #[error(
+        "up to {at:?} the profile's slope cannot be computed in double precision (0/0, an overflow or a pole); a form without cancellation, or a smaller range, would be accepted"
+    )]
+    NotComputable {
+        /// The end of the range.
+        at: f64,
+    },
+    /// A quadrature that promises no digits.
+    #[error(
+        "up to {at:?} the integral has no reliable digit ({value:?} with an error of up to {error:?}): a pole, or a feature too narrow to be resolved, lies within; a smaller range would be accepted"
+    )]
+    NoDigits {
+        /// The end of the range.
+        at: f64,
+        /// The best value.
+        value: f64,
+        /// Its error bound.
+        error: f64,
+    },
+    /// A whole curve that misses its tolerance.
+    #[error(
+        "the curve of {quantity} reaches a relative error of {achieved:e} only, where {requested:e} was asked for; that tolerance, a smaller range, or --method quadrature would be accepted"
+    )]
+    CurveTooRough {
+        /// The quantity.
+        quantity: &'static str,
+        /// Its error relative to its largest value.
+        achieved: f64,
+        /// The tolerance.
+        requested: f64,
+    },
+    /// No closed form where one was demanded.
+    #[error("no closed form is known for {quantity} of this profile; --method auto or --method quadrature gives its value")]
+    NoClosedForm {
+        /// The quantity.
+        quantity: &'static str,
+    },
+    /// A wanted pressure whose profile has no closed form here.
+    #[error("no profile is known for the part {term} of the pressure; sums of c*r^(2*j)*(a^2-r^2)^s with s > -1 would be accepted")]
+    NoProfileForPressure {
+        /// The part of the pressure.
+        term: String,
+    },
+    /// A condition that the answer needs is false.
+    #[error("the condition {condition} does not hold for these values; set parameters that satisfy it")]
+    ConditionFails {
+        /// The condition.
+        condition: String,
+    },
+    /// A buffer of a slice that is not as long as the slice.
+    #[error("a buffer of {buffer} numbers was given for {points} points; one as long as the points would be accepted")]
+    Buffer {
+        /// The number of points.
+        points: usize,
+        /// The length of the buffer.
+        buffer: usize,
+    },
+    /// A closure without a value.
+    #[error(
+        "the function of the profile has no finite value at r = {radius:?}; a limit or breakpoints that leave this radius out would be accepted"
+    )]
+    Undefined {
+        /// The radius.
+        radius: f64,
+    },
+    /// A closure that is not smooth where no breakpoint was stated.
+    #[error(
+        "the second derivative cannot be had: the function of the profile is not smooth near r = {radius:?}; a breakpoint or a limit there, or f with f′ and f″, would be accepted"
+    )]
+    Seam {
+        /// The radius.
+        radius: f64,
+    },
+    /// A closure whose complex step is not its slope.
+    #[error(
+        "at r = {radius:?} the function of a complex radius has the slope {step:?} by a complex step, but {difference:?} by a difference: it is not analytic there, or forgets small imaginary parts, as asin, acos, atan and abs do; f with its slope f′ would be accepted"
+    )]
+    NotAnalytic {
+        /// The radius.
+        radius: f64,
+        /// Im f(r + ih)/h.
+        step: f64,
+        /// The difference quotient along the real axis.
+        difference: f64,
+    },
+    /// A statement about a closure that cannot hold.
+    #[error("{what} is {got:?}; {accepted} would be accepted")]
+    Statement {
+        /// What was stated.
+        what: &'static str,
+        /// Its value.
+        got: f64,
+        /// What would be accepted.
+        accepted: &'static str,
+    },
+    /// The budget of work is used up.
+    #[error(transparent)]
+    Exhausted(#[from] Exhausted),
+    /// A table of points that makes no profile.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// An expression could not be rewritten.
+    #[error(transparent)]
+    Expression(#[from] ExprError),
+    /// An expression could not be evaluated.
+    #[error(transparent)]
+    Evaluation(#[from] EvalError),
+    /// A number could not be computed.
+    #[error(transparent)]
+    Number(#[from] NumError),
+}
+
+impl TransformError {
+    /// Returns the same error with the coordinate x renamed to the contact radius a.
+    #[must_use]
+    pub fn of_radius(self) -> Self {
+        match self {
+            Self::OutOfDomain { symbol: "x", at, limit } => Self::OutOfDomain { symbol: "a", at, limit },
+            Self::Overflow { symbol: "x", at } => Self::Overflow { symbol: "a", at },
+            other => other,
+        }
+    }
+
+    /// Returns true if the value is unavailable at this radius only, so that other radii may have one.
+    pub fn is_local(&self) -> bool {
+        matches!(
+            self,
+            Self::NoDigits { .. } | Self::NotComputable { .. } | Self::Underflow { .. } | Self::Undefined { .. } | Self::Seam { .. }
+        )
+    }
+}

@@ -1,0 +1,576 @@
+//! The fallback: every quantity as one integral straight from f′, by quadrature.
+
+use crate::eval::{Tape, constant_value};
+use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
+use crate::integrate::admit::{beyond_the_edge, finite_and_not_negative};
+use crate::integrate::error::TransformError;
+use crate::integrate::segment::Segment;
+use crate::integrate::source::analytic_bound::AnalyticBound;
+use crate::integrate::source::centred::centred;
+use crate::integrate::source::endpoint::Endpoint;
+use crate::integrate::source::leading_power::LeadingPower;
+use crate::integrate::source::limit::Limit;
+use crate::integrate::source::parity::{Parity, parity};
+use crate::integrate::source::removable::{AxisSeries, Removable, is_ragged};
+use crate::integrate::source::slope::{NO_BEND, Numbers, Scratch};
+use crate::num::quadrature::{Options, Panel, Point, Rule, integrate_blocks};
+use crate::num::stable::leg;
+use crate::num::{Bound, Bounded, Estimate, NumError, forms, work};
+use std::sync::OnceLock;
+
+/// A profile as numbers: f′ on every interval, compiled over the distance to the interval's lower end.
+pub struct NumericProfile {
+    pub(crate) segments: Vec<NumericSegment>,
+}
+
+/// One interval [lower, upper) with f′(lower + δ).
+pub struct NumericSegment {
+    /// Where it begins.
+    pub lower: Bounded,
+    pub(crate) upper: Option<Bounded>,
+    /// Both ends with all digits that are known.
+    pub(crate) ends: (Endpoint, Option<Endpoint>),
+    /// f′ over δ.
+    pub(crate) slope: Numbers,
+    /// f′ and its interval's lower end as expressions in r, for what is compiled only on demand.
+    pub(crate) source: Option<(Expr, Expr)>,
+    /// f′ over δ for enclosures, compiled when they are first needed.
+    pub(crate) enclosing: OnceLock<Option<Tape>>,
+    /// f′ = δ^s h(δ) with h finite at the lower end: s, and h for enclosures.
+    pub(crate) power: OnceLock<Option<LeadingPower>>,
+    /// (r f′)′ over δ, compiled at the first pressure.
+    pub(crate) bend: OnceLock<Option<Numbers>>,
+    /// The upper end as an expression.
+    pub(crate) end: Option<Expr>,
+    /// (r f′)′ over the distance to the upper end, where it has no finite value there.
+    pub(crate) falling: OnceLock<Option<Numbers>>,
+    pub(crate) bend_enclosing: OnceLock<Option<Tape>>,
+    /// As `power` for (r f′)′.
+    pub(crate) bend_power: OnceLock<Option<LeadingPower>>,
+    /// True where f′ behaves like a fractional power of δ at the lower end.
+    pub(crate) singular: bool,
+    /// True where f′ continues to an odd function of r.
+    pub(crate) odd: bool,
+    /// Where f′ ends, if that is known.
+    pub(crate) limit: Option<Limit>,
+    /// How many nodes suffice.
+    pub(crate) continued: AnalyticBound,
+    /// True where f′ begins at the axis and its expression is 0/0 there.
+    pub(crate) ragged: bool,
+    /// What has the digits there.
+    pub(crate) near: Option<AxisSeries>,
+}
+
+/// What multiplies f′ under the integral over t, r = x sin t.
+#[derive(Clone, Copy, Debug)]
+pub enum Weight {
+    /// 1: g(x) = x ∫ f′ dt.
+    Slope,
+    /// sin²t: F(a)/(2E*) = a² ∫ f′ sin²t dt.
+    Force,
+    /// cos²t: G(a) = a² ∫ f′ cos²t dt.
+    Integral,
+    /// The smooth part of the displacement outside, u(r) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt.
+    Outside(f64),
+}
+
+impl NumericProfile {
+    /// Compiles f′ on the given intervals, parameters replaced by the bindings.
+    ///
+    /// # Errors
+    /// [`TransformError::Evaluation`] where a parameter has no value.
+    pub fn new(pieces: &[(Segment, Expr)], bindings: &Bindings) -> Result<Self, TransformError> {
+        let mut segments = Vec::new();
+        for (segment, slope) in pieces {
+            if slope.is_zero() {
+                continue;
+            }
+            let lower_expr = bindings.apply(&segment.lower);
+            let lower = constant_value(&lower_expr, &Bindings::default())?;
+            let upper = segment.upper.as_ref().map(|upper| constant_value(upper, bindings)).transpose()?;
+            let slope_expr = prepared(slope, bindings);
+            let tape = compile_shifted(&slope_expr, &lower_expr)?;
+            let slope = Numbers::Tape(tape);
+            // Cancellation in a polynomial of high degree is not a singularity.
+            let singular = !is_typed_polynomial(&slope_expr, &Symbol::new("r")) && is_singular(&slope, lower.value, upper.map(|u| u.value));
+            let scale = upper.map_or(1.0, |upper| upper.value);
+            let ragged = lower_expr.is_zero() && matches!(&slope, Numbers::Tape(tape) if is_ragged(&slope_expr, tape, singular, scale));
+            let odd = parity(&slope_expr, &Symbol::new("r")) == Some(Parity::Odd);
+            let end = segment.upper.as_ref().map(|upper| bindings.apply(upper));
+            let last = end.as_ref().zip(upper).map(|(end, upper)| Endpoint::of(end, upper)).transpose()?;
+            let ends = (Endpoint::of(&lower_expr, lower)?, last);
+            let source = Some((slope_expr, lower_expr));
+            segments.push(NumericSegment {
+                lower,
+                upper,
+                ends,
+                slope,
+                source,
+                enclosing: OnceLock::new(),
+                power: OnceLock::new(),
+                bend: OnceLock::new(),
+                end,
+                falling: OnceLock::new(),
+                bend_enclosing: OnceLock::new(),
+                bend_power: OnceLock::new(),
+                singular,
+                odd,
+                limit: None,
+                continued: AnalyticBound::default(),
+                ragged,
+                near: None,
+            });
+        }
+        Ok(Self { segments })
+    }
+
+    /// The same profile, told where it ends: next to that place f′ is taken from the distance to it.
+    ///
+    /// # Errors
+    /// [`TransformError::Evaluation`] where a parameter has no value.
+    pub fn ending_at(mut self, limit: &Expr, bindings: &Bindings) -> Result<Self, TransformError> {
+        let limit = bindings.apply(limit);
+        let value = constant_value(&limit, &Bindings::default())?;
+        for segment in self.segments.iter_mut().filter(|segment| segment.upper.is_none()) {
+            let Some((slope, _)) = &segment.source else { continue };
+            let below = shifted(slope, &limit, &-Expr::from(Symbol::new("δ")));
+            segment.limit = Some(Limit::new(value, below)?);
+        }
+        Ok(self)
+    }
+
+    /// True where nothing is left to integrate.
+    pub fn is_empty(&self) -> bool {
+        self.segments.is_empty()
+    }
+
+    /// Returns true if quadrature of f′ up to x can serve as a reference.
+    ///
+    /// It cannot where more than 1e-9 of ∫ f′ dr may lie next to a lower end below the smallest doubles, because f′ is a power just above −1.
+    pub fn is_seen(&self, x: f64) -> bool {
+        const UNSEEN: f64 = 1e-9;
+        // The second where f′ as typed has left the range of doubles at the first.
+        const TINY: [f64; 2] = [1e-290, 1e-100];
+        let share = |segment: &NumericSegment| {
+            let reach = segment.upper.map_or(x, |upper| upper.value.min(x)) - segment.lower.value;
+            if !segment.singular || reach <= 0.0 {
+                return 0.0;
+            }
+            let far = segment.slope.plain(reach);
+            let near = TINY.into_iter().map(|tiny| segment.slope.plain(tiny * reach) * tiny).find(|near| near.is_finite());
+            near.filter(|near| *near != 0.0).map_or(0.0, |near| (near / far).abs())
+        };
+        self.segments.iter().map(share).fold(0.0, f64::max) <= UNSEEN
+    }
+
+    /// True where a piece that is not flat lies below the contact's end, so that no integral is exactly 0 but by underflow.
+    pub(crate) fn reaches(&self, contact: f64) -> bool {
+        self.segments.iter().any(|segment| segment.lower.value < contact)
+    }
+
+    /// g(x) = x ∫₀^{π/2} f′(x sin t) dt.
+    ///
+    /// # Errors
+    /// [`TransformError`] where f′ is not finite below x, or no digits can be promised.
+    pub fn slope(&self, x: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("x", x)?;
+        Ok(self.over_angle(x, Weight::Slope, tolerance, None)?.scaled(x))
+    }
+
+    /// F(a)/(2E*) = ∫₀^a r² f′/√(a²−r²) dr, for a smooth edge.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn force(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("a", a)?;
+        Ok(self.over_angle(a, Weight::Force, tolerance, None)?.scaled(a).scaled(a))
+    }
+
+    /// g(x) by bisection with one Gauss–Kronrod rule, for those who want to know what a rule costs.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn slope_by(&self, x: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("x", x)?;
+        Ok(self.over_angle(x, Weight::Slope, tolerance, Some(rule))?.scaled(x))
+    }
+
+    /// F(a)/(2E*) by bisection with one Gauss–Kronrod rule.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn force_by(&self, a: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("a", a)?;
+        Ok(self.over_angle(a, Weight::Force, tolerance, Some(rule))?.scaled(a).scaled(a))
+    }
+
+    /// G(a) = ∫₀^a g dx = ∫₀^a f′ √(a²−r²) dr.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn integral(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("a", a)?;
+        Ok(self.over_angle(a, Weight::Integral, tolerance, None)?.scaled(a).scaled(a))
+    }
+
+    /// The displacement u_z(r) outside a contact of radius a < r with a smooth edge.
+    ///
+    /// # Errors
+    /// As [`Self::slope`].
+    pub fn displacement(&self, r: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
+        finite_and_not_negative("a", a)?;
+        beyond_the_edge("r", r, a)?;
+        let found = self.over_angle(a, Weight::Outside(r), tolerance, None)?;
+        let factor = Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a);
+        Ok(found.times(factor))
+    }
+
+    /// ∫ f′(x sin t)·weight dt over all intervals below x.
+    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
+        if let [segment] = self.segments.as_slice() {
+            return segment.over_angle(x, weight, tolerance, rule);
+        }
+        let mut total = Estimate::exact(0.0);
+        for segment in &self.segments {
+            total = total + segment.over_angle(x, weight, tolerance, rule)?;
+        }
+        Ok(total)
+    }
+}
+
+/// Next to the end of f′ the rules are asked for this share of the tolerance, within these limits …
+const SHARPER: f64 = 1e-3;
+const SHARP: (f64, f64) = (1e-14, 1e-12);
+/// … and elsewhere for this one, where that is looser than the limit: what is barely resolved is misjudged most easily.
+const STRICTER: f64 = 1e-2;
+const STRICT: f64 = 1e-8;
+
+/// Where the range is cut, what hides between nodes may do so in every part: this share of the tolerance is asked for.
+const CUT: f64 = 0.1;
+
+/// What the rules are asked for away from ends, that more may be kept than is promised.
+pub(crate) fn stricter(tolerance: f64) -> f64 {
+    tolerance.min((STRICTER * tolerance).max(STRICT))
+}
+
+/// Where f′ is not analytic far enough around the contact, or grows too fast there, something narrow is in it: this share of the tolerance
+/// is asked for, down to a limit.
+const INTRICATE: f64 = 1e-2;
+const FINEST: f64 = 1e-13;
+
+/// What the rules are asked for there.
+pub(crate) fn intricate(tolerance: f64) -> f64 {
+    stricter(tolerance).min((INTRICATE * tolerance).max(FINEST))
+}
+
+/// No more is promised than was asked for where the rules leave out more than rounding noise, which is where the error is of the size of
+/// the tolerance that they had.
+pub(crate) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
+    let least = if found.error >= 0.5 * own { 0.95 * asked } else { 0.0 };
+    Estimate { error: found.error.max(least), ..found }
+}
+
+/// Where the range is cut before any bisection, as shares of it: what the nested rules met and could not resolve may be a core at the lower
+/// end that is narrower than the first node of a rule over the whole range can see.
+/// Ends of parts lie close, so that a tail which begins at one of them is seen from the next.
+pub(crate) const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
+
+/// Most points of a rule.
+pub(crate) const MOST: usize = 61;
+
+impl NumericSegment {
+    /// The part of the integral on this interval, by nested rules where no other is named; 0 where it begins beyond x.
+    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
+        let found = self.any_over_angle(x, weight, tolerance, rule)?;
+        self.seen(found, x)
+    }
+
+    /// The estimate, unless every sample of a formula vanished and no enclosure says that the formula does.
+    fn seen(&self, found: Estimate, at: f64) -> Result<Estimate, TransformError> {
+        let nothing = found.value == 0.0 && found.bound == Bound::Estimated && found.evaluations > 0 && self.source.is_some();
+        if nothing { Err(TransformError::NoDigits { at, value: 0.0, error: found.error }) } else { Ok(found) }
+    }
+
+    fn any_over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
+        let lower = self.lower.value;
+        let smear = self.smear(x);
+        if lower >= x {
+            return Ok(Estimate { error: smear, ..Estimate::exact(0.0) });
+        }
+        let cuts = if rule.is_none() { self.slope.cuts(self.upper.map_or(x, |upper| upper.value.min(x)) - lower) } else { Vec::new() };
+        if rule.is_none() && cuts.is_empty() {
+            let found = match self.by_known_rule(x, weight, tolerance)? {
+                Some(found) => Some(found),
+                None => self.by_pieces_or_nested(x, weight, tolerance)?,
+            };
+            if let Some(found) = found {
+                return Ok(Estimate { error: found.error + smear, ..found });
+            }
+        }
+        let end = self.upper.map_or(f64::INFINITY, |u| u.value);
+        let width = forms::angle_between(lower, end, x);
+        let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };
+        let mut scratch = Scratch::take();
+        let grades = if rule.is_none() && !self.singular && end >= x { GRADES } else { &[] };
+        // The angle from the lower end on, and that to the upper end: points count from the ends of their panels.
+        let mut ends: Vec<f64> = grades.iter().map(|share| share * width).collect();
+        ends.extend(cuts.iter().map(|cut| forms::angle_between(lower, lower + cut, x)).filter(|angle| *angle > 0.0 && *angle < width));
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let (first, last) = (ends.first().copied(), ends.last().copied());
+        ends.push(width);
+        let place = |point: &Point| {
+            let last = last.is_none_or(|end| point.x > end);
+            let v = if first.is_none_or(|end| point.x < end) { point.from_lower } else { point.x };
+            (v, beyond + if last { point.from_upper } else { width - v })
+        };
+        let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
+            let nodes = self.slopes_over_angle(lower, x, points.iter().map(place), &mut scratch);
+            let known = nodes.slopes.into_iter().zip(nodes.distances).zip(nodes.doubts);
+            for ((height, point), ((slope, distance), doubt)) in heights.iter_mut().zip(points).zip(known) {
+                let (_, rest) = place(point);
+                *height = match weight {
+                    Weight::Slope => slope,
+                    Weight::Force => {
+                        let share = (self.lower + Bounded { value: distance, error: doubt }) / Bounded::exact(x);
+                        slope * share * share
+                    }
+                    Weight::Integral => {
+                        let cosine = with_ulps(rest.sin(), 8.0);
+                        slope * cosine * cosine
+                    }
+                    Weight::Outside(r) => {
+                        // Root by root: the product may leave the range of doubles.
+                        let ratio = x / (r - x).sqrt() / (r + x).sqrt();
+                        let (q, s) = (rest.sin(), (lower + distance) / x);
+                        let short = s * s / (1.0 + q);
+                        let angle = (q * ratio).atan();
+                        slope * with_ulps((short * ratio).atan2(1.0 + q * ratio * ratio) + short * angle, 24.0)
+                    }
+                };
+            }
+        };
+        let singular = |from: f64, to: f64| if self.singular { Panel::singular(from, to) } else { Panel::smooth(from, to) };
+        let from = std::iter::once(0.0).chain(ends.iter().copied());
+        let panels: Vec<Panel> = from.zip(ends.iter().copied()).map(|(from, to)| singular(from, to)).collect();
+        // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
+        let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
+        let rel_tol = if near_the_end {
+            (SHARPER * tolerance).clamp(SHARP.0, SHARP.1).min(tolerance)
+        } else {
+            stricter(tolerance).min(CUT * tolerance)
+        };
+        let options = Options { rel_tol, charge_x: false, rule: rule.unwrap_or_default(), ..Options::default() };
+        let result = integrate_blocks(&mut integrand, &panels, &options);
+        let inner = |v: f64| {
+            let mut found = [Bounded::exact(0.0)];
+            integrand(&[Point { x: v, from_lower: v, from_upper: width - v }], &mut found);
+            found[0].value
+        };
+        let found = settle(result, x, || magnitude(width, inner))?;
+        let mut found = modest(found, rel_tol * found.value.abs(), tolerance * found.value.abs());
+        // The rounding of the angle, and of the interval's ends.
+        found.error += 8.0 * f64::EPSILON * found.value.abs() + smear;
+        Ok(found)
+    }
+
+    /// By pieces with a proof, or by nested rules. Next to the end of f′ these have a variable made for it: they come first where nothing
+    /// narrow can hide, and are believed elsewhere where they have more digits and the proof does not exclude them.
+    fn by_pieces_or_nested(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        let end = self.limit.as_ref().filter(|limit| x > crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT * limit.value.value);
+        if end.is_some_and(|end| end.is_featureless(self.lower.value))
+            && let Ok(Some(found)) = self.by_nested_rules(x, weight, tolerance)
+        {
+            return Ok(Some(found));
+        }
+        let near_the_end = end.is_some();
+        let proven = self.by_pieces(x, weight, tolerance).ok().flatten();
+        let nested = match proven {
+            Some(proven) if !near_the_end || proven.error <= tolerance * proven.value.abs() => return Ok(Some(proven)),
+            _ if near_the_end => self.by_nested_rules(x, weight, tolerance).ok().flatten(),
+            _ => self.by_nested_rules(x, weight, tolerance)?,
+        };
+        Ok(match (proven, nested) {
+            (Some(proven), Some(nested)) => Some(if nested.is_better_than(proven) { nested } else { proven }),
+            (proven, nested) => proven.or(nested),
+        })
+    }
+
+    /// What the integral may change by while the ends of the interval are known to their errors only.
+    pub(crate) fn smear(&self, x: f64) -> f64 {
+        let arc = |end: Bounded| {
+            // Half a unit is lost when it is added to the end itself.
+            let (from, to) = ((end.value - end.error).next_down().max(0.0), (end.value + end.error).next_up());
+            if end.error == 0.0 || from >= x { 0.0 } else { forms::angle_between(from, if to < x { to } else { f64::INFINITY }, x) }
+        };
+        let (lower, upper) = (arc(self.lower), self.upper.map_or(0.0, arc));
+        if lower + upper == 0.0 {
+            return 0.0;
+        }
+        let end = self.upper.map_or(x, |u| u.value.min(x));
+        let size = |delta: f64| self.slope_at(delta).value.abs();
+        // Twice: f′ is taken at the ends, and the weights stay below 2.
+        2.0 * (lower * size(f64::MIN_POSITIVE) + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
+    }
+
+    /// (r f′)′ over δ.
+    pub(crate) fn bend(&self) -> Result<&Numbers, TransformError> {
+        let derive = || {
+            let (_, lower) = self.source.as_ref()?;
+            let tape = compile_shifted(&self.bend_source()?, lower).ok()?;
+            Some(match &self.near {
+                Some(near) => Numbers::Removable(Box::new(Removable::bend(tape, near))),
+                None => Numbers::Tape(tape),
+            })
+        };
+        self.bend.get_or_init(|| work::unbroken(derive)).as_ref().ok_or(NO_BEND)
+    }
+
+    /// (r f′)′ in r.
+    pub(crate) fn bend_source(&self) -> Option<Expr> {
+        let (_, lower) = self.source.as_ref()?;
+        let bend = self.bend_expression()?;
+        // From the axis on, powers of r that would overflow apart are joined: r·r^(−3/2) = r^(−1/2). Nothing is divided:
+        // r¹⁷/(R² − r²) as a polynomial and a rest would cancel.
+        Some(if lower.is_zero() { joined_powers(&bend, &Symbol::new("r")) } else { bend })
+    }
+
+    fn bend_expression(&self) -> Option<Expr> {
+        let (slope, _) = self.source.as_ref()?;
+        derivative(&(Expr::symbol("r") * slope), &Symbol::new("r")).ok().map(|bend| balanced(&bend))
+    }
+
+    /// (r f′)′ over the distance to the upper end, where it is infinite there, as that of |r − b|^(3/2) is at b.
+    pub(crate) fn falling_bend(&self) -> Option<&Numbers> {
+        let derive = || {
+            let (upper, end, bend) = (self.upper?, self.end.as_ref()?, self.bend().ok()?);
+            let regular = bend.at(upper - self.lower, &mut Vec::new()).is_finite();
+            if regular {
+                return None;
+            }
+            let rest = Symbol::new("δ");
+            let below = shifted(&self.bend_expression()?, end, &-Expr::from(rest.clone()));
+            Tape::compile(&[below], &[rest]).ok().map(Numbers::Tape)
+        };
+        self.falling.get_or_init(|| work::unbroken(derive)).as_ref()
+    }
+}
+
+/// Compiles an expression in r over δ with r = lower + δ.
+pub(crate) fn compile_shifted(expr: &Expr, lower: &Expr) -> Result<Tape, TransformError> {
+    let delta = Symbol::new("δ");
+    Ok(Tape::compile(&[shifted(expr, lower, &Expr::from(delta.clone()))], &[delta])?)
+}
+
+/// The expression from which f′ is compiled.
+pub(crate) fn prepared(slope: &Expr, bindings: &Bindings) -> Expr {
+    centred(&balanced(&bindings.apply(slope)))
+}
+
+/// The expression with lower + δ for r; polynomials that vanish at the lower end lose their constant term before any
+/// rounding, so that neither r − b nor 3r² − 3b² cancels.
+pub(crate) fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
+    const HIGHEST: usize = 6;
+    let again = |own: &Expr| shifted(own, lower, delta);
+    let radius = Symbol::new("r");
+    if !expr.contains(&radius) {
+        return expr.clone();
+    }
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) => expr.clone(),
+        Node::Symbol(_) => lower + delta,
+        Node::Power(base, exponent) => again(base).pow(&again(exponent)),
+        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(again).collect()),
+        Node::Product(factors) => Expr::product(factors.iter().map(again)),
+        Node::Sum(terms) => {
+            let vanishing = Some(expr)
+                .filter(|expr| is_typed_polynomial(expr, &radius))
+                .and_then(|expr| normal::polynomial_coefficients(expr, &radius))
+                .filter(|list| list.len() <= HIGHEST)
+                .and_then(|list| normal::shifted_coefficients(&list, lower, &radius))
+                .filter(|list| list.first().is_some_and(|(k, _)| *k > 0));
+            match vanishing {
+                Some(list) => Expr::sum(list.iter().map(|(k, c)| c * delta.power(*k))),
+                None => Expr::sum(terms.iter().map(again)),
+            }
+        }
+    }
+}
+
+/// True for sums, products and whole powers of the variable and of what is free of it: a look that takes no expansion.
+pub(crate) fn is_typed_polynomial(expr: &Expr, variable: &Symbol) -> bool {
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => true,
+        Node::Sum(list) | Node::Product(list) => list.iter().all(|own| is_typed_polynomial(own, variable)),
+        Node::Power(base, exponent) if exponent.as_integer().is_some_and(|n| n > 0) => is_typed_polynomial(base, variable),
+        Node::Power(..) | Node::Function(..) => !expr.contains(variable),
+    }
+}
+
+/// True where f′ behaves like a fractional or negative power of δ near 0.
+pub(crate) fn is_singular(slope: &Numbers, lower: f64, upper: Option<f64>) -> bool {
+    let scale = match upper {
+        Some(upper) => upper - lower,
+        None if lower > 0.0 => lower,
+        None => 1.0,
+    };
+    // Below the smallest normal number f′ has too few digits to tell.
+    let near = (1e-12 * scale).max(f64::MIN_POSITIVE);
+    if near > 1e-6 * scale {
+        return true;
+    }
+    let at = |delta: f64| slope.at(Bounded::exact(delta), &mut Vec::new()).value;
+    let (u, v) = (at(1e3 * near), at(near));
+    if u == 0.0 && v == 0.0 {
+        return false;
+    }
+    if !(u.is_finite() && v.is_finite()) || u == 0.0 || v == 0.0 {
+        return true;
+    }
+    let exponent = (u / v).abs().log10() / 3.0;
+    exponent < -0.01 || (exponent - exponent.round()).abs() > 0.004
+}
+
+/// A value with a bound of that many ulps.
+pub(crate) fn with_ulps(value: f64, ulps: f64) -> Bounded {
+    Bounded { value, error: ulps * 0.5 * f64::EPSILON * value.abs() }
+}
+
+/// A quadrature that stopped early still has a value and an honest error; poles and infinite errors are failures.
+///
+/// `scale` is the size of ∫|integrand|: an error beyond even that is no answer.
+pub(crate) fn settle(result: Result<Estimate, NumError>, at: f64, scale: impl FnOnce() -> f64) -> Result<Estimate, TransformError> {
+    settled(reached(result, at)?, at, scale)
+}
+
+/// What the quadrature reached, whatever its error is.
+pub(crate) fn reached(result: Result<Estimate, NumError>, at: f64) -> Result<Estimate, TransformError> {
+    match result {
+        Ok(found) => Ok(found),
+        Err(NumError::ToleranceNotReached { value, error, evaluations, .. } | NumError::EvaluationLimit { value, error, evaluations }) => {
+            Ok(Estimate::estimated(value, error, evaluations))
+        }
+        Err(NumError::NotFinite { .. }) => Err(TransformError::NotComputable { at }),
+        Err(other) => Err(other.into()),
+    }
+}
+
+/// The estimate, unless its error leaves no digit.
+pub(crate) fn settled(found: Estimate, at: f64, scale: impl FnOnce() -> f64) -> Result<Estimate, TransformError> {
+    let Estimate { value, error, .. } = found;
+    let lost = !(value.is_finite() && error.is_finite()) || (error > LOST * value.abs() && error > BEYOND * scale().max(value.abs()));
+    if lost { Err(TransformError::NoDigits { at, value, error }) } else { Ok(found) }
+}
+
+/// An error of this share of the value leaves no digit worth the name, and …
+const LOST: f64 = 0.01;
+/// … one of this share of the integral of the magnitude, or of the value where samples see less, is no rounding noise but a pole or an
+/// unseen feature.
+const BEYOND: f64 = 0.5;
+
+/// The integral of |f| over (0, width) by its values at 32 midpoints.
+pub(crate) fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+    let step = width / 32.0;
+    let total: f64 = (0..32).map(|i| f(step * (f64::from(i) + 0.5)).abs()).filter(|v| v.is_finite()).sum();
+    total * step
+}

@@ -1,0 +1,248 @@
+//! The pressure by one integral straight from f′ and f″, with its logarithmic singularity and its kinks.
+
+use crate::integrate::admit::finite_and_not_negative;
+use crate::integrate::error::TransformError;
+use crate::integrate::integral::{MOST, NumericProfile, NumericSegment, reached, settled, with_ulps};
+use crate::integrate::source::endpoint::Endpoint;
+use crate::integrate::source::slope::{Numbers, Scratch};
+use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
+use crate::num::{Bounded, Estimate, special};
+
+impl NumericProfile {
+    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by the terms of f′ or by values of g′ where one smooth
+    /// piece reaches up to a, else by [`Self::stress_direct`].
+    ///
+    /// `None` where the value is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
+    ///
+    /// # Errors
+    /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
+    pub fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        finite_and_not_negative("r", s)?;
+        finite_and_not_negative("a", a)?;
+        let proven = self.pressure_by_proven_series(s, a, tolerance).or_else(|| self.proven_pressure(s, a, tolerance));
+        let found = proven.or_else(|| self.pressure_by_series(s, a, tolerance)).or_else(|| self.pressure_by_slopes(s, a, tolerance));
+        match found {
+            Some(found) => Ok(Some(found)),
+            None => self.stress_direct(s, a, tolerance),
+        }
+    }
+
+    /// By values of g′ or by pieces, the better one where neither meets the tolerance.
+    fn proven_pressure(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
+        let enough = |own: &Estimate| own.error <= tolerance * own.value.abs();
+        let slopes = self.pressure_by_proven_slopes(s, a, tolerance);
+        if slopes.as_ref().is_some_and(enough) {
+            return slopes;
+        }
+        let pieces = if s == 0.0 { self.pressure_on_axis(a, tolerance) } else { self.pressure_by_pieces(s, a, tolerance) };
+        match (slopes, pieces) {
+            (Some(one), Some(other)) => Some(if one.is_better_than(other) { one } else { other }),
+            (one, other) => one.or(other),
+        }
+    }
+
+    /// The same as one integral, ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s), δ the jump of f′ at b; K by Carlson's R_F.
+    ///
+    /// `None` where the value is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
+    ///
+    /// # Errors
+    /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
+    pub fn stress_direct(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        finite_and_not_negative("r", s)?;
+        finite_and_not_negative("a", a)?;
+        let Some(total) = self.pressure_of_jumps(s, a) else { return Ok(None) };
+        let mut parts = Estimate::exact(0.0);
+        if s == 0.0 && self.starts_steeply(a) {
+            return Ok(None);
+        }
+        let mut size = total.value.abs();
+        for segment in &self.segments {
+            for part in segment.pressure(s, a, tolerance)? {
+                size += part.value.abs();
+                parts = parts + part;
+            }
+        }
+        let found = Estimate::from_bounded(total, 0) + parts;
+        settled(found, a, || size).map(Some)
+    }
+
+    /// Σ b δ K(b, s) over the jumps δ of f′; `None` at one of them.
+    pub(crate) fn pressure_of_jumps(&self, s: f64, a: f64) -> Option<Bounded> {
+        let mut total = Bounded::exact(0.0);
+        for Jump { at, end, height } in self.jumps(a) {
+            if height.value == 0.0 && (height.error == 0.0 || at.value == s) {
+                continue;
+            }
+            if at.value == s {
+                return None;
+            }
+            total = total + at * height * kernel_at(end, s, a);
+        }
+        Some(total)
+    }
+
+    /// The jumps of f′ below a: where segments begin, end or meet; a jump within its own error is none.
+    pub(crate) fn jumps(&self, a: f64) -> Vec<Jump> {
+        let mut jumps: Vec<Jump> = Vec::new();
+        let mut add = |at: Bounded, end: Endpoint, height: Bounded| match jumps.iter_mut().find(|own| own.at.value == at.value) {
+            Some(own) => own.height = own.height + height,
+            None => jumps.push(Jump { at, end, height }),
+        };
+        for segment in &self.segments {
+            if segment.lower.value > 0.0 && segment.lower.value < a {
+                add(segment.lower, segment.ends.0, segment.slope_at(0.0));
+            }
+            if let (Some(upper), Some(end)) = (segment.upper.filter(|u| u.value < a), segment.ends.1) {
+                add(upper, end, -segment.slope_at(upper.value - segment.lower.value));
+            }
+        }
+        for Jump { height, .. } in &mut jumps {
+            if height.value.abs() <= height.error {
+                height.value = 0.0;
+            }
+        }
+        jumps
+    }
+
+    /// Returns true if f′ does not vanish at the axis, so that the pressure is infinite there; a is the contact radius.
+    pub(crate) fn starts_steeply(&self, a: f64) -> bool {
+        let Some(first) = self.segments.iter().find(|segment| segment.lower.value == 0.0) else { return false };
+        let r = (1e-12 * a).max(1e3 * f64::MIN_POSITIVE);
+        let (near, nearer) = (first.slope_at(r), first.slope_at(1e-3 * r));
+        // f′ ~ r^m with m > 0 falls by 10^(3m); everything slower is steep. Rounding next to the axis does not fall either.
+        nearer.value.abs() > nearer.error && nearer.value.abs() > 0.99 * near.value.abs()
+    }
+}
+
+/// A jump of f′.
+#[derive(Clone, Copy)]
+pub(crate) struct Jump {
+    pub(crate) at: Bounded,
+    pub(crate) end: Endpoint,
+    pub(crate) height: Bounded,
+}
+
+/// From this share of the radius on down, a − s is a length of its own.
+const NARROW: f64 = 1e-5;
+
+impl NumericSegment {
+    pub(crate) fn slope_at(&self, delta: f64) -> Bounded {
+        self.slope.at(Bounded::exact(delta), &mut Vec::new())
+    }
+
+    /// ∫ (r f′)′ K(r, s) dr over the interval below a, split at s.
+    ///
+    /// A part may have no digits of its own, as next to the axis: what counts is the whole.
+    fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Vec<Estimate>, TransformError> {
+        let (lower, place) = (self.ends.0, Endpoint::exact(s));
+        let end = self.ends.1.filter(|own| own.at < a).unwrap_or(Endpoint::exact(a));
+        let mut parts = Vec::new();
+        if lower.at >= end.at {
+            return Ok(parts);
+        }
+        let bend = self.bend()?;
+        let mut places = vec![lower];
+        if s > lower.at && s < end.at {
+            places.push(place);
+        }
+        places.push(end);
+        if s > lower.at && s < end.at && a - s < NARROW * (s - lower.at) {
+            // Next to the edge the kernel is a root down to the distance a − s, and only there a logarithm: no node far off sees that.
+            let mut step = 4.0 * (a - s);
+            while step < 0.25 * (s - lower.at) {
+                places.push(Endpoint::exact(s - step));
+                step *= 1e3;
+            }
+            places.sort_by(|one, other| one.at.total_cmp(&other.at));
+            places.dedup_by_key(|own| own.at);
+        }
+        for pair in places.windows(2) {
+            let [from, to] = pair else { continue };
+            parts.push(self.pressure_between(bend, *from, *to, s, a, tolerance)?);
+        }
+        Ok(parts)
+    }
+
+    fn pressure_between(
+        &self,
+        bend: &Numbers,
+        from: Endpoint,
+        to: Endpoint,
+        s: f64,
+        a: f64,
+        tolerance: f64,
+    ) -> Result<Estimate, TransformError> {
+        let (lower, place, edge) = (self.ends.0, Endpoint::exact(s), Endpoint::exact(a));
+        let falling = self.falling_bend().filter(|_| self.ends.1.is_some_and(|upper| upper.at == to.at));
+        let mut scratch = Scratch::take();
+        let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
+            let (mut deltas, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
+            let count = points.len().min(MOST);
+            for ((point, delta), doubt) in points.iter().zip(&mut deltas).zip(&mut doubts) {
+                // Every distance is a sum of parts of one sign.
+                *delta = (lower.to(from) + point.from_lower).max(f64::MIN_POSITIVE);
+                *doubt = with_ulps(*delta, 8.0).error + if *delta > 2.0 * lower.doubt { lower.doubt } else { 0.0 };
+            }
+            bend.block(&deltas[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
+            if let Some(falling) = falling {
+                // Next to the upper end only the distance to it has the digits.
+                let mut slots = Vec::new();
+                let near = points.iter().zip(values.iter_mut().zip(&mut errors)).filter(|(point, _)| point.from_upper < point.from_lower);
+                for (point, (value, error)) in near {
+                    let own = falling.at(with_ulps(point.from_upper.max(f64::MIN_POSITIVE), 8.0), &mut slots);
+                    (*value, *error) = (own.value, own.error);
+                }
+            }
+            for (((point, height), value), error) in points.iter().zip(heights).zip(values).zip(errors) {
+                let (up, down) = (point.from_lower, point.from_upper);
+                let difference = if s <= from.at { place.to(from) + up } else { to.to(place) + down };
+                let below_edge = to.to(edge) + down;
+                let r = if up < down { from.at + up } else { to.at - down };
+                *height = Bounded { value, error } * kernel(r, s, a, &Distances { difference, below_edge });
+            }
+        };
+        let options = Options { rel_tol: tolerance, charge_x: false, ..Options::default() };
+        let result = integrate_blocks(&mut integrand, &[Panel::singular(0.0, from.to(to))], &options);
+        reached(result, a)
+    }
+}
+
+/// |r − s| and a − r, without cancellation.
+pub(crate) struct Distances {
+    pub(crate) difference: f64,
+    pub(crate) below_edge: f64,
+}
+
+/// K(b, s); where b is not known to 30 digits, its error moves the logarithm next to the kink, and the root next to the edge.
+///
+/// |∂K/∂b| ≤ 1/(|b−s|(b+s)) + K/b + K/(a−b): with u² = x² − M² for x, K is an integral over u whose integrand and end move.
+pub(crate) fn kernel_at(b: Endpoint, s: f64, a: f64) -> Bounded {
+    let distances = Distances { difference: b.to(Endpoint::exact(s)).abs(), below_edge: b.to(Endpoint::exact(a)) };
+    let kernel = kernel(b.at, s, a, &distances);
+    if b.doubt == 0.0 {
+        return kernel;
+    }
+    // The least distances while b moves by its error.
+    let (gap, rest, sum) = (distances.difference - b.doubt, distances.below_edge - b.doubt, (b.at - b.doubt) + s);
+    if gap.min(rest).min(sum) <= 0.0 {
+        return Bounded { error: f64::INFINITY, ..kernel };
+    }
+    let size = kernel.value.abs() + kernel.error;
+    let moved = b.doubt * (1.0 / sum / gap + size / b.at + size / rest) * (1.0 + 16.0 * f64::EPSILON);
+    Bounded { value: kernel.value, error: kernel.error + moved }
+}
+
+/// K(r, s) = ∫_M^a dx/√((x²−r²)(x²−s²)), M = max(r, s), m = min(r, s), D = M² − m².
+///
+/// It is √((a−M)(a+M)) R_F(M²D, a²D, M²(a−m)(a+m)); in units of a, and with 1/M taken out of R_F, nothing underflows.
+pub(crate) fn kernel(r: f64, s: f64, a: f64, distances: &Distances) -> Bounded {
+    // The larger one is nearer to the edge; r itself is rounded.
+    let outside = if distances.below_edge == a - s { r > s } else { distances.below_edge < a - s };
+    let (big, small) = if outside { (r / a, s / a) } else { (s / a, r / a) };
+    let (edge, rest) = if outside { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };
+    let (edge, rest, gap) = (edge / a, rest / a, distances.difference / a);
+    // D/M² = (M − m)/M · (1 + m/M).
+    let spread = gap / big * (1.0 + small / big);
+    let value = (edge * (1.0 + big)).sqrt() / big * special::rf(big * gap * (1.0 + small / big), spread, rest * (1.0 + small));
+    with_ulps(value / a, 64.0)
+}

@@ -1,0 +1,55 @@
+//! Polynomials inside functions, written around the place where they are shortest: (r − b)² again, where it was multiplied out.
+
+use crate::expr::{Expr, Node, Number, Symbol, normal};
+use crate::integrate::integral::is_typed_polynomial;
+
+/// The same function of r, with every polynomial in an exponent, a base or an argument written in powers of r − s, where that has fewer
+/// terms than it has in powers of r.
+///
+/// A polynomial c_n rⁿ + c_(n−1) rⁿ⁻¹ + … has no term of degree n − 1 in powers of r − s for s = −c_(n−1)/(n c_n).
+/// −10¹² r² + 2·10¹² r − 10¹², as it follows from the Gaussian of a narrow ridge, has neither digits nor an enclosure near r = 1;
+/// −10¹² (r − 1)² has both.
+pub fn centred(expr: &Expr) -> Expr {
+    let radius = Symbol::new("r");
+    rewritten(expr, &radius, false)
+}
+
+/// The highest degree that is looked at.
+const HIGHEST: usize = 12;
+
+fn rewritten(expr: &Expr, radius: &Symbol, is_inside: bool) -> Expr {
+    if !expr.contains(radius) {
+        return expr.clone();
+    }
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Power(base, exponent) => rewritten(base, radius, true).pow(&rewritten(exponent, radius, true)),
+        Node::Function(function, arguments) => {
+            Expr::function(*function, arguments.iter().map(|argument| rewritten(argument, radius, true)).collect())
+        }
+        Node::Product(factors) => Expr::product(factors.iter().map(|factor| rewritten(factor, radius, is_inside))),
+        Node::Sum(terms) => {
+            let shorter = if is_inside { around_its_centre(expr, terms.len(), radius) } else { None };
+            shorter.unwrap_or_else(|| Expr::sum(terms.iter().map(|term| rewritten(term, radius, is_inside))))
+        }
+    }
+}
+
+/// The polynomial in powers of r − s, where these are fewer than `terms`.
+fn around_its_centre(sum: &Expr, terms: usize, radius: &Symbol) -> Option<Expr> {
+    // Expanding other expressions would be expensive.
+    if !is_typed_polynomial(sum, radius) {
+        return None;
+    }
+    let coefficients = normal::polynomial_coefficients(sum, radius).filter(|list| (3..=HIGHEST + 1).contains(&list.len()))?;
+    let numbers = coefficients.iter().map(Expr::as_number).collect::<Option<Vec<&Number>>>()?;
+    let [.., before, highest] = numbers.as_slice() else { return None };
+    if before.is_zero() || highest.is_zero() {
+        return None;
+    }
+    let degree = i64::try_from(coefficients.len() - 1).ok()?;
+    let centre = Expr::number(-*before) / (Expr::number((*highest).clone()) * Expr::integer(degree));
+    let list = normal::shifted_coefficients(&coefficients, &centre, radius).filter(|list| list.len() < terms)?;
+    let distance = Expr::from(radius.clone()) - centre;
+    Some(Expr::sum(list.iter().map(|(k, c)| c * distance.power(*k))))
+}

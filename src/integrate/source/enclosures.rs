@@ -1,0 +1,96 @@
+//! Bounds on f′ and (r f′)′ in parts of the complex plane, by tapes that are compiled for enclosures.
+
+use crate::eval::{RegionAlgebra, Tape};
+use crate::expr::{Expr, Symbol};
+use crate::integrate::integral::{NumericSegment, shifted};
+use crate::integrate::source::leading_power::LeadingPower;
+use crate::integrate::source::slope::Numbers;
+use crate::num::{Region, work};
+
+/// The share of a range that is looked at.
+const NEXT_TO_THE_END: f64 = 1e-3;
+
+impl NumericSegment {
+    /// A bound on |f′| for δ in a part of the complex plane where it is analytic; else infinite.
+    pub(crate) fn largest_slope(&self, delta: Region, slots: &mut Vec<Region>) -> f64 {
+        match &self.slope {
+            Numbers::Tape(_) => enclosed(self.enclosing(), delta, slots),
+            own => own.largest(delta, slots),
+        }
+    }
+
+    /// The same for (r f′)′.
+    pub(crate) fn largest_bend(&self, delta: Region, slots: &mut Vec<Region>) -> f64 {
+        match self.bend() {
+            Ok(Numbers::Tape(_)) => enclosed(self.enclosing_bend(), delta, slots),
+            Ok(own) => own.largest(delta, slots),
+            Err(_) => f64::INFINITY,
+        }
+    }
+
+    /// f′ over δ for enclosures; `None` where f′ is no expression.
+    fn enclosing(&self) -> Option<&Tape> {
+        let tape = self.enclosing.get_or_init(|| {
+            work::unbroken(|| {
+                let ((slope, lower), delta) = (self.source.as_ref()?, Symbol::new("δ"));
+                Tape::for_enclosures(&[shifted(slope, lower, &Expr::from(delta.clone()))], &[delta]).ok()
+            })
+        });
+        tape.as_ref()
+    }
+
+    /// What f′ begins with, where its enclosures next to the lower end of a range up to x have no bound.
+    pub(crate) fn power_for(&self, x: f64) -> Option<&LeadingPower> {
+        let unbounded = || !self.largest_slope(Region::interval(0.0, NEXT_TO_THE_END * x), &mut Vec::new()).is_finite();
+        if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power() } else { None }
+    }
+
+    /// The same for (r f′)′.
+    pub(crate) fn power_of_bend_for(&self, x: f64) -> Option<&LeadingPower> {
+        let unbounded = || !self.largest_bend(Region::interval(0.0, NEXT_TO_THE_END * x), &mut Vec::new()).is_finite();
+        if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power_of_bend() } else { None }
+    }
+
+    /// The power −1 < s that f′ has at its lower end, and h = f′/δ^s for enclosures; `None` where that is not known.
+    pub(crate) fn leading_power(&self) -> Option<&LeadingPower> {
+        let power = self.power.get_or_init(|| {
+            work::unbroken(|| {
+                let (slope, lower) = self.source.as_ref()?;
+                leading_power(slope, lower)
+            })
+        });
+        power.as_ref()
+    }
+
+    /// The same for (r f′)′.
+    pub(crate) fn leading_power_of_bend(&self) -> Option<&LeadingPower> {
+        let power = self.bend_power.get_or_init(|| {
+            work::unbroken(|| {
+                let (_, lower) = self.source.as_ref()?;
+                leading_power(&self.bend_source()?, lower)
+            })
+        });
+        power.as_ref()
+    }
+
+    /// (r f′)′ over δ for enclosures.
+    fn enclosing_bend(&self) -> Option<&Tape> {
+        let tape = self.bend_enclosing.get_or_init(|| {
+            work::unbroken(|| {
+                let ((_, lower), delta) = (self.source.as_ref()?, Symbol::new("δ"));
+                Tape::for_enclosures(&[shifted(&self.bend_source()?, lower, &Expr::from(delta.clone()))], &[delta]).ok()
+            })
+        });
+        tape.as_ref()
+    }
+}
+
+/// A bound on the magnitude by a tape for enclosures.
+fn enclosed(tape: Option<&Tape>, delta: Region, slots: &mut Vec<Region>) -> f64 {
+    tape.and_then(|tape| tape.run(&mut RegionAlgebra, &[delta], slots)).map_or(f64::INFINITY, Region::largest)
+}
+
+fn leading_power(function: &Expr, lower: &Expr) -> Option<LeadingPower> {
+    let delta = Symbol::new("δ");
+    LeadingPower::of(&shifted(function, lower, &Expr::from(delta.clone())), &delta)
+}

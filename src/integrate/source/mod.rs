@@ -1,0 +1,16 @@
+//! What f′ is on a segment: values in blocks, enclosures, its behaviour at the ends, and what is known of its continuation.
+//!
+//! A source is a compiled expression or anything else that can say f′ and (r f′)′.
+//! Nothing is integrated here.
+
+pub(crate) mod analytic_bound;
+pub(crate) mod centred;
+pub(crate) mod enclosures;
+pub(crate) mod endpoint;
+pub(crate) mod ends;
+pub(crate) mod leading_power;
+pub(crate) mod limit;
+pub(crate) mod over_angle;
+pub(crate) mod parity;
+pub(crate) mod removable;
+pub(crate) mod slope;

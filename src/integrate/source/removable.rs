@@ -1,0 +1,399 @@
+//! f′ next to the axis where its expression is 0/0 there: from the power series of f, with a bound of what is left out.
+//!
+//! (1 − e^(−r))/r has a slope whose expression takes 1/r² from itself, and no double is left of it at small r. f itself has a power
+//! series with proven remainder; its derivative is f′ without cancellation. Away from the axis the expression has its digits.
+
+use crate::integrate::integral::{NumericProfile, NumericSegment, compile_shifted, is_singular};
+use crate::integrate::source::slope::{Numbers, Scratch, rescue_block, rescued};
+
+use crate::eval::{BlockInput, BoundedAlgebra, FloatAlgebra, RegionAlgebra, RoundingAlgebra, Series, Tape, power_series};
+use crate::expr::{Expr, Node, Number, Sign, Symbol, leading_term, multiplied_out, sign};
+use crate::num::{Bounded, Region, work};
+
+/// Coefficients that are kept.
+const LENGTH: usize = 48;
+/// Number of coefficients that an enclosure sums as regions; the others, which cancel little where the series serves, are summed as
+/// magnitudes.
+const HEAD: usize = 12;
+/// Steps of work of such a sum.
+const HEAD_STEPS: u64 = 150;
+/// Radii ρ that are tried first: powers of 16 between these, …
+const SCALES: std::ops::RangeInclusive<i32> = -25..=25;
+/// … and as many between the best one and the next.
+const BETWEEN: i32 = 16;
+/// Shares of ρ up to which the series may serve; below 1/2 the bound of the rest falls with the order.
+const SHARES: [f64; 5] = [0.45, 0.37, 0.3, 0.2, 0.1];
+/// What may be left out, as a share of f′ where the series ends.
+const LEFT_OUT: f64 = 0.03 * f64::EPSILON;
+/// Radii at which the expression must have digits, in units of the length of the segment; powers far below 1 find what underflows.
+const TRIALS: [f64; 4] = [1e-3, 1e-6, 1e-12, 1e-160];
+/// Fewer digits than this are none.
+const POOR: f64 = 1e-11;
+
+/// f′, or (r f′)′, from its expression beyond a radius and from its series below.
+pub(crate) struct Removable {
+    tape: Tape,
+    near: AxisSeries,
+}
+
+/// Σ r^power (c₀ + c₁ r + …), for 0 < r ≤ `until`.
+#[derive(Clone, Debug)]
+pub(crate) struct AxisSeries {
+    groups: Vec<Group>,
+    until: f64,
+}
+
+#[derive(Clone, Debug)]
+struct Group {
+    power: f64,
+    /// What the power is beyond that: a fraction that no double holds.
+    fraction: Number,
+    coefficients: Vec<Bounded>,
+    /// What is left out is at most this times r^(power + number of coefficients).
+    rest: f64,
+}
+
+/// True where an expression divides by something that may vanish at the axis, and loses its digits or its enclosure there.
+pub(crate) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -> bool {
+    let radius = Symbol::new("r");
+    if !divides(slope, &radius, &|_| true) {
+        return false;
+    }
+    // What is regular there though its parts are not has no enclosure.
+    let around = Region::new((-TRIALS[0] * scale, TRIALS[0] * scale), (0.0, 0.0));
+    if !singular
+        && divides(slope, &radius, &|base| may_vanish(base, &radius))
+        && !tape.run(&mut RegionAlgebra, &[around], &mut Vec::new()).is_some_and(|own| own.largest().is_finite())
+    {
+        return true;
+    }
+    let mut slots = Vec::new();
+    TRIALS.iter().any(|share| {
+        let own = tape.run(&mut BoundedAlgebra, &[Bounded::exact(share * scale)], &mut slots).unwrap_or(Bounded::exact(f64::NAN));
+        // Underflow is no loss of digits; a NaN is one.
+        let poor = own.error > (POOR * own.value.abs()).max(1e-290);
+        poor || !own.value.is_finite() || own.error.is_nan()
+    })
+}
+
+/// Returns true if r stands in a base that `is_meant` accepts, under a power that is or may be negative.
+fn divides(expr: &Expr, radius: &Symbol, is_meant: &impl Fn(&Expr) -> bool) -> bool {
+    let own = match expr.node() {
+        Node::Power(base, exponent) => sign(exponent) != Sign::Positive && base.contains(radius) && is_meant(base),
+        _ => false,
+    };
+    own || expr.children().into_iter().any(|child| divides(child, radius, is_meant))
+}
+
+/// Returns false if the value at r = 0 is finite and differs from 0 by more than its error.
+///
+/// Where there is no value, as for r ln r, the value next to the axis decides: it must not be small beside one further away.
+fn may_vanish(expr: &Expr, radius: &Symbol) -> bool {
+    const NEAR: f64 = 1e-30;
+    let Ok(tape) = Tape::compile(std::slice::from_ref(expr), std::slice::from_ref(radius)) else { return true };
+    let value = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut Vec::new()).filter(|own| own.is_finite());
+    let is_small = |own: Bounded, least: f64| own.value.abs() <= own.error.max(least);
+    match (value(0.0), value(NEAR), value(TRIALS[0])) {
+        (Some(own), ..) => is_small(own, 0.0),
+        (None, Some(near), Some(far)) => is_small(near, TRIALS[0] * far.value.abs()),
+        _ => true,
+    }
+}
+
+impl AxisSeries {
+    /// f′ of an f in r alone that is finite at the axis; `None` where f has no series that arithmetic finds.
+    pub(crate) fn of(piece: &Expr) -> Option<Self> {
+        // Powers that differ by a fraction may not stand in one sum within a product.
+        Self::of_sum(piece).or_else(|| Self::of_sum(&multiplied_out(piece)))
+    }
+
+    fn of_sum(piece: &Expr) -> Option<Self> {
+        let radii: Vec<f64> = SCALES.map(|k| f64::from(4 * k).exp2()).collect();
+        let groups = series(piece, &radii)?;
+        let (first, rho) = radii.iter().enumerate().rev().find_map(|(index, rho)| Some((Self::at(&groups, index, *rho)?, *rho)))?;
+        let radii: Vec<f64> = (1..BETWEEN).map(|i| rho * (4.0 * f64::from(i) / f64::from(BETWEEN)).exp2()).collect();
+        let finer = series(piece, &radii).and_then(|groups| {
+            let all = radii.iter().enumerate().filter_map(|(index, rho)| Self::at(&groups, index, *rho));
+            all.max_by(|a, b| a.until.total_cmp(&b.until))
+        });
+        Some(finer.filter(|own| own.until > first.until).unwrap_or(first))
+    }
+
+    /// The derivative of the series, by the bound at one of the radii, where that leaves out little enough.
+    fn at(groups: &[(Number, Series)], index: usize, rho: f64) -> Option<Self> {
+        let derive = |(fraction, group): &(Number, Series)| Group::derived(fraction, group, *group.rest.get(index)?, rho);
+        let derived = groups.iter().map(derive).collect::<Option<Vec<_>>>()?;
+        SHARES.iter().find_map(|share| {
+            let own = Self { groups: derived.clone(), until: share * rho };
+            let left_out: f64 = own.groups.iter().map(|group| group.left_out(own.until)).sum();
+            let size = own.value(Bounded::exact(own.until)).value.abs();
+            (own.until.is_normal() && size.is_normal() && left_out <= LEFT_OUT * size).then_some(own)
+        })
+    }
+
+    /// True where a power of r is fractional, so that f′ is not analytic at the axis.
+    pub(crate) fn has_fractions(&self) -> bool {
+        self.groups.iter().any(|group| group.whole_power().fract() != 0.0)
+    }
+
+    /// Returns true if the series has odd powers of r only.
+    fn is_odd(&self) -> bool {
+        let none = |own: &Bounded| own.value == 0.0 && own.error == 0.0;
+        let is_odd = |power: f64| (0.5 * (power + 1.0)).fract() == 0.0;
+        let odd = |group: &Group| group.coefficients.iter().enumerate().all(|(n, own)| none(own) || is_odd(group.whole_power() + n as f64));
+        self.groups.iter().all(odd)
+    }
+
+    /// (r f′)′ from f′.
+    fn bend(&self) -> Self {
+        let groups = self.groups.iter().map(|group| {
+            let factor = |n: usize| exponent(&group.fraction, group.power + 1.0 + n as f64);
+            let coefficients = group.coefficients.iter().enumerate().map(|(n, own)| *own * factor(n)).collect();
+            // Beyond the kept terms the factor grows more slowly than the powers of 1/2 fall.
+            Group { coefficients, rest: group.rest * 2.0 * factor(LENGTH).value, ..group.clone() }
+        });
+        Self { groups: groups.collect(), until: self.until }
+    }
+
+    fn value(&self, r: Bounded) -> Bounded {
+        self.groups.iter().fold(Bounded::exact(0.0), |sum, group| {
+            let own = group.coefficients.iter().rev().fold(Bounded::exact(0.0), |sum, c| sum * r + *c) * group.factor(r);
+            sum + Bounded { error: own.error + group.left_out(r.value + r.error), ..own }
+        })
+    }
+
+    fn plain(&self, r: f64) -> f64 {
+        let value = |group: &Group| group.coefficients.iter().rev().fold(0.0, |sum, c| sum * r + c.value) * r.powf(group.whole_power());
+        self.groups.iter().map(value).sum()
+    }
+
+    /// A bound on |f′| in a part of the disc; `None` outside.
+    fn largest(&self, r: Region) -> Option<f64> {
+        let size = r.largest();
+        if size > self.until {
+            return None;
+        }
+        let around = |own: &Bounded| Region::new(((own.value - own.error).next_down(), (own.value + own.error).next_up()), (0.0, 0.0));
+        work::spend(HEAD_STEPS * self.groups.len() as u64);
+        let mut total = 0.0;
+        for group in &self.groups {
+            let (head, tail) = group.coefficients.split_at(HEAD.min(group.coefficients.len()));
+            let sum = head.iter().rev().fold(Region::real(0.0), |sum, c| sum * r + around(c));
+            let beyond = tail.iter().rev().fold(0.0, |sum, c| sum * size + (c.value.abs() + c.error)) * size.powi(HEAD as i32);
+            let most = (sum.largest() + beyond).next_up();
+            total += most * r.power(Region::real(group.whole_power())).largest() + group.left_out(size);
+        }
+        // The magnitudes are rounded at most 50 times.
+        Some(total * (1.0 + 1e-13))
+    }
+}
+
+/// The series of the terms, by the fractions that powers of r have in them and no double holds.
+fn series(piece: &Expr, radii: &[f64]) -> Option<Vec<(Number, Series)>> {
+    let mut parts: Vec<(Number, Vec<Expr>)> = Vec::new();
+    for term in piece.terms() {
+        let (fraction, rest) = split_fraction(&term);
+        match parts.iter_mut().find(|(known, _)| *known == fraction) {
+            Some((_, list)) => list.push(rest),
+            None => parts.push((fraction, vec![rest])),
+        }
+    }
+    let mut all = Vec::new();
+    for (fraction, list) in parts {
+        let whole = Expr::sum(list);
+        let mut groups = power_series(&whole, LENGTH, radii).ok()?;
+        if let ([only], Some(order)) = (groups.as_mut_slice(), leading_term(&whole).map(|term| term.exponent.to_f64())) {
+            // What vanishes exactly, though the numbers that cancel in it are rounded.
+            let below = only
+                .coefficients
+                .iter_mut()
+                .enumerate()
+                .filter(|(n, own)| only.shift + (*n as f64) < order - 0.5 && own.value.abs() <= own.error);
+            below.for_each(|(_, own)| *own = Bounded::exact(0.0));
+        }
+        all.extend(groups.into_iter().map(|group| (fraction.clone(), group)));
+    }
+    Some(all)
+}
+
+/// The fractional part of a power of r that is a factor, and the term without it; 0 for what a double holds.
+fn split_fraction(term: &Expr) -> (Number, Expr) {
+    let radius = Symbol::new("r");
+    let (mut fraction, mut rest) = (Number::integer(0), Vec::new());
+    for factor in term.factors() {
+        let (base, exponent) = factor.split_power();
+        match exponent.as_number() {
+            Some(own) if base.as_symbol() == Some(&radius) && !own.is_exact_f64() => {
+                let whole = Number::integer(own.to_f64().floor() as i64);
+                fraction = &fraction + &(own - &whole);
+                rest.push(base.pow(&Expr::number(whole)));
+            }
+            // (1 − cos r)^(3/5) is r^(6/5) times a power of what does not vanish at the axis.
+            Some(own) if base.contains(&radius) && !own.is_exact_f64() => match leading_term(&base).map(|term| term.exponent) {
+                Some(order) if !order.is_zero() => {
+                    let power = &order * own;
+                    let whole = Number::integer(power.to_f64().floor() as i64);
+                    fraction = &fraction + &(&power - &whole);
+                    let freed = multiplied_out(&(&base * Expr::from(radius.clone()).pow(&-Expr::number(order))));
+                    rest.push(Expr::from(radius.clone()).pow(&Expr::number(whole)));
+                    rest.push(freed.pow(&exponent));
+                }
+                _ => rest.push(factor),
+            },
+            _ => rest.push(factor),
+        }
+    }
+    (fraction, Expr::product(rest))
+}
+
+/// A power: a double and a fraction.
+fn exponent(fraction: &Number, power: f64) -> Bounded {
+    if fraction.is_zero() { Bounded::exact(power) } else { Bounded::rounded(fraction.to_f64()) + Bounded::exact(power) }
+}
+
+impl Group {
+    /// The derivative of r^shift Σ A_n r^n, where Σ |A_n| ρ^n ≤ `most` over n ≥ 1.
+    fn derived(fraction: &Number, own: &Series, most: f64, rho: f64) -> Option<Self> {
+        if !most.is_finite() {
+            return None;
+        }
+        let mut coefficients = Vec::with_capacity(LENGTH);
+        for (n, coefficient) in own.coefficients.iter().enumerate().take(LENGTH) {
+            let nu = exponent(fraction, own.shift + n as f64);
+            let power = nu.value;
+            // f is finite at the axis: what stands before a pole is 0, and is seen to be.
+            let vanishes = power <= 0.0;
+            if power < 0.0 && coefficient.value.abs() > coefficient.error {
+                return None;
+            }
+            coefficients.push(if vanishes { Bounded::exact(0.0) } else { *coefficient * nu });
+        }
+        let order = coefficients.len() as f64;
+        if coefficients.len() < LENGTH || order + own.shift < 8.0 {
+            return None;
+        }
+        // |A_n| ≤ most/ρⁿ, and Σ (n + s) q^n |A_n| ρ^n ≤ most · max (n + s) q^n, which is the first for q ≤ 1/2.
+        let rest = most * (order + own.shift + 1.0) * rho.powf(-order) * (1.0 + 1e-9);
+        // The leading zeros go into the power, so that nothing underflows.
+        let zeros = coefficients.iter().take_while(|own| own.value == 0.0 && own.error == 0.0).count().min(LENGTH - 1);
+        coefficients.drain(..zeros);
+        (rest.is_finite()).then_some(Self { power: own.shift - 1.0 + zeros as f64, fraction: fraction.clone(), coefficients, rest })
+    }
+
+    fn whole_power(&self) -> f64 {
+        self.power + self.fraction.to_f64()
+    }
+
+    /// r to the power in front.
+    fn factor(&self, r: Bounded) -> Bounded {
+        let whole = if self.power == 0.0 { Bounded::exact(1.0) } else { r.powf(Bounded::exact(self.power)) };
+        if self.fraction.is_zero() { whole } else { whole * r.powf(Bounded::rounded(self.fraction.to_f64())) }
+    }
+
+    fn left_out(&self, r: f64) -> f64 {
+        self.rest * r.powf(self.whole_power() + self.coefficients.len() as f64) * (1.0 + 1e-12)
+    }
+}
+
+impl Removable {
+    /// f′ by its tape away from the axis.
+    pub(crate) fn slope(tape: Tape, near: &AxisSeries) -> Self {
+        Self { tape, near: near.clone() }
+    }
+
+    /// (r f′)′ by its tape away from the axis.
+    pub(crate) fn bend(tape: Tape, near: &AxisSeries) -> Self {
+        Self { tape, near: near.bend() }
+    }
+
+    fn is_near(&self, r: f64) -> bool {
+        r <= 0.999 * self.near.until
+    }
+
+    pub(crate) fn at(&self, r: Bounded, slots: &mut Vec<Bounded>) -> Option<Bounded> {
+        if self.is_near(r.value) {
+            return Some(self.near.value(r));
+        }
+        self.tape.run(&mut BoundedAlgebra, &[r], slots).map(|own| rescued(&self.tape, r, own))
+    }
+
+    pub(crate) fn near_by(&self, r: Bounded, slots: &mut Vec<Bounded>) -> Option<Bounded> {
+        if !self.is_near(r.value) {
+            return self.tape.run(&mut RoundingAlgebra, &[r], slots);
+        }
+        // Every operation of the scheme is charged, whether it rounds here or not.
+        let size: f64 = self.near.groups.iter().map(|group| group.size(r.value)).sum();
+        let own = self.near.value(r);
+        Some(Bounded { error: own.error + 4.0 * f64::EPSILON * size, ..own })
+    }
+
+    pub(crate) fn plain(&self, r: f64) -> Option<f64> {
+        if self.is_near(r) {
+            return Some(self.near.plain(r));
+        }
+        let own = self.tape.run(&mut FloatAlgebra, &[r], &mut Vec::new())?;
+        Some(rescued(&self.tape, Bounded::exact(r), Bounded::exact(own)).value)
+    }
+
+    /// Values with their bounds at many places.
+    pub(crate) fn block(&self, radii: &[f64], doubts: &[f64], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) -> Option<()> {
+        self.tape.run_block_bounded(&[BlockInput { values: radii, errors: doubts }], values, errors, scratch.room())?;
+        for (((value, error), r), doubt) in
+            values.iter_mut().zip(errors.iter_mut()).zip(radii).zip(doubts).filter(|(((_, _), r), _)| self.is_near(**r))
+        {
+            let own = self.near.value(Bounded { value: *r, error: *doubt });
+            (*value, *error) = (own.value, own.error);
+        }
+        rescue_block(&self.tape, radii, doubts, values, errors);
+        Some(())
+    }
+
+    /// A bound on the magnitude in a part of the complex plane.
+    pub(crate) fn largest(&self, r: Region, slots: &mut Vec<Region>) -> f64 {
+        match self.near.largest(r) {
+            Some(own) => own,
+            None => self.tape.run(&mut RegionAlgebra, &[r], slots).map_or(f64::INFINITY, Region::largest),
+        }
+    }
+}
+
+impl Group {
+    /// Σ |c| r^n.
+    fn size(&self, r: f64) -> f64 {
+        self.coefficients.iter().rev().fold(0.0, |sum, c| sum * r + c.value.abs()) * r.powf(self.whole_power())
+    }
+}
+
+impl NumericProfile {
+    /// True where an expression is 0/0 at the axis and nothing else has its digits there.
+    pub(crate) fn is_ragged(&self) -> bool {
+        self.segments.iter().any(|segment| segment.ragged && segment.near.is_none())
+    }
+
+    /// True where a series has the digits next to the axis that an expression has not.
+    pub(crate) fn is_mended(&self) -> bool {
+        self.segments.iter().any(|segment| segment.near.is_some())
+    }
+
+    /// The same profile with a series next to the axis, where its expressions are 0/0 there; `whole` finds f, in r alone, from
+    /// its slope.
+    pub(crate) fn mended(mut self, whole: impl Fn(&Expr) -> Option<Expr>) -> Self {
+        let begins = |own: &NumericSegment| own.lower.value == 0.0;
+        for segment in self.segments.iter_mut().filter(|own| own.ragged && begins(own)) {
+            let Some((slope, lower)) = &segment.source else { continue };
+            let Some(near) = whole(slope).and_then(|f| AxisSeries::of(&f)) else { continue };
+            let Ok(tape) = compile_shifted(slope, lower) else { continue };
+            segment.slope = Numbers::Removable(Box::new(Removable::slope(tape, &near)));
+            segment.singular = near.has_fractions() || is_singular(&segment.slope, 0.0, segment.upper.map(|upper| upper.value));
+            // The parity of the expression is not known where a root in it vanishes at the axis.
+            segment.odd = near.is_odd();
+            segment.near = Some(near);
+        }
+        self
+    }
+
+    /// True where a series has the digits next to the axis, but is not analytic there.
+    pub(crate) fn is_fractional(&self) -> bool {
+        self.segments.iter().any(|segment| segment.near.as_ref().is_some_and(AxisSeries::has_fractions))
+    }
+}
