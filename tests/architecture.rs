@@ -164,7 +164,7 @@ fn borders_between_rooms_are_narrow() {
 }
 
 /// The number of groups of files that name each other in a circle; files and their own folders do not count.
-const CYCLES: [(&str, usize); 2] = [("src", 22), ("crates/sneddon-num/src", 1)];
+const CYCLES: [(&str, usize); 2] = [("src", 22), ("crates/sneddon-num/src", 0)];
 
 #[test]
 fn there_are_no_more_cycles_between_files() {
@@ -177,17 +177,8 @@ fn there_are_no_more_cycles_between_files() {
 
 /// The most files at the root of a folder.
 const MOST_FILES: usize = 15;
-/// Folders that are lists and grow, or that have more files still, with their numbers.
-const LONG_FOLDERS: &[(&str, usize)] = &[
-    ("src/derive/rules", 40),
-    ("crates/sneddon-num/src/special", 26),
-    ("src/cli", 27),
-    ("src/scene", 25),
-    ("src/validate", 25),
-    ("src/report", 19),
-    ("src/print", 18),
-    ("src/tradeoff", 16),
-];
+/// Folders that are lists and may grow, with their numbers.
+const LONG_FOLDERS: &[(&str, usize)] = &[("src/derive/rules", 40)];
 
 #[test]
 fn folders_are_short() {

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use sneddon::num::Bound as Ground;
 use sneddon::num::work::{self, Budget};
-use sneddon::report::{solved_json, validation};
+use sneddon::report::{solved::json as solved_json, validation};
 use sneddon::scene::{self, Change, Declared, Dimension, Grid, LONGEST_TIP, Quantity, Run, Scene, SceneError};
 use sneddon::validate::{Layout, Origin, Request, Source, ValidationError};
 use std::fs::File;

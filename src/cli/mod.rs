@@ -1,34 +1,23 @@
 //! The command line: one file per subcommand, and the only place with input and output.
 
 mod budget;
-mod code;
-mod compare;
-mod completions;
+mod commands;
 mod curve;
-mod derive;
-mod eval;
 mod failure;
 mod file;
 mod input;
-mod invert;
 mod output;
-mod plot;
 mod points;
 mod progress;
 mod quantities;
-mod reference;
-mod rules;
-mod scene;
 mod series;
-mod solve;
 mod tip;
-mod tradeoff;
 mod typesetting;
 mod units;
-mod validate;
 
 use crate::report;
 use clap::{Parser, Subcommand};
+use commands::{code, compare, completions, derive, eval, invert, plot, reference, rules, scene, solve, tradeoff, validate};
 use failure::Failure;
 use std::process::ExitCode;
 

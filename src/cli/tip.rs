@@ -32,7 +32,7 @@ pub(super) fn with_points(scene: Scene, scene_file: &Path, failed: impl Fn(Scene
     let text = decoded(bytes);
     let name = path.display().to_string();
     scene.with_points(&text).map_err(|error| match error.span() {
-        Some(_) => super::solve::failure(&name, &text.0, &error),
+        Some(_) => crate::cli::commands::solve::failure(&name, &text.0, &error),
         None => Failure::new(format!("{name}: {error}")).help(error.accepted().unwrap_or("expected a file of points")),
     })
 }

@@ -5,26 +5,21 @@
 //! Text reads back as an equal expression; the others look as a careful author would set them.
 
 mod compose;
-mod greek;
-mod latex;
-mod latex_symbol;
 mod layout;
 mod math;
-mod mathml;
 mod named;
 mod notation;
+pub(crate) mod notations;
 mod number;
 mod order;
 mod prose;
 mod renaming;
 mod roots;
-mod text;
-mod typst;
-mod unicode;
 
 use crate::expr::{Condition, Expr, Formula, shown, shown_as_mathematics};
 use compose::Style;
 use math::Math;
+use notations::{latex, mathml, text, typst, unicode};
 
 pub use notation::Notation;
 pub use prose::Prose;

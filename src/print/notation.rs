@@ -1,8 +1,9 @@
 //! The notations as values, for writers that are the same in all of them.
 
 use super::math::Math;
-use super::{compose, laid_out, latex, latex_symbol, mapped, mathml, text, typst, unicode};
+use super::{compose, laid_out, mapped};
 use crate::expr::{Condition, Formula, shown, shown_as_mathematics};
+use crate::print::notations::{latex, latex_symbol, mathml, text, typst, unicode};
 use compose::Style;
 
 /// A way of writing formulas.

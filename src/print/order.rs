@@ -60,7 +60,7 @@ fn name(base: &Expr) -> (bool, String, &str) {
         _ => "",
     };
     let letter = name.split('_').next().unwrap_or(name);
-    (super::latex_symbol::is_greek(letter), name.to_lowercase(), name)
+    (crate::print::notations::latex_symbol::is_greek(letter), name.to_lowercase(), name)
 }
 
 /// The arguments of a function as they read: |r − b| and not |b − r|, cos(kr − φ) and not cos(φ − kr).

@@ -1,7 +1,8 @@
 //! Sentences with formulas in them, which every notation writes in its own way.
 
-use super::{Notation, Renaming, greek, mathml};
+use super::{Notation, Renaming};
 use crate::expr::{Condition, Formula};
+use crate::print::notations::{greek, mathml};
 
 /// A piece of a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -194,5 +195,5 @@ fn latex_sign(sign: char) -> Option<String> {
         ('⌋', "\\rfloor"),
     ];
     let known = SIGNS.iter().find(|(own, _)| *own == sign).map(|(_, text)| (*text).to_owned());
-    known.or_else(|| greek::name(sign).map(super::latex_symbol::symbol))
+    known.or_else(|| greek::name(sign).map(crate::print::notations::latex_symbol::symbol))
 }

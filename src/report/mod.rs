@@ -17,21 +17,7 @@ mod record;
 mod reference;
 mod sheet;
 #[cfg(feature = "scene")]
-mod solved;
-#[cfg(feature = "scene")]
-mod solved_bounds;
-#[cfg(feature = "cli")]
-pub mod solved_html;
-#[cfg(feature = "data")]
-pub mod solved_json;
-#[cfg(feature = "data")]
-pub mod solved_npz;
-#[cfg(feature = "scene")]
-pub mod solved_text;
-#[cfg(feature = "scene")]
-mod solved_tip;
-#[cfg(feature = "data")]
-mod solved_tip_json;
+pub mod solved;
 mod statement;
 pub mod text;
 #[cfg(feature = "cli")]

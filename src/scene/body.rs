@@ -1,9 +1,9 @@
 //! Materials of a scene: isotropic, transversely isotropic, known by E* alone, or rigid.
 
-use super::document::Table;
 use super::system::System;
 use super::{Dimension, DimensionedNumber, SceneError};
 use crate::contact::{self, ElasticBody, TransverselyIsotropic};
+use crate::scene::file::document::Table;
 use std::ops::Range;
 
 /// The keys of a material.

@@ -1,9 +1,9 @@
 //! Flat punches that are not round: their stiffness is that of a round one with an effective diameter.
 
-use super::dimensioned::to_f64;
-use super::document::Table;
 use super::system::System;
 use super::{Dimension, DimensionedNumber, Quantity, Scene, SceneError};
+use crate::scene::file::dimensioned::to_f64;
+use crate::scene::file::document::Table;
 use std::f64::consts::PI;
 use std::ops::Range;
 

@@ -1,10 +1,10 @@
 //! Exact fields of a contact on the grid of a solver: values at points, or means of the pressure over cells.
 
-use super::dimensioned::to_double_double;
 use super::load::Steps;
 use super::{Dimension, DimensionedNumber, Loads, Point, Quantity, Run, Scene, SceneError};
 use crate::contact::{PartialForce, State};
 use crate::num::Bound;
+use crate::scene::file::dimensioned::to_double_double;
 use std::cell::Cell;
 use std::f64::consts::PI;
 

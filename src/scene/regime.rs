@@ -1,9 +1,9 @@
 //! How far an indenter is from the simple shape for which it is often taken: a sphere from its paraboloid, a worn cone from a cone.
 
-use super::dimensioned::to_f64;
 use super::{Dimension, System};
 use crate::expr::Bindings;
 use crate::parse;
+use crate::scene::file::dimensioned::to_f64;
 use std::f64::consts::PI;
 
 /// A shape whose force has a textbook formula.

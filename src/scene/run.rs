@@ -1,6 +1,5 @@
 //! A scene being solved: row by row, curve by curve, nothing before it is asked for and nothing kept.
 
-use super::dimensioned::to_f64;
 use super::regime::{Regime, SAME_SHAPE, Simple};
 use super::{Control, DepthFrom, Dimension, Loads, MeasuredTip, Quantity, Row, Scene, SceneError, Work};
 use crate::contact::{
@@ -8,6 +7,7 @@ use crate::contact::{
     State, in_unit,
 };
 use crate::num::{Bound, Bounded, Estimate, work};
+use crate::scene::file::dimensioned::to_f64;
 use crate::transform::{Reading, Solution, Superposition, TableProfile, TransformError};
 use std::cell::{Cell, OnceCell};
 use std::sync::Arc;

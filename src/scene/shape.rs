@@ -1,7 +1,7 @@
 //! Named shapes: their parameters, their f(r) and where they come from.
 
 use super::SceneError;
-use super::document::nearest;
+use crate::scene::file::document::nearest;
 
 /// A named shape.
 #[derive(Debug)]

@@ -1,7 +1,8 @@
 //! The system of units that a scene computes in, and the one that it answers in.
 
-use super::{Dimension, DimensionedNumber, SceneError, Unit, dimensioned::to_f64};
+use super::{Dimension, DimensionedNumber, SceneError, Unit};
 use crate::expr::Expr;
+use crate::scene::file::dimensioned::to_f64;
 use std::ops::Range;
 
 /// The units of the answers; names are empty where the system has none.

@@ -41,11 +41,11 @@ type Method = for<'a> fn(&'a Problem<'a>, &'a Evaluator<'a>) -> Ladder<'a>;
 
 /// Every method, one row each.
 pub(super) const METHODS: &[Method] = &[
-    super::closed::ladder,
-    super::quadrature::ladder,
-    super::named_rule::ladder,
-    super::curve::ladder,
-    super::series::ladder,
-    super::table::ladder,
-    super::foundation::ladder,
+    crate::tradeoff::methods::closed::ladder,
+    crate::tradeoff::methods::quadrature::ladder,
+    crate::tradeoff::methods::named_rule::ladder,
+    crate::tradeoff::methods::curve::ladder,
+    crate::tradeoff::methods::series::ladder,
+    crate::tradeoff::methods::table::ladder,
+    crate::tradeoff::methods::foundation::ladder,
 ];

@@ -2,18 +2,12 @@
 
 mod candidate;
 mod clock;
-mod closed;
-mod curve;
 mod error;
-mod foundation;
 mod front;
 mod measure;
-mod named_rule;
+pub(crate) mod methods;
 mod problem;
-mod quadrature;
-mod series;
 mod study;
-mod table;
 mod truth;
 
 pub use crate::contact::Quantity;

@@ -1,18 +1,19 @@
 //! A file of places under one load: pressures away from apex, kinks and rim, displacements, and the force that the pressures make.
 
-use super::column::Kind;
-use super::displacement::Displacements;
 use super::exact::{Exact, Pressures, Sharp};
-use super::lattice::{self, Lattice, Offset};
 use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
 use super::norms::{Norms, Sample, ratio};
-use super::pixel::Pixel;
 use super::record::{Beyond, Column, Excluded, Plot};
-use super::survey::{Places, Survey};
-use super::table::Table;
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, State};
 use crate::scene::Scene;
+use crate::validate::diagnosis::displacement::Displacements;
+use crate::validate::file::column::Kind;
+use crate::validate::file::lattice;
+use crate::validate::file::lattice::{Lattice, Offset};
+use crate::validate::file::pixel::Pixel;
+use crate::validate::file::survey::{Places, Survey};
+use crate::validate::file::table::Table;
 
 /// A place with its pressure; coordinates where the file has them. Computed units, positive in compression.
 #[derive(Clone, Copy, Debug)]
@@ -181,7 +182,7 @@ pub(super) fn compare(
         }
         if free_constant {
             let constant = survey.shown(Kind::Displacement, displacements.constant());
-            let unit = super::units::shown("u", &survey.unit(Kind::Displacement, scene));
+            let unit = crate::validate::file::units::shown("u", &survey.unit(Kind::Displacement, scene));
             report.notes.push(format!("u is compared up to a constant, which is {constant:.6e} in the data ({unit})"));
         }
     }
@@ -277,7 +278,7 @@ impl Sums {
                 None => notes.push("the force of the pressures is not judged: the lattice is not complete".to_owned()),
             }
         }
-        let unit = |kind: Kind| super::units::shown(kind.symbol(), &survey.unit(kind, scene));
+        let unit = |kind: Kind| crate::validate::file::units::shown(kind.symbol(), &survey.unit(kind, scene));
         let across = unit(if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X });
         let points = self.errors.items.iter().step_by(self.errors.items.len() / KEPT + 1);
         let points = points.map(|(r, p, exact)| (at(*r), survey.shown(Kind::Pressure, *p), survey.shown(Kind::Pressure, *exact))).collect();

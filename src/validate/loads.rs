@@ -1,15 +1,15 @@
 //! A file of loads, row by row: force and contact radius at the data's own depth, or depth and radius at its own force.
 
-use super::column::Kind;
 use super::exact::Exact;
 use super::norms::{Norms, Sample};
-use super::pixel::Pixel;
 use super::record::{Column, Plot};
-use super::survey::Survey;
-use super::table::Table;
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, Load, State};
 use crate::scene::{Control, Declared, Scene};
+use crate::validate::file::column::Kind;
+use crate::validate::file::pixel::Pixel;
+use crate::validate::file::survey::Survey;
+use crate::validate::file::table::Table;
 
 /// One load; NaN where the file has no such column. Computed units, positive in compression.
 #[derive(Clone, Copy, Debug)]
@@ -169,7 +169,7 @@ pub(super) fn compare(
         "d" => Kind::Depth,
         _ => Kind::ContactRadius,
     };
-    let unit = |kind: Kind| super::units::shown(kind.symbol(), &survey.unit(kind, scene));
+    let unit = |kind: Kind| crate::validate::file::units::shown(kind.symbol(), &survey.unit(kind, scene));
     let points = drawn.items.iter().map(|(x, data, own)| (*x, survey.shown(kind, *data), survey.shown(kind, *own))).collect();
     report.plots.push(Plot { title: unit(kind), across: unit(control_kind), points });
     if unmatched > 0 {

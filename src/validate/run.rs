@@ -1,20 +1,21 @@
 //! A validation from beginning to end: look at the files, find the pixels, compare, judge, and look for the fault.
 
-use super::data::{Data, Source};
 use super::diagnosis::{self, Evidence};
 use super::exact::Exact;
-use super::layout::Layout;
 use super::loads::Row;
 use super::order::Level;
-use super::pixel::{Pixel, contradiction, pixels};
-use super::placing::placings;
-use super::score::Gauge;
-use super::survey::{Content, Survey};
-use super::units::Units;
 use super::verdict::{Verdict, verdict};
-use super::{FileReport, Suspicion, Validation, ValidationError, column::Kind, field, loads};
+use super::{FileReport, Suspicion, Validation, ValidationError, field, loads};
 use crate::contact::{Load, State};
 use crate::scene::{Change, Control, Scene, Walls, scene_for_data};
+use crate::validate::diagnosis::placing::placings;
+use crate::validate::diagnosis::score::Gauge;
+use crate::validate::file::column::Kind;
+use crate::validate::file::data::{Data, Source};
+use crate::validate::file::layout::Layout;
+use crate::validate::file::pixel::{Pixel, contradiction, pixels};
+use crate::validate::file::survey::{Content, Survey};
+use crate::validate::file::units::Units;
 use std::collections::BTreeSet;
 
 /// What is validated, and how.

@@ -1,6 +1,6 @@
 //! What a scene says of a measured tip: its file, and how its points are to be read and joined.
 
-use crate::scene::document::{Entry, Table};
+use crate::scene::file::document::{Entry, Table};
 use crate::scene::{Dimension, DimensionedNumber, SceneError, System, Unit};
 use std::ops::Range;
 

@@ -8,7 +8,7 @@ use super::points::{Points, extended, note_falls, note_steps, ordered};
 use super::scan::{Scan, folded};
 use crate::contact::ContactError;
 use crate::expr::Expr;
-use crate::scene::dimensioned::to_f64;
+use crate::scene::file::dimensioned::to_f64;
 use crate::scene::{Dimension, SceneError, System, Unit};
 use crate::transform::{Interpolation, Penalty, Profile, TableProfile};
 use std::sync::Arc;

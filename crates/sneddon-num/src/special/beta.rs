@@ -2,8 +2,8 @@
 
 use super::ball::{Ball, UNIT};
 use super::gamma::{gamma_ratio, is_pole};
-use super::hypergeometric::ENOUGH;
-use super::series::series;
+use crate::special::ball::ENOUGH;
+use crate::special::hypergeometric::series::series;
 use crate::{DoubleDouble, Precise, work};
 
 /// `B(a, b; z1, z2) = ∫_{z1}^{z2} t^(a-1) (1-t)^(b-1) dt`.

@@ -1,8 +1,8 @@
 //! Clausen's integral, and the even zeta values that dilogarithms share.
 
 use super::ball::{Ball, UNIT};
-use super::ball_elementary::{LN_2, PI};
-use super::hypergeometric::ENOUGH;
+use crate::special::ball::ENOUGH;
+use crate::special::ball::elementary::{LN_2, PI};
 use crate::{DoubleDouble, Precise};
 
 /// Clausen's integral `Cl_2(z) = Σ sin(k z)/k^2 = -∫_0^z ln|2 sin(t/2)| dt`, mpmath's `clsin(2, z)`.

@@ -1,10 +1,10 @@
 //! The dilogarithm and its odd relatives, Legendre's chi function and the inverse tangent integral.
 
 use super::ball::Ball;
-use super::ball_elementary::PI;
 use super::clausen::even_series;
-use super::continuation::pfaff_series;
-use super::series::series;
+use crate::special::ball::elementary::PI;
+use crate::special::hypergeometric::continuation::pfaff_series;
+use crate::special::hypergeometric::series::series;
 use crate::{DoubleDouble, Precise, legendre};
 
 /// Legendre's `chi_2(z) = Σ z^(2k+1)/(2k+1)^2 = ∫_0^z artanh(t)/t dt`.

@@ -1,8 +1,8 @@
 //! Legendre's elliptic integrals of the first and second kind, complete and incomplete, in the parameter m = k^2.
 
 use super::ball::Ball;
-use super::ball_elementary::PI;
 use super::carlson::{rd, rd_ball, rf, rf_ball};
+use crate::special::ball::elementary::PI;
 use crate::{DoubleDouble, Precise};
 
 /// `K(m) = ∫_0^{pi/2} dt / sqrt(1 - m sin^2 t)`.

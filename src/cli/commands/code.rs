@@ -1,0 +1,102 @@
+//! `sneddon code`: the closed forms of a profile as functions of another language.
+
+use crate::cli::output;
+use crate::cli::quantities::{Quantities, demand};
+use crate::cli::{Failure, Outcome, budget, file, input};
+use crate::code::{CodeError, Language, QUANTITIES, program, write};
+use crate::contact::{ContactError, Quantity};
+use crate::{print, transform};
+use clap::ValueEnum;
+use std::path::PathBuf;
+
+/// Writes g, F, p, d and a as functions of another language, with a bound on their error.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    #[command(flatten)]
+    profile: input::ProfileArguments,
+    /// The quantities, separated by commas: g(x), F(a), p(r, a), d(a) and the contact radius a(d) [default: g,F,d,a].
+    #[arg(long, value_name = "LIST", value_parser = Quantities(written), value_delimiter = ',')]
+    quantity: Vec<Quantity>,
+    /// The language.
+    #[arg(long, value_name = "LANGUAGE", value_enum)]
+    lang: Lang,
+    /// Writes into this file instead of stdout.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) budget: budget::BudgetArguments,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon code 'R-sqrt(R^2-r^2)' --quantity g,F --lang c
+  sneddon code 'r*tan(theta)' --quantity F,a --lang fortran -o cone.f90
+  sneddon code 'r^2/(2*R)' --lang nanite -o model_paraboloid.py";
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Lang {
+    C,
+    Fortran,
+    Python,
+    Matlab,
+    Rust,
+    Nanite,
+}
+
+impl Lang {
+    fn language(self) -> Language {
+        match self {
+            Self::C => Language::C,
+            Self::Fortran => Language::Fortran,
+            Self::Python => Language::Python,
+            Self::Matlab => Language::Matlab,
+            Self::Rust => Language::Rust,
+            Self::Nanite => Language::Nanite,
+        }
+    }
+}
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let target = arguments.output.as_deref().filter(|path| path.as_os_str() != "-").map(file::Target::new).transpose()?;
+    let units = arguments.profile.units(&[], None);
+    units.tell();
+    let (typed, settings) = arguments.profile.read(&units)?;
+    let shown = print::text(&typed.formula.substitute(&settings.exact()));
+    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
+    let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    solution.warnings().iter().for_each(|text| crate::cli::failure::warn(text));
+    demand(&arguments.quantity, written)?;
+    let quantities = quantities(arguments);
+    let code = program(&solution, &quantities, arguments.lang.language(), &shown).map_err(|error| match error {
+        CodeError::Contact(own) => failed(own),
+        CodeError::Transform(own) => failed(own.into()),
+        other => Failure::new(other.to_string()).help(other.accepted()),
+    })?;
+    let text = write(&code);
+    let write = |out: &mut dyn std::io::Write| out.write_all(text.as_bytes());
+    match target {
+        Some(target) => target.fill(write)?,
+        None => output::print(write)?,
+    }
+    Ok(Outcome::Done)
+}
+
+/// What was asked for, each once; a model of nanite needs F and a.
+fn quantities(arguments: &Arguments) -> Vec<Quantity> {
+    if arguments.lang == Lang::Nanite {
+        return vec![Quantity::Force, Quantity::Radius];
+    }
+    let mut list: Vec<Quantity> = Vec::new();
+    for own in arguments.quantity.iter().copied() {
+        if !list.contains(&own) {
+            list.push(own);
+        }
+    }
+    if list.is_empty() { vec![Quantity::Equivalent, Quantity::Force, Quantity::Depth, Quantity::Radius] } else { list }
+}
+
+/// Checks whether `code` supports a quantity.
+fn written(quantity: Quantity) -> Result<(), &'static str> {
+    if QUANTITIES.contains(&quantity) { Ok(()) } else { Err("code writes only g, F, p, d and a") }
+}

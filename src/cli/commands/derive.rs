@@ -1,0 +1,90 @@
+//! `sneddon derive`: the formulas of a profile.
+
+use crate::cli::failure::warn;
+use crate::cli::output::Destination;
+use crate::cli::quantities::{Quantities, demand};
+use crate::cli::typesetting::{ENDINGS, Format, TypesettingArguments};
+use crate::cli::{Failure, Outcome, budget, input};
+use crate::contact::{ContactError, Edge, Quantity, RIM, relations, steps};
+use crate::expr::{Bindings, Expr};
+use crate::report::page::Page;
+use crate::report::{self, Derivation};
+use crate::transform;
+use std::path::PathBuf;
+
+/// Derives g, d, F, p, k and, where they are explicit, a(d) and F(d) as formulas.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    #[command(flatten)]
+    profile: input::ProfileArguments,
+    /// A punch with a rim at the contact radius, at this depth: a number, or the symbol d.
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    depth: Option<String>,
+    /// How the answer is written [default: text].
+    #[arg(long, value_enum)]
+    pub(in crate::cli) format: Option<Format>,
+    /// The same as --format json.
+    #[arg(long, conflicts_with = "format")]
+    pub(in crate::cli) json: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex, .md, .typ, .html or .json.
+    #[arg(short, long, value_name = "FILE")]
+    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    typesetting: TypesettingArguments,
+    /// Shows the way from f to every result, step by step.
+    #[arg(long)]
+    steps: bool,
+    /// Quantities to derive, separated by commas; `a` is a(d).
+    #[arg(long, value_parser = Quantities(has_formula), value_delimiter = ',', value_name = "LIST")]
+    quantity: Vec<Quantity>,
+    #[command(flatten)]
+    pub(in crate::cli) budget: budget::BudgetArguments,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon derive 'r^2/(2*R)'
+  sneddon derive '-h*r^2/c^2' --depth d --format latex
+  sneddon derive 'r^2/(2*R)' --quantity F,p --symbols 'E=E_r,d=\\delta' --steps
+  sneddon derive --shape cone --format latex --standalone
+  echo 'R-sqrt(R^2-r^2)' | sneddon derive - --set R=2 --json";
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.format.or(arguments.json.then_some(Format::Json));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let style = arguments.typesetting.style(answer.format().page())?;
+    demand(&arguments.quantity, has_formula)?;
+    let units = arguments.profile.units(&[arguments.depth.as_deref()], None);
+    units.tell();
+    let edge = arguments.depth.as_deref().map(|text| units.depth(text)).transpose()?.map_or(Edge::Smooth, Edge::Rim);
+    let (typed, settings) = if edge == Edge::Smooth { arguments.profile.read(&units)? } else { arguments.profile.read_punch(&units)? };
+    let shown = typed.formula.substitute(&settings.exact()).substitute(&Bindings::one(RIM, Expr::symbol("a")));
+    let names = arguments.typesetting.names(&shown)?;
+    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
+    let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    solution.warnings().iter().for_each(|text| warn(text));
+    let relations = relations(&solution, &edge).map_err(failed)?;
+    let check = budget::part(|| transform::check(&solution));
+    let steps = arguments.steps.then(|| steps(&shown, &solution, &edge, &relations)).transpose().map_err(|error| failed(error.into()))?;
+    let record = Derivation {
+        profile: &profile,
+        typed: &shown,
+        edge: &edge,
+        relations: &relations,
+        asked: &arguments.quantity,
+        names: &names,
+        check,
+    };
+    answer.write(|format, out| match (format.page(), &steps) {
+        (None, steps) => report::json::derivation(&record, steps.as_deref(), out),
+        (Some(format), None) => Page::of_derivation(&record).write(format, style, out),
+        (Some(format), Some(steps)) => Page::of_steps(&record, steps).write(format, style, out),
+    })?;
+    Ok(budget::judged(&record.check))
+}
+
+/// Checks whether `derive` supports a quantity.
+fn has_formula(quantity: Quantity) -> Result<(), &'static str> {
+    if quantity.has_formula() { Ok(()) } else { Err("derive has no formula over the force; eval has numbers") }
+}

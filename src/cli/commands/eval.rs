@@ -1,0 +1,254 @@
+//! `sneddon eval`: the numbers of one quantity.
+
+use crate::cli::failure::warn;
+use crate::cli::output::{Destination, Endings};
+use crate::cli::quantities::Quantities;
+use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
+use crate::contact::{self, Contact, ContactError, Measured, Quantity, Reason};
+use crate::eval::constant_value;
+use crate::expr::Bindings;
+use crate::report::{self, Evaluation, Shift, Units};
+use crate::scene::Dimension;
+use crate::transform::{self, Evaluator, Method, Profile, TransformError};
+use clap::ValueEnum;
+use std::path::PathBuf;
+
+/// Computes numbers, each with a bound of its error.
+///
+/// The points are values of the coordinate in parentheses behind each quantity: r, x or z, the contact radius a, the depth d or the
+/// force F. The quantities p, u, q, u_1d and sigma_zz need --radius as well.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    #[command(flatten)]
+    profile: input::ProfileArguments,
+    /// Quantity to compute.
+    #[arg(long, value_parser = Quantities(any))]
+    quantity: Quantity,
+    /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count.
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    at: String,
+    /// The contact radius, for p, u, q, u_1d and sigma_zz.
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    radius: Option<String>,
+    /// The depth of a punch with a rim at the contact radius.
+    #[arg(long, value_name = "D", allow_hyphen_values = true)]
+    depth: Option<String>,
+    /// E*, the modulus of both bodies together.
+    #[arg(long, value_name = "VALUE", default_value = "1", allow_hyphen_values = true)]
+    effective_modulus: String,
+    /// Which way; auto takes the cheapest one that meets the tolerance.
+    #[arg(long, value_enum, default_value_t = Way::Auto)]
+    method: Way,
+    /// The highest power of r that --method series keeps [default: 20].
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    order: Option<String>,
+    /// The relative tolerance [default: 1e-13].
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    tol: Option<String>,
+    /// Writes JSON.
+    #[arg(long, conflicts_with = "csv")]
+    pub(in crate::cli) json: bool,
+    /// Writes comma-separated values.
+    #[arg(long)]
+    csv: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv or .json.
+    #[arg(short, long, value_name = "FILE")]
+    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) budget: budget::BudgetArguments,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon eval 'r^2/(2*R)' --quantity F --at 0.1,0.5 --set R=2
+  sneddon eval 'R-sqrt(R^2-r^2)' --quantity p --at 0:0.5:6 --radius 0.5 --set R=2 --json
+  sneddon eval 'h*ln(1+r/w)' --quantity g --at log:0.01:1:5 --set h=0.4 --set w=1.3
+  sneddon eval 'ln(cosh(r))' --quantity p --at 0:2.9:30 --radius 3 --method curve";
+
+/// Work that each further point may be.
+const STEPS_PER_POINT: u64 = 100_000;
+/// The relative tolerance where none was given.
+const TOLERANCE: f64 = 1e-13;
+/// The relative error that is worth a warning where no tolerance was given.
+const FEW_DIGITS: f64 = 1e-8;
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Way {
+    /// The cheapest way that meets the tolerance.
+    Auto,
+    /// Closed forms only.
+    Exact,
+    /// Quadrature of the profile as typed.
+    Quadrature,
+    /// The power series at r = 0, term by term.
+    Series,
+    /// One piecewise expansion of f′ for all points, checked against quadrature: for many points.
+    Curve,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Csv,
+    Json,
+}
+
+const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let quantity = arguments.quantity;
+    let lengths = [Some(arguments.at.as_str()), arguments.radius.as_deref(), arguments.depth.as_deref()];
+    let units = arguments.profile.units(&lengths, Some(&arguments.effective_modulus));
+    let at = points::read(&arguments.at, &units)?;
+    budget::allow(at.len() as u64, STEPS_PER_POINT);
+    let radius = arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?;
+    let depth = arguments.depth.as_deref().map(|text| units.length("--depth", text)).transpose()?;
+    let effective_modulus = units.modulus("--effective-modulus", &arguments.effective_modulus)?;
+    let demanded = arguments.tol.as_deref().map(input::tolerance).transpose()?;
+    let (method, tolerance) = (arguments.method.method(), demanded.unwrap_or(TOLERANCE));
+    let by_series = matches!(arguments.method, Way::Series);
+    if by_series {
+        series::refuse_rim(depth)?;
+    } else {
+        series::refuse_order(arguments.order.as_deref())?;
+    }
+    let order = series::order(arguments.order.as_deref())?;
+    if quantity.needs_radius() && radius.is_none() {
+        let message = format!("--quantity {} needs the contact radius", quantity.key());
+        return Err(Failure::new(message).help("give it with --radius A"));
+    }
+    let by_load = matches!(quantity.coordinate(), "d" | "F");
+    if by_load && depth.is_some() {
+        return Err(Failure::new("under a rim the contact radius does not depend on the load")
+            .help("leave out --depth, or ask for another quantity"));
+    }
+    let (typed, settings) = arguments.profile.read(&units)?;
+    settings.demand_all(&typed)?;
+    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let profile = settings.bound_profile(&typed)?;
+    if profile.is_flat() && depth.is_none() && quantity.needs_contact() {
+        return Err(failed(TransformError::Flat.into()));
+    }
+    let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
+    solution.warnings().iter().for_each(|text| warn(text));
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
+    let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
+    // Series and curve answer all points together, and a contact radius belongs to all of them.
+    let together = matches!(arguments.method, Way::Series | Way::Curve) && !quantity.needs_radius() && !by_load;
+    let shared = radius.filter(|_| quantity.needs_radius()).map(|a| ("a", a));
+    for (symbol, place) in at.iter().filter(|_| together).map(|place| (quantity.coordinate(), *place)).chain(shared) {
+        contact.evaluator().check_domain(symbol, place).map_err(|error| failed(error.into()))?;
+    }
+    let contact = if quantity.coordinate() == "d" && method != Method::Quadrature {
+        contact.with_explicit(contact::explicit(&solution), method == Method::Exact)
+    } else {
+        contact
+    };
+    if quantity == Quantity::Energy && method == Method::Exact {
+        return Err(failed(TransformError::NoClosedForm { quantity: "U" }.into()));
+    }
+    let readings = if by_series {
+        series::readings(quantity, &profile, order, &at, radius, effective_modulus)?
+    } else if matches!(arguments.method, Way::Curve) {
+        let radius = radius.filter(|_| quantity.needs_radius());
+        let own = curve::Asked { quantity, at: &at, radius, depth, effective_modulus, tolerance: demanded };
+        curve::readings(&contact, &own, failed)?
+    } else {
+        contact::each_point(&at, |block| read_all(quantity, &contact, block, radius)).map_err(failed)?
+    };
+    warn_of_invalid_contact(quantity, &readings);
+    warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
+    let shift = shift(&profile, &settings.exact_profile(&typed).unwrap_or_else(|_| profile.clone()));
+    let record = Evaluation {
+        quantity: quantity.key(),
+        coordinate: quantity.coordinate(),
+        profile: &typed.formula,
+        parameters: settings.values(),
+        effective_modulus,
+        radius: radius.filter(|_| quantity.needs_radius()),
+        depth,
+        shift,
+        at,
+        readings,
+        units: Units {
+            at: units.name(quantity.coordinate_dimension()),
+            value: units.name(quantity.dimension()),
+            modulus: units.name(Dimension::PRESSURE),
+            parameters: settings.units(&units),
+        },
+    };
+    answer.write(|format, out| match format {
+        Format::Json => report::json::evaluation(&record, out),
+        Format::Csv => report::text::evaluation_as_csv(&record, out),
+        Format::Text => report::text::evaluation(&record, out),
+    })?;
+    warn_of_missing_values(&record.readings);
+    if record.is_cut() {
+        return Ok(Outcome::Failed);
+    }
+    Ok(Outcome::Done)
+}
+
+/// Every value tells its error; this tells that one is larger than what was asked for.
+fn warn_of_few_digits(limit: f64, readings: &[Measured]) {
+    let estimates = readings.iter().flatten().map(|reading| reading.estimate);
+    let missed =
+        estimates.filter(|estimate| estimate.error.is_nan() || estimate.error > limit * estimate.value.abs() + f64::MIN_POSITIVE).count();
+    if missed > 0 {
+        warn(&format!("the relative error is larger than {limit:?} at {missed} of {} points; see the error estimates", readings.len()));
+    }
+}
+
+/// f(0), where it is not zero: the number, and the expression that it was typed as.
+fn shift(profile: &Profile, typed: &Profile) -> Option<Shift> {
+    let number = || constant_value(&profile.shift, &Bindings::default()).map_or(f64::NAN, |bounded| bounded.value);
+    (!profile.shift.is_zero()).then(|| Shift { expr: typed.shift.clone(), value: number() })
+}
+
+/// A falling g shows as a negative depth, force or pressure; the verdict itself belongs to `solve`.
+fn warn_of_invalid_contact(quantity: Quantity, readings: &[Measured]) {
+    let telling = matches!(quantity, Quantity::Equivalent | Quantity::Depth | Quantity::Force | Quantity::Pressure | Quantity::Integral);
+    let negative = readings.iter().flatten().any(|reading| reading.estimate.value < -reading.estimate.error);
+    if telling && negative {
+        warn(&format!("{} is negative at some points: no valid contact; the formula is answered all the same", quantity.key()));
+    }
+}
+
+/// Warns of points that have no value, except where the value is infinite in theory.
+fn warn_of_missing_values(readings: &[Measured]) {
+    let missing =
+        || readings.iter().filter_map(|own| own.as_ref().err()).filter(|own| matches!(own, Reason::Refused(_) | Reason::Unfinished));
+    if let Some(first) = missing().next() {
+        warn(&format!("{} of {} points have no value: {}", missing().count(), readings.len(), first.text()));
+    }
+}
+
+impl Way {
+    fn method(self) -> Method {
+        match self {
+            Self::Auto => Method::Auto,
+            Self::Exact => Method::Exact,
+            // Series and curve have their own ways; what they share with the others is cheap.
+            Self::Quadrature | Self::Series | Self::Curve => Method::Quadrature,
+        }
+    }
+}
+
+/// The readings of a list, block by block where closed forms answer.
+fn read_all(quantity: Quantity, contact: &Contact<'_>, at: &[f64], radius: Option<f64>) -> Result<Vec<Measured>, ContactError> {
+    match (quantity, radius) {
+        (Quantity::Profile, _) => contact.profiles(at),
+        (Quantity::Equivalent, _) => contact.slopes(at),
+        (Quantity::Depth, _) => contact.depths(at),
+        (Quantity::Force, _) => contact.forces(at),
+        (Quantity::Pressure, Some(a)) => contact.pressures(at, a),
+        _ => at.iter().map(|point| quantity.number(contact, *point, radius.unwrap_or(*point))).collect(),
+    }
+}
+
+/// `eval` has a number for every quantity.
+fn any(_: Quantity) -> Result<(), &'static str> {
+    Ok(())
+}

@@ -1,0 +1,149 @@
+//! `sneddon invert`: the profile that has a given equivalent profile, or that presses with a given pressure.
+
+use crate::cli::output::Destination;
+use crate::cli::typesetting::{ENDINGS, Format, TypesettingArguments};
+use crate::cli::units::Units;
+use crate::cli::{Failure, Outcome, budget, input, points};
+use crate::contact::inverse_steps;
+use crate::expr::{Bindings, Expr, Formula};
+use crate::parse;
+use crate::report::page::Page;
+use crate::report::{Inversion, Wanted, inversion};
+use crate::transform::{self, Inverse, InverseNumbers, Method, TransformError};
+use std::path::PathBuf;
+
+/// Finds f(r) from g(x), or from a wanted pressure p(r).
+///
+/// g is an expression in x with the grammar of profiles. What has no closed form is printed as an integral; --at gives numbers.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    /// The equivalent profile g(x), such as x^2/R; - reads it from stdin.
+    #[arg(value_name = "G", allow_hyphen_values = true, required_unless_present = "pressure")]
+    equivalent: Option<String>,
+    /// A wanted pressure p(r) in a contact of radius a, with E for the effective modulus, in place of G.
+    #[arg(long, value_name = "P", conflicts_with = "equivalent", allow_hyphen_values = true)]
+    pressure: Option<String>,
+    /// Gives a parameter a value; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Radii at which f is computed: 0.1,0.5 or start:stop:count or log:start:stop:count.
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    at: Option<String>,
+    /// How the answer is written [default: text].
+    #[arg(long, value_enum)]
+    pub(in crate::cli) format: Option<Format>,
+    /// The same as --format json.
+    #[arg(long, conflicts_with = "format")]
+    pub(in crate::cli) json: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex, .md, .typ, .html or .json.
+    #[arg(short, long, value_name = "FILE")]
+    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    typesetting: TypesettingArguments,
+    /// Shows the way from g to f, step by step.
+    #[arg(long)]
+    steps: bool,
+    #[command(flatten)]
+    pub(in crate::cli) budget: budget::BudgetArguments,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon invert 'x*atanh(x/R)'
+  sneddon invert 'C*x^n' --format latex
+  sneddon invert 'ln(1+x^4/w^4)' --set w=2 --at 0.5,1,2
+  sneddon invert --pressure 'p_0*sqrt(1-r^2/a^2)'";
+
+/// The relative tolerance of numbers.
+const TOLERANCE: f64 = 1e-13;
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.format.or(arguments.json.then_some(Format::Json));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let units = Units::of(&arguments.set, &[arguments.at.as_deref()], None);
+    units.tell();
+    let at = arguments.at.as_deref().map(|list| points::read(list, &units)).transpose()?.unwrap_or_default();
+    let style = arguments.typesetting.style(answer.format().page())?;
+    let asked = Asked::read(arguments)?;
+    let settings = input::Settings::read(&arguments.set, &asked.typed, &units)?;
+    if !at.is_empty() {
+        settings.demand_all(&asked.typed)?;
+    }
+    let (equivalent, found) = asked.solved(&settings.exact())?;
+    let mut readings = Vec::new();
+    if !at.is_empty() {
+        let (_, bound) = asked.solved(&settings.rounded()).or_else(|_| asked.solved(&settings.exact()))?;
+        let numbers = InverseNumbers::new(&bound, &Bindings::default(), Method::Auto, TOLERANCE).map_err(|error| asked.failure(&error))?;
+        for r in &at {
+            readings.push(numbers.value(*r).map_err(|error| asked.failure(&error))?);
+        }
+    }
+    let pressure = asked.pressure.as_ref().map(|own| {
+        let set = settings.exact();
+        [&own.0, &own.1.depth, &own.1.force].map(|expr| set.apply(expr))
+    });
+    let names = arguments.typesetting.names(&equivalent)?;
+    let check = budget::part(|| transform::check_inverse(&found));
+    let record = Inversion {
+        pressure: pressure.as_ref().map(|[pressure, depth, force]| Wanted { pressure, depth, force }),
+        equivalent: &equivalent,
+        profile: found.profile(),
+        at_axis: found.at_axis(),
+        conditions: found.conditions.clone(),
+        check,
+        at,
+        readings,
+    };
+    let steps = arguments.steps.then(|| inverse_steps(&equivalent, &record.profile, record.at_axis));
+    answer.write(|format, out| {
+        let Some(page) = format.page() else {
+            return inversion::json(&record, steps.as_deref(), &names, out);
+        };
+        let whole = match &steps {
+            None => Page::of_inversion(&record, &names),
+            Some(steps) => Page::of_inverse_steps(&record, steps, &names),
+        };
+        whole.write(page, style, out)?;
+        if matches!(format, Format::Text | Format::Unicode) { inversion::readings(&record, out) } else { Ok(()) }
+    })?;
+    Ok(budget::judged(&record.check))
+}
+
+/// What was asked for: g as typed, or the g of a pressure.
+struct Asked {
+    place: &'static str,
+    typed: input::Typed,
+    equivalent: Formula,
+    pressure: Option<(Expr, transform::FromPressure)>,
+}
+
+impl Asked {
+    fn read(arguments: &Arguments) -> Result<Self, Failure> {
+        if let Some(argument) = &arguments.pressure {
+            let pressure = parse::pressure(argument).map_err(|error| Failure::parse("--pressure", argument, &error))?;
+            let typed = input::Typed { text: argument.clone(), formula: Formula::Closed(pressure.clone()) };
+            let found = transform::equivalent_of_pressure(&pressure)
+                .map_err(|error| Failure::new(error.to_string()).at("--pressure", argument, 0..argument.len()))?;
+            let equivalent = Formula::Closed(found.equivalent.clone());
+            return Ok(Self { place: "--pressure", typed, equivalent, pressure: Some((pressure, found)) });
+        }
+        let text = input::text(arguments.equivalent.as_deref().unwrap_or_default())?;
+        let formula = parse::equivalent(&text).map_err(|error| Failure::parse("G", &text, &error))?;
+        Ok(Self { place: "G", equivalent: formula.clone(), typed: input::Typed { text, formula }, pressure: None })
+    }
+
+    /// g at these values, and f.
+    fn solved(&self, values: &Bindings) -> Result<(Formula, Inverse), Failure> {
+        let equivalent = self.equivalent.substitute(values);
+        let found = transform::invert(&equivalent, |text| parse::formula(text).ok()).map_err(|error| self.failure(&error))?;
+        Ok((equivalent, found))
+    }
+
+    /// Converts an error about f(r) to a failure about g(x).
+    fn failure(&self, error: &TransformError) -> Failure {
+        match inversion::refusal(error, |text| parse::formula(text).ok()) {
+            Some(message) => Failure::new(message).at(self.place, &self.typed.text, 0..self.typed.text.len()),
+            None => Failure::new(error.to_string()),
+        }
+    }
+}

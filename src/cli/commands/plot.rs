@@ -1,0 +1,210 @@
+//! `sneddon plot`: pictures of profiles and scenes.
+
+use crate::cli::commands::solve::{failure, read};
+use crate::cli::failure::warn;
+use crate::cli::output::{Destination, Endings};
+use crate::cli::quantities::{Quantities, demand};
+use crate::cli::units::Units;
+use crate::cli::{Failure, Outcome, budget, input, tip};
+use crate::contact::{ContactError, Kind, Quantity};
+use crate::expr::Bindings;
+use crate::report::picture::{Picture, Pictured};
+use crate::scene::{self, Control, Dimension, Loads, Run, Scene, SceneError};
+use crate::transform::{Evaluator, Method, Solution, TransformError, derive, reach};
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::{Arg, Command};
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+/// Draws what a contact does: numbers over the depth, and fields over the radius at the largest load.
+///
+/// A profile needs a value for every parameter; loads rise from 0 to the contact radius --radius.
+/// A scene is drawn from 0 to its largest load. Several of them share the axes.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    /// Shapes f(r), or scene files that end in .toml; behind -- a shape may begin with a minus.
+    #[arg(value_name = "PROFILE|SCENE", required = true)]
+    subjects: Vec<String>,
+    /// Quantities to draw, separated by commas [default: F,a,p].
+    #[arg(long, value_parser = Drawings, value_delimiter = ',', value_name = "LIST")]
+    quantity: Vec<Pictured>,
+    /// Gives a parameter a value, with a unit or without; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// The largest contact radius of a profile [default: close to its end, or beyond its last kink].
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    radius: Option<String>,
+    /// E* of a profile.
+    #[arg(long, value_name = "VALUE", default_value = "1", allow_hyphen_values = true)]
+    effective_modulus: String,
+    /// Writes into this file; its ending decides the format: .svg or .png. Without it the picture is drawn in letters.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) budget: budget::BudgetArguments,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon plot 'r^2/(2*R)' --set R=2 --radius 0.5
+  sneddon plot 'R-sqrt(R^2-r^2)' 'r^2/(2*R)' --set R=1 --quantity F,p --radius 0.8";
+
+/// Loads of a picture.
+const LOADS: usize = 61;
+/// Work that each value of a picture may be.
+const STEPS_PER_VALUE: u64 = 100_000;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Svg,
+    Png,
+    Text,
+}
+
+const ENDINGS: &Endings<Format> = &[("svg", Format::Svg), ("png", Format::Png), ("txt", Format::Text)];
+
+/// Reads the key of a quantity, or `section`.
+#[derive(Clone)]
+struct Drawings;
+
+const SECTION: &str = "section";
+
+impl TypedValueParser for Drawings {
+    type Value = Pictured;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Pictured, clap::Error> {
+        if value == SECTION {
+            return Ok(Pictured::Section);
+        }
+        Quantities(drawn).parse_ref(command, argument, value).map(Pictured::Quantity)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let section = PossibleValue::new(SECTION).help("the tip in the deformed surface");
+        let known: Vec<PossibleValue> = Quantities(drawn).possible_values().into_iter().flatten().collect();
+        Some(Box::new(known.into_iter().chain([section])))
+    }
+}
+
+/// Checks whether `plot` supports a quantity.
+fn drawn(quantity: Quantity) -> Result<(), &'static str> {
+    if quantity.kind() == Kind::Inverse { Err("plot draws numbers over the depth; expected F, a or d") } else { Ok(()) }
+}
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let answer = Destination::choose(arguments.output.as_deref(), None, Format::Text, ENDINGS)?;
+    let usual = [Quantity::Force, Quantity::Radius, Quantity::Pressure].map(Pictured::Quantity);
+    let quantities: &[Pictured] = if arguments.quantity.is_empty() { &usual } else { &arguments.quantity };
+    for own in quantities {
+        if let Pictured::Quantity(own) = own {
+            demand(&[*own], drawn)?;
+        }
+    }
+    for item in &arguments.set {
+        if !arguments.subjects.iter().any(|own| input::is_about(item, own)) {
+            let name = item.split_once('=').map_or(item.as_str(), |(name, _)| name);
+            return Err(Failure::new(format!("none of the profiles has a parameter {}", name.trim()))
+                .help("--set NAME=VALUE sets a parameter of a profile, such as --set R=2"));
+        }
+    }
+    let subjects = arguments.subjects.iter().map(|own| Subject::read(arguments, own)).collect::<Result<Vec<_>, _>>()?;
+    if subjects.iter().any(|own| !own.has_same_units(subjects.first())) {
+        return Err(
+            Failure::new("the scenes answer in different units, which cannot share axes").help("name the same units in [outputs] of each")
+        );
+    }
+    budget::allow((subjects.len() * quantities.len() * LOADS) as u64, STEPS_PER_VALUE);
+    let runs = subjects.iter().map(Subject::run).collect::<Result<Vec<_>, _>>()?;
+    let is_alone = subjects.len() == 1;
+    let named: Vec<(&str, &Run<'_>)> =
+        subjects.iter().zip(&runs).map(|(own, run)| (if is_alone { "" } else { own.name.as_str() }, run)).collect();
+    let picture = Picture::of_contacts(&named, quantities);
+    if picture.is_empty() {
+        return Err(
+            Failure::new("no load has a valid contact, and there is nothing to draw").help("sneddon solve says what speaks against it")
+        );
+    }
+    let drawn = match answer.format() {
+        Format::Svg => picture.svg().map(String::into_bytes),
+        Format::Png => picture.png(),
+        Format::Text => Ok(picture.text().into_bytes()),
+    };
+    let drawn = drawn.map_err(Failure::new)?;
+    answer.write(|_, out| out.write_all(&drawn))?;
+    if let Some(why) = runs.iter().find_map(Run::cut_short) {
+        warn(why);
+        return Ok(Outcome::Failed);
+    }
+    Ok(Outcome::Done)
+}
+
+/// A profile or a scene, with its transform.
+struct Subject {
+    name: String,
+    scene: Scene,
+    solution: Solution,
+    /// The text in which errors have their places, for a scene.
+    text: Option<String>,
+}
+
+impl Subject {
+    fn read(arguments: &Arguments, subject: &str) -> Result<Self, Failure> {
+        if subject.ends_with(".toml") { Self::of_scene(Path::new(subject)) } else { Self::of_profile(arguments, subject) }
+    }
+
+    fn of_scene(path: &Path) -> Result<Self, Failure> {
+        let text = read(path)?;
+        let name = path.display().to_string();
+        let failed = |error: SceneError| failure(&name, &text, &error);
+        let scene = scene::scene(&text).map_err(failed)?;
+        let scene = tip::with_points(scene, path, failed)?.swept(LOADS);
+        let solution = scene.solution().map_err(failed)?;
+        let name = path.file_stem().map_or(name.clone(), |stem| stem.to_string_lossy().into_owned());
+        Ok(Self { name, scene, solution, text: Some(text) })
+    }
+
+    fn of_profile(arguments: &Arguments, text: &str) -> Result<Self, Failure> {
+        let units = Units::of(&arguments.set, &[arguments.radius.as_deref()], Some(&arguments.effective_modulus));
+        let effective_modulus = units.modulus("--effective-modulus", &arguments.effective_modulus)?;
+        let radius = arguments.radius.as_deref().map(|own| units.positive_length("--radius", own)).transpose()?;
+        let (typed, settings) = input::one_profile(text, &arguments.set, &units)?;
+        settings.demand_all(&typed)?;
+        let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+        let profile = settings.bound_profile(&typed)?;
+        if profile.is_flat() {
+            return Err(failed(TransformError::Flat.into()));
+        }
+        let solution = derive(&profile).map_err(|error| failed(error.into()))?;
+        solution.warnings().iter().for_each(|own| warn(own));
+        let largest = match radius {
+            Some(radius) => radius,
+            None => {
+                let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12);
+                reach(&evaluator.map_err(|error| failed(error.into()))?)
+            }
+        };
+        let scene = Scene { control: Control::ContactRadius, loads: Loads::List(vec![largest]), effective_modulus, ..Scene::of(profile) };
+        let named = [Dimension::LENGTH, Dimension::FORCE, Dimension::PRESSURE].map(|own| units.name(own));
+        let scene = Scene { system: scene::System::counted(named), ..scene }.swept(LOADS);
+        Ok(Self { name: typed.text, scene, solution, text: None })
+    }
+
+    fn run(&self) -> Result<Run<'_>, Failure> {
+        Run::new(&self.scene, &self.solution).map_err(|error| match &self.text {
+            Some(text) => failure(&self.name, text, &error),
+            None => {
+                let own = Failure::new(error.to_string());
+                match error.accepted() {
+                    Some(help) => own.help(help),
+                    None => own,
+                }
+            }
+        })
+    }
+
+    fn has_same_units(&self, other: Option<&Self>) -> bool {
+        let names =
+            |own: &Self| [Dimension::LENGTH, Dimension::FORCE, Dimension::PRESSURE].map(|dimension| own.scene.system.unit_name(dimension));
+        other.is_none_or(|other| names(self) == names(other))
+    }
+}

@@ -1,0 +1,113 @@
+//! `sneddon reference`: exact data on a solver's grid.
+
+use crate::cli::commands::solve::{failure, read};
+use crate::cli::failure::warn;
+use crate::cli::output::{Destination, Endings};
+use crate::cli::progress::Progress;
+use crate::cli::{Failure, Outcome, budget, tip};
+use crate::report::Reference;
+use crate::scene::{self, Grid, Run, SceneError};
+use std::path::PathBuf;
+
+/// Exact pressure, displacement and shape on the grid of a solver, each value with its error bound.
+///
+/// The scene says the contact and the loads; p, u, f and g are given as far as its outputs ask for them, p where they ask for none.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    /// The scene file; - reads it from stdin.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// N points along both sides of a square box, or start:stop:count for radii; without it what [data] declares, or the radii of [outputs].
+    #[arg(long, value_name = "GRID")]
+    grid: Option<String>,
+    /// The side of the box, as "8 um"; without it that of [data].
+    #[arg(long = "box", value_name = "LENGTH")]
+    side: Option<String>,
+    /// Pressures as means over the cells around the points, as boundary elements have them.
+    #[arg(long)]
+    cells: bool,
+    /// The axis lies between the four middle points of the box, not at one of them.
+    #[arg(long)]
+    between: bool,
+    /// Writes JSON to stdout.
+    #[arg(long)]
+    pub(in crate::cli) json: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .csv, .json or .npy, a NumPy array.
+    #[arg(short, long, value_name = "FILE")]
+    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) budget: budget::BudgetArguments,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon scene new sphere > sphere.toml
+  sneddon reference sphere.toml --grid '0:2 um:11'
+  sneddon reference sphere.toml --grid 64 --box '4 um' --cells -o sphere.npy
+
+Exit codes: 0 done, 1 a load has no valid contact, 2 bad input (the reason is on stderr).";
+
+/// Work that each place of a grid may be, means over cells included.
+const STEPS_PER_PLACE: u64 = 2_000_000;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Csv,
+    Json,
+    Npy,
+}
+
+const ENDINGS: &Endings<Format> = &[("csv", Format::Csv), ("json", Format::Json), ("npy", Format::Npy)];
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.json.then_some(Format::Json);
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Csv, ENDINGS)?;
+    let text = read(&arguments.scene)?;
+    let name = arguments.scene.display().to_string();
+    let failed = |error: SceneError| failure(&name, &text, &error);
+    let scene = scene::scene_for_grid(&text).map_err(failed)?;
+    let declared = Grid::declared(&scene, arguments.between);
+    let grid = match (&arguments.grid, declared) {
+        (Some(own), _) => Grid::parse(own, arguments.side.as_deref(), arguments.between, &scene).map_err(failed)?,
+        (None, Some(own)) => own.checked().map_err(failed)?,
+        (None, None) if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
+        (None, None) => {
+            return Err(Failure::new("there is no grid")
+                .help("--grid \"0:2 um:101\", --grid 64 with --box \"8 um\", or at in [outputs] would be accepted"));
+        }
+    };
+    let cells = arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true));
+    let (curves, others) = scene.outputs.fields().map_err(failed)?;
+    for other in others {
+        warn(&format!("{} is not a field on a grid; `sneddon solve` writes it", other.key()));
+    }
+    if !scene.round {
+        return Err(Failure::new("no field is known of a punch with a cross-section of its own")
+            .help("d, F and k by sneddon solve, or a round indenter would be accepted"));
+    }
+    let scene = tip::with_points(scene, &arguments.scene, failed)?;
+    let solution = scene.solution().map_err(failed)?;
+    solution.warnings().iter().for_each(|text| warn(text));
+    let run = Run::new(&scene, &solution).map_err(failed)?;
+    let steps = scene.loads.len() as u64 * (1 + curves.len() as u64 * grid.distinct() as u64);
+    budget::allow(steps, STEPS_PER_PLACE);
+    let progress = Progress::new(steps, answer.is_stdout());
+    let run = run.watched(|| progress.step());
+    let reference = Reference { run: &run, grid: &grid, curves: &curves, cells };
+    let mut missing = 0;
+    answer.write(|format, out| {
+        missing = match format {
+            Format::Csv => reference.csv(out)?,
+            Format::Json => reference.json(out)?,
+            Format::Npy => reference.npy(out)?,
+        };
+        Ok(())
+    })?;
+    drop(run);
+    drop(progress);
+    if missing == 0 {
+        return Ok(Outcome::Done);
+    }
+    warn(&format!("{missing} of {} loads have no valid contact; `sneddon solve` says why", scene.loads.len()));
+    Ok(Outcome::Failed)
+}

@@ -1,0 +1,170 @@
+//! `sneddon solve`: from a scene file to every quantity that it asks for.
+
+use crate::cli::failure::warn;
+use crate::cli::output::{Destination, Endings};
+use crate::cli::progress::Progress;
+use crate::cli::{Failure, Outcome, budget, tip};
+use crate::contact::{Edge, relations, steps};
+use crate::expr::Expr;
+use crate::print::Renaming;
+use crate::report::solved::html;
+use crate::report::solved::html::Sheet;
+use crate::report::solved::{json as solved_json, npz as solved_npz, text as solved_text};
+use crate::report::{Derivation, Verdict};
+use crate::scene::{self, Run, SceneError};
+use crate::transform;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+/// Solves a contact scene: loads in, depth, force, contact radius and curves out.
+///
+/// The scene file says the shape, the materials, the loads and what is wanted; `sneddon scene new SHAPE` writes one.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    /// The scene file; - reads it from stdin.
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+    /// Writes JSON.
+    #[arg(long)]
+    pub(in crate::cli) json: bool,
+    /// Writes CSV: the rows, then behind an empty line the points of curves; the points alone where nothing else is asked for.
+    #[arg(long, conflicts_with = "json")]
+    csv: bool,
+    /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv, .json, .npz, or .html for a page with pictures and formulas.
+    #[arg(short, long, value_name = "FILE")]
+    pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(in crate::cli) budget: budget::BudgetArguments,
+    /// Shows the numbers of invalid rows beside what is wrong with them.
+    #[arg(long)]
+    force: bool,
+    /// Answers as d/R, F/(E* R^2) and p/E*, where R is that of the profile, or the radius of its vertical side.
+    #[arg(long)]
+    dimensionless: bool,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon scene new sphere > sphere.toml
+  sneddon solve sphere.toml
+  sneddon solve sphere.toml -o sphere.json
+  sneddon solve sphere.toml -o report.html
+
+Exit codes: 0 done, 1 a row is not valid, 2 bad input (the reason is on stderr).";
+
+/// Work that each row and each point of a curve may be.
+const STEPS_PER_ROW: u64 = 1_000_000;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Csv,
+    Json,
+    Npz,
+    Html,
+}
+
+const ENDINGS: &Endings<Format> =
+    &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json), ("npz", Format::Npz), ("html", Format::Html)];
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let text = read(&arguments.scene)?;
+    let name = arguments.scene.display().to_string();
+    let failed = |error: SceneError| failure(&name, &text, &error);
+    let mut scene = scene::scene(&text).map_err(failed)?;
+    if arguments.dimensionless {
+        scene = scene.dimensionless().map_err(failed)?;
+    }
+    let scene = tip::with_points(scene, &arguments.scene, failed)?;
+    let solution = scene.solution().map_err(failed)?;
+    solution.warnings().iter().for_each(|text| warn(text));
+    let run = Run::new(&scene, &solution).map_err(failed)?;
+    let progress = Progress::new(run.steps(), answer.is_stdout());
+    budget::allow(run.steps(), STEPS_PER_ROW);
+    let run = run.watched(|| progress.step());
+    let mut verdict = Verdict::default();
+    answer.write(|format, out| {
+        verdict = match format {
+            Format::Json => solved_json::solved(&run, arguments.force, out)?,
+            Format::Csv => solved_text::csv(&run, arguments.force, out)?,
+            Format::Npz => solved_npz::npz(&run, arguments.force, out)?,
+            Format::Text => solved_text::table(&run, arguments.force, out)?,
+            Format::Html => page(&file_name(&arguments.scene), &text, &run, arguments.force, out)?,
+        };
+        Ok(())
+    })?;
+    drop(run);
+    drop(progress);
+    if verdict.is_valid() {
+        return Ok(Outcome::Done);
+    }
+    let (invalid, rows) = verdict.counts();
+    let first = verdict.findings().iter().find(|(own, _)| own.severity == crate::contact::Severity::Error);
+    warn(&format!("{invalid} of {rows} rows are not valid{}", first.map_or_else(String::new, |(own, _)| format!(": {}", own.message))));
+    Ok(Outcome::Failed)
+}
+
+/// The name of a file without its folders.
+fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+/// Loads of the pictures on a page.
+const PICTURED: usize = 41;
+
+/// The page of a solved scene; formulas stand there where the profile has any.
+fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io::Write) -> io::Result<Verdict> {
+    let scene = run.scene();
+    let swept = scene.swept(PICTURED);
+    let solution = swept.solution().map_err(io::Error::other)?;
+    let pictured = Run::new(&swept, &solution).map_err(io::Error::other)?;
+    let edge = if scene.rim.is_some() { Edge::Rim(Expr::symbol("d")) } else { Edge::Smooth };
+    let typed = scene.profile.typed.clone();
+    // A measured tip and a cross-section that is not round have no formula.
+    let found = relations(&solution, &edge).ok().filter(|_| scene.round && scene.measured.is_none());
+    let steps = found.as_ref().and_then(|found| steps(&typed, &solution, &edge, found).ok());
+    let names = Renaming::default();
+    let record = found.as_ref().map(|relations| Derivation {
+        profile: &scene.profile,
+        typed: &typed,
+        edge: &edge,
+        relations,
+        asked: &[],
+        names: &names,
+        check: budget::part(|| transform::check(&solution)),
+    });
+    let formulas = record.as_ref().zip(steps.as_deref());
+    html::html(&Sheet { text, name, run, swept: &pictured, formulas }, formally, out)
+}
+
+pub(in crate::cli) fn read(path: &Path) -> Result<String, Failure> {
+    let name = path.display();
+    let limit = scene::LONGEST as u64;
+    let mut bytes = Vec::new();
+    let done = if path.as_os_str() == "-" {
+        io::stdin().lock().take(limit + 1).read_to_end(&mut bytes)
+    } else {
+        File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes))
+    };
+    done.map_err(|error| {
+        Failure::new(format!("the scene {name} cannot be read: {error}")).help("`sneddon scene new sphere` writes a scene to start from")
+    })?;
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Failure::new(format!("{name} is no text: byte {} is not valid UTF-8", at + 1)).help("a scene file in UTF-8 would be accepted")
+    })
+}
+
+pub(in crate::cli) fn failure(name: &str, text: &str, error: &SceneError) -> Failure {
+    let mut failure = Failure::new(error.to_string());
+    if let Some(help) = error.accepted() {
+        failure = failure.help(help);
+    }
+    match error.span() {
+        Some(span) => failure.at(name, text, span),
+        None => failure,
+    }
+}

@@ -1,0 +1,121 @@
+//! `sneddon tradeoff`: what accuracy costs, method by method.
+
+use crate::cli::output;
+use crate::cli::output::{Destination, Endings};
+use crate::cli::quantities::{Quantities, demand};
+use crate::cli::{Failure, Outcome, budget, input, points};
+use crate::contact::{ContactError, Quantity};
+use crate::expr::Bindings;
+use crate::report::{self, Tradeoff};
+use crate::tradeoff::{self, Options, Problem, TradeoffError};
+use crate::transform::{self, Evaluator, Method, TransformError};
+use std::io::Write;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Measures every method at its ladder of settings: true error, time per point, evaluations.
+///
+/// Errors are relative to a reference that is a thousand times better; a smaller error is shown as a bound.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    #[command(flatten)]
+    profile: input::ProfileArguments,
+    /// Quantity to compute; the spring foundation computes forces only.
+    #[arg(long, value_parser = Quantities(compared), default_value = "F")]
+    quantity: Quantity,
+    /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count [default: 32 seeded points within the profile's reach].
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    at: Option<String>,
+    /// The contact radius, for p.
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    radius: Option<String>,
+    /// The relative error for which advice is wanted [default: 1e-3, 1e-6, 1e-9, 1e-12 and 1e-15].
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    tol: Option<String>,
+    /// The time that the measurement may take, in seconds.
+    #[arg(long, value_name = "SECONDS", default_value = "10", allow_hyphen_values = true)]
+    budget: String,
+    /// Writes JSON.
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// Writes comma-separated values.
+    #[arg(long)]
+    csv: bool,
+    /// Writes into this file; its ending decides the format: .svg, the plot beside the answer on stdout, or .txt, .csv or .json.
+    #[arg(short, long, value_name = "PLOT.svg")]
+    output: Option<PathBuf>,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon tradeoff 'r^2/(2*R)' --set R=2 --budget 1
+  sneddon tradeoff 'ln(cosh(r))' --quantity g --tol 1e-9 --budget 1 -o ln_cosh.svg
+  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --budget 1 --csv";
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Csv,
+    Json,
+    Svg,
+}
+
+const ENDINGS: &Endings<Format> = &[("svg", Format::Svg), ("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let quantity = arguments.quantity;
+    demand(&[quantity], compared)?;
+    let units = arguments.profile.units(&[arguments.at.as_deref(), arguments.radius.as_deref()], None);
+    units.tell();
+    let at = arguments.at.as_deref().map(|list| points::read(list, &units)).transpose()?;
+    let radius = arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?;
+    if radius.is_some() && quantity != Quantity::Pressure {
+        return Err(Failure::new("--radius belongs to --quantity p").help("leave it out, or add --quantity p"));
+    }
+    let wanted = arguments.tol.as_deref().map(input::tolerance).transpose()?;
+    let budget = Duration::from_secs_f64(budget::seconds(&arguments.budget)?);
+    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
+    let answer = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Svg)?;
+    let (typed, settings) = arguments.profile.read(&units)?;
+    settings.demand_all(&typed)?;
+    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let refused = |error: TransformError| failed(error.into());
+    let profile = settings.bound_profile(&typed)?;
+    if profile.is_flat() {
+        return Err(refused(TransformError::Flat));
+    }
+    let solution = transform::derive(&profile).map_err(refused)?;
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).map_err(refused)?;
+    let study = Problem::new(&solution, &evaluator, quantity, radius, at).and_then(|problem| {
+        let usual = Options::default();
+        let options = Options { budget, wanted: wanted.map_or(usual.wanted, |own| vec![own]), ..usual };
+        tradeoff::run(problem, &options)
+    });
+    let study = study.map_err(|error| match error {
+        TradeoffError::Transform(error) => refused(error),
+        other => Failure::new(other.to_string()),
+    })?;
+    let record = Tradeoff { profile: &typed.formula, parameters: settings.values(), study: &study };
+    let has_plot = answer.format() == Format::Svg;
+    let plot = if has_plot { report::tradeoff::plot::svg(&record).map_err(Failure::new)? } else { String::new() };
+    let write = |format, out: &mut dyn Write| match format {
+        Format::Svg => out.write_all(plot.as_bytes()),
+        Format::Json => report::tradeoff::json::tradeoff(&record, out),
+        Format::Csv => report::tradeoff::csv::tradeoff(&record, out),
+        Format::Text => report::tradeoff::text::tradeoff(&record, out),
+    };
+    answer.write(write)?;
+    if has_plot {
+        output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// Checks whether `tradeoff` supports a quantity.
+fn compared(quantity: Quantity) -> Result<(), &'static str> {
+    if Problem::QUANTITIES.contains(&quantity) {
+        Ok(())
+    } else {
+        Err("tradeoff measures only g, F and p, from which the other quantities follow")
+    }
+}

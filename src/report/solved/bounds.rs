@@ -1,0 +1,51 @@
+//! Error bounds of the rows of a solved scene: the largest ones as a sentence, and columns of CSV.
+
+use crate::num::Bound;
+use crate::report::solved::text::named;
+use crate::report::text::{marked, short};
+use crate::scene::{Quantity, Row, Run};
+
+/// The largest relative error bound of every quantity over the rows.
+#[derive(Default)]
+pub(in crate::report) struct Largest(Vec<(Quantity, f64, Bound)>);
+
+impl Largest {
+    /// Takes a row into account.
+    pub(in crate::report) fn take(&mut self, run: &Run<'_>, index: usize, row: &Row) {
+        for (datum, estimate) in run.estimates(index, row) {
+            let Some(own) = estimate.filter(|own| own.value != 0.0) else { continue };
+            let relative = (own.error / own.value).abs();
+            match self.0.iter_mut().find(|known| known.0 == datum) {
+                Some((_, error, bound)) => {
+                    *error = error.max(relative);
+                    *bound = bound.and(own.bound);
+                }
+                None => self.0.push((datum, relative, own.bound)),
+            }
+        }
+    }
+
+    /// The bounds as a sentence, as in `relative error bounds: F 4.2e-16, a ~1.0e-9 (~ marks estimates)`; `None` without any.
+    pub(in crate::report) fn sentence(&self) -> Option<String> {
+        let list: Vec<String> =
+            self.0.iter().map(|(datum, error, bound)| format!("{} {}", datum.key(), marked(short(*error), *bound))).collect();
+        let legend = if self.0.iter().any(|own| own.2 == Bound::Estimated) { " (~ marks estimates)" } else { "" };
+        (!list.is_empty()).then(|| format!("relative error bounds: {}{legend}", list.join(", ")))
+    }
+}
+
+/// Names of the columns that hold the bounds: of each quantity its error bound, and what the bound rests on.
+pub(in crate::report) fn header(run: &Run<'_>) -> Vec<String> {
+    let system = &run.scene().system;
+    let pair =
+        |own: &Quantity| [named(&format!("{}_error", own.key()), &system.unit_name(own.dimension())), format!("{}_bound", own.key())];
+    run.scene().outputs.data.iter().flat_map(pair).collect()
+}
+
+/// The fields of these columns for a row; empty where no bound is known.
+pub(in crate::report) fn fields(run: &Run<'_>, index: usize, row: &Row) -> Vec<String> {
+    let pair = |own: Option<crate::num::Estimate>| {
+        own.map_or_else(Default::default, |own| [format!("{:?}", own.error), own.bound.name().to_owned()])
+    };
+    run.estimates(index, row).into_iter().flat_map(|(_, own)| pair(own)).collect()
+}

@@ -1,0 +1,260 @@
+//! What people mistake: one entry per fault, each a change of the scene or of the data that would put things right.
+
+use crate::scene::{Change, Scene};
+use crate::validate::loads::Row;
+use std::f64::consts::PI;
+
+/// What the solver took the scene for.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::validate) enum Taken {
+    /// As it is.
+    AsIs,
+    /// Something in the scene file for something else.
+    Changed(Change),
+    /// E* times a number.
+    Modulus(f64),
+    /// The parabola that touches the tip in place of f.
+    Parabola,
+}
+
+/// What stands in the data: factors of columns by which true values were multiplied.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::validate) struct Slip {
+    pub(in crate::validate) depth: f64,
+    pub(in crate::validate) force: f64,
+    pub(in crate::validate) radius: f64,
+    pub(in crate::validate) distance: f64,
+    pub(in crate::validate) pressure: f64,
+    /// Rows by which forces and radii are ahead of the depths, and forces alone.
+    pub(in crate::validate) ahead: i32,
+    pub(in crate::validate) force_ahead: i32,
+    /// Columns under the names of others.
+    pub(in crate::validate) columns: Exchange,
+}
+
+/// Columns whose names have been exchanged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::validate) enum Exchange {
+    Nothing,
+    DepthAndForce,
+    DepthAndRadius,
+    ForceAndRadius,
+    /// d holds F, F holds a and a holds d.
+    Forwards,
+    /// d holds a, F holds d and a holds F.
+    Backwards,
+    DistanceAndPressure,
+}
+
+impl Exchange {
+    /// The row under its right names; `None` where one of the columns is missing. `factors` are computed units per number of each column.
+    pub(in crate::validate) fn exchanged(self, row: &Row, factors: &Row) -> Option<Row> {
+        let (d, f, a) = (row.depth / factors.depth, row.force / factors.force, row.radius / factors.radius);
+        let (depth, force, radius) = match self {
+            Self::Nothing | Self::DistanceAndPressure => return Some(*row),
+            Self::DepthAndForce => (f, d, a),
+            Self::DepthAndRadius => (a, f, d),
+            Self::ForceAndRadius => (d, a, f),
+            Self::Forwards => (a, d, f),
+            Self::Backwards => (f, a, d),
+        };
+        let own = Row { depth: depth * factors.depth, force: force * factors.force, radius: radius * factors.radius };
+        let same = |one: f64, other: f64| one.is_nan() == other.is_nan();
+        (same(own.depth, row.depth) && same(own.force, row.force) && same(own.radius, row.radius)).then_some(own)
+    }
+}
+
+impl Slip {
+    pub(in crate::validate) const NONE: Self =
+        Self { depth: 1.0, force: 1.0, radius: 1.0, distance: 1.0, pressure: 1.0, ahead: 0, force_ahead: 0, columns: Exchange::Nothing };
+}
+
+/// A fault without a free number.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::validate) struct Fault {
+    pub(in crate::validate) id: &'static str,
+    pub(in crate::validate) text: String,
+    pub(in crate::validate) taken: Taken,
+    pub(in crate::validate) slip: Slip,
+}
+
+fn taken(id: &'static str, text: impl Into<String>, taken: Taken) -> Fault {
+    Fault { id, text: text.into(), taken, slip: Slip::NONE }
+}
+
+fn slip(id: &'static str, text: impl Into<String>, slip: Slip) -> Fault {
+    Fault { id, text: text.into(), taken: Taken::AsIs, slip }
+}
+
+/// The faults of a model: another modulus, another shape.
+pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f64>) -> Vec<Fault> {
+    let mut list = Vec::new();
+    if let Some(young) = without_poisson.filter(|own| (own / scene.effective_modulus - 1.0).abs() > 1e-6) {
+        let factor = young / scene.effective_modulus;
+        list.push(taken(
+            "modulus",
+            format!("E for E*: the data fit Young's modulus E in the place of E* = E/(1 - nu^2), which is {factor:.4} times E*"),
+            Taken::Changed(Change::NoPoisson),
+        ));
+        let text = "E* for E: the data fit E*/(1 - nu^2), as if the modulus that was given were E already divided once";
+        list.push(taken("modulus", text, Taken::Modulus(1.0 / factor)));
+    }
+    let rim = scene.rim.is_some().then(|| "radius".to_owned());
+    for name in scene.parameters.iter().cloned().chain(rim) {
+        let times = |ratio, degrees| Taken::Changed(Change::Times { name: name.clone(), ratio, degrees });
+        list.push(taken(
+            "diameter",
+            format!(
+                "diameter for radius: the data fit twice the {name} of the scene, which stands for a diameter in the place of a radius"
+            ),
+            times((2, 1), 0),
+        ));
+        list.push(taken(
+            "diameter",
+            format!("diameter for radius: the data fit half the {name} of the scene, as if that were a diameter and not a radius"),
+            times((1, 2), 0),
+        ));
+        list.push(taken(
+            "angle",
+            format!("half-opening angle for surface angle: the data fit 90 degrees minus the {name} of the scene"),
+            Taken::Changed(Change::Complement { name: name.clone() }),
+        ));
+        for (degrees, text) in [(1, "radians were read as degrees or degrees as radians"), (-1, "degrees were read as radians")] {
+            list.push(taken("unit", format!("unit slip: {text} in {name}"), times((1, 1), degrees)));
+        }
+    }
+    for (factor, text) in [
+        (0.5, "the data fit half of E*, as for two bodies that are equally elastic, or for E* with 1/2 in the place of 1"),
+        (2.0, "the data fit twice E*"),
+    ] {
+        list.push(taken("modulus", text, Taken::Modulus(factor)));
+    }
+    list.push(taken(
+        "profile",
+        "paraboloid for the profile: the data fit the parabola that touches the tip, not f itself",
+        Taken::Parabola,
+    ));
+    list
+}
+
+/// Powers of ten that units slip by.
+fn tens() -> impl Iterator<Item = (i32, f64)> {
+    (-12..=12).filter(|power| *power != 0).map(|power| (power, 10f64.powi(power)))
+}
+
+/// Factors of a force or a pressure that was computed with a slip.
+const FACTORS: [(&str, f64, &str); 10] = [
+    ("sign", -1.0, "tension for compression: the sign of"),
+    ("model", 0.5, "half model: half of"),
+    ("model", 2.0, "half model counted twice: twice"),
+    ("model", 0.25, "quarter model: a quarter of"),
+    ("model", 4.0, "quarter model counted 4 times: 4 times"),
+    ("pi", PI, "a missing pi: pi times"),
+    ("pi", 1.0 / PI, "a missing pi: 1/pi times"),
+    ("pi", 2.0 * PI, "a missing 2 pi: 2 pi times"),
+    ("pi", 0.5 / PI, "a missing 2 pi, as of a force per radian: 1/(2 pi) times"),
+    ("pi", 1.0 / (PI * PI), "a missing pi^2: 1/pi^2 times"),
+];
+
+/// The faults of files of loads.
+pub(in crate::validate) fn of_loads() -> Vec<Fault> {
+    let mut list = Vec::new();
+    let none = Slip::NONE;
+    for (id, force, text) in FACTORS {
+        let what = if id == "sign" { "F is turned over" } else { "the exact force stands in F" };
+        list.push(slip(id, format!("{text} {what}"), Slip { force, ..none }));
+    }
+    list.push(slip("sign", "tension for compression: depths and forces have the opposite sign", Slip { force: -1.0, depth: -1.0, ..none }));
+    list.push(slip("sign", "the depths have the opposite sign", Slip { depth: -1.0, ..none }));
+    for (power, factor) in tens() {
+        list.push(slip("unit", format!("unit slip: F is 10^{power} times too large"), Slip { force: factor, ..none }));
+        list.push(slip("unit", format!("unit slip: d is 10^{power} times too large"), Slip { depth: factor, ..none }));
+        list.push(slip("unit", format!("unit slip: a is 10^{power} times too large"), Slip { radius: factor, ..none }));
+        list.push(slip(
+            "unit",
+            format!("unit slip: d and a are 10^{power} times too large"),
+            Slip { depth: factor, radius: factor, ..none },
+        ));
+    }
+    for (factor, name) in [(9.806_65, "kgf and N"), (4.448_221_615_260_5, "lbf and N")] {
+        list.push(slip("unit", format!("unit slip: F is {factor} times too large, the ratio of {name}"), Slip { force: factor, ..none }));
+        list.push(slip(
+            "unit",
+            format!("unit slip: F is {factor} times too small, the ratio of {name}"),
+            Slip { force: 1.0 / factor, ..none },
+        ));
+    }
+    for (depth, text) in [(2.0, "twice the depth stands in d"), (0.5, "half of the depth stands in d")] {
+        list.push(slip(
+            "reference",
+            format!("depth from another reference: {text}, as of one of two equal bodies"),
+            Slip { depth, ..none },
+        ));
+    }
+    for (id, radius, text) in [
+        ("diameter", 2.0, "diameter for radius: the diameter of the contact stands in a"),
+        ("diameter", 0.5, "diameter for radius: half of the contact radius stands in a"),
+        ("pi", PI.sqrt(), "a missing pi: the square root of the contact area stands in a"),
+        ("pi", 1.0 / PI.sqrt(), "a missing pi: a/sqrt(pi) stands in a"),
+    ] {
+        list.push(slip(id, text, Slip { radius, ..none }));
+    }
+    for (columns, text) in [
+        (Exchange::DepthAndForce, "d holds the forces and F the depths"),
+        (Exchange::DepthAndRadius, "d holds the contact radii and a the depths"),
+        (Exchange::ForceAndRadius, "F holds the contact radii and a the forces"),
+        (Exchange::Forwards, "d holds the forces, F the contact radii and a the depths"),
+        (Exchange::Backwards, "d holds the contact radii, F the depths and a the forces"),
+    ] {
+        list.push(slip("swapped-columns", format!("swapped columns: {text}"), Slip { columns, ..none }));
+    }
+    for (ahead, text) in [(1, "next"), (-1, "previous")] {
+        let what = "a load level off: the rows of F and a belong to the depth of the";
+        list.push(slip("level", format!("{what} {text} row"), Slip { ahead, ..none }));
+        list.push(slip(
+            "level",
+            format!("a load level off: F belongs to the depth of the {text} row"),
+            Slip { force_ahead: ahead, ..none },
+        ));
+    }
+    list
+}
+
+/// The faults of files of pressures, whose pixel may be known; `factors` are computed units per number of the columns r and p.
+pub(in crate::validate) fn of_field(pixel: Option<f64>, (length, pressure): (f64, f64)) -> Vec<Fault> {
+    let mut list = Vec::new();
+    let none = Slip::NONE;
+    if let Some(pixel) = pixel {
+        // Computed numbers, those of the columns, and a force in computed units in the column of p.
+        for area in [pixel * pixel, (pixel / length).powi(2), pixel * pixel * pressure] {
+            let text = "force per pixel for pressure: p times the area of a pixel is in p";
+            list.push(slip("force-per-pixel", text, Slip { pressure: area, ..none }));
+        }
+    }
+    for (id, pressure, text) in FACTORS {
+        let what = if id == "sign" { "p is turned over" } else { "the exact pressure stands in p" };
+        list.push(slip(id, format!("{text} {what}"), Slip { pressure, ..none }));
+    }
+    for (power, factor) in tens() {
+        list.push(slip("unit", format!("unit slip: p is 10^{power} times too large"), Slip { pressure: factor, ..none }));
+        list.push(slip("unit", format!("unit slip: r is 10^{power} times too large"), Slip { distance: factor, ..none }));
+    }
+    for (factor, name) in [(6_894.757_293_168, "psi and Pa"), (9.806_65, "kgf and N"), (1e6 / 98_066.5, "MPa and kgf/cm^2")] {
+        list.push(slip(
+            "unit",
+            format!("unit slip: p is {factor} times too large, the ratio of {name}"),
+            Slip { pressure: factor, ..none },
+        ));
+        list.push(slip(
+            "unit",
+            format!("unit slip: p is {factor} times too small, the ratio of {name}"),
+            Slip { pressure: 1.0 / factor, ..none },
+        ));
+    }
+    for (distance, text) in [(2.0, "twice the distance stands in r"), (0.5, "half of the distance stands in r")] {
+        list.push(slip("diameter", format!("diameter for radius: {text}"), Slip { distance, ..none }));
+    }
+    let text = "swapped columns: r holds the pressures and p the distances";
+    list.push(slip("swapped-columns", text, Slip { columns: Exchange::DistanceAndPressure, ..none }));
+    list
+}

@@ -1,0 +1,414 @@
+//! The diagnosis: every known fault is put right, the exact solution computed again, and the fault named if the error then falls to that of the grid.
+
+pub(crate) mod displacement;
+pub(crate) mod hypothesis;
+pub(crate) mod placing;
+pub(crate) mod score;
+
+use super::exact::Exact;
+use super::field::Spot;
+use super::loads::Row;
+use super::record::Suspicion;
+use crate::contact::{Load, State};
+use crate::parse;
+use crate::scene::{Change, Control, Scene, scene_for_data};
+use crate::transform::Profile;
+use hypothesis::{Exchange, Fault, Slip, Taken};
+use placing::Placing;
+use score::{Gauge, Score};
+
+/// Data that failed.
+pub(super) enum Evidence {
+    Loads {
+        rows: Vec<Row>,
+        /// Computed units per number of the columns.
+        factors: Row,
+    },
+    Field {
+        spots: Vec<Spot>,
+        /// The state of the scene's load.
+        state: State,
+        /// What stays when the scene changes.
+        held: Vec<Control>,
+        /// The side of the solver's box, where it is known.
+        side: Option<f64>,
+        /// True where the box is said not to repeat.
+        free: bool,
+        /// Mistakes about the place of the axis that fit the coordinates.
+        placings: Vec<Placing>,
+        /// Computed units per number of the columns r (or x) and p.
+        factors: (f64, f64),
+    },
+}
+
+/// The error must fall by this much, and to this many times what the grid excuses.
+const FALL: f64 = 6.0;
+const SHARE: f64 = 2.0;
+/// Rows and places that a hypothesis is tried on.
+const TRIED: usize = 40;
+
+/// A hypothesis that was tried.
+struct Tried {
+    id: &'static str,
+    text: String,
+    score: Score,
+    /// Free numbers that were fitted.
+    free: bool,
+    /// True where the effect itself is known to an order only.
+    rough: bool,
+}
+
+/// Names the one fault that explains the data.
+pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &Gauge) -> Option<Suspicion> {
+    let trial = Trial { text, scene, gauge };
+    let (before, tried) = match evidence {
+        Evidence::Loads { rows, factors } => trial.loads(rows, factors)?,
+        Evidence::Field { .. } => trial.field(evidence)?,
+    };
+    chosen(before, tried)
+}
+
+fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
+    let old = |column: usize| before.and_then(|own| own.errors.get(column).copied()).unwrap_or(f64::MAX);
+    let column = before.map_or(0, |own| own.worst());
+    let error = |own: &Tried| own.score.errors.get(column).copied().unwrap_or(f64::MAX);
+    let explains = |own: &Tried| {
+        let fell = error(own) * FALL <= old(column);
+        // A coarse grid makes small errors that a free number can always follow.
+        let clear = before.is_none_or(|before| before.share() >= if own.free { 3.0 } else { 1.5 });
+        clear && fell && (own.score.share() <= SHARE || (own.rough && error(own) <= 3e-3))
+    };
+    let best = |free: bool| {
+        let all = tried.iter().filter(|own| own.free == free && explains(own));
+        // The first of the list wins among those that no grid can tell apart.
+        all.fold(None::<&Tried>, |best, own| match best {
+            Some(best) if 1.3 * own.score.share() >= best.score.share() => Some(best),
+            _ => Some(own),
+        })
+    };
+    let found = match (best(false), best(true)) {
+        (Some(fixed), Some(free)) if 3.0 * error(free) < error(fixed) && fixed.score.share() > 0.7 => free,
+        (Some(fixed), _) => fixed,
+        (None, free) => free?,
+    };
+    Some(Suspicion { id: found.id, text: found.text.clone(), before: old(column), after: error(found) })
+}
+
+/// At most so many items, evenly chosen.
+fn thinned<T: Copy>(items: &[T]) -> Vec<T> {
+    let every = items.len().div_ceil(TRIED).max(1);
+    items.iter().copied().step_by(every).collect()
+}
+
+struct Trial<'t> {
+    text: &'t str,
+    scene: &'t Scene,
+    gauge: &'t Gauge,
+}
+
+/// What was found before, and every hypothesis that could be tried.
+type Found = (Option<Score>, Vec<Tried>);
+
+impl Trial<'_> {
+    fn loads(&self, all: &[Row], factors: &Row) -> Option<Found> {
+        let rows = &thinned(all);
+        // Neighbours are neighbours only where none is left out.
+        let neighbours = all.get(all.len().saturating_sub(TRIED)..)?;
+        let solution = self.scene.solution().ok()?;
+        let largest = score::largest(rows, self.gauge.by_force);
+        let exact = Exact::new(self.scene, &solution, largest).ok()?;
+        let before = score::loads(&exact, rows, self.gauge);
+        let mut tried = Vec::new();
+        for fault in self.faults(&hypothesis::of_loads()) {
+            let level = fault.slip.ahead != 0 || fault.slip.force_ahead != 0;
+            let rows = corrected(if level { neighbours } else { rows }, &fault.slip, factors);
+            let found = match fault.taken {
+                Taken::AsIs => {
+                    let own = Exact::new(self.scene, &solution, score::largest(&rows, self.gauge.by_force)).ok();
+                    own.and_then(|own| score::loads(&own, &rows, self.gauge))
+                }
+                _ => self.with(&fault.taken, &exact, |exact| score::loads(exact, &rows, self.gauge)),
+            };
+            tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text, score, free: false, rough: false }));
+        }
+        self.references(&exact, rows, &mut tried);
+        self.fitted(&exact, rows, &mut tried);
+        Some((before, tried))
+    }
+
+    /// Depths that are measured elsewhere: at the edge of the contact.
+    fn references(&self, exact: &Exact<'_>, rows: &[Row], tried: &mut Vec<Tried>) {
+        let moved = |change: &dyn Fn(&State, f64) -> f64| -> Vec<Row> {
+            let one = |row: &Row| {
+                let state = exact.state(Load::Force(row.force))?;
+                let height = exact.shape().profile(state.radius).ok()?.estimate.value;
+                Some(Row { depth: row.depth + change(&state, height), ..*row })
+            };
+            rows.iter().filter_map(one).collect()
+        };
+        if rows.iter().any(|row| row.depth.is_nan() || row.force.is_nan()) {
+            return;
+        }
+        let edge = moved(&|_, height| height);
+        let contact = moved(&|state, height| state.depth - height);
+        for (rows, text) in [
+            (edge, "depth from another reference: d is the displacement at the edge of the contact, d - f(a), not at the axis"),
+            (contact, "depth from another reference: d is the height f(a) of the contact alone, without the sink-in outside"),
+        ] {
+            let score = score::loads(exact, &rows, self.gauge);
+            tried.extend(score.map(|score| Tried { id: "reference", text: text.to_owned(), score, free: false, rough: false }));
+        }
+    }
+
+    /// Faults with a free number.
+    fn fitted(&self, exact: &Exact<'_>, rows: &[Row], tried: &mut Vec<Tried>) {
+        let deepest = rows.iter().map(|row| row.depth.abs()).fold(0.0, f64::max);
+        let strongest = rows.iter().map(|row| row.force.abs()).fold(0.0, f64::max);
+        if rows.len() < 3 || deepest == 0.0 || strongest == 0.0 {
+            return;
+        }
+        let score = |factor: f64| {
+            let rows: Vec<Row> = rows.iter().map(|row| Row { force: row.force / factor, ..*row }).collect();
+            score::loads(exact, &rows, self.gauge)
+        };
+        if let Some(x) = minimum(-1.0, 1.0, 81, &|x| score(10f64.powf(x)).map_or(f64::MAX, |own| own.share())) {
+            let factor = 10f64.powf(x);
+            let text = format!(
+                "another modulus: all forces are {factor:.4} times the exact ones at their depth, as for an E* {factor:.4} times that of the scene"
+            );
+            tried.extend(score(factor).map(|score| Tried { id: "modulus", text, score, free: true, rough: false }));
+        }
+        let mut fit = |id: &'static str, name: &dyn Fn(f64) -> String, change: &dyn Fn(&Row, f64) -> Row| {
+            let score = |x: f64| score::loads(exact, &rows.iter().map(|row| change(row, x)).collect::<Vec<_>>(), self.gauge);
+            let Some(x) = minimum(-0.5, 0.5, 41, &|x| score(x).map_or(f64::MAX, |own| own.share())) else { return };
+            tried.extend(score(x).map(|score| Tried { id, text: name(x), score, free: true, rough: false }));
+        };
+        let length = |x: f64| {
+            let unit = self.scene.system.unit_name(crate::scene::Dimension::LENGTH);
+            format!("{:.4e} {unit}", x * deepest * self.scene.system.out(crate::scene::Dimension::LENGTH)).trim_end().to_owned()
+        };
+        fit("reference", &|x| format!("depth from another reference: every d is too large by {}", length(x)), &|row, x| Row {
+            depth: row.depth - x * deepest,
+            ..*row
+        });
+        fit(
+            "compliance",
+            &|x| {
+                format!(
+                    "depth from another reference: d holds a part in proportion to the force, {} at the largest, as of a compliant frame or of periodic images",
+                    length(x)
+                )
+            },
+            &|row, x| Row { depth: row.depth - x * deepest * row.force / strongest, ..*row },
+        );
+        fit("tare", &|x| format!("every F is too large by {x:.4} times the largest one: its zero is another one"), &|row, x| Row {
+            force: row.force - x * strongest,
+            ..*row
+        });
+    }
+
+    fn field(&self, evidence: &Evidence) -> Option<Found> {
+        let Evidence::Field { spots, state, held, side, free, placings, factors } = evidence else { return None };
+        // Places far outside say nothing; where the unit of r has slipped the pressures tell what lies inside.
+        let inside: Vec<Spot> = spots.iter().copied().filter(|spot| spot.p != 0.0).collect();
+        let spots = thinned(if inside.len() < 8 { spots } else { &inside });
+        let solution = self.scene.solution().ok()?;
+        let exact = Exact::new(self.scene, &solution, Load::Depth(state.depth)).ok()?;
+        let before = score::field(&exact, state, &spots, self.gauge);
+        let mut tried = Vec::new();
+        for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
+            let spots = placed(&spots, &fault.slip, *factors);
+            if fault.taken == Taken::AsIs {
+                // A pixel that was read off the places has slipped with them, one that was declared has not.
+                let factor = fault.slip.distance;
+                let slipped = Gauge { margin: self.gauge.margin / factor, pixel: self.gauge.pixel.map(|h| h / factor), ..*self.gauge };
+                for gauge in [slipped, *self.gauge] {
+                    let found = score::field(&exact, state, &spots, &gauge);
+                    tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false }));
+                }
+                continue;
+            }
+            for control in held {
+                let found = self.with(&fault.taken, &exact, |exact| {
+                    let own = exact.state(held_load(*control, state))?;
+                    score::field(exact, &own, &spots, self.gauge)
+                });
+                tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false }));
+            }
+        }
+        for placing in placings {
+            let spots: Vec<Spot> = spots.iter().map(|spot| spot.at(placing.at(spot.x, spot.y))).collect();
+            let found = score::field(&exact, state, &spots, self.gauge);
+            tried.extend(found.map(|score| Tried { id: placing.id, text: placing.text.to_owned(), score, free: false, rough: false }));
+        }
+        if !free {
+            self.images(state, &spots, *side, &mut tried);
+        }
+        self.fitted_field(&exact, state, &spots, &mut tried);
+        Some((before, tried))
+    }
+
+    /// A box that repeats: its images press at the same force on a surface that they bend by c r² + e r⁴.
+    ///
+    /// A force F at the distance ρ lowers the surface by F/(πE*ρ); over a square lattice of side L the mean over the angle has
+    /// r² Σρ⁻³/4 and 9 r⁴ Σρ⁻⁵/64, where L³Σρ⁻³ = 9.0336 and L⁵Σρ⁻⁵ = 5.0903; a constant moves the depth only.
+    fn images(&self, state: &State, spots: &[Spot], side: Option<f64>, tried: &mut Vec<Tried>) {
+        let score = |side: f64| {
+            let force = state.force / (std::f64::consts::PI * self.scene.effective_modulus);
+            let (second, fourth) = (force * 9.033_6 / 4.0 / side.powi(3), force * 9.0 * 5.090_3 / 64.0 / side.powi(5));
+            let added = parse::profile(&format!("{second:e}*r^2+{fourth:e}*r^4")).ok()?;
+            let profile = Profile::new(&crate::expr::Formula::sum([self.scene.profile.typed.clone(), added])).ok()?;
+            let scene = Scene { profile, ..self.scene.clone() };
+            self.solved(&scene, Load::Force(state.force), |exact| {
+                score::field(exact, &exact.state(Load::Force(state.force))?, spots, self.gauge)
+            })
+        };
+        let a = state.radius;
+        let text = |side: f64| {
+            format!(
+                "periodic images: the data fit a box that repeats with a side of {:.3} a, with pressures too high inside, too low at the edge and the force conserved; refinement cannot cure that, a free half-space operator would",
+                side / a
+            )
+        };
+        if let Some(own) = side {
+            tried.extend(score(own).map(|score| Tried { id: "periodic", text: text(own), score, free: false, rough: true }));
+            return;
+        }
+        let fitted = minimum(2.0f64.ln(), 12.0f64.ln(), 9, &|x| score(a * x.exp()).map_or(f64::MAX, |own| own.share()));
+        if let Some(own) = fitted.map(|x| a * x.exp()) {
+            tried.extend(score(own).map(|score| Tried { id: "periodic", text: text(own), score, free: true, rough: true }));
+        }
+    }
+
+    fn fitted_field(&self, exact: &Exact<'_>, state: &State, spots: &[Spot], tried: &mut Vec<Tried>) {
+        let a = state.radius;
+        let share = |own: Option<Score>| own.map_or(f64::MAX, |own| own.share());
+        let length = |x: f64| {
+            let unit = self.scene.system.unit_name(crate::scene::Dimension::LENGTH);
+            format!("{:.4e} {unit}", x * self.scene.system.out(crate::scene::Dimension::LENGTH)).trim_end().to_owned()
+        };
+        let moved = |x: f64, y: f64| -> Vec<Spot> {
+            let one = |spot: &Spot| {
+                let r = if spot.y.is_nan() || spot.x.is_nan() { (spot.r - x).abs() } else { (spot.x - x).hypot(spot.y - y) };
+                Spot { r, ..*spot }
+            };
+            spots.iter().map(one).collect()
+        };
+        let score = |x: f64, y: f64| score::field(exact, state, &moved(x, y), self.gauge);
+        let planar = spots.iter().all(|spot| !spot.x.is_nan() && !spot.y.is_nan());
+        let (mut x, mut y) = (0.0, 0.0);
+        for _ in 0..if planar { 4 } else { 1 } {
+            x = minimum(-0.5 * a, 0.5 * a, 41, &|own| share(score(own, y))).unwrap_or(x);
+            if planar {
+                y = minimum(-0.5 * a, 0.5 * a, 41, &|own| share(score(x, own))).unwrap_or(y);
+            }
+        }
+        let place = if planar { format!("({}, {})", length(x), length(y)) } else { format!("r = {}", length(x)) };
+        let text = format!("a shifted origin: the axis of the data lies at {place}");
+        tried.extend(score(x, y).map(|score| Tried { id: "origin", text, score, free: true, rough: false }));
+
+        let scaled = |factor: f64| {
+            let spots: Vec<Spot> = spots.iter().map(|spot| Spot { p: spot.p / factor, ..*spot }).collect();
+            score::field(exact, state, &spots, self.gauge)
+        };
+        if let Some(x) = minimum(-1.0, 1.0, 81, &|x| share(scaled(10f64.powf(x)))) {
+            let factor = 10f64.powf(x);
+            let text = format!(
+                "another modulus: all pressures are {factor:.4} times the exact ones, as for an E* {factor:.4} times that of the scene at the same depth"
+            );
+            tried.extend(scaled(factor).map(|score| Tried { id: "modulus", text, score, free: true, rough: false }));
+        }
+        let another = |x: f64| {
+            let own = exact.state(Load::Force(state.force * x.exp()))?;
+            score::field(exact, &own, spots, self.gauge)
+        };
+        if let Some(x) = minimum(-1.6, 1.6, 41, &|x| share(another(x))) {
+            let text = format!("a load level off: the pressures belong to a force {:.4} times that of the scene's load", x.exp());
+            tried.extend(another(x).map(|score| Tried { id: "level", text, score, free: true, rough: false }));
+        }
+    }
+
+    fn faults(&self, of_data: &[Fault]) -> Vec<Fault> {
+        let without_poisson = scene_for_data(self.text, &Change::NoPoisson).ok().map(|own| own.effective_modulus);
+        let mut all = hypothesis::of_the_model(self.scene, without_poisson);
+        all.extend_from_slice(of_data);
+        all
+    }
+
+    /// Asks the exact solution of what the solver may have taken the scene for.
+    fn with<T>(&self, taken: &Taken, exact: &Exact<'_>, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
+        let scene = match taken {
+            Taken::AsIs => self.scene.clone(),
+            Taken::Changed(change) => {
+                let changed = scene_for_data(self.text, change).ok()?;
+                Scene { tip: self.scene.tip.clone(), ..changed }
+            }
+            Taken::Modulus(factor) => Scene { effective_modulus: self.scene.effective_modulus * factor, ..self.scene.clone() },
+            Taken::Parabola => {
+                let scale = self.scene.rim.unwrap_or(self.gauge.margin.max(f64::MIN_POSITIVE) * 4.0);
+                let bend = exact.bend(scale)?;
+                let profile = Profile::new(&parse::profile(&format!("{bend:e}*r^2")).ok()?).ok()?;
+                Scene { profile, ..self.scene.clone() }
+            }
+        };
+        self.solved(&scene, Load::Depth(0.0), ask)
+    }
+
+    fn solved<T>(&self, scene: &Scene, largest: Load, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
+        let solution = scene.solution().ok()?;
+        ask(&Exact::new(scene, &solution, largest).ok()?)
+    }
+}
+
+fn held_load(control: Control, state: &State) -> Load {
+    match control {
+        Control::Depth => Load::Depth(state.depth),
+        Control::Force => Load::Force(state.force),
+        Control::ContactRadius => Load::Radius(state.radius),
+    }
+}
+
+/// Rows without the slip.
+fn corrected(rows: &[Row], slip: &Slip, factors: &Row) -> Vec<Row> {
+    let rows: Vec<Row> = rows.iter().filter_map(|row| slip.columns.exchanged(row, factors)).collect();
+    let at = |index: usize, ahead: i32| index.checked_add_signed(-ahead as isize).and_then(|own| rows.get(own));
+    let one = |(index, row): (usize, &Row)| {
+        let (force, radius) = (at(index, slip.ahead + slip.force_ahead)?.force, at(index, slip.ahead)?.radius);
+        Some(Row { depth: row.depth / slip.depth, force: force / slip.force, radius: radius / slip.radius })
+    };
+    rows.iter().enumerate().filter_map(one).collect()
+}
+
+/// Places without the slip.
+fn placed(spots: &[Spot], slip: &Slip, (length, pressure): (f64, f64)) -> Vec<Spot> {
+    let one = |spot: &Spot| match slip.columns {
+        Exchange::DistanceAndPressure => Spot { r: (spot.p / pressure * length).abs(), p: spot.r / length * pressure, ..*spot },
+        _ => Spot { r: spot.r / slip.distance, p: spot.p / slip.pressure, ..*spot },
+    };
+    spots.iter().map(one).collect()
+}
+
+/// The smallest value of a function over an interval: the best of evenly spaced trials, made sharp by golden sections.
+fn minimum(low: f64, high: f64, trials: u32, f: &dyn Fn(f64) -> f64) -> Option<f64> {
+    let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(trials - 1);
+    let best = (0..trials).map(|index| (index, f(at(index)))).min_by(|one, other| one.1.total_cmp(&other.1))?;
+    if best.1 == f64::MAX {
+        return None;
+    }
+    let (mut left, mut right) = (at(best.0.saturating_sub(1)), at((best.0 + 1).min(trials - 1)));
+    let golden = 0.5 * (5f64.sqrt() - 1.0);
+    let (mut inner, mut outer) = (right - golden * (right - left), left + golden * (right - left));
+    let (mut f_inner, mut f_outer) = (f(inner), f(outer));
+    for _ in 0..28 {
+        if f_inner <= f_outer {
+            (right, outer, f_outer) = (outer, inner, f_inner);
+            inner = right - golden * (right - left);
+            f_inner = f(inner);
+        } else {
+            (left, inner, f_inner) = (inner, outer, f_outer);
+            outer = left + golden * (right - left);
+            f_outer = f(outer);
+        }
+    }
+    Some(0.5 * (left + right))
+}

@@ -1,0 +1,110 @@
+//! How well data fit an exact solution: the L2 error, alone and in units of what the grid excuses.
+
+use crate::contact::{Boundary, Load, State};
+use crate::validate::exact::{Exact, Pressures};
+use crate::validate::field::{Region, Spot, excused, places};
+use crate::validate::loads::{BLIND_RADIUS, Judge, Row};
+use crate::validate::norms::Norms;
+
+/// What is known of the grid of the data that are scored.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::validate) struct Gauge {
+    pub(in crate::validate) pixel: Option<f64>,
+    /// The distance that pressures keep from singular places.
+    pub(in crate::validate) margin: f64,
+    /// The pixel over which pressures are means.
+    pub(in crate::validate) mean_over: Option<f64>,
+    pub(in crate::validate) solver: f64,
+    /// True where the solver controlled the force.
+    pub(in crate::validate) by_force: bool,
+}
+
+/// Errors of the columns that decide: force (or depth, or pressure), and contact radius.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::validate) struct Score {
+    /// L2 errors.
+    pub(in crate::validate) errors: [f64; 2],
+    /// The same over what the grid excuses.
+    pub(in crate::validate) shares: [f64; 2],
+}
+
+impl Score {
+    /// The column that is farthest from its tolerance.
+    pub(in crate::validate) fn worst(&self) -> usize {
+        usize::from(self.shares[1] > self.shares[0])
+    }
+
+    pub(in crate::validate) fn share(&self) -> f64 {
+        self.shares[0].max(self.shares[1])
+    }
+}
+
+/// The load of a row, as the solver controlled it.
+fn load(row: &Row, by_force: bool) -> Load {
+    if row.depth.is_nan() || (by_force && !row.force.is_nan()) { Load::Force(row.force) } else { Load::Depth(row.depth) }
+}
+
+/// The largest load of rows.
+pub(in crate::validate) fn largest(rows: &[Row], by_force: bool) -> Load {
+    let size = |row: &Row| match load(row, by_force) {
+        Load::Depth(own) | Load::Force(own) | Load::Radius(own) => own,
+    };
+    rows.iter().max_by(|one, other| size(one).total_cmp(&size(other))).map_or(Load::Depth(0.0), |row| load(row, by_force))
+}
+
+/// The score of rows of loads; `None` where most loads have no contact.
+pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
+    let judge = Judge { demanded: None, solver: gauge.solver };
+    let (mut main, mut radius, mut lost) = (Norms::new(true), Norms::new(true), 0);
+    for row in rows {
+        let load = load(row, gauge.by_force);
+        let Some(state) = exact.state(load) else {
+            lost += 1;
+            continue;
+        };
+        let allowed = judge.allowed(gauge.pixel, &state);
+        match load {
+            Load::Depth(_) if !row.force.is_nan() => main.add(0.0, 0.0, row.force, state.force, allowed),
+            Load::Force(_) if !row.depth.is_nan() => main.add(0.0, 0.0, row.depth, exact.depth(&state), allowed),
+            _ => {}
+        }
+        if !row.radius.is_nan() {
+            let half = gauge.pixel.map_or(BLIND_RADIUS, |h| if state.radius > h { 0.5 * h / state.radius } else { 0.5 });
+            radius.add(0.0, 0.0, row.radius, state.radius, half);
+        }
+    }
+    if 4 * lost > rows.len() || (main.rows == 0 && radius.rows == 0) {
+        return None;
+    }
+    let share = |own: &Norms| if own.rows == 0 { 0.0 } else { crate::validate::norms::ratio(own.l2(), own.allowed()) };
+    Some(Score { errors: [main.l2(), radius.l2()], shares: [share(&main), share(&radius)] })
+}
+
+/// The score of pressures under a state; `None` where hardly any place is left to compare.
+pub(in crate::validate) fn field(exact: &Exact<'_>, state: &State, spots: &[Spot], gauge: &Gauge) -> Option<Score> {
+    let a = state.radius;
+    let region = Region::new(a, gauge.margin, &exact.sharp(a));
+    let inside: Vec<&Spot> = spots.iter().filter(|spot| region.holds(spot.r)).collect();
+    if 3 * inside.len() < spots.len() || inside.len() < 3 || a <= 0.0 {
+        return None;
+    }
+    let formula = exact.formula();
+    let pressures = Pressures::new(exact, formula.as_ref(), state, inside.len() as u64);
+    let (mut wanted, mut found) = (Vec::new(), Vec::new());
+    inside.iter().for_each(|spot| places(spot.r, gauge.mean_over, &mut wanted));
+    pressures.at(&wanted, &mut found);
+    let each = if gauge.mean_over.is_some() { 2 } else { 1 };
+    let mut norms = Norms::new(false);
+    for (spot, exact) in inside.iter().zip(found.chunks(each)) {
+        let exact = exact.iter().sum::<f64>() / each as f64;
+        if exact.is_finite() {
+            let allowed = excused(spot.r, &region, gauge.pixel, state.boundary == Boundary::Rim);
+            norms.add(0.0, 0.0, spot.p, exact, allowed + gauge.solver);
+        }
+    }
+    // A contact that lies inside of all places explains nothing.
+    if norms.rows < 3 || norms.allowed() == 0.0 {
+        return None;
+    }
+    Some(Score { errors: [norms.l2(), 0.0], shares: [crate::validate::norms::ratio(norms.l2(), norms.allowed()), 0.0] })
+}

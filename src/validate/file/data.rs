@@ -1,0 +1,103 @@
+//! Data to compare: a file, or the rows of one load in it.
+
+use crate::scene::Scene;
+use crate::validate::ValidationError;
+use crate::validate::file::array::{NPY, NPZ, arrays};
+use crate::validate::file::column::Kind;
+use crate::validate::file::layout::{Columns, Layout, columns};
+use crate::validate::file::stacked;
+use crate::validate::file::table::{Table, unreadable};
+use std::io::{self, BufRead, BufReader, Read};
+use std::rc::Rc;
+
+/// A file of data that can be opened more than once.
+pub struct Source<'a> {
+    /// Its name, for errors and answers.
+    pub name: String,
+    /// Opens it at its beginning.
+    pub open: Box<dyn Fn() -> io::Result<Box<dyn Read>> + 'a>,
+}
+
+/// A file, or the rows of one load in a file with places of several loads.
+pub(in crate::validate) struct Data<'s> {
+    pub(in crate::validate) source: &'s Source<'s>,
+    pub(in crate::validate) layout: &'s Layout,
+    /// The arrays of a file that is not text.
+    pub(in crate::validate) arrays: Option<Rc<Columns>>,
+    /// The column of loads, and the load in the unit of the file.
+    pub(in crate::validate) load: Option<(Kind, f64)>,
+}
+
+/// Maximum length in bytes of a file that is read as a whole.
+const LARGEST: u64 = 1_000_000_000;
+/// Maximum number of loads in a file of places.
+const MOST_LOADS: usize = 1000;
+
+impl<'s> Data<'s> {
+    /// Returns the data of a file, split by its loads if it holds places of several loads.
+    pub(in crate::validate) fn of(source: &'s Source<'s>, layout: &'s Layout, scene: &Scene) -> Result<Vec<Self>, ValidationError> {
+        let mut whole = Self { source, layout, arrays: None, load: None };
+        let mut file = whole.reader()?;
+        let begin = file.fill_buf().map_err(|error| unreadable(&source.name, None, &error))?;
+        let is_numpy = begin.starts_with(NPY) || begin.starts_with(NPZ);
+        let is_json = begin.trim_ascii_start().starts_with(b"{");
+        if is_numpy || is_json {
+            let mut bytes = Vec::new();
+            file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| unreadable(&source.name, None, &error))?;
+            if bytes.len() as u64 > LARGEST {
+                let message = format!("the file is longer than the {LARGEST} bytes that are read of JSON and of NumPy's formats");
+                return Err(ValidationError::data(&source.name, None, message, "a CSV file of any length would be accepted"));
+            }
+            let own = if is_json { stacked::json(&source.name, &bytes, layout)? } else { of_numpy(&source.name, bytes, layout, scene)? };
+            whole.arrays = Some(Rc::new(own));
+        }
+        let Some((kind, loads)) = whole.loads()? else { return Ok(vec![whole]) };
+        if loads.len() < 2 && scene.loads.len() == 1 {
+            return Ok(vec![whole]);
+        }
+        Ok(loads.into_iter().map(|load| Self { arrays: whole.arrays.clone(), load: Some((kind, load)), ..whole }).collect())
+    }
+
+    /// Opens the file at its beginning.
+    pub(in crate::validate) fn reader(&self) -> Result<BufReader<Box<dyn Read>>, ValidationError> {
+        let file = (self.source.open)().map_err(|error| unreadable(&self.source.name, None, &error))?;
+        Ok(BufReader::with_capacity(1 << 16, file))
+    }
+
+    /// Returns the loads of a file of places, each of which has several rows in sequence; `None` if it is another file.
+    fn loads(&self) -> Result<Option<(Kind, Vec<f64>)>, ValidationError> {
+        let mut table = Table::open(self)?;
+        let has = |kind: Kind| table.index(kind).is_some();
+        let places = (has(Kind::Distance) || has(Kind::X)) && table.columns.iter().any(|own| own.kind.is_field());
+        let kinds: &[Kind] = if self.arrays.is_some() { &[Kind::Depth, Kind::Force, Kind::ContactRadius] } else { &[Kind::Depth] };
+        let found = kinds.iter().find_map(|kind| Some((*kind, table.index(*kind)?)));
+        let (true, Some((kind, index))) = (places, found) else { return Ok(None) };
+        let (mut loads, mut rows, mut row): (Vec<f64>, usize, _) = (Vec::new(), 0, Vec::new());
+        while table.next(&mut row)?.is_some() {
+            let load = row.get(index).copied().unwrap_or(f64::NAN);
+            rows += 1;
+            if loads.last() == Some(&load) {
+                continue;
+            }
+            // Something else of this name that changes from place to place.
+            if loads.contains(&load) || rows < 2 * loads.len() {
+                return Ok(None);
+            }
+            loads.push(load);
+            if loads.len() > MOST_LOADS {
+                let message = format!("the file has places of more than {MOST_LOADS} loads");
+                return Err(ValidationError::data(&self.source.name, None, message, "a file with fewer loads would be accepted"));
+            }
+        }
+        Ok((!loads.is_empty() && rows >= 2 * loads.len()).then_some((kind, loads)))
+    }
+}
+
+fn of_numpy(name: &str, bytes: Vec<u8>, layout: &Layout, scene: &Scene) -> Result<Columns, ValidationError> {
+    let stem = std::path::Path::new(name).file_stem().and_then(|own| own.to_str()).unwrap_or("array");
+    let arrays = arrays(name, stem, bytes)?;
+    match arrays.as_slice() {
+        [only] if stacked::is_reference(&only.shape) => stacked::npy(name, only, layout, scene),
+        _ => columns(name, arrays, layout),
+    }
+}

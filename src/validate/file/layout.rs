@@ -1,0 +1,273 @@
+//! What the user says of files of data (which column is what, how large the box is, where its axis lies), and arrays as columns.
+
+use crate::validate::ValidationError;
+use crate::validate::file::array::Array;
+use crate::validate::file::column::{Kind, Reading, read};
+
+/// Where the axis lies in a solver's box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Coordinates begin in a corner of the box; the axis is in its middle.
+    Corner,
+    /// The axis is in the middle of the box, between pixels.
+    Centre,
+    /// The axis is on the centre of the pixel in the middle of the box.
+    Pixel,
+}
+
+/// What the user says of the files.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layout {
+    /// Symbol of a quantity, perhaps with its unit, and name of the column that has it.
+    pub map: Vec<(String, String)>,
+    /// The side of the box, in computed units.
+    pub side: Option<f64>,
+    /// The side of the box, in the unit of length of the scene's answers.
+    pub shown_side: Option<f64>,
+    /// Where the axis lies.
+    pub origin: Option<Origin>,
+    /// True if the user gives the radii of an array, which then are the radii of the scene's outputs.
+    pub radii: bool,
+}
+
+impl Layout {
+    /// Checks the symbols of the map.
+    ///
+    /// # Errors
+    /// [`ValidationError::Request`] for a symbol that is not known, and for a column that is mapped twice.
+    pub fn checked(self) -> Result<Self, ValidationError> {
+        match self.map.iter().find(|(symbol, _)| !matches!(read(symbol, 0), Reading::Known(_))) {
+            Some((symbol, column)) => Err(ValidationError::request(
+                format!("--map {symbol}={column}: {symbol:?} is not a quantity that can be compared"),
+                "one of d, F, a, A, r, x, y, p, u, u+c, f and g, perhaps with a unit as in p_GPa, would be accepted",
+            )),
+            None => match self.map.iter().enumerate().find(|(index, own)| self.map.iter().take(*index).any(|other| other.1 == own.1)) {
+                Some((_, (symbol, column))) => Err(ValidationError::request(
+                    format!("--map {symbol}={column}: the column {column} is mapped already"),
+                    "each column once would be accepted",
+                )),
+                None => Ok(self),
+            },
+        }
+    }
+
+    /// How a column of this name is read.
+    pub(in crate::validate) fn read(&self, name: &str, index: usize) -> Reading {
+        match self.map.iter().find(|own| own.1 == name) {
+            Some((symbol, _)) => match read(symbol, index) {
+                Reading::Known(column) => Reading::Known(crate::validate::file::column::Column { name: name.to_owned(), ..column }),
+                other => other,
+            },
+            None => match read(name, index) {
+                // What the user names takes the place of what a name suggests.
+                Reading::Known(column) if self.maps(column.kind) => Reading::Unknown,
+                other => other,
+            },
+        }
+    }
+
+    /// What is wrong where the map names a column that is not among these.
+    pub(in crate::validate) fn without_column(&self, names: &[String]) -> Option<ValidationError> {
+        let (symbol, column) = self.map.iter().find(|own| !names.contains(&own.1))?;
+        let help = format!("one of {} would be accepted", names.join(", "));
+        Some(ValidationError::request(format!("--map {symbol}={column}: no file has a column {column:?}"), help))
+    }
+
+    fn maps(&self, kind: Kind) -> bool {
+        self.map.iter().any(|own| matches!(read(&own.0, 0), Reading::Known(column) if column.kind == kind))
+    }
+
+    /// Whether columns are named by their numbers.
+    pub(in crate::validate) fn by_number(&self) -> bool {
+        self.map.iter().any(|own| own.1.parse::<usize>().is_ok())
+    }
+}
+
+/// Columns of equal length.
+pub(in crate::validate) struct Columns {
+    pub(in crate::validate) names: Vec<String>,
+    pub(in crate::validate) values: Vec<Vec<f64>>,
+    pub(in crate::validate) notes: Vec<String>,
+    /// True where the places were made from the box, about the axis.
+    pub(in crate::validate) placed: bool,
+    /// Whether pressures are means over cells, where the file says so.
+    pub(in crate::validate) cells: Option<bool>,
+    /// True if the places are the radii of the scene's outputs.
+    pub(in crate::validate) radii: bool,
+}
+
+/// Fewest rows and columns of an array that is a field unless it is said to be a table.
+const FIELD: usize = 9;
+
+/// The columns that the arrays of a file are.
+pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &Layout) -> Result<Columns, ValidationError> {
+    for own in &mut arrays {
+        if own.shape.len() > 1 {
+            own.shape.retain(|size| *size != 1);
+        }
+    }
+    let units: Vec<(String, String)> = arrays.iter().filter_map(|own| Some((own.name.clone(), own.text.clone()?))).collect();
+    let mut notes = Vec::new();
+    let mut numbers: Vec<Array> = arrays.into_iter().filter(|own| own.text.is_none() && !own.shape.is_empty()).collect();
+    // Places of the curves that `solve -o x.npz` writes.
+    if !numbers.iter().any(|own| matches!(own.name.as_str(), "r" | "x")) {
+        for name in ["p", "u"] {
+            if let Some(own) = numbers.iter_mut().find(|own| own.name == format!("{name}_at")) {
+                own.name = "r".to_owned();
+                break;
+            }
+        }
+    }
+    numbers.retain(|own| !(own.name.ends_with("_error") || own.name.ends_with("_at") || own.name == "valid"));
+    if let [only] = numbers.as_slice()
+        && only.shape.len() == 3
+    {
+        numbers = layers(only);
+        if layout.map.is_empty() {
+            let message = format!("the array holds {} fields without names", numbers.len());
+            return Err(ValidationError::data(file, None, message, "--map x=1 --map y=2 --map p=3, which names them, would be accepted"));
+        }
+    }
+    if let [only] = numbers.as_mut_slice()
+        && let [rows, columns] = *only.shape
+    {
+        let known = matches!(layout.read(&only.name, 0), Reading::Known(_));
+        if !known && (rows.min(columns) < FIELD || layout.by_number()) {
+            // Few rows of many numbers are arrays that were stacked; else each column is a quantity.
+            let stacked = rows < FIELD && rows < columns;
+            let values = match stacked {
+                true => only.values.chunks(columns).map(<[f64]>::to_vec).collect(),
+                false => (0..columns).map(|column| only.values.iter().skip(column).step_by(columns).copied().collect()).collect(),
+            };
+            let names = (1..=if stacked { rows } else { columns }).map(|own| own.to_string()).collect();
+            return Ok(Columns { names, values, notes, placed: false, cells: None, radii: false });
+        }
+        if !known {
+            notes.push(format!("the array {:?} is read as p; --map u={} would read it as u", only.name, only.name));
+            only.name = "p".to_owned();
+        }
+    }
+    let kind = |own: &Array| match layout.read(&own.name, 0) {
+        Reading::Known(column) => Some(column.kind),
+        _ => None,
+    };
+    let field = numbers.iter().find(|own| own.shape.len() == 2 && kind(own).is_some_and(Kind::is_field));
+    let mut columns = Columns { names: Vec::new(), values: Vec::new(), notes, placed: false, cells: None, radii: false };
+    let mut add = |name: &str, values: Vec<f64>| {
+        let unit = units.iter().find(|own| own.0 == format!("{name}_unit")).map(|own| own.1.as_str()).filter(|own| !own.is_empty());
+        columns.names.push(unit.map_or_else(|| name.to_owned(), |unit| format!("{name}_{unit}")));
+        columns.values.push(values);
+    };
+    let Some(shape) = field.map(|own| own.shape.clone()) else {
+        let length = numbers.iter().filter(|own| kind(own).is_some()).map(|own| own.values.len()).max().unwrap_or(0);
+        for own in &numbers {
+            if own.values.len() == length && own.shape.len() == 1 {
+                add(&own.name, own.values.clone());
+            } else if kind(own).is_some() {
+                let shape = own.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
+                return Err(ValidationError::data(
+                    file,
+                    None,
+                    format!("array {} has the shape {shape}, and another one has {length} numbers", own.name),
+                    "arrays of one length, or fields of one shape with x and y or a box, would be accepted",
+                ));
+            }
+        }
+        return Ok(columns);
+    };
+    let [rows, across] = *shape.as_slice() else { return Ok(columns) };
+    let of = |wanted: Kind| numbers.iter().find(|own| kind(own) == Some(wanted));
+    let (x, y, r) = (of(Kind::X), of(Kind::Y), of(Kind::Distance));
+    let every = |place: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
+        (0..rows).flat_map(|i| (0..across).map(move |j| (i, j))).map(|(i, j)| place(i, j)).collect()
+    };
+    let at = |own: &Array, index: usize| own.values.get(index).copied().unwrap_or(f64::NAN);
+    match (x, y, r, layout.shown_side) {
+        (Some(x), Some(y), _, _) if x.shape == shape && y.shape == shape => {
+            add(&x.name, x.values.clone());
+            add(&y.name, y.values.clone());
+        }
+        (Some(x), Some(y), _, _) if x.shape == [across] && y.shape == [rows] => {
+            add(&x.name, every(&|_, j| at(x, j)));
+            add(&y.name, every(&|i, _| at(y, i)));
+        }
+        (Some(x), Some(y), _, _) if x.shape == [rows] && y.shape == [across] => {
+            add(&x.name, every(&|i, _| at(x, i)));
+            add(&y.name, every(&|_, j| at(y, j)));
+        }
+        (_, _, Some(r), _) if r.shape == shape => add(&r.name, r.values.clone()),
+        (None, None, None, Some(side)) => {
+            let field = field.map_or(&[][..], |own| &own.values);
+            let (up, right) = middle(field, rows, across, layout.origin);
+            add("x", every(&|_, j| (j as f64 - right) * side / across as f64));
+            add("y", every(&|i, _| (i as f64 - up) * side / rows as f64));
+            let pixel = right == (across / 2) as f64 && up == (rows / 2) as f64;
+            let place = if pixel { "on the centre of the pixel" } else { "between the pixels" };
+            columns.placed = true;
+            columns.notes.push(format!("the axis is taken to lie {place} in the middle of the box"));
+        }
+        _ => {
+            let shape = format!("{rows} x {across}");
+            return Err(ValidationError::data(
+                file,
+                None,
+                format!("a field of {shape} numbers has no places"),
+                "x and y of this shape or one of each along its sides, or --box \"8 um\", the side of the domain, would be accepted",
+            ));
+        }
+    }
+    for own in &numbers {
+        let placed = matches!(kind(own), Some(Kind::X | Kind::Y | Kind::Distance));
+        if own.shape == shape && !placed {
+            let unit = units.iter().find(|unit| unit.0 == format!("{}_unit", own.name)).map(|unit| unit.1.as_str());
+            columns.names.push(unit.filter(|own| !own.is_empty()).map_or_else(|| own.name.clone(), |unit| format!("{}_{unit}", own.name)));
+            columns.values.push(own.values.clone());
+        }
+    }
+    Ok(columns)
+}
+
+/// The fields that an array with three indices holds, named by their numbers, from 1 on.
+fn layers(array: &Array) -> Vec<Array> {
+    let shape = array.shape.get(1..).unwrap_or_default();
+    let each = shape.iter().product::<usize>().max(1);
+    let layer = |(index, values): (usize, &[f64])| Array {
+        name: (index + 1).to_string(),
+        shape: shape.to_vec(),
+        values: values.to_vec(),
+        text: None,
+    };
+    array.values.chunks(each).enumerate().map(layer).collect()
+}
+
+/// Row and column of the axis: what is declared, else the middle about which the field is more nearly symmetric.
+///
+/// Displacements do not vanish at the edge of the box, so that their centre of mass tells little.
+fn middle(field: &[f64], rows: usize, across: usize, origin: Option<Origin>) -> (f64, f64) {
+    let pixel = ((rows / 2) as f64, (across / 2) as f64);
+    let between = (0.5 * (rows as f64 - 1.0), 0.5 * (across as f64 - 1.0));
+    match origin {
+        Some(Origin::Centre) => return between,
+        Some(Origin::Pixel | Origin::Corner) => return pixel,
+        None => {}
+    }
+    // The mean difference of values that lie opposite each other.
+    let asymmetry = |(up, right): (f64, f64)| {
+        let opposite = |middle: f64, index: usize, size: usize| {
+            let other = (2.0 * middle) as usize;
+            other.checked_sub(index).filter(|own| *own < size)
+        };
+        let (mut sum, mut pairs) = (0.0, 0_u32);
+        for (index, value) in field.iter().enumerate() {
+            let other = opposite(up, index / across, rows)
+                .zip(opposite(right, index % across, across))
+                .and_then(|(i, j)| field.get(i * across + j));
+            if let Some(difference) = other.map(|other| (value - other).abs()).filter(|own| own.is_finite()) {
+                sum += difference;
+                pairs += 1;
+            }
+        }
+        sum / f64::from(pairs)
+    };
+    if asymmetry(between) < asymmetry(pixel) { between } else { pixel }
+}

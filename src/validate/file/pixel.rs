@@ -1,0 +1,120 @@
+//! The pixel of every file: what is declared first, then what the file betrays, else only the order of the files.
+
+use crate::scene::Declared;
+use crate::validate::file::survey::{Content, Survey};
+use crate::validate::{Suspicion, ValidationError};
+
+/// What is known of a file's grid; the pixel in computed units.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::validate) struct Pixel {
+    /// Pixels along a side of the box.
+    pub(in crate::validate) grid: Option<f64>,
+    /// h.
+    pub(in crate::validate) pixel: Option<f64>,
+    /// h, or a number in proportion to it.
+    pub(in crate::validate) relative: f64,
+    /// The side of the box.
+    pub(in crate::validate) side: Option<f64>,
+    /// How many times the pixel of the data is as large as the one that box and grid make, where both are known.
+    pub(in crate::validate) mismatch: Option<f64>,
+}
+
+impl Pixel {
+    /// True where the places of the data cannot belong to the box and the grid that are declared: places may be left out, but not added.
+    fn contradicts(&self) -> bool {
+        const SLACK: f64 = 0.01;
+        self.mismatch.is_some_and(|ratio| (ratio / ratio.round().max(1.0) - 1.0).abs() > SLACK)
+    }
+}
+
+/// What is wrong with the box or the order of the files, where the places of the data contradict what is declared.
+pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> {
+    let worst = pixels.iter().find(|own| own.contradicts())?;
+    // The product of pixel and number of pixels is the same box in every file, if the numbers belong to other files.
+    let sides: Vec<f64> = pixels.iter().filter_map(|own| Some(own.pixel? * own.grid?)).collect();
+    let mut counts: Vec<f64> = pixels.iter().filter_map(|own| own.grid).collect();
+    let mut sizes: Vec<f64> = pixels.iter().filter_map(|own| own.pixel).collect();
+    counts.sort_by(f64::total_cmp);
+    sizes.sort_by(|one, other| other.total_cmp(one));
+    let sorted: Vec<f64> = counts.iter().zip(&sizes).map(|(count, size)| count * size).collect();
+    let same = |all: &[f64]| all.iter().all(|own| (own / all.first().copied().unwrap_or(1.0) - 1.0).abs() < 0.02);
+    let (id, text) = if pixels.len() > 1 && same(&sorted) && !same(&sides) {
+        let order = "files in the wrong order: the numbers of pixels fit the places of the data only in another order of the files";
+        ("file-order", order.to_owned())
+    } else {
+        let side = worst.pixel.zip(worst.grid).map_or(f64::NAN, |(pixel, count)| pixel * count);
+        let fits = format!(
+            "another box: with that grid the places of the data fit a box of {side:.6} in the scene's unit of length, not the declared one"
+        );
+        ("box", fits)
+    };
+    Some(Suspicion { id, text, before: worst.mismatch.map_or(0.0, |own| (own - 1.0).abs()), after: 0.0 })
+}
+
+/// The pixels of the files of one kind, in the order in which they were given.
+pub(in crate::validate) fn pixels(
+    surveys: &mut [&mut Survey<'_>],
+    content: Content,
+    declared: Option<&Declared>,
+    grid: &[f64],
+) -> Result<Vec<Pixel>, ValidationError> {
+    let given = if grid.is_empty() { declared.map_or(&[][..], |own| &own.grid) } else { grid };
+    let side = declared.and_then(|own| own.side);
+    if !grid.is_empty() && grid.len() != surveys.len() {
+        let what = if content == Content::Loads { "files of loads" } else { "files of pressures" };
+        let message = format!("--grid has {} numbers for {} {what}", grid.len(), surveys.len());
+        return Err(ValidationError::request(
+            message,
+            "one number per file, in the same order, such as --grid 64,128,256, would be accepted",
+        ));
+    }
+    let mut list = Vec::new();
+    for (index, survey) in surveys.iter_mut().enumerate() {
+        let count = if given.len() == surveys_len(given, grid, index) { given.get(index).copied() } else { None };
+        let betrayed = survey.lattice.map(|own| own.pixel).or(survey.counted);
+        let stated = side.zip(count).map(|(side, count)| side / count);
+        let mismatch = survey.lattice.map(|own| own.pixel).zip(stated).map(|(betrayed, stated)| betrayed / stated);
+        // What the data show is true of them, whatever is declared; contact radii tell less surely.
+        let disagrees = Pixel { mismatch, ..Pixel::default() }.contradicts();
+        let pixel = if disagrees { betrayed.or(stated) } else { stated.or(betrayed) };
+        match (stated, betrayed, survey.lattice) {
+            (Some(stated), Some(betrayed), _) if (stated / betrayed - 1.0).abs() > 0.01 => {
+                survey.notes.push(format!(
+                    "box and grid make a pixel of {stated:.6e}, the data look like one of {betrayed:.6e} (in the scene's unit of length)"
+                ));
+            }
+            (None, Some(betrayed), Some(lattice)) => {
+                survey.notes.push(format!(
+                    "inferred from the places: {}, pixel {betrayed:.6e} in the scene's unit of length",
+                    lattice.offset.text()
+                ));
+            }
+            (None, Some(betrayed), None) => {
+                survey.notes.push(format!(
+                    "inferred from the contact radii, which are counted in pixels: pixel {betrayed:.6e} in the scene's unit of length"
+                ));
+            }
+            (None, None, _) => survey.notes.push("the pixel is not known: [data] box and grid would tell it".to_owned()),
+            _ => {}
+        }
+        let side = side.or_else(|| pixel.zip(count).map(|(pixel, count)| pixel * count));
+        list.push(Pixel { grid: count, pixel, relative: 0.0, side, mismatch });
+    }
+    let all_known = list.iter().all(|own| own.pixel.is_some());
+    let all_counted = list.iter().all(|own| own.grid.is_some());
+    let mut halved = 1.0;
+    for own in &mut list {
+        own.relative = match (own.pixel, own.grid) {
+            (Some(pixel), _) if all_known => pixel,
+            (_, Some(count)) if all_counted => 1.0 / count,
+            _ => halved,
+        };
+        halved *= 0.5;
+    }
+    Ok(list)
+}
+
+/// `[data]` may name more grids than there are files, or fewer: then only those of the first files are known.
+fn surveys_len(given: &[f64], grid: &[f64], index: usize) -> usize {
+    if grid.is_empty() && index >= given.len() { usize::MAX } else { given.len() }
+}

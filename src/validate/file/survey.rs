@@ -1,0 +1,306 @@
+//! A first look at a file: what it holds, how far it reaches, and the pixel that it betrays.
+
+use crate::contact::Load;
+use crate::scene::Scene;
+use crate::validate::diagnosis::placing::Extent;
+use crate::validate::file::column::{Column, Kind};
+use crate::validate::file::data::Data;
+use crate::validate::file::lattice;
+use crate::validate::file::lattice::{Lattice, Offset};
+use crate::validate::file::layout::{Layout, Origin};
+use crate::validate::file::table::Table;
+use crate::validate::file::units::Units;
+use crate::validate::loads::Row;
+use crate::validate::{FileReport, ValidationError};
+use std::collections::BTreeSet;
+
+/// What kind of file it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::validate) enum Content {
+    /// One load per row.
+    Loads,
+    /// One place per row, all under one load.
+    Field,
+}
+
+/// What the first look found; lengths in computed units.
+pub(in crate::validate) struct Survey<'s> {
+    pub(in crate::validate) data: Data<'s>,
+    /// The coordinates of the axis in both directions.
+    axis: f64,
+    pub(in crate::validate) content: Content,
+    /// Computed numbers per number of the column.
+    pub(in crate::validate) factors: Vec<f64>,
+    pub(in crate::validate) columns: Vec<Column>,
+    pub(in crate::validate) rows: u64,
+    pub(in crate::validate) largest: Vec<f64>,
+    pub(in crate::validate) lattice: Option<Lattice>,
+    /// How far x and y reach, counted from the axis.
+    pub(in crate::validate) extent: Extent,
+    /// Whether pressures are means over cells, where the file says so.
+    pub(in crate::validate) cells: Option<bool>,
+    /// The pixel that contact radii betray.
+    pub(in crate::validate) counted: Option<f64>,
+    pub(in crate::validate) notes: Vec<String>,
+    /// Names of all columns.
+    pub(in crate::validate) names: Vec<String>,
+    /// Names of the columns that are not read.
+    pub(in crate::validate) unread: Vec<String>,
+}
+
+/// The smallest distances that are kept, and the distinct contact radii.
+const KEPT: usize = 400;
+const RADII: usize = 40;
+const HELP: &str = "columns such as d_um,F_mN,a_um for loads, or r_um,p_GPa (or x_um,y_um,p_GPa) for pressures, would be accepted";
+
+impl<'s> Survey<'s> {
+    /// Reads a file once.
+    pub(in crate::validate) fn new(data: Data<'s>, scene: &Scene, units: &mut Units) -> Result<Self, ValidationError> {
+        let (source, layout) = (data.source, data.layout);
+        let mut table = Table::open(&data)?;
+        let content = content(&source.name, &table).map_err(|error| layout.without_column(&table.names).unwrap_or(error))?;
+        let columns = table.columns.clone();
+        let mut factors = Vec::new();
+        for column in &columns {
+            factors.push(units.factor(scene, &source.name, column)?);
+        }
+        let axis = axis(&table, layout)?;
+        let places = Places { axis, ..Places::of(&table) };
+        let a = table.index(Kind::ContactRadius);
+        let load = table.index(Kind::Depth).or(table.index(Kind::Force));
+        let (mut rows, mut largest) = (0, vec![0.0_f64; columns.len()]);
+        let (mut nearest, mut xs, mut radii) = (Nearest::default(), BTreeSet::new(), Vec::new());
+        let (mut row, mut extent) = (Vec::new(), Extent::NONE);
+        while table.next(&mut row)?.is_some() {
+            rows += 1;
+            for ((value, factor), most) in row.iter_mut().zip(&factors).zip(&mut largest) {
+                *value *= factor;
+                *most = most.max(value.abs());
+            }
+            if content == Content::Field {
+                for (direction, column) in [places.x, places.y].into_iter().enumerate() {
+                    if let Some(own) = column.and_then(|own| row.get(own)) {
+                        extent.take(direction, own - axis);
+                    }
+                }
+                if let Some(r) = places.distance(&row) {
+                    nearest.take(r.abs());
+                }
+                if let (Some(x), true) = (places.x.and_then(|x| row.get(x)), xs.len() < 20 * KEPT) {
+                    xs.insert(Ordered(*x));
+                }
+            } else if let (Some(a), Some(load), true) = (a.and_then(|a| row.get(a)), load.and_then(|own| row.get(own)), radii.len() < RADII)
+                // A row before contact has no area to count.
+                && *a > 0.0
+                && radii.iter().all(|own: &(f64, f64)| own.0 != *a)
+            {
+                radii.push((*a, *load));
+            }
+        }
+        let mut notes = std::mem::take(&mut table.notes);
+        let unread = std::mem::take(&mut table.unread);
+        let names = std::mem::take(&mut table.names);
+        if rows == 0 {
+            return Err(ValidationError::data(
+                &source.name,
+                None,
+                "the file has a header and no rows",
+                "at least one row of numbers would be accepted",
+            ));
+        }
+        notes.extend(table.skipped());
+        let mut lattice = lattice::of_distances(&nearest.distinct());
+        if let (Some(gap), true) = (gap(&xs), places.x.is_some()) {
+            lattice = Some(Lattice { pixel: gap, offset: lattice.map_or(Offset::Centre, |own| own.offset) });
+        }
+        let counted = lattice::of_areas(&radii);
+        drop(table);
+        let cells = data.arrays.as_ref().and_then(|own| own.cells);
+        Ok(Self { data, axis, cells, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
+    }
+
+    /// Returns a report of this file without columns and plots.
+    pub(in crate::validate) fn report(&self, scene: &Scene, grid: Option<f64>) -> FileReport {
+        let (name, notes) = (self.name(scene), self.notes.clone());
+        FileReport { name, grid, pixel: None, rows: self.rows, columns: Vec::new(), notes, plots: Vec::new() }
+    }
+
+    /// The name of the file, with the load whose rows are read.
+    pub(in crate::validate) fn name(&self, scene: &Scene) -> String {
+        let file = &self.data.source.name;
+        self.load_name(scene).map_or_else(|| file.clone(), |load| format!("{file}, {load}"))
+    }
+
+    /// The load whose rows are read, as in `d = 0.4 um`.
+    pub(in crate::validate) fn load_name(&self, scene: &Scene) -> Option<String> {
+        let (kind, load) = self.data.load?;
+        Some(format!("{} = {load} {}", kind.symbol(), self.unit(kind, scene)).trim_end().to_owned())
+    }
+
+    /// The load whose rows are read, in computed units.
+    pub(in crate::validate) fn load_value(&self) -> Option<f64> {
+        let (kind, load) = self.data.load?;
+        Some(load * self.factors.get(self.index(kind)?)?)
+    }
+
+    /// The load whose rows are read; `None` if it is that of the scene.
+    pub(in crate::validate) fn load(&self) -> Option<Load> {
+        let value = self.load_value()?;
+        Some(match self.data.load?.0 {
+            Kind::Force => Load::Force(value),
+            Kind::ContactRadius => Load::Radius(value),
+            _ => Load::Depth(value),
+        })
+    }
+
+    /// The place of a kind of column.
+    pub(in crate::validate) fn index(&self, kind: Kind) -> Option<usize> {
+        self.columns.iter().position(|own| own.kind == kind)
+    }
+
+    /// The largest absolute value of a kind of column.
+    pub(in crate::validate) fn largest(&self, kind: Kind) -> Option<f64> {
+        self.index(kind).and_then(|own| self.largest.get(own)).copied()
+    }
+
+    /// The number in the unit of the data.
+    pub(in crate::validate) fn shown(&self, kind: Kind, computed: f64) -> f64 {
+        self.index(kind).and_then(|own| self.factors.get(own)).map_or(computed, |factor| computed / factor)
+    }
+
+    /// The unit of a kind of column as the file names it.
+    pub(in crate::validate) fn unit(&self, kind: Kind, scene: &Scene) -> String {
+        let own = self.columns.iter().find(|own| own.kind == kind);
+        own.and_then(|own| own.unit.as_ref()).map_or_else(|| scene.system.unit_name(kind.dimension()), |unit| unit.name().to_owned())
+    }
+
+    /// Computed units per number of the columns d, F and a.
+    pub(in crate::validate) fn row_factors(&self) -> Row {
+        let factor = |kind: Kind| self.index(kind).and_then(|own| self.factors.get(own)).copied().unwrap_or(1.0);
+        Row { depth: factor(Kind::Depth), force: factor(Kind::Force), radius: factor(Kind::ContactRadius) }
+    }
+
+    /// Computed units per number of the columns r (or x) and p.
+    pub(in crate::validate) fn place_factors(&self) -> (f64, f64) {
+        let factor = |kind: Kind| self.index(kind).and_then(|own| self.factors.get(own)).copied();
+        (factor(Kind::Distance).or(factor(Kind::X)).unwrap_or(1.0), factor(Kind::Pressure).unwrap_or(1.0))
+    }
+
+    /// Where the distances to the axis stand.
+    pub(in crate::validate) fn places(&self) -> Places {
+        Places { r: self.index(Kind::Distance), x: self.index(Kind::X), y: self.index(Kind::Y), axis: self.axis }
+    }
+}
+
+/// The columns that say where a row is.
+#[derive(Clone, Copy)]
+pub(in crate::validate) struct Places {
+    pub(in crate::validate) r: Option<usize>,
+    pub(in crate::validate) x: Option<usize>,
+    pub(in crate::validate) y: Option<usize>,
+    /// The coordinate of the axis in both directions.
+    pub(in crate::validate) axis: f64,
+}
+
+impl Places {
+    fn of(table: &Table<'_>) -> Self {
+        Self { r: table.index(Kind::Distance), x: table.index(Kind::X), y: table.index(Kind::Y), axis: 0.0 }
+    }
+
+    /// The distance of a row to the axis.
+    pub(in crate::validate) fn distance(&self, row: &[f64]) -> Option<f64> {
+        match (self.r, self.x, self.y) {
+            (Some(r), _, _) => row.get(r).copied(),
+            (None, Some(x), Some(y)) => Some((row.get(x)? - self.axis).hypot(row.get(y)? - self.axis)),
+            (None, Some(x), None) => row.get(x).map(|x| (x - self.axis).abs()),
+            _ => None,
+        }
+    }
+}
+
+/// The coordinate of the axis where coordinates begin in a corner of the box.
+fn axis(table: &Table<'_>, layout: &Layout) -> Result<f64, ValidationError> {
+    if layout.origin != Some(Origin::Corner) || table.placed || table.index(Kind::X).is_none() {
+        return Ok(0.0);
+    }
+    layout.side.map(|side| 0.5 * side).ok_or_else(|| {
+        let message = "coordinates that begin in a corner need the box, in the middle of which the axis lies";
+        ValidationError::request(message, "--box \"8 um\", the side of the domain, would be accepted")
+    })
+}
+
+fn content(file: &str, table: &Table<'_>) -> Result<Content, ValidationError> {
+    let has = |kind: Kind| table.index(kind).is_some();
+    let names: Vec<&str> = table.columns.iter().map(|own| own.name.as_str()).collect();
+    let found = if names.is_empty() { "no column is known".to_owned() } else { format!("the columns {} are known", names.join(", ")) };
+    let missing = |what: &str| ValidationError::data(file, None, format!("{what}: {found}"), HELP);
+    let place = has(Kind::Distance) || has(Kind::X);
+    let values = table.columns.iter().any(|own| own.kind.is_field());
+    let loads = [Kind::Depth, Kind::Force, Kind::ContactRadius].into_iter().filter(|own| has(*own)).count();
+    match (place, values, loads) {
+        (true, true, _) => Ok(Content::Field),
+        (false, true, 0) => Err(missing("there is no column r, or x and y, for the places of the pressures")),
+        (true, false, 0) => Err(missing("there is no column p or u")),
+        (_, _, 0) => Err(missing("there is nothing to compare")),
+        (_, _, 1) => Err(missing("at least two of d, F and a are needed")),
+        _ => Ok(Content::Loads),
+    }
+}
+
+/// A number in a sorted set.
+#[derive(Clone, Copy, PartialEq)]
+struct Ordered(f64);
+
+impl Eq for Ordered {}
+
+impl PartialOrd for Ordered {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Ordered {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+/// The smallest distances of a file, as many as are kept.
+#[derive(Default)]
+struct Nearest {
+    kept: BTreeSet<Ordered>,
+}
+
+impl Nearest {
+    fn take(&mut self, r: f64) {
+        let full = self.kept.len() >= KEPT;
+        if full && self.kept.last().is_some_and(|last| r >= last.0) {
+            return;
+        }
+        self.kept.insert(Ordered(r));
+        if self.kept.len() > KEPT {
+            self.kept.pop_last();
+        }
+    }
+
+    /// Without those that differ by rounding only.
+    fn distinct(&self) -> Vec<f64> {
+        let scale = self.kept.last().map_or(0.0, |own| own.0);
+        let mut all: Vec<f64> = self.kept.iter().map(|own| own.0).collect();
+        all.dedup_by(|one, other| (*one - *other).abs() <= 1e-7 * scale);
+        if let Some(first) = all.first_mut()
+            && *first <= 1e-9 * scale
+        {
+            *first = 0.0;
+        }
+        all
+    }
+}
+
+/// The smallest distance between two of the coordinates.
+fn gap(xs: &BTreeSet<Ordered>) -> Option<f64> {
+    let scale = xs.first()?.0.abs().max(xs.last()?.0.abs());
+    let all: Vec<f64> = xs.iter().map(|own| own.0).collect();
+    let gaps = all.windows(2).map(|pair| pair[1] - pair[0]).filter(|own| *own > 1e-7 * scale);
+    gaps.min_by(f64::total_cmp)
+}

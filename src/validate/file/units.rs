@@ -1,0 +1,63 @@
+//! The units of the data's columns in those of the scene.
+
+use crate::scene::{Dimension, Scene, Unit};
+use crate::validate::ValidationError;
+use crate::validate::file::column::Column;
+
+/// What a scene of bare numbers takes for its units: those of the data that come first.
+#[derive(Default)]
+pub(in crate::validate) struct Units {
+    length: Option<Unit>,
+    force: Option<Unit>,
+    pressure: Option<Unit>,
+    pub(in crate::validate) note: Option<String>,
+}
+
+impl Units {
+    /// The number by which a value of the column becomes one of the scene.
+    pub(in crate::validate) fn factor(&mut self, scene: &Scene, file: &str, column: &Column) -> Result<f64, ValidationError> {
+        let dimension = column.kind.dimension();
+        let Some(unit) = &column.unit else { return Ok(1.0 / scene.system.out(dimension)) };
+        if let Some(factor) = scene.system.computed(unit) {
+            return Ok(factor);
+        }
+        let bad = || {
+            let message = format!("the unit of column {} is out of proportion to those of the scene", column.name);
+            ValidationError::data(file, None, message, "a scene whose numbers carry units would be accepted")
+        };
+        let own = self.own(unit, dimension).ok_or_else(bad)?;
+        let factor = (unit.factor() / &own).as_number().map(crate::expr::Number::to_f64);
+        factor.filter(|own| own.is_finite() && *own > 0.0).ok_or_else(bad)
+    }
+
+    /// The scene's unit of a dimension; the first one that the data name is taken.
+    fn own(&mut self, unit: &Unit, dimension: Dimension) -> Option<crate::expr::Expr> {
+        let square = |own: &Unit| own.factor().power(2);
+        let derived = match dimension {
+            own if own == Dimension::FORCE => self.pressure.as_ref().zip(self.length.as_ref()).map(|(p, l)| p.factor() * square(l)),
+            own if own == Dimension::PRESSURE => self.force.as_ref().zip(self.length.as_ref()).map(|(f, l)| f.factor() / square(l)),
+            own if own == Dimension::LENGTH => None,
+            _ => return None,
+        };
+        let place = match dimension {
+            own if own == Dimension::FORCE => &mut self.force,
+            own if own == Dimension::PRESSURE => &mut self.pressure,
+            _ => &mut self.length,
+        };
+        if let Some(known) = place {
+            return Some(known.factor().clone());
+        }
+        if let Some(derived) = derived {
+            return Some(derived);
+        }
+        *place = Some(unit.clone());
+        let named: Vec<&str> = [&self.length, &self.force, &self.pressure].into_iter().flatten().map(Unit::name).collect();
+        self.note = Some(format!("the numbers of the scene have no units and are read in those of the data: {}", named.join(", ")));
+        Some(unit.factor().clone())
+    }
+}
+
+/// A symbol with its unit.
+pub(in crate::validate) fn shown(symbol: &str, unit: &str) -> String {
+    if unit.is_empty() { symbol.to_owned() } else { format!("{symbol} / {unit}") }
+}
