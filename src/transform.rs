@@ -1,16 +1,18 @@
 //! Profiles, solutions and their numbers: the public names of the rooms `derive`, `evaluate` and `integrate`.
 
 pub use crate::derive::assemble::{Derived, Status};
+pub use crate::derive::chain::Chain;
 pub use crate::derive::closed_form::ClosedForm;
-pub use crate::derive::engine::{Solution, SolvedTerm, derive};
+pub use crate::derive::engine::{Solution, derive};
 pub use crate::derive::inverse::{FromPressure, Inverse, InverseRule, Reader, TABLE, equivalent_of_pressure, invert};
-pub use crate::derive::profile::{Chain, Profile};
+pub use crate::derive::profile::Profile;
 pub use crate::derive::rule::{Answer, Branches, Pair, Parameter, Rule};
 pub use crate::derive::rules;
 pub use crate::derive::sample::Sampler;
+pub use crate::derive::solved::{Agreement, SolvedTerm};
 pub use crate::derive::superposed::{EvaluatedChain, Superposed};
 pub use crate::derive::term::Term;
-pub use crate::derive::verification::{Agreement, Demotion, Verification};
+pub use crate::derive::verification::{Demotion, Verification};
 pub use crate::evaluate::check::{Check, NO_REFERENCE, check};
 pub use crate::evaluate::closure::{Closure, ClosureProfile, Parity};
 pub use crate::evaluate::curve::{Curve, PressureCurve};

@@ -56,8 +56,9 @@ pub(crate) fn derive(py: Python<'_>, text: &str, names: Vec<String>, values: Vec
         let place = |fault: Fault| fault.place(format!("profile {text}"));
         let profile = Profile::new(&typed).map_err(|error| place(error.into()))?;
         let solution = transform::derive(&profile).map_err(|error| place(error.into()))?;
-        let relations = relations(&solution, &edge)?;
+        let mut relations = relations(&solution, &edge)?;
         let check = transform::check(&solution).map_err(Unchecked::from);
+        check.iter().for_each(|check| relations.confirm(check));
         let record = Derivation {
             profile: &profile,
             typed: &typed,

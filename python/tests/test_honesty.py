@@ -239,6 +239,7 @@ SWEEP = {"profile": {"f": "struveh(0,r/R)*r^2", "parameters": {"R": 1.0}}, "mate
 WAVES = {"profile": {"f": "r^2/(1+besselj(0,r)^2)"}, "material": {"effective_modulus": 1.0}, "load": {"depth": 0.1}}
 PLACES = np.linspace(0.01, 0.9, 100000)
 RADII = np.linspace(0.0, 1.0, 200_000)
+CELLS = np.meshgrid(np.linspace(-2.0, 2.0, 801), np.linspace(-2.0, 2.0, 801))
 LONG = {
     "solve": lambda: sneddon.solve(SCENE),
     "derive": lambda: [sneddon.Profile("max(0,r-b)^150", b=str(n)).derive() for n in range(1, 12)],
@@ -252,6 +253,7 @@ LONG = {
     "waves": lambda: sneddon.sweep(WAVES, {"load.depth": list(np.linspace(0.1, 0.2, 5000))}),
     "slices": lambda: sneddon.Contact("besselj(0,r)^2*r", E_star=1.0).equivalent_profile(np.linspace(0.01, 0.99, 2_000_000)),
     "product": lambda: sneddon.Profile("h*(1-exp(-r/w))^25*(1-exp(-r/v))^25").derive(),
+    "cells": lambda: sneddon.reference(SWEEP, *CELLS, cells=True),
     "curves": lambda: sneddon.solve({**SWEEP, "outputs": {"quantities": ["p", "u"], "at": {"start": 0.0, "stop": 1.0, "count": 200_000}}}),
 }
 

@@ -1,9 +1,8 @@
 //! What comes in: the profile's text, values of parameters and other numbers.
 
 use super::Failure;
-use super::units::Units;
+use super::units::{Units, finite};
 use crate::contact::RIM;
-use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Formula, Number, Symbol};
 use crate::parse::{self, ParseError};
 use crate::scene::{Dimension, Shape, known_shape};
@@ -245,20 +244,6 @@ pub(super) fn constant(place: &str, text: &str) -> Result<(Expr, f64), Failure> 
     let exact = parse::constant(text).map_err(|error| Failure::parse(place, text, &error))?;
     let value = finite(place, text, &exact)?;
     Ok((exact, value))
-}
-
-/// The finite number that an expression without symbols stands for.
-pub(super) fn finite(place: &str, text: &str, exact: &Expr) -> Result<f64, Failure> {
-    let value = match exact.as_number() {
-        Some(number) => number.to_f64(),
-        None => constant_value(exact, &Bindings::default()).map_or(f64::NAN, |bounded| bounded.value),
-    };
-    let lost = value == 0.0 && !exact.is_zero();
-    if !value.is_finite() || lost {
-        let message = format!("{} is outside the range of 64-bit floating-point numbers", text.trim());
-        return Err(Failure::new(message).help("a finite number such as 0.5, 3/2 or 1e-6 is accepted").at(place, text, 0..text.len()));
-    }
-    Ok(value)
 }
 
 /// A finite number above zero.

@@ -2,8 +2,8 @@
 
 use super::Failure;
 use super::failure::warn;
-use super::input::finite;
-use crate::expr::{Expr, Formula, Symbol};
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Expr, Formula, Symbol};
 use crate::parse;
 use crate::scene::{Counting, Dimension, DimensionedNumber, SceneError};
 
@@ -118,4 +118,18 @@ fn failure(place: &str, text: &str, error: &SceneError) -> Failure {
         None => own,
     };
     own.at(place, text, 0..text.len())
+}
+
+/// The finite number that an expression without symbols stands for.
+pub(super) fn finite(place: &str, text: &str, exact: &Expr) -> Result<f64, Failure> {
+    let value = match exact.as_number() {
+        Some(number) => number.to_f64(),
+        None => constant_value(exact, &Bindings::default()).map_or(f64::NAN, |bounded| bounded.value),
+    };
+    let lost = value == 0.0 && !exact.is_zero();
+    if !value.is_finite() || lost {
+        let message = format!("{} is outside the range of 64-bit floating-point numbers", text.trim());
+        return Err(Failure::new(message).help("a finite number such as 0.5, 3/2 or 1e-6 is accepted").at(place, text, 0..text.len()));
+    }
+    Ok(value)
 }

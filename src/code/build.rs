@@ -1,12 +1,14 @@
 //! From a solution to a program: a routine for every quantity, with its domain, its pieces and its comment.
 
 use super::accuracy::ELEMENTARY;
-use super::claim::{self, Claim};
-use super::languages::Language;
+use super::claim;
 use super::lower::{Names, lowered};
+use super::program::Claim;
+use super::program::Language;
+use super::program::{Program, needs_modulus, routine_name};
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, FORMS, names, read};
-use crate::contact::{Dimension, Edge, Explicit, Quantity, explicit, relations};
+use crate::contact::{Edge, Explicit, Quantity, explicit, relations};
 use crate::expr::{Bindings, Condition, Expr, Node, Relation};
 use crate::print;
 use crate::transform::{Derived, EvaluatedChain, Solution, Superposed};
@@ -20,11 +22,6 @@ pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
     std::iter::once(quantity.coordinate()).chain(radius).collect()
 }
 
-/// Whether the effective modulus is an argument.
-pub(super) fn needs_modulus(quantity: Quantity) -> bool {
-    [Dimension::FORCE, Dimension::PRESSURE].contains(&quantity.dimension())
-}
-
 /// The unit, in words.
 fn unit(quantity: Quantity) -> &'static str {
     match quantity {
@@ -32,30 +29,6 @@ fn unit(quantity: Quantity) -> &'static str {
         Quantity::Pressure => "Units: lengths in one unit, E a pressure; p in the unit of E.",
         _ => "Units: lengths in one unit, which is that of the result.",
     }
-}
-
-/// The name of the routine of a quantity.
-pub(super) fn routine_name(quantity: Quantity) -> String {
-    format!("sneddon_{}", quantity.key())
-}
-
-/// The routines that compute the quantities of a profile.
-#[derive(Clone, Debug)]
-pub struct Program {
-    pub(super) language: Language,
-    /// Every routine; what a routine calls stands before it.
-    pub(super) routines: Vec<Routine>,
-    /// The quantities that were asked for.
-    pub(super) quantities: Vec<Quantity>,
-    /// The parameters with their identifiers.
-    pub(super) parameters: Vec<(String, String)>,
-    /// The functions of the language's library that are called.
-    pub(super) library: Vec<String>,
-    /// The identifiers of parameters that are angles in radians.
-    pub(super) angles: Vec<String>,
-    /// f(r) as text.
-    pub(super) profile: String,
-    pub(super) claims: Vec<(Quantity, Option<Claim>)>,
 }
 
 /// Builds the program of a profile for a language.

@@ -1,7 +1,7 @@
 //! What a program claims of its accuracy: the largest running error bound at seeded points of its domain.
 
 use super::accuracy::{ELEMENTARY_ULPS, Machine};
-use super::build::{Program, needs_modulus, routine_name};
+use super::program::{Claim, Program, needs_modulus, routine_name};
 use crate::contact::Quantity;
 use crate::num::Bounded;
 use crate::transform::{Evaluator, Method, Sampler, Solution, reach};
@@ -16,17 +16,6 @@ const PLAIN: f64 = 16.0;
 const ROOM: f64 = 1.25;
 /// The step of relative differences, for condition numbers.
 const STEP: f64 = 1e-6;
-
-/// A bound on the error of a generated function.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Claim {
-    /// Units in the last place.
-    pub ulps: f64,
-    /// Where the ulps are times the condition number: the largest one at the points.
-    pub condition: Option<f64>,
-    /// At how many points.
-    pub points: usize,
-}
 
 /// Writes the claims into the comments of the routines.
 pub(super) fn state(program: &mut Program, solution: &Solution) {

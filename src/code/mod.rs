@@ -11,13 +11,14 @@ mod error;
 mod languages;
 mod lower;
 mod names;
+mod program;
 mod read;
 mod tree;
 
-pub use build::{Program, QUANTITIES, program};
-pub use claim::Claim;
+pub use build::{QUANTITIES, program};
 pub use error::CodeError;
-pub use languages::{Language, write};
+pub use languages::write;
+pub use program::{Claim, Language, Program};
 
 /// The stable forms.
 const FORMS: &str = include_str!("forms.txt");

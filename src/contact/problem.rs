@@ -87,7 +87,7 @@ impl Reason {
     pub(crate) fn fixed_text(&self) -> Option<&'static str> {
         Some(match self {
             Self::Apex => "the pressure is infinite at the apex of a pointed tip (logarithmically)",
-            Self::Kink => "the pressure is infinite at a kink of the profile (logarithmically)",
+            Self::Kink => "the pressure is infinite at a kink of the profile",
             Self::NoArea => "the contact has no area",
             Self::Refused(_) | Self::Unfinished => return None,
             Self::Rim => "the pressure is infinite at the rim of a punch (as an inverse square root)",
@@ -451,12 +451,23 @@ fn through(radius: Reading, quantity: impl Fn(f64) -> Result<Reading, ContactErr
     if a == 0.0 || error == 0.0 {
         return Ok(Reading { estimate: own.estimate.resting_on(bound), ..own });
     }
-    let moved = |place: f64| quantity(place).map(|found| (found.estimate.value - own.estimate.value).abs() + found.estimate.error);
+    let (step, share) = step_of(a, error);
+    let moved = |place: f64| {
+        let change = |found: Reading| (found.estimate.value - own.estimate.value).abs() + found.estimate.error + own.estimate.error;
+        quantity(place).map(|found| share * change(found))
+    };
     // Next to the end of the profile there may be one side only.
-    let below = moved((a - error).max(0.0))?;
-    let above = moved(a + error).unwrap_or(2.0 * below);
-    let estimate = Estimate { error: own.estimate.error + below.max(above), ..own.estimate };
+    let below = moved((a - step).max(0.0))?;
+    let above = moved(a + step).unwrap_or(2.0 * below);
+    let estimate = Estimate { error: (own.estimate.error + below.max(above)) * (1.0 + 8.0 * f64::EPSILON), ..own.estimate };
     Ok(Reading { estimate: estimate.resting_on(bound), ..own })
+}
+
+/// Returns a step that moves `a`, at least its error, and the share of the step that the error is: an error below the spacing of doubles
+/// moves nothing.
+pub(crate) fn step_of(a: f64, error: f64) -> (f64, f64) {
+    let step = error.max(a.next_up() - a);
+    (step, error / step)
 }
 
 /// Adds to ∫₀^a (d − g)² dx the error of squares that underflow, if the integral is 0.

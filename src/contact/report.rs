@@ -4,7 +4,7 @@ use super::{ContactError, Explicit, explicit};
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative, normal, sign};
 use crate::num::work;
 use crate::print::Prose;
-use crate::transform::{Derived, Solution, Status, TransformError};
+use crate::transform::{Check, Derived, Solution, Status, TransformError};
 
 /// The name of the rim's radius in a profile that contains it: there it is a constant, and the relations call it a.
 pub const RIM: &str = "a_rim";
@@ -37,6 +37,24 @@ pub struct Relations {
     pub force_of_depth: Option<Derived>,
     /// What must hold, the edge among it.
     pub conditions: Vec<Prose>,
+}
+
+impl Relations {
+    /// Marks as compared what a check that passed has compared, where the derivation found no quadrature with digits.
+    pub fn confirm(&mut self, check: &Check) {
+        let [slope, force, pressure] = check.compared.map(|own| own && check.passed());
+        let confirm = |own: &mut Derived, compared: bool| {
+            if compared && own.status != Status::Numeric && own.compared == Some(false) {
+                own.compared = Some(true);
+            }
+        };
+        confirm(&mut self.g, slope);
+        confirm(&mut self.d, slope);
+        confirm(&mut self.force, force);
+        self.pressure.iter_mut().for_each(|own| confirm(own, pressure));
+        self.contact_radius_of_depth.iter_mut().for_each(|own| confirm(own, slope));
+        self.force_of_depth.iter_mut().for_each(|own| confirm(own, slope && force));
+    }
 }
 
 /// Collects the relations of a solution under the given edge.

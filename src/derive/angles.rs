@@ -253,9 +253,8 @@ fn common(one: &BigRational, other: &BigRational) -> BigRational {
 /// The sign of a number or of an expression whose slope angles are acute.
 pub(crate) fn known_sign(expr: &Expr) -> Sign {
     match sign(expr) {
-        Sign::Unknown => {
-            crate::derive::domain::numeric_sign(expr).map_or(Sign::Unknown, |s| if s > 0.0 { Sign::Positive } else { Sign::Negative })
-        }
+        Sign::Unknown => crate::derive::domain::numeric_sign::numeric_sign(expr)
+            .map_or(Sign::Unknown, |s| if s > 0.0 { Sign::Positive } else { Sign::Negative }),
         known => known,
     }
 }

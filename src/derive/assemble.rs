@@ -1,7 +1,8 @@
 //! The derived formulas: each term's closed answer or its integral, put together per interval.
 
 use crate::derive::engine::Solution;
-use crate::derive::engine::{SolvedChain, SolvedTerm, expanded_or_same};
+use crate::derive::engine::expanded_or_same;
+use crate::derive::solved::{SolvedChain, SolvedTerm};
 use crate::derive::superposed::Superposed;
 use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, shown};
 use crate::integrate::error::TransformError;

@@ -1,13 +1,14 @@
 //! The derivation: split a profile into terms, match each with the rules, collect the answers.
 
 use crate::derive::angles;
+use crate::derive::chain::Chain;
 use crate::derive::kinks;
-use crate::derive::profile::{Chain, Profile};
-use crate::derive::rule::{Answer, Rule};
+use crate::derive::profile::Profile;
 use crate::derive::rules;
+use crate::derive::solved::{Agreement, SolvedChain, SolvedInterval, SolvedTerm};
 use crate::derive::term;
 use crate::derive::term::Term;
-use crate::derive::verification::{Agreement, Demotion, Gate, Verification};
+use crate::derive::verification::{Demotion, Gate, Verification};
 use crate::expr::normal::NormalTerm;
 use crate::expr::{Condition, Expr, Symbol, derivative, normal};
 use crate::integrate::error::TransformError;
@@ -25,37 +26,6 @@ pub struct Solution {
     pub conditions: Vec<Condition>,
     /// What the comparison of every term with quadrature found.
     pub verification: Verification,
-}
-
-/// A chain whose intervals are split into terms.
-#[derive(Clone)]
-pub struct SolvedChain {
-    /// The breakpoints, rising.
-    pub breakpoints: Vec<Expr>,
-    /// The intervals between them, in order.
-    pub intervals: Vec<SolvedInterval>,
-}
-
-/// The terms of f′ on one interval.
-#[derive(Clone)]
-pub struct SolvedInterval {
-    /// Where the interval lies.
-    pub segment: Segment,
-    /// f′ there, as it follows from the typed expression where nothing was taken out of it.
-    pub slope: Expr,
-    /// The terms with their answers.
-    pub terms: Vec<SolvedTerm>,
-}
-
-/// A term and its answer, if a rule has one.
-#[derive(Clone)]
-pub struct SolvedTerm {
-    /// The term.
-    pub term: Term,
-    /// The rule that answered, and what it said.
-    pub answer: Option<(&'static Rule, Answer)>,
-    /// Which of its closed forms agreed with quadrature when it was derived.
-    pub agreement: Agreement,
 }
 
 /// Derives the solution of a profile: superposition (3.25)–(3.26) of the solutions of its terms.

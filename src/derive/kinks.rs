@@ -2,8 +2,8 @@
 
 use crate::derive::angles;
 use crate::derive::angles::Positive;
-use crate::derive::domain::numeric_sign;
-use crate::derive::profile::Chain;
+use crate::derive::chain::Chain;
+use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape, WideAlgebra};
 use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, shown_to_30_digits};
 use crate::integrate::error::TransformError;

@@ -5,6 +5,7 @@
 
 pub(crate) mod angles;
 pub(crate) mod assemble;
+pub(crate) mod chain;
 pub(crate) mod closed_form;
 pub(crate) mod domain;
 pub(crate) mod engine;
@@ -14,6 +15,7 @@ pub(crate) mod profile;
 pub(crate) mod rule;
 pub mod rules;
 pub(crate) mod sample;
+pub(crate) mod solved;
 pub(crate) mod stream;
 pub(crate) mod superposed;
 pub(crate) mod term;

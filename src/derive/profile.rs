@@ -1,25 +1,17 @@
 //! The profile as chains of smooth pieces, read from a formula and examined for jumps, kinks and poles.
 
+use crate::derive::chain::Chain;
+use crate::derive::domain::demand::Demand;
 use crate::derive::domain::demands;
-use crate::derive::domain::demands::Demand;
 use crate::derive::{angles, domain, kinks};
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative};
+use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol};
 use crate::integrate::error::TransformError;
 use crate::num::work;
 use crate::print;
 
 /// The largest number of pieces of one chain.
 const MOST_PIECES: usize = 10_000;
-
-/// Smooth pieces between rising breakpoints; a smooth function is a chain without breakpoints.
-#[derive(Clone, Debug)]
-pub struct Chain {
-    /// The breakpoints, rising.
-    pub breakpoints: Vec<Expr>,
-    /// One expression more than there are breakpoints.
-    pub pieces: Vec<Expr>,
-}
 
 /// A profile f(r) as a sum of chains, with the conditions under which it is what it claims to be.
 #[derive(Clone, Debug)]
@@ -176,14 +168,6 @@ impl Chain {
         }
     }
 
-    /// The intervals of the chain: lower end, upper end, expression.
-    pub fn intervals(&self) -> impl Iterator<Item = (Expr, Option<&Expr>, &Expr)> {
-        self.pieces.iter().enumerate().map(|(i, piece)| {
-            let lower = if i == 0 { Expr::zero() } else { self.breakpoints.get(i - 1).cloned().unwrap_or_else(Expr::zero) };
-            (lower, self.breakpoints.get(i), piece)
-        })
-    }
-
     /// Breakpoints must rise: proven, or stated as a condition.
     fn refuse_disorder(&self, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
         for pair in self.breakpoints.windows(2) {
@@ -191,7 +175,7 @@ impl Chain {
             match angles::sign(&(upper - lower)) {
                 Sign::Positive => {}
                 Sign::Unknown if angles::is_proven_below(lower, upper) => {}
-                Sign::Unknown => match domain::numeric_sign(&(upper - lower)) {
+                Sign::Unknown => match domain::numeric_sign::numeric_sign(&(upper - lower)) {
                     Some(s) if s > 0.0 => {}
                     Some(_) => return Err(disorder(lower, upper)),
                     None => conditions.push(Condition::less(lower.clone(), upper.clone())),
@@ -219,15 +203,6 @@ impl Chain {
             }
         }
         Ok(())
-    }
-
-    /// The derivative of every piece.
-    ///
-    /// # Errors
-    /// Where a function of the table has no derivative.
-    pub fn slopes(&self) -> Result<Vec<Expr>, TransformError> {
-        let radius = Symbol::new("r");
-        Ok(self.pieces.iter().map(|piece| derivative(piece, &radius)).collect::<Result<_, _>>()?)
     }
 }
 

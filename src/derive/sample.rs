@@ -80,5 +80,5 @@ fn put_in_order(values: &mut BTreeMap<Symbol, Number>, conditions: &[Condition])
 pub(crate) fn admissible(condition: &Condition) -> bool {
     condition
         .decided()
-        .unwrap_or_else(|| crate::derive::domain::numeric_sign(&(&condition.right - &condition.left)).is_none_or(|s| s > 0.0))
+        .unwrap_or_else(|| crate::derive::domain::numeric_sign::numeric_sign(&(&condition.right - &condition.left)).is_none_or(|s| s > 0.0))
 }

@@ -1,9 +1,9 @@
 //! The quantities that superpose term by term, and the sum of their closed answers.
 
 use crate::derive::engine::Solution;
-use crate::derive::engine::{SolvedChain, SolvedTerm};
 use crate::derive::rule::{Branches, Pair};
 use crate::derive::rules;
+use crate::derive::solved::{SolvedChain, SolvedTerm};
 use crate::expr::Expr;
 
 /// The quantities that superpose term by term.

@@ -20,6 +20,8 @@ pub struct Check {
     pub verdict: Verdict,
     /// Why nothing was compared, where that is so.
     pub why: Option<&'static str>,
+    /// Whether closed parts of g, F and p were among what was compared.
+    pub compared: [bool; 3],
 }
 
 /// Points of a check.
@@ -61,6 +63,7 @@ fn compared(solution: &Solution) -> Result<Check, TransformError> {
     // A long profile is as well tested by fewer of the dear pressures.
     let every = if solution.terms().count() > MANY_TERMS { 32 } else { 4 };
     let (mut tally, mut visited, mut trouble) = (Tally::default(), 0, None);
+    let mut seen = [false; 3];
     let before = work::left();
     let is_enough = || before - work::left() > ENOUGH;
     // Some draws may fail: there are twice as many as are needed.
@@ -68,7 +71,7 @@ fn compared(solution: &Solution) -> Result<Check, TransformError> {
         let Some(bindings) = sampler.parameters(solution) else {
             return Ok(tally.outcome(NOT_ADMISSIBLE));
         };
-        match compare(solution, &bindings, POINTS / draws, every, &is_enough, &mut sampler, &mut tally) {
+        match compare(solution, &bindings, POINTS / draws, every, &is_enough, &mut sampler, (&mut tally, &mut seen)) {
             Ok(()) => visited += POINTS / draws,
             Err(error) => trouble = Some(error),
         }
@@ -78,7 +81,7 @@ fn compared(solution: &Solution) -> Result<Check, TransformError> {
     }
     match trouble {
         Some(error) if visited == 0 => Err(error),
-        _ => Ok(tally.outcome(NO_REFERENCE)),
+        _ => Ok(Check { compared: seen, ..tally.outcome(NO_REFERENCE) }),
     }
 }
 
@@ -95,7 +98,7 @@ fn compare(
     every: usize,
     is_enough: &dyn Fn() -> bool,
     sampler: &mut Sampler,
-    tally: &mut Tally,
+    (tally, seen): (&mut Tally, &mut [bool; 3]),
 ) -> Result<(), TransformError> {
     let closed = Evaluator::new(solution, bindings, Method::Auto, TOLERANCE)?;
     let plain = Evaluator::new(solution, bindings, Method::Quadrature, TOLERANCE)?;
@@ -114,21 +117,24 @@ fn compare(
         }
         let before = tally.compared;
         // A value that one side refuses is not compared; where it should exist, other points show it.
-        let mut take = |own: Result<Reading, TransformError>, other: &dyn Fn() -> Result<Reading, TransformError>| {
+        let [slope_seen, force_seen, pressure_seen] = &mut *seen;
+        let mut take = |seen: &mut bool, own: Result<Reading, TransformError>, other: &dyn Fn() -> Result<Reading, TransformError>| {
             if let Ok(own) = own
                 && own.method != "quadrature"
                 && let Ok(other) = other()
             {
+                let before = tally.compared;
                 tally.take(x, own.estimate, other.estimate);
+                *seen |= tally.compared > before;
             }
         };
-        take(closed.slope(x), &|| plain.slope(x));
+        take(slope_seen, closed.slope(x), &|| plain.slope(x));
         if index % every == 0 {
-            take(closed.force(x), &|| plain.force(x));
+            take(force_seen, closed.force(x), &|| plain.force(x));
             if closed_pressure && index % every_pressure == 0 {
                 let r = x * share;
                 if let (Ok(Some(one)), Ok(Some(other))) = (closed.pressure(r, x), plain.pressure(r, x)) {
-                    take(Ok(one), &|| Ok(other));
+                    take(pressure_seen, Ok(one), &|| Ok(other));
                 }
             }
         }
@@ -142,7 +148,7 @@ impl Tally {
     pub(crate) fn outcome(&self, why: &'static str) -> Check {
         match self.verdict() {
             Verdict::NotCompared => Check::not_compared(why),
-            verdict => Check { points: self.points, max_relative_difference: self.largest, verdict, why: None },
+            verdict => Check { points: self.points, max_relative_difference: self.largest, verdict, why: None, compared: [false; 3] },
         }
     }
 }
@@ -150,7 +156,7 @@ impl Tally {
 impl Check {
     /// Nothing was compared.
     pub(crate) fn not_compared(why: &'static str) -> Self {
-        Self { points: 0, max_relative_difference: f64::NAN, verdict: Verdict::NotCompared, why: Some(why) }
+        Self { points: 0, max_relative_difference: f64::NAN, verdict: Verdict::NotCompared, why: Some(why), compared: [false; 3] }
     }
 
     /// True where something closed was compared and agrees.

@@ -3,8 +3,8 @@
 use crate::derive::closed_form::{ClosedForm, for_second_pass, good_enough, precise_total, refined, total};
 use crate::derive::domain::barrier::Barrier;
 use crate::derive::engine::Solution;
-use crate::derive::engine::SolvedInterval;
 use crate::derive::kinks::is_below;
+use crate::derive::solved::SolvedInterval;
 use crate::derive::superposed::Superposed;
 use crate::eval::{constant_value, first_double_from};
 use crate::evaluate::local_polynomials::PolynomialCache;

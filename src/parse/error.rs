@@ -1,7 +1,6 @@
 //! What can go wrong while text is read: the place, the reason, and what would be accepted.
 
 use super::limits;
-use super::repair::Repair;
 use std::ops::Range;
 use thiserror::Error;
 
@@ -236,4 +235,16 @@ impl ParseError {
     pub fn accepted(&self) -> &str {
         &self.0.accepted
     }
+}
+
+/// One edit of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Repair {
+    /// A `*` between two factors.
+    Insert {
+        /// Where the second factor begins.
+        at: usize,
+    },
+    /// Parentheses, with a `*` inside where two factors meet.
+    Enclose { from: usize, to: usize, at: Option<usize> },
 }

@@ -1,8 +1,8 @@
 //! Tokens to what was typed: operator precedence with an explicit stack, which counts the depth of nesting.
 
+use super::error::Repair;
 use super::lexer::{Lexer, Token};
 use super::lower::is_function;
-use super::repair::Repair;
 use super::syntax::{Item, Kind};
 use super::{ParseError, Reason, limits};
 use std::ops::Range;

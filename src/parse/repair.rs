@@ -1,19 +1,8 @@
 //! What was meant where an operator is missing: edits of the text that make it an expression.
 
+use super::error::Repair;
 use super::{ParseError, Reason};
 use std::ops::Range;
-
-/// One edit of a text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Repair {
-    /// A `*` between two factors.
-    Insert {
-        /// Where the second factor begins.
-        at: usize,
-    },
-    /// Parentheses, with a `*` inside where two factors meet.
-    Enclose { from: usize, to: usize, at: Option<usize> },
-}
 
 /// Most edits of one text.
 const MOST: usize = 40;

@@ -3,7 +3,7 @@
 use super::load::Steps;
 use super::{Dimension, DimensionedNumber, Loads, Point, Quantity, Run, Scene, SceneError};
 use crate::contact::{PartialForce, State};
-use crate::num::Bound;
+use crate::num::{Bound, work};
 use crate::scene::file::dimensioned::to_double_double;
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -234,6 +234,7 @@ impl Run<'_> {
                 for index in 0..radii.len() {
                     let Some(r) = radii.get(index) else { continue };
                     values.push(match &means {
+                        _ if work::is_exhausted() => Err(self.point_is_cut()),
                         None => seen(self.point(curve, state, r)),
                         Some((Err(_), _)) => Err("it cannot be computed to any digit"),
                         Some((Ok(force), _)) => {
@@ -251,6 +252,7 @@ impl Run<'_> {
                     for j in 0..=i {
                         let (x, y) = (square.distance(i), square.distance(j));
                         values.push(match &means {
+                            _ if work::is_exhausted() => Err(self.point_is_cut()),
                             None => seen(self.point(curve, state, (x * step).hypot(y * step))),
                             Some((Err(_), _)) => Err("it cannot be computed to any digit"),
                             // A cell on an axis is twice its half.

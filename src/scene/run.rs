@@ -4,7 +4,7 @@ use super::regime::{Regime, SAME_SHAPE, Simple};
 use super::{Control, DepthFrom, Dimension, Loads, MeasuredTip, Quantity, Row, Scene, SceneError, Work};
 use crate::contact::{
     Boundary, Contact, ContactError, Estimates, Finding, Indentation, Indented, Kind, Load, Loaded, Naming, Part, Reason, Setup, Severity,
-    State, in_unit,
+    State, in_unit, step_of,
 };
 use crate::num::{Bound, Bounded, Estimate, work};
 use crate::scene::file::dimensioned::to_f64;
@@ -261,8 +261,15 @@ impl<'a> Run<'a> {
             let found = self.computed(datum, &State { radius: a, ..*state }).ok()?.ok()?;
             Some((found.value - computed.value).abs() + found.error)
         };
-        let spread = if error == 0.0 { 0.0 } else { moved(a - error)?.max(moved(a + error)?) };
+        let (step, share) = step_of(a, error);
+        let spread = if error == 0.0 { 0.0 } else { share * moved(a - step)?.max(moved(a + step)?) };
         Some(Estimate::estimated(computed.value, computed.error + spread + ROUNDED * computed.value.abs(), computed.evaluations))
+    }
+
+    /// Notes that the budget of work did not suffice, and says so.
+    pub(super) fn point_is_cut(&self) -> &'static str {
+        self.cut.set(true);
+        UNFINISHED
     }
 
     /// True where the bodies first touch beside the axis: depths from the apex and from the first touch differ.
@@ -367,10 +374,7 @@ impl<'a> Run<'a> {
     }
 
     fn curve(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
-        work::share(work::left() / 2, || self.curve_point(curve, state, at)).unwrap_or_else(|| {
-            self.cut.set(true);
-            Err(UNFINISHED)
-        })
+        work::share(work::left() / 2, || self.curve_point(curve, state, at)).unwrap_or_else(|| Err(self.point_is_cut()))
     }
 
     fn curve_point(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {

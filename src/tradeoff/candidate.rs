@@ -1,8 +1,6 @@
 //! One method at one setting, ready to be run.
 
-use super::Problem;
 use crate::num::Estimate;
-use crate::transform::Evaluator;
 
 /// A method at one step of its ladder.
 pub(super) struct Candidate<'a> {
@@ -35,17 +33,3 @@ pub(super) struct Refused {
 
 /// The candidates of one method.
 pub(super) type Ladder<'a> = Result<Vec<Candidate<'a>>, Refused>;
-
-/// The ladder of a method for a problem; the evaluator integrates the profile as typed, for methods that start from its f′.
-type Method = for<'a> fn(&'a Problem<'a>, &'a Evaluator<'a>) -> Ladder<'a>;
-
-/// Every method, one row each.
-pub(super) const METHODS: &[Method] = &[
-    crate::tradeoff::methods::closed::ladder,
-    crate::tradeoff::methods::quadrature::ladder,
-    crate::tradeoff::methods::named_rule::ladder,
-    crate::tradeoff::methods::curve::ladder,
-    crate::tradeoff::methods::series::ladder,
-    crate::tradeoff::methods::table::ladder,
-    crate::tradeoff::methods::foundation::ladder,
-];

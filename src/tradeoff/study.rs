@@ -1,7 +1,8 @@
 //! One study: the truth, every ladder, the measurement, the front and the advice.
 
-use super::candidate::{METHODS, Refused};
+use super::candidate::Refused;
 use super::measure::{Row, Skipped, measure};
+use super::methods::METHODS;
 use super::{Advice, Problem, TradeoffError, Truth, WANTED, clock, front, truth};
 use crate::expr::Bindings;
 use crate::transform::{Evaluator, Method};

@@ -8,16 +8,9 @@ use crate::contact::{Boundary, Load, State};
 use crate::scene::{Control, Declared, Scene};
 use crate::validate::file::column::Kind;
 use crate::validate::file::pixel::Pixel;
+use crate::validate::file::row::Row;
 use crate::validate::file::survey::Survey;
 use crate::validate::file::table::Table;
-
-/// One load; NaN where the file has no such column. Computed units, positive in compression.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Row {
-    pub(super) depth: f64,
-    pub(super) force: f64,
-    pub(super) radius: f64,
-}
 
 /// A file of loads beside the exact solution.
 pub(super) struct Compared {

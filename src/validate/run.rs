@@ -2,7 +2,6 @@
 
 use super::diagnosis::{self, Evidence};
 use super::exact::Exact;
-use super::loads::Row;
 use super::order::Level;
 use super::verdict::{Verdict, verdict};
 use super::{FileReport, Suspicion, Validation, ValidationError, field, loads};
@@ -14,6 +13,7 @@ use crate::validate::file::column::Kind;
 use crate::validate::file::data::{Data, Source};
 use crate::validate::file::layout::Layout;
 use crate::validate::file::pixel::{Pixel, contradiction, pixels};
+use crate::validate::file::row::Row;
 use crate::validate::file::survey::{Content, Survey};
 use crate::validate::file::units::Units;
 use std::collections::BTreeSet;

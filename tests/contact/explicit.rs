@@ -1,9 +1,10 @@
 //! a(d) and F(d) where they are explicit, and u outside the contact where it closes.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use sneddon::contact::explicit;
+use sneddon::contact::{Contact, explicit};
 use sneddon::expr::{Bindings, Symbol};
 use sneddon::transform::{ClosedForm, Evaluator, Method, TransformError};
+use sneddon_checks::decimal::Decimal;
 use sneddon_checks::formulas::{derived_with, relative};
 use sneddon_checks::random::Stream;
 
@@ -110,4 +111,21 @@ fn the_surface_outside() {
     let open = derived_with("1-cos(r)", &[]);
     let evaluator = Evaluator::new(&open, &Bindings::default(), Method::Exact, 1e-13).unwrap();
     assert!(matches!(evaluator.displacement(2.0, 1.0), Err(TransformError::NoClosedForm { .. })));
+}
+
+/// Class "the bound of F(d) leaves out what the radius is off": the error of a(d) is often less than the spacing of doubles.
+#[test]
+fn forces_at_a_depth_are_within_their_bounds() {
+    for line in include_str!("../oracle/force_of_depth.csv").lines().filter(|line| !line.starts_with('#')) {
+        let [text, depth, force, radius] = line.split(';').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        let solution = derived_with(text, &[]);
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+        let contact = Contact::new(evaluator, 1.0, None, 1e-13).with_explicit(explicit(&solution), false);
+        let depth = depth.parse().unwrap();
+        for (found, truth) in [(contact.force_of_depth(depth), force), (contact.contact_radius(depth), radius)] {
+            let found = found.unwrap().estimate;
+            assert!(Decimal::read(truth).distance(found.value) <= found.error, "{line}: {found:?}");
+            assert!(found.relative_error() < 1e-13, "{line}: {found:?}");
+        }
+    }
 }

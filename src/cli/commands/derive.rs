@@ -64,8 +64,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
     solution.warnings().iter().for_each(|text| warn(text));
-    let relations = relations(&solution, &edge).map_err(failed)?;
+    let mut relations = relations(&solution, &edge).map_err(failed)?;
     let check = budget::part(|| transform::check(&solution));
+    check.iter().for_each(|check| relations.confirm(check));
     let steps = arguments.steps.then(|| steps(&shown, &solution, &edge, &relations)).transpose().map_err(|error| failed(error.into()))?;
     let record = Derivation {
         profile: &profile,

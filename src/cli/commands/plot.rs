@@ -1,9 +1,10 @@
 //! `sneddon plot`: pictures of profiles and scenes.
 
-use crate::cli::commands::solve::{failure, read};
+use crate::cli::commands::solve::read;
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
 use crate::cli::quantities::{Quantities, demand};
+use crate::cli::tip::failure;
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, budget, input, tip};
 use crate::contact::{ContactError, Kind, Quantity};

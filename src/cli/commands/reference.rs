@@ -1,9 +1,10 @@
 //! `sneddon reference`: exact data on a solver's grid.
 
-use crate::cli::commands::solve::{failure, read};
+use crate::cli::commands::solve::read;
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
 use crate::cli::progress::Progress;
+use crate::cli::tip::failure;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::report::Reference;
 use crate::scene::{self, Grid, Run, SceneError};

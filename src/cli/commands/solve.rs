@@ -3,6 +3,7 @@
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
 use crate::cli::progress::Progress;
+use crate::cli::tip::failure;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::contact::{Edge, relations, steps};
 use crate::expr::Expr;
@@ -124,17 +125,22 @@ fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io:
     let edge = if scene.rim.is_some() { Edge::Rim(Expr::symbol("d")) } else { Edge::Smooth };
     let typed = scene.profile.typed.clone();
     // A measured tip and a cross-section that is not round have no formula.
-    let found = relations(&solution, &edge).ok().filter(|_| scene.round && scene.measured.is_none());
+    let mut found = relations(&solution, &edge).ok().filter(|_| scene.round && scene.measured.is_none());
+    let check = found.as_mut().map(|relations| {
+        let check = budget::part(|| transform::check(&solution));
+        check.iter().for_each(|check| relations.confirm(check));
+        check
+    });
     let steps = found.as_ref().and_then(|found| steps(&typed, &solution, &edge, found).ok());
     let names = Renaming::default();
-    let record = found.as_ref().map(|relations| Derivation {
+    let record = found.as_ref().zip(check).map(|(relations, check)| Derivation {
         profile: &scene.profile,
         typed: &typed,
         edge: &edge,
         relations,
         asked: &[],
         names: &names,
-        check: budget::part(|| transform::check(&solution)),
+        check,
     });
     let formulas = record.as_ref().zip(steps.as_deref());
     html::html(&Sheet { text, name, run, swept: &pictured, formulas }, formally, out)
@@ -156,15 +162,4 @@ pub(in crate::cli) fn read(path: &Path) -> Result<String, Failure> {
         let at = error.utf8_error().valid_up_to();
         Failure::new(format!("{name} is no text: byte {} is not valid UTF-8", at + 1)).help("a scene file in UTF-8 would be accepted")
     })
-}
-
-pub(in crate::cli) fn failure(name: &str, text: &str, error: &SceneError) -> Failure {
-    let mut failure = Failure::new(error.to_string());
-    if let Some(help) = error.accepted() {
-        failure = failure.help(help);
-    }
-    match error.span() {
-        Some(span) => failure.at(name, text, span),
-        None => failure,
-    }
 }

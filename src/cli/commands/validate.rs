@@ -106,7 +106,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let text = crate::cli::commands::solve::read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let sources: Vec<Source<'_>> = arguments.data.iter().map(|path| source(path)).collect::<Result<_, _>>()?;
-    let failed = |error: SceneError| crate::cli::commands::solve::failure(&name, &text, &error);
+    let failed = |error: SceneError| crate::cli::tip::failure(&name, &text, &error);
     let scene = scene_for_data(&text, &Change::None).map_err(failed)?;
     let scene = crate::cli::tip::with_points(scene, &arguments.scene, failed)?;
     let mut scene = match &arguments.load {
@@ -187,7 +187,7 @@ fn source(path: &Path) -> Result<Source<'_>, Failure> {
 
 fn failure(name: &str, text: &str, error: &ValidationError) -> Failure {
     match error {
-        ValidationError::Scene(error) => crate::cli::commands::solve::failure(name, text, error),
+        ValidationError::Scene(error) => crate::cli::tip::failure(name, text, error),
         other => {
             let own = Failure::new(other.to_string());
             match other.accepted() {

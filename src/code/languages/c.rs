@@ -1,7 +1,7 @@
 //! C99 with the mathematics of its standard library, and of GSL where that is not enough.
 
 use super::{Target, Words, comment, decimal, head, parts};
-use crate::code::build::Program;
+use crate::code::program::Program;
 
 pub(super) struct C;
 

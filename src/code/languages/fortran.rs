@@ -2,7 +2,7 @@
 
 use super::{Target, Words, comment, decimal, head, parts};
 use crate::code::accuracy::ELEMENTARY;
-use crate::code::build::{Program, routine_name};
+use crate::code::program::{Program, routine_name};
 
 pub(super) struct Fortran;
 

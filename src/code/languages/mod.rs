@@ -7,25 +7,8 @@ mod nanite;
 mod python;
 mod rust;
 
-use super::build::Program;
+use super::program::{Language, Program};
 use super::tree::{Comparison, Operator, Routine, Statement, Test, Value};
-
-/// A language that code is written in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Language {
-    /// C99.
-    C,
-    /// Fortran 2008, free form.
-    Fortran,
-    /// Python 3.
-    Python,
-    /// MATLAB and GNU Octave.
-    Matlab,
-    /// Rust.
-    Rust,
-    /// A model file for nanite and PyJibe, in Python.
-    Nanite,
-}
 
 impl Language {
     /// Its name.

@@ -2,7 +2,7 @@
 
 use super::python::{Python, imports, routines};
 use super::{Target, comment, decimal, head};
-use crate::code::build::{Program, routine_name};
+use crate::code::program::{Program, routine_name};
 use crate::contact::Quantity;
 
 /// The model file of a program that has F and a.

@@ -2,7 +2,7 @@
 
 use super::{Target, Words, comment, decimal, head, parts};
 use crate::code::accuracy::ELEMENTARY;
-use crate::code::build::Program;
+use crate::code::program::Program;
 
 pub(super) struct Rust;
 

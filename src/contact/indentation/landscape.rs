@@ -3,7 +3,6 @@
 use super::cells::Cells;
 use super::curvature::{Curvature, Kink};
 use super::root::Horizon;
-use super::verdict::rounded;
 use crate::num::roots::{RootOptions, bracketed};
 use crate::num::{NumError, work};
 use crate::transform::{Quantities, Superposition, TransformError};
@@ -318,4 +317,24 @@ fn places(evaluator: &Superposition<'_>, flat: f64, scale: f64, reach: f64) -> V
     list.sort_by(f64::total_cmp);
     list.dedup();
     list
+}
+
+/// Minimum number of radii that are looked at, used if a value is expensive.
+const FEWEST_LOOKS: u64 = 16;
+/// Maximum number of steps for all of them together, unless they are already as few as possible.
+const LOOKING: u64 = 20_000_000;
+
+/// Returns how many values [`LOOKING`] suffices for, at most `most`, if each takes as many steps as this one.
+pub(super) fn affordable<T>(most: u32, value: impl Fn() -> T) -> u32 {
+    // The first call compiles what later calls reuse, so the second one is measured.
+    value();
+    let begin = work::left();
+    value();
+    let cost = begin.saturating_sub(work::left()).max(1);
+    (LOOKING / cost).clamp(FEWEST_LOOKS, u64::from(most)) as u32
+}
+
+/// A radius rounded to so many digits after the first.
+pub(super) fn rounded(radius: f64, digits: usize) -> f64 {
+    format!("{radius:.digits$e}").parse().unwrap_or(radius)
 }

@@ -2,7 +2,7 @@
 
 use super::Indentation;
 use super::cells::{Cell, Cells};
-use super::verdict::{affordable, rounded};
+use super::landscape::{affordable, rounded};
 use crate::num::stable::leg;
 use crate::num::{Bound, Estimate, work};
 use crate::transform::Quantities;

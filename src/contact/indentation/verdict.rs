@@ -1,6 +1,6 @@
 //! Whether a state is the solution: pressure inside, no overlap outside, and d ≥ g(a); Signorini's problem has only one.
 
-use super::landscape::STEEP;
+use super::landscape::{STEEP, affordable, rounded};
 use super::proof::Sign;
 use super::{Boundary, Indentation, Indented, Naming, State};
 use crate::num::stable::leg;
@@ -115,10 +115,6 @@ impl Inspection {
 
 /// Maximum number of radii at which a pressure or a gap is evaluated before its minima are refined.
 const LOOKS: u32 = 96;
-/// Minimum number of such radii, used if a value is expensive.
-const FEWEST_LOOKS: u64 = 16;
-/// Maximum number of steps for all of them together, unless they are already as few as possible.
-const LOOKING: u64 = 20_000_000;
 /// Fraction of the radius at which the cost of a value is measured.
 const TYPICAL: f64 = 0.37;
 /// Where a sign changes is found to this share of the radius: nearer to it a value costs more and tells no more.
@@ -257,7 +253,10 @@ impl Indentation<'_> {
                 if a <= self.landscape.first_fall {
                     return;
                 }
-                if let Some(at) = first_negative(&pressure, &places, 1e-3 * mean) {
+                if pressure(TYPICAL * a).is_nan() && places.iter().all(|r| pressure(*r).is_nan()) {
+                    let message = "the pressure has no reliable digit inside the contact, so tension there is not excluded".to_owned();
+                    verdict.findings.push(Finding { rule: "pressure_unknown", severity: Severity::Error, message, at: None });
+                } else if let Some(at) = first_negative(&pressure, &places, 1e-3 * mean) {
                     verdict.finds_tension(at, &self.naming);
                 }
             }
@@ -377,16 +376,6 @@ fn surely(estimate: Estimate, noise: f64) -> f64 {
     if estimate.value.abs() <= estimate.error.max(noise) { 0.0 } else { estimate.value }
 }
 
-/// Returns how many values [`LOOKING`] suffices for, at most `most`, if each takes as many steps as this one.
-pub(super) fn affordable<T>(most: u32, value: impl Fn() -> T) -> u32 {
-    // The first call compiles what later calls reuse, so the second one is measured.
-    value();
-    let begin = work::left();
-    value();
-    let cost = begin.saturating_sub(work::left()).max(1);
-    (LOOKING / cost).clamp(FEWEST_LOOKS, u64::from(most)) as u32
-}
-
 /// Radii between two ends, denser towards both.
 fn looks_between(lower: f64, upper: f64, count: u32) -> Vec<f64> {
     (1..count)
@@ -439,11 +428,6 @@ fn sign_change(function: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f6
         if function(middle) < 0.0 { to = middle } else { from = middle }
     }
     rounded(to, 8)
-}
-
-/// A radius rounded to so many digits after the first.
-pub(super) fn rounded(radius: f64, digits: usize) -> f64 {
-    format!("{radius:.digits$e}").parse().unwrap_or(radius)
 }
 
 /// The place of the smallest value, refined.

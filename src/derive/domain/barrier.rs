@@ -1,7 +1,7 @@
 //! Where a demand on r fails for given parameters: enclosures find the place, or prove that there is none.
 
 use crate::derive::closed_form::ClosedForm;
-use crate::derive::domain::demands::Demand;
+use crate::derive::domain::demand::Demand;
 use crate::derive::domain::first_zero::Zero;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol};

@@ -1,26 +1,14 @@
 //! What roots, divisors and functions demand of r: that an expression be positive, up to where it is, and under which conditions.
 
+use crate::derive::chain::Chain;
 use crate::derive::domain::barrier::Barrier;
+use crate::derive::domain::demand::Demand;
 use crate::derive::domain::first_zero::{Zero, fails_somewhere, first_zero, starting_sign};
-use crate::derive::domain::numeric_sign;
-use crate::derive::profile::Chain;
+use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::derive::{angles, kinks};
 use crate::expr::{Bindings, Condition, Expr, Node, Relation, Sign, Symbol, normal, sign};
 use crate::integrate::error::TransformError;
 use crate::print;
-
-/// An expression that must keep its sign between the ends of a piece, of which this is not proven for all parameters.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Demand {
-    /// Positive where the profile has a value.
-    pub(crate) expr: Expr,
-    pub(crate) zero: Zero,
-    /// True for a divisor, which may have either sign.
-    pub(crate) either_sign: bool,
-    /// The ends of the piece.
-    pub(crate) lower: Expr,
-    pub(crate) upper: Option<Expr>,
-}
 
 /// Adds what the functions and roots of a chain demand of r, solved for r where that is possible.
 ///

@@ -1,8 +1,10 @@
 //! Where a profile is real and finite: its value at the axis, and tests at random admissible points.
 
 pub(crate) mod barrier;
+pub(crate) mod demand;
 pub(crate) mod demands;
 pub(crate) mod first_zero;
+pub(crate) mod numeric_sign;
 
 use crate::derive::angles;
 use crate::derive::stream::Stream;
@@ -172,15 +174,6 @@ pub(crate) fn vanishes_at_random_points(expr: &Expr) -> Option<bool> {
         }
     }
     seen.then_some(true)
-}
-
-/// The sign of an expression without symbols, where its error bound leaves no doubt.
-pub(crate) fn numeric_sign(expr: &Expr) -> Option<f64> {
-    if !expr.symbols().is_empty() {
-        return None;
-    }
-    let value = constant_value(expr, &Bindings::default()).ok()?;
-    (value.value.abs() > value.error).then(|| value.value.signum())
 }
 
 /// Seeded random positive values, exact in `f64`, for every symbol of the expression besides r.

@@ -9,12 +9,13 @@ mod table;
 mod unify;
 
 pub use pressure::{FromPressure, equivalent_of_pressure};
-pub use statement::{InverseRule, Reader};
-pub use table::TABLE;
+pub use statement::Reader;
+pub use table::{InverseRule, TABLE};
 
 use crate::derive::assemble::{Derived, Status};
+use crate::derive::chain::Chain;
 use crate::derive::kinks;
-use crate::derive::profile::{Chain, Profile};
+use crate::derive::profile::Profile;
 use crate::derive::rule::{Branches, Pair};
 use crate::derive::rules;
 use crate::derive::rules::kappa;

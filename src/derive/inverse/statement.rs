@@ -11,24 +11,6 @@ use crate::num::work;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-/// An exact pair of g(x) and f(r) that is found from g; the statement is all there is to it.
-pub struct InverseRule {
-    /// Short name, as reports cite it.
-    pub id: &'static str,
-    /// What it solves, in words.
-    pub title: &'static str,
-    /// g(x).
-    pub pattern: &'static str,
-    /// f(r).
-    pub result: &'static str,
-    /// The pattern's parameters with the intervals that tests sample.
-    pub parameters: &'static [Parameter],
-    /// Under which conditions it holds, as the documentation says it.
-    pub guard: &'static str,
-    /// Where it comes from.
-    pub reference: &'static [&'static str],
-}
-
 /// How the text of a statement becomes a formula; this room reads no text itself.
 pub type Reader = fn(&str) -> Option<Formula>;
 

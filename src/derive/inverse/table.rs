@@ -1,7 +1,24 @@
 //! The inverse table: f(r) = (2/π) ∫₀^{π/2} g(r sin t) dt in closed form, for profiles that no rule's own g covers.
 
-use super::statement::InverseRule;
 use crate::derive::rule::Parameter;
+
+/// An exact pair of g(x) and f(r) that is found from g; the statement is all there is to it.
+pub struct InverseRule {
+    /// Short name, as reports cite it.
+    pub id: &'static str,
+    /// What it solves, in words.
+    pub title: &'static str,
+    /// g(x).
+    pub pattern: &'static str,
+    /// f(r).
+    pub result: &'static str,
+    /// The pattern's parameters with the intervals that tests sample.
+    pub parameters: &'static [Parameter],
+    /// Under which conditions it holds, as the documentation says it.
+    pub guard: &'static str,
+    /// Where it comes from.
+    pub reference: &'static [&'static str],
+}
 
 /// Where all of them come from.
 const REFERENCE: &[&str] = &["inverse Abel transform"];

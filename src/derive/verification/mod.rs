@@ -2,8 +2,10 @@
 
 mod place;
 
-use crate::derive::engine::{SolvedChain, SolvedTerm};
-use crate::derive::profile::{Chain, Profile};
+use crate::derive::chain::Chain;
+use crate::derive::profile::Profile;
+use crate::derive::solved::Agreement;
+use crate::derive::solved::{SolvedChain, SolvedTerm};
 use crate::expr::{Condition, Expr, Symbol};
 use crate::num::work;
 use place::{Place, Subject};
@@ -37,17 +39,6 @@ impl Demotion {
             _ => format!("the closed {quantity} of the rule {rule} disagrees with quadrature: it was given up and is an integral here"),
         }
     }
-}
-
-/// Which closed forms of a term agreed with quadrature when the term was derived.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Agreement {
-    /// g, within the segment and beyond it.
-    pub slope: bool,
-    /// F, within the segment and beyond it.
-    pub force: bool,
-    /// p, within the segment and beyond it.
-    pub pressure: bool,
 }
 
 /// Agrees, contradicts, or nothing is known.

@@ -1,10 +1,10 @@
 //! One draw of the parameters, and the comparison of a term with quadrature there.
 
 use super::Verdict;
-use crate::derive::engine::SolvedChain;
-use crate::derive::profile::Chain;
+use crate::derive::chain::Chain;
 use crate::derive::rule::{Answer, Pair};
 use crate::derive::sample::{Sampler, admissible};
+use crate::derive::solved::SolvedChain;
 use crate::derive::term::Term;
 use crate::eval::{BoundedAlgebra, FloatAlgebra, Tape, constant_value};
 use crate::expr::{Bindings, Condition, Expr, Symbol};

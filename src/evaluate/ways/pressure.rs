@@ -3,8 +3,8 @@
 //! p(0) is an integral of f′/r, and p(b) has the jump of f′ at b before a logarithm; both are decided from the expressions, never by
 //! the error of a computed value.
 
+use crate::derive::chain::Chain;
 use crate::derive::domain;
-use crate::derive::profile::Chain;
 use crate::derive::superposed::Superposed;
 use crate::eval::constant_value;
 use crate::evaluate::evaluator::{Evaluator, Method, Reading};

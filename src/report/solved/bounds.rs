@@ -1,7 +1,6 @@
 //! Error bounds of the rows of a solved scene: the largest ones as a sentence, and columns of CSV.
 
 use crate::num::Bound;
-use crate::report::solved::text::named;
 use crate::report::text::{marked, short};
 use crate::scene::{Quantity, Row, Run};
 
@@ -48,4 +47,9 @@ pub(in crate::report) fn fields(run: &Run<'_>, index: usize, row: &Row) -> Vec<S
         own.map_or_else(Default::default, |own| [format!("{:?}", own.error), own.bound.name().to_owned()])
     };
     run.estimates(index, row).into_iter().flat_map(|(_, own)| pair(own)).collect()
+}
+
+/// A name and its unit, as the columns of CSV are called.
+pub(in crate::report) fn named(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") }
 }

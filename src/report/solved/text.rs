@@ -2,7 +2,7 @@
 
 use crate::contact::Severity;
 use crate::report::solved::bounds;
-use crate::report::solved::bounds::Largest;
+use crate::report::solved::bounds::{Largest, named};
 use crate::report::solved::tip;
 use crate::report::solved::tip::Changes;
 use crate::report::solved::{Verdict, assumptions, edge};
@@ -198,10 +198,6 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
     }
     verdict.close(run);
     Ok(verdict)
-}
-
-pub(in crate::report) fn named(name: &str, unit: &str) -> String {
-    if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") }
 }
 
 fn points(run: &Run<'_>, curve: Quantity, index: Option<usize>, formally: bool, out: &mut dyn Write) -> io::Result<()> {

@@ -1,6 +1,6 @@
 //! The text of a file of points: comments, delimiter, header and numbers, each with its place.
 
-use super::header::{Column, chosen};
+use super::header::{Column, Field, chosen};
 use crate::scene::SceneError;
 use std::ops::Range;
 
@@ -20,9 +20,6 @@ enum Delimiter {
     One(char),
     Blanks,
 }
-
-/// A field without quotes and blanks around it, and its bytes.
-pub(super) type Field<'t> = (&'t str, Range<usize>);
 
 /// One row of numbers with the place of its radius.
 #[derive(Clone, Debug)]

@@ -1,8 +1,10 @@
 //! Names and units of columns: `r_um`, `r [um]`, `r (um)`, `r/um` or plain `r`.
 
-use super::columns::Field;
 use crate::scene::{Dimension, SceneError, Unit};
 use std::ops::Range;
+
+/// A field without quotes and blanks around it, and its bytes.
+pub(super) type Field<'t> = (&'t str, Range<usize>);
 
 /// A column that is read.
 #[derive(Clone, Debug)]

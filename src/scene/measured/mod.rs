@@ -4,6 +4,7 @@ pub(super) mod columns;
 mod fit;
 pub(super) mod header;
 mod keys;
+mod note;
 mod points;
 mod scan;
 mod tip;
@@ -12,8 +13,9 @@ pub use columns::decoded;
 pub use fit::{Fit, FitParameter};
 pub(super) use keys::KEYS;
 pub use keys::{Apex, Join, Measured, Smoothing};
+pub use note::Note;
 pub use scan::Scan;
-pub use tip::{MeasuredTip, Note};
+pub use tip::MeasuredTip;
 
 /// The longest file of points, in bytes.
 pub const LONGEST_TIP: usize = 1 << 26;

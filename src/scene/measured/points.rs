@@ -1,7 +1,7 @@
 //! Points in the order of their radii, each radius once: what was done to them is said.
 
 use super::columns::Sheet;
-use super::tip::Note;
+use super::note::Note;
 use super::{shown, six_digits};
 use crate::scene::{SceneError, System};
 

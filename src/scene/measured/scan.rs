@@ -1,7 +1,7 @@
 //! Line scans through an apex: its place, the tilt, and the mean of both sides.
 
+use super::note::Note;
 use super::points::Points;
-use super::tip::Note;
 use super::{shown, six_digits};
 use crate::scene::{SceneError, System};
 

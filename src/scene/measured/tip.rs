@@ -4,6 +4,7 @@ use super::columns::{Sheet, sheet};
 use super::fit::{self, Fit};
 use super::header::Column;
 use super::keys::{Apex, Join, Measured, Smoothing};
+use super::note::Note;
 use super::points::{Points, extended, note_falls, note_steps, ordered};
 use super::scan::{Scan, folded};
 use crate::contact::ContactError;
@@ -12,23 +13,6 @@ use crate::scene::file::dimensioned::to_f64;
 use crate::scene::{Dimension, SceneError, System, Unit};
 use crate::transform::{Interpolation, Penalty, Profile, TableProfile};
 use std::sync::Arc;
-
-/// Something that was done to the points, or is worth knowing about them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Note {
-    /// A short name: `tip_sorted`, `tip_merged`, `tip_averaged`, `tip_not_monotone`, `tip_extrapolated`, `tip_centred`, …
-    pub rule: &'static str,
-    /// A sentence.
-    pub message: String,
-    /// The radius that is meant, in computed units.
-    pub at: Option<f64>,
-}
-
-impl Note {
-    pub(super) fn new(rule: &'static str, message: String, at: Option<f64>) -> Self {
-        Self { rule, message, at }
-    }
-}
 
 /// A measured tip with numbers in the units in which its scene computes.
 #[derive(Clone)]

@@ -1,7 +1,7 @@
 //! What people mistake: one entry per fault, each a change of the scene or of the data that would put things right.
 
 use crate::scene::{Change, Scene};
-use crate::validate::loads::Row;
+use crate::validate::file::row::Row;
 use std::f64::consts::PI;
 
 /// What the solver took the scene for.

@@ -7,12 +7,12 @@ pub(crate) mod score;
 
 use super::exact::Exact;
 use super::field::Spot;
-use super::loads::Row;
 use super::record::Suspicion;
 use crate::contact::{Load, State};
 use crate::parse;
 use crate::scene::{Change, Control, Scene, scene_for_data};
 use crate::transform::Profile;
+use crate::validate::file::row::Row;
 use hypothesis::{Exchange, Fault, Slip, Taken};
 use placing::Placing;
 use score::{Gauge, Score};

@@ -3,7 +3,8 @@
 use crate::contact::{Boundary, Load, State};
 use crate::validate::exact::{Exact, Pressures};
 use crate::validate::field::{Region, Spot, excused, places};
-use crate::validate::loads::{BLIND_RADIUS, Judge, Row};
+use crate::validate::file::row::Row;
+use crate::validate::loads::{BLIND_RADIUS, Judge};
 use crate::validate::norms::Norms;
 
 /// What is known of the grid of the data that are scored.

@@ -8,9 +8,9 @@ use crate::validate::file::data::Data;
 use crate::validate::file::lattice;
 use crate::validate::file::lattice::{Lattice, Offset};
 use crate::validate::file::layout::{Layout, Origin};
+use crate::validate::file::row::Row;
 use crate::validate::file::table::Table;
 use crate::validate::file::units::Units;
-use crate::validate::loads::Row;
 use crate::validate::{FileReport, ValidationError};
 use std::collections::BTreeSet;
 

@@ -1,0 +1,61 @@
+//! The program of a profile: its routines, their parameters and claims.
+
+use super::tree::Routine;
+use crate::contact::{Dimension, Quantity};
+
+/// The routines that compute the quantities of a profile.
+#[derive(Clone, Debug)]
+pub struct Program {
+    pub(super) language: Language,
+    /// Every routine; what a routine calls stands before it.
+    pub(super) routines: Vec<Routine>,
+    /// The quantities that were asked for.
+    pub(super) quantities: Vec<Quantity>,
+    /// The parameters with their identifiers.
+    pub(super) parameters: Vec<(String, String)>,
+    /// The functions of the language's library that are called.
+    pub(super) library: Vec<String>,
+    /// The identifiers of parameters that are angles in radians.
+    pub(super) angles: Vec<String>,
+    /// f(r) as text.
+    pub(super) profile: String,
+    pub(super) claims: Vec<(Quantity, Option<Claim>)>,
+}
+
+/// Whether the effective modulus is an argument.
+pub(super) fn needs_modulus(quantity: Quantity) -> bool {
+    [Dimension::FORCE, Dimension::PRESSURE].contains(&quantity.dimension())
+}
+
+/// The name of the routine of a quantity.
+pub(super) fn routine_name(quantity: Quantity) -> String {
+    format!("sneddon_{}", quantity.key())
+}
+
+/// A bound on the error of a generated function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Claim {
+    /// Units in the last place.
+    pub ulps: f64,
+    /// Where the ulps are times the condition number: the largest one at the points.
+    pub condition: Option<f64>,
+    /// At how many points.
+    pub points: usize,
+}
+
+/// A language that code is written in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// C99.
+    C,
+    /// Fortran 2008, free form.
+    Fortran,
+    /// Python 3.
+    Python,
+    /// MATLAB and GNU Octave.
+    Matlab,
+    /// Rust.
+    Rust,
+    /// A model file for nanite and PyJibe, in Python.
+    Nanite,
+}
