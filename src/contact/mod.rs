@@ -25,6 +25,7 @@ pub use indentation::{Body, Boundary, Estimates, Finding, Indentation, Indented,
 pub use material::{ElasticBody, TransverselyIsotropic, effective_modulus};
 pub use mean::PartialForce;
 pub use points::each_point;
+#[cfg(feature = "scene")]
 pub(crate) use problem::step_of;
 pub use problem::{Contact, Measured, Reason};
 pub use quantity::{Dimension, Formulas, Kind, Loaded, Quantity};
