@@ -44,7 +44,7 @@ def test_every_formula_is_evaluated_as_it_is_printed(rim):
     """Class "prints one formula and evaluates another": the catalogue, smooth and under rims whose depth is a number and a symbol."""
     draw = random.Random(f"rim {rim}")
     compared = 0
-    rounds = 36 if os.environ.get("SNEDDON_LONG") else 1
+    rounds = 64 if os.environ.get("SNEDDON_LONG") else 1
     for entry in PROFILES * rounds:
         profile = sneddon.Profile(entry["f"])
         given = {name: float(mpmath.mpf(text)) if "/" not in text else eval(text) for name, text in entry["params"].items()}
