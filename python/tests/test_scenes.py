@@ -126,7 +126,7 @@ def test_sweeps():
     found = sneddon.sweep(scene, {"profile.parameters.R": [1.0, 4.0], "load.depth": [0.1, -1.0, 0.2]})
     assert isinstance(found, xarray.Dataset) and found["F"].shape == (2, 3)
     truth = 4 / 3 * MODULUS * 2.0 * 0.2**1.5
-    assert abs(float(found["F"][1, 2]) - truth) <= float(found["F_error"][1, 2]) + 2e-16 * truth and found["F_error"][1, 2] < 1e-14 * truth
+    assert abs(float(found["F"][1, 2]) - truth) <= float(found["F_error"][1, 2]) + 2e-16 * truth and found["F_error"][1, 2] < 2e-15 * truth
     assert found["F_proven"].values.all() and (found["k_error"].values[:, 1] == 0.0).all()
     apart = sneddon.sweep({**SCENE, "profile": {"f": "tan(r)"}}, {"load.contact_radius": [1.0, 2.0]})
     assert list(apart["F_proven"].values) == [True, False] and np.isnan(apart["F_error"].values[1]) and apart["error"].values[1]

@@ -3,6 +3,7 @@
 use crate::contact::ContactError;
 use crate::num::{Budget, Exhausted};
 use crate::parse::{self, ParseError};
+use crate::scene::SceneError;
 use crate::transform::TransformError;
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
@@ -65,6 +66,18 @@ impl Failure {
     /// A text that could not be read.
     pub(super) fn parse(name: &str, text: &str, error: &ParseError) -> Self {
         Self::new(error.reason().to_string()).help(error.accepted()).at(name, text, error.span())
+    }
+
+    /// A scene that cannot be read or solved, with the place in its text.
+    pub(super) fn scene(name: &str, text: &str, error: &SceneError) -> Self {
+        let mut failure = Self::new(error.to_string());
+        if let Some(help) = error.accepted() {
+            failure = failure.help(help);
+        }
+        match error.span() {
+            Some(span) => failure.at(name, text, span),
+            None => failure,
+        }
     }
 
     /// A profile that could be read but has no answer.

@@ -32,7 +32,7 @@ pub(super) fn with_points(scene: Scene, scene_file: &Path, failed: impl Fn(Scene
     let text = decoded(bytes);
     let name = path.display().to_string();
     scene.with_points(&text).map_err(|error| match error.span() {
-        Some(_) => failure(&name, &text.0, &error),
+        Some(_) => Failure::scene(&name, &text.0, &error),
         None => Failure::new(format!("{name}: {error}")).help(error.accepted().unwrap_or("expected a file of points")),
     })
 }
@@ -42,17 +42,5 @@ fn beside(scene_file: &Path, file: &str) -> PathBuf {
     match scene_file.parent().filter(|_| scene_file.as_os_str() != "-") {
         Some(directory) if Path::new(file).is_relative() => directory.join(file),
         _ => PathBuf::from(file),
-    }
-}
-
-/// What is wrong in a scene, with its place.
-pub(super) fn failure(name: &str, text: &str, error: &SceneError) -> Failure {
-    let mut failure = Failure::new(error.to_string());
-    if let Some(help) = error.accepted() {
-        failure = failure.help(help);
-    }
-    match error.span() {
-        Some(span) => failure.at(name, text, span),
-        None => failure,
     }
 }

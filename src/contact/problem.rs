@@ -463,8 +463,9 @@ fn through(radius: Reading, quantity: impl Fn(f64) -> Result<Reading, ContactErr
     Ok(Reading { estimate: estimate.resting_on(bound), ..own })
 }
 
-/// Returns a step that moves `a`, at least its error, and the share of the step that the error is: an error below the spacing of doubles
-/// moves nothing.
+/// Returns a step of at least `error` and at least the spacing of doubles at `a`, and the ratio of `error` to that step.
+///
+/// Adding a smaller error to `a` would leave `a` unchanged.
 pub(crate) fn step_of(a: f64, error: f64) -> (f64, f64) {
     let step = error.max(a.next_up() - a);
     (step, error / step)

@@ -40,7 +40,7 @@ pub struct Relations {
 }
 
 impl Relations {
-    /// Marks as compared what a check that passed has compared, where the derivation found no quadrature with digits.
+    /// Marks formulas as compared if the check passed and compared them, where the comparison during the derivation was inconclusive.
     pub fn confirm(&mut self, check: &Check) {
         let [slope, force, pressure] = check.compared.map(|own| own && check.passed());
         let confirm = |own: &mut Derived, compared: bool| {

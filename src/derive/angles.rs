@@ -3,6 +3,7 @@
 //! The flank of a cone has a slope angle, so that its sine, cosine and tangent are positive.
 //! What is proven under that assumption carries the condition that the angle is acute.
 
+use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Node, Sign, Symbol, normal};
 use num_bigint::BigInt;
@@ -253,8 +254,7 @@ fn common(one: &BigRational, other: &BigRational) -> BigRational {
 /// The sign of a number or of an expression whose slope angles are acute.
 pub(crate) fn known_sign(expr: &Expr) -> Sign {
     match sign(expr) {
-        Sign::Unknown => crate::derive::domain::numeric_sign::numeric_sign(expr)
-            .map_or(Sign::Unknown, |s| if s > 0.0 { Sign::Positive } else { Sign::Negative }),
+        Sign::Unknown => numeric_sign(expr).map_or(Sign::Unknown, |s| if s > 0.0 { Sign::Positive } else { Sign::Negative }),
         known => known,
     }
 }

@@ -118,10 +118,6 @@ fn solve_chain(chain: &Chain, slopes: &[Expr], parts: impl Fn(&Expr) -> Option<V
     chains
 }
 
-/// The largest formula of g on an interval, in nodes of its tree: that of `(1+r/b)^(101/2)` would fill a hundred pages, and one integral is
-/// printed instead.
-const LONGEST: usize = 6_000;
-
 fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>) -> SolvedInterval {
     let terms = match parts {
         Some(parts) => term::split(parts, &segment),
@@ -131,13 +127,13 @@ fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>)
     let rough = kinks::is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(kinks::is_approximate);
     let mut length = 0;
     let mut answer = |term: &Term| {
-        let found = if rough || length >= LONGEST { None } else { rules::answer(term) };
-        length += found.as_ref().map_or(0, |(_, own)| own.slope.within.shown.size_up_to(LONGEST));
+        let found = if rough || length >= rules::LARGEST { None } else { rules::answer(term) };
+        length += found.as_ref().map_or(0, |(_, own)| own.slope.within.shown.size_up_to(rules::LARGEST));
         found
     };
     let mut solved = |term: Term| SolvedTerm { answer: answer(&term), term, agreement: Agreement::default() };
     let mut terms: Vec<SolvedTerm> = rules::reading::remembered(|| terms.into_iter().map(&mut solved).collect());
-    if length >= LONGEST {
+    if length >= rules::LARGEST {
         terms = vec![SolvedTerm { answer: None, term: whole(&slope, &segment), agreement: Agreement::default() }];
     }
     SolvedInterval { segment, slope, terms }
@@ -151,7 +147,7 @@ fn whole(slope: &Expr, segment: &Segment) -> Term {
 impl Solution {
     /// What a reader must know of closed forms that were given up.
     pub fn warnings(&self) -> Vec<String> {
-        self.verification.demoted.iter().map(crate::derive::verification::Demotion::text).collect()
+        self.verification.demoted.iter().map(Demotion::text).collect()
     }
 
     /// True where every term has an exact answer for g and F.

@@ -3,6 +3,7 @@
 use crate::derive::chain::Chain;
 use crate::derive::domain::demand::Demand;
 use crate::derive::domain::demands;
+use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::derive::{angles, domain, kinks};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol};
@@ -175,7 +176,7 @@ impl Chain {
             match angles::sign(&(upper - lower)) {
                 Sign::Positive => {}
                 Sign::Unknown if angles::is_proven_below(lower, upper) => {}
-                Sign::Unknown => match domain::numeric_sign::numeric_sign(&(upper - lower)) {
+                Sign::Unknown => match numeric_sign(&(upper - lower)) {
                     Some(s) if s > 0.0 => {}
                     Some(_) => return Err(disorder(lower, upper)),
                     None => conditions.push(Condition::less(lower.clone(), upper.clone())),

@@ -20,7 +20,7 @@ pub struct Check {
     pub verdict: Verdict,
     /// Why nothing was compared, where that is so.
     pub why: Option<&'static str>,
-    /// Whether closed parts of g, F and p were among what was compared.
+    /// Whether closed forms of g, F and p, in this order, were compared.
     pub compared: [bool; 3],
 }
 

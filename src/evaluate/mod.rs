@@ -1,7 +1,8 @@
 //! Numbers from a solution: closed forms where they keep their digits, quadrature for the rest, and the error of both.
 //!
-//! `ways` has what is composed of closed forms and integrals; `curve`, `table` and `closure` are profiles that are no formula.
-//! Checks and comparisons of closed forms with quadrature live here as well.
+//! `ways` contains the quantities that combine closed forms with integrals; `curve`, `table` and `closure` contain profiles that are not
+//! given by a formula.
+//! `check` compares closed forms with quadrature.
 
 pub(crate) mod check;
 pub(crate) mod closure;

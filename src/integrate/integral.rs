@@ -2,6 +2,7 @@
 
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
+use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
 use crate::integrate::admit::{beyond_the_edge, finite_and_not_negative};
 use crate::integrate::error::TransformError;
 use crate::integrate::segment::Segment;
@@ -377,7 +378,7 @@ impl NumericSegment {
     /// By pieces with a proof, or by nested rules. Next to the end of f′ these have a variable made for it: they come first where nothing
     /// narrow can hide, and are believed elsewhere where they have more digits and the proof does not exclude them.
     fn by_pieces_or_nested(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
-        let end = self.limit.as_ref().filter(|limit| x > crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT * limit.value.value);
+        let end = self.limit.as_ref().filter(|limit| x > NEAR_THE_LIMIT * limit.value.value);
         if end.is_some_and(|end| end.is_featureless(self.lower.value))
             && let Ok(Some(found)) = self.by_nested_rules(x, weight, tolerance)
         {

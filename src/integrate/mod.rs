@@ -1,8 +1,8 @@
 //! f′ as an expression, a closure or a table, and the integrals over it: g, F and G, the pressure, the displacement outside and the stress
 //! on the axis, each with a bound on its error.
 //!
-//! It knows no rule and no formula of g.
-//! `source` says what f′ is, `abel` has the ways to ∫ f′/√(x²−r²) dr, `pressure` those to p.
+//! It uses no rules and no formulas for g.
+//! `source` evaluates and encloses f′, `abel` computes ∫ f′/√(x²−r²) dr, and `pressure` computes p.
 
 pub(crate) mod abel;
 pub(crate) mod admit;

@@ -1,6 +1,7 @@
 //! A formula as mathematics is laid out, before any notation writes it.
 
 use crate::expr::{Constant, Function, Relation};
+use crate::print::notations::greek;
 
 /// One part of a formula.
 #[derive(Clone)]
@@ -82,10 +83,7 @@ impl Math {
             Self::Name(name) => {
                 // A Greek letter is one letter, and an index is small.
                 let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-                words
-                    .map(|word| if crate::print::notations::greek::letter(word).is_some() { 1 } else { word.chars().count() })
-                    .sum::<usize>()
-                    .max(1)
+                words.map(|word| if greek::letter(word).is_some() { 1 } else { word.chars().count() }).sum::<usize>().max(1)
             }
             Self::Constant(_) => 1,
             Self::Sum(terms) => terms.iter().map(|(_, term)| term.breadth() + 3).sum(),

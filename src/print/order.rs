@@ -2,6 +2,7 @@
 
 use super::layout::{Factor, layout};
 use crate::expr::{Expr, Function, Node};
+use crate::print::notations::latex_symbol;
 use std::cmp::{Ordering, Reverse};
 
 /// The kinds of factor in the order in which they stand.
@@ -60,7 +61,7 @@ fn name(base: &Expr) -> (bool, String, &str) {
         _ => "",
     };
     let letter = name.split('_').next().unwrap_or(name);
-    (crate::print::notations::latex_symbol::is_greek(letter), name.to_lowercase(), name)
+    (latex_symbol::is_greek(letter), name.to_lowercase(), name)
 }
 
 /// The arguments of a function as they read: |r − b| and not |b − r|, cos(kr − φ) and not cos(φ − kr).

@@ -14,6 +14,7 @@ use crate::validate::file::lattice::{Lattice, Offset};
 use crate::validate::file::pixel::Pixel;
 use crate::validate::file::survey::{Places, Survey};
 use crate::validate::file::table::Table;
+use crate::validate::file::units;
 
 /// A place with its pressure; coordinates where the file has them. Computed units, positive in compression.
 #[derive(Clone, Copy, Debug)]
@@ -182,7 +183,7 @@ pub(super) fn compare(
         }
         if free_constant {
             let constant = survey.shown(Kind::Displacement, displacements.constant());
-            let unit = crate::validate::file::units::shown("u", &survey.unit(Kind::Displacement, scene));
+            let unit = units::shown("u", &survey.unit(Kind::Displacement, scene));
             report.notes.push(format!("u is compared up to a constant, which is {constant:.6e} in the data ({unit})"));
         }
     }
@@ -278,7 +279,7 @@ impl Sums {
                 None => notes.push("the force of the pressures is not judged: the lattice is not complete".to_owned()),
             }
         }
-        let unit = |kind: Kind| crate::validate::file::units::shown(kind.symbol(), &survey.unit(kind, scene));
+        let unit = |kind: Kind| units::shown(kind.symbol(), &survey.unit(kind, scene));
         let across = unit(if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X });
         let points = self.errors.items.iter().step_by(self.errors.items.len() / KEPT + 1);
         let points = points.map(|(r, p, exact)| (at(*r), survey.shown(Kind::Pressure, *p), survey.shown(Kind::Pressure, *exact))).collect();

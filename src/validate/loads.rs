@@ -11,6 +11,7 @@ use crate::validate::file::pixel::Pixel;
 use crate::validate::file::row::Row;
 use crate::validate::file::survey::Survey;
 use crate::validate::file::table::Table;
+use crate::validate::file::units;
 
 /// A file of loads beside the exact solution.
 pub(super) struct Compared {
@@ -162,7 +163,7 @@ pub(super) fn compare(
         "d" => Kind::Depth,
         _ => Kind::ContactRadius,
     };
-    let unit = |kind: Kind| crate::validate::file::units::shown(kind.symbol(), &survey.unit(kind, scene));
+    let unit = |kind: Kind| units::shown(kind.symbol(), &survey.unit(kind, scene));
     let points = drawn.items.iter().map(|(x, data, own)| (*x, survey.shown(kind, *data), survey.shown(kind, *own))).collect();
     report.plots.push(Plot { title: unit(kind), across: unit(control_kind), points });
     if unmatched > 0 {

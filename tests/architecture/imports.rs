@@ -19,18 +19,9 @@ pub(crate) fn imports(sources: &BTreeMap<Module, String>) -> BTreeMap<Module, BT
         .collect()
 }
 
-/// Every path that a module imports: its last name, the module that has it, and the name itself.
+/// Returns every path that a module names, from the root of the crate.
 pub(crate) fn names(module: &Module, code: &str) -> Vec<Module> {
-    let supers = |path: &Module| {
-        let ups = path.iter().take_while(|part| *part == "super").count();
-        module[..module.len().saturating_sub(ups)].iter().chain(&path[ups..]).cloned().collect()
-    };
-    let absolute = |leaf: Leaf| match leaf.path.first().map(String::as_str) {
-        Some("crate") => Some(leaf.path[1..].to_vec()),
-        Some("super") => Some(supers(&leaf.path)),
-        _ => None,
-    };
-    leaves(code).into_iter().filter_map(absolute).collect()
+    leaves(code).into_iter().filter_map(|leaf| absolute(module, &leaf.path, |_| false)).collect()
 }
 
 /// The groups of modules of which each names every other one, directly or not.
@@ -69,18 +60,8 @@ struct Crate<'a> {
 }
 
 impl Crate<'_> {
-    /// A path from the crate's root; `None` for other crates.
     fn absolute(&self, module: &Module, path: &Module) -> Option<Module> {
-        let ups = path.iter().take_while(|part| *part == "super").count();
-        match path.first()?.as_str() {
-            "crate" => Some(path[1..].to_vec()),
-            "self" => Some([module.as_slice(), &path[1..]].concat()),
-            "super" if ups <= module.len() => Some([&module[..module.len() - ups], &path[ups..]].concat()),
-            first => {
-                let child = [module.as_slice(), &[first.to_owned()]].concat();
-                self.sources.contains_key(&child).then(|| [module.as_slice(), path].concat())
-            }
-        }
+        absolute(module, path, |child| self.sources.contains_key(child))
     }
 
     /// The module in whose file the last name of a path is defined.
@@ -93,6 +74,17 @@ impl Crate<'_> {
             Some(first) if depth < DEEPEST => self.resolve([first.as_slice(), &path[end + 1..]].concat(), depth + 1),
             _ => Some(module).filter(|module| !module.is_empty()),
         }
+    }
+}
+
+/// Returns a path from the crate's root, or `None` for a path into another crate.
+fn absolute(module: &Module, path: &Module, is_module: impl Fn(&Module) -> bool) -> Option<Module> {
+    let ups = path.iter().take_while(|part| *part == "super").count();
+    match path.first()?.as_str() {
+        "crate" => Some(path[1..].to_vec()),
+        "self" => Some([module.as_slice(), &path[1..]].concat()),
+        "super" if ups <= module.len() => Some([&module[..module.len() - ups], &path[ups..]].concat()),
+        first => is_module(&[module.as_slice(), &[first.to_owned()]].concat()).then(|| [module.as_slice(), path].concat()),
     }
 }
 

@@ -164,6 +164,16 @@ fn concave_punches() {
     assert_eq!(refused("-r^2", Some(1.0), Load::Depth(-0.5)).0, "tension_inside");
 }
 
+/// Class "valid without a single pressure": g is infinite just beyond a kink like (r − b)^s with s < 1/2, and p is −∞ in the limit.
+#[test]
+fn a_contact_without_any_pressure_is_not_valid() {
+    for power in ["1/4", "1/5", "3/10"] {
+        let text = format!("r^2+piecewise(0,r<0.5,(r-0.5)^({power}))");
+        assert_eq!(refused(&text, None, Load::Radius(0.7)).0, "pressure_unknown", "{text}");
+        assert!(solve(&text, None, Load::Radius(0.3)).is_valid(), "{text}");
+    }
+}
+
 /// A Gaussian: the gap outside closes at a = 0.924 w, where d = h.
 #[test]
 fn a_gaussian_ends_where_its_depth_is_its_height() {

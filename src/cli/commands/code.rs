@@ -1,5 +1,6 @@
 //! `sneddon code`: the closed forms of a profile as functions of another language.
 
+use crate::cli::failure::warn;
 use crate::cli::output;
 use crate::cli::quantities::{Quantities, demand};
 use crate::cli::{Failure, Outcome, budget, file, input};
@@ -65,7 +66,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
-    solution.warnings().iter().for_each(|text| crate::cli::failure::warn(text));
+    solution.warnings().iter().for_each(|text| warn(text));
     demand(&arguments.quantity, written)?;
     let quantities = quantities(arguments);
     let code = program(&solution, &quantities, arguments.lang.language(), &shown).map_err(|error| match error {

@@ -4,7 +4,6 @@ use crate::cli::commands::solve::read;
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
 use crate::cli::quantities::{Quantities, demand};
-use crate::cli::tip::failure;
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, budget, input, tip};
 use crate::contact::{ContactError, Kind, Quantity};
@@ -156,7 +155,7 @@ impl Subject {
     fn of_scene(path: &Path) -> Result<Self, Failure> {
         let text = read(path)?;
         let name = path.display().to_string();
-        let failed = |error: SceneError| failure(&name, &text, &error);
+        let failed = |error: SceneError| Failure::scene(&name, &text, &error);
         let scene = scene::scene(&text).map_err(failed)?;
         let scene = tip::with_points(scene, path, failed)?.swept(LOADS);
         let solution = scene.solution().map_err(failed)?;
@@ -192,7 +191,7 @@ impl Subject {
 
     fn run(&self) -> Result<Run<'_>, Failure> {
         Run::new(&self.scene, &self.solution).map_err(|error| match &self.text {
-            Some(text) => failure(&self.name, text, &error),
+            Some(text) => Failure::scene(&self.name, text, &error),
             None => {
                 let own = Failure::new(error.to_string());
                 match error.accepted() {

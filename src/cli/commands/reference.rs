@@ -4,7 +4,6 @@ use crate::cli::commands::solve::read;
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
 use crate::cli::progress::Progress;
-use crate::cli::tip::failure;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::report::Reference;
 use crate::scene::{self, Grid, Run, SceneError};
@@ -65,7 +64,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Csv, ENDINGS)?;
     let text = read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
-    let failed = |error: SceneError| failure(&name, &text, &error);
+    let failed = |error: SceneError| Failure::scene(&name, &text, &error);
     let scene = scene::scene_for_grid(&text).map_err(failed)?;
     let declared = Grid::declared(&scene, arguments.between);
     let grid = match (&arguments.grid, declared) {

@@ -3,7 +3,6 @@
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
 use crate::cli::progress::Progress;
-use crate::cli::tip::failure;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::contact::{Edge, relations, steps};
 use crate::expr::Expr;
@@ -74,7 +73,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let text = read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
-    let failed = |error: SceneError| failure(&name, &text, &error);
+    let failed = |error: SceneError| Failure::scene(&name, &text, &error);
     let mut scene = scene::scene(&text).map_err(failed)?;
     if arguments.dimensionless {
         scene = scene.dimensionless().map_err(failed)?;

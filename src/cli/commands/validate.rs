@@ -1,8 +1,10 @@
 //! `sneddon validate`: a solver's data beside the exact solution.
 
+use crate::cli::commands::solve;
 use crate::cli::failure::warn;
 use crate::cli::output;
 use crate::cli::output::{Destination, Endings};
+use crate::cli::tip;
 use crate::cli::{Failure, Outcome, budget};
 use crate::report::validation::{html, json, text as screen};
 use crate::scene::{Change, Declared, Dimension, Grid, SceneError, scene_for_data};
@@ -103,12 +105,12 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let flag = arguments.json.then_some(Format::Json);
     let report = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Html)?;
-    let text = crate::cli::commands::solve::read(&arguments.scene)?;
+    let text = solve::read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let sources: Vec<Source<'_>> = arguments.data.iter().map(|path| source(path)).collect::<Result<_, _>>()?;
-    let failed = |error: SceneError| crate::cli::tip::failure(&name, &text, &error);
+    let failed = |error: SceneError| Failure::scene(&name, &text, &error);
     let scene = scene_for_data(&text, &Change::None).map_err(failed)?;
-    let scene = crate::cli::tip::with_points(scene, &arguments.scene, failed)?;
+    let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let mut scene = match &arguments.load {
         Some(text) => scene.under(text).map_err(failed)?,
         None => scene,
@@ -187,7 +189,7 @@ fn source(path: &Path) -> Result<Source<'_>, Failure> {
 
 fn failure(name: &str, text: &str, error: &ValidationError) -> Failure {
     match error {
-        ValidationError::Scene(error) => crate::cli::tip::failure(name, text, error),
+        ValidationError::Scene(error) => Failure::scene(name, text, error),
         other => {
             let own = Failure::new(other.to_string());
             match other.accepted() {

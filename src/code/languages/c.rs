@@ -1,6 +1,7 @@
 //! C99 with the mathematics of its standard library, and of GSL where that is not enough.
 
 use super::{Target, Words, comment, decimal, head, parts};
+use crate::code::accuracy::ELEMENTARY;
 use crate::code::program::Program;
 
 pub(super) struct C;
@@ -51,7 +52,7 @@ impl Target for C {
             },
             _ => match self.library(name) {
                 Some((written, _)) => format!("{written}({list})"),
-                None if crate::code::accuracy::ELEMENTARY.contains(&name) => format!("{name}({list})"),
+                None if ELEMENTARY.contains(&name) => format!("{name}({list})"),
                 None => format!("{}({list})", self.spelled(name)),
             },
         }

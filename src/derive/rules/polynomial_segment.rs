@@ -26,7 +26,7 @@ pub(super) static RULE: Rule = Rule {
     apply,
 };
 
-/// Steps of work after which the pressure is left as an integral.
+/// Steps of work after which the pressure is left as an integral; that of `max(r,b)^40` takes fewer.
 const LONGEST: u64 = 28_000_000;
 
 /// f′ = Σ c_m r^m on [b, c).
@@ -63,7 +63,7 @@ fn apply(term: &Term) -> Option<Answer> {
     Some(Answer {
         slope: Branches { within: slope(None), beyond: slope(upper) },
         force: Branches { within: force(None), beyond: force(upper) },
-        // Of high powers the pressure fills pages: g and F stay closed without it.
+        // The pressure of a high power takes more work than g and F, which stay closed without it.
         pressure: work::share(LONGEST, || pressure(&coefficients, lower, upper)).flatten(),
         conditions: Vec::new(),
     })

@@ -53,7 +53,7 @@ struct Radii {
     lower: f64,
     upper: Option<f64>,
     all: Vec<(f64, Part)>,
-    /// More radii within, for terms without accurate digits at the others, as (r − b)²⁰ next to b.
+    /// Further radii within the segment, for terms that are inaccurate at the others, such as (r − b)²⁰ next to b.
     spare: Vec<f64>,
 }
 
@@ -222,7 +222,7 @@ impl Place {
         found
     }
 
-    /// Whether f′ of a term has digits at a radius: a quadrature of values that cancel neither agrees nor contradicts.
+    /// Returns true if f′ of the term is accurate at this radius; if its terms cancel, plain quadrature of f′ decides nothing.
     fn has_digits(&self, tape: &Tape, r: f64) -> bool {
         self.bounded(tape, &[r]).is_some_and(|own| own.iter().all(|own| own.error <= ENOUGH * own.value.abs()))
     }

@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Steps of work after which the proof is given up: nested rules answer then.
 const LONGEST: u64 = 60_000_000;
-/// Below this share of a range at the axis a bound on |g| may do.
+/// Below this fraction of a range that begins at the axis, a bound on |g| is tried first.
 const NEXT_TO_THE_AXIS: f64 = 1e-2;
 /// The relative tolerance that the rules are asked for.
 const TOLERANCE: f64 = 1e-13;
@@ -79,7 +79,7 @@ impl<F: Fn(f64) -> Bounded> Gap<'_, F> {
         x.clamp(self.lower, self.upper)
     }
 
-    /// d − g, by a bound on |g| alone where that is nothing beside d: next to the axis g itself may take long.
+    /// Returns d − g(x); next to the axis, where g is expensive, from a bound on |g| if that is negligible compared with d.
     fn gap(&self, place: Place, slots: &mut Vec<Region>) -> Bounded {
         let x = self.place(place);
         if x < NEXT_TO_THE_AXIS * self.upper && self.lower == 0.0 {

@@ -1,7 +1,7 @@
-//! Quantities that are composed of closed forms and integrals: sums, pressures, heights and energies.
+//! Quantities that combine closed forms with integrals: sums, pressures, heights and energies.
 //!
-//! Each extends the evaluator by one quantity.
-//! `combine` takes whichever way has more digits.
+//! Each file extends the evaluator by one quantity.
+//! `combine` returns the more accurate of the available results.
 
 pub(crate) mod closed_slope;
 pub(crate) mod combine;

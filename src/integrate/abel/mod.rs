@@ -1,7 +1,7 @@
 //! The ways to ∫ f′/√(x²−r²) dr and its companions, over the angle t with r = x sin t.
 //!
-//! Nested rules answer where f′ is smooth enough; pieces with enclosures prove what they leave out.
-//! The stress on the axis has a weight of its own.
+//! `angle_substitution` applies nested rules; `bisected` divides the range until enclosures of f′ prove the error of every piece.
+//! `axial` computes the stress on the axis.
 
 pub(crate) mod angle_substitution;
 pub(crate) mod axial;

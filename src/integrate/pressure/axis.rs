@@ -50,7 +50,7 @@ impl Axis<'_> {
         self.angles.x * phi.largest() * sine.largest()
     }
 
-    /// A bound on the integral between the upper end as a double and as it is, which is known to its error only.
+    /// Returns a bound on the change of the integral while the upper end varies within its error.
     fn smear(&mut self) -> f64 {
         let (x, width) = (self.angles.x, self.angles.width);
         let Some(end) = self.angles.segment.upper.filter(|upper| upper.value < x && upper.error > 0.0) else { return 0.0 };

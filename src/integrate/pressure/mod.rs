@@ -6,5 +6,5 @@
 pub(crate) mod axis;
 pub(crate) mod direct;
 pub(crate) mod legendre;
-pub(crate) mod nested;
+pub(crate) mod over_u;
 pub(crate) mod pieces;

@@ -3,13 +3,14 @@
 use crate::eval::{RegionAlgebra, Tape};
 use crate::expr::{Bindings, Expr, Node, Number, Symbol, leading_term, normal};
 use crate::num::Region;
+use num_integer::Integer;
 use num_traits::ToPrimitive;
 
 /// δ^s h(δ) at the lower end, δ the distance to it and s > −1.
 ///
 /// h is enclosed as a function of w = δ^(1/N), in which fractional powers of δ are whole, so that it is analytic at w = 0.
-/// Every logarithm of δ is δ^(−1/4) λ with λ = δ^(1/4) ln δ, which is bounded: it takes a quarter from s.
-/// What else vanishes at the end, as sin δ does, gives h = w^m k(w).
+/// A logarithm of δ is written as δ^(−1/4) λ with the bounded λ = δ^(1/4) ln δ, which reduces s by 1/4.
+/// If other factors vanish at the end, as sin δ does, then h = w^m k(w).
 #[derive(Debug)]
 pub struct LeadingPower {
     /// s.
@@ -30,7 +31,7 @@ const QUARTER: f64 = 0.25;
 const MOST_ROOT: i64 = 100;
 /// The largest m.
 const MOST_ZEROS: i64 = 400;
-/// Radii in units of |w| on which a bound on k is sought: the next ones are these times the last.
+/// The ratio of successive radii at which a bound on k is sought, and their number.
 const STEP: f64 = 8.0;
 const STEPS: i32 = 12;
 /// A relative error of roots, powers and logarithms of the platform, with room.
@@ -68,8 +69,8 @@ impl LeadingPower {
         Some(Self { exponent: least.to_f64(), root, zeros, rest })
     }
 
-    /// A bound on |h| for δ on the straight lines from 0 to all places of a region; infinite where none is known, and where h is not known
-    /// to be analytic on them.
+    /// Returns a bound on |h| for δ on the straight lines from 0 to every point of the region; infinite if no bound is known, or if h is
+    /// not known to be analytic there.
     pub fn rest_over(&self, end: Region, slots: &mut Vec<Region>) -> f64 {
         let Some(angle) = end.largest_angle() else { return f64::INFINITY };
         let (most, share) = (end.largest(), 1.0 / f64::from(self.root));
@@ -87,11 +88,10 @@ impl LeadingPower {
         let bounded = Region::new((low * (1.0 + HAIR) - turned, last.max(0.0) * (1.0 + HAIR) + turned), (-turned, turned));
         self.rest.run(&mut RegionAlgebra, &[w, bounded], slots).map_or(f64::INFINITY, Region::largest)
     }
-}
 
-impl LeadingPower {
-    /// s + m/N and a bound on |k| for real δ from 0 to the largest in a region: by the maximum principle |k| ≤ max |h|/R^m on every larger
-    /// disc |w| ≤ R on which h is analytic.
+    /// Returns s + m/N and a bound on |k| for real δ from 0 to the largest in the region, or s and a bound on |h| if no bound on |k| is found.
+    ///
+    /// By the maximum principle, |k| ≤ max |h|/R^m holds for |w| ≤ R on every disc |w| ≤ R on which h is analytic.
     pub fn beyond_zeros(&self, delta: Region, slots: &mut Vec<Region>) -> (f64, f64) {
         if self.zeros == 0 {
             return (self.exponent, self.rest_over(delta, slots));
@@ -101,8 +101,10 @@ impl LeadingPower {
         let mut on = |radius: f64| {
             let square = Region::new((-radius, radius), (-radius, radius));
             let found = self.rest.run(&mut RegionAlgebra, &[square, Region::real(0.0)], slots);
-            let bound = found.map_or(f64::INFINITY, Region::largest) * radius.powi(-self.zeros) * (1.0 + HAIR);
-            if bound.is_nan() { f64::INFINITY } else { bound }
+            let power = radius.powi(-self.zeros);
+            let bound = found.map_or(f64::INFINITY, Region::largest) * power * (1.0 + HAIR);
+            // A power that underflows bounds nothing.
+            if bound.is_nan() || !power.is_normal() { f64::INFINITY } else { bound }
         };
         let mut best = f64::INFINITY;
         for step in 0..STEPS {
@@ -113,27 +115,24 @@ impl LeadingPower {
             }
             best = best.min(own);
         }
-        (self.exponent + share * f64::from(self.zeros), best)
+        if best.is_finite() { (self.exponent + share * f64::from(self.zeros), best) } else { (self.exponent, self.rest_over(delta, slots)) }
     }
 }
 
-/// With how many powers of the symbol the expression begins, 0 where that is not known.
+/// Returns the order of the zero that the expression has at 0, or 0 if it is unknown.
 fn zeros_of(expr: &Expr, symbol: &Symbol) -> i32 {
     let in_r = Bindings::one(symbol.name(), Expr::symbol("r")).apply(expr);
     let exponent = leading_term(&in_r).and_then(|first| first.exponent.to_i64());
     exponent.filter(|m| (1..=MOST_ZEROS).contains(m)).map_or(0, |m| m as i32)
 }
 
-/// The least common multiple of `root` and the denominators of the exponents of `symbol`; `None` where it is large, or an exponent is no ratio.
+/// Returns the least common multiple of `root` and the denominators of all exponents of `symbol`, or `None` if it exceeds [`MOST_ROOT`] or
+/// an exponent is not rational.
 fn common_root(expr: &Expr, symbol: &Symbol, root: i64) -> Option<i64> {
     match expr.node() {
         Node::Power(base, exponent) if base.as_symbol() == Some(symbol) => {
             let own = exponent.as_number()?.value().denom().to_i64()?;
-            let (mut a, mut b) = (root, own);
-            while b != 0 {
-                (a, b) = (b, a % b);
-            }
-            (root / a).checked_mul(own).filter(|root| *root <= MOST_ROOT)
+            (own <= MOST_ROOT).then(|| root.lcm(&own)).filter(|root| *root <= MOST_ROOT)
         }
         Node::Power(base, exponent) => common_root(exponent, symbol, common_root(base, symbol, root)?),
         Node::Function(_, list) | Node::Product(list) | Node::Sum(list) => {
@@ -143,9 +142,9 @@ fn common_root(expr: &Expr, symbol: &Symbol, root: i64) -> Option<i64> {
     }
 }
 
-/// ln(c δ^k), or ln of a sum that begins with δ^k, as ln(c) and k: what is left under the logarithm has no power of δ in front.
+/// Splits ln(u), where u = δ^k v and v does not vanish at δ = 0, into ln(v) and k; `None` if k = 0 or u has no such form.
 ///
-/// Where c is negative, or has other signs, its enclosure says so.
+/// If v is not positive, the enclosure of ln(v) is unknown.
 fn logarithm(expr: &Expr, delta: &Symbol) -> Option<(Expr, Expr)> {
     let Node::Function(function, arguments) = expr.node() else { return None };
     let ("ln", [argument]) = (function.name(), arguments.as_slice()) else { return None };

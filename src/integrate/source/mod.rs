@@ -1,7 +1,7 @@
 //! What f′ is on a segment: values in blocks, enclosures, its behaviour at the ends, and what is known of its continuation.
 //!
-//! A source is a compiled expression or anything else that can say f′ and (r f′)′.
-//! Nothing is integrated here.
+//! A source is a compiled expression, or any type that computes f′ and (r f′)′.
+//! The integrals are computed in `abel` and `pressure`.
 
 pub(crate) mod analytic_bound;
 pub(crate) mod centred;

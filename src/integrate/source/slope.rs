@@ -2,6 +2,7 @@
 
 use crate::eval::{BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, RegionAlgebra, RoundingAlgebra, Tape, WideAlgebra};
 use crate::integrate::error::TransformError;
+use crate::integrate::integral::is_singular;
 use crate::integrate::integral::{NumericProfile, NumericSegment};
 use crate::integrate::source::analytic_bound::AnalyticBound;
 use crate::integrate::source::endpoint::Endpoint;
@@ -249,7 +250,7 @@ impl NumericSegment {
         let has_bend = source.bend(Bounded::exact(0.5 * scale)).is_some();
         let bend = OnceLock::from(has_bend.then(|| Numbers::Bend(Arc::clone(&source))));
         let slope = Numbers::Slope(source);
-        let singular = crate::integrate::integral::is_singular(&slope, lower, upper);
+        let singular = is_singular(&slope, lower, upper);
         Self {
             lower: Bounded::exact(lower),
             upper: upper.map(Bounded::exact),

@@ -4,6 +4,7 @@ use crate::expr::function::Setting;
 use crate::expr::{Constant, Relation};
 use crate::print::math::{Call, Math};
 use crate::print::notations::latex_symbol::{letters, symbol};
+use crate::print::signed_terms;
 
 /// Writes a formula in LaTeX.
 pub(in crate::print) fn write(math: &Math) -> String {
@@ -14,7 +15,7 @@ pub(in crate::print) fn write(math: &Math) -> String {
         Math::Name(name) => symbol(name),
         Math::Constant(Constant::Pi) => "\\pi".to_owned(),
         Math::Constant(Constant::Euler) => "e".to_owned(),
-        Math::Sum(terms) => crate::print::signed_terms(terms, "-", write),
+        Math::Sum(terms) => signed_terms(terms, "-", write),
         Math::Negative(inner) => format!("-{}", write(inner)),
         Math::Product(factors) => product(factors),
         Math::Fraction(upper, lower) => format!("\\frac{{{}}}{{{}}}", write(upper), write(lower)),

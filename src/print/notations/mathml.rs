@@ -5,6 +5,7 @@ use crate::expr::{Constant, Relation};
 use crate::print::math::{Call, Math};
 use crate::print::named;
 use crate::print::notations::greek;
+use crate::print::notations::latex_symbol;
 
 /// Between a function and its argument, for readers and screen readers.
 const APPLY: &str = "<mo>&#x2061;</mo>";
@@ -135,7 +136,7 @@ pub(in crate::print) fn symbol(name: &str) -> String {
             fenced("(", &named::arguments(argument, "<mo separator=\"true\">,</mo>", number, symbol), ")"),
         ]);
     }
-    let (letter, indices) = crate::print::notations::latex_symbol::parts(name);
+    let (letter, indices) = latex_symbol::parts(name);
     let indices: Vec<String> = indices.into_iter().map(word).collect();
     match indices.as_slice() {
         [] => word(letter),

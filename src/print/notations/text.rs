@@ -3,6 +3,7 @@
 use crate::expr::function::Setting;
 use crate::expr::{Constant, Relation};
 use crate::print::math::{Call, Math};
+use crate::print::signed_terms;
 
 /// How tightly an operator binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -22,7 +23,7 @@ pub(in crate::print) fn write(math: &Math) -> String {
         Math::Name(name) => name.clone(),
         Math::Constant(Constant::Pi) => "pi".to_owned(),
         Math::Constant(Constant::Euler) => "e".to_owned(),
-        Math::Sum(terms) => crate::print::signed_terms(terms, "-", |term| at_least(term, Binding::Product)),
+        Math::Sum(terms) => signed_terms(terms, "-", |term| at_least(term, Binding::Product)),
         Math::Negative(inner) => format!("-{}", at_least(inner, Binding::Product)),
         Math::Product(factors) => factors.iter().map(|factor| at_least(factor, Binding::Product)).collect::<Vec<_>>().join("*"),
         Math::Fraction(upper, lower) | Math::Slash(upper, lower) => {

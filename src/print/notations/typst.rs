@@ -5,6 +5,8 @@ use crate::expr::{Constant, Relation};
 use crate::print::math::{Call, Math};
 use crate::print::named;
 use crate::print::notations::greek;
+use crate::print::notations::latex_symbol;
+use crate::print::signed_terms;
 
 /// Writes a formula in Typst.
 pub(in crate::print) fn write(math: &Math) -> String {
@@ -15,7 +17,7 @@ pub(in crate::print) fn write(math: &Math) -> String {
         Math::Name(name) => symbol(name),
         Math::Constant(Constant::Pi) => "pi".to_owned(),
         Math::Constant(Constant::Euler) => "e".to_owned(),
-        Math::Sum(terms) => crate::print::signed_terms(terms, "-", write),
+        Math::Sum(terms) => signed_terms(terms, "-", write),
         Math::Negative(inner) => format!("-{}", write(inner)),
         Math::Product(factors) => product(factors),
         Math::Fraction(upper, lower) => format!("frac({}, {})", write(upper), write(lower)),
@@ -85,7 +87,7 @@ pub(in crate::print) fn symbol(name: &str) -> String {
         // The space keeps the argument out of an index.
         return format!("{}{} ({})", symbol(function), "'".repeat(primes), named::arguments(argument, ", ", str::to_owned, symbol));
     }
-    let (letter, indices) = crate::print::notations::latex_symbol::parts(name);
+    let (letter, indices) = latex_symbol::parts(name);
     let indices: Vec<String> = indices.into_iter().map(word).collect();
     if indices.is_empty() { word(letter) } else { format!("{}_({})", word(letter), indices.join("\\,")) }
 }

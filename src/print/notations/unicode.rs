@@ -5,6 +5,8 @@ use crate::expr::{Constant, Relation};
 use crate::print::math::{Call, Math};
 use crate::print::named;
 use crate::print::notations::greek;
+use crate::print::notations::latex_symbol;
+use crate::print::signed_terms;
 
 /// How tightly a part binds.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -23,7 +25,7 @@ pub(in crate::print) fn write(math: &Math) -> String {
         Math::Name(name) => symbol(name),
         Math::Constant(Constant::Pi) => "π".to_owned(),
         Math::Constant(Constant::Euler) => "e".to_owned(),
-        Math::Sum(terms) => crate::print::signed_terms(terms, "−", |term| at_least(term, Binding::Product)),
+        Math::Sum(terms) => signed_terms(terms, "−", |term| at_least(term, Binding::Product)),
         Math::Negative(inner) => format!("−{}", at_least(inner, Binding::Product)),
         Math::Product(factors) => factors.iter().map(|factor| at_least(factor, Binding::Product)).collect::<Vec<_>>().join("·"),
         Math::Fraction(upper, lower) | Math::Slash(upper, lower) => {
@@ -119,7 +121,7 @@ pub(in crate::print) fn symbol(name: &str) -> String {
     if let Some((function, primes, argument)) = named::parts(name) {
         return format!("{}{}({})", symbol(function), "′".repeat(primes), named::arguments(argument, ", ", str::to_owned, symbol));
     }
-    let (letter, indices) = crate::print::notations::latex_symbol::parts(name);
+    let (letter, indices) = latex_symbol::parts(name);
     let indices: Vec<&str> = indices.into_iter().map(|part| greek::letter(part).unwrap_or(part)).collect();
     let letter = greek::letter(letter).unwrap_or(letter);
     if indices.is_empty() { letter.to_owned() } else { format!("{letter}{}", index(&indices.join(","))) }

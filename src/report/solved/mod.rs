@@ -85,7 +85,7 @@ impl Verdict {
 
     /// Adds what is true of the profile wherever the contact reached.
     pub fn close(&mut self, run: &Run<'_>) {
-        self.findings.extend(crate::report::solved::tip::findings(run).into_iter().map(|own| (own, 0)));
+        self.findings.extend(tip::findings(run).into_iter().map(|own| (own, 0)));
         let length = run.scene().system.out(Dimension::LENGTH);
         for (at, jump) in run.kinks().into_iter().filter(|(at, jump)| *at < self.largest * length && *jump > 0.0) {
             let unit = run.scene().system.unit_name(Dimension::LENGTH);

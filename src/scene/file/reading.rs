@@ -2,6 +2,7 @@
 
 use crate::contact::Kind;
 use crate::scene::file::dimensioned::to_double_double;
+use crate::scene::file::dimensioned::to_f64;
 use crate::scene::file::document::{Entry, Table};
 use crate::scene::load::Steps;
 use crate::scene::system::Named;
@@ -299,7 +300,7 @@ fn quantities(entry: &Entry<'_>) -> Result<(Vec<Quantity>, Vec<Quantity>), Scene
 }
 
 fn tolerance(entry: &Entry<'_>) -> Result<f64, SceneError> {
-    let value = crate::scene::file::dimensioned::to_f64(&entry.quantity()?.in_base()).map_err(|error| error.at(entry.span()))?;
+    let value = to_f64(&entry.quantity()?.in_base()).map_err(|error| error.at(entry.span()))?;
     if value > 0.0 && value < 1.0 {
         return Ok(value);
     }

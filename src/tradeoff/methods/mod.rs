@@ -1,7 +1,7 @@
 //! The methods that are compared: one file for each, with its ladder of settings.
 //!
-//! The list is in `tradeoff::candidate`.
-//! A method gives values and counts what they cost.
+//! [`METHODS`] lists them.
+//! A method returns values and counts the evaluations that they take.
 
 pub(crate) mod closed;
 pub(crate) mod curve;

@@ -6,6 +6,7 @@ use crate::validate::field::{Region, Spot, excused, places};
 use crate::validate::file::row::Row;
 use crate::validate::loads::{BLIND_RADIUS, Judge};
 use crate::validate::norms::Norms;
+use crate::validate::norms::ratio;
 
 /// What is known of the grid of the data that are scored.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +78,7 @@ pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge)
     if 4 * lost > rows.len() || (main.rows == 0 && radius.rows == 0) {
         return None;
     }
-    let share = |own: &Norms| if own.rows == 0 { 0.0 } else { crate::validate::norms::ratio(own.l2(), own.allowed()) };
+    let share = |own: &Norms| if own.rows == 0 { 0.0 } else { ratio(own.l2(), own.allowed()) };
     Some(Score { errors: [main.l2(), radius.l2()], shares: [share(&main), share(&radius)] })
 }
 
@@ -107,5 +108,5 @@ pub(in crate::validate) fn field(exact: &Exact<'_>, state: &State, spots: &[Spot
     if norms.rows < 3 || norms.allowed() == 0.0 {
         return None;
     }
-    Some(Score { errors: [norms.l2(), 0.0], shares: [crate::validate::norms::ratio(norms.l2(), norms.allowed()), 0.0] })
+    Some(Score { errors: [norms.l2(), 0.0], shares: [ratio(norms.l2(), norms.allowed()), 0.0] })
 }
