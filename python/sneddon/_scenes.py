@@ -318,6 +318,7 @@ def validate(
     box: str | float | None = None,
     origin: str | None = None,
     load: str | None = None,
+    cells: bool | None = None,
 ) -> Validation:
     """Compare a solver's data with the exact solution of a scene.
 
@@ -335,6 +336,8 @@ def validate(
         Names of columns by symbol, such as ``{"p": "press"}``.
     box, origin, load
         As ``--box``, ``--origin`` and ``--load`` of the program.
+    cells : bool, optional
+        Whether pressures are means over pixels, instead of what the file or ``[data]`` of the scene says.
     """
     text, directory = text_of(scene)
     runs = data if isinstance(data, (list, tuple)) else [data]
@@ -342,7 +345,7 @@ def validate(
     side = None if box is None else str(box)
     numbers = [float(own) for own in (grid if np.ndim(grid) else [grid])]
     pairs = list((map or {}).items())
-    return Validation(_sneddon.validate(text, directory, files, tolerance, numbers, pairs, side, origin, load))
+    return Validation(_sneddon.validate(text, directory, files, tolerance, numbers, pairs, side, origin, load, cells))
 
 
 def _file(data: Any, name: str) -> tuple[str, bytes]:

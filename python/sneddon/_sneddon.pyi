@@ -62,4 +62,5 @@ def validate(
     side: str | None,
     origin: str | None,
     load: str | None,
+    cells: bool | None,
 ) -> str: ...

@@ -159,7 +159,7 @@ fn fields(
 
 /// The document that `sneddon validate --json` prints, of files in memory.
 #[pyfunction]
-#[pyo3(signature = (text, directory, files, tolerance, grid, map, side, origin, load))]
+#[pyo3(signature = (text, directory, files, tolerance, grid, map, side, origin, load, cells))]
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn validate(
     py: Python<'_>,
@@ -172,6 +172,7 @@ pub(crate) fn validate(
     side: Option<&str>,
     origin: Option<&str>,
     load: Option<&str>,
+    cells: Option<bool>,
 ) -> PyResult<String> {
     let files: Vec<(String, Vec<u8>)> = files.into_iter().map(|(name, bytes)| (name, bytes.as_bytes().to_vec())).collect();
     let answer = interruptible(py, || -> Result<String, Fault> {
@@ -197,7 +198,7 @@ pub(crate) fn validate(
             }
         };
         let shown_side = side.map(|own| own * scene.system.out(Dimension::LENGTH));
-        let layout = Layout { map, side, shown_side, origin, radii: false }.checked().map_err(refused)?;
+        let layout = Layout { map, side, shown_side, origin, radii: false, cells }.checked().map_err(refused)?;
         let bytes: u64 = files.iter().map(|(_, own)| own.len() as u64).sum();
         let source = |(name, bytes): (String, Vec<u8>)| {
             let bytes: Arc<[u8]> = bytes.into();

@@ -35,7 +35,7 @@ impl Reference<'_, '_> {
     }
 
     /// Writes one line per place and load, with the depth of the load where there are several; every field has its error bound
-    /// beside it, and what the bound rests on.
+    /// beside it, and what the bound rests on. Where pressures are means, the column `cell` or `ring` has the widths of the cells.
     ///
     /// Returns how many loads have no valid contact.
     ///
@@ -49,12 +49,16 @@ impl Reference<'_, '_> {
         let mut header = if several { vec![named("d", &length)] } else { Vec::new() };
         let square = matches!(self.grid, Grid::Square { .. });
         header.extend(if square { ["x", "y", "r"].as_slice() } else { &["r"] }.iter().map(|own| named(own, &length)));
+        if self.cells {
+            header.push(named(if square { "cell" } else { "ring" }, &length));
+        }
         for curve in self.curves {
             let unit = scene.system.unit_name(curve.dimension());
             let (error, bound) = (format!("{}_error", curve.key()), format!("{}_bound", curve.key()));
             header.extend([named(curve.key(), &unit), named(&error, &unit), bound]);
         }
         writeln!(out, "{}", header.join(","))?;
+        let cell = |index: usize| self.cells.then(|| self.grid.cell_width(index)).into_iter().collect::<Vec<f64>>();
         let mut missing = 0;
         for (index, state) in self.states() {
             missing += usize::from(state.is_none());
@@ -75,13 +79,13 @@ impl Reference<'_, '_> {
                 writeln!(out)
             };
             match self.places().as_slice() {
-                [count] => (0..*count).try_for_each(|i| line(&[self.grid.coordinate(i)], &[i]))?,
+                [count] => (0..*count).try_for_each(|i| line(&[&[self.grid.coordinate(i)], cell(i).as_slice()].concat(), &[i]))?,
                 [rows, columns] => {
                     for i in 0..*rows {
                         let y = self.grid.coordinate(i);
                         for j in 0..*columns {
                             let x = self.grid.coordinate(j);
-                            line(&[x, y, x.hypot(y)], &[i, j])?;
+                            line(&[&[x, y, x.hypot(y)], cell(j).as_slice()].concat(), &[i, j])?;
                         }
                     }
                 }

@@ -147,6 +147,17 @@ impl Grid {
         }
     }
 
+    /// The side of a cell of the square, or the width of the ring around the radius of an index.
+    pub fn cell_width(&self, index: usize) -> f64 {
+        match self {
+            Self::Radial(radii) => {
+                let [inner, outer] = ring(radii, index);
+                outer - inner
+            }
+            Self::Square { side, count, .. } => side / *count as f64,
+        }
+    }
+
     /// How many places are computed: those of an octant of a square.
     pub fn distinct(&self) -> usize {
         match (self, self.square()) {

@@ -11,8 +11,9 @@ use crate::validate::diagnosis::displacement::Displacements;
 use crate::validate::file::column::Kind;
 use crate::validate::file::lattice;
 use crate::validate::file::lattice::{Lattice, Offset};
+use crate::validate::file::layout::Averaging;
 use crate::validate::file::pixel::Pixel;
-use crate::validate::file::survey::{Places, Survey};
+use crate::validate::file::survey::{Cell, Places, Survey};
 use crate::validate::file::table::Table;
 use crate::validate::file::units;
 
@@ -79,16 +80,11 @@ impl Region {
     }
 }
 
-/// Places at which a mean over a pixel is taken, to the third order, and values at the place itself.
-pub(super) fn places(r: f64, pixel: Option<f64>, out: &mut Vec<f64>) {
-    match pixel {
+/// Radii from whose pressures that of the data follows as a mean: those of the cell, or the place itself.
+pub(super) fn places(r: f64, cell: Option<Cell>, out: &mut Vec<f64>) {
+    match cell {
         None => out.push(r),
-        // Gauß's rule with two points along each side: the mean to the third order in h.
-        Some(pixel) => {
-            let shift = pixel / 12f64.sqrt();
-            out.push((r + shift).hypot(shift));
-            out.push((r - shift).hypot(shift));
-        }
+        Some(cell) => out.extend(cell.radii(r)),
     }
 }
 
@@ -117,9 +113,7 @@ pub(super) fn compare(
 ) -> Result<Compared, ValidationError> {
     let a = state.radius;
     let declared = scene.data.as_ref();
-    let means = declared.and_then(|own| own.cells).or(survey.cells);
-    let cells = means.unwrap_or(false);
-    let mean_over = pixel.pixel.filter(|_| cells);
+    let cell = survey.cell(pixel.pixel);
     let sign = if declared.is_some_and(|own| own.tension) { -1.0 } else { 1.0 };
     // Without a pixel the places themselves say how fine they are.
     let margin = MARGIN * pixel.pixel.unwrap_or_else(|| spacing(survey, a));
@@ -167,9 +161,9 @@ pub(super) fn compare(
             }
         }
         wanted.clear();
-        block.iter().for_each(|spot| places(spot.r, mean_over, &mut wanted));
+        block.iter().for_each(|spot| places(spot.r, cell, &mut wanted));
         pressures.at(&wanted, &mut found);
-        let each = if mean_over.is_some() { 2 } else { 1 };
+        let each = if cell.is_some() { 2 } else { 1 };
         for (spot, exact) in block.iter().zip(found.chunks(each)) {
             let exact = exact.iter().sum::<f64>() / each as f64;
             own.add(spot, exact, &region, judge, pixel);
@@ -191,11 +185,15 @@ pub(super) fn compare(
         report.columns.push(decided(kind.symbol(), norms, true));
     }
     if at_p.is_some() {
-        report.notes.push(match (mean_over, means) {
-            (Some(_), _) => "pressures are read as means over pixels".to_owned(),
-            (None, Some(true)) => "the pixel is not known, so pressures are read as values at their places".to_owned(),
-            _ => "pressures are read as values at their places".to_owned(),
-        });
+        let text = match (cell, survey.averaging) {
+            (Some(Cell::Square { .. }), _) => "pressures are read as means over pixels",
+            (Some(Cell::Ring { .. }), _) => "pressures are read as means over rings",
+            (None, Some(Averaging::OverSquares | Averaging::OverRings)) => {
+                "the pixel is not known, so pressures are read as values at their places"
+            }
+            (None, _) => "pressures are read as values at their places",
+        };
+        report.notes.push(text.to_owned());
     }
     let kind = if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X };
     let single = single(&own.compared, |p| sign * survey.shown(Kind::Pressure, p), "p", (|r| survey.shown(kind, r), "r"));
@@ -224,7 +222,9 @@ struct Sums {
     errors: Sample<(f64, f64, f64)>,
     /// Force of data and exact pressures by the same rule, where the lattice is complete.
     force: Shells,
-    a: f64,
+    /// True where the pressures are means over pixels, which add up to the force itself.
+    means: bool,
+    state: State,
     rim: bool,
 }
 
@@ -237,14 +237,15 @@ impl Sums {
             spots: Sample::new(KEPT),
             errors: Sample::new(KEPT_ERRORS),
             force: Shells::new(survey, state.radius + pixel.pixel.unwrap_or(margin), pixel),
-            a: state.radius,
+            means: matches!(survey.cell(pixel.pixel), Some(Cell::Square { .. })),
+            state: *state,
             rim: state.boundary == Boundary::Rim,
         }
     }
 
     fn add(&mut self, spot: &Spot, exact: f64, region: &Region, judge: Judge, pixel: Pixel) {
         self.spots.push(*spot);
-        self.force.add(spot, exact);
+        self.force.add(spot, exact, self.means);
         if exact.is_nan() {
             self.infinite += 1;
             return;
@@ -296,12 +297,13 @@ impl Sums {
 
     fn integrated(&self, data: f64, exact: f64, pixel: Pixel, judge: Judge) -> Column {
         // Pixels that the edge of a smooth contact cuts, where p rises as a square root: O((h/a)^(3/2)).
-        let grid = pixel.pixel.map_or(super::loads::BLIND, |h| 0.5 * (h / self.a).powf(1.5));
+        let grid = pixel.pixel.map_or(super::loads::BLIND, |h| 0.5 * (h / self.state.radius).powf(1.5));
+        let exact = if self.means { self.state.force } else { exact };
         let allowed = judge.demanded.unwrap_or(0.0).max(grid + judge.solver);
         let mut norms = Norms::new(true);
         norms.add(0.0, 0.0, data, exact, allowed);
         // Values at a rim's pixels say nothing: their sum is reported only.
-        decided("F_from_p", &norms, !self.rim)
+        decided("F_from_p", &norms, self.means || !self.rim)
     }
 }
 
@@ -309,6 +311,8 @@ impl Sums {
 struct Shells {
     lattice: Option<Lattice>,
     reach: f64,
+    /// 4 r²/h² of the outermost shell.
+    outermost: u64,
     counts: std::collections::BTreeMap<u64, (u64, u64)>,
     data: std::collections::BTreeMap<u64, (f64, f64)>,
     broken: bool,
@@ -323,27 +327,29 @@ impl Shells {
         let lattice = lattice.map(|own| Lattice { pixel: pixel.pixel.unwrap_or(own.pixel), ..own });
         let most = lattice.map_or(0.0, |own| 4.0 * (reach / own.pixel).powi(2));
         let usable = lattice.filter(|_| most < MOST_SHELLS);
+        // A shell at the reach itself belongs to it, whatever the last digit.
+        let outermost = (most * (1.0 + 1e-9)) as u64;
         let counts = usable.map_or_else(Default::default, |own| {
-            lattice::shells(own.offset, most as u64).into_iter().map(|(key, count)| (key, (count, 0))).collect()
+            lattice::shells(own.offset, outermost).into_iter().map(|(key, count)| (key, (count, 0))).collect()
         });
-        Self { lattice: usable, reach, counts, data: Default::default(), broken: usable.is_none() }
+        Self { lattice: usable, reach, outermost, counts, data: Default::default(), broken: usable.is_none() }
     }
 
-    fn add(&mut self, spot: &Spot, exact: f64) {
+    /// Adds a pressure; one that is infinite as a value at its place counts only where the data are means.
+    fn add(&mut self, spot: &Spot, exact: f64, means: bool) {
         let Some(lattice) = self.lattice else { return };
-        if self.broken || spot.r > self.reach {
+        let shell = lattice::quarters(spot.r, lattice.pixel);
+        if self.broken || shell.map_or(spot.r > self.reach, |key| key > self.outermost) {
             return;
         }
-        let shell = lattice::quarters(spot.r, lattice.pixel);
         let Some((key, count)) = shell.and_then(|key| Some((key, self.counts.get_mut(&key)?))) else {
             // A place off the lattice.
             self.broken = true;
             return;
         };
         count.1 += 1;
-        // An infinite pressure stands in neither sum.
         let sums = self.data.entry(key).or_insert((0.0, 0.0));
-        if !exact.is_nan() {
+        if means || !exact.is_nan() {
             *sums = (sums.0 + spot.p, sums.1 + exact);
         }
     }

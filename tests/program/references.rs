@@ -120,6 +120,38 @@ fn every_format_of_references_is_validated() {
     }
 }
 
+/// Class "means are read as values at their places": squares about the axis and beside it, rings, a kink, an infinite pressure at a rim and
+/// at an apex; CSV and JSON say so themselves, NPY has `--cells`. Means over squares add up to the force.
+#[test]
+fn means_are_compared_with_means() {
+    let place = room("means");
+    let rest = "[material]\neffective_modulus = 1.0\n[load]\ndepth = 0.1\n[outputs]\nquantities = [\"p\"]\n";
+    let squares: &[&str] = &["--grid", "64", "--box", "1"];
+    let between: &[&str] = &["--grid", "64", "--box", "1", "--between"];
+    let rings: &[&str] = &["--grid", "0:0.5:81"];
+    let cases = [
+        ("f = \"r^2\"", squares, &["--box", "1", "--cells"] as &[&str]),
+        ("f = \"r/4\"", between, &["--box", "1", "--cells"]),
+        ("f = \"max(0,r^2-0.01)\"", squares, &["--box", "1", "--cells"]),
+        ("f = \"0\"\nradius = 0.25", squares, &["--box", "1", "--cells"]),
+        ("f = \"r^2\"", rings, &["--grid", "0:0.5:81", "--cells"]),
+        ("f = \"max(0,r-0.1)\"", rings, &["--grid", "0:0.5:81", "--cells"]),
+    ];
+    for (profile, grid, options) in cases {
+        fs::write(place.join("scene.toml"), format!("[profile]\n{profile}\n{rest}")).unwrap();
+        for (file, options) in [("field.csv", &[] as &[&str]), ("field.json", &[]), ("field.npy", options)] {
+            let made = run_in(&place, &[&["reference", "scene.toml", "--cells", "-o", file], grid].concat());
+            assert!(made.status.success(), "{profile}: {}", String::from_utf8_lossy(&made.stderr));
+            let document = judged(&place, file, options);
+            assert_eq!(document["passed"], true, "{file}, {profile}: {document}");
+            // The rule with two places per cell is good to the third order; a value at the place to the first.
+            let column = |name: &str| document["columns"][name]["l2"].as_f64();
+            assert!(column("p").unwrap() < 1e-5, "{file}, {profile}: {document}");
+            assert!(grid == rings || column("F_from_p").unwrap() < 1e-11, "{file}, {profile}: {document}");
+        }
+    }
+}
+
 /// Class "a file that `reference` wrote is refused": shapes have no value beyond the end of their profile.
 #[test]
 fn shapes_that_end_are_validated() {

@@ -47,6 +47,9 @@ pub(in crate::cli) struct Arguments {
     /// middle between pixels (centre) or on a pixel.
     #[arg(long, value_name = "PLACE")]
     origin: Option<Place>,
+    /// Pressures are means over the pixels, or over rings between radii, as `sneddon reference --cells` writes them.
+    #[arg(long)]
+    cells: bool,
     /// Writes JSON.
     #[arg(long)]
     pub(in crate::cli) json: bool,
@@ -138,6 +141,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             Place::Pixel => Origin::Pixel,
         }),
         radii: !radii.is_empty(),
+        cells: arguments.cells.then_some(true),
     };
     let layout = layout.checked().map_err(|error| failure(&name, &text, &error))?;
     let request = Request { layout: &layout, text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &grid };

@@ -4,6 +4,7 @@ use crate::contact::{Boundary, Load, State};
 use crate::validate::exact::{Exact, Pressures};
 use crate::validate::field::{Region, Spot, excused, places};
 use crate::validate::file::row::Row;
+use crate::validate::file::survey::Cell;
 use crate::validate::loads::{BLIND_RADIUS, Judge};
 use crate::validate::norms::Norms;
 use crate::validate::norms::ratio;
@@ -14,8 +15,8 @@ pub(in crate::validate) struct Gauge {
     pub(in crate::validate) pixel: Option<f64>,
     /// The distance that pressures keep from singular places.
     pub(in crate::validate) margin: f64,
-    /// The pixel over which pressures are means.
-    pub(in crate::validate) mean_over: Option<f64>,
+    /// The cell over which pressures are means.
+    pub(in crate::validate) cell: Option<Cell>,
     pub(in crate::validate) solver: f64,
     /// True where the solver controlled the force.
     pub(in crate::validate) by_force: bool,
@@ -93,9 +94,9 @@ pub(in crate::validate) fn field(exact: &Exact<'_>, state: &State, spots: &[Spot
     let formula = exact.formula();
     let pressures = Pressures::new(exact, formula.as_ref(), state, inside.len() as u64);
     let (mut wanted, mut found) = (Vec::new(), Vec::new());
-    inside.iter().for_each(|spot| places(spot.r, gauge.mean_over, &mut wanted));
+    inside.iter().for_each(|spot| places(spot.r, gauge.cell, &mut wanted));
     pressures.at(&wanted, &mut found);
-    let each = if gauge.mean_over.is_some() { 2 } else { 1 };
+    let each = if gauge.cell.is_some() { 2 } else { 1 };
     let mut norms = Norms::new(false);
     for (spot, exact) in inside.iter().zip(found.chunks(each)) {
         let exact = exact.iter().sum::<f64>() / each as f64;

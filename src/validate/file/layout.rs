@@ -15,6 +15,17 @@ pub enum Origin {
     Pixel,
 }
 
+/// What the pressures of a file are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::validate) enum Averaging {
+    /// Values at their places.
+    Values,
+    /// Means over the square pixels around their places.
+    OverSquares,
+    /// Means over rings that end halfway between neighbouring radii.
+    OverRings,
+}
+
 /// What the user says of the files.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
@@ -28,6 +39,8 @@ pub struct Layout {
     pub origin: Option<Origin>,
     /// True if the user gives the radii of an array, which then are the radii of the scene's outputs.
     pub radii: bool,
+    /// True if pressures are means over cells; `None` if the files or the scene say it, or nobody does.
+    pub cells: Option<bool>,
 }
 
 impl Layout {
@@ -90,8 +103,8 @@ pub(in crate::validate) struct Columns {
     pub(in crate::validate) notes: Vec<String>,
     /// True where the places were made from the box, about the axis.
     pub(in crate::validate) placed: bool,
-    /// Whether pressures are means over cells, where the file says so.
-    pub(in crate::validate) cells: Option<bool>,
+    /// What the pressures are, where the file says so.
+    pub(in crate::validate) averaging: Option<Averaging>,
     /// True if the places are the radii of the scene's outputs.
     pub(in crate::validate) radii: bool,
 }
@@ -140,7 +153,7 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
                 false => (0..columns).map(|column| only.values.iter().skip(column).step_by(columns).copied().collect()).collect(),
             };
             let names = (1..=if stacked { rows } else { columns }).map(|own| own.to_string()).collect();
-            return Ok(Columns { names, values, notes, placed: false, cells: None, radii: false });
+            return Ok(Columns { names, values, notes, placed: false, averaging: None, radii: false });
         }
         if !known {
             notes.push(format!("the array {:?} is read as p; --map u={} would read it as u", only.name, only.name));
@@ -152,7 +165,7 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
         _ => None,
     };
     let field = numbers.iter().find(|own| own.shape.len() == 2 && kind(own).is_some_and(Kind::is_field));
-    let mut columns = Columns { names: Vec::new(), values: Vec::new(), notes, placed: false, cells: None, radii: false };
+    let mut columns = Columns { names: Vec::new(), values: Vec::new(), notes, placed: false, averaging: None, radii: false };
     let mut add = |name: &str, values: Vec<f64>| {
         let unit = units.iter().find(|own| own.0 == format!("{name}_unit")).map(|own| own.1.as_str()).filter(|own| !own.is_empty());
         columns.names.push(unit.map_or_else(|| name.to_owned(), |unit| format!("{name}_{unit}")));

@@ -3,7 +3,7 @@
 use crate::scene::{Dimension, Scene};
 use crate::validate::ValidationError;
 use crate::validate::file::array::Array;
-use crate::validate::file::layout::{Columns, Layout, columns};
+use crate::validate::file::layout::{Columns, Layout, Averaging, columns};
 use serde::Deserialize;
 
 /// The fields of one load: the load in the unit of the file, and the arrays.
@@ -103,7 +103,11 @@ pub(in crate::validate) fn json(file: &str, bytes: &[u8], layout: &Layout) -> Re
         loads.push(Fields { load: load.d, arrays });
     }
     let mut all = joined(file, &named("d", length), loads, layout)?;
-    all.cells = Some(document.grid.cells);
+    all.averaging = Some(match (document.grid.cells, document.grid.r.is_empty()) {
+        (false, _) => Averaging::Values,
+        (true, true) => Averaging::OverSquares,
+        (true, false) => Averaging::OverRings,
+    });
     Ok(all)
 }
 
@@ -153,12 +157,13 @@ pub(in crate::validate) fn npy(file: &str, array: &Array, layout: &Layout, scene
         loads.push(Fields { load: Some(load * scene.system.out(scene.control.datum().dimension())), arrays });
     }
     let all = joined(file, scene.control.datum().key(), loads, layout)?;
-    Ok(Columns { radii: !radii.is_empty(), ..all })
+    let averaging = layout.cells.filter(|own| *own && !radii.is_empty()).map(|_| Averaging::OverRings);
+    Ok(Columns { radii: !radii.is_empty(), averaging, ..all })
 }
 
 /// The columns of all loads below one another; rows without a number are left out.
 fn joined(file: &str, name: &str, loads: Vec<Fields>, layout: &Layout) -> Result<Columns, ValidationError> {
-    let mut all = Columns { names: Vec::new(), values: Vec::new(), notes: Vec::new(), placed: false, cells: None, radii: false };
+    let mut all = Columns { names: Vec::new(), values: Vec::new(), notes: Vec::new(), placed: false, averaging: None, radii: false };
     let mut without = 0;
     for Fields { load, arrays } in loads {
         let own = columns(file, arrays, layout)?;

@@ -3,11 +3,11 @@
 use crate::contact::Load;
 use crate::scene::Scene;
 use crate::validate::diagnosis::placing::Extent;
-use crate::validate::file::column::{Column, Kind};
+use crate::validate::file::column::{self, Column, Kind};
 use crate::validate::file::data::Data;
 use crate::validate::file::lattice;
 use crate::validate::file::lattice::{Lattice, Offset};
-use crate::validate::file::layout::{Layout, Origin};
+use crate::validate::file::layout::{Layout, Origin, Averaging};
 use crate::validate::file::row::Row;
 use crate::validate::file::table::Table;
 use crate::validate::file::units::Units;
@@ -37,8 +37,8 @@ pub(in crate::validate) struct Survey<'s> {
     pub(in crate::validate) lattice: Option<Lattice>,
     /// How far x and y reach, counted from the axis.
     pub(in crate::validate) extent: Extent,
-    /// Whether pressures are means over cells, where the file says so.
-    pub(in crate::validate) cells: Option<bool>,
+    /// What the pressures are, where the user, the file or the scene says so.
+    pub(in crate::validate) averaging: Option<Averaging>,
     /// The pixel that contact radii betray.
     pub(in crate::validate) counted: Option<f64>,
     pub(in crate::validate) notes: Vec<String>,
@@ -115,8 +115,14 @@ impl<'s> Survey<'s> {
         }
         let counted = lattice::of_areas(&radii);
         drop(table);
-        let cells = data.arrays.as_ref().and_then(|own| own.cells);
-        Ok(Self { data, axis, cells, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
+        let own = data.arrays.as_ref().and_then(|own| own.averaging).or_else(|| names.iter().find_map(|own| column::means(own)));
+        let squares = |cells: bool| if cells { Averaging::OverSquares } else { Averaging::Values };
+        let averaging = match layout.cells {
+            Some(true) => own.filter(|own| *own != Averaging::Values).or(Some(Averaging::OverSquares)),
+            Some(false) => Some(Averaging::Values),
+            None => own.or_else(|| scene.data.as_ref().and_then(|own| own.cells).map(squares)),
+        };
+        Ok(Self { data, axis, averaging, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
     }
 
     /// Returns a report of this file without columns and plots.
@@ -186,9 +192,40 @@ impl<'s> Survey<'s> {
         (factor(Kind::Distance).or(factor(Kind::X)).unwrap_or(1.0), factor(Kind::Pressure).unwrap_or(1.0))
     }
 
+    /// The cell over which the pressures are means, for a pixel of this side.
+    pub(in crate::validate) fn cell(&self, pixel: Option<f64>) -> Option<Cell> {
+        match (self.averaging?, pixel?) {
+            (Averaging::Values, _) => None,
+            (Averaging::OverSquares, side) => Some(Cell::Square { side }),
+            (Averaging::OverRings, width) => Some(Cell::Ring { width }),
+        }
+    }
+
     /// Where the distances to the axis stand.
     pub(in crate::validate) fn places(&self) -> Places {
         Places { r: self.index(Kind::Distance), x: self.index(Kind::X), y: self.index(Kind::Y), axis: self.axis }
+    }
+}
+
+/// A cell around a place, over which a pressure is a mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::validate) enum Cell {
+    Square { side: f64 },
+    Ring { width: f64 },
+}
+
+impl Cell {
+    /// Two radii at which a pressure has the mean over the cell around r to the third order in its width, by Gauss's rule: two points
+    /// along each side of a square, and two in r² across a ring.
+    pub(in crate::validate) fn radii(self, r: f64) -> [f64; 2] {
+        let gauss = 1.0 / 12f64.sqrt();
+        match self {
+            Self::Square { side } => [(r + gauss * side).hypot(gauss * side), (r - gauss * side).hypot(gauss * side)],
+            Self::Ring { width } => {
+                let (inner, outer) = ((r - 0.5 * width).max(0.0), r + 0.5 * width);
+                [0.5 - gauss, 0.5 + gauss].map(|share| (inner * inner + share * (outer - inner) * (outer + inner)).sqrt())
+            }
+        }
     }
 }
 
