@@ -1,6 +1,6 @@
 //! How accurate a program is: its routines run with an error bound that grows with every operation.
 
-use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
+use super::tree::{Comparison, LENGTH, NAN, Operator, Routine, Statement, Test, Value};
 use crate::expr::Function;
 use crate::num::Bounded;
 
@@ -23,13 +23,23 @@ pub(super) struct Machine<'a> {
     steps: usize,
 }
 
-/// The variables of a running routine; there are too few for a map to pay off.
-type Variables<'a> = Vec<(&'a str, Bounded)>;
+/// The variables and arrays of a running routine; there are too few for a map to pay off.
+struct Variables<'a> {
+    numbers: Vec<(&'a str, Bounded)>,
+    arrays: Vec<(&'a str, Vec<Bounded>)>,
+}
 
-fn set<'a>(variables: &mut Variables<'a>, name: &'a str, value: Bounded) {
-    match variables.iter_mut().rev().find(|(own, _)| *own == name) {
-        Some((_, old)) => *old = value,
-        None => variables.push((name, value)),
+impl<'a> Variables<'a> {
+    fn set(&mut self, name: &'a str, value: Bounded) {
+        match self.numbers.iter_mut().rev().find(|(own, _)| *own == name) {
+            Some((_, old)) => *old = value,
+            None => self.numbers.push((name, value)),
+        }
+    }
+
+    fn element(&mut self, name: &str, index: Bounded) -> Option<&mut Bounded> {
+        let (_, own) = self.arrays.iter_mut().find(|(own, _)| *own == name)?;
+        own.get_mut(index.value as usize)
     }
 }
 
@@ -46,7 +56,8 @@ impl<'a> Machine<'a> {
 
     fn routine(&mut self, name: &str, arguments: Vec<Bounded>) -> Option<Bounded> {
         let routine = self.routines.iter().find(|own| own.name == name)?;
-        let mut variables: Variables<'a> = routine.parameters.iter().map(String::as_str).zip(arguments).collect();
+        let numbers = routine.parameters.iter().map(String::as_str).zip(arguments).collect();
+        let mut variables = Variables { numbers, arrays: Vec::new() };
         self.block(&routine.body, &mut variables)?
     }
 
@@ -60,7 +71,16 @@ impl<'a> Machine<'a> {
             let done = match own {
                 Statement::Let(name, value) | Statement::Set(name, value) => {
                     let value = self.value(value, variables)?;
-                    set(variables, name, value);
+                    variables.set(name, value);
+                    None
+                }
+                Statement::Array(name) => {
+                    variables.arrays.push((name, vec![Bounded::exact(0.0); LENGTH]));
+                    None
+                }
+                Statement::SetElement(name, index, value) => {
+                    let (index, value) = (self.value(index, variables)?, self.value(value, variables)?);
+                    *variables.element(name, index)? = value;
                     None
                 }
                 Statement::Return(value) => Some(self.value(value, variables)?),
@@ -84,7 +104,7 @@ impl<'a> Machine<'a> {
         Some(None)
     }
 
-    fn test(&mut self, test: &'a Test, variables: &Variables<'a>) -> Option<bool> {
+    fn test(&mut self, test: &'a Test, variables: &mut Variables<'a>) -> Option<bool> {
         Some(match test {
             Test::Compare(comparison, left, right) => {
                 let (left, right) = (self.value(left, variables)?.value, self.value(right, variables)?.value);
@@ -116,11 +136,15 @@ impl<'a> Machine<'a> {
         })
     }
 
-    fn value(&mut self, value: &'a Value, variables: &Variables<'a>) -> Option<Bounded> {
+    fn value(&mut self, value: &'a Value, variables: &mut Variables<'a>) -> Option<Bounded> {
         Some(match value {
             Value::Number(number, true) => Bounded::exact(*number),
             Value::Number(number, false) => Bounded::rounded(*number),
-            Value::Name(name) => variables.iter().rev().find(|(own, _)| own == name)?.1,
+            Value::Name(name) => variables.numbers.iter().rev().find(|(own, _)| own == name)?.1,
+            Value::Element(name, index) => {
+                let index = self.value(index, variables)?;
+                *variables.element(name, index)?
+            }
             Value::Binary(operator, left, right) => {
                 let (left, right) = (self.value(left, variables)?, self.value(right, variables)?);
                 match operator {

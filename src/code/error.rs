@@ -24,6 +24,18 @@ pub enum CodeError {
         /// The language.
         language: &'static str,
     },
+    /// The function would lose its digits.
+    #[error("{quantity} at {coordinate} = {at:.1e} would be off by up to {ulps:.0e} units in the last place times its condition number")]
+    Inaccurate {
+        /// The symbol of the quantity.
+        quantity: &'static str,
+        /// The symbol of its coordinate.
+        coordinate: &'static str,
+        /// Where.
+        at: f64,
+        /// The bound.
+        ulps: f64,
+    },
     /// The profile has no contact of this kind.
     #[error(transparent)]
     Contact(#[from] ContactError),
@@ -44,6 +56,7 @@ impl CodeError {
         match self {
             Self::NotClosed { .. } => "choose quantities that derive shows without an integral, or compute with eval",
             Self::Function { .. } => "another --lang or other quantities are accepted; --lang python knows the functions of SciPy",
+            Self::Inaccurate { .. } => "compute it with eval, in Python with sneddon.Contact, or choose other quantities",
             _ => "a profile with a closed form is accepted",
         }
     }

@@ -8,11 +8,13 @@ mod accuracy;
 mod build;
 mod claim;
 mod error;
+mod gaussian;
 mod languages;
 mod lower;
 mod names;
 mod program;
 mod read;
+mod series;
 mod tree;
 
 pub use build::{QUANTITIES, program};

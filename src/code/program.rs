@@ -41,6 +41,10 @@ pub struct Claim {
     pub condition: Option<f64>,
     /// At how many points.
     pub points: usize,
+    /// The coordinates between which the points lie; the second one is infinite if the points reach to the end of the profile.
+    pub range: (f64, f64),
+    /// The coordinate at which the error is largest.
+    pub worst_at: f64,
 }
 
 /// A language that code is written in.

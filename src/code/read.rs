@@ -132,6 +132,13 @@ impl Reader {
                 self.expect("=")?;
                 Statement::Let(name, self.sum()?)
             }
+            "array" => Statement::Array(self.word()?),
+            _ if self.takes("[") => {
+                let index = self.sum()?;
+                self.expect("]")?;
+                self.expect("=")?;
+                Statement::SetElement(word, index, self.sum()?)
+            }
             _ => {
                 self.expect("=")?;
                 Statement::Set(word, self.sum()?)
@@ -215,6 +222,11 @@ impl Reader {
             return Some(Value::Number(number, is_short(number)));
         }
         let name = self.word()?;
+        if self.takes("[") {
+            let index = self.sum()?;
+            self.expect("]")?;
+            return Some(Value::Element(name, Box::new(index)));
+        }
         if !self.takes("(") {
             return Some(Value::Name(name));
         }

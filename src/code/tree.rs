@@ -18,6 +18,8 @@ pub(super) enum Value {
     Binary(Operator, Box<Value>, Box<Value>),
     /// A function of the language, of its library, or a routine of the program.
     Call(String, Vec<Value>),
+    /// An element of an array; the index is a whole number.
+    Element(String, Box<Value>),
 }
 
 /// How two numbers compare; a comparison with NaN is false.
@@ -46,6 +48,10 @@ pub(super) enum Statement {
     Let(String, Value),
     /// A new value of a variable.
     Set(String, Value),
+    /// A new array of [`LENGTH`] zeros.
+    Array(String),
+    /// A new value of an element of an array.
+    SetElement(String, Value, Value),
     If(Test, Vec<Statement>, Vec<Statement>),
     While(Test, Vec<Statement>),
     Return(Value),
@@ -60,6 +66,9 @@ pub(super) struct Routine {
     /// What it is, one line each.
     pub(super) comment: Vec<String>,
 }
+
+/// How many elements an array has.
+pub(super) const LENGTH: usize = 160;
 
 /// What a call is that the program has no routine for.
 pub(super) const NAN: &str = "nan";
@@ -83,6 +92,7 @@ impl Value {
             Self::Number(..) | Self::Name(_) => 0,
             Self::Binary(_, left, right) => 1 + left.size() + right.size(),
             Self::Call(_, arguments) => 1 + arguments.iter().map(Self::size).sum::<usize>(),
+            Self::Element(_, index) => index.size(),
         }
     }
 
@@ -96,6 +106,7 @@ impl Value {
                 right.visit(see);
             }
             Self::Call(_, arguments) => arguments.iter().for_each(|own| own.visit(see)),
+            Self::Element(_, index) => index.visit(see),
         }
     }
 }
@@ -118,6 +129,11 @@ impl Statement {
         let mut block = |list: &[Statement]| list.iter().for_each(|own| own.visit(see));
         match self {
             Self::Let(_, value) | Self::Set(_, value) | Self::Return(value) => value.visit(see),
+            Self::Array(_) => {}
+            Self::SetElement(_, index, value) => {
+                index.visit(see);
+                value.visit(see);
+            }
             Self::If(test, yes, no) => {
                 block(yes);
                 block(no);
@@ -136,7 +152,7 @@ impl Statement {
         match self {
             Self::If(_, yes, no) => yes.iter().chain(no).for_each(|own| own.steps(see)),
             Self::While(_, body) => body.iter().for_each(|own| own.steps(see)),
-            Self::Let(..) | Self::Set(..) | Self::Return(_) => {}
+            Self::Let(..) | Self::Set(..) | Self::Return(_) | Self::Array(_) | Self::SetElement(..) => {}
         }
     }
 }
@@ -163,6 +179,18 @@ impl Routine {
             if let Statement::Let(name, _) = own
                 && !found.contains(name)
             {
+                found.push(name.clone());
+            }
+        };
+        self.body.iter().for_each(|own| own.steps(&mut see));
+        found
+    }
+
+    /// The arrays that it makes.
+    pub(super) fn arrays(&self) -> Vec<String> {
+        let mut found: Vec<String> = Vec::new();
+        let mut see = |own: &Statement| {
+            if let Statement::Array(name) = own {
                 found.push(name.clone());
             }
         };
@@ -204,6 +232,7 @@ impl Value {
             Self::Name(name) => Self::Name(new_name(name, renaming)),
             Self::Binary(operator, left, right) => Self::binary(*operator, left.renamed(renaming), right.renamed(renaming)),
             Self::Call(name, arguments) => Self::Call(name.clone(), arguments.iter().map(|own| own.renamed(renaming)).collect()),
+            Self::Element(name, index) => Self::Element(new_name(name, renaming), Box::new(index.renamed(renaming))),
         }
     }
 }
@@ -230,6 +259,10 @@ impl Statement {
             Self::If(test, yes, no) => Self::If(test.renamed(renaming), every(yes), every(no)),
             Self::While(test, body) => Self::While(test.renamed(renaming), every(body)),
             Self::Return(value) => Self::Return(value.renamed(renaming)),
+            Self::Array(name) => Self::Array(new_name(name, renaming)),
+            Self::SetElement(name, index, value) => {
+                Self::SetElement(new_name(name, renaming), index.renamed(renaming), value.renamed(renaming))
+            }
         }
     }
 }

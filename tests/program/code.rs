@@ -47,7 +47,7 @@ fn entries() -> Vec<Entry> {
 fn programs(entry: &Entry, language: Language) -> Vec<(Quantity, Program)> {
     let made = |own: Quantity| match program(&entry.solution, &[own], language, &entry.text) {
         Ok(made) => Some((own, made)),
-        Err(CodeError::NotClosed { .. } | CodeError::Function { .. } | CodeError::Contact(_)) => None,
+        Err(CodeError::NotClosed { .. } | CodeError::Function { .. } | CodeError::Contact(_) | CodeError::Inaccurate { .. }) => None,
         Err(other) => panic!("{} {}: {other}", entry.id, own.key()),
     };
     QUANTITIES.into_iter().filter_map(made).collect()
@@ -75,6 +75,20 @@ fn cases(entry: &Entry, module: &str, own: Quantity, made: &Program) -> Vec<Case
     let Some(claim) = claim else { return Vec::new() };
     let end = reach(&evaluator);
     let mut list = Vec::new();
+    // Integrals of mpmath over 24 decades of the radius.
+    for line in include_str!("../oracle/decades.csv").lines().skip(1) {
+        let [id, quantity, radius, value] = line.split(',').collect::<Vec<_>>().try_into().unwrap();
+        let (key, factor): (_, &[f64]) = if own == Quantity::Force { ("F", &[MODULUS]) } else { ("g", &[]) };
+        if id != entry.id || quantity != key || !matches!(own, Quantity::Force | Quantity::Equivalent | Quantity::Depth) {
+            continue;
+        }
+        let truth = parse::constant(value).unwrap().as_number().unwrap().to_f64() * factor.first().map_or(1.0, |own| 2.0 * own);
+        // Two roundings of the truth.
+        let (ulps, conditional) = (claim.ulps + 1.5, claim.condition.is_some());
+        let arguments = [&[radius.parse().unwrap()], factor, &entry.parameters].concat();
+        let (what, function) = (format!("{id} {}", own.key()), format!("sneddon_{}", own.key()));
+        list.push(Case { what, module: module.to_owned(), function, arguments, truth: truth.into(), ulps, conditional });
+    }
     for part in [1e-5, 3e-4, 0.01, 0.11, 0.3, 0.52, 0.77, 0.93, 0.999] {
         let place = end * part;
         let exact = |quantity, inputs: &[f64]| evaluator.with_30_digits(quantity, inputs).unwrap().filter(|own| own.value.hi != 0.0);

@@ -1,8 +1,9 @@
 //! C99 with the mathematics of its standard library, and of GSL where that is not enough.
 
-use super::{Target, Words, comment, decimal, head, parts};
+use super::{Target, Words, comment, decimal, head, parts, whole};
 use crate::code::accuracy::ELEMENTARY;
 use crate::code::program::Program;
+use crate::code::tree::LENGTH;
 
 pub(super) struct C;
 
@@ -74,6 +75,17 @@ impl Target for C {
 
     fn declare(&self, name: &str, value: &str, changes: bool) -> String {
         if changes { format!("double {name} = {value};") } else { format!("const double {name} = {value};") }
+    }
+
+    fn array(&self, name: &str) -> String {
+        format!("double {name}[{LENGTH}] = {{0.0}};")
+    }
+
+    fn element(&self, name: &str, index: &str) -> String {
+        match whole(index) {
+            Some(whole) => format!("{name}[{whole}]"),
+            None => format!("{name}[(int)({index})]"),
+        }
     }
 
     fn assign(&self, name: &str, value: &str) -> String {

@@ -1,8 +1,9 @@
 //! Fortran 2008 in free form, as a module; log1p and expm1 are those of C.
 
-use super::{Target, Words, comment, decimal, head, parts};
+use super::{Target, Words, comment, decimal, head, parts, whole};
 use crate::code::accuracy::ELEMENTARY;
 use crate::code::program::{Program, routine_name};
+use crate::code::tree::LENGTH;
 
 pub(super) struct Fortran;
 
@@ -75,6 +76,17 @@ impl Target for Fortran {
         format!("{name} = {value}")
     }
 
+    fn array(&self, name: &str) -> String {
+        format!("{name} = 0.0_dp")
+    }
+
+    fn element(&self, name: &str, index: &str) -> String {
+        match whole(index) {
+            Some(whole) => format!("{name}({whole})"),
+            None => format!("{name}(int({index}))"),
+        }
+    }
+
     fn assign(&self, name: &str, value: &str) -> String {
         format!("{name} = {value}")
     }
@@ -96,6 +108,9 @@ impl Target for Fortran {
             let variables = routine.variables();
             if !variables.is_empty() {
                 declared.push_str(&format!("    real(dp) :: {}\n", variables.join(", ")));
+            }
+            for own in routine.arrays() {
+                declared.push_str(&format!("    real(dp) :: {own}(0:{})\n", LENGTH - 1));
             }
             text.push_str(&format!(
                 "\n{}pure recursive function {name}({list}) result(t0)\n{declared}{body}end function {name}\n",

@@ -3,7 +3,7 @@
 use super::{Target, Words, comment, decimal, head, parts};
 use crate::code::accuracy::ELEMENTARY;
 use crate::code::program::{Program, routine_name};
-use crate::code::tree::Routine;
+use crate::code::tree::{LENGTH, Routine};
 
 pub(super) struct Matlab;
 
@@ -62,6 +62,14 @@ impl Target for Matlab {
 
     fn declare(&self, name: &str, value: &str, _changes: bool) -> String {
         format!("{name} = {value};")
+    }
+
+    fn array(&self, name: &str) -> String {
+        format!("{name} = zeros(1, {LENGTH});")
+    }
+
+    fn element(&self, name: &str, index: &str) -> String {
+        format!("{name}({index} + 1)")
     }
 
     fn assign(&self, name: &str, value: &str) -> String {

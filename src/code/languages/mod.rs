@@ -75,6 +75,9 @@ pub(super) trait Target: Sync {
         None
     }
     fn declare(&self, name: &str, value: &str, changes: bool) -> String;
+    /// A new array of zeros; nothing where arrays are declared at the beginning.
+    fn array(&self, name: &str) -> String;
+    fn element(&self, name: &str, index: &str) -> String;
     fn assign(&self, name: &str, value: &str) -> String;
     /// The lines that return a value.
     fn give(&self, value: &str) -> Vec<String>;
@@ -92,6 +95,7 @@ pub(super) fn value(own: &Value, target: &dyn Target) -> String {
     match own {
         Value::Number(number, _) => target.number(*number),
         Value::Name(name) => name.clone(),
+        Value::Element(name, index) => target.element(name, &value(index, target)),
         Value::Call(name, arguments) => {
             let arguments: Vec<String> = arguments.iter().map(|own| value(own, target)).collect();
             target.call(name, &arguments)
@@ -182,6 +186,10 @@ pub(super) fn block(list: &[Statement], level: usize, changed: &[String], target
         match own {
             Statement::Let(name, own) => line(&target.declare(name, &value(own, target), changed.contains(name))),
             Statement::Set(name, own) => line(&target.assign(name, &value(own, target))),
+            Statement::Array(name) => line(&target.array(name)),
+            Statement::SetElement(name, index, own) => {
+                line(&target.assign(&target.element(name, &value(index, target)), &value(own, target)))
+            }
             Statement::Return(own) => target.give(&value(own, target)).iter().for_each(|own| line(own)),
             Statement::If(condition, yes, no) => {
                 line(&format!("{}{}{}", words.when.0, test(condition, target), words.when.1));
@@ -259,6 +267,12 @@ pub(super) fn head(program: &Program) -> Vec<String> {
 /// A routine's parameters and body.
 pub(super) fn parts(routine: &Routine, target: &dyn Target) -> (String, String) {
     (routine.parameters.join(", "), block(&routine.body, 1, &routine.changed(), target))
+}
+
+/// The digits of a literal that is a whole number.
+pub(super) fn whole(literal: &str) -> Option<&str> {
+    let digits = literal.strip_suffix("_dp").unwrap_or(literal).strip_suffix(".0")?;
+    digits.bytes().all(|own| own.is_ascii_digit()).then_some(digits)
 }
 
 /// A decimal literal that reads back as the same double.

@@ -1,8 +1,9 @@
 //! Python 3 with its own math module, and SciPy where that is not enough.
 
-use super::{Target, Words, comment, decimal, head, parts};
+use super::{Target, Words, comment, decimal, head, parts, whole};
 use crate::code::accuracy::ELEMENTARY;
 use crate::code::program::{Program, routine_name};
+use crate::code::tree::LENGTH;
 
 pub(super) struct Python;
 
@@ -75,6 +76,17 @@ impl Target for Python {
 
     fn declare(&self, name: &str, value: &str, _changes: bool) -> String {
         format!("{name} = {value}")
+    }
+
+    fn array(&self, name: &str) -> String {
+        format!("{name} = [0.0]*{LENGTH}")
+    }
+
+    fn element(&self, name: &str, index: &str) -> String {
+        match whole(index) {
+            Some(whole) => format!("{name}[{whole}]"),
+            None => format!("{name}[int({index})]"),
+        }
     }
 
     fn assign(&self, name: &str, value: &str) -> String {

@@ -1,8 +1,9 @@
 //! Rust with its standard library.
 
-use super::{Target, Words, comment, decimal, head, parts};
+use super::{Target, Words, comment, decimal, head, parts, whole};
 use crate::code::accuracy::ELEMENTARY;
 use crate::code::program::Program;
+use crate::code::tree::LENGTH;
 
 pub(super) struct Rust;
 
@@ -58,6 +59,17 @@ impl Target for Rust {
         format!("let {change}{name}: f64 = {value};")
     }
 
+    fn array(&self, name: &str) -> String {
+        format!("let mut {name} = [0.0_f64; {LENGTH}];")
+    }
+
+    fn element(&self, name: &str, index: &str) -> String {
+        match whole(index) {
+            Some(whole) => format!("{name}[{whole}]"),
+            None => format!("{name}[({index}) as usize]"),
+        }
+    }
+
     fn assign(&self, name: &str, value: &str) -> String {
         format!("{name} = {value};")
     }
@@ -70,7 +82,7 @@ impl Target for Rust {
         let mut lines = head(program);
         lines.push("Outside the domain the result is an error.".to_owned());
         let mut text = comment(&lines, "// ");
-        const ALLOWED: &str = "#[allow(non_snake_case, unused_variables, unused_parens, clippy::all)]\n";
+        const ALLOWED: &str = "#[allow(non_snake_case, unused_variables, unused_assignments, unused_parens, clippy::all)]\n";
         for routine in &program.routines {
             let (_, body) = parts(routine, self);
             let list: Vec<String> = routine.parameters.iter().map(|own| format!("{own}: f64")).collect();
