@@ -1,7 +1,7 @@
 //! Exact fields on a solver's grid as CSV, JSON and NPY, load by load: one field is kept at a time.
 
 use crate::contact::State;
-use crate::scene::{Dimension, Field, Grid, Quantity, Run};
+use crate::scene::{Dimension, Field, Grid, Quantity, Run, infinite_value};
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
 use std::cell::Cell;
@@ -35,7 +35,7 @@ impl Reference<'_, '_> {
     }
 
     /// Writes one line per place and load, with the depth of the load where there are several; every field has its error bound
-    /// beside it, and what the bound rests on. Where pressures are means, the column `cell` or `ring` has the widths of the cells.
+    /// beside it, and what the bound rests on. Where pressures are means, the last column, `cell` or `ring`, has the widths of the cells.
     ///
     /// Returns how many loads have no valid contact.
     ///
@@ -49,22 +49,22 @@ impl Reference<'_, '_> {
         let mut header = if several { vec![named("d", &length)] } else { Vec::new() };
         let square = matches!(self.grid, Grid::Square { .. });
         header.extend(if square { ["x", "y", "r"].as_slice() } else { &["r"] }.iter().map(|own| named(own, &length)));
-        if self.cells {
-            header.push(named(if square { "cell" } else { "ring" }, &length));
-        }
         for curve in self.curves {
             let unit = scene.system.unit_name(curve.dimension());
             let (error, bound) = (format!("{}_error", curve.key()), format!("{}_bound", curve.key()));
             header.extend([named(curve.key(), &unit), named(&error, &unit), bound]);
         }
+        if self.cells {
+            header.push(named(if square { "cell" } else { "ring" }, &length));
+        }
         writeln!(out, "{}", header.join(","))?;
-        let cell = |index: usize| self.cells.then(|| self.grid.cell_width(index)).into_iter().collect::<Vec<f64>>();
+        let cell = |index: usize| self.cells.then(|| self.grid.cell_width(index));
         let mut missing = 0;
         for (index, state) in self.states() {
             missing += usize::from(state.is_none());
             let fields: Vec<Field> = self.curves.iter().map(|curve| self.field(*curve, state.as_ref())).collect();
             let depth = state.map_or_else(String::new, |state| format!("{:?}", self.run.shown_depth(index, &state)));
-            let mut line = |coordinates: &[f64], place: &[usize]| -> io::Result<()> {
+            let mut line = |coordinates: &[f64], place: &[usize], cell: Option<f64>| -> io::Result<()> {
                 if several {
                     write!(out, "{depth},")?;
                 }
@@ -76,16 +76,19 @@ impl Reference<'_, '_> {
                         Err(_) => write!(out, ",,,")?,
                     }
                 }
+                if let Some(width) = cell {
+                    write!(out, ",{:?}", width * factor)?;
+                }
                 writeln!(out)
             };
             match self.places().as_slice() {
-                [count] => (0..*count).try_for_each(|i| line(&[&[self.grid.coordinate(i)], cell(i).as_slice()].concat(), &[i]))?,
+                [count] => (0..*count).try_for_each(|i| line(&[self.grid.coordinate(i)], &[i], cell(i)))?,
                 [rows, columns] => {
                     for i in 0..*rows {
                         let y = self.grid.coordinate(i);
                         for j in 0..*columns {
                             let x = self.grid.coordinate(j);
-                            line(&[&[x, y, x.hypot(y)], cell(j).as_slice()].concat(), &[i, j])?;
+                            line(&[x, y, x.hypot(y)], &[i, j], cell(j))?;
                         }
                     }
                 }
@@ -155,7 +158,10 @@ impl Reference<'_, '_> {
                 for part in 0..2 {
                     let mut write = |place: &[usize]| match field.at(place) {
                         Ok((value, error)) => out.write_all(&if part == 0 { value } else { error }.to_le_bytes()),
-                        Err(why) if why.contains("is infinite") => out.write_all(&f64::INFINITY.to_le_bytes()),
+                        Err(why) if infinite_value(*curve, why).is_some() => {
+                            let value = infinite_value(*curve, why).filter(|_| part == 0).unwrap_or(f64::INFINITY);
+                            out.write_all(&value.to_le_bytes())
+                        }
                         Err(why) => {
                             let message = format!("load {}, {}: {why}; CSV and JSON can leave values out", index + 1, curve.key());
                             Err(io::Error::new(io::ErrorKind::InvalidData, message))

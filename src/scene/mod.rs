@@ -1,6 +1,7 @@
 //! Contact scenes: a tip, two materials, loads and the quantities wanted, with units; read from TOML and solved row by row.
 
 mod body;
+mod doubt;
 mod error;
 pub(crate) mod file;
 mod load;
@@ -32,7 +33,7 @@ pub use model::{DepthFrom, Outputs, Scene, Shown};
 pub use reference::{Field, Grid, LARGEST_GRID};
 pub use regime::{Regime, Simple};
 pub use row::{Row, Work};
-pub use run::{Point, Run};
+pub use run::{Point, Run, infinite_value};
 pub use shape::{Parameter, SHAPES, Shape, Way, known_shape, shape};
 pub use system::{Names, System};
 

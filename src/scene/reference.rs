@@ -2,8 +2,8 @@
 
 use super::load::Steps;
 use super::{Dimension, DimensionedNumber, Loads, Point, Quantity, Run, Scene, SceneError};
-use crate::contact::{PartialForce, State};
-use crate::num::{Bound, work};
+use crate::contact::{ContactError, PartialForce, State};
+use crate::num::{Bound, Estimate, work};
 use crate::scene::file::dimensioned::to_double_double;
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -230,11 +230,14 @@ impl Run<'_> {
             bound.set(bound.get().and(point.bound));
             point.value
         };
-        let mean = |force: Result<crate::num::Estimate, crate::contact::ContactError>, area: f64| match force {
-            Ok(own) if own.value.is_finite() && own.error.is_finite() => {
+        let doubt = means.as_ref().and_then(|(_, state)| self.doubt(state));
+        let mean = |force: Result<Estimate, ContactError>, area: f64, ends: [f64; 2], diagonal: Option<f64>| match (force, doubt) {
+            (Ok(own), Some(doubt)) if own.value.is_finite() && own.error.is_finite() => {
                 self.told();
-                bound.set(bound.get().and(own.bound));
-                Ok((own.value / area * factor, (own.error / area + 2.0 * f64::EPSILON * own.value.abs() / area) * factor.abs()))
+                bound.set(bound.get().and(own.bound).and(doubt.bound));
+                let value = own.value / area;
+                let inherited = doubt.of_mean(ends, diagonal, area, value);
+                Ok((value * factor, (own.error / area + 2.0 * f64::EPSILON * value.abs() + inherited) * factor.abs()))
             }
             _ => Err("it cannot be computed to any digit"),
         };
@@ -250,7 +253,7 @@ impl Run<'_> {
                         Some((Err(_), _)) => Err("it cannot be computed to any digit"),
                         Some((Ok(force), _)) => {
                             let [inner, outer] = ring(radii, index);
-                            mean(force.on_ring(inner, outer), PI * (outer - inner) * (outer + inner))
+                            mean(force.on_ring(inner, outer), PI * (outer - inner) * (outer + inner), [inner, outer], None)
                         }
                     });
                 }
@@ -271,7 +274,8 @@ impl Run<'_> {
                             Some((Ok(force), _)) => {
                                 let half = |own: f64| [(own - 0.5).max(0.0) * step, (own + 0.5) * step];
                                 let ([x0, x1], [y0, y1]) = (half(x), half(y));
-                                mean(force.on_rectangle([x0, x1], [y0, y1]), (x1 - x0) * (y1 - y0))
+                                let (ends, diagonal) = ([x0.hypot(y0), x1.hypot(y1)], (x1 - x0).hypot(y1 - y0));
+                                mean(force.on_rectangle([x0, x1], [y0, y1]), (x1 - x0) * (y1 - y0), ends, Some(diagonal))
                             }
                         });
                     }

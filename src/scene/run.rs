@@ -22,6 +22,8 @@ pub struct Run<'a> {
     /// Whether the budget of work did not suffice for a row or a point.
     cut: Cell<bool>,
     watch: Option<Box<dyn Fn() + 'a>>,
+    /// The state whose points were asked for last, and its errors.
+    pub(super) doubt: Cell<Option<(State, Option<Estimates>)>>,
     tip: OnceCell<Option<Simple>>,
 }
 
@@ -69,7 +71,16 @@ impl<'a> Run<'a> {
         let named = |dimension| (scene.system.out(dimension), scene.system.unit_name(dimension));
         let indentation = indentation.naming(Naming { length: named(Dimension::LENGTH), force: named(Dimension::FORCE) });
         let second = tip.and_then(|own| Indentation::between(&bodies, Some(solution), others(Some(own.second())), setup, largest).ok());
-        let own = Self { scene, indentation, second, work: Cell::default(), cut: Cell::default(), watch: None, tip: OnceCell::new() };
+        let own = Self {
+            scene,
+            indentation,
+            second,
+            work: Cell::default(),
+            cut: Cell::default(),
+            watch: None,
+            doubt: Cell::default(),
+            tip: OnceCell::new(),
+        };
         // Bad input is found before anything is written.
         for load in [scene.control.load(smallest), largest] {
             if !matches!(load, Load::Depth(_)) && !scene.loads.is_empty() {
@@ -224,7 +235,10 @@ impl<'a> Run<'a> {
 
     /// The error bounds of a state.
     fn bounds(&self, index: usize, state: &State) -> Option<Estimates> {
-        let (_, load) = self.load(index)?;
+        self.bounds_under(self.load(index)?.1, state)
+    }
+
+    pub(super) fn bounds_under(&self, load: Load, state: &State) -> Option<Estimates> {
         let touch = if self.scene.counts_from_touch() { self.indentation.first_touch() } else { 0.0 };
         let bound = || {
             let mut own = self.indentation.estimates(state, load, ROUNDED).ok()?;
@@ -365,9 +379,17 @@ impl<'a> Run<'a> {
         let found = self.curve(curve, state, at);
         self.told();
         let factor = system.out(curve.dimension());
-        let bound = found.map_or(Bound::Proven, |own| own.estimate.bound);
+        let mut bound = found.map_or(Bound::Proven, |own| own.estimate.bound);
         let value = found.and_then(|own| {
-            let (value, error) = (own.estimate.value * factor, own.estimate.error * factor.abs());
+            let inherited = match state.filter(|own| curve.kind() != Kind::Shape && own.boundary != Boundary::Apart && own.radius > 0.0) {
+                None => 0.0,
+                Some(state) => {
+                    let doubt = self.doubt(state).ok_or("the error of the contact radius is unknown")?;
+                    bound = bound.and(doubt.bound);
+                    doubt.of_point(curve, at, own.estimate.value, self.rounding_of_places())
+                }
+            };
+            let (value, error) = (own.estimate.value * factor, (own.estimate.error + inherited) * factor.abs());
             if value.is_finite() && error.is_finite() { Ok((value, error)) } else { Err("no finite value was found") }
         });
         Point { at: at * system.out(Dimension::LENGTH), value, bound }
@@ -402,6 +424,14 @@ impl<'a> Run<'a> {
         let found = curve.number(&self.indentation.contact(state), at, state.radius);
         found.map_err(|_| FAILED)?.map_err(|reason| reason.fixed_text().unwrap_or(FAILED))
     }
+}
+
+/// Returns the infinity that a curve is by theory, from the reason for which a point has no value; `None` for other reasons.
+pub fn infinite_value(curve: Quantity, why: &str) -> Option<f64> {
+    let all = [Reason::Apex, Reason::Kink, Reason::Rim, Reason::ConcaveApex, Reason::ConcaveKink];
+    let pressure = all.iter().find(|own| own.fixed_text() == Some(why))?.infinite_pressure()?;
+    // σ_zz on the surface is −p.
+    Some(if curve == Quantity::AxialStress { -pressure } else { pressure })
 }
 
 /// Why a number without a more precise reason is missing.

@@ -290,8 +290,7 @@ impl Work<'_> {
             (None, Control::ContactRadius) => vec![Control::Depth, Control::Force, Control::ContactRadius],
         };
         let cell = survey.cell(pixel.pixel);
-        let gauge =
-            Gauge { pixel: pixel.pixel, margin: finest.margin, cell, solver: self.judge.solver, by_force: self.declared_force() };
+        let gauge = Gauge { pixel: pixel.pixel, margin: finest.margin, cell, solver: self.judge.solver, by_force: self.declared_force() };
         let free = declared.is_some_and(|own| own.walls == Walls::Free);
         let evidence = Evidence::Field {
             spots: finest.spots.clone(),

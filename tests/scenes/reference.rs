@@ -131,7 +131,7 @@ fn every_format_says_the_same() {
     assert_eq!((&json["grid"]["kind"], &json["grid"]["cells"]), (&Value::from("square"), &Value::from(true)));
     let csv = fs::read_to_string(place.join("out.csv")).unwrap();
     let mut lines = csv.lines();
-    assert_eq!(lines.next(), Some("d_um,x_um,y_um,r_um,p_GPa,p_error_GPa,p_bound,u_um,u_error_um,u_bound"));
+    assert_eq!(lines.next(), Some("d_um,x_um,y_um,r_um,p_GPa,p_error_GPa,p_bound,u_um,u_error_um,u_bound,cell_um"));
     let npy = fs::read(place.join("out.npy")).unwrap();
     assert_eq!(&npy[..8], b"\x93NUMPY\x01\x00");
     let length = usize::from(u16::from_le_bytes([npy[8], npy[9]]));
@@ -209,4 +209,50 @@ fn bad_grids_are_refused() {
         assert!(done.stdout.is_empty() && text.contains(said), "{arguments:?}: {text}");
     }
     assert!(scene(SCENE).is_err() && fs::read_dir(&place).unwrap().count() == 1);
+}
+
+/// Class "a bound that forgets the error of the contact radius": pressures next to the edge under a given depth or force, and u(0), which is
+/// the depth. With a² = R d, p = 2 E* √(R d − r²)/(π R) has no error that counts in twice the digits.
+#[test]
+fn fields_inherit_the_error_of_the_contact_radius() {
+    use sneddon::num::{DoubleDouble, Precise, precise};
+    use sneddon::scene::Control;
+    let tip = Profile::new(&parse::profile("r^2/(2*2)").unwrap()).unwrap();
+    let depths = [0.1, 0.3, 0.07, 1.0 / 3.0, 2e-7, 41.0];
+    let forces: Vec<f64> = depths.iter().map(|d: &f64| 4.0 / 3.0 * 2.0_f64.sqrt() * d.powf(1.5)).collect();
+    for (control, loads) in [(Control::Depth, depths.to_vec()), (Control::Force, forces)] {
+        let scene = Scene { loads: Loads::List(loads.clone()), control, ..Scene::of(tip.clone()) };
+        let solution = scene.solution().unwrap();
+        let run = Run::new(&scene, &solution).unwrap();
+        for (index, load) in loads.iter().enumerate() {
+            let state = run.state(index, false).unwrap();
+            let exact = |own: f64| Precise::exact(own);
+            // F = (4/3) E* √R d^(3/2).
+            let depth = match control {
+                Control::Depth => exact(*load),
+                _ => {
+                    let square = exact(0.75).mul(exact(*load));
+                    let cube = square.mul(square).div(exact(2.0));
+                    let root = cube.value.hi.cbrt();
+                    // A step of Newton's method.
+                    let rest = cube.sub(exact(root).mul(exact(root)).mul(exact(root)));
+                    exact(root).add(rest.div(exact(3.0 * root * root)))
+                }
+            };
+            let check = |quantity: Quantity, at: f64, truth: DoubleDouble| {
+                let (value, error) = run.point(quantity, Some(&state), at).value.unwrap();
+                let off = ((truth.hi - value) + truth.lo).abs();
+                assert!(off <= error, "{control:?} {load}, {} at {at:?}: {value:?} ± {error:e} is off by {off:e}", quantity.key());
+                error / truth.hi.abs()
+            };
+            check(Quantity::Displacement, 0.0, depth.value);
+            for gap in [0.5, 1e-2, 1e-5, 1e-8, 1e-11, 1e-14] {
+                let r = state.radius * (1.0 - gap);
+                let square = exact(2.0).mul(depth).sub(exact(r).mul(exact(r)));
+                let truth = square.sqrt().div(Precise { value: precise::PI, error: 0.0 });
+                let error = check(Quantity::Pressure, r, truth.value);
+                assert!(error < 1e-14 + 4e-15 / gap, "{gap}: {error}");
+            }
+        }
+    }
 }

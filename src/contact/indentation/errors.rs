@@ -19,7 +19,7 @@ pub struct Estimates {
     /// The contact radius.
     pub radius: Estimate,
     /// A bound of |d − g(a)| for the contact radius of the state, 0 under a rim.
-    slack: f64,
+    pub slack: f64,
 }
 
 impl Indentation<'_> {

@@ -2,7 +2,6 @@
 
 use crate::contact::Quantity;
 use crate::scene::{Dimension, Unit};
-use crate::validate::file::layout::Averaging;
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,15 +98,6 @@ fn bounded_quantity(name: &str) -> Option<&'static str> {
         .iter()
         .map(|own| own.key())
         .find(|own| name.trim().strip_prefix(own).and_then(|rest| rest.strip_prefix('_')).is_some_and(is_kind))
-}
-
-/// Returns what pressures are means over if a column has the widths of cells, as `reference` names it: `cell`, `cell_um`, `ring_m`.
-pub(in crate::validate) fn means(name: &str) -> Option<Averaging> {
-    match name.trim().split_once('_').map_or(name.trim(), |own| own.0) {
-        "cell" => Some(Averaging::OverSquares),
-        "ring" => Some(Averaging::OverRings),
-        _ => None,
-    }
 }
 
 /// A column that is understood.

@@ -26,6 +26,17 @@ pub(in crate::validate) enum Averaging {
     OverRings,
 }
 
+impl Averaging {
+    /// Returns what pressures are means over if a column has the widths of cells, as `reference` names it: `cell`, `cell_um`, `ring_m`.
+    pub(in crate::validate) fn named(column: &str) -> Option<Self> {
+        match column.trim().split_once('_').map_or(column.trim(), |own| own.0) {
+            "cell" => Some(Self::OverSquares),
+            "ring" => Some(Self::OverRings),
+            _ => None,
+        }
+    }
+}
+
 /// What the user says of the files.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {

@@ -3,7 +3,7 @@
 use crate::scene::{Dimension, Scene};
 use crate::validate::ValidationError;
 use crate::validate::file::array::Array;
-use crate::validate::file::layout::{Columns, Layout, Averaging, columns};
+use crate::validate::file::layout::{Averaging, Columns, Layout, columns};
 use serde::Deserialize;
 
 /// The fields of one load: the load in the unit of the file, and the arrays.

@@ -3,11 +3,11 @@
 use crate::contact::Load;
 use crate::scene::Scene;
 use crate::validate::diagnosis::placing::Extent;
-use crate::validate::file::column::{self, Column, Kind};
+use crate::validate::file::column::{Column, Kind};
 use crate::validate::file::data::Data;
 use crate::validate::file::lattice;
 use crate::validate::file::lattice::{Lattice, Offset};
-use crate::validate::file::layout::{Layout, Origin, Averaging};
+use crate::validate::file::layout::{Averaging, Layout, Origin};
 use crate::validate::file::row::Row;
 use crate::validate::file::table::Table;
 use crate::validate::file::units::Units;
@@ -115,7 +115,7 @@ impl<'s> Survey<'s> {
         }
         let counted = lattice::of_areas(&radii);
         drop(table);
-        let own = data.arrays.as_ref().and_then(|own| own.averaging).or_else(|| names.iter().find_map(|own| column::means(own)));
+        let own = data.arrays.as_ref().and_then(|own| own.averaging).or_else(|| names.iter().find_map(|own| Averaging::named(own)));
         let squares = |cells: bool| if cells { Averaging::OverSquares } else { Averaging::Values };
         let averaging = match layout.cells {
             Some(true) => own.filter(|own| *own != Averaging::Values).or(Some(Averaging::OverSquares)),

@@ -1,9 +1,9 @@
 //! A data file row by row: text with names in its first line and numbers below, of which nothing is kept, or columns of arrays.
 
 use crate::validate::ValidationError;
-use crate::validate::file::column::{Column, Kind, Reading, is_bound, is_bound_of_field, means};
+use crate::validate::file::column::{Column, Kind, Reading, is_bound, is_bound_of_field};
 use crate::validate::file::data::Data;
-use crate::validate::file::layout::{Columns, Layout};
+use crate::validate::file::layout::{Averaging, Columns, Layout};
 use std::io::{self, BufRead, BufReader, Read};
 use std::rc::Rc;
 
@@ -403,7 +403,7 @@ fn understood(file: &str, line: Option<u64>, names: &[String], layout: &Layout) 
             Reading::BadUnit(why) => {
                 return Err(fault(format!("column {name}: {why}"), "a name such as d_um, F_mN or p_GPa would be accepted"));
             }
-            Reading::Unknown if is_bound(name) || means(name).is_some() => {}
+            Reading::Unknown if is_bound(name) || Averaging::named(name).is_some() => {}
             Reading::Unknown => unread.push(name.clone()),
         }
     }
