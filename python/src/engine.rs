@@ -7,7 +7,7 @@ use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::{PyArithmeticError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use self_cell::self_cell;
-use sneddon::contact::{Contact, ContactError, Indentation, Kind, Load, Measured, Part, Quantity, Reason, Setup, explicit};
+use sneddon::contact::{Contact, ContactError, Indentation, Kind, Load, Measured, Part, Quantity, Setup, explicit};
 use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::num::work::{self, Budget};
 use sneddon::num::{Bound as Ground, Estimate};
@@ -384,10 +384,10 @@ impl Engine {
 
     fn read(&self, wanted: Quantity, at: f64, a: f64) -> Result<Estimate, Fault> {
         match &self.shape {
-            Shape::Formula { solved, .. } => solved.with_dependent(|_, contact| told(wanted.number(contact, at, a)?)),
-            Shape::Table(contact) => told(wanted.number(contact, at, a)?),
+            Shape::Formula { solved, .. } => solved.with_dependent(|_, contact| told(wanted, wanted.number(contact, at, a)?)),
+            Shape::Table(contact) => told(wanted, wanted.number(contact, at, a)?),
             Shape::Function { contact, raised } => {
-                let found = wanted.number(contact, at, a).map_err(Fault::from).and_then(told);
+                let found = wanted.number(contact, at, a).map_err(Fault::from).and_then(|own| told(wanted, own));
                 match (taken(raised), found) {
                     // Where the function has no value, as beyond the end of a sphere, a search goes on without it.
                     (Some(error), found) if is_numeric(&error) => {
@@ -421,10 +421,13 @@ fn is_numeric(error: &PyErr) -> bool {
 }
 
 /// A value with its bound; infinite by theory is infinite without an error.
-fn told(measured: Measured) -> Result<Estimate, Fault> {
+fn told(wanted: Quantity, measured: Measured) -> Result<Estimate, Fault> {
     match measured {
         Ok(own) => Ok(own.estimate),
-        Err(Reason::Apex | Reason::Kink | Reason::Rim) => Ok(Estimate::exact(f64::INFINITY)),
-        Err(other) => Err(Fault::new(other.text())),
+        // σ_zz on the surface is −p.
+        Err(reason) => match reason.infinite_pressure() {
+            Some(own) => Ok(Estimate::exact(if wanted == Quantity::AxialStress { -own } else { own })),
+            None => Err(Fault::new(reason.text())),
+        },
     }
 }

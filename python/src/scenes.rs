@@ -8,7 +8,7 @@ use pyo3::types::PyBytes;
 use sneddon::num::Bound as Ground;
 use sneddon::num::work::{self, Budget};
 use sneddon::report::{solved::json as solved_json, validation};
-use sneddon::scene::{self, Change, Declared, Dimension, Grid, LONGEST_TIP, Quantity, Run, Scene, SceneError};
+use sneddon::scene::{self, Change, Declared, Dimension, Grid, LONGEST_TIP, Quantity, Run, Scene, SceneError, infinite_value};
 use sneddon::validate::{Layout, Origin, Request, Source, ValidationError};
 use std::fs::File;
 use std::io::{Cursor, Read};
@@ -139,7 +139,9 @@ fn fields(
         };
         match found {
             // Infinite by theory at an apex, a kink or a rim.
-            (Err(why), _) if why.contains("infinite") => Ok(((f64::INFINITY, 0.0), Ground::Proven)),
+            (Err(why), _) if infinite_value(curve, why).is_some() => {
+                Ok(((infinite_value(curve, why).unwrap_or(f64::NAN), 0.0), Ground::Proven))
+            }
             (Err(why), _) => Err(Fault::new(why).place(format!("flat index {index}"))),
             (Ok(value), ground) => Ok((value, ground)),
         }

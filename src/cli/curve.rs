@@ -66,7 +66,7 @@ fn reading(curve: &Curve<'_>, pressures: Option<&PressureCurve<'_>>, asked: &Ask
                 return Ok(Err(Reason::Rim));
             }
             let Some(smooth) = pressures.at(at)? else {
-                return Ok(Err(if at == 0.0 { Reason::Apex } else { Reason::Kink }));
+                return Ok(Err(Reason::at_singularity(at, a, |r| Some(pressures.at(r).ok()??.value))));
             };
             let edge = Bounded::exact(a);
             let root = ((edge - place) * (edge + place)).sqrt();

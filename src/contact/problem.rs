@@ -57,6 +57,9 @@ pub(super) fn representable(own: Reading, symbol: &'static str, at: f64) -> Resu
     }
 }
 
+/// Distances from a singularity, relative to the contact radius, between which its logarithm decides.
+const NEAR: [f64; 2] = [1e-8, 1e-12];
+
 /// Why a quantity has no finite value at a point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
@@ -64,6 +67,10 @@ pub enum Reason {
     Apex,
     /// The pressure diverges where f′ jumps.
     Kink,
+    /// The pressure is minus infinity at a concave apex.
+    ConcaveApex,
+    /// The pressure is minus infinity where f′ falls by a jump.
+    ConcaveKink,
     /// The pressure diverges at the rim of a punch.
     Rim,
     /// A mean over a contact without area.
@@ -88,10 +95,36 @@ impl Reason {
         Some(match self {
             Self::Apex => "the pressure is infinite at the apex of a pointed tip (logarithmically)",
             Self::Kink => "the pressure is infinite at a kink of the profile",
+            Self::ConcaveApex => "the pressure is minus infinity at a concave apex (logarithmically)",
+            Self::ConcaveKink => "the pressure is minus infinity at a concave kink of the profile",
             Self::NoArea => "the contact has no area",
             Self::Refused(_) | Self::Unfinished => return None,
             Self::Rim => "the pressure is infinite at the rim of a punch (as an inverse square root)",
         })
+    }
+
+    /// The infinity that the pressure is by theory; `None` for the other reasons.
+    pub fn infinite_pressure(&self) -> Option<f64> {
+        match self {
+            Self::Apex | Self::Kink | Self::Rim => Some(f64::INFINITY),
+            Self::ConcaveApex | Self::ConcaveKink => Some(f64::NEG_INFINITY),
+            Self::NoArea | Self::Unfinished | Self::Refused(_) => None,
+        }
+    }
+
+    /// The reason at the place r of a contact of radius a from the pressures next to it, whose logarithm rises or falls towards r.
+    pub(crate) fn at_singularity(r: f64, a: f64, pressure: impl Fn(f64) -> Option<f64>) -> Self {
+        let near = |gap: f64| if r + gap * a < a { pressure(r + gap * a) } else { pressure(r - gap * a) };
+        let falls = NEAR.windows(2).any(|gaps| match gaps {
+            [far, near_by] => near(*far).zip(near(*near_by)).is_some_and(|(far, near_by)| near_by < far),
+            _ => false,
+        });
+        match (r == 0.0, falls) {
+            (true, false) => Self::Apex,
+            (false, false) => Self::Kink,
+            (true, true) => Self::ConcaveApex,
+            (false, true) => Self::ConcaveKink,
+        }
     }
 }
 
@@ -290,7 +323,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             return Ok(if excess.value == 0.0 { Ok(exact(0.0)) } else { Err(Reason::Rim) });
         }
         let Some(smooth) = self.evaluator.pressure(r, a)? else {
-            return Ok(Err(if r == 0.0 { Reason::Apex } else { Reason::Kink }));
+            return Ok(Err(self.singularity(r, a)));
         };
         let factor = Bounded::exact(self.effective_modulus) / Bounded::rounded(std::f64::consts::PI);
         let mut total = smooth.estimate;
@@ -300,6 +333,11 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             total = total + excess.times(Bounded::exact(1.0) / gap.sqrt() / sum.sqrt());
         }
         representable(Reading { estimate: total.times(factor), method: smooth.method }, "r", r).map(Ok)
+    }
+
+    /// Why the pressure at r is infinite.
+    pub(super) fn singularity(&self, r: f64, a: f64) -> Reason {
+        Reason::at_singularity(r, a, |r| Some(self.evaluator.pressure(r, a).ok()??.estimate.value))
     }
 
     /// u_z(r): d − f(r) inside the contact, (2/π)∫₀^a (d − g)/√(r²−x²) dx outside.

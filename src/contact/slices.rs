@@ -1,7 +1,7 @@
 //! The numbers of a contact over long lists of points, block by block where closed forms answer.
 
 use super::problem::representable;
-use super::{Contact, ContactError, Measured, Reason};
+use super::{Contact, ContactError, Measured};
 use crate::num::{Bound, Bounded, Estimate};
 use crate::transform::{Reading, Slice, TransformError};
 
@@ -54,12 +54,11 @@ impl Contact<'_> {
             return r.iter().map(|r| self.pressure(*r, a)).collect();
         }
         let factor = Bounded::exact(self.effective_modulus()) / Bounded::rounded(std::f64::consts::PI);
-        let infinite = |r: f64| if r == 0.0 { Reason::Apex } else { Reason::Kink };
         readings(
             "r",
             r,
             |r, out| self.evaluator().pressures(r, a, out),
-            |r, smooth| if smooth.estimate.value.is_infinite() { Err(infinite(r)) } else { Ok(scaled(smooth, factor)) },
+            |r, smooth| if smooth.estimate.value.is_infinite() { Err(self.singularity(r, a)) } else { Ok(scaled(smooth, factor)) },
         )
     }
 }

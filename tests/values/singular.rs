@@ -44,8 +44,7 @@ fn finite_pressures_have_their_reference_values() {
 #[test]
 fn theory_decides_what_is_infinite() {
     let at = |text: &str, r: f64| contact(&solution(text), Method::Auto).pressure(r, 1.5).unwrap().map(|own| own.estimate.value);
-    for text in ["r", "r^(1/2)", "r^(9/10)", "-r*ln(r)", "r+r^2*ln(1+r)", "exp(r)-1", "sin(r)", "r-r^2/(1+r)", "abs(r-1)^3", "ln(1+r)+r^3"]
-    {
+    for text in ["r", "r^(1/2)", "r^(9/10)", "-r*ln(r)", "r+r^2*ln(1+r)", "exp(r)-1", "sin(r)", "r-r^2/(1+r)", "ln(1+r)+r^3"] {
         assert_eq!(at(text, 0.0), Err(Reason::Apex), "{text}");
     }
     for text in ["r^(1001/1000)", "r^2*ln(r)", "ln(1+r)-r", "1-cos(r)", "sqrt(1+r)-1-r/2", "max(0,r-1)^2"] {
@@ -53,6 +52,13 @@ fn theory_decides_what_is_infinite() {
     }
     for text in ["max(0,r-1)", "piecewise(r^2,r<1,3*r-2)", "abs(r-1)", "piecewise(0,r<1,sqrt(r-1))", "max(0,r^2-1)"] {
         assert_eq!(at(text, 1.0), Err(Reason::Kink), "{text}");
+    }
+    // Concave: f′ is negative at the axis, or falls by a jump.
+    for text in ["1-r", "abs(r-1)^3", "-sqrt(r)", "r^2-sin(r)", "r*ln(r)"] {
+        assert_eq!(at(text, 0.0), Err(Reason::ConcaveApex), "{text}");
+    }
+    for text in ["min(r^2,r)", "piecewise(2*r,r<1,1+r)", "r^2-abs(r-1)", "-max(0,r-1)"] {
+        assert_eq!(at(text, 1.0), Err(Reason::ConcaveKink), "{text}");
     }
     for text in ["piecewise(r^2,r<1,2*r-1)", "abs(r-1)^3", "max(0,r-1)^2"] {
         assert!(at(text, 1.0).is_ok_and(f64::is_finite), "{text}");

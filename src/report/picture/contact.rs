@@ -2,7 +2,7 @@
 
 use super::{Line, Panel, Picture};
 use crate::contact::{Kind, Quantity, State};
-use crate::scene::{Dimension, Run};
+use crate::scene::{Dimension, Run, infinite_value};
 use std::f64::consts::FRAC_PI_2;
 
 /// What can be drawn of a contact.
@@ -104,8 +104,7 @@ fn over_radius(run: &Run<'_>, curve: Quantity, state: Option<&State>) -> Vec<(f6
 fn value(run: &Run<'_>, curve: Quantity, state: Option<&State>, at: f64) -> f64 {
     match run.point(curve, state, at).value {
         Ok((value, _)) => value,
-        Err(why) if why.contains("infinite") => f64::INFINITY,
-        Err(_) => f64::NAN,
+        Err(why) => infinite_value(curve, why).unwrap_or(f64::NAN),
     }
 }
 

@@ -23,8 +23,8 @@ struct Panel {
     horizontal: String,
     vertical: String,
     lines: Vec<Line>,
-    /// The places at which a line is infinite, rising.
-    infinite: Vec<f64>,
+    /// The places at which a line is infinite, rising, and whether it is plus infinity there.
+    infinite: Vec<(f64, bool)>,
     /// The largest magnitude that is shown, where values grow without bound.
     most: Option<f64>,
 }
@@ -49,8 +49,9 @@ const PEAK: f64 = 6.0;
 
 impl Panel {
     fn new(title: &str, horizontal: String, vertical: String, lines: Vec<Line>) -> Self {
-        let mut infinite: Vec<f64> = lines.iter().flat_map(|line| &line.points).filter(|(_, y)| y.is_infinite()).map(|(x, _)| *x).collect();
-        infinite.sort_by(f64::total_cmp);
+        let places = lines.iter().flat_map(|line| &line.points).filter(|(_, y)| y.is_infinite());
+        let mut infinite: Vec<(f64, bool)> = places.map(|(x, y)| (*x, *y > 0.0)).collect();
+        infinite.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
         infinite.dedup();
         let mut panel = Self { title: title.to_owned(), horizontal, vertical, lines, infinite, most: None };
         panel.most = panel.highest();
@@ -62,7 +63,7 @@ impl Panel {
         let points = || self.lines.iter().flat_map(|line| &line.points).filter(|(x, y)| x.is_finite() && y.is_finite());
         if !self.infinite.is_empty() {
             let (low, high) = points().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (x, _)| (low.min(*x), high.max(*x)));
-            let is_far = |x: f64| self.infinite.iter().all(|at| (x - at).abs() > CLOSE * (high - low));
+            let is_far = |x: f64| self.infinite.iter().all(|(at, _)| (x - at).abs() > CLOSE * (high - low));
             let far = points().filter(|(x, _)| is_far(*x)).map(|(_, y)| y.abs()).fold(0.0, f64::max);
             let axis = Axis::round(points().map(|(_, y)| y.clamp(-ROOM * far, ROOM * far)), TICKS);
             // The line leaves at the end of the axis, not below it.
@@ -100,13 +101,14 @@ impl Panel {
     /// Where the lines are infinite, in words; empty where they are nowhere.
     fn notice(&self) -> String {
         let (coordinate, unit) = self.horizontal.split_once(" (").map_or((self.horizontal.as_str(), ""), |(name, unit)| (name, unit));
-        let places: Vec<String> =
-            self.infinite.iter().map(|at| format!("{at:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()).collect();
-        if places.is_empty() {
-            String::new()
-        } else {
-            format!("infinite at {coordinate} = {} {}", places.join(", "), unit.trim_end_matches(')')).trim_end().to_owned()
-        }
+        let notice = |(wanted, word): (bool, &str)| {
+            let places = self.infinite.iter().filter(|own| own.1 == wanted);
+            let places: Vec<String> =
+                places.map(|own| format!("{:.6}", own.0).trim_end_matches('0').trim_end_matches('.').to_owned()).collect();
+            let all = format!("{word} at {coordinate} = {} {}", places.join(", "), unit.trim_end_matches(')')).trim_end().to_owned();
+            (!places.is_empty()).then_some(all)
+        };
+        [(true, "infinite"), (false, "minus infinity")].into_iter().filter_map(notice).collect::<Vec<_>>().join("; ")
     }
 
     fn axes(&self) -> (Axis, Axis) {

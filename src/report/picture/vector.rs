@@ -59,7 +59,7 @@ where
         .bold_line_style(RGBColor(225, 225, 225))
         .label_style((LETTERS, 13))
         .axis_desc_style((LETTERS, 14))
-        .x_desc(if panel.infinite.is_empty() { panel.horizontal.clone() } else { format!("{} (▲ infinite)", panel.horizontal) })
+        .x_desc(format!("{}{}", panel.horizontal, marks(panel)))
         .y_desc(&panel.vertical)
         .x_labels(horizontal.ticks.len())
         .y_labels(vertical.ticks.len())
@@ -76,8 +76,12 @@ where
         }
     }
     let (low, high) = (vertical.low, vertical.high);
-    let tops = panel.infinite.iter().map(|at| TriangleMarker::new((*at, if high > 0.0 { high } else { low }), 7, BLACK.filled()));
-    chart.draw_series(tops)?;
+    // A marker of negative size points down.
+    let ends = panel
+        .infinite
+        .iter()
+        .map(|(at, up)| TriangleMarker::new((*at, if *up { high } else { low }), if *up { 7 } else { -7 }, BLACK.filled()));
+    chart.draw_series(ends)?;
     if panel.lines.iter().any(|line| !line.name.is_empty()) {
         chart
             .configure_series_labels()
@@ -88,4 +92,14 @@ where
             .draw()?;
     }
     Ok(())
+}
+
+/// What the markers mean, behind the title of an axis.
+fn marks(panel: &Panel) -> &'static str {
+    match (panel.infinite.iter().any(|own| own.1), panel.infinite.iter().any(|own| !own.1)) {
+        (false, false) => "",
+        (true, false) => " (▲ infinite)",
+        (false, true) => " (▼ minus infinity)",
+        (true, true) => " (▲ infinite, ▼ minus infinity)",
+    }
 }

@@ -4,7 +4,7 @@ use crate::contact::State;
 use crate::num::Bound;
 use crate::report::npy::Archive;
 use crate::report::solved::Verdict;
-use crate::scene::{Dimension, Quantity, Run};
+use crate::scene::{Dimension, Quantity, Run, infinite_value};
 use std::io::{self, Write};
 
 /// Writes an NPZ archive: `d`, `F` and so on over the loads with `valid` beside them, curves over loads and places (`p`, `p_at`), with the
@@ -71,7 +71,7 @@ fn curve_arrays(run: &Run<'_>, curve: Quantity, formally: bool, archive: &mut Ar
             at.push(point.at);
             let (value, error) = match point.value {
                 Ok(found) => found,
-                Err(why) if why.contains("is infinite") => (f64::INFINITY, f64::INFINITY),
+                Err(why) if infinite_value(curve, why).is_some() => (infinite_value(curve, why).unwrap_or(f64::NAN), f64::INFINITY),
                 Err(why) => return Err(missing(index, curve.key(), why)),
             };
             values.push(value);
