@@ -29,16 +29,22 @@ struct Variables<'a> {
     arrays: Vec<(&'a str, Vec<Bounded>)>,
 }
 
+/// Whether two names are equal; those of variables differ in their last digits, which are compared first.
+fn same(one: &str, other: &str) -> bool {
+    let (one, other) = (one.as_bytes(), other.as_bytes());
+    one.len() == other.len() && one.last() == other.last() && one == other
+}
+
 impl<'a> Variables<'a> {
     fn set(&mut self, name: &'a str, value: Bounded) {
-        match self.numbers.iter_mut().rev().find(|(own, _)| *own == name) {
+        match self.numbers.iter_mut().rev().find(|(own, _)| same(own, name)) {
             Some((_, old)) => *old = value,
             None => self.numbers.push((name, value)),
         }
     }
 
     fn element(&mut self, name: &str, index: Bounded) -> Option<&mut Bounded> {
-        let (_, own) = self.arrays.iter_mut().find(|(own, _)| *own == name)?;
+        let (_, own) = self.arrays.iter_mut().find(|(own, _)| same(own, name))?;
         own.get_mut(index.value as usize)
     }
 }
@@ -140,7 +146,7 @@ impl<'a> Machine<'a> {
         Some(match value {
             Value::Number(number, true) => Bounded::exact(*number),
             Value::Number(number, false) => Bounded::rounded(*number),
-            Value::Name(name) => variables.numbers.iter().rev().find(|(own, _)| own == name)?.1,
+            Value::Name(name) => variables.numbers.iter().rev().find(|(own, _)| same(own, name))?.1,
             Value::Element(name, index) => {
                 let index = self.value(index, variables)?;
                 *variables.element(name, index)?
