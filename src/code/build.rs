@@ -5,13 +5,13 @@ use super::claim;
 use super::lower::{Names, lowered};
 use super::program::Claim;
 use super::program::Language;
-use super::program::{Program, needs_modulus, routine_name};
+use super::program::{Program, needs_modulus, routine_name, series_of};
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
-use super::{CodeError, FORMS, gaussian, names, read, series};
+use super::{CodeError, FORMS, names, read};
 use crate::contact::{Edge, Explicit, Quantity, explicit, relations};
 use crate::expr::{Bindings, Condition, Expr, Node, Relation};
 use crate::print;
-use crate::transform::{Derived, EvaluatedChain, Sampler, Solution, Superposed};
+use crate::transform::{Derived, EvaluatedChain, Solution, Superposed};
 
 /// The quantities that code can be written for.
 pub const QUANTITIES: [Quantity; 5] = [Quantity::Equivalent, Quantity::Force, Quantity::Pressure, Quantity::Depth, Quantity::Radius];
@@ -73,16 +73,19 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     };
     let closed = build(&[])?;
     // A series next to the axis costs code and time: only where it keeps digits.
-    let in_series: Vec<Quantity> =
-        closed.poor().into_iter().map(|own| if own == Quantity::Force { own } else { Quantity::Equivalent }).collect();
-    let program = match in_series.as_slice() {
-        [] => closed,
-        list => {
-            let other = build(list)?;
-            if other.largest_claim() < closed.largest_claim() { other } else { closed }
-        }
-    };
-    program.honest()
+    let mut in_series: Vec<Quantity> = closed.poor().into_iter().map(series_of).collect();
+    in_series.sort_by_key(|own| own.key());
+    in_series.dedup();
+    if in_series.is_empty() {
+        return closed.honest();
+    }
+    let other = build(&in_series)?;
+    let better: Vec<Quantity> = in_series.iter().copied().filter(|own| other.has_smaller_claims(&closed, *own)).collect();
+    match better.len() {
+        0 => closed.honest(),
+        count if count == in_series.len() => other.honest(),
+        _ => build(&better)?.honest(),
+    }
 }
 
 /// Parameters of which a sine, cosine or tangent is taken.
@@ -101,12 +104,12 @@ fn angles(solution: &Solution, parameters: &[(String, String)]) -> Vec<String> {
     found.map(|(_, identifier)| identifier.clone()).collect()
 }
 
-struct Builder<'a> {
-    solution: &'a Solution,
+pub(super) struct Builder<'a> {
+    pub(super) solution: &'a Solution,
     names: Names,
-    arguments: Vec<String>,
-    counter: usize,
-    routines: Vec<Routine>,
+    pub(super) arguments: Vec<String>,
+    pub(super) counter: usize,
+    pub(super) routines: Vec<Routine>,
     forms: Vec<Routine>,
     language: Language,
     /// The quantities that are a series next to the axis.
@@ -277,7 +280,7 @@ impl Builder<'_> {
         vec![when(Test::Not(Box::new(Test::All(tests))), Value::call(NAN, Vec::new()))]
     }
 
-    fn lowered(&mut self, expr: &Expr) -> Result<(Vec<Statement>, Value), CodeError> {
+    pub(super) fn lowered(&mut self, expr: &Expr) -> Result<(Vec<Statement>, Value), CodeError> {
         Ok(lowered(expr, &self.names, &mut self.counter)?)
     }
 
@@ -315,89 +318,6 @@ impl Builder<'_> {
         }
         body.push(Statement::Return(total.unwrap_or(Value::Number(0.0, true))));
         Ok(body)
-    }
-
-    /// Adds the routine that sums the series of a quantity, and returns the statements that use it where it converges.
-    fn next_to_the_axis(&mut self, quantity: Quantity) -> Result<Vec<Statement>, CodeError> {
-        let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
-        let profile = Expr::sum(self.solution.profile.chains.iter().filter_map(|own| own.pieces.first().cloned()));
-        let is_force = quantity == Quantity::Force;
-        let Some(sample) = Sampler::new(1).parameters(self.solution) else { return Ok(Vec::new()) };
-        let Some(found) = series::text(&profile, coordinate, is_force, &sample) else { return Ok(Vec::new()) };
-        self.counter = 0;
-        let (mut body, mut renaming) = (Vec::new(), Names::new());
-        for (name, constant) in &found.constants {
-            let (statements, value) = self.lowered(constant)?;
-            body.extend(statements);
-            match value {
-                Value::Name(own) => drop(renaming.insert(name.clone(), own)),
-                value => body.push(Statement::Let(name.clone(), value)),
-            }
-        }
-        let text = format!("fn series() {{ {} }}", found.body);
-        let routine = read::routines(&text).and_then(|list| list.into_iter().next()).ok_or(CodeError::Forms)?;
-        body.extend(routine.body.iter().map(|own| own.renamed(&renaming)));
-        let parameters: Vec<String> = std::iter::once(coordinate.to_owned()).chain(self.arguments.iter().cloned()).collect();
-        let what = if is_force { "The power series of F/(2 E)" } else { "The power series of g" };
-        let routine = Routine {
-            name: format!("{}_series", routine_name(quantity)),
-            parameters: parameters.clone(),
-            body: self.numbered(body),
-            comment: vec![format!("{what} at {coordinate} = 0; NaN where it does not converge fast.")],
-        };
-        self.needed(&routine, quantity)?;
-        let call = Value::Call(routine.name.clone(), parameters.iter().map(|own| Value::name(own)).collect());
-        self.routines.push(routine);
-        self.counter = 0;
-        // The first pieces only.
-        let mut tests = Vec::new();
-        let mut statements = Vec::new();
-        for chain in &self.solution.profile.chains {
-            let Some(end) = chain.breakpoints.first() else { continue };
-            let (before, end) = self.lowered(end)?;
-            statements.extend(before);
-            tests.push(Test::Compare(Comparison::LessOrEqual, Value::name(coordinate), end));
-        }
-        let factor =
-            if is_force { Value::binary(Operator::Multiply, Value::Number(2.0, true), Value::name("E")) } else { Value::Number(1.0, true) };
-        let value = Value::name(SUM);
-        let result = if is_force { Value::binary(Operator::Multiply, factor, value.clone()) } else { value.clone() };
-        let is_finite = Test::Compare(Comparison::LessOrEqual, Value::call("abs", vec![value]), Value::Number(f64::MAX, true));
-        let used = vec![Statement::Let(SUM.to_owned(), call), when(is_finite, result)];
-        match tests.is_empty() {
-            true => statements.extend(used),
-            false => statements.push(Statement::If(Test::All(tests), used, Vec::new())),
-        }
-        Ok(statements)
-    }
-
-    /// Returns the statements that sum Gaussian terms, if the profile has no other ones; `None` for g without powers of r, whose closed
-    /// form keeps its digits.
-    fn sum_of_gaussians(&mut self, quantity: Quantity, factor: &Expr) -> Result<Option<Vec<Statement>>, CodeError> {
-        let [chain] = self.solution.profile.chains.as_slice() else { return Ok(None) };
-        let ([profile], []) = (chain.pieces.as_slice(), chain.breakpoints.as_slice()) else { return Ok(None) };
-        let Some(list) = gaussian::gaussians(profile) else { return Ok(None) };
-        let is_force = quantity == Quantity::Force;
-        if !is_force && list.iter().any(|own| own.j == 0) {
-            return Ok(None);
-        }
-        self.counter = 0;
-        let coordinate = Expr::symbol(coordinates(quantity).last().copied().unwrap_or("a"));
-        let (mut body, mut total): (Vec<Statement>, Option<Value>) = (Vec::new(), None);
-        for own in list {
-            let order = 2 * i64::from(own.j) + i64::from(is_force);
-            let (before, front) = self.lowered(&(own.factor * own.kappa.power(-order) * factor))?;
-            let (more, argument) = self.lowered(&(own.kappa * &coordinate))?;
-            body.extend(before.into_iter().chain(more));
-            let form = if is_force { "gaussian_force" } else { "gaussian_equivalent" };
-            let part = Value::binary(Operator::Multiply, front, Value::call(form, vec![Value::Number(f64::from(own.j), true), argument]));
-            total = Some(match total {
-                None => part,
-                Some(sum) => Value::binary(Operator::Add, sum, part),
-            });
-        }
-        body.extend(total.map(Statement::Return));
-        Ok(Some(body))
     }
 
     /// The pieces of a chain, each where the contact ends in it.
@@ -471,7 +391,7 @@ impl Builder<'_> {
     }
 
     /// Renames the variables of a body to t1, t2, …, which no parameter is called.
-    fn numbered(&mut self, body: Vec<Statement>) -> Vec<Statement> {
+    pub(super) fn numbered(&mut self, body: Vec<Statement>) -> Vec<Statement> {
         let routine = Routine { name: String::new(), parameters: Vec::new(), body, comment: Vec::new() };
         let mut renaming = Names::new();
         for own in routine.variables().into_iter().chain(routine.arrays()) {
@@ -484,7 +404,7 @@ impl Builder<'_> {
     }
 
     /// Adds the stable forms that a routine calls, those first that they call themselves.
-    fn needed(&mut self, routine: &Routine, quantity: Quantity) -> Result<(), CodeError> {
+    pub(super) fn needed(&mut self, routine: &Routine, quantity: Quantity) -> Result<(), CodeError> {
         for name in routine.calls() {
             if ELEMENTARY.contains(&name.as_str()) || self.routines.iter().any(|own| own.name == name) {
                 continue;
@@ -510,9 +430,6 @@ impl Builder<'_> {
         all
     }
 }
-
-/// The sum of a series; no parameter has this name, which is that of a variable.
-const SUM: &str = "t1000";
 
 /// Below the end of the profile g takes every value that it will.
 const SEARCH_TO_END: &str = "let _high = _end * 0.99999999999999989; if !(g(_high) >= d) { return nan(); }
@@ -543,7 +460,7 @@ fn compare(comparison: Comparison, name: &str, number: f64) -> Test {
     Test::Compare(comparison, Value::name(name), Value::Number(number, true))
 }
 
-fn when(test: Test, value: Value) -> Statement {
+pub(super) fn when(test: Test, value: Value) -> Statement {
     Statement::If(test, vec![Statement::Return(value)], Vec::new())
 }
 

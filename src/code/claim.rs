@@ -2,11 +2,10 @@
 
 use super::CodeError;
 use super::accuracy::{ELEMENTARY_ULPS, Machine};
-use super::program::{Claim, Program, needs_modulus, routine_name};
-use crate::contact::{Contact, Quantity};
-use crate::expr::{Bindings, Expr, Number};
-use crate::num::{Bounded, work};
-use crate::transform::{Evaluator, Method, Sampler, Solution, reach};
+use super::program::{Claim, Program, needs_modulus, routine_name, series_of};
+use super::truth::{STEP, Truth, spacing};
+use crate::contact::Quantity;
+use crate::transform::{Evaluator, Sampler, Solution, reach};
 
 /// Sets of parameters.
 const DRAWS: usize = 6;
@@ -16,17 +15,6 @@ const POINTS: u32 = 14;
 const PLAIN: f64 = 16.0;
 /// Bounds between the points may be larger.
 const ROOM: f64 = 1.25;
-/// The step of relative differences.
-const STEP: f64 = 1e-6;
-/// Those of condition numbers, of which the largest counts: far out, waves are shorter than the first one.
-const STEPS: [f64; 3] = [STEP, 1e-9, 1e-12];
-/// Steps of work after which a value is given up.
-const LONGEST: u64 = 200_000;
-/// The tolerance of the values that are compared.
-const TOLERANCE: f64 = 1e-13;
-/// Values nearer to 0, and their inverses, are not compared.
-const LEAST: f64 = 1e-280;
-
 /// Decades from the natural length of a profile inward and outward over which a claim holds.
 const DECADES: f64 = 12.0;
 /// Places in each of them.
@@ -53,9 +41,12 @@ impl Program {
         self.claims.iter().filter(|own| own.1.is_none_or(|claim| claim.ulps > PLAIN)).map(|own| own.0).collect()
     }
 
-    /// The largest claim; infinite where nothing is claimed.
-    pub(super) fn largest_claim(&self) -> f64 {
-        self.claims.iter().map(|own| own.1.map_or(f64::INFINITY, |claim| claim.ulps)).fold(0.0, f64::max)
+    /// Whether every quantity that is computed from this one has a smaller claim than in another program.
+    pub(super) fn has_smaller_claims(&self, other: &Self, quantity: Quantity) -> bool {
+        let size = |claim: Option<Claim>| claim.map_or(f64::INFINITY, |own| own.ulps);
+        let pairs = self.claims.iter().zip(&other.claims).filter(|(own, _)| series_of(own.0) == quantity);
+        let largest = pairs.fold((0.0_f64, 0.0_f64), |most, (own, other)| (most.0.max(size(own.1)), most.1.max(size(other.1))));
+        largest.0 < largest.1
     }
 
     /// Refuses a function that loses its digits somewhere.
@@ -180,121 +171,6 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
     Some(Claim { ulps: whole(relative), condition: Some(largest), worst_at, ..claim })
 }
 
-/// The values of a quantity as the program computes them, for one set of parameters.
-struct Truth<'a> {
-    quantity: Quantity,
-    solution: &'a Solution,
-    bindings: Bindings,
-    contact: Contact<'a>,
-    /// The parameters in the order of the arguments.
-    values: Vec<f64>,
-    names: Vec<String>,
-    /// Contacts with one parameter more, and less; made where they are needed.
-    moved: Option<Vec<Vec<Moved<'a>>>>,
-}
-
-/// A relative step of a parameter, and the contacts on both sides.
-type Moved<'a> = (f64, [Contact<'a>; 2]);
-
-impl<'a> Truth<'a> {
-    fn new(solution: &'a Solution, quantity: Quantity, bindings: &Bindings, program: &Program) -> Option<Self> {
-        let contact = contact(solution, bindings)?;
-        let value =
-            |name: &str| bindings.iter().find(|(own, _)| own.name() == name).and_then(|(_, own)| own.as_number().map(|n| n.to_f64()));
-        let values = program.parameters.iter().map(|(own, _)| value(own)).collect::<Option<Vec<f64>>>()?;
-        let names = program.parameters.iter().map(|(own, _)| own.clone()).collect();
-        Some(Self { quantity, solution, bindings: bindings.clone(), contact, values, names, moved: None })
-    }
-
-    /// The value at coordinates that belong to a radius next to `place`.
-    fn value(&self, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
-        work::share(LONGEST, || self.value_of(contact, coordinates, place)).flatten()
-    }
-
-    fn value_of(&self, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
-        let g = |x: f64| Some(contact.evaluator().slope(x).ok()?.estimate.bounded());
-        let reading = match (self.quantity, coordinates) {
-            (Quantity::Equivalent | Quantity::Depth, [x]) => return g(*x),
-            (Quantity::Force, [a]) => contact.force(*a).ok()?.estimate,
-            (Quantity::Pressure, [r, a]) => contact.pressure(*r, *a).ok()?.ok()?.estimate,
-            (Quantity::Radius, [d]) => {
-                // A step of Newton's method, which the nearness of the place makes right to second order.
-                let rise = (g(place * (1.0 + STEP))?.value - g(place * (1.0 - STEP))?.value) / (2.0 * STEP * place);
-                let depth = g(place)?;
-                let step = (d - depth.value) / rise;
-                return Some(Bounded::checked(place + step, depth.error / rise.abs() + STEP * step.abs() + spacing(place)));
-            }
-            _ => return None,
-        };
-        Some(reading.bounded())
-    }
-
-    /// The error of a value of the code in ulps; `None` where nothing can be said.
-    fn ulps(&self, own: Bounded, coordinates: &[f64], place: f64) -> Option<f64> {
-        let exact = self.value(&self.contact, coordinates, place)?;
-        // Numbers next to the ends of the range of doubles have digits that are counted otherwise.
-        if !(exact.value.abs() > LEAST && exact.value.abs() < 1.0 / LEAST) || exact.error > 1e-6 * exact.value.abs() {
-            return None;
-        }
-        if !own.is_finite() {
-            return Some(f64::INFINITY);
-        }
-        let difference = ((own.value - exact.value).abs() - exact.error).max(0.0);
-        Some(own.error.max(difference) / spacing(exact.value))
-    }
-
-    /// 1 + Σ |v ∂f/∂v|/|f| over the coordinates, E and the parameters; `None` where a value next to the point is not known.
-    fn condition(&mut self, coordinates: &[f64], place: f64) -> Option<f64> {
-        let mut total = if needs_modulus(self.quantity) { 2.0 } else { 1.0 };
-        let Bounded { value, .. } = self.value(&self.contact, coordinates, place)?;
-        // The larger change on either side: at the crest of a short wave both have one sign.
-        let share = |step: f64, pair: [Option<Bounded>; 2]| {
-            let changes = pair.into_iter().flatten().map(|own| (own.value - value).abs() / (step * value.abs()));
-            changes.filter(|own| own.is_finite()).reduce(f64::max)
-        };
-        for index in 0..coordinates.len() {
-            let at = |factor: f64| -> Vec<f64> {
-                coordinates.iter().enumerate().map(|(i, own)| if i == index { own * factor } else { *own }).collect()
-            };
-            let shares = STEPS
-                .into_iter()
-                .filter_map(|step| share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place))));
-            total += shares.reduce(f64::max)?;
-        }
-        if self.moved.is_none() {
-            self.moved = Some(self.moved_parameters());
-        }
-        for moved in self.moved.iter().flatten() {
-            let shares =
-                moved.iter().filter_map(|(step, pair)| share(*step, pair.each_ref().map(|own| self.value(own, coordinates, place))));
-            total += shares.reduce(f64::max)?;
-        }
-        Some(total)
-    }
-
-    fn moved_parameters(&self) -> Vec<Vec<Moved<'a>>> {
-        let with = |name: &str, value: f64| {
-            let changed: Bindings = self
-                .bindings
-                .iter()
-                .filter_map(|(own, number)| {
-                    Some((own.name(), if own.name() == name { Expr::number(Number::from_f64(value)?) } else { number.clone() }))
-                })
-                .collect();
-            contact(self.solution, &changed)
-        };
-        let moved = |(name, value): (&String, &f64)| {
-            let pair = |step: f64| Some((step, [with(name, value * (1.0 + step))?, with(name, value * (1.0 - step))?]));
-            STEPS.into_iter().filter_map(pair).collect()
-        };
-        self.names.iter().zip(&self.values).map(moved).collect()
-    }
-}
-
-fn contact<'a>(solution: &'a Solution, bindings: &Bindings) -> Option<Contact<'a>> {
-    Some(Contact::new(Evaluator::new(solution, bindings, Method::Auto, TOLERANCE).ok()?, 1.0, None, TOLERANCE))
-}
-
 /// Radii over the decades of a claim and their ends, next to breakpoints, and next to the end of the profile.
 fn places(sampler: &mut Sampler, evaluator: &Evaluator<'_>) -> (Vec<f64>, (f64, f64)) {
     let (end, limit) = (reach(evaluator), evaluator.limit());
@@ -342,9 +218,4 @@ fn root(machine: &mut Machine<'_>, a: f64, values: &[f64]) -> Option<(f64, f64)>
     let positive = slope > 0.0 && own.value > 0.0;
     let error = (own.error + spacing(own.value)) / slope + 2.0 * spacing(a);
     positive.then(|| (error / spacing(a), 1.0 + own.value / (slope * a)))
-}
-
-/// The distance of neighbouring doubles.
-fn spacing(value: f64) -> f64 {
-    value.abs().next_up() - value.abs()
 }

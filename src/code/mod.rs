@@ -15,7 +15,9 @@ mod names;
 mod program;
 mod read;
 mod series;
+mod summed;
 mod tree;
+mod truth;
 
 pub use build::{QUANTITIES, program};
 pub use error::CodeError;

@@ -27,6 +27,11 @@ pub(super) fn needs_modulus(quantity: Quantity) -> bool {
     [Dimension::FORCE, Dimension::PRESSURE].contains(&quantity.dimension())
 }
 
+/// The quantity whose series a quantity is computed from: d and a from that of g.
+pub(super) fn series_of(quantity: Quantity) -> Quantity {
+    if quantity == Quantity::Force { quantity } else { Quantity::Equivalent }
+}
+
 /// The name of the routine of a quantity.
 pub(super) fn routine_name(quantity: Quantity) -> String {
     format!("sneddon_{}", quantity.key())

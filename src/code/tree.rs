@@ -174,38 +174,23 @@ impl Routine {
 
     /// The variables that it makes, each once.
     pub(super) fn variables(&self) -> Vec<String> {
-        let mut found: Vec<String> = Vec::new();
-        let mut see = |own: &Statement| {
-            if let Statement::Let(name, _) = own
-                && !found.contains(name)
-            {
-                found.push(name.clone());
-            }
-        };
-        self.body.iter().for_each(|own| own.steps(&mut see));
-        found
+        self.names(|own| if let Statement::Let(name, _) = own { Some(name) } else { None })
     }
 
     /// The arrays that it makes.
     pub(super) fn arrays(&self) -> Vec<String> {
-        let mut found: Vec<String> = Vec::new();
-        let mut see = |own: &Statement| {
-            if let Statement::Array(name) = own {
-                found.push(name.clone());
-            }
-        };
-        self.body.iter().for_each(|own| own.steps(&mut see));
-        found
+        self.names(|own| if let Statement::Array(name) = own { Some(name) } else { None })
     }
 
     /// The variables that change.
     pub(super) fn changed(&self) -> Vec<String> {
+        self.names(|own| if let Statement::Set(name, _) = own { Some(name) } else { None })
+    }
+
+    /// The names that are picked from its statements, each once.
+    fn names(&self, pick: impl Fn(&Statement) -> Option<&String>) -> Vec<String> {
         let mut found: Vec<String> = Vec::new();
-        let mut see = |own: &Statement| {
-            if let Statement::Set(name, _) = own {
-                found.push(name.clone());
-            }
-        };
+        let mut see = |own: &Statement| found.extend(pick(own).filter(|name| !found.contains(name)).cloned());
         self.body.iter().for_each(|own| own.steps(&mut see));
         found
     }

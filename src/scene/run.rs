@@ -386,7 +386,7 @@ impl<'a> Run<'a> {
                 Some(state) => {
                     let doubt = self.doubt(state).ok_or("the error of the contact radius is unknown")?;
                     bound = bound.and(doubt.bound);
-                    doubt.of_point(curve, at, own.estimate.value, self.rounding_of_places())
+                    doubt.of_point(curve, at, own.estimate.value)
                 }
             };
             let (value, error) = (own.estimate.value * factor, (own.estimate.error + inherited) * factor.abs());

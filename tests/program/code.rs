@@ -83,8 +83,8 @@ fn cases(entry: &Entry, module: &str, own: Quantity, made: &Program) -> Vec<Case
             continue;
         }
         let truth = parse::constant(value).unwrap().as_number().unwrap().to_f64() * factor.first().map_or(1.0, |own| 2.0 * own);
-        // Two roundings of the truth.
-        let (ulps, conditional) = (claim.ulps + 1.5, claim.condition.is_some());
+        // Two roundings of the truth, of half a unit each.
+        let (ulps, conditional) = (claim.ulps + 1.0, claim.condition.is_some());
         let arguments = [&[radius.parse().unwrap()], factor, &entry.parameters].concat();
         let (what, function) = (format!("{id} {}", own.key()), format!("sneddon_{}", own.key()));
         list.push(Case { what, module: module.to_owned(), function, arguments, truth: truth.into(), ulps, conditional });

@@ -157,7 +157,8 @@ pub(in crate::validate) fn npy(file: &str, array: &Array, layout: &Layout, scene
         loads.push(Fields { load: Some(load * scene.system.out(scene.control.datum().dimension())), arrays });
     }
     let all = joined(file, scene.control.datum().key(), loads, layout)?;
-    let averaging = layout.cells.filter(|own| *own && !radii.is_empty()).map(|_| Averaging::OverRings);
+    let cells = layout.cells.or(scene.data.as_ref().and_then(|own| own.cells));
+    let averaging = cells.filter(|own| *own && !radii.is_empty()).map(|_| Averaging::OverRings);
     Ok(Columns { radii: !radii.is_empty(), averaging, ..all })
 }
 
