@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from . import _sneddon
-from ._errors import SneddonError
+from ._errors import SneddonError, missing_key
 from ._numbers import float_of_number
 from ._profile import Profile
 
@@ -38,7 +38,10 @@ class Comparison(Mapping[str, dict[str, Any]]):
         self.passed: bool = cut is None and "passed" in verdicts and "failed" not in verdicts
 
     def __getitem__(self, quantity: str) -> dict[str, Any]:
-        return self._quantities[quantity]
+        try:
+            return self._quantities[quantity]
+        except KeyError:
+            raise missing_key("the comparison", quantity, self._quantities) from None
 
     def __iter__(self) -> Iterator[str]:
         """Iterate over the keys of the quantities."""

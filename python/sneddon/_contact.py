@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from ._arrays import WithBound, check_with_bound, ground_of, map_over, real
 from ._errors import SneddonError
-from ._numbers import float_of_number
+from ._numbers import float_of_number, merged
 from ._profile import Profile
 from ._sneddon import quantities
 
@@ -28,7 +29,9 @@ class Contact:
         The relative tolerance of quadratures.
     method : {"auto", "exact", "quadrature"}
         How numbers are computed.
-    **parameters : float
+    parameters : mapping, optional
+        Values of parameters by name, also of those that are called like an argument, such as ``nu``.
+    **values : float
         The parameters that the profile leaves open.
 
     Notes
@@ -48,6 +51,7 @@ class Contact:
 
     def __init__(
         self,
+        /,
         profile: Any,
         *,
         E_star: float | None = None,  # noqa: N803
@@ -55,8 +59,10 @@ class Contact:
         nu: float | None = None,
         tolerance: float = 1e-13,
         method: str = "auto",
-        **parameters: Any,
+        parameters: Mapping[str, Any] | None = None,
+        **values: Any,
     ) -> None:
+        values = merged(parameters, values)
         if not isinstance(profile, Profile):
             profile = Profile(profile)
         if E_star is None:
@@ -77,9 +83,9 @@ class Contact:
             raise SneddonError(f"tolerance = {tolerance} is not between 0 and 1", "tolerance")
         self.profile = profile
         self._modulus = E_star
-        self._own = parameters
+        self._own = values
         self._how = method, tolerance
-        self._engine = profile.engine(parameters, E_star, method, tolerance)
+        self._engine = profile.engine(values, E_star, method, tolerance)
 
     def __repr__(self) -> str:
         return f"Contact({self.profile!r}, E_star={self.E_star!r})"

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 
 # The longest text of an error, of its message and of its place, in characters; the attributes are whole.
 _MOST, _MESSAGE, _PLACE = 300, 190, 100
+# Advice that has less room than this is left out.
+_ROOM = 40
 
 
 def _without_middle(text: str, most: int) -> str:
     """Return a text of at most ``most`` characters that begins and ends as the given one."""
     end = most // 3
     return text if len(text) <= most else f"{text[: most - end - 5].rstrip()} ... {text[len(text) - end :].lstrip()}"
+
+
+def missing_key(of: str, key: object, known: Iterable[str]) -> KeyError:
+    """Return the error of a key that a mapping lacks, with those that it has."""
+    names = _without_middle(", ".join(known), _PLACE)
+    return KeyError(f"{of} has no {_without_middle(repr(key), _PLACE)}; it has {names or 'nothing'}")
 
 
 class SneddonError(ValueError):
@@ -33,7 +42,8 @@ class SneddonError(ValueError):
     def __str__(self) -> str:
         where = f" ({_without_middle(self.place, _PLACE)})" if self.place else ""
         first = _without_middle(self.message, _MESSAGE) + where
-        return f"{first}; {_without_middle(self.help, _MOST - len(first) - 2)}" if self.help else first
+        room = _MOST - len(first) - 2
+        return f"{first}; {_without_middle(self.help, room)}" if self.help and room >= min(_ROOM, len(self.help)) else first
 
     def __reduce__(self) -> tuple[object, ...]:
         return (SneddonError, (self.message, self.place, self.help))

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from ._arrays import WithBound, map_over
-from ._errors import SneddonError
-from ._numbers import float_of_number
+from ._errors import SneddonError, missing_key
+from ._numbers import float_of_number, merged
 
 if TYPE_CHECKING:
     from ._profile import Profile
@@ -73,7 +74,9 @@ class Formula:
 
         return expression_of(self.text)
 
-    def __call__(self, *coordinates: Any, with_bound: WithBound = False, E: float = 1.0, **parameters: Any) -> Any:
+    def __call__(
+        self, /, *coordinates: Any, with_bound: WithBound = False, E: float = 1.0, parameters: Mapping[str, Any] | None = None, **values: Any
+    ) -> Any:
         """Evaluate the formula over arrays.
 
         Parameters
@@ -87,9 +90,12 @@ class Formula:
             The depth of a punch with a rim whose depth was left open, ``depth="d"``.
         E : float
             The effective modulus.
-        **parameters : float
+        parameters : mapping, optional
+            Values of parameters by name, also of those that are called like an argument.
+        **values : float
             The parameters that the profile leaves open; those that the formula lacks may be left out.
         """
+        values = merged(parameters, values)
         # Under a rim the contact radius does not change, and F(a) is the answer for every depth.
         of_depth = self._rim is not None and self.key == "F_of_d"
         asked, names = ("F", ("d", "a")) if of_depth else (self.key, _ARGUMENTS[self.key])
@@ -97,32 +103,32 @@ class Formula:
         if len(coordinates) > len(names):
             raise TypeError(f"{_LEFT[self.key]} has {len(names)} coordinates, {', '.join(names)}; {len(coordinates)} were given")
         if of_depth:
-            if "d" in given and "d" in parameters:
+            if "d" in given and "d" in values:
                 raise TypeError(f"{_LEFT[self.key]} has two values of d")
             if "d" in given:
-                parameters["d"] = given.pop("d")
+                values["d"] = given.pop("d")
             names = ("a",)
         for name in names:
             if name not in given:
-                if name not in parameters:
+                if name not in values:
                     raise TypeError(f"{_LEFT[self.key]} needs {name}")
-                given[name] = parameters.pop(name)
+                given[name] = values.pop(name)
         modulus = float(E) if self.key in _WITH_MODULUS else 1.0
         if not (modulus > 0.0 and modulus < float("inf")):
             raise SneddonError(f"E = {modulus} is not positive and finite", "E", "the effective modulus is accepted")
-        depth = None if self._rim is None else self._depth(parameters)
+        depth = None if self._rim is None else self._depth(values)
         profile = self._profile
-        missing = self._missing(parameters)
+        missing = self._missing(values)
         if self.key in ("d", "k") and missing and not missing & self._written():
             # The formula lacks the parameters of the profile, and any other profile has the same one.
-            profile, parameters = type(profile)("r^2"), {}
-        known = {name: float_of_number(name, value) for name, value in parameters.items()}
+            profile, values = type(profile)("r^2"), {}
+        known = {name: float_of_number(name, value) for name, value in values.items()}
         key = (*sorted(known.items()), ("E*", modulus), ("d", depth))
         engine = self._engines.get(key)
         if engine is None:
             if len(self._engines) > 64:
                 self._engines.clear()
-            engine = self._engines[key] = profile.engine(parameters, modulus, "auto", 1e-13, depth)
+            engine = self._engines[key] = profile.engine(values, modulus, "auto", 1e-13, depth)
         return map_over(engine.one, engine.many, asked, given, with_bound)
 
     def _depth(self, parameters: dict[str, Any]) -> float:
@@ -181,7 +187,10 @@ class Derivation:
         }
 
     def __getitem__(self, key: str) -> Formula | None:
-        return self._formulas[key]
+        try:
+            return self._formulas[key]
+        except KeyError:
+            raise missing_key("the derivation", key, self._formulas) from None
 
     @property
     def g(self) -> Formula:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import decimal
 import fractions
 import numbers
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -41,3 +42,11 @@ def float_of_number(name: str, value: Any) -> float:
         raise TypeError(f"{name} is {value!r}; a number such as 1.5 or '3/2' is accepted where numbers are computed") from None
     except OverflowError:
         raise SneddonError(f"{name} is larger than a 64-bit float", name) from None
+
+
+def merged(parameters: Mapping[str, Any] | None, values: dict[str, Any]) -> dict[str, Any]:
+    """Return the values of parameters that are given as a mapping and by keyword, each of them once."""
+    both = sorted(set(parameters or ()) & set(values))
+    if both:
+        raise TypeError(f"{both[0]} has two values, one by keyword and one in parameters")
+    return {**(parameters or {}), **values}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,7 +11,7 @@ from . import _sneddon
 from ._arrays import real
 from ._errors import SneddonError
 from ._formulas import Derivation
-from ._numbers import float_of_number, is_sympy, text_of_number
+from ._numbers import float_of_number, is_sympy, merged, text_of_number
 
 if TYPE_CHECKING:
     from ._contact import Contact
@@ -29,7 +29,9 @@ class Profile:
         The radii at which a callable has a kink.
     end : float, optional
         The radius at which a callable ends.
-    **parameters : number or str
+    parameters : mapping, optional
+        Values of parameters by name, also of those that are called like an argument, such as ``end``.
+    **values : number or str
         Values of parameters of a formula; those that are left out stay symbolic.
 
     Raises
@@ -47,13 +49,16 @@ class Profile:
 
     def __init__(
         self,
+        /,
         shape: Any,
         heights: Any = None,
         *,
         kinks: Sequence[float] = (),
         end: float | None = None,
-        **parameters: Any,
+        parameters: Mapping[str, Any] | None = None,
+        **values: Any,
     ) -> None:
+        values = merged(parameters, values)
         self._text: str | None = None
         self._points: tuple[np.ndarray, np.ndarray] | None = None
         self._values: dict[str, Any] = {}
@@ -77,17 +82,23 @@ class Profile:
             self._text = text_of(shape)
         elif isinstance(shape, Profile):
             self._text, self._points, self._function = shape._text, shape._points, shape._function
-            self._kinks, self._end = shape._kinks, shape._end
-            parameters = {**shape._values, **parameters}
+            self._kinks, self._end = self._kinks or shape._kinks, shape._end if end is None else end
+            values = {**shape._values, **values}
         elif callable(shape):
             self._function = shape
         else:
             raise TypeError(f"a {type(shape).__name__} is not a profile; text, a SymPy expression, a callable or two arrays are accepted")
-        self._values = parameters
-        self._texts = {name: text_of_number(name, value) for name, value in parameters.items()}
+        if self._function is None and (self._kinks or self._end is not None):
+            raise SneddonError(
+                "kinks and end are given for a profile that is no function",
+                "kinks" if self._kinks else "end",
+                "a formula states its own, such as piecewise(r^2, r < 2), and points end at the last one; for parameters of these names parameters={...} is accepted",
+            )
+        self._values = values
+        self._texts = {name: text_of_number(name, value) for name, value in values.items()}
         if self._text is None:
-            if parameters:
-                raise SneddonError(f"the profile has no parameter {next(iter(parameters))}", help="only formulas have parameters")
+            if values:
+                raise SneddonError(f"the profile has no parameter {next(iter(values))}", help="only formulas have parameters")
             return
         self._names = _sneddon.parameters(self._text)
         for name in self._texts:

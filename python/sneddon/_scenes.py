@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _sneddon
 from ._arrays import real
-from ._errors import SneddonError
+from ._errors import SneddonError, missing_key
 
 
 def text_of(scene: Any) -> tuple[str, str]:
@@ -135,7 +135,7 @@ class Solution:
         """
         names = self._names()
         if name not in names:
-            raise KeyError(f"the rows have no {name!r}; they have {', '.join(names) or 'nothing'}")
+            raise missing_key("the table of rows", name, names)
         quantity, _, kind = name.rpartition("_")
         if kind == "ground":
             return np.array([row.get("bounds", {}).get(quantity, "") for row in self.rows], dtype="U9")
@@ -366,6 +366,8 @@ def _file(data: Any, name: str) -> tuple[str, bytes]:
         columns = data
     else:
         raise TypeError(f"{name} is a {type(data).__name__}; a dict of arrays, a structured array, a DataFrame or a path is accepted")
+    if not columns:
+        raise SneddonError(f"{name} has no columns", help="columns such as d and F, or x, y and p, are accepted")
     arrays = {str(key): real(str(key), own) for key, own in columns.items()}
     buffer = io.BytesIO()
     np.savez(buffer, **arrays)  # type: ignore[arg-type]

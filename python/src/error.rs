@@ -97,13 +97,25 @@ impl Fault {
 
 impl From<ContactError> for Fault {
     fn from(error: ContactError) -> Self {
-        Self::new(error.to_string())
+        match error {
+            ContactError::Transform(error) => error.into(),
+            other => Self::new(other.to_string()),
+        }
     }
 }
 
 impl From<TransformError> for Fault {
+    /// What a function lacks is named by the arguments of `Profile`.
     fn from(error: TransformError) -> Self {
-        Self::new(error.to_string())
+        match error {
+            TransformError::Seam { radius } => Self::new(format!(
+                "the function is not smooth near r = {radius:?}, or has very short waves there, so its values do not give its derivatives"
+            ))
+            .help("kinks=[...] of Profile names kinks, end= the radius at which a function ends"),
+            TransformError::Undefined { radius } => Self::new(format!("the function has no finite value at r = {radius:?}"))
+                .help("end= of Profile names the radius at which a function ends"),
+            other => Self::new(other.to_string()),
+        }
     }
 }
 

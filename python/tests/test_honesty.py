@@ -193,7 +193,7 @@ def test_names_that_no_row_has_are_key_errors():
     found = sneddon.solve({"profile": {"f": "r^2/2"}, "material": {"effective_modulus": 1.0}, "load": {"depth": [0.1, 0.2]}})
     assert found["F"].shape == (2,)
     for name in ("typo", "f", "P"):
-        with pytest.raises(KeyError, match="the rows have no"):
+        with pytest.raises(KeyError, match="the table of rows has no"):
             found[name]
         assert name not in found
     assert "F" in found and [row["d"] for row in found] == list(found["d"])
@@ -326,3 +326,60 @@ def test_an_interrupted_function_is_not_called_again():
     with pytest.raises(KeyboardInterrupt):
         sneddon.Contact(sneddon.Profile(f), E_star=1.0).force(radius=0.5)
     assert len(calls) == 300
+
+
+def test_parameters_may_be_called_like_arguments():
+    """Class "a parameter that cannot be given": names of arguments are names of parameters as well."""
+    for name in ("self", "shape", "heights", "profile", "kinks", "end", "nu", "E_star", "tolerance", "method", "with_bound", "parameters", "radius"):
+        text, values = f"r^2/{name}", {name: 2.0}
+        set_first = sneddon.Contact(sneddon.Profile(text, parameters=values), E_star=1.0)
+        left_open = sneddon.Contact(text, E_star=1.0, parameters=values)
+        formula = sneddon.Profile(text).derive().g
+        assert set_first.equivalent_profile(0.5) == left_open.equivalent_profile(0.5) == formula(0.5, parameters=values) == 0.25, name
+    with pytest.raises(TypeError, match="R has two values"):
+        sneddon.Profile("r^2/R", R=1, parameters={"R": 2})
+
+
+@pytest.mark.parametrize("shape", ["r^2", ([0.0, 1.0, 2.0], [0.0, 1.0, 4.0])])
+@pytest.mark.parametrize("stated", [{"end": 0.5}, {"kinks": [0.5]}])
+def test_ends_and_kinks_belong_to_functions(shape, stated):
+    with pytest.raises(sneddon.SneddonError, match="no function"):
+        sneddon.Profile(shape, **stated)
+
+
+def test_messages_are_short():
+    """Class "a message with the whole input in it": at most 300 characters."""
+    rows = sneddon.solve({"profile": {"f": "r^2/2"}, "material": {"effective_modulus": 1.0}, "load": {"depth": 0.1}})
+    long = "Q" * 4000
+    calls = [
+        lambda: sneddon.nanite.model(f"r^2*{long}", "m"),
+        lambda: rows[long],
+        lambda: sneddon.compare("r^2")[long],
+        lambda: sneddon.Profile("r^2").derive()[long],
+        lambda: sneddon.Profile("r^2", **{long: 1.0}),
+        lambda: sneddon.Profile(long + "+"),
+        lambda: sneddon.Contact(f"r^2*{long}", E_star=1.0),
+        lambda: sneddon.Contact("r^2", E_star=1.0).quantity(long, radius=1.0),
+    ]
+    for call in calls:
+        with pytest.raises((sneddon.SneddonError, KeyError)) as caught:
+            call()
+        assert len(str(caught.value)) <= 300, str(caught.value)
+
+
+def test_a_comparison_needs_columns():
+    scene = {"profile": {"f": "r^2/2"}, "material": {"effective_modulus": 1.0}, "load": {"depth": 0.1}}
+    with pytest.raises(sneddon.SneddonError, match="no columns"):
+        sneddon.testing.assert_matches(scene)
+
+
+def test_interpolation_between_many_points_is_followed():
+    """Class "many kinks look like noise": as np.interp makes them; the truth is a sum of arcs."""
+    r = np.linspace(0.0, 1.0, 101)
+    z = r**2
+    contact = sneddon.Contact(lambda x: float(np.interp(x, r, z)), E_star=1.0)
+    for x in (0.5, 0.77):
+        arcs = np.arcsin(np.minimum(r / x, 1.0))
+        truth = x * np.sum(np.diff(z) / np.diff(r) * np.diff(arcs))
+        value, bound = contact.equivalent_profile(x, with_bound=True)
+        assert abs(value - truth) <= bound <= 1e-6 * truth

@@ -157,6 +157,9 @@ impl Settings {
             let Some((name, text)) = item.split_once('=') else {
                 return Err(Failure::new(format!("--set {item} has no value")).help(form));
             };
+            if name.trim().is_empty() {
+                return Err(Failure::new(format!("--set {item} has no name")).help(form));
+            }
             // A parameter that cancels was typed all the same.
             let known = |symbol: &Symbol| parameters.contains(symbol) || parse::parameters(&typed.text).contains(symbol);
             let Some(symbol) = symbol(name).filter(known) else {

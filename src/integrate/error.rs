@@ -144,7 +144,7 @@ pub enum TransformError {
     },
     /// A closure that is not smooth where no breakpoint was stated.
     #[error(
-        "the second derivative cannot be had: the function of the profile is not smooth near r = {radius:?}; a breakpoint or a limit there, or f with f′ and f″, would be accepted"
+        "the function of the profile is not smooth near r = {radius:?}, or has very short waves there, so its values do not give its derivatives; a breakpoint or a limit at this radius, or the derivatives themselves, would be accepted"
     )]
     Seam {
         /// The radius.

@@ -189,6 +189,7 @@ impl System {
             own if own == Dimension::PRESSURE => self.out_pressure,
             own if own == Dimension::STIFFNESS => self.out_force / self.out_length,
             own if own == Dimension::ENERGY => self.out_force * self.out_length,
+            own if own == Dimension::AREA => self.out_length * self.out_length,
             _ => 1.0,
         }
     }
@@ -209,6 +210,7 @@ impl System {
             own if own == Dimension::LENGTH => length.clone(),
             own if own == Dimension::FORCE => force.clone(),
             own if own == Dimension::PRESSURE => pressure.clone(),
+            own if own == Dimension::AREA && !length.is_empty() => format!("{length}^2"),
             own if own == Dimension::STIFFNESS && pressure == DIMENSIONLESS => format!("({pressure} {length})"),
             own if own == Dimension::ENERGY && pressure == DIMENSIONLESS => format!("({pressure} {length}^3)"),
             own if own == Dimension::STIFFNESS && !force.is_empty() => format!("{force}/{length}"),

@@ -374,6 +374,38 @@ fn dimensionless_answers() {
     assert_eq!(one["units"]["length"], "R");
 }
 
+/// Class "a number without the factor of its unit": every quantity in two systems of units, and A = π a² without dimensions.
+#[test]
+fn every_quantity_is_in_the_units_of_the_answers() {
+    let answer = |units: &str| {
+        let quantities = "['F', 'a', 'k', 'A', 'p_mean', 'U', 'q', 'u_1d', 'p', 'u', 'g', 'f', 'G', 'sigma_zz']";
+        let head = "[profile]\nf = 'r^2/20'\nlength_unit = 'um'\n[material]\neffective_modulus = '70 GPa'\n[load]\ndepth = '10 nm'\n";
+        json(&format!("{head}[outputs]\nquantities = {quantities}\nat = ['50 nm']\ndepths = ['0.1 um']\nunits = {units}\n"), 0, &[])
+    };
+    let one = answer("{ length = 'um', force = 'mN', pressure = 'GPa' }");
+    let other = answer("{ length = 'nm', force = 'N', pressure = 'Pa' }");
+    // (key, its number in nm, N and Pa over that in um, mN and GPa).
+    let rows = [("d", 1e3), ("F", 1e-3), ("a", 1e3), ("k", 1e-6), ("A", 1e6), ("p_mean", 1e9), ("U", 1.0)];
+    for (key, factor) in rows {
+        close(&other["rows"][0][key], factor * one["rows"][0][key].as_f64().unwrap());
+    }
+    let curves = [("g", 1e3), ("f", 1e3), ("G", 1e6), ("q", 1e-6), ("u_1d", 1e3), ("p", 1e9), ("u", 1e3), ("sigma_zz", 1e9)];
+    let point = |of: &Value, key: &str| {
+        let own = of["curves"].as_array().unwrap().iter().find(|own| own["quantity"] == key).unwrap();
+        own["points"][0]["value"].clone()
+    };
+    for (key, factor) in curves {
+        close(&point(&other, key), factor * point(&one, key).as_f64().unwrap());
+    }
+    let sphere =
+        "[profile]\nshape = 'sphere'\nparameters = { R = '10 um' }\n[material]\neffective_modulus = '3 GPa'\n[load]\ndepth = '1 um'\n";
+    let bare = json(&format!("{sphere}[outputs]\nquantities = ['a', 'A']\n"), 0, &["--dimensionless"]);
+    close(&bare["rows"][0]["A"], std::f64::consts::PI * bare["rows"][0]["a"].as_f64().unwrap().powi(2));
+    let table = run_in(Path::new("."), &format!("{sphere}[outputs]\nquantities = ['A']\n"), &["solve", "-", "--csv"]);
+    let table = String::from_utf8(table.stdout).unwrap();
+    assert!(table.starts_with("d_m,A_m^2,"), "{table}");
+}
+
 /// One file per malformed scene, beside the message that is expected.
 #[test]
 fn bad_scenes_are_refused_with_their_messages() {

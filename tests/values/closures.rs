@@ -410,3 +410,54 @@ fn kinks_between_the_axis_and_the_end_of_a_wide_fit_are_found() {
         }
     }
 }
+
+/// Class "many kinks in one cell": linear interpolation between the values of a smooth function looks like noise to wide fits.
+#[test]
+fn linear_interpolation_of_many_points_is_followed() {
+    // (intervals on 0 ≤ r ≤ 1, relative error bound).
+    for (intervals, most) in [(63_u32, 1e-9), (100, 1e-6), (200, 1e-6)] {
+        let step = 1.0 / f64::from(intervals);
+        let f = move |r: f64| {
+            let (below, part) = ((r / step).floor(), (r / step).fract());
+            (below * below + part * (2.0 * below + 1.0)) * step * step
+        };
+        let own = Closure::real(f).tolerance(1e-10).profile().unwrap();
+        for x in [0.5_f64, 0.77] {
+            // The slope is (2k + 1) step between the points k and k + 1.
+            let arcs = |k: u32| (f64::from(k) * step / x).min(1.0).asin();
+            let terms = (0..intervals).map(|k| f64::from(2 * k + 1) * step * (arcs(k + 1) - arcs(k)));
+            let truth = x * terms.sum::<f64>();
+            let Estimate { value, error, .. } = own.slope(x).unwrap().estimate;
+            assert!((value - truth).abs() <= error && error <= most * truth, "{intervals}, {x}: {value} ± {error}, {truth}");
+        }
+    }
+}
+
+/// Class "many waves in one cell": they look like noise to wide fits as well.
+#[test]
+fn short_waves_are_followed() {
+    for (k, bessel) in [(1e3_f64, -0.034_100_556_880_732), (1e4, -0.006_648_984_251_448_348)] {
+        let own = Closure::real(move |r| r * r + (k * r).sin() / k).tolerance(1e-10).profile().unwrap();
+        // ∫₀ˣ cos(kr)/√(x² − r²) dr = π J₀(kx)/2, with J₀(kx) at x = 1/2 from mpmath.
+        let truth = 0.5 + 0.25 * PI * bessel;
+        let Estimate { value, error, .. } = own.slope(0.5).unwrap().estimate;
+        assert!((value - truth).abs() <= error && error <= 5e-9, "{k}: {value} ± {error}, {truth}");
+    }
+}
+
+/// Class "a pressure of what cancels": next to the axis only the rounding of f is seen, down to where radii underflow.
+#[test]
+fn pressures_of_functions_that_cancel_next_to_the_axis_are_answered() {
+    type Own = fn(f64) -> f64;
+    // The pressures at r = 0.15 under a = 0.5 with E* = 1, by quadrature with mpmath.
+    let cases: [(Own, f64); 2] = [
+        (|r| (1.0 + r).sqrt() - 1.0 - r / 2.0 + r * r / 8.0, 0.015_117_636_455_244_3),
+        (|r| r.exp() - 1.0 - r - r * r / 2.0, 0.059_993_425_588_015_29),
+    ];
+    for (f, truth) in cases {
+        let own = Closure::real(f).tolerance(1e-10).profile().unwrap();
+        let Estimate { value, error, .. } = own.pressure(0.15, 0.5).unwrap().unwrap().estimate;
+        let p = value / PI;
+        assert!((p - truth).abs() <= error && error <= 1e-7 * truth, "{p} ± {error}, {truth}");
+    }
+}

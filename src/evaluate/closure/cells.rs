@@ -18,15 +18,15 @@ const FOLLOWED: i32 = 14;
 /// Minimum number of halvings of a cell whose ends are cuts of the quadrature.
 const NARROW: i32 = 10;
 /// Maximum number of cuts in one doubling.
-const MOST_CUTS: usize = 64;
+const MOST_CUTS: usize = 1024;
 /// Number of cells on each side of the smallest whose ends are cuts as well.
 const BESIDE: usize = 3;
 /// Number of doublings below a radius that are searched for cuts.
 const OCTAVES: i32 = 10;
 /// Steps within this multiple of a radius count at it.
 const AHEAD: f64 = 1.1;
-/// Cells that one doubling may be cut into.
-const MOST: usize = 400;
+/// Cells that one doubling may be cut into; a kink takes about fifty.
+const MOST: usize = 4000;
 /// Binary exponents of doubles: from the smallest to the largest.
 const EXPONENTS: usize = 2100;
 
@@ -168,15 +168,17 @@ impl Cells {
             let mut cell = Cell::fit(ends, to, phi);
             // A root at an end of the segment falls slowly as well.
             if from > self.lower && to < self.upper {
-                cell.accept_noise(&wider);
+                cell.accept_noise(&wider, phi);
             }
             let middle = from + 0.5 * (to - from);
-            let can_halve = depth < DEEPEST && cells.len() + waiting.len() < MOST && middle > from && middle < to;
+            let is_full = cells.len() + waiting.len() >= MOST;
+            let can_halve = depth < DEEPEST && !is_full && middle > from && middle < to;
             if cell.resolved || !can_halve {
                 // Roots at the ends of the segment itself are followed by cells as wide as they are far from them. A kink inside
                 // it looks resolved only where it has sunk below the rounding of r or of φ.
                 let apart = (from - self.lower).min(self.upper - to) > 1e3 * (to - from);
-                if apart && (!cell.resolved || depth > SMOOTH || (depth > FOLLOWED && cell.is_kinked(&wider))) {
+                let is_seam = !cell.resolved || depth > SMOOTH || (depth > FOLLOWED && cell.is_kinked(&wider));
+                if (apart && is_seam) || (is_full && !cell.resolved) {
                     seam.get_or_insert(to);
                 }
                 cells.push(cell);
@@ -270,17 +272,33 @@ impl Cell {
 
     /// Coefficients that neither fall nor grow when a cell is halved several times are noise beyond what was stated, as of ln(cosh(r)) near
     /// the axis.
-    fn accept_noise(&mut self, wider: &[f64; WIDER]) {
+    fn accept_noise(&mut self, wider: &[f64; WIDER], phi: &impl Fn(f64) -> Bounded) {
         // At a kink they fall by 8 in three halvings, next to a pole they grow by 8; next to rounding one halving tells.
         const STILL: f64 = 0.5;
         const GROWING: f64 = 4.0;
         let (last, low) = (self.last(LAST), self.noise() == 0.0);
         let before = if low { wider[0] } else { wider[2] };
-        if !self.resolved && last > STILL * before && last < GROWING * before {
+        if !self.resolved && last > STILL * before && last < GROWING * before && self.is_noisy_within(phi) {
             self.resolved = true;
             self.accepted = self.noise();
             self.doubt += 4.0 * last;
         }
+    }
+
+    /// Returns false if a narrow part of the cell has a change of φ larger than the noise, but no noise: many kinks or waves in a cell look
+    /// like noise, too. Where φ changes by less, as between steps of rounding, nothing is told.
+    fn is_noisy_within(&self, phi: &impl Fn(f64) -> Bounded) -> bool {
+        /// Noise above this share of φ is compared.
+        const LOUD: f64 = 1e-6;
+        /// Where narrow parts begin, and their widths, as shares of the cell.
+        const BEGIN: f64 = 0.37;
+        const WIDTHS: [f64; 3] = [1e-1, 1e-2, 1e-3];
+        /// Share of the noise that a part without noise may have.
+        const CLEAN: f64 = 1e-2;
+        let (noise, from) = (self.last(LAST), self.begin() + 2.0 * BEGIN * self.half);
+        let is_clean = |own: &Self| own.spread() > noise && own.last(LAST) < CLEAN * noise;
+        let part = |width: f64| Self::fit((from, from + 2.0 * width * self.half), self.to, phi);
+        noise <= LOUD * self.size || !WIDTHS.into_iter().any(|width| is_clean(&part(width)))
     }
 
     /// Returns the size of the last coefficients if it is beyond the rounding of φ, else 0.

@@ -181,8 +181,12 @@ impl Piece {
     /// Records the radius if the closure itself is not finite there; a derivative may be unknown where the closure is finite.
     fn noted(&self, r: f64, value: Bounded) -> Bounded {
         let is_defined = || self.function.height(r).is_finite() && self.function.slope(r).is_none_or(f64::is_finite);
-        if !value.value.is_finite() && !is_defined() {
-            Faults::note(&self.faults.undefined, r);
+        if !value.value.is_finite() {
+            if !is_defined() {
+                Faults::note(&self.faults.undefined, r);
+            } else if let Some(seam) = self.seam(r) {
+                Faults::note(&self.faults.seam, seam);
+            }
         }
         value
     }

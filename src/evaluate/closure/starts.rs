@@ -12,6 +12,8 @@ const FALLING: f64 = 0.6;
 const LOUD: f64 = 1e-6;
 /// As many powers of two below its end a fit is compared with narrow ones.
 const DEPTH: i32 = 50;
+/// Below this radius narrow fits show the rounding of subnormal numbers.
+const FAINTEST: f64 = 1e-285;
 /// A narrow fit whose last coefficients are larger than this share of what φ changes by does not see φ, …
 const BLIND: f64 = 1e-3;
 /// … of which rounding may hide this share.
@@ -186,7 +188,7 @@ impl Starts {
         (1..=depth).all(|below| {
             let Some(place) = place_of(k - below).and_then(|place| self.octaves.get(place)) else { return true };
             let (from, to) = (libm::scalbn(1.0, k - below), libm::scalbn(2.0, k - below));
-            if to > own.cell.end() {
+            if to > own.cell.end() || from < FAINTEST {
                 return true;
             }
             let Some(found) = kept(place, || Octave::boxed(from, to, phi)) else { return false };
