@@ -11,8 +11,11 @@ import numpy as np
 
 from ._errors import SneddonError
 from ._scenes import solve
+from ._sneddon import quantities
 
-_NUMBERS = ("d", "F", "a", "k")
+# Numbers that every sweep has, and those that a scene may ask for besides.
+_ALWAYS = ("d", "F", "a", "k")
+_ASKED = [key for key, kind, _, _ in quantities() if kind == "number"]
 # Scenes that one task solves.
 _BLOCK = 200
 
@@ -33,7 +36,8 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
     Returns
     -------
     xarray.Dataset
-        ``d``, ``F``, ``a`` and ``k`` over the names of ``over``, or over ``point`` for a list; for each a bound on its error, as
+        ``d``, ``F``, ``a`` and ``k``, and the numbers that ``[outputs] quantities`` of the scene asks for besides, such as ``U``, over
+        the names of ``over``, or over ``point`` for a list; for each a bound on its error, as
         ``F_error``, and whether that is proven, as ``F_proven``; ``valid``; and ``error``. A scene that cannot be solved has NaN
         and its reason in ``error``.
     """
@@ -41,6 +45,7 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
 
     if not isinstance(scene, dict):
         raise TypeError("a sweep takes the scene as a dict")
+    numbers = _numbers(scene)
     if isinstance(over, dict):
         names = list(over)
         values = [list(np.atleast_1d(own)) if not isinstance(own, (list, tuple)) else list(own) for own in over.values()]
@@ -62,7 +67,7 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
     for name in names:
         if not isinstance(name, str):
             raise TypeError(f"{name!r} is not the dotted name of a key")
-        if name in (*(key + own for key in _NUMBERS for own in ("", "_error", "_proven")), "valid", "error"):
+        if name in (*(key + own for key in numbers for own in ("", "_error", "_proven")), "valid", "error"):
             raise SneddonError(f"{name} is a result of the sweep", f"over, {name}", "a dotted name such as load.depth is accepted")
         _changed(scene, [(name, None)])
     blocks = [points[start : start + _BLOCK] for start in range(0, len(points), _BLOCK)]
@@ -76,14 +81,22 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
         return dimensions, np.array([row[kind].get(key, missing) for row in rows], dtype=dtype).reshape(shape)
 
     data: dict[str, Any] = {}
-    for key in _NUMBERS:
+    for key in numbers:
         data[key] = values_of("numbers", key, np.nan, float)
-    for key in _NUMBERS:
+    for key in numbers:
         data[f"{key}_error"] = values_of("errors", key, np.nan, float)
         data[f"{key}_proven"] = values_of("proven", key, False, bool)
     data["valid"] = (dimensions, np.array([row["valid"] for row in rows], dtype=bool).reshape(shape))
     data["error"] = (dimensions, np.array([row["why"] for row in rows], dtype=object).reshape(shape))
     return xarray.Dataset(data, coords=coordinates)
+
+
+def _numbers(scene: dict[str, Any]) -> list[str]:
+    """Return the keys of the numbers of each scene."""
+    outputs = scene.get("outputs")
+    asked = outputs.get("quantities") if isinstance(outputs, dict) else None
+    asked = asked if isinstance(asked, (list, tuple)) else ()
+    return [*_ALWAYS, *(key for key in _ASKED if key in asked and key not in _ALWAYS)]
 
 
 def _column(values: list[Any]) -> np.ndarray:
@@ -117,6 +130,10 @@ def _one(scene: dict[str, Any]) -> dict[str, Any]:
     """Return the numbers of a scene, the bounds on their errors, whether these are proven, and why there are none."""
     nothing: dict[str, Any] = {"numbers": {}, "errors": {}, "proven": {}, "valid": False}
     try:
+        outputs = scene.get("outputs")
+        if isinstance(outputs, dict) and isinstance(outputs.get("quantities"), (list, tuple)):
+            asked = list(outputs["quantities"])
+            scene = {**scene, "outputs": {**outputs, "quantities": [*asked, *(key for key in _ALWAYS[1:] if key not in asked)]}}
         found = solve(scene)
     except (SneddonError, TypeError) as error:
         return {**nothing, "why": str(error)}
@@ -124,7 +141,7 @@ def _one(scene: dict[str, Any]) -> dict[str, Any]:
         return {**nothing, "why": f"the scene has {len(found.rows)} loads; a sweep takes one"}
     row = found.rows[0]
     return {
-        "numbers": {key: row[key] for key in _NUMBERS if isinstance(row.get(key), (int, float))},
+        "numbers": {key: row[key] for key in _numbers(scene) if isinstance(row.get(key), (int, float))},
         "errors": row.get("error_estimates", {}),
         "proven": {key: ground == "proven" for key, ground in row.get("bounds", {}).items()},
         "valid": row["valid"],

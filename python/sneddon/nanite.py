@@ -63,7 +63,7 @@ def model(
             raise SneddonError(f"{own} = {values[own]} is not positive and finite", f"defaults, {own}")
     for own in free:
         if own not in values:
-            help_text = f"a value in SI units is accepted, such as defaults={{'{own}': 1e-6}}, or {own}=1e-6 for a parameter that is known"
+            help_text = f"a number in SI units, or in radians, is accepted in defaults={{'{own}': ...}}, or {own}=... if it is known"
             raise SneddonError(f"the parameter {own} has no starting value", f"defaults, {own}", help_text)
     contacts: dict[tuple[float, ...], Contact] = {}
 

@@ -34,6 +34,14 @@ impl Fault {
         Self { message: message.into(), more: Box::default() }
     }
 
+    /// A sentence that may end with what would be accepted, behind a semicolon.
+    fn of_sentence(text: &str) -> Self {
+        match text.rsplit_once("; ") {
+            Some((message, help)) => Self::new(message).help(help),
+            None => Self::new(text),
+        }
+    }
+
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.more.help = Some(help.into());
         self
@@ -99,7 +107,7 @@ impl From<ContactError> for Fault {
     fn from(error: ContactError) -> Self {
         match error {
             ContactError::Transform(error) => error.into(),
-            other => Self::new(other.to_string()),
+            other => Self::of_sentence(&other.to_string()),
         }
     }
 }
@@ -114,7 +122,7 @@ impl From<TransformError> for Fault {
             .help("kinks=[...] of Profile names kinks, end= the radius at which a function ends"),
             TransformError::Undefined { radius } => Self::new(format!("the function has no finite value at r = {radius:?}"))
                 .help("end= of Profile names the radius at which a function ends"),
-            other => Self::new(other.to_string()),
+            other => Self::of_sentence(&other.to_string()),
         }
     }
 }

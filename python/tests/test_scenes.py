@@ -130,6 +130,11 @@ def test_sweeps():
     assert found["F_proven"].values.all() and (found["k_error"].values[:, 1] == 0.0).all()
     apart = sneddon.sweep({**SCENE, "profile": {"f": "tan(r)"}}, {"load.contact_radius": [1.0, 2.0]})
     assert list(apart["F_proven"].values) == [True, False] and np.isnan(apart["F_error"].values[1]) and apart["error"].values[1]
+    asked = sneddon.sweep({**scene, "outputs": {"quantities": ["U", "p_mean"]}}, {"load.depth": [0.1, 0.2]})
+    assert (abs(asked["p_mean"] * np.pi * asked["a"] ** 2 / asked["F"] - 1.0) < 1e-15).all()
+    truth = 8 / 15 * MODULUS * np.sqrt(10.0) * asked["load.depth"] ** 2.5
+    assert (abs(asked["U"] - truth) <= asked["U_error"] + 4e-16 * truth).all() and asked["U_proven"].all()
+    assert "quantities" in str(sneddon.sweep({**scene, "outputs": {"quantities": ["typo"]}}, {"load.depth": [0.1]})["error"].values[0])
     with pytest.raises(sneddon.SneddonError, match="F_error is a result of the sweep"):
         sneddon.sweep(scene, {"F_error": [1.0]})
     with pytest.raises(sneddon.SneddonError):

@@ -410,8 +410,27 @@ impl NumericSegment {
         }
         let end = self.upper.map_or(x, |u| u.value.min(x));
         let size = |delta: f64| self.slope_at(delta).value.abs();
+        let at_lower = if lower == 0.0 { 0.0 } else { self.mean_size(2.0 * self.lower.error) };
         // Twice: f′ is taken at the ends, and the weights stay below 2.
-        2.0 * (lower * size(f64::MIN_POSITIVE) + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
+        2.0 * (lower * at_lower + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
+    }
+
+    /// The mean of |f′| over a short distance from the lower end, at which f′ may be infinite, from above.
+    fn mean_size(&self, distance: f64) -> f64 {
+        const RATIO: f64 = 0.25;
+        let size = |delta: f64| self.slope_at(delta).value.abs();
+        let (at_end, far) = (size(f64::MIN_POSITIVE), size(distance));
+        if at_end.is_nan() || at_end <= 2.0 * far {
+            return at_end;
+        }
+        let (mut sum, mut outer) = (0.0, (distance, far));
+        while outer.0 > f64::MIN_POSITIVE {
+            let inner = (RATIO * outer.0).max(f64::MIN_POSITIVE);
+            let inner = (inner, size(inner));
+            sum += inner.1.max(outer.1) * (outer.0 - inner.0);
+            outer = inner;
+        }
+        sum / distance
     }
 
     /// (r f′)′ over δ.

@@ -89,3 +89,22 @@ fn places_and_tolerances_are_validated() {
         refused(Evaluator::new(&solution, &Bindings::default(), Method::Auto, bad).map(|_| ()));
     }
 }
+
+/// Class "an infinite slope at a radius that no double holds": (r² − b²)^s from b on has g = s B(s, 1/2) x (x² − b²)^(s − 1/2).
+#[test]
+fn slopes_that_are_infinite_at_decimals_have_bounds() {
+    // (s, s B(s, 1/2) from mpmath).
+    for (s, factor) in [("0.5", std::f64::consts::FRAC_PI_2), ("0.7", 1.7540569034384752), ("0.4", 1.4716375921623523)] {
+        for b in ["0.3", "0.7", "1.1"] {
+            let solution = solution(&format!("piecewise(0, r < {b}, (r^2 - {b}^2)^{s})"));
+            let contact = contact(&solution, Method::Auto);
+            let (exponent, limit): (f64, f64) = (s.parse::<f64>().unwrap() - 0.5, b.parse().unwrap());
+            for x in [1.03, 1.5, 4.0].map(|share| share * limit) {
+                let truth = factor * x * ((x - limit) * (x + limit)).powf(exponent);
+                let found = contact.depth(x).unwrap().estimate;
+                assert!((found.value - truth).abs() <= found.error, "{s}, {b}, {x}: {found:?}, {truth}");
+                assert!(found.error <= 2e-5 * truth, "{s}, {b}, {x}: {found:?}");
+            }
+        }
+    }
+}
