@@ -380,10 +380,10 @@ impl Builder<'_> {
         let list = self.arguments.join(", ");
         let comma = if list.is_empty() { "" } else { ", " };
         let profile_at = |at: &str| format!("sneddon_g({at}{comma}{list})");
-        let text = format!("fn search() {{ {domain} {start} {SEARCH} }}")
-            .replace("g(_high)", &profile_at("_high"))
-            .replace("g(_low)", &profile_at("_low"))
-            .replace("g(_mid)", &profile_at("_mid"));
+        let places = ["_high", "_low", "_mid", "_left", "_one", "_two"];
+        let text = places
+            .iter()
+            .fold(format!("fn search() {{ {domain} {start} {SEARCH} }}"), |text, at| text.replace(&format!("g({at})"), &profile_at(at)));
         let routine = read::routines(&text).and_then(|list| list.into_iter().next()).ok_or(CodeError::Forms)?;
         body.extend(routine.body);
         // No parameter begins with an underscore; the variables of the search do, until they are numbered.
@@ -435,10 +435,29 @@ impl Builder<'_> {
 const SEARCH_TO_END: &str = "let _high = _end * 0.99999999999999989; if !(g(_high) >= d) { return nan(); }
     let _mid = _high; while _mid > _low && g(_mid) >= d { _high = _mid; _mid = _low + 0.5 * (_mid - _low); } _low = _mid;";
 
-/// Outward by factors of two, from a depth as large as the radius.
-const SEARCH_OUTWARD: &str = "let _high = _low + d; while g(_high) < d && _high <= 1e300 { _low = _high; _high = 2 * _high; }
-    if !(g(_high) >= d) { return nan(); }
-    let _mid = _low + 0.5 * (_high - _low); while _mid > _low && _low == 0 && g(_mid) >= d && _mid > 1e-300 { _high = _mid; _mid = 0.5 * _mid; }
+/// Outward by factors of two, from a depth as large as the radius; where g has turned, also at its maximum, by golden sections.
+const SEARCH_OUTWARD: &str = "let _high = _low + d; let _left = _low; let _mid = _high; let _found = 0;
+    if g(_high) >= d { _found = 1; }
+    while _found == 0 && _high <= 1e300 {
+      if g(_low) > g(_high) && g(_left) <= g(_low) {
+        let _from = _left; let _to = _high; let _k = 0;
+        while _found == 0 && _k < 60 {
+          let _one = _from + 0.38196601125010515 * (_to - _from);
+          let _two = _from + 0.61803398874989485 * (_to - _from);
+          _mid = _one;
+          if g(_one) < g(_two) { _from = _one; _mid = _two; } else { _to = _two; }
+          if g(_mid) >= d { _found = 1; }
+          _k = _k + 1;
+        }
+        if _found > 0 { _low = _left; _high = _mid; }
+      }
+      if _found == 0 {
+        _left = _low; _low = _high; _high = 2 * _high;
+        if g(_high) >= d { _found = 1; }
+      }
+    }
+    if _found == 0 { return nan(); }
+    _mid = _low + 0.5 * (_high - _low); while _mid > _low && _low == 0 && g(_mid) >= d && _mid > 1e-300 { _high = _mid; _mid = 0.5 * _mid; }
     if _low == 0 { _low = _mid; }";
 
 /// Illinois steps.

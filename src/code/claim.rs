@@ -1,7 +1,7 @@
 //! What a program claims of its accuracy: the largest running error bound at seeded points of its domain.
 
 use super::CodeError;
-use super::accuracy::{ELEMENTARY_ULPS, Machine};
+use super::accuracy::{ASSUMED, Machine};
 use super::program::{Claim, Program, needs_modulus, routine_name, series_of};
 use super::truth::{STEP, Truth, spacing};
 use crate::contact::Quantity;
@@ -68,7 +68,7 @@ fn text(program: &Program, claim: Option<Claim>, quantity: Quantity) -> Vec<Stri
     let Some(claim) = claim else {
         return vec!["Accuracy: nothing is claimed, because no point with a bound was found.".to_owned()];
     };
-    let mut assumed = vec![format!("elementary functions right to {ELEMENTARY_ULPS} ulp")];
+    let mut assumed = vec![ASSUMED.to_owned()];
     for name in &program.library {
         if let Some((written, ulps)) = program.language.target().library(name) {
             assumed.push(format!("{written} right to {ulps} ulp"));
@@ -112,8 +112,6 @@ struct Found {
     coordinates: Vec<f64>,
     /// The set of parameters.
     draw: usize,
-    /// Where the error itself tells it.
-    condition: Option<f64>,
 }
 
 /// The claim of a quantity; `None` where no point gives a bound.
@@ -135,15 +133,15 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         for place in list {
             for coordinates in arguments_at(quantity, place, truth.contact.evaluator()) {
                 let seen = if searched {
-                    root(&mut machine, place, &truth.values).map(|(ulps, condition)| (ulps, Some(condition)))
+                    root(&mut machine, place, &truth.values)
                 } else {
                     let modulus: &[f64] = if needs_modulus(quantity) { &[1.0] } else { &[] };
                     let arguments = [&coordinates, modulus, &truth.values].concat();
                     let own = machine.run(&routine_name(quantity), &arguments);
-                    own.and_then(|own| truth.ulps(own, &coordinates, place)).map(|ulps| (ulps, None))
+                    own.and_then(|own| truth.ulps(own, &coordinates, place))
                 };
-                let Some((ulps, condition)) = seen else { continue };
-                found.push(Found { ulps, place, coordinates, draw: truths.len(), condition });
+                let Some(ulps) = seen else { continue };
+                found.push(Found { ulps, place, coordinates, draw: truths.len() });
             }
         }
         truths.push(truth);
@@ -162,7 +160,7 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
             break;
         }
         let truth = truths.get_mut(own.draw)?;
-        let Some(condition) = own.condition.or_else(|| truth.condition(&own.coordinates, own.place)) else { continue };
+        let Some(condition) = truth.condition(&own.coordinates, own.place) else { continue };
         largest = largest.max(condition);
         if own.ulps / condition > relative {
             (relative, worst_at) = (own.ulps / condition, own.place);
@@ -188,15 +186,17 @@ fn places(sampler: &mut Sampler, evaluator: &Evaluator<'_>) -> (Vec<f64>, (f64, 
     (list, (end * 10f64.powf(-DECADES), if limit.is_finite() { f64::INFINITY } else { end * 10f64.powf(DECADES) }))
 }
 
-/// The places up to which g rises: a contact radius belongs to them.
+/// The places at which g first is positive, and up to which it rises then: a contact radius belongs to them.
 fn rising(mut list: Vec<f64>, evaluator: &Evaluator<'_>) -> Vec<f64> {
     list.sort_by(f64::total_cmp);
+    let depth = |place: f64| evaluator.slope(place).map_or(f64::NAN, |own| own.estimate.value);
     let mut before = 0.0;
-    let rises = |place: &f64| {
-        let own = evaluator.slope(*place).map_or(f64::NAN, |own| own.estimate.value);
-        own >= std::mem::replace(&mut before, own)
-    };
-    list.into_iter().take_while(rises).collect()
+    list.into_iter()
+        .map(|place| (place, depth(place)))
+        .skip_while(|(_, own)| *own <= 0.0)
+        .take_while(|(_, own)| *own >= std::mem::replace(&mut before, *own))
+        .map(|(place, _)| place)
+        .collect()
 }
 
 fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Vec<Vec<f64>> {
@@ -210,12 +210,12 @@ fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Ve
     }
 }
 
-/// The error in ulps of the radius a with g(a) = d, and its condition number: an error of g moves the root by itself over g′.
-fn root(machine: &mut Machine<'_>, a: f64, values: &[f64]) -> Option<(f64, f64)> {
+/// The error in ulps of the radius a with g(a) = d: an error of g moves the root by itself over g′.
+fn root(machine: &mut Machine<'_>, a: f64, values: &[f64]) -> Option<f64> {
     let mut at = |a: f64| machine.run("sneddon_g", &[&[a], values].concat());
     let (own, more, less) = (at(a)?, at(a * (1.0 + STEP))?, at(a * (1.0 - STEP))?);
     let slope = (more.value - less.value) / (2.0 * STEP * a);
     let positive = slope > 0.0 && own.value > 0.0;
     let error = (own.error + spacing(own.value)) / slope + 2.0 * spacing(a);
-    positive.then(|| (error / spacing(a), 1.0 + own.value / (slope * a)))
+    positive.then(|| error / spacing(a))
 }

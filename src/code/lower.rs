@@ -110,8 +110,48 @@ impl Recorder {
                     None => self.named("pressure_power with a fractional exponent", arguments),
                 }
             }
+            ("besselj" | "struveh" | "besseli_scaled" | "struvel" | "bessel_struve", [n, x]) if is(*n, 0.0) || is(*n, 1.0) => {
+                let form = match name {
+                    "besselj" => "bessel_j",
+                    "struveh" => "struve_h",
+                    "besseli_scaled" => "bessel_i_scaled",
+                    "struvel" => "struve_l",
+                    _ => "bessel_i_less_struve",
+                };
+                self.named(form, &[*n, *x])
+            }
+            ("besseli", [n, x])
+                if self.known(*n).is_some_and(|own| own.value.lo == 0.0 && own.value.hi >= 0.0 && own.value.hi.fract() == 0.0) =>
+            {
+                self.named("bessel_i", &[*n, *x])
+            }
             _ => self.named(name, arguments),
         }
+    }
+
+    /// Differences of functions that cancel far out, as functions of their own: e⁻ᶻ(I₀ − I₁), and x M₀ − M₁ with Mₙ = Iₙ − Lₙ.
+    fn difference(&mut self, a: u32, b: u32) -> Option<u32> {
+        let call = |own: u32, name: &str, order: f64| match self.steps.get(own as usize)? {
+            Step::Call(called, arguments) if *called == name => match arguments.as_slice() {
+                [n, x] if self.known(*n).is_some_and(|n| n.value.hi == order) => Some(*x),
+                _ => None,
+            },
+            _ => None,
+        };
+        if let (Some(x), Some(other)) = (call(a, "bessel_i_scaled", 0.0), call(b, "bessel_i_scaled", 1.0))
+            && x == other
+        {
+            return Some(self.named("bessel_i_drop", &[x]));
+        }
+        let x = call(b, "bessel_i_less_struve", 1.0)?;
+        let Step::Binary(Operator::Multiply, one, other) = *self.steps.get(a as usize)? else { return None };
+        let is_product = |x_place: u32, called: u32| x_place == x && call(called, "bessel_i_less_struve", 0.0) == Some(x);
+        if !is_product(one, other) && !is_product(other, one) {
+            return None;
+        }
+        let two = self.number(2.0);
+        let mean = self.named("decay_mean", &[two, x]);
+        Some(self.multiply(x, mean))
     }
 
     /// Variables for what is used more than once or is long, and the value at the end.
@@ -177,7 +217,7 @@ impl Algebra for Recorder {
     }
 
     fn subtract(&mut self, a: u32, b: u32) -> u32 {
-        self.binary(Operator::Subtract, a, b)
+        self.difference(a, b).unwrap_or_else(|| self.binary(Operator::Subtract, a, b))
     }
 
     fn multiply(&mut self, a: u32, b: u32) -> u32 {

@@ -68,7 +68,7 @@ pub(super) struct Routine {
 }
 
 /// How many elements an array has.
-pub(super) const LENGTH: usize = 160;
+pub(super) const LENGTH: usize = 110;
 
 /// What a call is that the program has no routine for.
 pub(super) const NAN: &str = "nan";

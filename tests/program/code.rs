@@ -374,7 +374,7 @@ fn what_cannot_be_written_is_an_error() {
     };
     assert!(code("ln(cosh(r))", Quantity::Force, Language::C).contains("the formula of F holds an integral"));
     assert!(code("ln(cosh(r))", Quantity::Radius, Language::C).contains("holds an integral"));
-    assert!(code("h*(1-cos(k*r))", Quantity::Equivalent, Language::C).contains("the function struveh, which cannot be written in C"));
+    assert!(code("sin(r^2)", Quantity::Equivalent, Language::C).contains("the function fresnelc, which cannot be written in C"));
 }
 
 /// A number of the program at a point, in every language that needs nothing but this toolchain: outside the domain there is no number.
