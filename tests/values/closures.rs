@@ -461,3 +461,36 @@ fn pressures_of_functions_that_cancel_next_to_the_axis_are_answered() {
         assert!((p - truth).abs() <= error && error <= 1e-7 * truth, "{p} ± {error}, {truth}");
     }
 }
+
+/// Class "a step that wide fits do not see": at a power of two, next to the axis, and in functions that are constant below their first step.
+#[test]
+fn single_steps_are_part_of_the_bound() {
+    type Own = fn(f64) -> f64;
+    // (f, the factor of r², the height of the step, its radius).
+    let cases: [(Own, f64, f64, f64); 6] = [
+        (|r| r * r + if r >= 0.1234 { 1e-3 } else { 0.0 }, 1.0, 1e-3, 0.1234),
+        (|r| r * r + if r >= 1e-4 { 1e-3 } else { 0.0 }, 1.0, 1e-3, 1e-4),
+        (|r| 0.3377 * r * r + if r >= 0.5 { 0.178 } else { 0.0 }, 0.3377, 0.178, 0.5),
+        (|r| r * r + if r >= 0.3 { 1e-7 } else { 0.0 }, 1.0, 1e-7, 0.3),
+        (|r| 0.4838 * (2.0 * r).floor(), 0.0, 0.4838, 0.5),
+        (f64::floor, 0.0, 1.0, 1.0),
+    ];
+    for (index, (f, smooth, height, b)) in cases.into_iter().enumerate() {
+        let own = Closure::real(f).tolerance(1e-10).profile().unwrap();
+        for x in [0.45_f64, 0.9] {
+            let step = if x > b { height * x / ((x - b) * (x + b)).sqrt() } else { 0.0 };
+            // F/(2 E*) of the step is h b²/√(x² − b²).
+            let inner = if x > b { height * b * b / ((x - b) * (x + b)).sqrt() } else { 0.0 };
+            let truths = [(own.slope(x), 2.0 * smooth * x * x + step), (own.force(x), 4.0 / 3.0 * smooth * x.powi(3) + inner)];
+            for (found, truth) in truths {
+                match found {
+                    Ok(found) => {
+                        let Estimate { value, error, .. } = found.estimate;
+                        assert!((value - truth).abs() <= error, "case {index}, {x}: {value} ± {error}, {truth}");
+                    }
+                    Err(error) => assert!(error.is_local(), "case {index}, {x}: {error}"),
+                }
+            }
+        }
+    }
+}

@@ -22,7 +22,7 @@ const MOST_CUTS: usize = 1024;
 /// Number of cells on each side of the smallest whose ends are cuts as well.
 const BESIDE: usize = 3;
 /// Number of doublings below a radius that are searched for cuts.
-const OCTAVES: i32 = 10;
+const OCTAVES: i32 = 40;
 /// Steps within this multiple of a radius count at it.
 const AHEAD: f64 = 1.1;
 /// Cells that one doubling may be cut into; a kink takes about fifty.
@@ -194,7 +194,11 @@ impl Cells {
         let runs = cells.chunk_by(|one, other| (one.accepted > 0.0) == (other.accepted > 0.0));
         let noise = |run: &[Cell]| run.iter().fold(0.0, |most: f64, cell| most.max(cell.accepted));
         let steps = runs.filter_map(|run| Some((run.first()?.begin(), noise(run)))).filter(|(_, noise)| *noise > 0.0).collect();
-        Doubling { cells, seam, cuts: cuts(&sizes), steps, agrees: OnceLock::new() }
+        let mut cuts = cuts(&sizes);
+        cuts.extend(steps_apart(&cells, &sizes));
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        Doubling { cells, seam, cuts, steps, agrees: OnceLock::new() }
     }
 
     /// Returns the places below r next to which φ is least smooth, in ascending order.
@@ -204,6 +208,23 @@ impl Cells {
         let doublings = radii.filter(|from| 2.0 * from > self.lower).filter_map(|from| self.doubling(from.max(self.lower.next_up()), phi));
         doublings.flat_map(|own| own.cuts.iter().copied()).filter(|cut| *cut < r).collect()
     }
+}
+
+/// Returns the ends of a few adjacent cells with noise between cells without: a step of φ may lie there, which no node of a wide panel sees.
+fn steps_apart(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
+    const FEW: usize = 4;
+    let mut found = Vec::new();
+    let mut begin = 0;
+    for run in cells.chunk_by(|one, other| (one.accepted > 0.0) == (other.accepted > 0.0)) {
+        let end = begin + run.len();
+        if run.len() <= FEW && run.iter().all(|cell| cell.accepted > 0.0) {
+            let ends = sizes.get(begin..end).unwrap_or_default();
+            found.extend(ends.first().map(|own| own.0));
+            found.extend(ends.last().map(|own| own.1));
+        }
+        begin = end;
+    }
+    found
 }
 
 /// Returns the ends of the cells that were halved more often than their neighbours, and of the cells beside them, one of which may hold the

@@ -19,6 +19,8 @@ pub struct ClosureProfile {
     closure: Closure,
     numeric: NumericProfile,
     at_axis: f64,
+    /// The piece that begins at the axis.
+    first: Option<Arc<Piece>>,
     faults: Arc<Faults>,
 }
 
@@ -26,7 +28,7 @@ impl ClosureProfile {
     pub(super) fn new(closure: Closure) -> Result<Self, TransformError> {
         let faults = Arc::new(Faults::new());
         let ends: Vec<f64> = [0.0].into_iter().chain(closure.breakpoints.iter().copied()).chain([closure.limit]).collect();
-        let mut segments = Vec::new();
+        let (mut segments, mut first) = (Vec::new(), None);
         let mut is_smooth = false;
         for pair in ends.windows(2) {
             let [lower, upper] = *pair else { continue };
@@ -37,7 +39,9 @@ impl ClosureProfile {
             let piece = Piece { function, lower, upper, ulps: closure.ulps, cells, starts, faults };
             // The lengths of the closure may be much smaller than 1.
             is_smooth |= UNITS.into_iter().any(|unit| piece.begins_smoothly(libm::scalbn(PARTS[0] * scale, unit)));
-            let piece: Arc<dyn SlopeSource> = Arc::new(piece);
+            let piece = Arc::new(piece);
+            first.get_or_insert_with(|| Arc::clone(&piece));
+            let piece: Arc<dyn SlopeSource> = piece;
             segments.push((lower, upper.is_finite().then_some(upper), piece));
         }
         for b in &closure.breakpoints {
@@ -61,7 +65,7 @@ impl ClosureProfile {
         }
         // What sampling found undefined next to the axis is found again where it matters.
         faults.take();
-        Ok(Self { closure, numeric, at_axis, faults })
+        Ok(Self { closure, numeric, at_axis, first, faults })
     }
 
     /// f′ on its segments, for what integrates it by itself.
@@ -84,6 +88,17 @@ impl ClosureProfile {
     fn reading(&self, found: Result<Estimate, TransformError>) -> Result<Reading, TransformError> {
         let estimate = found.map_err(|error| self.named(error))?;
         Ok(Reading { estimate, method: "quadrature" })
+    }
+
+    /// The same, with the error that steps of f below x, which the fits do not follow, may make of g times `factor`.
+    fn stepped(&self, found: Result<Estimate, TransformError>, x: f64, factor: f64) -> Result<Reading, TransformError> {
+        let mut own = self.reading(found)?;
+        let hidden = factor * self.first.as_ref().map_or(0.0, |piece| piece.mismatch(x));
+        own.estimate.error += hidden;
+        if hidden > LOST * own.estimate.value.abs() {
+            return Err(TransformError::NoDigits { at: x, value: own.estimate.value, error: own.estimate.error });
+        }
+        Ok(own)
     }
 }
 
@@ -136,23 +151,25 @@ fn refuse_jump(function: &Function, b: f64) -> Result<(), TransformError> {
 
 const NEAR: f64 = 1e-7;
 
+/// Share of a value that hidden steps may be.
+const LOST: f64 = 0.5;
 /// Relative error of g above which steps of f may have been taken for noise.
 const UNSURE: f64 = 1e-5;
 
 impl Quantities for ClosureProfile {
     fn slope(&self, x: f64) -> Result<Reading, TransformError> {
         self.check_domain("x", x)?;
-        self.reading(self.numeric.slope(x, self.closure.tolerance))
+        self.stepped(self.numeric.slope(x, self.closure.tolerance), x, 1.0)
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        self.reading(self.numeric.force(a, self.closure.tolerance))
+        self.stepped(self.numeric.force(a, self.closure.tolerance), a, 2.0 * a)
     }
 
     fn integral(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        self.reading(self.numeric.integral(a, self.closure.tolerance))
+        self.stepped(self.numeric.integral(a, self.closure.tolerance), a, 2.0 * a)
     }
 
     fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {

@@ -136,6 +136,11 @@ impl Piece {
         self.starts.as_ref().is_some_and(|own| own.begin(r, &|r| self.sample(r)))
     }
 
+    /// What f does below r that the fits from the axis on do not follow; see [`Starts::mismatch`].
+    pub(super) fn mismatch(&self, r: f64) -> f64 {
+        self.starts.as_ref().map_or(0.0, |own| own.mismatch(r, &|r| self.sample(r)))
+    }
+
     /// A derivative of f from its values.
     fn derivative(&self, order: usize, r: f64) -> Bounded {
         let phi = |r: f64| self.sample(r);

@@ -53,6 +53,8 @@ pub(super) struct Starts {
     octaves: Box<[OnceLock<Box<Octave>>]>,
     /// Which fit serves radii between one power of two and the next, and what narrower fits see there.
     chosen: Box<[OnceLock<Choice>]>,
+    /// What fits miss of φ below the next power of two; see [`Starts::mismatch`].
+    mismatches: Box<[OnceLock<f64>]>,
     /// The fit that serves radii at which nothing is seen of φ.
     first: OnceLock<i32>,
 }
@@ -82,7 +84,7 @@ struct Fit {
 impl Starts {
     /// For a segment that begins at the axis; nothing is fitted yet.
     pub(super) fn new(upper: f64) -> Self {
-        Self { upper, fits: places(), octaves: places(), chosen: places(), first: OnceLock::new() }
+        Self { upper, fits: places(), octaves: places(), chosen: places(), mismatches: places(), first: OnceLock::new() }
     }
 
     /// Returns the derivative of φ of order 1 or 2 at r with a bound on its error, and what narrower fits see there; `None` if φ is not
@@ -96,6 +98,41 @@ impl Starts {
     pub(super) fn hidden_slope(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         let octave = exponent_of(r).and_then(|exponent| self.octave(exponent, phi));
         octave.map_or(0.0, |own| hidden_slope(own.cell.noise(), r))
+    }
+
+    /// Returns how much the steps and rounding errors of φ below r, which the fits do not follow, may change an integral of φ′ that weighs
+    /// radii b by r/√(r² − b²), unless they lie next to r.
+    pub(super) fn mismatch(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
+        let own = exponent_of(r).and_then(|last| kept(self.mismatches.get(place_of(last)?)?, || self.differs(last, phi)));
+        own.copied().unwrap_or(0.0)
+    }
+
+    /// The difference δ of φ and a fit changes the integral by what δ is at the axis, by 4 δ next to r, and by δ times what the weight
+    /// changes by in between, which is about (b/r)².
+    fn differs(&self, last: i32, phi: &impl Fn(f64) -> Bounded) -> f64 {
+        let mut most = 0.0_f64;
+        let mut before = f64::NAN;
+        for exponent in (last - DEPTH..=last).rev() {
+            let Some((fit, _)) = self.at(libm::scalbn(1.0, exponent), phi) else { continue };
+            // The same fit serves many octaves.
+            if std::mem::replace(&mut before, fit.cell.end()) == fit.cell.end() {
+                continue;
+            }
+            let difference = |below: i32| {
+                let from = libm::scalbn(1.0, below);
+                let octave = self.octave(below, phi).filter(|_| from >= FAINTEST)?;
+                let at = |share: f64| {
+                    let r = (1.0 + share) * from;
+                    (octave.cell.derivative_within(0, r, 0.0).value - fit.cell.derivative_within(0, r, 0.0).value).abs()
+                };
+                Some([0.1, 0.35, 0.6, 0.85].into_iter().map(at).fold(0.0, |most, own| if own > most { own } else { most }))
+            };
+            let lowest = last - DEPTH;
+            let weighed = |below: i32| Some(4.0 * libm::scalbn(1.0, 2 * (below - last)) * difference(below)?);
+            let total = difference(lowest).unwrap_or(0.0) + (lowest..=exponent).filter_map(weighed).sum::<f64>();
+            most = most.max(total);
+        }
+        most
     }
 
     fn octave(&self, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> Option<&Octave> {
