@@ -77,7 +77,7 @@ class Formula:
     def __call__(
         self, /, *coordinates: Any, with_bound: WithBound = False, E: float = 1.0, parameters: Mapping[str, Any] | None = None, **values: Any
     ) -> Any:
-        """Evaluate the formula over arrays.
+        """Evaluate the formula, as it is printed, over arrays.
 
         Parameters
         ----------
@@ -128,7 +128,7 @@ class Formula:
         if engine is None:
             if len(self._engines) > 64:
                 self._engines.clear()
-            engine = self._engines[key] = profile.engine(values, modulus, "auto", 1e-13, depth)
+            engine = self._engines[key] = profile.engine(values, modulus, "auto", 1e-13, depth, exact=True)
         return map_over(engine.one, engine.many, asked, given, with_bound)
 
     def _depth(self, parameters: dict[str, Any]) -> float:

@@ -149,11 +149,18 @@ class Profile:
         return {name: float_of_number(name, value) for name, value in {**self._values, **values}.items()}
 
     def engine(
-        self, values: dict[str, Any], e_star: float, method: str, tolerance: float, depth: float | None = None
+        self,
+        values: dict[str, Any],
+        e_star: float,
+        method: str,
+        tolerance: float,
+        depth: float | None = None,
+        exact: bool = False,
     ) -> _sneddon.Engine:
         """Return what computes numbers.
 
         ``values`` are the parameters that the profile leaves open, and ``depth`` is that of a punch with a rim at the contact radius.
+        Parameters of the profile are rounded to floats, unless ``exact`` keeps their values as they are printed.
         """
         if self._points is not None:
             return _sneddon.Engine.points(*self._points, e_star, tolerance)
@@ -161,7 +168,8 @@ class Profile:
             return _sneddon.Engine.function(self._function, self._kinks, self._end, e_star, tolerance)
         assert self._text is not None
         numbers = self.numbers(values)
-        return _sneddon.Engine.formula(self._text, list(numbers), list(numbers.values()), e_star, method, tolerance, depth)
+        printed = self.texts() if exact else ([], [])
+        return _sneddon.Engine.formula(self._text, list(numbers), list(numbers.values()), printed, e_star, method, tolerance, depth)
 
     def __repr__(self) -> str:
         given = "".join(f", {name}={value!r}" for name, value in self._values.items())

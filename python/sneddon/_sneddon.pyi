@@ -11,6 +11,7 @@ class Engine:
         text: str,
         names: list[str],
         values: list[float],
+        exact: tuple[list[str], list[str]],
         effective_modulus: float,
         method: str,
         tolerance: float,

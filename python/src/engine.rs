@@ -85,6 +85,8 @@ const STEPS: u64 = 300_000;
 #[pymethods]
 impl Engine {
     /// The engine of a formula; values of parameters are 64-bit floats, and so is the depth of a punch with a rim.
+    ///
+    /// Parameters that `exact` names stand in the formula with the values as they were typed.
     #[staticmethod]
     #[allow(clippy::too_many_arguments)]
     fn formula(
@@ -92,6 +94,7 @@ impl Engine {
         text: &str,
         names: Vec<String>,
         values: Vec<f64>,
+        exact: (Vec<String>, Vec<String>),
         effective_modulus: f64,
         method: &str,
         tolerance: f64,
@@ -106,17 +109,19 @@ impl Engine {
             }
         };
         let made = interruptible(py, || -> Result<Self, Fault> {
-            let typed = formula(text, &[], &[])?;
-            let exact = |value: f64| Number::from_f64(value).map(Expr::number);
+            let typed = formula(text, &exact.0, &exact.1)?;
+            let nearest = |value: f64| Number::from_f64(value).map(Expr::number);
             let mut bindings = Vec::new();
             for (name, value) in names.iter().zip(&values) {
-                let number = exact(*value).filter(|_| *value > 0.0);
+                let number = nearest(*value).filter(|_| *value > 0.0);
                 let Some(number) = number else {
                     return Err(Fault::new(format!("{name} = {value} is not positive and finite"))
                         .help("parameters are positive; the sign belongs into the profile")
                         .place(format!("parameter {name}")));
                 };
-                bindings.push((name.as_str(), number));
+                if !exact.0.contains(name) {
+                    bindings.push((name.as_str(), number));
+                }
             }
             let known = parse::parameters(text);
             if let Some(name) = names.iter().find(|own| known.iter().all(|known| known.name() != own.as_str())) {

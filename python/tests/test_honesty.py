@@ -253,6 +253,7 @@ LONG = {
     "sums": lambda: sneddon.Profile("+".join(f"r^{k}*exp(-r/w{k})*ln(1+r/b{k})" for k in range(1, 59))).derive(),
     "waves": lambda: sneddon.sweep(WAVES, {"load.depth": list(np.linspace(0.1, 0.2, 5000))}),
     "slices": lambda: sneddon.Contact("besselj(0,r)^2*r", E_star=1.0).equivalent_profile(np.linspace(0.01, 0.99, 2_000_000)),
+    "pieces": lambda: [sneddon.Profile(f"abs(cos({n}*r))*r^2").derive() for n in range(1, 9)],
     "product": lambda: sneddon.Profile("h*(1-exp(-r/w))^25*(1-exp(-r/v))^25").derive(),
     "cells": lambda: sneddon.reference(ROUNDED, *CELLS, cells=True),
     "curves": lambda: sneddon.solve({**SWEEP, "outputs": {"quantities": ["p", "u"], "at": {"start": 0.0, "stop": 1.0, "count": 200_000}}}),
@@ -260,7 +261,7 @@ LONG = {
 
 
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="the signal is sent to a thread")
-@pytest.mark.parametrize(("name", "delay"), [*((name, 0.3) for name in LONG), ("product", 1.2)])
+@pytest.mark.parametrize(("name", "delay"), [*((name, 0.3) for name in LONG), ("product", 1.2), ("pieces", 0.6), ("pieces", 0.9)])
 def test_ctrl_c_ends_long_work(name, delay):
     """Class "Ctrl-C is ignored": the exception is raised, and what was cut short is not kept."""
     sent = []
@@ -383,3 +384,21 @@ def test_interpolation_between_many_points_is_followed():
         truth = x * np.sum(np.diff(z) / np.diff(r) * np.diff(arcs))
         value, bound = contact.equivalent_profile(x, with_bound=True)
         assert abs(value - truth) <= bound <= 1e-6 * truth
+
+
+def test_values_that_are_printed_are_exact():
+    """Class "a formula with a decimal is evaluated at the float next to it": the same text has the same value."""
+    cases = [
+        ("h*(1-cos(k*r))", {"h": 1, "k": 100000.1}, "1-cos(100000.1*r)", 0.5),
+        ("h*(1-cos(k*r))", {"h": "1", "k": "1000001/10"}, "1-cos(100000.1*r)", 0.5),
+        ("C*r^n", {"C": 1, "n": 300.7}, "r^300.7", 0.5),
+        ("exp(k*r)", {"k": 100.1}, "exp(100.1*r)", 0.5),
+        ("R-sqrt(R^2-r^2)", {"R": "1/3"}, "1/3-sqrt(1/9-r^2)", 0.33),
+    ]
+    for text, values, typed, x in cases:
+        bound, plain = sneddon.Profile(text, **values).derive().g, sneddon.Profile(typed).derive().g
+        (one, error), (other, own) = bound(x, with_bound=True), plain(x, with_bound=True)
+        assert abs(one - other) <= error + own, (text, one, other)
+    # With mpmath: 25000.025 pi struveh(0, 50000.05).
+    value, error = sneddon.Profile("h*(1-cos(k*r))", h=1, k=100000.1).derive().g(0.5, with_bound=True)
+    assert abs(value - -203.42812574503276) <= error < 1e-12

@@ -1,6 +1,7 @@
 //! The form that a reader sees: functions that exist for stable evaluation give way to what they equal.
 
 use super::{Expr, Node, Row};
+use crate::num::work;
 
 /// The expression that is printed for `expr`; parts without such functions are kept as they are.
 ///
@@ -43,6 +44,9 @@ type Form<'a> = &'a dyn Fn(&Row, &[Expr]) -> Option<Expr>;
 
 /// The replacement, where anything changes.
 fn replaced(expr: &Expr, form: Form<'_>) -> Option<Expr> {
+    if work::is_stopped() {
+        return None;
+    }
     match expr.node() {
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => None,
         Node::Power(base, exponent) => {

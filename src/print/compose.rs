@@ -6,6 +6,7 @@ use super::number::digits;
 use super::order;
 use crate::expr::function::Setting;
 use crate::expr::{Condition, Expr, Formula, Function, Node, Number};
+use crate::num::work;
 
 /// Functions whose name precedes a single symbol without parentheses.
 const BARE: [&str; 13] = ["ln", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"];
@@ -56,6 +57,10 @@ fn parenthesised(inner: Math) -> Math {
 
 /// The sign of a formula and the rest of it.
 fn signed(formula: &Formula, style: Style) -> (bool, Math) {
+    // What is printed after a stop is thrown away.
+    if work::is_stopped() {
+        return (false, one());
+    }
     match formula {
         Formula::Closed(closed) if matches!(closed.node(), Node::Sum(_)) => (false, expr(closed, style)),
         Formula::Closed(closed) => product(closed, style),

@@ -138,7 +138,8 @@ impl Piece {
 
     /// What f does below r that the fits from the axis on do not follow; see [`Starts::mismatch`].
     pub(super) fn mismatch(&self, r: f64) -> f64 {
-        self.starts.as_ref().map_or(0.0, |own| own.mismatch(r, &|r| self.sample(r)))
+        let serves = |r: f64| self.across_the_axis(1, r).is_some();
+        self.starts.as_ref().map_or(0.0, |own| own.mismatch(r, &|r| self.sample(r), &serves))
     }
 
     /// A derivative of f from its values.

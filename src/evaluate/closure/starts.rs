@@ -102,18 +102,21 @@ impl Starts {
 
     /// Returns how much the steps and rounding errors of φ below r, which the fits do not follow, may change an integral of φ′ that weighs
     /// radii b by r/√(r² − b²), unless they lie next to r.
-    pub(super) fn mismatch(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
-        let own = exponent_of(r).and_then(|last| kept(self.mismatches.get(place_of(last)?)?, || self.differs(last, phi)));
+    ///
+    /// `serves` tells whether the fits from the axis on are used at a radius; it must be the same function in every call.
+    pub(super) fn mismatch(&self, r: f64, phi: &impl Fn(f64) -> Bounded, serves: &impl Fn(f64) -> bool) -> f64 {
+        let own = exponent_of(r).and_then(|last| kept(self.mismatches.get(place_of(last)?)?, || self.differs(last, phi, serves)));
         own.copied().unwrap_or(0.0)
     }
 
     /// The difference δ of φ and a fit changes the integral by what δ is at the axis, by 4 δ next to r, and by δ times what the weight
     /// changes by in between, which is about (b/r)².
-    fn differs(&self, last: i32, phi: &impl Fn(f64) -> Bounded) -> f64 {
+    fn differs(&self, last: i32, phi: &impl Fn(f64) -> Bounded, serves: &impl Fn(f64) -> bool) -> f64 {
         let mut most = 0.0_f64;
         let mut before = f64::NAN;
         for exponent in (last - DEPTH..=last).rev() {
-            let Some((fit, _)) = self.at(libm::scalbn(1.0, exponent), phi) else { continue };
+            let from = libm::scalbn(1.0, exponent);
+            let Some((fit, _)) = self.at(from, phi).filter(|_| serves(from)) else { continue };
             // The same fit serves many octaves.
             if std::mem::replace(&mut before, fit.cell.end()) == fit.cell.end() {
                 continue;
@@ -125,7 +128,9 @@ impl Starts {
                     let r = (1.0 + share) * from;
                     (octave.cell.derivative_within(0, r, 0.0).value - fit.cell.derivative_within(0, r, 0.0).value).abs()
                 };
-                Some([0.1, 0.35, 0.6, 0.85].into_iter().map(at).fold(0.0, |most, own| if own > most { own } else { most }))
+                let within = |share: &f64| (1.0 + share) * from <= fit.cell.end();
+                let places = [0.1, 0.35, 0.6, 0.85].into_iter().filter(within);
+                Some(places.map(at).fold(0.0, |most, own| if own > most { own } else { most }))
             };
             let lowest = last - DEPTH;
             let weighed = |below: i32| Some(4.0 * libm::scalbn(1.0, 2 * (below - last)) * difference(below)?);
