@@ -23,12 +23,16 @@ pub(super) struct Norms {
     pub(super) farthest: f64,
     /// Rows whose exact value is not 0: the others have no scale to judge an error by.
     inside: u64,
-    beyond: Option<Beyond>,
-    /// How many rows exceed their own limit.
-    rows_beyond: u64,
+    /// The rows beyond their own limit with the largest differences, and these.
+    suspects: Vec<(Beyond, f64)>,
     /// The row with the largest share of the L2 error.
     outlier: Option<Outlier>,
 }
+
+/// As many rows beyond their own limit are kept.
+const SUSPECTS: usize = 64;
+/// Share of the largest exact value of a field below which a difference is rounding.
+const ROUNDING: f64 = 1e-13;
 
 /// The row with the largest share of an L2 error.
 #[derive(Clone, Copy, Debug)]
@@ -57,8 +61,7 @@ impl Norms {
             signed: 0.0,
             farthest: 0.0,
             inside: 0,
-            beyond: None,
-            rows_beyond: 0,
+            suspects: Vec::new(),
             outlier: None,
         }
     }
@@ -90,16 +93,27 @@ impl Norms {
 
     /// Compares one row with a limit for that row alone, which no mean over many rows can hide.
     pub(super) fn limit(&mut self, at: f64, data: f64, exact: f64, limit: f64) {
-        let error = ratio((data - exact).abs(), exact.abs());
-        self.rows_beyond += u64::from(exact != 0.0 && error > limit);
-        if exact != 0.0 && error > limit && self.beyond.is_none_or(|other| error / limit > other.error / other.limit) {
-            self.beyond = Some(Beyond { at, error, limit });
+        let difference = (data - exact).abs();
+        let error = ratio(difference, exact.abs());
+        if exact == 0.0 || error <= limit {
+            return;
         }
+        self.suspects.push((Beyond { at, error, limit }, difference));
+        if self.suspects.len() > SUSPECTS {
+            self.suspects.sort_by(|one, other| other.1.total_cmp(&one.1));
+            self.suspects.pop();
+        }
+    }
+
+    /// The rows beyond their own limit; beside larger values in a field a value next to 0 has no digits of its own.
+    fn rows_beyond(&self) -> impl Iterator<Item = Beyond> {
+        let rounding = if self.by_row { 0.0 } else { ROUNDING * self.largest_exact };
+        self.suspects.iter().filter(move |(_, difference)| *difference > rounding).map(|(own, _)| *own)
     }
 
     /// The worst of the rows beyond their own limit.
     pub(super) fn beyond(&self) -> Option<Beyond> {
-        self.beyond
+        self.rows_beyond().reduce(|one, other| if other.error / other.limit > one.error / one.limit { other } else { one })
     }
 
     /// The one row without which all others are within their tolerance, and their L2 error; `None` where more is wrong.
@@ -110,7 +124,7 @@ impl Norms {
         let rest = (self.square - error * error).max(0.0).sqrt();
         let exact = (self.square_exact - own.exact * own.exact).max(0.0).sqrt();
         let allowed = (self.square_allowed - (own.allowed * own.exact).powi(2)).max(0.0).sqrt();
-        (self.rows >= FEWEST && self.rows_beyond <= 1 && rest <= allowed).then(|| (own, ratio(rest, exact)))
+        (self.rows >= FEWEST && self.rows_beyond().count() <= 1 && rest <= allowed).then(|| (own, ratio(rest, exact)))
     }
 
     /// Whether the rows allow a verdict: a value that should not be 0 was compared, or one that should be 0 is not.

@@ -1,6 +1,6 @@
 //! Files that `sneddon reference` writes, read by `sneddon validate`.
 #![cfg(feature = "cli")]
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::panic)]
 
 use serde_json::Value;
 use std::fs;
@@ -51,6 +51,8 @@ fn tables_of_references_are_validated() {
         ("[profile]\nf = \"max(0,r-b)/2\"\nparameters = { b = 0.125 }\n", bare, "1"),
         ("[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"2 um\" }\n", units, "2 um"),
         ("[profile]\nf = \"r/4\"\n", units, "2 um"),
+        // p(0) = 0, of which rounding leaves 1e-15.
+        ("[profile]\nf = \"-h*r^2/c^2\"\nparameters = { h = 0.05, c = 1.5 }\nradius = 1.5\n", bare, "3.2"),
     ];
     for (profile, rest, side) in cases {
         let scene = format!("{profile}{rest}");
@@ -63,6 +65,20 @@ fn tables_of_references_are_validated() {
             let document: Value = serde_json::from_slice(&judged.stdout).unwrap();
             assert!(document["passed"] == true && document["suspicion"].is_null(), "{scene}: {document}");
         }
+    }
+    // One row of that punch that is wrong is still found.
+    let made = run_in(&place, &["reference", "scene.toml", "--grid", "0:1.4:15"]);
+    let rows: Vec<String> = String::from_utf8(made.stdout).unwrap().lines().map(str::to_owned).collect();
+    let [head, first, rest @ ..] = rows.as_slice() else { panic!("{rows:?}") };
+    let off = |row: &String| {
+        let [r, p, tail @ ..] = &row.split(',').collect::<Vec<_>>()[..] else { panic!("{row}") };
+        [&[*r, &format!("{:?}", 2.0 * p.parse::<f64>().unwrap())], tail].concat().join(",")
+    };
+    for (index, passes) in [(usize::MAX, true), (2, false), (6, false)] {
+        let changed = rest.iter().enumerate().map(|(i, row)| if i == index { off(row) } else { row.clone() });
+        let text: Vec<String> = [head.clone(), first.clone()].into_iter().chain(changed).collect();
+        fs::write(place.join("row.csv"), text.join("\n")).unwrap();
+        assert_eq!(judged(&place, "row.csv", &[])["passed"] == true, passes, "{index}");
     }
     // Elsewhere an empty pressure is a fault.
     fs::write(place.join("scene.toml"), format!("[profile]\nf = \"r^2\"\n{bare}")).unwrap();
