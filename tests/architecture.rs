@@ -26,7 +26,7 @@ const ROOMS: &[Room] = &[
     Room { name: "expr", may_use: &["num"] },
     // Three rooms side by side: none of them knows another one.
     Room { name: "parse", may_use: &["expr"] },
-    // num for the flag that stops work: long formulas are laid out for a second.
+    // num for the flag that stops work, because the layout of long formulas takes a second.
     Room { name: "print", may_use: &["num", "expr"] },
     Room { name: "eval", may_use: &["num", "expr"] },
     // Across, once: print, for the expressions that stand in error texts. Never parse: rules build expressions, they do not read text.

@@ -30,7 +30,7 @@ class Contact:
     method : {"auto", "exact", "quadrature"}
         How numbers are computed.
     parameters : mapping, optional
-        Values of parameters by name, also of those that are called like an argument, such as ``nu``.
+        Values of parameters by name; needed for names that are also arguments, such as ``nu``.
     **values : float
         The parameters that the profile leaves open.
 

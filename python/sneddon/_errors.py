@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 # The longest text of an error, of its message and of its place, in characters; the attributes are whole.
 _MOST, _MESSAGE, _PLACE = 300, 190, 100
-# Advice that has less room than this is left out.
+# The help text is omitted if fewer characters than this remain for it.
 _ROOM = 40
 
 
@@ -17,7 +17,7 @@ def _without_middle(text: str, most: int) -> str:
 
 
 def missing_key(of: str, key: object, known: Iterable[str]) -> KeyError:
-    """Return the error of a key that a mapping lacks, with those that it has."""
+    """Return a KeyError that lists the keys of a mapping."""
     names = _without_middle(", ".join(known), _PLACE)
     return KeyError(f"{of} has no {_without_middle(repr(key), _PLACE)}; it has {names or 'nothing'}")
 

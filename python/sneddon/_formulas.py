@@ -91,7 +91,7 @@ class Formula:
         E : float
             The effective modulus.
         parameters : mapping, optional
-            Values of parameters by name, also of those that are called like an argument.
+            Values of parameters by name; needed for names that are also arguments.
         **values : float
             The parameters that the profile leaves open; those that the formula lacks may be left out.
         """

@@ -45,7 +45,13 @@ def float_of_number(name: str, value: Any) -> float:
 
 
 def merged(parameters: Mapping[str, Any] | None, values: dict[str, Any]) -> dict[str, Any]:
-    """Return the values of parameters that are given as a mapping and by keyword, each of them once."""
+    """Merge values given as a mapping with values given by keyword.
+
+    Raises
+    ------
+    TypeError
+        If a parameter is in both.
+    """
     both = sorted(set(parameters or ()) & set(values))
     if both:
         raise TypeError(f"{both[0]} has two values, one by keyword and one in parameters")

@@ -30,7 +30,7 @@ class Profile:
     end : float, optional
         The radius at which a callable ends.
     parameters : mapping, optional
-        Values of parameters by name, also of those that are called like an argument, such as ``end``.
+        Values of parameters by name; needed for names that are also arguments, such as ``end``.
     **values : number or str
         Values of parameters of a formula; those that are left out stay symbolic.
 
@@ -90,9 +90,9 @@ class Profile:
             raise TypeError(f"a {type(shape).__name__} is not a profile; text, a SymPy expression, a callable or two arrays are accepted")
         if self._function is None and (self._kinks or self._end is not None):
             raise SneddonError(
-                "kinks and end are given for a profile that is no function",
+                "kinks and end apply to callables only",
                 "kinks" if self._kinks else "end",
-                "a formula states its own, such as piecewise(r^2, r < 2), and points end at the last one; for parameters of these names parameters={...} is accepted",
+                "omit them for formulas and points; a parameter with one of these names is set by parameters={...}",
             )
         self._values = values
         self._texts = {name: text_of_number(name, value) for name, value in values.items()}
@@ -160,7 +160,7 @@ class Profile:
         """Return what computes numbers.
 
         ``values`` are the parameters that the profile leaves open, and ``depth`` is that of a punch with a rim at the contact radius.
-        Parameters of the profile are rounded to floats, unless ``exact`` keeps their values as they are printed.
+        Parameters set on the profile are rounded to floats, or kept exact, as they are printed, if ``exact`` is true.
         """
         if self._points is not None:
             return _sneddon.Engine.points(*self._points, e_star, tolerance)

@@ -13,9 +13,10 @@ from ._errors import SneddonError
 from ._scenes import solve
 from ._sneddon import quantities
 
-# Numbers that every sweep has, and those that a scene may ask for besides.
+# Quantities that every sweep returns.
 _ALWAYS = ("d", "F", "a", "k")
-_ASKED = [key for key, kind, _, _ in quantities() if kind == "number"]
+# Quantities with one value per load.
+_PER_LOAD = [key for key, kind, _, _ in quantities() if kind == "number"]
 # Scenes that one task solves.
 _BLOCK = 200
 
@@ -36,16 +37,15 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
     Returns
     -------
     xarray.Dataset
-        ``d``, ``F``, ``a`` and ``k``, and the numbers that ``[outputs] quantities`` of the scene asks for besides, such as ``U``, over
-        the names of ``over``, or over ``point`` for a list; for each a bound on its error, as
-        ``F_error``, and whether that is proven, as ``F_proven``; ``valid``; and ``error``. A scene that cannot be solved has NaN
+        ``d``, ``F``, ``a``, ``k`` and the quantities with one value per load in ``[outputs] quantities`` of the scene, such as ``U``,
+        over the names of ``over``, or over ``point`` for a list; for each a bound on its error, as ``F_error``, and whether that is proven, as ``F_proven``; ``valid``; and ``error``. A scene that cannot be solved has NaN
         and its reason in ``error``.
     """
     import xarray
 
     if not isinstance(scene, dict):
         raise TypeError("a sweep takes the scene as a dict")
-    numbers = _numbers(scene)
+    scene, numbers = _with_outputs(scene)
     if isinstance(over, dict):
         names = list(over)
         values = [list(np.atleast_1d(own)) if not isinstance(own, (list, tuple)) else list(own) for own in over.values()]
@@ -91,12 +91,15 @@ def sweep(scene: dict[str, Any], over: dict[str, Any] | Sequence[dict[str, Any]]
     return xarray.Dataset(data, coords=coordinates)
 
 
-def _numbers(scene: dict[str, Any]) -> list[str]:
-    """Return the keys of the numbers of each scene."""
+def _with_outputs(scene: dict[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """Return the scene with the quantities of the sweep among its outputs, and the keys of those quantities."""
     outputs = scene.get("outputs")
     asked = outputs.get("quantities") if isinstance(outputs, dict) else None
-    asked = asked if isinstance(asked, (list, tuple)) else ()
-    return [*_ALWAYS, *(key for key in _ASKED if key in asked and key not in _ALWAYS)]
+    if not isinstance(outputs, dict) or not isinstance(asked, (list, tuple)):
+        return scene, list(_ALWAYS)
+    # d is in every row.
+    wanted = [*asked, *(key for key in _ALWAYS[1:] if key not in asked)]
+    return {**scene, "outputs": {**outputs, "quantities": wanted}}, [key for key in _PER_LOAD if key in _ALWAYS or key in asked]
 
 
 def _column(values: list[Any]) -> np.ndarray:
@@ -130,10 +133,6 @@ def _one(scene: dict[str, Any]) -> dict[str, Any]:
     """Return the numbers of a scene, the bounds on their errors, whether these are proven, and why there are none."""
     nothing: dict[str, Any] = {"numbers": {}, "errors": {}, "proven": {}, "valid": False}
     try:
-        outputs = scene.get("outputs")
-        if isinstance(outputs, dict) and isinstance(outputs.get("quantities"), (list, tuple)):
-            asked = list(outputs["quantities"])
-            scene = {**scene, "outputs": {**outputs, "quantities": [*asked, *(key for key in _ALWAYS[1:] if key not in asked)]}}
         found = solve(scene)
     except (SneddonError, TypeError) as error:
         return {**nothing, "why": str(error)}
@@ -141,7 +140,7 @@ def _one(scene: dict[str, Any]) -> dict[str, Any]:
         return {**nothing, "why": f"the scene has {len(found.rows)} loads; a sweep takes one"}
     row = found.rows[0]
     return {
-        "numbers": {key: row[key] for key in _numbers(scene) if isinstance(row.get(key), (int, float))},
+        "numbers": {key: row[key] for key in _PER_LOAD if isinstance(row.get(key), (int, float))},
         "errors": row.get("error_estimates", {}),
         "proven": {key: ground == "proven" for key, ground in row.get("bounds", {}).items()},
         "valid": row["valid"],

@@ -63,7 +63,7 @@ def model(
             raise SneddonError(f"{own} = {values[own]} is not positive and finite", f"defaults, {own}")
     for own in free:
         if own not in values:
-            help_text = f"a number in SI units, or in radians, is accepted in defaults={{'{own}': ...}}, or {own}=... if it is known"
+            help_text = f"set it in SI units (angles in radians): defaults={{'{own}': ...}} for a fit parameter, {own}=... for a known value"
             raise SneddonError(f"the parameter {own} has no starting value", f"defaults, {own}", help_text)
     contacts: dict[tuple[float, ...], Contact] = {}
 

@@ -86,7 +86,7 @@ const STEPS: u64 = 300_000;
 impl Engine {
     /// The engine of a formula; values of parameters are 64-bit floats, and so is the depth of a punch with a rim.
     ///
-    /// Parameters that `exact` names stand in the formula with the values as they were typed.
+    /// `exact` holds the names and the texts of parameters that are substituted without rounding.
     #[staticmethod]
     #[allow(clippy::too_many_arguments)]
     fn formula(

@@ -34,8 +34,8 @@ impl Fault {
         Self { message: message.into(), more: Box::default() }
     }
 
-    /// A sentence that may end with what would be accepted, behind a semicolon.
-    fn of_sentence(text: &str) -> Self {
+    /// Creates a fault from an error message; the text after its last semicolon becomes the help.
+    fn split(text: &str) -> Self {
         match text.rsplit_once("; ") {
             Some((message, help)) => Self::new(message).help(help),
             None => Self::new(text),
@@ -107,22 +107,22 @@ impl From<ContactError> for Fault {
     fn from(error: ContactError) -> Self {
         match error {
             ContactError::Transform(error) => error.into(),
-            other => Self::of_sentence(&other.to_string()),
+            other => Self::split(&other.to_string()),
         }
     }
 }
 
 impl From<TransformError> for Fault {
-    /// What a function lacks is named by the arguments of `Profile`.
+    /// Errors of callables refer to the arguments of `Profile`.
     fn from(error: TransformError) -> Self {
         match error {
             TransformError::Seam { radius } => Self::new(format!(
-                "the function is not smooth near r = {radius:?}, or has very short waves there, so its values do not give its derivatives"
+                "the function is not smooth near r = {radius:?}, or oscillates too fast there to be differentiated numerically"
             ))
-            .help("kinks=[...] of Profile names kinks, end= the radius at which a function ends"),
+            .help("pass the radii of kinks to Profile as kinks=[...], and the radius at which the function ends as end="),
             TransformError::Undefined { radius } => Self::new(format!("the function has no finite value at r = {radius:?}"))
-                .help("end= of Profile names the radius at which a function ends"),
-            other => Self::of_sentence(&other.to_string()),
+                .help("pass the radius at which the function ends to Profile as end="),
+            other => Self::split(&other.to_string()),
         }
     }
 }

@@ -344,7 +344,7 @@ def test_parameters_may_be_called_like_arguments():
 @pytest.mark.parametrize("shape", ["r^2", ([0.0, 1.0, 2.0], [0.0, 1.0, 4.0])])
 @pytest.mark.parametrize("stated", [{"end": 0.5}, {"kinks": [0.5]}])
 def test_ends_and_kinks_belong_to_functions(shape, stated):
-    with pytest.raises(sneddon.SneddonError, match="no function"):
+    with pytest.raises(sneddon.SneddonError, match="callables only"):
         sneddon.Profile(shape, **stated)
 
 
@@ -383,7 +383,7 @@ def test_interpolation_between_many_points_is_followed():
         arcs = np.arcsin(np.minimum(r / x, 1.0))
         truth = x * np.sum(np.diff(z) / np.diff(r) * np.diff(arcs))
         value, bound = contact.equivalent_profile(x, with_bound=True)
-        assert abs(value - truth) <= bound <= 1e-6 * truth
+        assert abs(value - truth) <= bound <= 4e-7 * truth
 
 
 def test_values_that_are_printed_are_exact():
@@ -401,4 +401,4 @@ def test_values_that_are_printed_are_exact():
         assert abs(one - other) <= error + own, (text, one, other)
     # With mpmath: 25000.025 pi struveh(0, 50000.05).
     value, error = sneddon.Profile("h*(1-cos(k*r))", h=1, k=100000.1).derive().g(0.5, with_bound=True)
-    assert abs(value - -203.42812574503276) <= error < 1e-12
+    assert abs(value - -203.42812574503276) <= error < 1e-13

@@ -2,7 +2,7 @@
 
 use crate::contact::ContactError;
 use crate::num::{Budget, Exhausted};
-use crate::parse::{self, ParseError, Reason};
+use crate::parse::{self, ParseError};
 use crate::scene::SceneError;
 use crate::transform::TransformError;
 use std::io::{self, IsTerminal, Write};
@@ -65,9 +65,7 @@ impl Failure {
 
     /// A text that could not be read.
     pub(super) fn parse(name: &str, text: &str, error: &ParseError) -> Self {
-        let is_rim = matches!(error.reason(), Reason::Reserved { name, .. } if name == "a");
-        let flag = if is_rim { " (--depth)" } else { "" };
-        Self::new(error.reason().to_string()).help(format!("{}{flag}", error.accepted())).at(name, text, error.span())
+        Self::new(error.reason().to_string()).help(error.accepted()).at(name, text, error.span())
     }
 
     /// A scene that cannot be read or solved, with the place in its text.

@@ -4,12 +4,12 @@ use super::tree::{Comparison, LENGTH, NAN, Operator, Routine, Statement, Test, V
 use crate::expr::Function;
 use crate::num::Bounded;
 
-/// What is assumed of the elementary functions of a language, in units in the last place: what the manual of the GNU C library lists as the
-/// known errors of its functions on x86-64, rounded up, where those of musl, FreeBSD and macOS are smaller.
+/// Assumed errors of elementary functions in units in the last place: the largest known errors of the GNU C library in double precision
+/// (`sysdeps/x86_64/fpu/libm-test-ulps`).
 const ELEMENTARY_ULPS: f64 = 1.0;
-/// The same for hyperbolic functions and their inverses.
+/// Assumed errors of hyperbolic functions and their inverses, from the same table.
 const HYPERBOLIC_ULPS: f64 = 2.0;
-/// Both in words.
+/// The assumptions as stated in generated files.
 pub(super) const ASSUMED: &str = "elementary functions right to 1 ulp and hyperbolic ones to 2 ulp";
 
 /// The most operations of one run.
@@ -219,10 +219,10 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// Products and quotients between these bounds have a rest that does not underflow.
+/// Magnitudes of results whose rounding errors are computed exactly by a fused multiply-add.
 const PLAIN: std::ops::Range<f64> = 1e-250..1e250;
 
-/// A product with its own rounding error instead of half a unit; products of small whole numbers have none.
+/// Multiplies with the actual rounding error instead of half a unit; exact products, as of small whole numbers, have none.
 fn product(a: Bounded, b: Bounded) -> Bounded {
     let whole = a * b;
     let rest = a.value.mul_add(b.value, -whole.value).abs();
@@ -231,7 +231,7 @@ fn product(a: Bounded, b: Bounded) -> Bounded {
     if PLAIN.contains(&whole.value.abs()) && own.error < whole.error { own } else { whole }
 }
 
-/// The same of a quotient.
+/// Divides with the actual rounding error instead of half a unit.
 fn quotient(a: Bounded, b: Bounded) -> Bounded {
     let whole = a / b;
     let rest = whole.value.mul_add(-b.value, a.value).abs();

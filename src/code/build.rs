@@ -435,7 +435,7 @@ impl Builder<'_> {
 const SEARCH_TO_END: &str = "let _high = _end * 0.99999999999999989; if !(g(_high) >= d) { return nan(); }
     let _mid = _high; while _mid > _low && g(_mid) >= d { _high = _mid; _mid = _low + 0.5 * (_mid - _low); } _low = _mid;";
 
-/// Outward by factors of two, from a depth as large as the radius; where g has turned, also at its maximum, by golden sections.
+/// Outward by factors of two, from a depth as large as the radius; a maximum of g that was passed is searched by golden sections.
 const SEARCH_OUTWARD: &str = "let _high = _low + d; let _left = _low; let _mid = _high; let _found = 0;
     if g(_high) >= d { _found = 1; }
     while _found == 0 && _high <= 1e300 {

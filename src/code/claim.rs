@@ -186,7 +186,7 @@ fn places(sampler: &mut Sampler, evaluator: &Evaluator<'_>) -> (Vec<f64>, (f64, 
     (list, (end * 10f64.powf(-DECADES), if limit.is_finite() { f64::INFINITY } else { end * 10f64.powf(DECADES) }))
 }
 
-/// The places at which g first is positive, and up to which it rises then: a contact radius belongs to them.
+/// Returns the places from the first one with g > 0 up to the first maximum of g: each is the contact radius of its depth.
 fn rising(mut list: Vec<f64>, evaluator: &Evaluator<'_>) -> Vec<f64> {
     list.sort_by(f64::total_cmp);
     let depth = |place: f64| evaluator.slope(place).map_or(f64::NAN, |own| own.estimate.value);

@@ -9,6 +9,15 @@ use std::collections::{BTreeMap, HashMap};
 /// The identifiers of the symbols.
 pub(super) type Names = BTreeMap<String, String>;
 
+/// Functions of the table and the routines that compute them for the orders 0 and 1.
+const OF_ORDERS_0_AND_1: [(&str, &str); 5] = [
+    ("besselj", "bessel_j"),
+    ("struveh", "struve_h"),
+    ("besseli_scaled", "bessel_i_scaled"),
+    ("struvel", "struve_l"),
+    ("bessel_struve", "bessel_i_less_struve"),
+];
+
 /// A value with more operations than this becomes a variable.
 const LONG: usize = 12;
 
@@ -97,39 +106,24 @@ impl Recorder {
     /// The routines and functions that a function of the table is written with.
     fn written(&mut self, name: &'static str, arguments: &[u32]) -> u32 {
         let is = |own: u32, value: f64| self.known(own).is_some_and(|known| known.value.hi == value && known.value.lo == 0.0);
+        let whole = |own: u32| self.known(own).is_some_and(|n| n.value.lo == 0.0 && n.value.hi.fract() == 0.0 && n.value.hi >= 0.0);
         match (name, arguments) {
             ("ln", _) => self.named("log", arguments),
             ("shifted_power_between", [k, b, c, x]) if is(*k, 0.0) => self.named("angle_between", &[*b, *c, *x]),
             ("shifted_power_between", [k, b, c, x]) if is(*k, 1.0) && is(*b, 0.0) => self.named("linear_to", &[*c, *x]),
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 0.0) => self.named("angle_between_force", &[*b, *c, *x]),
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 1.0) && is(*b, 0.0) => self.named("cubic_to", &[*c, *x]),
-            ("pressure_power", [n, s, a]) => {
-                let order = self.known(*n).map(|known| known.value).filter(|n| n.lo == 0.0 && n.hi.fract() == 0.0 && n.hi >= 0.0);
-                match order {
-                    Some(_) => self.named("pressure_power", &[*n, *s, *a]),
-                    None => self.named("pressure_power with a fractional exponent", arguments),
-                }
-            }
-            ("besselj" | "struveh" | "besseli_scaled" | "struvel" | "bessel_struve", [n, x]) if is(*n, 0.0) || is(*n, 1.0) => {
-                let form = match name {
-                    "besselj" => "bessel_j",
-                    "struveh" => "struve_h",
-                    "besseli_scaled" => "bessel_i_scaled",
-                    "struvel" => "struve_l",
-                    _ => "bessel_i_less_struve",
-                };
+            ("pressure_power", [n, ..]) if !whole(*n) => self.named("pressure_power with a fractional exponent", arguments),
+            ("besseli", [n, x]) if whole(*n) => self.named("bessel_i", &[*n, *x]),
+            (_, [n, x]) if is(*n, 0.0) || is(*n, 1.0) => {
+                let form = OF_ORDERS_0_AND_1.iter().find(|own| own.0 == name).map_or(name, |own| own.1);
                 self.named(form, &[*n, *x])
-            }
-            ("besseli", [n, x])
-                if self.known(*n).is_some_and(|own| own.value.lo == 0.0 && own.value.hi >= 0.0 && own.value.hi.fract() == 0.0) =>
-            {
-                self.named("bessel_i", &[*n, *x])
             }
             _ => self.named(name, arguments),
         }
     }
 
-    /// Differences of functions that cancel far out, as functions of their own: e⁻ᶻ(I₀ − I₁), and x M₀ − M₁ with Mₙ = Iₙ − Lₙ.
+    /// Replaces differences that cancel for large arguments by routines: e⁻ᶻ(I₀ − I₁), and x M₀ − M₁ with Mₙ = Iₙ − Lₙ.
     fn difference(&mut self, a: u32, b: u32) -> Option<u32> {
         let call = |own: u32, name: &str, order: f64| match self.steps.get(own as usize)? {
             Step::Call(called, arguments) if *called == name => match arguments.as_slice() {

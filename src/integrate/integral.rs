@@ -415,7 +415,7 @@ impl NumericSegment {
         2.0 * (lower * at_lower + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
     }
 
-    /// The mean of |f′| over a short distance from the lower end, at which f′ may be infinite, from above.
+    /// Returns an upper bound on the mean of |f′| over a short distance from the lower end, at which f′ may be infinite.
     fn mean_size(&self, distance: f64) -> f64 {
         const RATIO: f64 = 0.25;
         let size = |delta: f64| self.slope_at(delta).value.abs();

@@ -57,7 +57,7 @@ fn parenthesised(inner: Math) -> Math {
 
 /// The sign of a formula and the rest of it.
 fn signed(formula: &Formula, style: Style) -> (bool, Math) {
-    // What is printed after a stop is thrown away.
+    // The output is discarded after a stop.
     if work::is_stopped() {
         return (false, one());
     }

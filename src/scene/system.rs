@@ -183,15 +183,8 @@ impl System {
 
     /// The factor from computed numbers of a dimension to those of the answers.
     pub fn out(&self, dimension: Dimension) -> f64 {
-        match dimension {
-            own if own == Dimension::LENGTH => self.out_length,
-            own if own == Dimension::FORCE => self.out_force,
-            own if own == Dimension::PRESSURE => self.out_pressure,
-            own if own == Dimension::STIFFNESS => self.out_force / self.out_length,
-            own if own == Dimension::ENERGY => self.out_force * self.out_length,
-            own if own == Dimension::AREA => self.out_length * self.out_length,
-            _ => 1.0,
-        }
+        // The unit of pressure is chosen by itself.
+        if dimension == Dimension::PRESSURE { self.out_pressure } else { dimension.product(self.out_length, self.out_force) }
     }
 
     /// The number by which a value in this unit becomes a computed one; `None` where the numbers of the scene have no unit.

@@ -23,15 +23,15 @@ pub(super) struct Norms {
     pub(super) farthest: f64,
     /// Rows whose exact value is not 0: the others have no scale to judge an error by.
     inside: u64,
-    /// The rows beyond their own limit with the largest differences, and these.
+    /// Rows that exceed their own limit, with the differences of data and exact values; those with the largest differences.
     suspects: Vec<(Beyond, f64)>,
     /// The row with the largest share of the L2 error.
     outlier: Option<Outlier>,
 }
 
-/// As many rows beyond their own limit are kept.
+/// Maximum number of suspects.
 const SUSPECTS: usize = 64;
-/// Share of the largest exact value of a field below which a difference is rounding.
+/// Differences in a field below this share of its largest exact value are rounding errors.
 const ROUNDING: f64 = 1e-13;
 
 /// The row with the largest share of an L2 error.
@@ -105,7 +105,7 @@ impl Norms {
         }
     }
 
-    /// The rows beyond their own limit; beside larger values in a field a value next to 0 has no digits of its own.
+    /// Rows that exceed their own limit by more than rounding errors.
     fn rows_beyond(&self) -> impl Iterator<Item = Beyond> {
         let rounding = if self.by_row { 0.0 } else { ROUNDING * self.largest_exact };
         self.suspects.iter().filter(move |(_, difference)| *difference > rounding).map(|(own, _)| *own)

@@ -40,8 +40,16 @@ fn entries() -> Vec<Entry> {
             names.iter().zip(&parameters).map(|(own, value)| (own.name(), Expr::number(Number::from_f64(*value).unwrap()))).collect();
         Entry { id: own["id"].as_str().unwrap().to_owned(), text: print::text(&formula), solution, bindings, parameters }
     };
-    list.as_array().unwrap().iter().map(entry).collect()
+    // Bessel functions J and differences I - L, which the catalogue lacks.
+    let more = serde_json::json!([
+        {"id": "sine", "f": "h*sin(k*r)", "params": {"h": "0.4", "k": "2.2"}},
+        {"id": "saturating", "f": "h*(1-exp(-r/w))", "params": {"h": "0.4", "w": "1.3"}},
+    ]);
+    list.as_array().unwrap().iter().chain(more.as_array().unwrap()).map(entry).collect()
 }
+
+/// The largest claim of a catalogue profile, times the condition number where it is conditional.
+const LARGEST_CLAIM: f64 = 16.0;
 
 /// The programs of a profile, one for every quantity that the language has.
 fn programs(entry: &Entry, language: Language) -> Vec<(Quantity, Program)> {
@@ -50,7 +58,8 @@ fn programs(entry: &Entry, language: Language) -> Vec<(Quantity, Program)> {
         Err(CodeError::NotClosed { .. } | CodeError::Function { .. } | CodeError::Contact(_) | CodeError::Inaccurate { .. }) => None,
         Err(other) => panic!("{} {}: {other}", entry.id, own.key()),
     };
-    QUANTITIES.into_iter().filter_map(made).collect()
+    // g of a sine oscillates: a(d) is one of several roots.
+    QUANTITIES.into_iter().filter(|own| entry.id != "sine" || *own != Quantity::Radius).filter_map(made).collect()
 }
 
 /// A call with what it must give.
@@ -206,6 +215,9 @@ fn catalogue(language: Language, first: usize) -> (Vec<(String, String)>, Vec<Ca
     let mut index = first;
     for entry in entries() {
         for (own, made) in programs(&entry, language) {
+            let is_extra = ["sine", "saturating"].contains(&entry.id.as_str());
+            let claim = made.claims()[0].1.map_or(0.0, |own| own.ulps);
+            assert!(is_extra || claim <= LARGEST_CLAIM, "{} {}: a claim of {claim} ulp", entry.id, own.key());
             index += 1;
             if !index.is_multiple_of(every) {
                 continue;
@@ -220,10 +232,7 @@ fn catalogue(language: Language, first: usize) -> (Vec<(String, String)>, Vec<Ca
 
 #[test]
 fn c_is_as_accurate_as_it_claims() {
-    let (sources, mut cases) = catalogue(Language::C, 0);
-    // Bessel functions are those of GSL, which is not everywhere.
-    let sources: Vec<_> = sources.into_iter().filter(|(_, text)| !text.contains("gsl_")).collect();
-    cases.retain(|case| sources.iter().any(|(module, _)| *module == case.module));
+    let (sources, cases) = catalogue(Language::C, 0);
     let (place, mut text) = (place("c"), "#include <stdio.h>\n".to_owned());
     for (module, source) in &sources {
         text.push_str(&source.replace("sneddon_", &format!("{module}_sneddon_")));

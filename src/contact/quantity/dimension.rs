@@ -52,6 +52,24 @@ impl Dimension {
         Some(Self { length: self.length.checked_mul(&exponent)?, force: self.force.checked_mul(&exponent)? })
     }
 
+    /// The product of the powers of a length and a force.
+    pub fn product(self, length: f64, force: f64) -> f64 {
+        let power = |base: f64, exponent: Ratio<i64>| match exponent.numer() {
+            own if *exponent.denom() != 1 => base.powf(*own as f64 / *exponent.denom() as f64),
+            // Products and quotients round once.
+            0 => 1.0,
+            1 => base,
+            2 => base * base,
+            -1 => 1.0 / base,
+            own => base.powf(*own as f64),
+        };
+        if self.length == Ratio::from_integer(-1) {
+            power(force, self.force) / length
+        } else {
+            power(force, self.force) * power(length, self.length)
+        }
+    }
+
     /// The powers of length and force.
     pub fn exponents(self) -> (Expr, Expr) {
         let exact = |own: Ratio<i64>| Expr::ratio(*own.numer(), *own.denom());

@@ -194,10 +194,7 @@ impl Cells {
         let runs = cells.chunk_by(|one, other| (one.accepted > 0.0) == (other.accepted > 0.0));
         let noise = |run: &[Cell]| run.iter().fold(0.0, |most: f64, cell| most.max(cell.accepted));
         let steps = runs.filter_map(|run| Some((run.first()?.begin(), noise(run)))).filter(|(_, noise)| *noise > 0.0).collect();
-        let mut cuts = cuts(&sizes);
-        cuts.extend(steps_apart(&cells, &sizes));
-        cuts.sort_by(f64::total_cmp);
-        cuts.dedup();
+        let cuts = cuts(&cells, &sizes);
         Doubling { cells, seam, cuts, steps, agrees: OnceLock::new() }
     }
 
@@ -210,8 +207,9 @@ impl Cells {
     }
 }
 
-/// Returns the ends of a few adjacent cells with noise between cells without: a step of φ may lie there, which no node of a wide panel sees.
-fn steps_apart(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
+/// Returns the ends of short runs of cells with noise. Such a run may contain a step of φ, which lies between the nodes of a wide panel.
+fn ends_of_noise(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
+    /// Maximum number of cells in a run.
     const FEW: usize = 4;
     let mut found = Vec::new();
     let mut begin = 0;
@@ -229,7 +227,8 @@ fn steps_apart(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
 
 /// Returns the ends of the cells that were halved more often than their neighbours, and of the cells beside them, one of which may hold the
 /// kink and have taken it for noise; those of the smallest cells first, as far as [`MOST_CUTS`] reaches, because noise halves cells as well.
-fn cuts(sizes: &[(f64, f64, i32)]) -> Vec<f64> {
+/// The ends of isolated noise are added to them.
+fn cuts(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
     let mut runs = Vec::new();
     let mut begin = 0;
     for run in sizes.chunk_by(|one, other| one.2 == other.2) {
@@ -251,6 +250,7 @@ fn cuts(sizes: &[(f64, f64, i32)]) -> Vec<f64> {
         found.extend(around.first().map(|own| own.0));
         found.extend(around.iter().map(|own| own.1));
     }
+    found.extend(ends_of_noise(cells, sizes));
     found.sort_by(f64::total_cmp);
     found.dedup();
     found
@@ -306,15 +306,15 @@ impl Cell {
         }
     }
 
-    /// Returns false if a narrow part of the cell has a change of φ larger than the noise, but no noise: many kinks or waves in a cell look
-    /// like noise, too. Where φ changes by less, as between steps of rounding, nothing is told.
+    /// Returns false if a narrow part of the cell is free of noise although φ changes there by more than the noise. The cell then contains
+    /// many kinks or waves, which look like noise as well.
     fn is_noisy_within(&self, phi: &impl Fn(f64) -> Bounded) -> bool {
-        /// Noise above this share of φ is compared.
+        /// Smaller noise, relative to φ, is taken for rounding without a comparison.
         const LOUD: f64 = 1e-6;
         /// Where narrow parts begin, and their widths, as shares of the cell.
         const BEGIN: f64 = 0.37;
         const WIDTHS: [f64; 3] = [1e-1, 1e-2, 1e-3];
-        /// Share of the noise that a part without noise may have.
+        /// Maximum noise of a part that counts as free of noise, relative to the noise of the cell.
         const CLEAN: f64 = 1e-2;
         let (noise, from) = (self.last(LAST), self.begin() + 2.0 * BEGIN * self.half);
         let is_clean = |own: &Self| own.spread() > noise && own.last(LAST) < CLEAN * noise;

@@ -90,8 +90,8 @@ impl ClosureProfile {
         Ok(Reading { estimate, method: "quadrature" })
     }
 
-    /// The same, with the error that steps of f below x, which the fits do not follow, may make of g times `factor`.
-    fn stepped(&self, found: Result<Estimate, TransformError>, x: f64, factor: f64) -> Result<Reading, TransformError> {
+    /// Adds the error due to steps of f below x that are not resolved: `factor` times what they may change g by.
+    fn with_steps(&self, found: Result<Estimate, TransformError>, x: f64, factor: f64) -> Result<Reading, TransformError> {
         let mut own = self.reading(found)?;
         let hidden = factor * self.first.as_ref().map_or(0.0, |piece| piece.mismatch(x));
         own.estimate.error += hidden;
@@ -151,9 +151,9 @@ fn refuse_jump(function: &Function, b: f64) -> Result<(), TransformError> {
 
 const NEAR: f64 = 1e-7;
 
-/// The differences to fits are seen at four places of an octave; twice what they say.
+/// Safety factor for unresolved steps, whose heights are sampled at four radii per octave.
 const STEPS: f64 = 2.0;
-/// Share of a value that hidden steps may be.
+/// Maximum error due to unresolved steps relative to the value.
 const LOST: f64 = 0.5;
 /// Relative error of g above which steps of f may have been taken for noise.
 const UNSURE: f64 = 1e-5;
@@ -161,17 +161,17 @@ const UNSURE: f64 = 1e-5;
 impl Quantities for ClosureProfile {
     fn slope(&self, x: f64) -> Result<Reading, TransformError> {
         self.check_domain("x", x)?;
-        self.stepped(self.numeric.slope(x, self.closure.tolerance), x, STEPS)
+        self.with_steps(self.numeric.slope(x, self.closure.tolerance), x, STEPS)
     }
 
     fn force(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        self.stepped(self.numeric.force(a, self.closure.tolerance), a, 2.0 * STEPS * a)
+        self.with_steps(self.numeric.force(a, self.closure.tolerance), a, 2.0 * STEPS * a)
     }
 
     fn integral(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        self.stepped(self.numeric.integral(a, self.closure.tolerance), a, 2.0 * STEPS * a)
+        self.with_steps(self.numeric.integral(a, self.closure.tolerance), a, 2.0 * STEPS * a)
     }
 
     fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {

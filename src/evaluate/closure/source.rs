@@ -136,7 +136,7 @@ impl Piece {
         self.starts.as_ref().is_some_and(|own| own.begin(r, &|r| self.sample(r)))
     }
 
-    /// What f does below r that the fits from the axis on do not follow; see [`Starts::mismatch`].
+    /// Returns a bound on the change of g at r due to steps of f that are not resolved; see [`Starts::mismatch`].
     pub(super) fn mismatch(&self, r: f64) -> f64 {
         let serves = |r: f64| self.across_the_axis(1, r).is_some();
         self.starts.as_ref().map_or(0.0, |own| own.mismatch(r, &|r| self.sample(r), &serves))

@@ -12,7 +12,7 @@ const FALLING: f64 = 0.6;
 const LOUD: f64 = 1e-6;
 /// As many powers of two below its end a fit is compared with narrow ones.
 const DEPTH: i32 = 50;
-/// Below this radius narrow fits show the rounding of subnormal numbers.
+/// Minimum radius of narrow fits; below it φ may be subnormal.
 const FAINTEST: f64 = 1e-285;
 /// A narrow fit whose last coefficients are larger than this share of what φ changes by does not see φ, …
 const BLIND: f64 = 1e-3;
@@ -53,7 +53,7 @@ pub(super) struct Starts {
     octaves: Box<[OnceLock<Box<Octave>>]>,
     /// Which fit serves radii between one power of two and the next, and what narrower fits see there.
     chosen: Box<[OnceLock<Choice>]>,
-    /// What fits miss of φ below the next power of two; see [`Starts::mismatch`].
+    /// The values of [`Starts::mismatch`] by powers of two.
     mismatches: Box<[OnceLock<f64>]>,
     /// The fit that serves radii at which nothing is seen of φ.
     first: OnceLock<i32>,
@@ -100,18 +100,17 @@ impl Starts {
         octave.map_or(0.0, |own| hidden_slope(own.cell.noise(), r))
     }
 
-    /// Returns how much the steps and rounding errors of φ below r, which the fits do not follow, may change an integral of φ′ that weighs
-    /// radii b by r/√(r² − b²), unless they lie next to r.
+    /// Returns an estimate of the change of g(r) = r ∫ φ′/√(r² − b²) db due to the differences between φ and its fits: rounding errors, and
+    /// steps that the fits smooth.
     ///
-    /// `serves` tells whether the fits from the axis on are used at a radius; it must be the same function in every call.
+    /// `serves` returns true for the radii at which the fits from the axis on are used; it must be the same function in every call.
     pub(super) fn mismatch(&self, r: f64, phi: &impl Fn(f64) -> Bounded, serves: &impl Fn(f64) -> bool) -> f64 {
-        let own = exponent_of(r).and_then(|last| kept(self.mismatches.get(place_of(last)?)?, || self.differs(last, phi, serves)));
+        let own = exponent_of(r).and_then(|last| kept(self.mismatches.get(place_of(last)?)?, || self.computed_mismatch(last, phi, serves)));
         own.copied().unwrap_or(0.0)
     }
 
-    /// The difference δ of φ and a fit changes the integral by what δ is at the axis, by 4 δ next to r, and by δ times what the weight
-    /// changes by in between, which is about (b/r)².
-    fn differs(&self, last: i32, phi: &impl Fn(f64) -> Bounded, serves: &impl Fn(f64) -> bool) -> f64 {
+    /// Integration by parts: a difference δ(b) changes g by δ at the axis, by about 4δ next to r, and by about 4δ(b/r)² in between.
+    fn computed_mismatch(&self, last: i32, phi: &impl Fn(f64) -> Bounded, serves: &impl Fn(f64) -> bool) -> f64 {
         let mut most = 0.0_f64;
         let mut before = f64::NAN;
         for exponent in (last - DEPTH..=last).rev() {

@@ -102,7 +102,10 @@ pub(in crate::parse) fn is_function(name: &str) -> bool {
 fn reserved(name: &str) -> Option<(&'static str, &'static str)> {
     Some(match name {
         "x" => ("the coordinate of the transformed profile g(x)", "the radius is r; for a parameter write x_0"),
-        "a" => ("the contact radius", "the radius is r; for a parameter write a_0 or b; a is the radius of the rim under a given depth"),
+        "a" => (
+            "the contact radius",
+            "the radius is r; for a parameter write a_0 or b; a is allowed as the radius of a rim if the depth is given",
+        ),
         "d" => ("the depth", "for a parameter write d_0 or h"),
         "E" => ("the effective modulus", "for a parameter write E_0; Euler's number is e"),
         _ => return None,
