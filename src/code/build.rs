@@ -5,7 +5,7 @@ use super::claim;
 use super::lower::{Names, lowered};
 use super::program::Claim;
 use super::program::Language;
-use super::program::{Program, needs_modulus, routine_name, series_of};
+use super::program::{Program, is_of_depth, needs_modulus, routine_name, series_of};
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, FORMS, names, read};
 use crate::contact::{Edge, Explicit, Quantity, explicit, relations};
@@ -14,7 +14,8 @@ use crate::print;
 use crate::transform::{Derived, EvaluatedChain, Solution, Superposed};
 
 /// The quantities that code can be written for.
-pub const QUANTITIES: [Quantity; 5] = [Quantity::Equivalent, Quantity::Force, Quantity::Pressure, Quantity::Depth, Quantity::Radius];
+pub const QUANTITIES: [Quantity; 6] =
+    [Quantity::Equivalent, Quantity::Force, Quantity::Pressure, Quantity::Depth, Quantity::Radius, Quantity::ForceOfDepth];
 
 /// The coordinates of a quantity, in the order of the arguments.
 pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
@@ -25,7 +26,9 @@ pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
 /// The unit, in words.
 fn unit(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force => "Units: lengths in one unit, E a pressure; F in the unit of E times that of length squared.",
+        Quantity::Force | Quantity::ForceOfDepth => {
+            "Units: lengths in one unit, E a pressure; F in the unit of E times that of length squared."
+        }
         Quantity::Pressure => "Units: lengths in one unit, E a pressure; p in the unit of E.",
         _ => "Units: lengths in one unit, which is that of the result.",
     }
@@ -73,7 +76,7 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     };
     let closed = build(&[])?;
     // A series next to the axis costs code and time: only where it keeps digits.
-    let mut in_series: Vec<Quantity> = closed.poor().into_iter().map(series_of).collect();
+    let mut in_series: Vec<Quantity> = closed.poor().into_iter().flat_map(series_of).copied().collect();
     in_series.sort_by_key(|own| own.key());
     in_series.dedup();
     if in_series.is_empty() {
@@ -148,6 +151,7 @@ impl Builder<'_> {
                 values.extend(self.arguments.iter().map(|own| Value::name(own)));
                 body.push(Statement::Return(Value::Call(routine_name(Quantity::Equivalent), values)));
             }
+            Quantity::ForceOfDepth => body = self.force_of_depth(shown.as_ref(), domain.0.clone(), &mut references)?,
             _ => {
                 body.extend(self.guard(domain.0.clone()));
                 let (kind, factor) = match quantity {
@@ -184,10 +188,48 @@ impl Builder<'_> {
         comment.push(format!("Source: {}.", references.join("; ")));
         comment.push(format!("Domain: {}.", domain.1.join(", ")));
         comment.push(unit(quantity).to_owned());
-        let routine = Routine { name: routine_name(quantity), parameters: arguments, body, comment };
+        let mut routine = Routine { name: routine_name(quantity), parameters: arguments, body, comment };
+        if quantity == Quantity::ForceOfDepth && routine.calls().contains(&routine_name(Quantity::Force)) {
+            routine.comment.push("Computed as F(a) + 2*E*a*(d - g(a)), in which an error of a counts in second order only.".to_owned());
+        }
         self.needed(&routine, quantity)?;
         self.routines.push(routine);
         Ok(())
+    }
+
+    /// The body of F(d): the formula where it is a product, in which nothing cancels, else F(a) + 2 E* a (d − g(a)) at the
+    /// radius a(d): because F′ = 2 E* a g′, an error of a counts in second order only.
+    fn force_of_depth(
+        &mut self,
+        shown: Option<&Derived>,
+        tests: Vec<Test>,
+        references: &mut Vec<&'static str>,
+    ) -> Result<Vec<Statement>, CodeError> {
+        if let Some(found) = explicit(self.solution).filter(|own| !has_sum(&own.force)) {
+            let mut tests = tests;
+            self.conditions(&found.conditions, "d", &mut tests, &mut Vec::new())?;
+            let mut body = self.guard(tests);
+            body.push(when(compare(Comparison::Equal, "d", 0.0), Value::Number(0.0, true)));
+            self.counter = 0;
+            let (statements, value) = self.lowered(&found.force)?;
+            body.extend(statements);
+            body.push(Statement::Return(value));
+            return Ok(body);
+        }
+        for own in [Quantity::Equivalent, Quantity::Radius, Quantity::Force] {
+            self.quantity(own)?;
+        }
+        if shown.is_none() {
+            references.push("g(a) = d solved for a by a bracketed search");
+        }
+        let list: String = self.arguments.iter().map(|own| format!(", {own}")).collect();
+        let text = format!(
+            "fn composed() {{ let _at = sneddon_a(d{list}); \
+             return sneddon_F(_at, E{list}) + 2 * E * _at * (d - sneddon_g(_at{list})); }}"
+        );
+        let routine = read::routines(&text).and_then(|list| list.into_iter().next()).ok_or(CodeError::Forms)?;
+        self.counter = 0;
+        Ok(self.numbered(routine.body))
     }
 
     /// The formula with its sources; `None` where the contact radius is not explicit.
@@ -200,6 +242,7 @@ impl Builder<'_> {
                     Quantity::Force => Some(all.force),
                     Quantity::Pressure => Some(all.pressure.ok_or(CodeError::NotClosed { quantity: "p" })?),
                     Quantity::Depth => Some(all.d),
+                    Quantity::ForceOfDepth => all.force_of_depth,
                     _ => {
                         if all.g.formula.has_integral() {
                             return Err(CodeError::NotClosed { quantity: "g" });
@@ -240,7 +283,7 @@ impl Builder<'_> {
             tests.extend([compare(Comparison::Greater, own, 0.0), largest(own)]);
             words.push(format!("{own} > 0"));
         }
-        if quantity != Quantity::Radius {
+        if !is_of_depth(quantity) {
             let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
             self.conditions(&self.solution.conditions.clone(), coordinate, &mut tests, &mut words)?;
         }
@@ -431,9 +474,11 @@ impl Builder<'_> {
     }
 }
 
-/// Below the end of the profile g takes every value that it will.
+/// Below the end of the profile g takes every value that it will. Next to the inner end halves may round to an end of the bracket.
 const SEARCH_TO_END: &str = "let _high = _end * 0.99999999999999989; if !(g(_high) >= d) { return nan(); }
-    let _mid = _high; while _mid > _low && g(_mid) >= d { _high = _mid; _mid = _low + 0.5 * (_mid - _low); } _low = _mid;";
+    let _mid = _low + 0.5 * (_high - _low);
+    while _mid > _low && _mid < _high && g(_mid) >= d { _high = _mid; _mid = _low + 0.5 * (_high - _low); }
+    if _mid < _high { _low = _mid; }";
 
 /// Outward by factors of two, from a depth as large as the radius; a maximum of g that was passed is searched by golden sections.
 const SEARCH_OUTWARD: &str = "let _high = _low + d; let _left = _low; let _mid = _high; let _found = 0;
@@ -460,20 +505,26 @@ const SEARCH_OUTWARD: &str = "let _high = _low + d; let _left = _low; let _mid =
     _mid = _low + 0.5 * (_high - _low); while _mid > _low && _low == 0 && g(_mid) >= d && _mid > 1e-300 { _high = _mid; _mid = 0.5 * _mid; }
     if _low == 0 { _low = _mid; }";
 
-/// Illinois steps.
+/// Illinois steps; the end of the bracket whose g is nearer to d is the radius.
 const SEARCH: &str = "let _below = g(_low) - d; let _above = g(_high) - d; let _n = 0; let _side = 0;
     if _above == 0 { return _high; }
     while _n < 400 && _high - _low > 2.2e-16 * _high {
       _n = _n + 1;
       _mid = (_low * _above - _high * _below) / (_above - _below);
       if !(_mid > _low && _mid < _high) || _n > 60 { _mid = _low + 0.5 * (_high - _low); }
-      if _mid <= _low || _mid >= _high { return _high; }
-      let _rest = g(_mid) - d;
-      if _rest == 0 { return _mid; }
-      if _rest > 0 { _high = _mid; _above = _rest; if _side > 0 { _below = 0.5 * _below; } _side = 1; }
-      else { _low = _mid; _below = _rest; if _side < 0 { _above = 0.5 * _above; } _side = -1; }
+      if _mid > _low && _mid < _high {
+        let _rest = g(_mid) - d;
+        if _rest == 0 { return _mid; }
+        if _rest > 0 { _high = _mid; _above = _rest; if _side > 0 { _below = 0.5 * _below; } _side = 1; }
+        else { _low = _mid; _below = _rest; if _side < 0 { _above = 0.5 * _above; } _side = -1; }
+      } else { _n = 400; }
     }
+    if d - g(_low) < g(_high) - d { return _low; }
     return _high;";
+
+fn has_sum(expr: &Expr) -> bool {
+    matches!(expr.node(), Node::Sum(_)) || expr.children().into_iter().any(has_sum)
+}
 
 fn compare(comparison: Comparison, name: &str, number: f64) -> Test {
     Test::Compare(comparison, Value::name(name), Value::Number(number, true))
@@ -491,10 +542,10 @@ impl Program {
 }
 
 impl Program {
-    /// Whether the quantity is found by a search.
-    pub(super) fn searches(&self, quantity: Quantity) -> bool {
-        let is_search = |own: &Routine| own.calls().iter().any(|name| *name == routine_name(Quantity::Equivalent));
-        quantity == Quantity::Radius && self.routines.iter().any(|own| own.name == routine_name(quantity) && is_search(own))
+    /// Whether the quantity is computed from a radius that solves g(a) = d, whose errors running bounds do not follow.
+    pub(super) fn is_solved(&self, quantity: Quantity) -> bool {
+        let calls = |own: &Routine| own.calls().iter().any(|name| *name == routine_name(Quantity::Equivalent));
+        is_of_depth(quantity) && self.routines.iter().any(|own| own.name == routine_name(quantity) && calls(own))
     }
 }
 

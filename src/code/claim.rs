@@ -2,7 +2,7 @@
 
 use super::CodeError;
 use super::accuracy::{ASSUMED, Machine};
-use super::program::{Claim, Program, needs_modulus, routine_name, series_of};
+use super::program::{Claim, Program, is_of_depth, needs_modulus, routine_name, series_of};
 use super::truth::{STEP, Truth, spacing};
 use crate::contact::Quantity;
 use crate::transform::{Evaluator, Sampler, Solution, reach};
@@ -44,7 +44,7 @@ impl Program {
     /// Whether every quantity that is computed from this one has a smaller claim than in another program.
     pub(super) fn has_smaller_claims(&self, other: &Self, quantity: Quantity) -> bool {
         let size = |claim: Option<Claim>| claim.map_or(f64::INFINITY, |own| own.ulps);
-        let pairs = self.claims.iter().zip(&other.claims).filter(|(own, _)| series_of(own.0) == quantity);
+        let pairs = self.claims.iter().zip(&other.claims).filter(|(own, _)| series_of(own.0).contains(&quantity));
         let largest = pairs.fold((0.0_f64, 0.0_f64), |most, (own, other)| (most.0.max(size(own.1)), most.1.max(size(other.1))));
         largest.0 < largest.1
     }
@@ -55,7 +55,7 @@ impl Program {
         match lost {
             Some((quantity, claim)) => Err(CodeError::Inaccurate {
                 quantity: quantity.key(),
-                coordinate: if quantity == Quantity::Radius { "a" } else { quantity.coordinate() },
+                coordinate: if is_of_depth(quantity) { "a" } else { quantity.coordinate() },
                 at: claim.worst_at,
                 ulps: claim.ulps,
             }),
@@ -79,7 +79,7 @@ fn text(program: &Program, claim: Option<Claim>, quantity: Quantity) -> Vec<Stri
         None => "",
     };
     let (from, to) = claim.range;
-    let coordinate = if matches!(quantity, Quantity::Pressure | Quantity::Radius) { "a" } else { quantity.coordinate() };
+    let coordinate = if quantity == Quantity::Pressure || is_of_depth(quantity) { "a" } else { quantity.coordinate() };
     let to = if to.is_finite() { format!("{to:.0e}") } else { "the end of the domain".to_owned() };
     let parameters = if program.parameters.is_empty() { "" } else { " and parameters between 1/4 and 4" };
     let mut lines = vec![format!(
@@ -94,7 +94,7 @@ fn text(program: &Program, claim: Option<Claim>, quantity: Quantity) -> Vec<Stri
         ));
     }
     let what = match quantity {
-        Quantity::Radius => "depths that belong to radii",
+        Quantity::Radius | Quantity::ForceOfDepth => "depths that belong to radii",
         Quantity::Pressure => "radii r < a",
         _ => "points",
     };
@@ -118,7 +118,7 @@ struct Found {
 fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Claim> {
     let library = |name: &str| program.language.target().library(name).map(|(_, ulps)| ulps);
     let mut machine = Machine::new(&program.routines, &library);
-    let searched = program.searches(quantity);
+    let is_solved = program.is_solved(quantity);
     let mut sampler = Sampler::new(0x5eed);
     let (mut found, mut truths): (Vec<Found>, Vec<Truth<'_>>) = (Vec::new(), Vec::new());
     // Of all draws; infinite where the profile ends.
@@ -126,14 +126,14 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
     for _ in 0..if program.parameters.is_empty() { 1 } else { DRAWS } {
         let Some(truth) = sampler.parameters(solution).and_then(|own| Truth::new(solution, quantity, &own, program)) else { continue };
         let (mut list, ends) = places(&mut sampler, truth.contact.evaluator());
-        if quantity == Quantity::Radius {
+        if is_of_depth(quantity) {
             list = rising(list, truth.contact.evaluator());
         }
         range = (range.0.max(ends.0), range.1.min(ends.1));
         for place in list {
             for coordinates in arguments_at(quantity, place, truth.contact.evaluator()) {
-                let seen = if searched {
-                    root(&mut machine, place, &truth.values)
+                let seen = if is_solved {
+                    solved(&mut machine, quantity, place, &truth.values)
                 } else {
                     let modulus: &[f64] = if needs_modulus(quantity) { &[1.0] } else { &[] };
                     let arguments = [&coordinates, modulus, &truth.values].concat();
@@ -202,7 +202,7 @@ fn rising(mut list: Vec<f64>, evaluator: &Evaluator<'_>) -> Vec<f64> {
 fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Vec<Vec<f64>> {
     match quantity {
         Quantity::Pressure => [1e-4, 0.1, 0.4, 0.7, 0.95, 0.9999].map(|part| vec![place * part, place]).to_vec(),
-        Quantity::Radius => match evaluator.slope(place) {
+        Quantity::Radius | Quantity::ForceOfDepth => match evaluator.slope(place) {
             Ok(depth) if depth.estimate.value > 0.0 => vec![vec![depth.estimate.value]],
             _ => Vec::new(),
         },
@@ -210,12 +210,21 @@ fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Ve
     }
 }
 
-/// The error in ulps of the radius a with g(a) = d: an error of g moves the root by itself over g′.
-fn root(machine: &mut Machine<'_>, a: f64, values: &[f64]) -> Option<f64> {
+/// The error in ulps of the radius a with g(a) = d: an error of g moves the root by itself over g′; or of F(a) + 2a (d − g(a)), which the
+/// root moves in second order.
+fn solved(machine: &mut Machine<'_>, quantity: Quantity, a: f64, values: &[f64]) -> Option<f64> {
     let mut at = |a: f64| machine.run("sneddon_g", &[&[a], values].concat());
     let (own, more, less) = (at(a)?, at(a * (1.0 + STEP))?, at(a * (1.0 - STEP))?);
     let slope = (more.value - less.value) / (2.0 * STEP * a);
     let positive = slope > 0.0 && own.value > 0.0;
     let error = (own.error + spacing(own.value)) / slope + 2.0 * spacing(a);
-    positive.then(|| error / spacing(a))
+    if !positive {
+        return None;
+    }
+    if quantity == Quantity::Radius {
+        return Some(error / spacing(a));
+    }
+    let force = machine.run("sneddon_F", &[&[a, 1.0], values].concat())?;
+    let moved = slope * error * error;
+    Some((force.error + 2.0 * a * (own.error + spacing(own.value)) + moved) / spacing(force.value) + 2.0)
 }

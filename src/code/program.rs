@@ -27,9 +27,18 @@ pub(super) fn needs_modulus(quantity: Quantity) -> bool {
     [Dimension::FORCE, Dimension::PRESSURE].contains(&quantity.dimension())
 }
 
-/// The quantity whose series a quantity is computed from: d and a from that of g.
-pub(super) fn series_of(quantity: Quantity) -> Quantity {
-    if quantity == Quantity::Force { quantity } else { Quantity::Equivalent }
+/// Whether a quantity is a function of the depth.
+pub(super) fn is_of_depth(quantity: Quantity) -> bool {
+    quantity.coordinate() == "d"
+}
+
+/// The quantities whose series a quantity is computed from: d and a from that of g.
+pub(super) fn series_of(quantity: Quantity) -> &'static [Quantity] {
+    match quantity {
+        Quantity::Force => &[Quantity::Force],
+        Quantity::ForceOfDepth => &[Quantity::Equivalent, Quantity::Force],
+        _ => &[Quantity::Equivalent],
+    }
 }
 
 /// The name of the routine of a quantity.

@@ -54,6 +54,13 @@ impl<'a> Truth<'a> {
             (Quantity::Equivalent | Quantity::Depth, [x]) => return g(*x),
             (Quantity::Force, [a]) => contact.force(*a).ok()?.estimate,
             (Quantity::Pressure, [r, a]) => contact.pressure(*r, *a).ok()?.ok()?.estimate,
+            (Quantity::ForceOfDepth, [d]) => {
+                // F′(d) = 2a for E* = 1.
+                let (depth, force) = (g(place)?, contact.force(place).ok()?.estimate.bounded());
+                let step = d - depth.value;
+                let value = force.value + 2.0 * place * step;
+                return Some(Bounded::checked(value, force.error + 2.0 * place * (depth.error + STEP * step.abs()) + spacing(value)));
+            }
             (Quantity::Radius, [d]) => {
                 // A step of Newton's method, which the nearness of the place makes right to second order.
                 let rise = (g(place * (1.0 + STEP))?.value - g(place * (1.0 - STEP))?.value) / (2.0 * STEP * place);

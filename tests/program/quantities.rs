@@ -17,7 +17,7 @@ fn every_command_answers_or_refuses_every_quantity() {
         (&["eval", "r^2/4", "--at", "0.2", "--radius", "0.5", "--json"], 18),
         (&["derive", "r^2/4", "--json"], 16),
         (&["plot", "r^2/4", "--radius", "0.5"], 15),
-        (&["code", "r^2/4", "--lang", "c"], 5),
+        (&["code", "r^2/4", "--lang", "c"], 6),
         (&["tradeoff", "r^2/4", "--budget", "0.05"], 3),
     ];
     for (command, count) in commands {

@@ -10,13 +10,13 @@ use crate::{print, transform};
 use clap::ValueEnum;
 use std::path::PathBuf;
 
-/// Writes g, F, p, d and a as functions of another language, with a bound on their error.
+/// Writes g, F, p, d, a(d) and F(d) as functions of another language, with a bound on their error.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
-    /// The quantities, separated by commas: g(x), F(a), p(r, a), d(a) and the contact radius a(d) [default: g,F,d,a].
+    /// The quantities, separated by commas: g(x), F(a), p(r, a), d(a), the contact radius a(d) and the force F(d), F_of_d [default: g,F,d,a].
     #[arg(long, value_name = "LIST", value_parser = Quantities(written), value_delimiter = ',')]
     quantity: Vec<Quantity>,
     /// The language.
@@ -31,7 +31,7 @@ pub(in crate::cli) struct Arguments {
 
 const EXAMPLES: &str = "Examples:
   sneddon code 'R-sqrt(R^2-r^2)' --quantity g,F --lang c
-  sneddon code 'r*tan(theta)' --quantity F,a --lang fortran -o cone.f90
+  sneddon code 'r*tan(theta)' --quantity F_of_d --lang fortran -o cone.f90
   sneddon code 'r^2/(2*R)' --lang nanite -o model_paraboloid.py";
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -83,10 +83,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// What was asked for, each once; a model of nanite needs F and a.
+/// What was asked for, each once; a model of nanite needs F(d).
 fn quantities(arguments: &Arguments) -> Vec<Quantity> {
     if arguments.lang == Lang::Nanite {
-        return vec![Quantity::Force, Quantity::Radius];
+        return vec![Quantity::ForceOfDepth];
     }
     let mut list: Vec<Quantity> = Vec::new();
     for own in arguments.quantity.iter().copied() {
@@ -99,5 +99,5 @@ fn quantities(arguments: &Arguments) -> Vec<Quantity> {
 
 /// Checks whether `code` supports a quantity.
 fn written(quantity: Quantity) -> Result<(), &'static str> {
-    if QUANTITIES.contains(&quantity) { Ok(()) } else { Err("code writes only g, F, p, d and a") }
+    if QUANTITIES.contains(&quantity) { Ok(()) } else { Err("code writes only g, F, p, d, a and F_of_d") }
 }

@@ -5,7 +5,7 @@ use super::{Target, comment, decimal, head};
 use crate::code::program::{Program, routine_name};
 use crate::contact::Quantity;
 
-/// The model file of a program that has F and a.
+/// The model file of a program that has F(d).
 pub(super) fn file(program: &Program) -> String {
     let mut text = comment(&head(program), "# ");
     text.push_str("# Load it in nanite with nanite.model.load_model_from_file, in PyJibe with Preferences, Extensions.\n");
@@ -29,12 +29,12 @@ pub(super) fn file(program: &Program) -> String {
     let described: Vec<String> = program
         .routines
         .iter()
-        .filter(|own| own.name == routine_name(Quantity::Force) || own.name == routine_name(Quantity::Radius))
+        .filter(|own| own.name == routine_name(Quantity::ForceOfDepth))
         .flat_map(|own| own.comment.clone())
         .collect();
     let described = comment(&described, "    ").replace('"', " ");
     let arguments = identifiers.iter().map(|own| format!(", {own}")).collect::<String>();
-    let (radius, force) = (Python.spelled(&routine_name(Quantity::Radius)), Python.spelled(&routine_name(Quantity::Force)));
+    let force = Python.spelled(&routine_name(Quantity::ForceOfDepth));
     text.push_str(&format!(
         "
 
@@ -50,7 +50,7 @@ def get_parameter_defaults():
 
 def _force_at(depth, modulus{arguments}):
     try:
-        return {force}({radius}(depth{arguments}), modulus{arguments})
+        return {force}(depth, modulus{arguments})
     except ArithmeticError:
         return math.nan
 
