@@ -17,8 +17,20 @@ impl Evaluator<'_> {
     /// # Errors
     /// As [`Evaluator::new`].
     pub(crate) fn typed_profile(&self) -> Result<NumericProfile, TransformError> {
-        let own = |(lower, upper, f): (Expr, Option<&Expr>, &Expr)| (Segment { lower, upper: upper.cloned() }, f.clone());
-        let pieces: Vec<Piece> = self.solution.profile.chains.iter().flat_map(|chain| chain.intervals().map(own)).collect();
+        self.typed_less(&[])
+    }
+
+    /// Compiles the profile as typed, less a slope times r in each chain, in the order of the chains.
+    ///
+    /// # Errors
+    /// As [`Evaluator::new`].
+    pub(crate) fn typed_less(&self, slopes: &[Expr]) -> Result<NumericProfile, TransformError> {
+        let mut pieces: Vec<Piece> = Vec::new();
+        for (index, chain) in self.solution.profile.chains.iter().enumerate() {
+            let line = slopes.get(index).map_or(Expr::zero(), |slope| slope * Expr::symbol("r"));
+            let own = |(lower, upper, f): (Expr, Option<&Expr>, &Expr)| (Segment { lower, upper: upper.cloned() }, f - &line);
+            pieces.extend(chain.intervals().map(own));
+        }
         let built = self.compiled(&pieces)?;
         if (built.is_ragged() || built.is_fractional())
             && let Some(parts) = self.parted(&pieces)?

@@ -36,7 +36,7 @@ fn finite_pressures_have_their_reference_values() {
             }
         }
     }
-    assert_eq!(count, 112);
+    assert_eq!(count, 124);
     assert!(worst < 4e-14, "{worst:e}");
 }
 

@@ -11,6 +11,7 @@ use crate::evaluate::evaluator::{Evaluator, Method, Reading};
 use crate::expr::{Bindings, Expr, Symbol, normal};
 use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::error::TransformError;
+use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Estimate, work};
 
 /// Steps of work that a few more digits of a pressure are worth: some twenty milliseconds …
@@ -116,22 +117,39 @@ impl Evaluator<'_> {
         if r > 0.0 {
             return self.typed()?.stress_direct(r, a, self.tolerance)?.ok_or(TransformError::NotComputable { at: a });
         }
-        if let Some(proven) = self.typed()?.pressure_on_axis(a, self.tolerance).filter(|own| own.relative_error() <= self.tolerance) {
+        let level = self.typed_without_slopes()?;
+        let typed = level.as_ref().map_or_else(|| self.typed(), Ok)?;
+        if let Some(proven) = typed.pressure_on_axis(a, self.tolerance).filter(|own| own.relative_error() <= self.tolerance) {
             return Ok(proven);
         }
-        let typed = self.typed()?.axial(0.0, a, self.tolerance);
-        if typed.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance) {
-            return typed;
+        let axial = typed.axial(0.0, a, self.tolerance);
+        if axial.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance) {
+            return axial;
         }
         let recognised = self.recognised().and_then(|own| own.axial(0.0, a, self.tolerance));
         // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
-        let direct = self.typed()?.pressure(0.0, a, self.tolerance).and_then(|own| own.ok_or(TransformError::NotComputable { at: a }));
+        let direct = typed.pressure(0.0, a, self.tolerance).and_then(|own| own.ok_or(TransformError::NotComputable { at: a }));
         let better = |best: Result<Estimate, TransformError>, other: Result<Estimate, TransformError>| match (&best, &other) {
             (Ok(own), Ok(next)) if next.is_better_than(*own) => other,
             (Err(_), Ok(_)) => other,
             _ => best,
         };
-        better(better(typed, recognised), direct)
+        better(better(axial, recognised), direct)
+    }
+
+    /// The profile as typed, where the slopes of its chains at the axis add up to 0 and are not 0 one by one, less these slopes times r;
+    /// `None` for every other profile.
+    fn typed_without_slopes(&self) -> Result<Option<NumericProfile>, TransformError> {
+        let mut slopes = Vec::new();
+        for chain in &self.solution.profile.chains {
+            let first = chain.slopes()?.into_iter().next().unwrap_or(Expr::zero());
+            let Some(slope) = limit(&self.bindings.apply(&first)) else { return Ok(None) };
+            slopes.push(slope);
+        }
+        if slopes.iter().all(Expr::is_zero) || !normal::is_proven_zero(&Expr::sum(slopes.clone()), &Symbol::new("r")) {
+            return Ok(None);
+        }
+        self.typed_less(&slopes).map(Some)
     }
 
     /// f′ beyond a breakpoint less f′ before it; `None` where one of them is infinite.
