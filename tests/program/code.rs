@@ -355,6 +355,22 @@ fn octave_is_as_accurate_as_it_claims() {
     judge("Octave", &cases, &run("octave", &["--norc", "--quiet", "all.m"], &place));
 }
 
+/// As `docs/code.md` says: a script with several functions, and a function by the name of its file.
+#[test]
+fn octave_loads_files_as_documented() {
+    if !is_installed("octave") {
+        return;
+    }
+    let formula = parse::profile("r^2/(2*R)").unwrap();
+    let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
+    let place = place("octave_files");
+    let text = |quantities: &[Quantity]| write(&program(&solution, quantities, Language::Matlab, "r^2/(2*R)").unwrap());
+    fs::write(place.join("sneddon_F_of_d.m"), text(&[Quantity::ForceOfDepth])).unwrap();
+    fs::write(place.join("several.m"), text(&[Quantity::Equivalent, Quantity::Depth])).unwrap();
+    let calls = "source(\"several.m\"); printf(\"%g %g %g\\n\", sneddon_g(0.5, 0.5), sneddon_d(0.5, 0.5), sneddon_F_of_d(0.25, 3, 1));";
+    assert_eq!(run("octave", &["--norc", "--quiet", "--eval", calls], &place), "0.5 0.5 0.5\n");
+}
+
 /// Names that are words of a language, differ in case only, or look like what the program writes.
 #[test]
 fn hostile_names_stay_names() {

@@ -83,11 +83,21 @@ impl Target for Matlab {
     fn file(&self, program: &Program) -> String {
         let mut lines = head(program);
         lines.push("The functions take and return numbers, not arrays; outside the domain the result is NaN.".to_owned());
-        lines.push(
-            "MATLAB calls the first function of a file: write one file for each quantity, and name it after its function.".to_owned(),
-        );
-        lines.push("Octave reads every function of the file with source(\"FILE.m\").".to_owned());
-        let mut text = comment(&lines, "% ");
+        let script = match program.quantities.as_slice() {
+            [only] => {
+                lines.push(format!("Save it as {}.m: MATLAB and Octave call a function by the name of its file.", routine_name(*only)));
+                ""
+            }
+            _ => {
+                lines.push(
+                    "A script: Octave reads its functions with source(\"FILE.m\"); in MATLAB, write the calls behind \"1;\".".to_owned(),
+                );
+                lines.push("For functions that MATLAB calls from elsewhere, write one file for each quantity.".to_owned());
+                // Octave takes a file that begins with a function for that function.
+                "\n1;\n"
+            }
+        };
+        let mut text = comment(&lines, "% ") + script;
         // What is called from outside comes first.
         let (public, inner): (Vec<&Routine>, Vec<&Routine>) = program.routines.iter().partition(|own| program.is_public(own));
         let rank =

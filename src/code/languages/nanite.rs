@@ -88,7 +88,7 @@ def indentation_force(delta, E,{keys} nu, contact_point=0, baseline=0):
 model_doc = indentation_force.__doc__
 model_func = indentation_force
 model_key = \"{key}\"
-model_name = \"{key}\"
+model_name = \"{name}\"
 parameter_keys = [\"E\",{strings} \"nu\", \"contact_point\", \"baseline\"]
 parameter_names = [\"Young's Modulus\",{strings} \"Poisson's Ratio\", \"Contact Point\", \"Force Baseline\"]
 parameter_units = [\"Pa\",{units} \"\", \"m\", \"N\"]
@@ -96,11 +96,21 @@ valid_axes_x = [\"tip position\"]
 valid_axes_y = [\"force\"]
 ",
         key = key(program),
+        name = name(program),
     ));
     text
 }
 
-/// A name of the model that differs from profile to profile.
+/// The longest name that is shown.
+const LONGEST_NAME: usize = 60;
+
+/// The name that programs show: the shape as typed, without what would end a string.
+fn name(program: &Program) -> String {
+    let plain = program.profile.chars().filter(|own| own.is_ascii_graphic() && !matches!(own, '"' | '\\') || *own == ' ');
+    format!("f(r) = {}", plain.take(LONGEST_NAME).collect::<String>())
+}
+
+/// A key of the model that differs from profile to profile.
 fn key(program: &Program) -> String {
     // FNV-1a.
     let hash = program.profile.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |own, byte| (own ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
