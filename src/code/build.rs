@@ -412,6 +412,18 @@ impl Builder<'_> {
                 Some(other) => Value::call("min", vec![other, value]),
             });
         }
+        // g may fall behind a kink: the first kink at which it has reached d ends the bracket.
+        let mut places: Vec<String> = ["_high", "_low", "_mid", "_left", "_one", "_two"].map(str::to_owned).to_vec();
+        let mut narrow = String::new();
+        let kinks = chains.iter().flat_map(|chain| chain.breakpoints.iter().zip(&chain.values)).filter(|(_, before)| !before.is_zero());
+        for (index, (kink, _)) in kinks.enumerate() {
+            let (statements, value) = self.lowered(kink)?;
+            body.extend(statements);
+            let name = format!("_kink{index}");
+            body.push(Statement::Let(name.clone(), value));
+            narrow.push_str(&format!("if g({name}) >= d {{ if !(g(_high) >= d) || {name} < _high {{ _high = {name}; }} }} "));
+            places.push(name);
+        }
         let domain = "if !(d >= 0 && d <= 1e300) { return nan(); } if d == 0 { return _low; }";
         let start = match limit {
             Some(limit) => {
@@ -423,10 +435,8 @@ impl Builder<'_> {
         let list = self.arguments.join(", ");
         let comma = if list.is_empty() { "" } else { ", " };
         let profile_at = |at: &str| format!("sneddon_g({at}{comma}{list})");
-        let places = ["_high", "_low", "_mid", "_left", "_one", "_two"];
-        let text = places
-            .iter()
-            .fold(format!("fn search() {{ {domain} {start} {SEARCH} }}"), |text, at| text.replace(&format!("g({at})"), &profile_at(at)));
+        let text = format!("fn search() {{ {domain} {start} {SEARCH} }}").replace("NARROW", &narrow);
+        let text = places.iter().fold(text, |text, at| text.replace(&format!("g({at})"), &profile_at(at)));
         let routine = read::routines(&text).and_then(|list| list.into_iter().next()).ok_or(CodeError::Forms)?;
         body.extend(routine.body);
         // No parameter begins with an underscore; the variables of the search do, until they are numbered.
@@ -475,13 +485,13 @@ impl Builder<'_> {
 }
 
 /// Below the end of the profile g takes every value that it will. Next to the inner end halves may round to an end of the bracket.
-const SEARCH_TO_END: &str = "let _high = _end * 0.99999999999999989; if !(g(_high) >= d) { return nan(); }
+const SEARCH_TO_END: &str = "let _high = _end * 0.99999999999999989; NARROW if !(g(_high) >= d) { return nan(); }
     let _mid = _low + 0.5 * (_high - _low);
     while _mid > _low && _mid < _high && g(_mid) >= d { _high = _mid; _mid = _low + 0.5 * (_high - _low); }
     if _mid < _high { _low = _mid; }";
 
 /// Outward by factors of two, from a depth as large as the radius; a maximum of g that was passed is searched by golden sections.
-const SEARCH_OUTWARD: &str = "let _high = _low + d; let _left = _low; let _mid = _high; let _found = 0;
+const SEARCH_OUTWARD: &str = "let _high = _low + d; NARROW let _left = _low; let _mid = _high; let _found = 0;
     if g(_high) >= d { _found = 1; }
     while _found == 0 && _high <= 1e300 {
       if g(_low) > g(_high) && g(_left) <= g(_low) {

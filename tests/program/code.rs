@@ -471,6 +471,24 @@ fn the_search_ends_at_every_depth() {
     assert_eq!(run("./a", &[], &place), "1\n".repeat(cases));
 }
 
+/// g falls behind the kink, from 2b² on, and rises again: below that depth the contact radius is that of the paraboloid inside.
+#[test]
+fn the_search_finds_the_root_before_a_kink() {
+    let formula = parse::profile("piecewise(r^2, r<b, k*(r-b)+b^2)").unwrap();
+    let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
+    let place = place("kink");
+    let mut text = write(&program(&solution, &[Quantity::Radius], Language::C, "f").unwrap());
+    text.push_str("#include <stdio.h>\nint main(void)\n{\n");
+    let depths = [1e-9, 0.1, 0.3, 0.41, 0.44, 0.47, 0.499];
+    for d in depths {
+        writeln!(text, "    printf(\"%d\\n\", fabs(sneddon_a({d}, 0.5, 0.35) - sqrt({d}/2.0)) < 1e-15);").unwrap();
+    }
+    text.push_str("    return 0;\n}\n");
+    fs::write(place.join("a.c"), text).unwrap();
+    run("cc", &["a.c", "-lm", "-o", "a"], &place);
+    assert_eq!(run("./a", &[], &place), "1\n".repeat(depths.len()));
+}
+
 #[test]
 fn every_name_is_an_identifier_and_no_two_are_equal() {
     let symbols: Vec<Symbol> = ["R", "r_", "int", "t1", "_x", "é\n*/", "A", "a_0", "A_0"].map(Symbol::new).to_vec();
