@@ -183,7 +183,7 @@ impl Builder<'_> {
         if let Some(shown) = &shown {
             comment.push(format!("{} = {}", quantity.key(), print::text(&shown.formula)));
         } else {
-            comment.push("a is the root of g(a) = d: the only one where g rises.".to_owned());
+            comment.push("a is the first root of g(a) = d, unless waves of g are shorter than a quarter of it.".to_owned());
         }
         comment.push(format!("Source: {}.", references.join("; ")));
         comment.push(format!("Domain: {}.", domain.1.join(", ")));
@@ -413,7 +413,7 @@ impl Builder<'_> {
             });
         }
         // g may fall behind a kink: the first kink at which it has reached d ends the bracket.
-        let mut places: Vec<String> = ["_high", "_low", "_mid", "_left", "_one", "_two"].map(str::to_owned).to_vec();
+        let mut places: Vec<String> = ["_high", "_low", "_mid", "_one", "_two", "_low + _reach"].map(str::to_owned).to_vec();
         let mut narrow = String::new();
         let kinks = chains.iter().flat_map(|chain| chain.breakpoints.iter().zip(&chain.values)).filter(|(_, before)| !before.is_zero());
         for (index, (kink, _)) in kinks.enumerate() {
@@ -421,21 +421,21 @@ impl Builder<'_> {
             body.extend(statements);
             let name = format!("_kink{index}");
             body.push(Statement::Let(name.clone(), value));
-            narrow.push_str(&format!("if g({name}) >= d {{ if !(g(_high) >= d) || {name} < _high {{ _high = {name}; }} }} "));
+            narrow.push_str(&format!("if g({name}) >= d {{ _last = min(_last, {name}); }} "));
             places.push(name);
         }
         let domain = "if !(d >= 0 && d <= 1e300) { return nan(); } if d == 0 { return _low; }";
-        let start = match limit {
+        let last = match limit {
             Some(limit) => {
                 body.push(Statement::Let("_end".to_owned(), limit));
-                SEARCH_TO_END
+                "_end * 0.99999999999999989"
             }
-            None => SEARCH_OUTWARD,
+            None => "1e300",
         };
         let list = self.arguments.join(", ");
         let comma = if list.is_empty() { "" } else { ", " };
         let profile_at = |at: &str| format!("sneddon_g({at}{comma}{list})");
-        let text = format!("fn search() {{ {domain} {start} {SEARCH} }}").replace("NARROW", &narrow);
+        let text = format!("fn search() {{ {domain} let _last = {last}; {narrow} {SEARCH_OUTWARD} {SEARCH} }}");
         let text = places.iter().fold(text, |text, at| text.replace(&format!("g({at})"), &profile_at(at)));
         let routine = read::routines(&text).and_then(|list| list.into_iter().next()).ok_or(CodeError::Forms)?;
         body.extend(routine.body);
@@ -484,17 +484,23 @@ impl Builder<'_> {
     }
 }
 
-/// Below the end of the profile g takes every value that it will. Next to the inner end halves may round to an end of the bracket.
-const SEARCH_TO_END: &str = "let _high = _end * 0.99999999999999989; NARROW if !(g(_high) >= d) { return nan(); }
-    let _mid = _low + 0.5 * (_high - _low);
-    while _mid > _low && _mid < _high && g(_mid) >= d { _high = _mid; _mid = _low + 0.5 * (_high - _low); }
-    if _mid < _high { _low = _mid; }";
-
-/// Outward by factors of two, from a depth as large as the radius; a maximum of g that was passed is searched by golden sections.
-const SEARCH_OUTWARD: &str = "let _high = _low + d; NARROW let _left = _low; let _mid = _high; let _found = 0;
-    if g(_high) >= d { _found = 1; }
-    while _found == 0 && _high <= 1e300 {
-      if g(_low) > g(_high) && g(_left) <= g(_low) {
+/// Halves inward until |g| has been below d six times, then steps outward to the first radius with g ≥ d: by factors of two while g is small,
+/// else by a quarter; a maximum of g that was passed is searched by golden sections.
+const SEARCH_OUTWARD: &str = "let _reach = min(d, _last - _low); let _below = 0;
+    while _below < 6 && _reach > 1e-300 {
+      if abs(g(_low + _reach)) < d { _below = _below + 1; }
+      _reach = 0.5 * _reach;
+    }
+    let _inner = _low; let _left = _low; let _mid = _low; let _high = _low + _reach; let _found = 0;
+    let _at_left = 0; let _at_low = 0; let _at_high = g(_high);
+    if _at_high >= d { _found = 1; }
+    while _found == 0 && _high < _last {
+      _left = _low; _low = _high; _at_left = _at_low; _at_low = _at_high;
+      if _at_high < 0.0625 * d { _reach = 2 * _reach; } else { _reach = 1.25 * _reach; }
+      _high = min(_inner + _reach, _last);
+      _at_high = g(_high);
+      if _at_high >= d { _found = 1; }
+      if _found == 0 && _at_low > _at_high && _at_left <= _at_low {
         let _from = _left; let _to = _high; let _k = 0;
         while _found == 0 && _k < 60 {
           let _one = _from + 0.38196601125010515 * (_to - _from);
@@ -506,17 +512,11 @@ const SEARCH_OUTWARD: &str = "let _high = _low + d; NARROW let _left = _low; let
         }
         if _found > 0 { _low = _left; _high = _mid; }
       }
-      if _found == 0 {
-        _left = _low; _low = _high; _high = 2 * _high;
-        if g(_high) >= d { _found = 1; }
-      }
     }
-    if _found == 0 { return nan(); }
-    _mid = _low + 0.5 * (_high - _low); while _mid > _low && _low == 0 && g(_mid) >= d && _mid > 1e-300 { _high = _mid; _mid = 0.5 * _mid; }
-    if _low == 0 { _low = _mid; }";
+    if _found == 0 { return nan(); }";
 
 /// Illinois steps; the end of the bracket whose g is nearer to d is the radius.
-const SEARCH: &str = "let _below = g(_low) - d; let _above = g(_high) - d; let _n = 0; let _side = 0;
+const SEARCH: &str = "_below = g(_low) - d; let _above = g(_high) - d; let _n = 0; let _side = 0;
     if _above == 0 { return _high; }
     while _n < 400 && _high - _low > 2.2e-16 * _high {
       _n = _n + 1;
