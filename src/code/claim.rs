@@ -133,7 +133,7 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         for place in list {
             for coordinates in arguments_at(quantity, place, truth.contact.evaluator()) {
                 let seen = if is_solved {
-                    solved(&mut machine, quantity, place, &truth.values)
+                    solved(&mut machine, &truth, place)
                 } else {
                     let modulus: &[f64] = if needs_modulus(quantity) { &[1.0] } else { &[] };
                     let arguments = [&coordinates, modulus, &truth.values].concat();
@@ -211,20 +211,20 @@ fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Ve
 }
 
 /// The error in ulps of the radius a with g(a) = d: an error of g moves the root by itself over g′; or of F(a) + 2a (d − g(a)), which the
-/// root moves in second order.
-fn solved(machine: &mut Machine<'_>, quantity: Quantity, a: f64, values: &[f64]) -> Option<f64> {
-    let mut at = |a: f64| machine.run("sneddon_g", &[&[a], values].concat());
-    let (own, more, less) = (at(a)?, at(a * (1.0 + STEP))?, at(a * (1.0 - STEP))?);
+/// root moves in second order. Errors of g and F are their running bounds, or what they differ from the values of the program.
+fn solved(machine: &mut Machine<'_>, truth: &Truth<'_>, a: f64) -> Option<f64> {
+    let mut at = |routine: &str, arguments: &[f64]| machine.run(routine, &[arguments, &truth.values].concat());
+    let (own, more, less) = (at("sneddon_g", &[a])?, at("sneddon_g", &[a * (1.0 + STEP)])?, at("sneddon_g", &[a * (1.0 - STEP)])?);
     let slope = (more.value - less.value) / (2.0 * STEP * a);
-    let positive = slope > 0.0 && own.value > 0.0;
-    let error = (own.error + spacing(own.value)) / slope + 2.0 * spacing(a);
-    if !positive {
+    if !(slope > 0.0 && own.value > 0.0) {
         return None;
     }
-    if quantity == Quantity::Radius {
-        return Some(error / spacing(a));
+    let of_g = own.error.max(truth.difference(Quantity::Equivalent, own, a)?) + spacing(own.value);
+    let of_root = of_g / slope + 2.0 * spacing(a);
+    if truth.quantity == Quantity::Radius {
+        return Some(of_root / spacing(a));
     }
-    let force = machine.run("sneddon_F", &[&[a, 1.0], values].concat())?;
-    let moved = slope * error * error;
-    Some((force.error + 2.0 * a * (own.error + spacing(own.value)) + moved) / spacing(force.value) + 2.0)
+    let force = at("sneddon_F", &[a, 1.0])?;
+    let of_force = force.error.max(truth.difference(Quantity::Force, force, a)?);
+    Some((of_force + 2.0 * a * of_g + slope * of_root * of_root) / spacing(force.value) + 2.0)
 }

@@ -72,14 +72,16 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, sample: &Bi
     Some(SeriesText { constants: writer.constants, body })
 }
 
-/// The largest distance between powers of r with a coefficient.
+/// The largest distance between powers of r with a coefficient, in the profile or in a part of it: where the terms of one part are
+/// negligible, those of another, which come less often, may not be.
 fn gap(profile: &Expr) -> Option<usize> {
     let groups = power_series(profile, SEEN, &[]).ok()?;
     let widest = |own: &Series| {
         let places: Vec<usize> = own.coefficients.iter().enumerate().filter(|(_, c)| c.value.abs() > c.error).map(|(n, _)| n).collect();
         places.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(1)
     };
-    groups.iter().map(widest).max()
+    let own = groups.iter().map(widest).max()?;
+    Some(profile.children().into_iter().filter_map(gap).fold(own, usize::max))
 }
 
 /// A part of the profile: a number, or the name of the array of its coefficients.

@@ -19,7 +19,7 @@ const LEAST: f64 = 1e-280;
 
 /// The values of a quantity as the program computes them, for one set of parameters.
 pub(super) struct Truth<'a> {
-    quantity: Quantity,
+    pub(super) quantity: Quantity,
     solution: &'a Solution,
     bindings: Bindings,
     pub(super) contact: Contact<'a>,
@@ -71,6 +71,15 @@ impl<'a> Truth<'a> {
             _ => return None,
         };
         Some(reading.bounded())
+    }
+
+    /// How far a value of g or F at a radius lies beyond the bound of that of the program; `None` where that has no value.
+    pub(super) fn difference(&self, quantity: Quantity, own: Bounded, a: f64) -> Option<f64> {
+        let exact = work::share(LONGEST, || match quantity {
+            Quantity::Force => self.contact.force(a).ok().map(|own| own.estimate.bounded()),
+            _ => self.contact.evaluator().slope(a).ok().map(|own| own.estimate.bounded()),
+        });
+        exact.flatten().map(|exact| ((own.value - exact.value).abs() - exact.error).max(0.0))
     }
 
     /// The error of a value of the code in ulps; `None` where nothing can be said.
