@@ -14,6 +14,7 @@ mod lower;
 mod names;
 mod program;
 mod read;
+mod search;
 mod series;
 mod summed;
 mod tree;
