@@ -117,7 +117,7 @@ impl From<TransformError> for Fault {
     fn from(error: TransformError) -> Self {
         match error {
             TransformError::Seam { radius } => Self::new(format!(
-                "the function is not smooth near r = {radius:?}, or oscillates too fast there to be differentiated numerically"
+                "the function is not smooth near r = {radius:?}, or oscillates too rapidly there for numerical differentiation"
             ))
             .help("pass the radii of kinks to Profile as kinks=[...], and the radius at which the function ends as end="),
             TransformError::Undefined { radius } => Self::new(format!("the function has no finite value at r = {radius:?}"))

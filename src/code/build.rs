@@ -151,7 +151,12 @@ impl Builder<'_> {
                 values.extend(self.arguments.iter().map(|own| Value::name(own)));
                 body.push(Statement::Return(Value::Call(routine_name(Quantity::Equivalent), values)));
             }
-            Quantity::ForceOfDepth => body = self.force_of_depth(shown.as_ref(), domain.0.clone(), &mut references)?,
+            Quantity::ForceOfDepth => {
+                if shown.is_none() {
+                    references.push("g(a) = d solved for a by a bracketed search");
+                }
+                body = self.force_of_depth(&mut domain)?;
+            }
             _ => {
                 body.extend(self.guard(domain.0.clone()));
                 let (kind, factor) = match quantity {
@@ -199,16 +204,10 @@ impl Builder<'_> {
 
     /// The body of F(d): the formula where it is a product, in which nothing cancels, else F(a) + 2 E* a (d − g(a)) at the
     /// radius a(d): because F′ = 2 E* a g′, an error of a counts in second order only.
-    fn force_of_depth(
-        &mut self,
-        shown: Option<&Derived>,
-        tests: Vec<Test>,
-        references: &mut Vec<&'static str>,
-    ) -> Result<Vec<Statement>, CodeError> {
+    fn force_of_depth(&mut self, domain: &mut (Vec<Test>, Vec<String>)) -> Result<Vec<Statement>, CodeError> {
         if let Some(found) = explicit(self.solution).filter(|own| !has_sum(&own.force)) {
-            let mut tests = tests;
-            self.conditions(&found.conditions, "d", &mut tests, &mut Vec::new())?;
-            let mut body = self.guard(tests);
+            self.conditions(&found.conditions, "d", &mut domain.0, &mut domain.1)?;
+            let mut body = self.guard(domain.0.clone());
             body.push(when(compare(Comparison::Equal, "d", 0.0), Value::Number(0.0, true)));
             self.counter = 0;
             let (statements, value) = self.lowered(&found.force)?;
@@ -218,9 +217,6 @@ impl Builder<'_> {
         }
         for own in [Quantity::Equivalent, Quantity::Radius, Quantity::Force] {
             self.quantity(own)?;
-        }
-        if shown.is_none() {
-            references.push("g(a) = d solved for a by a bracketed search");
         }
         let list: String = self.arguments.iter().map(|own| format!(", {own}")).collect();
         let text = format!(

@@ -30,7 +30,7 @@ impl Builder<'_> {
                 Some(other) => Value::call("min", vec![other, value]),
             });
         }
-        // g may fall behind a kink: the first kink at which it has reached d ends the bracket.
+        // g may decrease beyond a kink: the search ends at the first kink with g ≥ d.
         let mut places: Vec<String> = ["_high", "_low", "_mid", "_one", "_two", "_low + _reach"].map(str::to_owned).to_vec();
         let mut narrow = String::new();
         let kinks = chains.iter().flat_map(|chain| chain.breakpoints.iter().zip(&chain.values)).filter(|(_, before)| !before.is_zero());

@@ -45,12 +45,12 @@ impl<'a> Truth<'a> {
 
     /// The value at coordinates that belong to a radius next to `place`.
     fn value(&self, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
-        work::share(LONGEST, || self.value_of(contact, coordinates, place)).flatten()
+        work::share(LONGEST, || self.value_of(self.quantity, contact, coordinates, place)).flatten()
     }
 
-    fn value_of(&self, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
+    fn value_of(&self, quantity: Quantity, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
         let g = |x: f64| Some(contact.evaluator().slope(x).ok()?.estimate.bounded());
-        let reading = match (self.quantity, coordinates) {
+        let reading = match (quantity, coordinates) {
             (Quantity::Equivalent | Quantity::Depth, [x]) => return g(*x),
             (Quantity::Force, [a]) => contact.force(*a).ok()?.estimate,
             (Quantity::Pressure, [r, a]) => contact.pressure(*r, *a).ok()?.ok()?.estimate,
@@ -75,11 +75,8 @@ impl<'a> Truth<'a> {
 
     /// How far a value of g or F at a radius lies beyond the bound of that of the program; `None` where that has no value.
     pub(super) fn difference(&self, quantity: Quantity, own: Bounded, a: f64) -> Option<f64> {
-        let exact = work::share(LONGEST, || match quantity {
-            Quantity::Force => self.contact.force(a).ok().map(|own| own.estimate.bounded()),
-            _ => self.contact.evaluator().slope(a).ok().map(|own| own.estimate.bounded()),
-        });
-        exact.flatten().map(|exact| ((own.value - exact.value).abs() - exact.error).max(0.0))
+        let exact = work::share(LONGEST, || self.value_of(quantity, &self.contact, &[a], a)).flatten();
+        exact.map(|exact| ((own.value - exact.value).abs() - exact.error).max(0.0))
     }
 
     /// The error of a value of the code in ulps; `None` where nothing can be said.

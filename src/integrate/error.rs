@@ -144,7 +144,7 @@ pub enum TransformError {
     },
     /// A closure that is not smooth where no breakpoint was stated.
     #[error(
-        "the function of the profile is not smooth near r = {radius:?}, or oscillates too fast there to be differentiated numerically; a breakpoint or a limit at this radius, or a function with its derivatives, would be accepted"
+        "the profile function is not smooth near r = {radius:?}, or oscillates too rapidly there for numerical differentiation; specify a breakpoint or a limit at this radius, or provide the derivatives"
     )]
     Seam {
         /// The radius.

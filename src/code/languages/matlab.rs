@@ -90,7 +90,7 @@ impl Target for Matlab {
             }
             _ => {
                 lines.push(
-                    "A script: Octave reads its functions with source(\"FILE.m\"); in MATLAB, write the calls behind \"1;\".".to_owned(),
+                    "A script: Octave reads its functions with source(\"FILE.m\"); in MATLAB, insert the calls after \"1;\".".to_owned(),
                 );
                 lines.push("For functions that MATLAB calls from elsewhere, write one file for each quantity.".to_owned());
                 // Octave takes a file that begins with a function for that function.
