@@ -5,7 +5,8 @@ use crate::expr::Bindings;
 use crate::num::stable::leg;
 use crate::scene::MeasuredTip;
 use crate::scene::{DepthFrom, Scene};
-use crate::transform::{Curve, Evaluator, Method, PressureCurve, Quantities, Solution, Superposition};
+use crate::transform::{Evaluator, Method, PressureCurve, Quantities, Solution, Superposition};
+use std::cell::OnceCell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -71,9 +72,14 @@ impl<'a> Exact<'a> {
     }
 
     /// The formula's contact with a smooth edge; `None` for a measured tip.
-    pub(super) fn formula(&self) -> Option<Contact<'a>> {
+    pub(super) fn formula(&self) -> Option<Formula<'a>> {
         let evaluator = Evaluator::new(self.formula?, &Bindings::default(), self.method, self.tolerance).ok()?;
-        Some(Contact::new(evaluator, self.modulus, None, self.tolerance))
+        Some(Formula { contact: Contact::new(evaluator, self.modulus, None, self.tolerance), closes: OnceCell::new() })
+    }
+
+    /// Pressures under a state, for many places.
+    pub(super) fn pressures<'c>(&'c self, formula: Option<&'c Formula<'c>>, state: &State) -> Pressures<'c> {
+        Pressures::new(self, formula, state, u64::MAX)
     }
 
     /// What is sharp within a radius.
@@ -92,42 +98,61 @@ impl<'a> Exact<'a> {
     }
 }
 
+/// A formula's contact with a smooth edge.
+pub(super) struct Formula<'a> {
+    contact: Contact<'a>,
+    /// Whether pressures come without quadrature.
+    closes: OnceCell<bool>,
+}
+
+impl Formula<'_> {
+    /// Whether p under the contact radius a comes without quadrature; the first radius decides for all.
+    fn closes(&self, a: f64) -> bool {
+        let known = |t: f64| matches!(self.contact.pressure(t * a, a), Ok(Ok(own)) if own.estimate.evaluations == 0);
+        *self.closes.get_or_init(|| [0.21, 0.55, 0.87].into_iter().all(known))
+    }
+}
+
 /// Pressures under one state: closed forms by the block, else a curve that is built once.
 pub(super) struct Pressures<'c> {
     /// With a smooth edge; what a rim adds stands beside it.
     formula: Option<&'c Contact<'c>>,
     shape: &'c Contact<'c, Superposition<'c>>,
-    a: f64,
+    pub(super) state: State,
+    /// What is sharp within the contact.
+    pub(super) sharp: Sharp,
     curve: Option<PressureCurve<'c>>,
     factor: f64,
     excess: f64,
 }
 
-/// Points from which on a curve is worth its making.
-const MANY: u64 = 400;
+/// Number of points from which a curve costs less than quadrature at each of them.
+const MANY: u64 = 20;
+/// Relative error of a curve from which quadrature answers in its place.
+const CURVE: f64 = 1e-8;
 
 impl<'c> Pressures<'c> {
     /// Takes the formula's contact, where there is one, and how many points will be asked for.
-    pub(super) fn new(exact: &'c Exact<'c>, formula: Option<&'c Contact<'c>>, state: &State, rows: u64) -> Self {
+    pub(super) fn new(exact: &'c Exact<'c>, formula: Option<&'c Formula<'c>>, state: &State, rows: u64) -> Self {
         let (a, shape) = (state.radius, exact.shape());
-        let known = |t: f64, own: &Contact<'_>| matches!(own.pressure(t * a, a), Ok(Ok(own)) if own.estimate.evaluations == 0);
         let slope = || shape.evaluator().slope(a).map_or(f64::NAN, |own| own.estimate.value);
         let excess = if state.boundary == Boundary::Rim { state.depth - slope() } else { 0.0 };
-        let open = formula.filter(|own| rows >= MANY && a > 0.0 && ![0.21, 0.55, 0.87].iter().all(|t| known(*t, own)));
-        let typed = open.and_then(|own| own.evaluator().typed().ok());
-        let curve = typed.and_then(|own| Curve::new(own, a, 1e-8).ok()?.pressures(a).ok());
-        Self { formula, shape, a, curve, factor: shape.effective_modulus() / PI, excess }
+        let open = formula.filter(|own| rows >= MANY && a > 0.0 && !own.closes(a));
+        let curve = open.and_then(|own| PressureCurve::new(own.contact.evaluator().typed().ok()?, a).ok());
+        let (formula, sharp) = (formula.map(|own| &own.contact), exact.sharp(a));
+        Self { formula, shape, state: *state, sharp, curve, factor: shape.effective_modulus() / PI, excess }
     }
 
     /// p at every r, each at least 0; NaN where it is infinite or cannot be computed.
     pub(super) fn at(&self, r: &[f64], out: &mut Vec<f64>) {
         out.clear();
-        let a = self.a;
+        let a = self.state.radius;
         let inside: Vec<f64> = r.iter().copied().filter(|r| *r < a).collect();
         let mut found = match (&self.curve, self.formula) {
             (None, Some(formula)) => formula.pressures(&inside, a).ok().map(Vec::into_iter),
             _ => None,
         };
+        let alone = |r: f64| self.shape.pressure(r, a).ok().and_then(Result::ok).map(|own| own.estimate.value);
         out.extend(r.iter().map(|r| {
             if *r > a || (*r == a && self.excess == 0.0) {
                 return 0.0;
@@ -135,9 +160,13 @@ impl<'c> Pressures<'c> {
             let edge = if self.excess == 0.0 { 0.0 } else { self.factor * self.excess / leg(a, *r) };
             let smooth = match (&self.curve, &mut found) {
                 _ if *r == a => None,
-                (Some(curve), _) => curve.at(*r).ok().flatten().map(|own| self.factor * own.value),
+                (Some(curve), _) => match curve.at(*r) {
+                    Ok(Some(own)) if own.error <= CURVE * own.value.abs() => Some(self.factor * own.value),
+                    Ok(None) => None,
+                    _ => alone(*r),
+                },
                 (None, Some(list)) => list.next().and_then(Result::ok).map(|own| own.estimate.value),
-                (None, None) => self.shape.pressure(*r, a).ok().and_then(Result::ok).map(|own| own.estimate.value),
+                (None, None) => alone(*r),
             };
             smooth.map_or(f64::NAN, |smooth| smooth + edge)
         }));

@@ -117,9 +117,9 @@ pub(super) fn compare(
     let sign = if declared.is_some_and(|own| own.tension) { -1.0 } else { 1.0 };
     // Without a pixel the places themselves say how fine they are.
     let margin = MARGIN * pixel.pixel.unwrap_or_else(|| spacing(survey, a));
-    let region = Region::new(a, margin, &exact.sharp(a));
     let formula = exact.formula();
     let pressures = Pressures::new(exact, formula.as_ref(), state, survey.rows);
+    let region = Region::new(a, margin, &pressures.sharp);
     let contact = exact.contact(state);
     let mut own = Sums::new(state, margin, survey, pixel);
     let mut table = Table::open(&survey.data)?;

@@ -15,7 +15,7 @@ fn runs() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/solver_runs")
 }
 
-fn room(name: &str) -> PathBuf {
+pub(crate) fn room(name: &str) -> PathBuf {
     let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("validate").join(name);
     let _ = fs::remove_dir_all(&place);
     fs::create_dir_all(&place).unwrap();
@@ -27,7 +27,7 @@ fn run(place: &Path, arguments: &[String]) -> Output {
 }
 
 /// Validates files with a scene; the exit code and the JSON document.
-fn validated(place: &Path, scene: &str, files: &[String], more: &[&str]) -> (i32, Value) {
+pub(crate) fn validated(place: &Path, scene: &str, files: &[String], more: &[&str]) -> (i32, Value) {
     fs::write(place.join("scene.toml"), scene).unwrap();
     let mut arguments = vec!["scene.toml".to_owned()];
     arguments.extend(files.iter().cloned());

@@ -8,13 +8,18 @@ use crate::scene::DimensionedNumber;
 pub enum Change {
     /// Nothing.
     None,
-    /// A parameter of the profile, or its `radius`, multiplied by a fraction and by a power of 180/π.
+    /// A parameter of the profile, or its `radius`, multiplied by a fraction.
     Times {
         /// The name of the parameter.
         name: String,
         /// Numerator and denominator.
         ratio: (i64, i64),
-        /// 1 where radians were taken for degrees, −1 the other way round, else 0.
+    },
+    /// An angle multiplied by a power of 180/π.
+    Turn {
+        /// The name of the parameter.
+        name: String,
+        /// 1 where radians were taken for degrees, −1 the other way round.
         degrees: i8,
     },
     /// An angle in place of what it lacks of a right one.
@@ -30,10 +35,8 @@ impl Change {
     /// A quantity after the change.
     pub(in crate::scene) fn of(&self, name: &str, quantity: &DimensionedNumber) -> DimensionedNumber {
         match self {
-            Self::Times { name: own, ratio, degrees } if own == name => {
-                let turn = Expr::integer(180) / Expr::pi();
-                quantity.times(&(Expr::ratio(ratio.0, ratio.1) * turn.power(i64::from(*degrees))))
-            }
+            Self::Times { name: own, ratio } if own == name => quantity.times(&Expr::ratio(ratio.0, ratio.1)),
+            Self::Turn { name: own, degrees } if own == name => quantity.turned(i64::from(*degrees)),
             Self::Complement { name: own } if own == name => quantity.complement(),
             _ => quantity.clone(),
         }

@@ -87,6 +87,12 @@ impl DimensionedNumber {
         Self { text: self.text.clone(), number: Expr::pi() / Expr::integer(2) - self.in_base(), unit: None }
     }
 
+    /// The angle times a power of 180/π; a length is no angle, so the scene refuses it then.
+    pub(in crate::scene) fn turned(&self, power: i64) -> Self {
+        let turn = Expr::integer(180) / Expr::pi();
+        Self { text: self.text.clone(), number: self.in_base() * turn.power(power), unit: None }
+    }
+
     /// True for 0, whatever its unit.
     pub fn is_zero(&self) -> bool {
         self.number.is_zero()

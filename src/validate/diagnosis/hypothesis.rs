@@ -94,25 +94,25 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         list.push(taken(
             "modulus",
             format!("E for E*: the data fit Young's modulus E in the place of E* = E/(1 - nu^2), which is {factor:.4} times E*"),
-            Taken::Changed(Change::NoPoisson),
+            Taken::Modulus(factor),
         ));
         let text = "E* for E: the data fit E*/(1 - nu^2), as if the modulus that was given were E already divided once";
         list.push(taken("modulus", text, Taken::Modulus(1.0 / factor)));
     }
     let rim = scene.rim.is_some().then(|| "radius".to_owned());
     for name in scene.parameters.iter().cloned().chain(rim) {
-        let times = |ratio, degrees| Taken::Changed(Change::Times { name: name.clone(), ratio, degrees });
+        let times = |ratio| Taken::Changed(Change::Times { name: name.clone(), ratio });
         list.push(taken(
             "diameter",
             format!(
                 "diameter for radius: the data fit twice the {name} of the scene, which stands for a diameter in the place of a radius"
             ),
-            times((2, 1), 0),
+            times((2, 1)),
         ));
         list.push(taken(
             "diameter",
             format!("diameter for radius: the data fit half the {name} of the scene, as if that were a diameter and not a radius"),
-            times((1, 2), 0),
+            times((1, 2)),
         ));
         list.push(taken(
             "angle",
@@ -120,7 +120,8 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
             Taken::Changed(Change::Complement { name: name.clone() }),
         ));
         for (degrees, text) in [(1, "radians were read as degrees or degrees as radians"), (-1, "degrees were read as radians")] {
-            list.push(taken("unit", format!("unit slip: {text} in {name}"), times((1, 1), degrees)));
+            let turn = Taken::Changed(Change::Turn { name: name.clone(), degrees });
+            list.push(taken("unit", format!("unit slip: {text} in {name}"), turn));
         }
     }
     for (factor, text) in [

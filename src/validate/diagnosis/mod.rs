@@ -5,10 +5,11 @@ pub(crate) mod hypothesis;
 pub(crate) mod placing;
 pub(crate) mod score;
 
-use super::exact::Exact;
+use super::exact::{Exact, Formula, Pressures};
 use super::field::Spot;
 use super::record::Suspicion;
 use crate::contact::{Load, State};
+use crate::num::work;
 use crate::parse;
 use crate::scene::{Change, Control, Scene, scene_for_data};
 use crate::transform::Profile;
@@ -16,6 +17,7 @@ use crate::validate::file::row::Row;
 use hypothesis::{Exchange, Fault, Slip, Taken};
 use placing::Placing;
 use score::{Gauge, Score};
+use std::cell::Cell;
 
 /// Data that failed.
 pub(super) enum Evidence {
@@ -47,6 +49,10 @@ const SHARE: f64 = 2.0;
 /// Rows and places that a hypothesis is tried on.
 const TRIED: usize = 40;
 
+/// Steps of work for one hypothesis that needs an exact solution of its own, and for all of them together: about 0.1 and 1.5 seconds.
+const ONE: u64 = 10_000_000;
+const ALL: u64 = 150_000_000;
+
 /// A hypothesis that was tried.
 struct Tried {
     id: &'static str,
@@ -60,7 +66,8 @@ struct Tried {
 
 /// Names the one fault that explains the data.
 pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &Gauge) -> Option<Suspicion> {
-    let trial = Trial { text, scene, gauge };
+    // The verdict stands already: what is left of the budget must not be used up by the search for its cause.
+    let trial = Trial { text, scene, gauge, left: Cell::new(ALL.min(work::left() / 2)) };
     let (before, tried) = match evidence {
         Evidence::Loads { rows, factors } => trial.loads(rows, factors)?,
         Evidence::Field { .. } => trial.field(evidence)?,
@@ -104,6 +111,8 @@ struct Trial<'t> {
     text: &'t str,
     scene: &'t Scene,
     gauge: &'t Gauge,
+    /// Steps of work left for exact solutions of hypotheses.
+    left: Cell<u64>,
 }
 
 /// What was found before, and every hypothesis that could be tried.
@@ -121,13 +130,16 @@ impl Trial<'_> {
         let mut tried = Vec::new();
         for fault in self.faults(&hypothesis::of_loads()) {
             let level = fault.slip.ahead != 0 || fault.slip.force_ahead != 0;
-            let rows = corrected(if level { neighbours } else { rows }, &fault.slip, factors);
+            // Forces are in proportion to the modulus.
+            let force = if let Taken::Modulus(factor) = fault.taken { factor } else { 1.0 };
+            let slip = Slip { force: force * fault.slip.force, ..fault.slip };
+            let rows = corrected(if level { neighbours } else { rows }, &slip, factors);
             let found = match fault.taken {
-                Taken::AsIs => {
-                    let own = Exact::new(self.scene, &solution, score::largest(&rows, self.gauge.by_force)).ok();
-                    own.and_then(|own| score::loads(&own, &rows, self.gauge))
+                Taken::AsIs | Taken::Modulus(_) => self.limited(|| score::loads(&exact, &rows, self.gauge)),
+                Taken::Changed(_) | Taken::Parabola => {
+                    let largest = score::largest(&rows, self.gauge.by_force);
+                    self.with(&fault.taken, &exact, largest, |exact| score::loads(exact, &rows, self.gauge))
                 }
-                _ => self.with(&fault.taken, &exact, |exact| score::loads(exact, &rows, self.gauge)),
             };
             tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text, score, free: false, rough: false }));
         }
@@ -214,7 +226,9 @@ impl Trial<'_> {
         let spots = thinned(if inside.len() < 8 { spots } else { &inside });
         let solution = self.scene.solution().ok()?;
         let exact = Exact::new(self.scene, &solution, Load::Depth(state.depth)).ok()?;
-        let before = score::field(&exact, state, &spots, self.gauge);
+        let formula = exact.formula();
+        let known = exact.pressures(formula.as_ref(), state);
+        let before = score::field(&known, &spots, self.gauge);
         let mut tried = Vec::new();
         for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
             let spots = placed(&spots, &fault.slip, *factors);
@@ -223,28 +237,28 @@ impl Trial<'_> {
                 let factor = fault.slip.distance;
                 let slipped = Gauge { margin: self.gauge.margin / factor, pixel: self.gauge.pixel.map(|h| h / factor), ..*self.gauge };
                 for gauge in [slipped, *self.gauge] {
-                    let found = score::field(&exact, state, &spots, &gauge);
+                    let found = score::field(&known, &spots, &gauge);
                     tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false }));
                 }
                 continue;
             }
             for control in held {
-                let found = self.with(&fault.taken, &exact, |exact| {
-                    let own = exact.state(held_load(*control, state))?;
-                    score::field(exact, &own, &spots, self.gauge)
+                let load = held_load(*control, state);
+                let found = self.with(&fault.taken, &exact, load, |exact| {
+                    score::field(&exact.pressures(exact.formula().as_ref(), &exact.state(load)?), &spots, self.gauge)
                 });
                 tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false }));
             }
         }
         for placing in placings {
             let spots: Vec<Spot> = spots.iter().map(|spot| spot.at(placing.at(spot.x, spot.y))).collect();
-            let found = score::field(&exact, state, &spots, self.gauge);
+            let found = score::field(&known, &spots, self.gauge);
             tried.extend(found.map(|score| Tried { id: placing.id, text: placing.text.to_owned(), score, free: false, rough: false }));
         }
         if !free {
             self.images(state, &spots, *side, &mut tried);
         }
-        self.fitted_field(&exact, state, &spots, &mut tried);
+        self.fitted_field((&exact, formula.as_ref()), &known, &spots, &mut tried);
         Some((before, tried))
     }
 
@@ -260,7 +274,8 @@ impl Trial<'_> {
             let profile = Profile::new(&crate::expr::Formula::sum([self.scene.profile.typed.clone(), added])).ok()?;
             let scene = Scene { profile, ..self.scene.clone() };
             self.solved(&scene, Load::Force(state.force), |exact| {
-                score::field(exact, &exact.state(Load::Force(state.force))?, spots, self.gauge)
+                let own = exact.state(Load::Force(state.force))?;
+                score::field(&exact.pressures(exact.formula().as_ref(), &own), spots, self.gauge)
             })
         };
         let a = state.radius;
@@ -280,8 +295,14 @@ impl Trial<'_> {
         }
     }
 
-    fn fitted_field(&self, exact: &Exact<'_>, state: &State, spots: &[Spot], tried: &mut Vec<Tried>) {
-        let a = state.radius;
+    fn fitted_field(
+        &self,
+        (exact, formula): (&Exact<'_>, Option<&Formula<'_>>),
+        known: &Pressures<'_>,
+        spots: &[Spot],
+        tried: &mut Vec<Tried>,
+    ) {
+        let State { radius: a, force, .. } = known.state;
         let share = |own: Option<Score>| own.map_or(f64::MAX, |own| own.share());
         let length = |x: f64| {
             let unit = self.scene.system.unit_name(crate::scene::Dimension::LENGTH);
@@ -294,7 +315,7 @@ impl Trial<'_> {
             };
             spots.iter().map(one).collect()
         };
-        let score = |x: f64, y: f64| score::field(exact, state, &moved(x, y), self.gauge);
+        let score = |x: f64, y: f64| score::field(known, &moved(x, y), self.gauge);
         let planar = spots.iter().all(|spot| !spot.x.is_nan() && !spot.y.is_nan());
         let (mut x, mut y) = (0.0, 0.0);
         for _ in 0..if planar { 4 } else { 1 } {
@@ -309,7 +330,7 @@ impl Trial<'_> {
 
         let scaled = |factor: f64| {
             let spots: Vec<Spot> = spots.iter().map(|spot| Spot { p: spot.p / factor, ..*spot }).collect();
-            score::field(exact, state, &spots, self.gauge)
+            score::field(known, &spots, self.gauge)
         };
         if let Some(x) = minimum(-1.0, 1.0, 81, &|x| share(scaled(10f64.powf(x)))) {
             let factor = 10f64.powf(x);
@@ -319,8 +340,10 @@ impl Trial<'_> {
             tried.extend(scaled(factor).map(|score| Tried { id: "modulus", text, score, free: true, rough: false }));
         }
         let another = |x: f64| {
-            let own = exact.state(Load::Force(state.force * x.exp()))?;
-            score::field(exact, &own, spots, self.gauge)
+            self.limited(|| {
+                let own = exact.state(Load::Force(force * x.exp()))?;
+                score::field(&exact.pressures(formula, &own), spots, self.gauge)
+            })
         };
         if let Some(x) = minimum(-1.6, 1.6, 41, &|x| share(another(x))) {
             let text = format!("a load level off: the pressures belong to a force {:.4} times that of the scene's load", x.exp());
@@ -336,7 +359,7 @@ impl Trial<'_> {
     }
 
     /// Asks the exact solution of what the solver may have taken the scene for.
-    fn with<T>(&self, taken: &Taken, exact: &Exact<'_>, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
+    fn with<T>(&self, taken: &Taken, exact: &Exact<'_>, largest: Load, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
         let scene = match taken {
             Taken::AsIs => self.scene.clone(),
             Taken::Changed(change) => {
@@ -351,12 +374,22 @@ impl Trial<'_> {
                 Scene { profile, ..self.scene.clone() }
             }
         };
-        self.solved(&scene, Load::Depth(0.0), ask)
+        self.solved(&scene, largest, ask)
     }
 
     fn solved<T>(&self, scene: &Scene, largest: Load, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
-        let solution = scene.solution().ok()?;
-        ask(&Exact::new(scene, &solution, largest).ok()?)
+        self.limited(|| {
+            let solution = scene.solution().ok()?;
+            ask(&Exact::new(scene, &solution, largest).ok()?)
+        })
+    }
+
+    /// The answer, where it takes no more than one hypothesis may; what it costs is taken from what is left for all.
+    fn limited<T>(&self, ask: impl FnOnce() -> Option<T>) -> Option<T> {
+        let (found, spent, whole) = work::apart(ONE.min(self.left.get()), ask);
+        self.left.set(self.left.get().saturating_sub(spent));
+        work::spend(spent);
+        found.filter(|_| whole)
     }
 }
 

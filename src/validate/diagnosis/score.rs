@@ -1,6 +1,6 @@
 //! How well data fit an exact solution: the L2 error, alone and in units of what the grid excuses.
 
-use crate::contact::{Boundary, Load, State};
+use crate::contact::{Boundary, Load};
 use crate::validate::exact::{Exact, Pressures};
 use crate::validate::field::{Region, Spot, excused, places};
 use crate::validate::file::row::Row;
@@ -84,15 +84,14 @@ pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge)
 }
 
 /// The score of pressures under a state; `None` where hardly any place is left to compare.
-pub(in crate::validate) fn field(exact: &Exact<'_>, state: &State, spots: &[Spot], gauge: &Gauge) -> Option<Score> {
+pub(in crate::validate) fn field(pressures: &Pressures<'_>, spots: &[Spot], gauge: &Gauge) -> Option<Score> {
+    let state = &pressures.state;
     let a = state.radius;
-    let region = Region::new(a, gauge.margin, &exact.sharp(a));
+    let region = Region::new(a, gauge.margin, &pressures.sharp);
     let inside: Vec<&Spot> = spots.iter().filter(|spot| region.holds(spot.r)).collect();
     if 3 * inside.len() < spots.len() || inside.len() < 3 || a <= 0.0 {
         return None;
     }
-    let formula = exact.formula();
-    let pressures = Pressures::new(exact, formula.as_ref(), state, inside.len() as u64);
     let (mut wanted, mut found) = (Vec::new(), Vec::new());
     inside.iter().for_each(|spot| places(spot.r, gauge.cell, &mut wanted));
     pressures.at(&wanted, &mut found);
