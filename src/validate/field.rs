@@ -2,7 +2,7 @@
 
 use super::exact::{Exact, Pressures, Sharp};
 use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
-use super::norms::{Norms, Sample, ratio};
+use super::norms::{Norms, Outlier, Sample, ratio};
 use super::record::{Beyond, Column, Excluded, Plot};
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, State};
@@ -52,6 +52,9 @@ pub(super) struct Compared {
 pub(super) const MARGIN: f64 = 4.0;
 /// The share of (h/s)² at the distance s from an inner edge.
 const INNER: f64 = 0.05;
+/// Pixels by which the edge of the data may be elsewhere, and the share by which pressures may miss those so far in and out.
+const EDGE: f64 = 1.5;
+const AT_EDGE: f64 = 0.1;
 /// Rows that are computed together.
 const BLOCK: usize = 4096;
 /// Places that are kept for plots and the diagnosis, and for the order.
@@ -76,7 +79,17 @@ impl Region {
     pub(super) fn holds(&self, r: f64) -> bool {
         // Pixels exactly so far away belong to it, whatever their last digit.
         let margin = self.margin * (1.0 - 1e-6);
-        (r - self.a).abs() >= margin && !(self.apex && r < margin) && self.kinks.iter().all(|kink| (r - kink).abs() >= margin)
+        (r - self.a).abs() >= margin && !self.is_near_inner(r, margin)
+    }
+
+    fn is_near_inner(&self, r: f64, margin: f64) -> bool {
+        (self.apex && r < margin) || self.kinks.iter().any(|kink| (r - kink).abs() < margin)
+    }
+
+    /// True inside of the contact next to its edge, and away from other sharp places.
+    fn meets_edge(&self, r: f64) -> bool {
+        let margin = self.margin * (1.0 - 1e-6);
+        r < self.a && self.a - r < margin && !self.is_near_inner(r, 2.0 * margin)
     }
 }
 
@@ -163,10 +176,17 @@ pub(super) fn compare(
         wanted.clear();
         block.iter().for_each(|spot| places(spot.r, cell, &mut wanted));
         pressures.at(&wanted, &mut found);
+        wanted.clear();
         let each = if cell.is_some() { 2 } else { 1 };
         for (spot, exact) in block.iter().zip(found.chunks(each)) {
             let exact = exact.iter().sum::<f64>() / each as f64;
             own.add(spot, exact, &region, judge, pixel);
+        }
+        if let (Some(h), Boundary::Smooth, None) = (pixel.pixel, state.boundary, judge.demanded) {
+            let near: Vec<&Spot> = block.iter().filter(|spot| region.meets_edge(spot.r)).collect();
+            near.iter().for_each(|spot| wanted.extend([(spot.r - EDGE * h).max(0.0), spot.r, spot.r + EDGE * h]));
+            pressures.at(&wanted, &mut found);
+            near.iter().zip(found.chunks(3)).for_each(|(spot, exact)| own.add_at_edge(spot, exact));
         }
     }
     let mut report = own.report(survey, scene, state, pixel, judge);
@@ -258,8 +278,19 @@ impl Sums {
         let allowed = judge.demanded.unwrap_or(grid);
         self.compared.add(spot.r, 0.0, spot.p, exact, allowed);
         let limit = if pixel.pixel.is_some() { HEADROOM * grid } else { BLIND_ROW };
-        self.compared.limit(spot.r, spot.p, exact, limit.max(HEADROOM * judge.demanded.unwrap_or(0.0)));
+        let own = Outlier { at: spot.r, data: spot.p, exact, allowed };
+        self.compared.limit(own, limit.max(HEADROOM * judge.demanded.unwrap_or(0.0)));
         self.errors.push((spot.r, spot.p, exact));
+    }
+
+    /// Takes a place next to a smooth edge, with the exact pressures a few pixels further in, there, and as far out.
+    fn add_at_edge(&mut self, spot: &Spot, exact: &[f64]) {
+        let [inner, exact, outer] = *exact else { return };
+        let far = (inner - exact).abs().max((exact - outer).abs());
+        if far.is_finite() && exact > 0.0 {
+            let limit = (1.0 + AT_EDGE) * far / exact;
+            self.compared.limit(Outlier { at: spot.r, data: spot.p, exact, allowed: limit }, limit);
+        }
     }
 
     fn report(&mut self, survey: &Survey<'_>, scene: &Scene, state: &State, pixel: Pixel, judge: Judge) -> FileReport {

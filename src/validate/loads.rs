@@ -1,7 +1,8 @@
 //! A file of loads, row by row: force and contact radius at the data's own depth, or depth and radius at its own force.
 
 use super::exact::Exact;
-use super::norms::{Norms, Sample};
+use super::neighbours::Neighbours;
+use super::norms::{Norms, Outlier, Sample};
 use super::record::{Column, Plot};
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, Load, State};
@@ -26,6 +27,8 @@ pub(super) struct Compared {
     pub(super) unmatched: u64,
     /// One row that alone is off.
     pub(super) single: Option<Suspicion>,
+    /// The tolerance that radii leave where no grid is known.
+    pub(super) tolerance: Option<f64>,
 }
 
 /// How errors are judged.
@@ -37,14 +40,18 @@ pub(super) struct Judge {
     pub(super) solver: f64,
 }
 
-/// The tolerance where no grid is known.
+/// The tolerance where no grid is known, and that of a punch with a rim, whose error is of first order.
 pub(super) const BLIND: f64 = 1e-2;
+const BLIND_RIM: f64 = 2e-2;
 /// Contact radii without a known grid decide only where they are out of any proportion.
 pub(super) const BLIND_RADIUS: f64 = 0.15;
 /// The error of a single load, relative to what its grid excuses.
 pub(super) const HEADROOM: f64 = 4.0;
 /// The error of a single load where no grid is known.
 pub(super) const BLIND_ROW: f64 = 0.5;
+/// The smallest error by which a row of F or d, and one of a, may be out of proportion to its neighbours.
+const CLEAR: f64 = 2e-3;
+const CLEAR_RADIUS: f64 = 2e-2;
 /// Rows that are kept for orders, plots and the diagnosis.
 const KEPT: usize = 256;
 
@@ -63,7 +70,8 @@ impl Judge {
 
     /// The relative error that a grid excuses at a contact radius.
     pub(super) fn allowed(&self, pixel: Option<f64>, state: &State) -> f64 {
-        let Some(pixel) = pixel else { return self.demanded.unwrap_or(BLIND + self.solver) };
+        let blind = if state.boundary == Boundary::Rim { BLIND_RIM } else { BLIND };
+        let Some(pixel) = pixel else { return self.demanded.unwrap_or(blind + self.solver) };
         // A contact below one pixel is no contact to the grid.
         let share = if state.radius > pixel { pixel / state.radius } else { 1.0 };
         let grid = if state.boundary == Boundary::Rim { 0.5 * share } else { 0.25 * share * share };
@@ -103,6 +111,7 @@ pub(super) fn compare(
     let (mut force, mut depth, mut radius) = (Norms::new(true), Norms::new(true), Norms::new(true));
     let (mut kept, mut errors, mut drawn) = (Sample::new(KEPT), Sample::new(KEPT), Sample::new(KEPT));
     let (mut values, mut unmatched) = (Vec::new(), 0);
+    let (mut rows, mut radii) = (Neighbours::new(2, CLEAR + HEADROOM * judge.solver), Neighbours::new(1, CLEAR_RADIUS));
     let control_kind = if control == Control::Depth { Kind::Depth } else { Kind::Force };
     while table.next(&mut values)?.is_some() {
         let row = row(survey, declared, &values);
@@ -117,12 +126,12 @@ pub(super) fn compare(
         let mut deciding = None;
         if control == Control::Depth && !row.force.is_nan() {
             force.add(at, load, row.force, state.force, allowed);
-            force.limit(at, row.force, state.force, limit);
+            force.limit(Outlier { at, data: row.force, exact: state.force, allowed }, limit);
             deciding = Some((row.force, state.force));
         }
         if control == Control::Force && !row.depth.is_nan() {
             depth.add(at, load, row.depth, exact.depth(&state), allowed);
-            depth.limit(at, row.depth, exact.depth(&state), limit);
+            depth.limit(Outlier { at, data: row.depth, exact: exact.depth(&state), allowed }, limit);
             deciding = Some((row.depth, exact.depth(&state)));
             // The same error as one of the force, for comparison with other runs; it decides nothing.
             if let Some(own) = exact.state(Load::Depth(row.depth)) {
@@ -131,6 +140,10 @@ pub(super) fn compare(
         }
         if !row.radius.is_nan() {
             radius.add(at, load, row.radius, state.radius, allowed);
+            radii.push(Outlier { at, data: row.radius, exact: state.radius, allowed }, state.radius);
+        }
+        if let Some((data, exact)) = deciding {
+            rows.push(Outlier { at, data, exact, allowed }, state.radius);
         }
         let decided = deciding.unwrap_or((row.radius, state.radius));
         if decided.1 != 0.0 {
@@ -138,7 +151,24 @@ pub(super) fn compare(
         }
         drawn.push((at, decided.0, decided.1));
     }
+    let mut tolerance = None;
+    if judge.demanded.is_none() {
+        let deciding = if control == Control::Depth { &mut force } else { &mut depth };
+        if let Some((own, limit)) = rows.worst() {
+            deciding.limit(own, limit);
+        }
+        if pixel.pixel.is_none() {
+            if let Some((own, limit)) = radii.worst() {
+                radius.limit(own, limit);
+            }
+            tolerance = seen_by_radii(&radius);
+            deciding.tighten(tolerance.map_or(1.0, |own| own / BLIND));
+        }
+    }
     let mut report = survey.report(scene, pixel.grid);
+    if let Some(tolerance) = tolerance {
+        report.notes.push(format!("no grid is known; beside radii that are right to {:.1e}, {tolerance:.1e} is accepted", radius.max()));
+    }
     let (has_force, has_depth) = (survey.index(Kind::Force).is_some(), survey.index(Kind::Depth).is_some());
     let column = match control {
         Control::Depth if has_force => "F",
@@ -172,7 +202,16 @@ pub(super) fn compare(
     let deciding = if column == "d" { &depth } else { &force };
     let kinds = (kind, control_kind);
     let single = if column == "a" { None } else { single(deciding, |own| survey.shown(kinds.0, own), column, (|at| at, kinds.1.symbol())) };
-    Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched, single })
+    Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched, single, tolerance })
+}
+
+/// The tolerance without a grid beside a column of radii: forces and depths are at most ten times as far off as these.
+fn seen_by_radii(radius: &Norms) -> Option<f64> {
+    const FEWEST: u64 = 5;
+    const FORCES: f64 = 10.0;
+    const LEAST: f64 = 1e-3;
+    let own = (FORCES * radius.max()).max(LEAST);
+    (radius.rows >= FEWEST && own < BLIND).then_some(own)
 }
 
 /// Names the one row that is off, where without it all others are within their tolerance.
@@ -217,7 +256,9 @@ fn counted(norms: &Norms, pixel: Option<f64>) -> Column {
             // A radius is printed with few digits: half a pixel to rounding.
             Column { pixels: Some(pixels), tolerance: Some(0.5), passed: Some(pixels <= 0.5 * (1.0 + 1e-6)), ..column }
         }
-        None if column.l2 > BLIND_RADIUS => Column { tolerance: Some(BLIND_RADIUS), passed: Some(false), ..column },
+        None if column.l2 > BLIND_RADIUS || column.beyond.is_some() => {
+            Column { tolerance: Some(BLIND_RADIUS), passed: Some(false), ..column }
+        }
         None => column,
     }
 }

@@ -13,6 +13,8 @@ pub(super) struct Norms {
     square: f64,
     square_exact: f64,
     square_allowed: f64,
+    /// The factor of what is allowed.
+    tightened: f64,
     largest_exact: f64,
     worst: f64,
     pub(super) worst_at: f64,
@@ -23,8 +25,8 @@ pub(super) struct Norms {
     pub(super) farthest: f64,
     /// Rows whose exact value is not 0: the others have no scale to judge an error by.
     inside: u64,
-    /// Rows that exceed their own limit, with the differences of data and exact values; those with the largest differences.
-    suspects: Vec<(Beyond, f64)>,
+    /// Rows that exceed their own limit; those with the largest differences of data and exact values.
+    suspects: Vec<(Beyond, Outlier)>,
     /// The row with the largest share of the L2 error.
     outlier: Option<Outlier>,
 }
@@ -34,13 +36,19 @@ const SUSPECTS: usize = 64;
 /// Differences in a field below this share of its largest exact value are rounding errors.
 const ROUNDING: f64 = 1e-13;
 
-/// The row with the largest share of an L2 error.
+/// One row, with the relative error that its grid excuses.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outlier {
     pub(super) at: f64,
     pub(super) data: f64,
     pub(super) exact: f64,
-    allowed: f64,
+    pub(super) allowed: f64,
+}
+
+impl Outlier {
+    fn difference(&self) -> f64 {
+        (self.data - self.exact).abs()
+    }
 }
 
 impl Norms {
@@ -53,6 +61,7 @@ impl Norms {
             square: 0.0,
             square_exact: 0.0,
             square_allowed: 0.0,
+            tightened: 1.0,
             largest_exact: 0.0,
             worst: -1.0,
             worst_at: 0.0,
@@ -79,7 +88,7 @@ impl Norms {
         self.signed += error;
         self.largest_exact = self.largest_exact.max(exact.abs());
         self.farthest = self.farthest.max(error.abs());
-        if self.outlier.is_none_or(|own| (own.data - own.exact).abs() < error.abs()) {
+        if self.outlier.is_none_or(|own| own.difference() < error.abs()) {
             self.outlier = Some(Outlier { at, data, exact, allowed });
         }
         let relative = if self.by_row { ratio(error.abs(), exact.abs()) } else { error.abs() };
@@ -92,39 +101,46 @@ impl Norms {
     }
 
     /// Compares one row with a limit for that row alone, which no mean over many rows can hide.
-    pub(super) fn limit(&mut self, at: f64, data: f64, exact: f64, limit: f64) {
-        let difference = (data - exact).abs();
-        let error = ratio(difference, exact.abs());
-        if exact == 0.0 || error <= limit {
+    pub(super) fn limit(&mut self, own: Outlier, limit: f64) {
+        let error = ratio(own.difference(), own.exact.abs());
+        let known = |other: &Outlier| other.at == own.at && other.data == own.data;
+        if own.exact == 0.0 || error <= limit || self.suspects.iter().any(|other| known(&other.1)) {
             return;
         }
-        self.suspects.push((Beyond { at, error, limit }, difference));
+        self.suspects.push((Beyond { at: own.at, error, limit }, own));
         if self.suspects.len() > SUSPECTS {
-            self.suspects.sort_by(|one, other| other.1.total_cmp(&one.1));
+            self.suspects.sort_by(|one, other| other.1.difference().total_cmp(&one.1.difference()));
             self.suspects.pop();
         }
     }
 
+    /// Multiplies the errors that the grid excuses by a factor.
+    pub(super) fn tighten(&mut self, factor: f64) {
+        self.tightened *= factor;
+    }
+
     /// Rows that exceed their own limit by more than rounding errors.
-    fn rows_beyond(&self) -> impl Iterator<Item = Beyond> {
+    fn rows_beyond(&self) -> impl Iterator<Item = (Beyond, Outlier)> {
         let rounding = if self.by_row { 0.0 } else { ROUNDING * self.largest_exact };
-        self.suspects.iter().filter(move |(_, difference)| *difference > rounding).map(|(own, _)| *own)
+        self.suspects.iter().copied().filter(move |(_, own)| own.difference() > rounding)
     }
 
     /// The worst of the rows beyond their own limit.
     pub(super) fn beyond(&self) -> Option<Beyond> {
-        self.rows_beyond().reduce(|one, other| if other.error / other.limit > one.error / one.limit { other } else { one })
+        self.rows_beyond().map(|own| own.0).reduce(|one, other| if other.error / other.limit > one.error / one.limit { other } else { one })
     }
 
     /// The one row without which all others are within their tolerance, and their L2 error; `None` where more is wrong.
     pub(super) fn single(&self) -> Option<(Outlier, f64)> {
         const FEWEST: u64 = 5;
-        let own = self.outlier?;
+        let mut beyond = self.rows_beyond().map(|own| own.1);
+        let (first, more) = (beyond.next(), beyond.next().is_some());
+        let own = first.or(self.outlier)?;
         let error = own.data - own.exact;
         let rest = (self.square - error * error).max(0.0).sqrt();
         let exact = (self.square_exact - own.exact * own.exact).max(0.0).sqrt();
-        let allowed = (self.square_allowed - (own.allowed * own.exact).powi(2)).max(0.0).sqrt();
-        (self.rows >= FEWEST && self.rows_beyond().count() <= 1 && rest <= allowed).then(|| (own, ratio(rest, exact)))
+        let allowed = self.tightened * (self.square_allowed - (own.allowed * own.exact).powi(2)).max(0.0).sqrt();
+        (self.rows >= FEWEST && !more && rest <= allowed).then(|| (own, ratio(rest, exact)))
     }
 
     /// Whether the rows allow a verdict: a value that should not be 0 was compared, or one that should be 0 is not.
@@ -159,7 +175,7 @@ impl Norms {
 
     /// The error that the grid excuses, as an L2 norm.
     pub(super) fn allowed(&self) -> f64 {
-        ratio(self.square_allowed.sqrt(), self.square_exact.sqrt())
+        ratio(self.tightened * self.square_allowed.sqrt(), self.square_exact.sqrt())
     }
 }
 

@@ -231,7 +231,7 @@ impl Work<'_> {
             let pixel = files.last().and_then(|own| own.1.pixel);
             let margin = finest.rows.iter().map(|row| row.radius).fold(0.0, f64::max);
             let reach = exact.state(load).map_or(margin, |own| own.radius);
-            let gauge = Gauge { pixel, margin: reach, cell: None, solver: self.judge.solver, by_force };
+            let gauge = Gauge { pixel, margin: reach, cell: None, solver: self.judge.solver, demanded: finest.tolerance, by_force };
             let factors = files.last().map_or(Row { depth: 1.0, force: 1.0, radius: 1.0 }, |own| own.0.row_factors());
             let evidence = Evidence::Loads { rows: finest.rows.clone(), factors };
             diagnosis::diagnose(self.request.text, self.scene, &evidence, &gauge)
@@ -290,7 +290,8 @@ impl Work<'_> {
             (None, Control::ContactRadius) => vec![Control::Depth, Control::Force, Control::ContactRadius],
         };
         let cell = survey.cell(pixel.pixel);
-        let gauge = Gauge { pixel: pixel.pixel, margin: finest.margin, cell, solver: self.judge.solver, by_force: self.declared_force() };
+        let (solver, by_force) = (self.judge.solver, self.declared_force());
+        let gauge = Gauge { pixel: pixel.pixel, margin: finest.margin, cell, solver, demanded: None, by_force };
         let free = declared.is_some_and(|own| own.walls == Walls::Free);
         let evidence = Evidence::Field {
             spots: finest.spots.clone(),

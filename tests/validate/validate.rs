@@ -839,3 +839,72 @@ fn the_load_of_a_field_can_be_said_beside_the_scene() {
         assert!(String::from_utf8_lossy(&done.stderr).contains(said), "{load}: {}", String::from_utf8_lossy(&done.stderr));
     }
 }
+
+/// A row whose error is far above those of its neighbours is no error of a grid, whatever the norm says.
+#[test]
+fn rows_out_of_proportion_to_their_neighbours_are_named() {
+    let place = room("neighbours");
+    let scene = |tip: Tip| tip.scene("depth = 0.3", 128).split("[data]").next().unwrap().to_owned();
+    for tip in [Tip::Paraboloid, Tip::Cone] {
+        let good = loads(tip, 128, &|_, row| row);
+        fs::write(place.join("data.csv"), &good).unwrap();
+        let (code, found) = validated(&place, &scene(tip), &["data.csv".to_owned()], &[]);
+        assert_eq!(code, 0, "{found:#}");
+        // The first row, one in the middle, the last one; a radius.
+        for (row, factor) in [(0, 1.3), (5, 1.05), (11, 0.97)] {
+            let off = loads(tip, 128, &|index, [d, f, a]| [d, if index == row { factor * f } else { f }, a]);
+            fs::write(place.join("data.csv"), off).unwrap();
+            let (code, found) = validated(&place, &scene(tip), &["data.csv".to_owned()], &[]);
+            assert_eq!((code, &found["suspicion_details"]["id"]), (1, &Value::from("single-row")), "row {row}: {found:#}");
+        }
+        let off = loads(tip, 128, &|index, [d, f, a]| [d, f, if index == 6 { 1.4 * a } else { a }]);
+        fs::write(place.join("data.csv"), off).unwrap();
+        let (code, found) = validated(&place, &scene(tip), &["data.csv".to_owned()], &[]);
+        assert_eq!(code, 1, "{found:#}");
+    }
+}
+
+/// Forces that are off beside radii that are right to many digits fail without a grid; pressures that end too early fail beside the edge.
+#[test]
+fn radii_and_the_edge_of_the_contact_are_used() {
+    let place = room("edges");
+    let paraboloid = |change: f64| {
+        let row = |index: i32| f64::from(index + 4).powi(2) * 1e-3;
+        let rows = (0..12).map(row).map(|d| format!("{d},{:?},{:?}\n", change * 4.0 / 3.0 * 10f64.sqrt() * d.powf(1.5), (10.0 * d).sqrt()));
+        format!("d,F,a\n{}", rows.collect::<String>())
+    };
+    let scene = "[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = 10 }\n[material]\nE = 1\nnu = 0\n";
+    for (change, code) in [(1.0, 0), (1.005, 1)] {
+        fs::write(place.join("data.csv"), paraboloid(change)).unwrap();
+        let (found, document) = validated(&place, scene, &["data.csv".to_owned()], &[]);
+        assert_eq!(found, code, "{document:#}");
+    }
+    // p = 2 √(a² − r²)/(π R) on a square lattice of 64 pixels, lost within some pixels of the edge.
+    let field = |lost: f64| {
+        let (a, h) = (1.0_f64, 1.0 / 20.0);
+        let mut text = String::from("x,y,p\n");
+        for i in -32..32 {
+            for j in -32..32 {
+                let (x, y) = (f64::from(i) * h, f64::from(j) * h);
+                let p = if x.hypot(y) > a - lost * h {
+                    0.0
+                } else {
+                    2.0 / (std::f64::consts::PI * 10.0) * (a * a - x * x - y * y).max(0.0).sqrt()
+                };
+                writeln!(text, "{x},{y},{p:?}").unwrap();
+            }
+        }
+        text
+    };
+    for (lost, code) in [(0.0, 0), (2.5, 1)] {
+        fs::write(place.join("data.csv"), field(lost)).unwrap();
+        let (found, document) = validated(&place, &format!("{scene}[load]\ndepth = 0.1\n"), &["data.csv".to_owned()], &[]);
+        assert_eq!(found, code, "{document:#}");
+    }
+    // The square is 3.2 wide.
+    for (side, code) in [("3.2", 0), ("7", 1)] {
+        fs::write(place.join("data.csv"), field(0.0)).unwrap();
+        let (found, document) = validated(&place, &format!("{scene}[load]\ndepth = 0.1\n"), &["data.csv".to_owned()], &["--box", side]);
+        assert_eq!(found, code, "{document:#}");
+    }
+}

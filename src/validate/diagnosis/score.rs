@@ -18,6 +18,8 @@ pub(in crate::validate) struct Gauge {
     /// The cell over which pressures are means.
     pub(in crate::validate) cell: Option<Cell>,
     pub(in crate::validate) solver: f64,
+    /// The tolerance of loads that takes the place of that of the grid.
+    pub(in crate::validate) demanded: Option<f64>,
     /// True where the solver controlled the force.
     pub(in crate::validate) by_force: bool,
 }
@@ -57,7 +59,7 @@ pub(in crate::validate) fn largest(rows: &[Row], by_force: bool) -> Load {
 
 /// The score of rows of loads; `None` where most loads have no contact.
 pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
-    let judge = Judge { demanded: None, solver: gauge.solver };
+    let judge = Judge { demanded: gauge.demanded, solver: gauge.solver };
     let (mut main, mut radius, mut lost) = (Norms::new(true), Norms::new(true), 0);
     for row in rows {
         let load = load(row, gauge.by_force);

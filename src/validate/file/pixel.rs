@@ -15,40 +15,54 @@ pub(in crate::validate) struct Pixel {
     pub(in crate::validate) relative: f64,
     /// The side of the box.
     pub(in crate::validate) side: Option<f64>,
-    /// How many times the pixel of the data is as large as the one that box and grid make, where both are known.
-    pub(in crate::validate) mismatch: Option<f64>,
+    /// The pixel that the places or the contact radii of the data show.
+    seen: Option<f64>,
+    /// How many times the pixel of the places is as large as the one that box and grid make, where both are known.
+    mismatch: Option<f64>,
+    /// The side of the square that the places fill, where another box is declared and no grid.
+    filled: Option<f64>,
 }
 
 impl Pixel {
     /// True where the places of the data cannot belong to the box and the grid that are declared: places may be left out, but not added.
     fn contradicts(&self) -> bool {
         const SLACK: f64 = 0.01;
-        self.mismatch.is_some_and(|ratio| (ratio / ratio.round().max(1.0) - 1.0).abs() > SLACK)
+        self.filled.is_some() || self.mismatch.is_some_and(|ratio| (ratio / ratio.round().max(1.0) - 1.0).abs() > SLACK)
     }
 }
 
-/// What is wrong with the box or the order of the files, where the places of the data contradict what is declared.
+/// What is wrong with the box or the order of the files, where the data contradict what is declared.
 pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> {
-    let worst = pixels.iter().find(|own| own.contradicts())?;
-    // The product of pixel and number of pixels is the same box in every file, if the numbers belong to other files.
-    let sides: Vec<f64> = pixels.iter().filter_map(|own| Some(own.pixel? * own.grid?)).collect();
-    let mut counts: Vec<f64> = pixels.iter().filter_map(|own| own.grid).collect();
-    let mut sizes: Vec<f64> = pixels.iter().filter_map(|own| own.pixel).collect();
+    let worst = pixels.iter().find(|own| own.contradicts());
+    if let Some(before) = in_another_order(pixels) {
+        let text = "files in the wrong order: the numbers of pixels fit the data only in another order of the files".to_owned();
+        return Some(Suspicion { id: "file-order", text, before, after: 0.0 });
+    }
+    let text = if let Some(side) = worst?.filled {
+        format!("another box: the places of the data fill a square of {side:.6} in the scene's unit of length, not the declared box")
+    } else {
+        let side = worst.and_then(|own| Some(own.seen? * own.grid?)).unwrap_or(f64::NAN);
+        format!(
+            "another box: with that grid the places of the data fit a box of {side:.6} in the scene's unit of length, not the declared one"
+        )
+    };
+    let ratio = worst.and_then(|own| own.filled.zip(own.side).map(|(filled, side)| filled / side).or(own.mismatch));
+    Some(Suspicion { id: "box", text, before: ratio.map_or(0.0, |own| (own - 1.0).abs()), after: 0.0 })
+}
+
+/// By how much the boxes differ that the numbers of pixels make with the pixels that are seen in the files, where they do not once both are sorted.
+fn in_another_order(pixels: &[Pixel]) -> Option<f64> {
+    const SAME: f64 = 0.02;
+    let mut counts: Vec<f64> = pixels.iter().map(|own| own.grid).collect::<Option<_>>()?;
+    let mut sizes: Vec<f64> = pixels.iter().map(|own| own.seen).collect::<Option<_>>()?;
+    let difference = |counts: &[f64], sizes: &[f64]| {
+        let sides = || counts.iter().zip(sizes).map(|(count, size)| count * size);
+        sides().fold(0.0, f64::max) / sides().fold(f64::INFINITY, f64::min) - 1.0
+    };
+    let as_given = difference(&counts, &sizes);
     counts.sort_by(f64::total_cmp);
     sizes.sort_by(|one, other| other.total_cmp(one));
-    let sorted: Vec<f64> = counts.iter().zip(&sizes).map(|(count, size)| count * size).collect();
-    let same = |all: &[f64]| all.iter().all(|own| (own / all.first().copied().unwrap_or(1.0) - 1.0).abs() < 0.02);
-    let (id, text) = if pixels.len() > 1 && same(&sorted) && !same(&sides) {
-        let order = "files in the wrong order: the numbers of pixels fit the places of the data only in another order of the files";
-        ("file-order", order.to_owned())
-    } else {
-        let side = worst.pixel.zip(worst.grid).map_or(f64::NAN, |(pixel, count)| pixel * count);
-        let fits = format!(
-            "another box: with that grid the places of the data fit a box of {side:.6} in the scene's unit of length, not the declared one"
-        );
-        ("box", fits)
-    };
-    Some(Suspicion { id, text, before: worst.mismatch.map_or(0.0, |own| (own - 1.0).abs()), after: 0.0 })
+    (as_given > SAME && difference(&counts, &sizes) <= SAME).then_some(as_given)
 }
 
 /// The pixels of the files of one kind, in the order in which they were given.
@@ -73,7 +87,11 @@ pub(in crate::validate) fn pixels(
         let count = if given.len() == surveys_len(given, grid, index) { given.get(index).copied() } else { None };
         let betrayed = survey.lattice.map(|own| own.pixel).or(survey.counted);
         let stated = side.zip(count).map(|(side, count)| side / count);
-        let mismatch = survey.lattice.map(|own| own.pixel).zip(stated).map(|(betrayed, stated)| betrayed / stated);
+        let mismatch = survey.lattice.map(|own| own.pixel).zip(stated).map(|(own, stated)| own / stated);
+        // Coordinates may begin and end on the sides of the box, or half a pixel inside.
+        let filled = survey
+            .filled_square()
+            .filter(|own| count.is_none() && side.zip(betrayed).is_some_and(|(side, h)| (own - side).abs() > 1.5 * h));
         // What the data show is true of them, whatever is declared; contact radii tell less surely.
         let disagrees = Pixel { mismatch, ..Pixel::default() }.contradicts();
         let pixel = if disagrees { betrayed.or(stated) } else { stated.or(betrayed) };
@@ -98,7 +116,7 @@ pub(in crate::validate) fn pixels(
             _ => {}
         }
         let side = side.or_else(|| pixel.zip(count).map(|(pixel, count)| pixel * count));
-        list.push(Pixel { grid: count, pixel, relative: 0.0, side, mismatch });
+        list.push(Pixel { grid: count, pixel, relative: 0.0, side, seen: betrayed, mismatch, filled });
     }
     let all_known = list.iter().all(|own| own.pixel.is_some());
     let all_counted = list.iter().all(|own| own.grid.is_some());

@@ -125,6 +125,18 @@ impl<'s> Survey<'s> {
         Ok(Self { data, axis, averaging, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
     }
 
+    /// The side of the square that the places fill, where every pixel of it has a row.
+    pub(in crate::validate) fn filled_square(&self) -> Option<f64> {
+        const FEWEST: f64 = 8.0;
+        let pixel = self.lattice?.pixel;
+        let [x, y] = [0, 1].map(|axis: usize| {
+            let (low, high) = (self.extent.low.get(axis)?, self.extent.high.get(axis)?);
+            Some(((high - low) / pixel).round() + 1.0).filter(|own| own.is_finite())
+        });
+        let count = x.filter(|own| Some(*own) == y && *own >= FEWEST)?;
+        (count * count == self.rows as f64).then_some(count * pixel)
+    }
+
     /// Returns a report of this file without columns and plots.
     pub(in crate::validate) fn report(&self, scene: &Scene, grid: Option<f64>) -> FileReport {
         let (name, notes) = (self.name(scene), self.notes.clone());
