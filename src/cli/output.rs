@@ -3,6 +3,10 @@
 use super::Failure;
 use super::file::{self, Target};
 use crate::num::work;
+use clap::builder::{EnumValueParser, PossibleValue, TypedValueParser};
+use clap::error::{ContextKind, ContextValue};
+use clap::{Arg, ValueEnum};
+use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -21,6 +25,28 @@ pub(super) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Res
 
 /// The endings of file names that a command knows, each with its format.
 pub(super) type Endings<F> = [(&'static str, F)];
+
+/// Reads the name of a format; for the ending of its files, as `tex`, the error suggests the name.
+#[derive(Clone)]
+pub(super) struct Formats<F: 'static>(pub(super) &'static Endings<F>);
+
+impl<F: ValueEnum + Send + Sync + 'static> TypedValueParser for Formats<F> {
+    type Value = F;
+
+    fn parse_ref(&self, command: &clap::Command, argument: Option<&Arg>, value: &OsStr) -> Result<F, clap::Error> {
+        EnumValueParser::<F>::new().parse_ref(command, argument, value).map_err(|mut error| {
+            let meant = self.0.iter().find(|own| value.to_str() == Some(own.0)).and_then(|own| own.1.to_possible_value());
+            if let Some(meant) = meant {
+                error.insert(ContextKind::SuggestedValue, ContextValue::String(meant.get_name().to_owned()));
+            }
+            error
+        })
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(F::value_variants().iter().filter_map(F::to_possible_value)))
+    }
+}
 
 /// The place and the format of an answer.
 pub(super) struct Destination<F> {

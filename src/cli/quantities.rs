@@ -24,9 +24,12 @@ impl TypedValueParser for Quantities {
             if let Some(argument) = argument {
                 error.insert(ContextKind::InvalidArg, ContextValue::String(argument.to_string()));
             }
-            error.insert(ContextKind::InvalidValue, ContextValue::String(typed.into_owned()));
+            error.insert(ContextKind::InvalidValue, ContextValue::String(typed.to_string()));
             let known = self.possible_values().into_iter().flatten().map(|own| own.get_name().to_owned());
             error.insert(ContextKind::ValidValue, ContextValue::Strings(known.collect()));
+            if let Some(meant) = self.meant(&typed) {
+                error.insert(ContextKind::SuggestedValue, ContextValue::String(meant.key().to_owned()));
+            }
             error
         })
     }
@@ -34,6 +37,16 @@ impl TypedValueParser for Quantities {
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
         let known = Quantity::ALL.iter().filter(|own| (self.0)(**own).is_ok());
         Some(Box::new(known.map(|own| PossibleValue::new(own.key()).help(format!("{} {}", own.title(), own.left(false))))))
+    }
+}
+
+impl Quantities {
+    /// The quantity with the shortest title that has every word of a text, as `force` or `contact_radius`.
+    fn meant(&self, typed: &str) -> Option<Quantity> {
+        let typed = typed.to_lowercase();
+        let words = || typed.split(|own: char| !own.is_alphanumeric()).filter(|own| !own.is_empty());
+        let has = |own: &&Quantity| words().next().is_some() && words().all(|word| own.title().split(' ').any(|other| other == word));
+        Quantity::ALL.iter().filter(|own| (self.0)(**own).is_ok()).filter(has).min_by_key(|own| own.title().len()).copied()
     }
 }
 

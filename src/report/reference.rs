@@ -48,7 +48,8 @@ impl Reference<'_, '_> {
         let several = scene.loads.len() > 1;
         let mut header = if several { vec![named("d", &length)] } else { Vec::new() };
         let square = matches!(self.grid, Grid::Square { .. });
-        header.extend(if square { ["x", "y", "r"].as_slice() } else { &["r"] }.iter().map(|own| named(own, &length)));
+        let planar = square || matches!(self.grid, Grid::Points { y: Some(_), .. });
+        header.extend(if planar { ["x", "y", "r"].as_slice() } else { &["r"] }.iter().map(|own| named(own, &length)));
         for curve in self.curves {
             let unit = scene.system.unit_name(curve.dimension());
             let (error, bound) = (format!("{}_error", curve.key()), format!("{}_bound", curve.key()));
@@ -82,7 +83,7 @@ impl Reference<'_, '_> {
                 writeln!(out)
             };
             match self.places().as_slice() {
-                [count] => (0..*count).try_for_each(|i| line(&[self.grid.coordinate(i)], &[i], cell(i)))?,
+                [count] => (0..*count).try_for_each(|i| line(&self.grid.place(i), &[i], cell(i)))?,
                 [rows, columns] => {
                     for i in 0..*rows {
                         let y = self.grid.coordinate(i);
@@ -123,6 +124,7 @@ impl Reference<'_, '_> {
         enum GridEntry {
             Radial { r: Vec<f64>, cells: bool },
             Square { count: usize, side: f64, x: Vec<f64>, y: Vec<f64>, cells: bool },
+            Points { x: Vec<f64>, y: Vec<f64>, cells: bool },
         }
         let scene = self.run.scene();
         let units = scene.system.names().map(|own| Units { length: &own.length, force: &own.force, pressure: &own.pressure });
@@ -130,6 +132,10 @@ impl Reference<'_, '_> {
         let coordinates = |count: usize| (0..count).map(|index| self.grid.coordinate(index) * factor).collect::<Vec<_>>();
         let grid = match self.grid {
             Grid::Radial(r) => GridEntry::Radial { r: coordinates(r.len()), cells: self.cells },
+            Grid::Points { x, y: None } => GridEntry::Radial { r: coordinates(x.len()), cells: false },
+            Grid::Points { x, y: Some(y) } => {
+                GridEntry::Points { x: coordinates(x.len()), y: y.iter().map(|own| own * factor).collect(), cells: false }
+            }
             Grid::Square { side, count, .. } => {
                 let x = coordinates(*count);
                 GridEntry::Square { count: *count, side: side * factor, y: x.clone(), x, cells: self.cells }

@@ -22,9 +22,16 @@ pub enum Grid {
         /// True where the axis lies between four points, not at the point of index count/2.
         between: bool,
     },
+    /// Places in any order.
+    Points {
+        /// x, or the radius where there is no y.
+        x: Vec<f64>,
+        /// y, as many as x.
+        y: Option<Vec<f64>>,
+    },
 }
 
-/// The most points along a side, and along a radius.
+/// The most points along a side, and along a radius or in a list.
 pub const LARGEST_GRID: usize = 1 << 13;
 const MOST_RADII: usize = 10_000_000;
 
@@ -76,6 +83,12 @@ impl Grid {
             }
             Self::Radial(r) if r.iter().zip(r.iter().skip(1)).any(|(one, next)| next <= one) => {
                 fault("the radii of the grid do not rise".to_owned(), "rising radii would be accepted")
+            }
+            Self::Points { x, .. } if x.is_empty() || x.len() > MOST_RADII => {
+                fault(format!("a list of {} places is not possible", x.len()), "1 to 10000000 places would be accepted")
+            }
+            Self::Points { x, y: None } if x.iter().any(|own| *own < 0.0) => {
+                fault("the list has a negative radius".to_owned(), "radii from 0 on, or columns x and y, would be accepted")
             }
             Self::Square { count, .. } if *count == 0 || *count > LARGEST_GRID => {
                 fault(format!("a grid of {count} points along a side is not possible"), "1 to 8192 points would be accepted")
@@ -132,14 +145,33 @@ impl Grid {
     pub fn shape(&self) -> Vec<usize> {
         match self {
             Self::Radial(r) => vec![r.len()],
+            Self::Points { x, .. } => vec![x.len()],
             Self::Square { count, .. } => vec![*count, *count],
         }
     }
 
-    /// The coordinate of a row or column, or the radius of an index.
+    /// The radius of an index.
+    fn radius(&self, index: usize) -> f64 {
+        match self {
+            Self::Points { y: Some(y), .. } => self.coordinate(index).hypot(y.get(index).copied().unwrap_or(f64::NAN)),
+            _ => self.coordinate(index),
+        }
+    }
+
+    /// The coordinates x, y and r of an index of a list, or its radius alone.
+    pub fn place(&self, index: usize) -> Vec<f64> {
+        let own = self.coordinate(index);
+        match self {
+            Self::Points { y: Some(y), .. } => vec![own, y.get(index).copied().unwrap_or(f64::NAN), self.radius(index)],
+            _ => vec![own],
+        }
+    }
+
+    /// The coordinate of a row or column, x in a list of places, or the radius of an index.
     pub fn coordinate(&self, index: usize) -> f64 {
         match self {
             Self::Radial(r) => r.get(index).unwrap_or(f64::NAN),
+            Self::Points { x, .. } => x.get(index).copied().unwrap_or(f64::NAN),
             Self::Square { side, count, between } => {
                 let steps = index as f64 - (count / 2) as f64 + if *between { 0.5 } else { 0.0 };
                 steps * (side / *count as f64)
@@ -147,9 +179,10 @@ impl Grid {
         }
     }
 
-    /// The side of a cell of the square, or the width of the ring around the radius of an index.
+    /// The side of a cell of the square, or the width of the ring around the radius of an index; places of a list have no cells.
     pub fn cell_width(&self, index: usize) -> f64 {
         match self {
+            Self::Points { .. } => 0.0,
             Self::Radial(radii) => {
                 let [inner, outer] = ring(radii, index);
                 outer - inner
@@ -163,13 +196,14 @@ impl Grid {
         match (self, self.square()) {
             (_, Some(square)) => triangle(square.reach(), square.reach()) + 1,
             (Self::Radial(r), None) => r.len(),
+            (Self::Points { x, .. }, None) => x.len(),
             _ => 0,
         }
     }
 
     fn square(&self) -> Option<Square> {
         match self {
-            Self::Radial(_) => None,
+            Self::Radial(_) | Self::Points { .. } => None,
             Self::Square { count, between, .. } => Some(Square { count: *count, between: *between }),
         }
     }
@@ -244,17 +278,15 @@ impl Run<'_> {
         let mut values = Vec::new();
         match grid.square() {
             None => {
-                let Grid::Radial(radii) = grid else { return Field { values, square: None, bound: bound.get() } };
-                for index in 0..radii.len() {
-                    let Some(r) = radii.get(index) else { continue };
-                    values.push(match &means {
+                for index in 0..grid.distinct() {
+                    values.push(match (&means, grid) {
                         _ if work::is_exhausted() => Err(self.point_is_cut()),
-                        None => seen(self.point(curve, state, r)),
-                        Some((Err(_), _)) => Err("it cannot be computed to any digit"),
-                        Some((Ok(force), _)) => {
+                        (Some((Err(_), _)), _) => Err("it cannot be computed to any digit"),
+                        (Some((Ok(force), _)), Grid::Radial(radii)) => {
                             let [inner, outer] = ring(radii, index);
                             mean(force.on_ring(inner, outer), PI * (outer - inner) * (outer + inner), [inner, outer], None)
                         }
+                        _ => seen(self.point(curve, state, grid.radius(index))),
                     });
                 }
                 Field { values, square: None, bound: bound.get() }

@@ -61,6 +61,16 @@ impl<'a> Exact<'a> {
         if self.from_touch { state.depth - self.indentation.first_touch() } else { state.depth }
     }
 
+    /// U = E* ∫₀^a (d − g)² dx of a state.
+    pub(super) fn energy(&self, state: &State) -> Option<f64> {
+        Some(self.indentation.energy(state).ok()?.estimate.value)
+    }
+
+    /// k = 2E* a of a state.
+    pub(super) fn stiffness(&self, state: &State) -> Option<f64> {
+        Some(self.contact(state).stiffness(state.radius).ok()?.estimate.value)
+    }
+
     /// The contact of a state.
     pub(super) fn contact(&self, state: &State) -> Contact<'a, Superposition<'a>> {
         self.indentation.contact(state)

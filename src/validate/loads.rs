@@ -27,6 +27,8 @@ pub(super) struct Compared {
     pub(super) unmatched: u64,
     /// One row that alone is off.
     pub(super) single: Option<Suspicion>,
+    /// The factor of a column beside d, F and a, where this column alone fails.
+    pub(super) scaled: Option<Suspicion>,
     /// The tolerance that radii leave where no grid is known.
     pub(super) tolerance: Option<f64>,
 }
@@ -52,6 +54,9 @@ pub(super) const BLIND_ROW: f64 = 0.5;
 /// The smallest error by which a row of F or d, and one of a, may be out of proportion to its neighbours.
 const CLEAR: f64 = 2e-3;
 const CLEAR_RADIUS: f64 = 2e-2;
+/// The error of U in those of F, which it is the integral of; that of k, which solvers take from differences of F.
+const WORK: f64 = 2.0;
+const SLOPE: f64 = 0.05;
 /// Rows that are kept for orders, plots and the diagnosis.
 const KEPT: usize = 256;
 
@@ -112,6 +117,7 @@ pub(super) fn compare(
     let (mut kept, mut errors, mut drawn) = (Sample::new(KEPT), Sample::new(KEPT), Sample::new(KEPT));
     let (mut values, mut unmatched) = (Vec::new(), 0);
     let (mut rows, mut radii) = (Neighbours::new(2, CLEAR + HEADROOM * judge.solver), Neighbours::new(1, CLEAR_RADIUS));
+    let mut others = [Kind::Energy, Kind::Stiffness].map(|kind| (kind, survey.index(kind), Norms::new(true)));
     let control_kind = if control == Control::Depth { Kind::Depth } else { Kind::Force };
     while table.next(&mut values)?.is_some() {
         let row = row(survey, declared, &values);
@@ -141,6 +147,18 @@ pub(super) fn compare(
         if !row.radius.is_nan() {
             radius.add(at, load, row.radius, state.radius, allowed);
             radii.push(Outlier { at, data: row.radius, exact: state.radius, allowed }, state.radius);
+        }
+        for (kind, column, norms) in &mut others {
+            let Some(data) = column.and_then(|own| Some(values.get(own)? * survey.factors.get(own)?)) else { continue };
+            let (exact, allowed) = if *kind == Kind::Energy {
+                (exact.energy(&state), WORK * allowed)
+            } else {
+                (exact.stiffness(&state), judge.demanded.unwrap_or(SLOPE))
+            };
+            if let Some(exact) = exact {
+                norms.add(at, load, data, exact, allowed);
+                norms.limit(Outlier { at, data, exact, allowed }, limit.max(HEADROOM * allowed));
+            }
         }
         if let Some((data, exact)) = deciding {
             rows.push(Outlier { at, data, exact, allowed }, state.radius);
@@ -185,6 +203,7 @@ pub(super) fn compare(
     if survey.index(Kind::ContactRadius).is_some() {
         report.columns.push(counted(&radius, pixel.pixel));
     }
+    report.columns.extend(others.iter().filter(|own| own.1.is_some()).map(|(kind, _, norms)| decided(kind.symbol(), norms, true)));
     let largest = kept.items.iter().map(|row: &Row| if control == Control::Depth { row.depth } else { row.force }).fold(0.0, f64::max);
     let state = exact.state(if control == Control::Depth { Load::Depth(largest) } else { Load::Force(largest) });
     report.pixel = pixel.pixel.zip(state.map(|own| own.radius)).map(|(h, a)| h / a);
@@ -202,7 +221,8 @@ pub(super) fn compare(
     let deciding = if column == "d" { &depth } else { &force };
     let kinds = (kind, control_kind);
     let single = if column == "a" { None } else { single(deciding, |own| survey.shown(kinds.0, own), column, (|at| at, kinds.1.symbol())) };
-    Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched, single, tolerance })
+    let scaled = others.iter().find_map(|(kind, _, norms)| scaled(&report.columns, *kind, norms));
+    Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched, single, scaled, tolerance })
 }
 
 /// The tolerance without a grid beside a column of radii: forces and depths are at most ten times as far off as these.
@@ -212,6 +232,15 @@ fn seen_by_radii(radius: &Norms) -> Option<f64> {
     const LEAST: f64 = 1e-3;
     let own = (FORCES * radius.max()).max(LEAST);
     (radius.rows >= FEWEST && own < BLIND).then_some(own)
+}
+
+/// Names the factor of a column, where every other one is within its tolerance.
+fn scaled(columns: &[Column], kind: Kind, norms: &Norms) -> Option<Suspicion> {
+    let mut failed = columns.iter().filter(|own| own.passed == Some(false));
+    let first = failed.next().filter(|own| own.name == kind.symbol() && failed.next().is_none())?;
+    let (factor, after) = norms.scaled();
+    let text = format!("another scale: {} is {factor:.4} times the exact one, where F and a are right", first.name);
+    (after <= first.tolerance?).then_some(Suspicion { id: "scale", text, before: norms.l2(), after })
 }
 
 /// Names the one row that is off, where without it all others are within their tolerance.

@@ -16,6 +16,7 @@ mod verdict;
 pub use error::ValidationError;
 pub use file::data::Source;
 pub use file::layout::{Layout, Origin};
+pub use file::points::points;
 pub use order::Order;
 pub use record::{Beyond, Column, Excluded, FileReport, Plot, Suspicion, Validation};
 pub use run::{Request, validate};

@@ -12,6 +12,8 @@ pub(super) struct Norms {
     absolute_exact: f64,
     square: f64,
     square_exact: f64,
+    /// Σ e · exact.
+    along: f64,
     square_allowed: f64,
     /// The factor of what is allowed.
     tightened: f64,
@@ -60,6 +62,7 @@ impl Norms {
             absolute_exact: 0.0,
             square: 0.0,
             square_exact: 0.0,
+            along: 0.0,
             square_allowed: 0.0,
             tightened: 1.0,
             largest_exact: 0.0,
@@ -84,6 +87,7 @@ impl Norms {
         self.absolute_exact += exact.abs();
         self.square += error * error;
         self.square_exact += exact * exact;
+        self.along += error * exact;
         self.square_allowed += (allowed * exact).powi(2);
         self.signed += error;
         self.largest_exact = self.largest_exact.max(exact.abs());
@@ -141,6 +145,13 @@ impl Norms {
         let exact = (self.square_exact - own.exact * own.exact).max(0.0).sqrt();
         let allowed = self.tightened * (self.square_allowed - (own.allowed * own.exact).powi(2)).max(0.0).sqrt();
         (self.rows >= FEWEST && !more && rest <= allowed).then(|| (own, ratio(rest, exact)))
+    }
+
+    /// The factor of the exact values that is nearest to the data, and the L2 error that is left with it.
+    pub(super) fn scaled(&self) -> (f64, f64) {
+        let share = ratio(self.along, self.square_exact);
+        let left = (self.square - share * self.along).max(0.0).sqrt();
+        (1.0 + share, ratio(left, (1.0 + share).abs() * self.square_exact.sqrt()))
     }
 
     /// Whether the rows allow a verdict: a value that should not be 0 was compared, or one that should be 0 is not.

@@ -223,8 +223,11 @@ impl Work<'_> {
         let verdict = verdict(finest.column, &finest.report.columns, &levels, self.judge.solver, finest.unmatched);
         let suspicion = if verdict.passed {
             None
-        } else if let Some(own) =
-            finest.single.clone().or_else(|| reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>()))
+        } else if let Some(own) = finest
+            .single
+            .clone()
+            .or_else(|| finest.scaled.clone())
+            .or_else(|| reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>()))
         {
             Some(own)
         } else {

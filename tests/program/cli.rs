@@ -549,6 +549,20 @@ fn help_version_and_wrong_usage() {
     }
 }
 
+/// Words for quantities and endings of files are no keys; the error names the key that is meant.
+#[test]
+fn keys_are_suggested_for_words_and_endings() {
+    for (word, key) in [("force", "F"), ("depth", "d"), ("contact_radius", "a"), ("Pressure", "p"), ("energy", "U"), ("contact area", "A")]
+    {
+        refused(b"", &["eval", "r^2", "--quantity", word, "--at", "1"], &[word, &format!("exists: '{key}'")]);
+    }
+    for (command, ending, key) in [("derive", "tex", "latex"), ("invert", "html", "mathml"), ("derive", "typ", "typst")] {
+        refused(b"", &[command, "r^2", "--format", ending], &[ending, &format!("exists: '{key}'")]);
+    }
+    let ran = run(&["derive", "r^2", "--format", "foo"]);
+    assert!(ran.code == 2 && !ran.stderr.contains("tip"), "{}", ran.stderr);
+}
+
 #[test]
 fn a_reader_that_leaves_is_no_failure() {
     let script = format!("'{PROGRAM}' eval r^2 --quantity g --at 0:1:100000 --json | head -c 10");

@@ -1,6 +1,7 @@
 //! Tests of `validate`: a solver's data beside the exact solution.
 
 mod array;
+mod columns;
 mod diagnosis;
 mod displacement;
 mod lattice;

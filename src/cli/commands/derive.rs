@@ -1,7 +1,7 @@
 //! `sneddon derive`: the formulas of a profile.
 
 use crate::cli::failure::warn;
-use crate::cli::output::Destination;
+use crate::cli::output::{Destination, Formats};
 use crate::cli::quantities::{Quantities, demand};
 use crate::cli::typesetting::{ENDINGS, Format, TypesettingArguments};
 use crate::cli::{Failure, Outcome, budget, input};
@@ -22,7 +22,7 @@ pub(in crate::cli) struct Arguments {
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
     /// How the answer is written [default: text].
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = Formats(ENDINGS))]
     pub(in crate::cli) format: Option<Format>,
     /// The same as --format json.
     #[arg(long, conflicts_with = "format")]

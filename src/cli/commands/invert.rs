@@ -1,6 +1,6 @@
 //! `sneddon invert`: the profile that has a given equivalent profile, or that presses with a given pressure.
 
-use crate::cli::output::Destination;
+use crate::cli::output::{Destination, Formats};
 use crate::cli::typesetting::{ENDINGS, Format, TypesettingArguments};
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, budget, input, points};
@@ -31,7 +31,7 @@ pub(in crate::cli) struct Arguments {
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: Option<String>,
     /// How the answer is written [default: text].
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = Formats(ENDINGS))]
     pub(in crate::cli) format: Option<Format>,
     /// The same as --format json.
     #[arg(long, conflicts_with = "format")]

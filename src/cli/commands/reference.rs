@@ -1,12 +1,14 @@
 //! `sneddon reference`: exact data on a solver's grid.
 
 use crate::cli::commands::solve::read;
+use crate::cli::commands::validate;
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
 use crate::cli::progress::Progress;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::report::Reference;
 use crate::scene::{self, Grid, Run, SceneError};
+use crate::validate::points;
 use std::path::PathBuf;
 
 /// Exact pressure, displacement and shape on the grid of a solver, each value with its error bound.
@@ -21,6 +23,9 @@ pub(in crate::cli) struct Arguments {
     /// N points along both sides of a square box, or start:stop:count for radii; without it what [data] declares, or the radii of [outputs].
     #[arg(long, value_name = "GRID")]
     grid: Option<String>,
+    /// A file of data whose columns x and y, or r, are the places, in any order.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["grid", "side", "cells", "between"])]
+    points: Option<PathBuf>,
     /// The side of the box, as "8 um"; without it that of [data].
     #[arg(long = "box", value_name = "LENGTH")]
     side: Option<String>,
@@ -67,16 +72,21 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let failed = |error: SceneError| Failure::scene(&name, &text, &error);
     let scene = scene::scene_for_grid(&text).map_err(failed)?;
     let declared = Grid::declared(&scene, arguments.between);
-    let grid = match (&arguments.grid, declared) {
-        (Some(own), _) => Grid::parse(own, arguments.side.as_deref(), arguments.between, &scene).map_err(failed)?,
-        (None, Some(own)) => own.checked().map_err(failed)?,
-        (None, None) if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
-        (None, None) => {
+    let grid = match (&arguments.points, &arguments.grid, declared) {
+        (Some(path), ..) => {
+            let source = validate::source(path)?;
+            points(&source, &scene).map_err(|error| validate::failure(&name, &text, &error))?
+        }
+        (None, Some(own), _) => Grid::parse(own, arguments.side.as_deref(), arguments.between, &scene).map_err(failed)?,
+        (None, None, Some(own)) => own.checked().map_err(failed)?,
+        (None, None, None) if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
+        (None, None, None) => {
             return Err(Failure::new("there is no grid")
-                .help("--grid \"0:2 um:101\", --grid 64 with --box \"8 um\", or at in [outputs] would be accepted"));
+                .help("--grid \"0:2 um:101\", --grid 64 with --box \"8 um\", --points with a file, or at in [outputs] would be accepted"));
         }
     };
-    let cells = arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true));
+    // Places of a list have no cells.
+    let cells = arguments.points.is_none() && (arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true)));
     let (curves, others) = scene.outputs.fields().map_err(failed)?;
     for other in others {
         warn(&format!("{} is not a field on a grid; `sneddon solve` writes it", other.key()));

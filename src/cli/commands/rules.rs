@@ -1,6 +1,6 @@
 //! `sneddon rules`: the catalogue of exact solutions.
 
-use crate::cli::output::{Destination, Endings};
+use crate::cli::output::{Destination, Endings, Formats};
 use crate::cli::{Failure, Outcome};
 use crate::parse;
 use crate::report::{self, Statement};
@@ -14,7 +14,7 @@ use std::path::PathBuf;
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
     /// How the catalogue is written [default: text].
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = Formats(ENDINGS))]
     format: Option<Format>,
     /// The same as --format json.
     #[arg(long, conflicts_with = "format")]

@@ -161,7 +161,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 /// A file, read anew for every pass; what cannot be read twice is kept.
-fn source(path: &Path) -> Result<Source<'_>, Failure> {
+pub(super) fn source(path: &Path) -> Result<Source<'_>, Failure> {
     let name = path.display().to_string();
     let failed = |error: io::Error| {
         Failure::new(format!("the data {} cannot be read: {error}", path.display()))
@@ -191,7 +191,7 @@ fn source(path: &Path) -> Result<Source<'_>, Failure> {
     Ok(Source { name, open: Box::new(move || Ok(Box::new(Cursor::new(Arc::clone(&bytes))) as Box<dyn Read>)) })
 }
 
-fn failure(name: &str, text: &str, error: &ValidationError) -> Failure {
+pub(super) fn failure(name: &str, text: &str, error: &ValidationError) -> Failure {
     match error {
         ValidationError::Scene(error) => Failure::scene(name, text, error),
         other => {

@@ -9,6 +9,8 @@ pub(in crate::validate) enum Kind {
     Depth,
     Force,
     ContactRadius,
+    Energy,
+    Stiffness,
     Distance,
     X,
     Y,
@@ -26,6 +28,8 @@ const NAMES: &[(Kind, &[&str])] = &[
     (Kind::Depth, &["d", "depth", "indentation", "indentation_depth", "penetration", "delta"]),
     (Kind::Force, &["F", "force", "load", "normal_force", "normal_load", "Fn", "F_n", "Fz", "P"]),
     (Kind::ContactRadius, &["a", "contact_radius"]),
+    (Kind::Energy, &["U", "energy", "elastic_energy", "stored_energy"]),
+    (Kind::Stiffness, &["k", "stiffness", "contact_stiffness"]),
     (Kind::Distance, &["r", "radius"]),
     (Kind::X, &["x", "X"]),
     (Kind::Y, &["y", "Y"]),
@@ -50,6 +54,8 @@ impl Kind {
         match self {
             Self::Force => Dimension::FORCE,
             Self::Pressure => Dimension::PRESSURE,
+            Self::Energy => Dimension::ENERGY,
+            Self::Stiffness => Dimension::STIFFNESS,
             _ => Dimension::LENGTH,
         }
     }

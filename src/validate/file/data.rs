@@ -98,6 +98,7 @@ fn of_numpy(name: &str, bytes: Vec<u8>, layout: &Layout, scene: &Scene) -> Resul
     let arrays = arrays(name, stem, bytes)?;
     match arrays.as_slice() {
         [only] if stacked::is_reference(&only.shape) => stacked::npy(name, only, layout, scene),
+        [only] if stacked::is_stack(&only.shape, layout, scene) => stacked::stack(name, only, layout, scene),
         _ => columns(name, arrays, layout),
     }
 }

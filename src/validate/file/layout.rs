@@ -101,6 +101,12 @@ impl Layout {
         self.map.iter().any(|own| matches!(read(&own.0, 0), Reading::Known(column) if column.kind == kind))
     }
 
+    /// Whether the map has one entry, which calls the first column a quantity of places: an array with two indices is that field.
+    fn names_the_whole(&self) -> bool {
+        let is_field = |symbol: &str| matches!(read(symbol, 0), Reading::Known(column) if column.kind.is_field());
+        matches!(self.map.as_slice(), [(symbol, column)] if column == "1" && is_field(symbol))
+    }
+
     /// Whether columns are named by their numbers.
     pub(in crate::validate) fn by_number(&self) -> bool {
         self.map.iter().any(|own| own.1.parse::<usize>().is_ok())
@@ -155,6 +161,9 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
     if let [only] = numbers.as_mut_slice()
         && let [rows, columns] = *only.shape
     {
+        if rows.min(columns) >= FIELD && layout.names_the_whole() {
+            only.name = "1".to_owned();
+        }
         let known = matches!(layout.read(&only.name, 0), Reading::Known(_));
         if !known && (rows.min(columns) < FIELD || layout.by_number()) {
             // Few rows of many numbers are arrays that were stacked; else each column is a quantity.
@@ -223,8 +232,15 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
         (None, None, None, Some(side)) => {
             let field = field.map_or(&[][..], |own| &own.values);
             let (up, right) = middle(field, rows, across, layout.origin);
-            add("x", every(&|_, j| (j as f64 - right) * side / across as f64));
-            add("y", every(&|i, _| (i as f64 - up) * side / rows as f64));
+            let pixel = side / rows.max(across) as f64;
+            add("x", every(&|_, j| (j as f64 - right) * pixel));
+            add("y", every(&|i, _| (i as f64 - up) * pixel));
+            if rows != across {
+                let [along_x, along_y] = [across, rows].map(|own| own as f64 * pixel);
+                columns
+                    .notes
+                    .push(format!("pixels are taken to be squares, so that the box is {along_x:.6} along x and {along_y:.6} along y"));
+            }
             let pixel = right == (across / 2) as f64 && up == (rows / 2) as f64;
             let place = if pixel { "on the centre of the pixel" } else { "between the pixels" };
             columns.placed = true;

@@ -9,6 +9,7 @@ pub(crate) mod data;
 pub(crate) mod lattice;
 pub(crate) mod layout;
 pub(crate) mod pixel;
+pub(crate) mod points;
 pub(crate) mod row;
 pub(crate) mod stacked;
 pub(crate) mod survey;

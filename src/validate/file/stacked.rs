@@ -162,6 +162,24 @@ pub(in crate::validate) fn npy(file: &str, array: &Array, layout: &Layout, scene
     Ok(Columns { radii: !radii.is_empty(), averaging, ..all })
 }
 
+/// Returns `true` for a stack of pressure fields, one for each of the scene's loads.
+pub(in crate::validate) fn is_stack(shape: &[usize], layout: &Layout, scene: &Scene) -> bool {
+    let count = scene.loads.len();
+    count > 1 && layout.map.is_empty() && matches!(shape, [own, _, _] if *own == count)
+}
+
+/// Reads a stack of pressure fields, one for each of the scene's loads.
+pub(in crate::validate) fn stack(file: &str, array: &Array, layout: &Layout, scene: &Scene) -> Result<Columns, ValidationError> {
+    let places = array.shape.get(1..).unwrap_or_default();
+    let field = |values: &[f64]| Array { name: "p".to_owned(), shape: places.to_vec(), values: values.to_vec(), text: None };
+    let shown = |load: f64| load * scene.system.out(scene.control.datum().dimension());
+    let fields = array.values.chunks(places.iter().product::<usize>().max(1));
+    let loads = scene.loads.iter().zip(fields).map(|(load, values)| Fields { load: Some(shown(load)), arrays: vec![field(values)] });
+    let mut all = joined(file, scene.control.datum().key(), loads.collect(), layout)?;
+    all.notes.push("the fields of the array are read as p at the loads of the scene, in this order".to_owned());
+    Ok(all)
+}
+
 /// The columns of all loads below one another; rows without a number are left out.
 fn joined(file: &str, name: &str, loads: Vec<Fields>, layout: &Layout) -> Result<Columns, ValidationError> {
     let mut all = Columns { names: Vec::new(), values: Vec::new(), notes: Vec::new(), placed: false, averaging: None, radii: false };

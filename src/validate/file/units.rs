@@ -16,18 +16,28 @@ pub(in crate::validate) struct Units {
 impl Units {
     /// The number by which a value of the column becomes one of the scene.
     pub(in crate::validate) fn factor(&mut self, scene: &Scene, file: &str, column: &Column) -> Result<f64, ValidationError> {
-        let dimension = column.kind.dimension();
-        let Some(unit) = &column.unit else { return Ok(1.0 / scene.system.out(dimension)) };
-        if let Some(factor) = scene.system.computed(unit) {
-            return Ok(factor);
-        }
+        let Some(unit) = &column.unit else { return Ok(1.0 / scene.system.out(column.kind.dimension())) };
         let bad = || {
             let message = format!("the unit of column {} is out of proportion to those of the scene", column.name);
             ValidationError::data(file, None, message, "a scene whose numbers carry units would be accepted")
         };
-        let own = self.own(unit, dimension).ok_or_else(bad)?;
-        let factor = (unit.factor() / &own).as_number().map(crate::expr::Number::to_f64);
-        factor.filter(|own| own.is_finite() && *own > 0.0).ok_or_else(bad)
+        self.computed(scene, unit).filter(|own| own.is_finite() && *own > 0.0).ok_or_else(bad)
+    }
+
+    /// The number by which a value in this unit becomes a computed one.
+    fn computed(&mut self, scene: &Scene, unit: &Unit) -> Option<f64> {
+        let number = |own: &crate::expr::Expr| own.as_number().map(crate::expr::Number::to_f64);
+        let dimension = unit.dimension();
+        if let Some(factor) = scene.system.computed(unit) {
+            return Some(factor);
+        }
+        let power = match dimension {
+            own if own == Dimension::ENERGY => 1,
+            own if own == Dimension::STIFFNESS => -1,
+            _ => return number(&(unit.factor() / &self.own(unit, dimension)?)),
+        };
+        let (force, length) = (self.computed(scene, &Unit::parse("N").ok()?)?, self.computed(scene, &Unit::parse("m").ok()?)?);
+        Some(number(unit.factor())? * force * length.powi(power))
     }
 
     /// The scene's unit of a dimension; the first one that the data name is taken.

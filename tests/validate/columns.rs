@@ -1,0 +1,129 @@
+//! Columns of energy and stiffness, fields of every shape, grids in another order, and the places of a file as a grid.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used)]
+
+use crate::validate::{room, validated};
+use serde_json::Value;
+use std::f64::consts::PI;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// f = r²/20, E* = 1.
+const SCENE: &str = "[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = 10 }\n[material]\nE = 1\nnu = 0\n";
+
+fn pressure(a: f64, r: f64) -> f64 {
+    2.0 / (PI * 10.0) * (a * a - r * r).max(0.0).sqrt()
+}
+
+/// An NPY file of doubles.
+fn npy(shape: &[usize], values: &[f64]) -> Vec<u8> {
+    let shape: Vec<String> = shape.iter().map(usize::to_string).collect();
+    let mut head = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({},), }}", shape.join(", "));
+    while !(head.len() + 11).is_multiple_of(64) {
+        head.push(' ');
+    }
+    head.push('\n');
+    let length = u16::try_from(head.len()).unwrap().to_le_bytes();
+    [b"\x93NUMPY\x01\x00", &length[..], head.as_bytes(), &values.iter().flat_map(|own| own.to_le_bytes()).collect::<Vec<_>>()].concat()
+}
+
+/// The field of contacts of these radii with h = 0.05, rows along y, the axis on a pixel.
+fn field(radii: &[f64], rows: usize, across: usize) -> Vec<f64> {
+    let step = |index: usize, count: usize| 0.05 * (index as f64 - (count / 2) as f64);
+    let one = |a: f64| (0..rows).flat_map(move |i| (0..across).map(move |j| pressure(a, step(i, rows).hypot(step(j, across)))));
+    radii.iter().flat_map(|a| one(*a)).collect()
+}
+
+/// F = 4/3 √R d^{3/2}, U = 2/5 F d, k = 2a for E* = 1.
+#[test]
+fn energy_and_stiffness_are_read() {
+    let place = room("energy");
+    let rows = |energy: f64, stiffness: f64| {
+        let row = |index: i32| {
+            let d = 1e-3 * f64::from(index);
+            let force = 4.0 / 3.0 * 10f64.sqrt() * d.powf(1.5);
+            format!("{d:?},{force:?},{:?},{:?}\n", energy * 0.4 * force * d, stiffness * 2.0 * (10.0 * d).sqrt())
+        };
+        format!("d_um,F_mN,U_nJ,k_mN/um\n{}", (3..12).map(row).collect::<String>())
+    };
+    for (energy, stiffness, code) in [(1.0, 1.0, 0), (2.0, 1.0, 1), (1.0, 2.0, 1), (1e-9, 1.0, 1)] {
+        fs::write(place.join("data.csv"), rows(energy, stiffness)).unwrap();
+        let (found, document) = validated(&place, SCENE, &["data.csv".to_owned()], &[]);
+        assert_eq!(found, code, "{document:#}");
+        let name = if code == 0 { Value::Null } else { Value::from("scale") };
+        assert_eq!(document["suspicion_details"].get("id").cloned().unwrap_or_default(), name, "{document:#}");
+    }
+}
+
+/// A rectangle, a stack of one field per load, and an array that `--map` names by its number.
+#[test]
+fn fields_of_every_shape_are_read() {
+    let place = room("shapes");
+    let one = format!("{SCENE}[load]\ncontact_radius = 1\n");
+    let two = format!("{SCENE}[load]\ncontact_radius = [0.8, 1]\n");
+    let cases: [(&str, Vec<u8>, &str, &[&str]); 5] = [
+        (&one, npy(&[64, 64], &field(&[1.0], 64, 64)), "3.2", &["--map", "p=1"]),
+        (&one, npy(&[48, 64], &field(&[1.0], 48, 64)), "3.2", &[]),
+        (&one, npy(&[80, 48], &field(&[1.0], 80, 48)), "4", &[]),
+        (&two, npy(&[2, 64, 64], &field(&[0.8, 1.0], 64, 64)), "3.2", &[]),
+        (&two, npy(&[2, 64, 64], &field(&[0.8, 1.0], 64, 64)), "3.2", &["--map", "p=2", "--load", "a=1"]),
+    ];
+    for (scene, bytes, side, more) in cases {
+        fs::write(place.join("data.npy"), bytes).unwrap();
+        let (code, found) = validated(&place, scene, &["data.npy".to_owned()], &[&["--box", side], more].concat());
+        assert_eq!(code, 0, "{more:?}: {found:#}");
+    }
+    // The loads in the other order.
+    fs::write(place.join("data.npy"), npy(&[2, 64, 64], &field(&[1.0, 0.8], 64, 64))).unwrap();
+    let (code, found) = validated(&place, &two, &["data.npy".to_owned()], &["--box", "3.2"]);
+    assert_eq!(code, 1, "{found:#}");
+}
+
+/// The numbers of pixels in another order than the files contradict the places, and contact radii that are counted.
+#[test]
+fn grids_in_another_order_are_named() {
+    let place = room("order");
+    let runs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/solver_runs");
+    let tip = "[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"5 mm\" }\n[material]\nE = \"210 GPa\"\nnu = 0.3\n";
+    for (kind, load) in [("p", "[load]\ncontact_radius = \"0.1 mm\"\n"), ("Fd", "")] {
+        let files = [64, 128].map(|n| runs.join(format!("paraboloid_tamaas_dcfft_n{n}_{kind}.csv")).display().to_string());
+        for (grid, code) in [("64,128", 0), ("128,64", 1)] {
+            let (found, document) = validated(&place, &format!("{tip}{load}"), &files, &["--grid", grid, "--box", "0.4 mm"]);
+            assert_eq!(found, code, "{document:#}");
+            let id = document["suspicion_details"].get("id").cloned().unwrap_or_default();
+            assert_eq!(id, if code == 0 { Value::Null } else { Value::from("file-order") }, "{document:#}");
+        }
+    }
+}
+
+fn reference(place: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_sneddon")).current_dir(place).args(["reference", "scene.toml"]).args(arguments).output().unwrap()
+}
+
+#[test]
+fn the_places_of_a_file_are_a_grid() {
+    let place = room("points");
+    fs::write(place.join("scene.toml"), format!("{SCENE}[load]\ncontact_radius = 1\n")).unwrap();
+    fs::write(place.join("plane.csv"), "n,x,y\n1,0.3,0.4\n2,-0.6,0\n3,2,0\n").unwrap();
+    fs::write(place.join("radii.csv"), "# in any order\nr\n0.6\n0\n0.5\n").unwrap();
+    for (file, count, radii) in [("plane.csv", 3, [0.5, 0.6, 2.0]), ("radii.csv", 1, [0.6, 0.0, 0.5])] {
+        let done = reference(&place, &["--points", file]);
+        let text = String::from_utf8(done.stdout).unwrap();
+        let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+        assert_eq!(rows.len(), 3, "{text}");
+        for (row, r) in rows.iter().zip(radii) {
+            let [own, p, error] = [count - 1, count, count + 1].map(|index| row[index].parse::<f64>().unwrap());
+            assert!((own - r).abs() <= 1e-16 * r && (p - pressure(1.0, r)).abs() <= error + 1e-16, "{text}");
+        }
+    }
+    for (file, text, message) in
+        [("none.csv", "p\n1\n", "no columns x and y"), ("bad.csv", "r\n-1\n", "negative radius"), ("words.csv", "x,y\n1,one\n", "line 2")]
+    {
+        fs::write(place.join(file), text).unwrap();
+        let done = reference(&place, &["--points", file, "-o", "out.csv"]);
+        let error = String::from_utf8(done.stderr).unwrap();
+        assert!(done.status.code() == Some(2) && error.contains(message), "{error}");
+        assert!(!place.join("out.csv").exists());
+    }
+}
