@@ -27,6 +27,8 @@ pub(super) struct Sharp {
     pub(super) apex: bool,
     /// The radii of kinks.
     pub(super) kinks: Vec<f64>,
+    /// Radii where only the curvature jumps.
+    pub(super) bends: Vec<f64>,
 }
 
 impl<'a> Exact<'a> {
@@ -96,8 +98,21 @@ impl<'a> Exact<'a> {
     pub(super) fn sharp(&self, within: f64) -> Sharp {
         let bend = |r: f64| self.indentation.shape().profile(r).map_or(0.0, |own| own.estimate.value.abs() / (r * r));
         let (near, nearer) = (bend(1e-3 * within), bend(1e-5 * within));
-        let kinks = self.indentation.kinks().map(|own| own.0).filter(|own| *own > 0.0).collect();
-        Sharp { apex: nearer > 1.5 * near, kinks }
+        let kinks: Vec<f64> = self.indentation.kinks().map(|own| own.0).filter(|own| *own > 0.0).collect();
+        let is_kink = |at: f64| kinks.iter().any(|own| (own - at).abs() <= 1e-9 * at);
+        let mut bends = self.indentation.shape().evaluator().breakpoints_below(within);
+        bends.retain(|own| *own > 0.0 && !is_kink(*own));
+        // The pieces of a measured tip have no corners that a pixel would see.
+        if bends.len() > MOST_BENDS {
+            bends.clear();
+        }
+        Sharp { apex: nearer > 1.5 * near, kinks, bends }
+    }
+
+    /// How far the nearest kink inside a contact lies from its edge; the contact radius where there is none.
+    pub(super) fn room(&self, state: &State) -> f64 {
+        let a = state.radius;
+        self.indentation.kinks().map(|own| own.0).filter(|own| *own > 0.0 && *own < a).fold(a, |room, kink| room.min(a - kink))
     }
 
     /// f(r)/r² near the axis.
@@ -107,6 +122,9 @@ impl<'a> Exact<'a> {
         Some(height / (r * r)).filter(|own| own.is_finite() && *own > 0.0)
     }
 }
+
+/// Radii where the curvature jumps, beyond which they are pieces of a table.
+const MOST_BENDS: usize = 8;
 
 /// A formula's contact with a smooth edge.
 pub(super) struct Formula<'a> {

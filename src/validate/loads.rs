@@ -54,6 +54,8 @@ pub(super) const BLIND_ROW: f64 = 0.5;
 /// The smallest error by which a row of F or d, and one of a, may be out of proportion to its neighbours.
 const CLEAR: f64 = 2e-3;
 const CLEAR_RADIUS: f64 = 2e-2;
+/// Pixels along a contact radius from which on the radius is compared.
+const FEWEST_PIXELS: f64 = 2.0;
 /// The error of U in those of F, which it is the integral of; that of k, which solvers take from differences of F.
 const WORK: f64 = 2.0;
 const SLOPE: f64 = 0.05;
@@ -65,21 +67,23 @@ impl Judge {
     ///
     /// The errors of single loads scatter around what their grid excuses, hence the headroom.
     /// Without a known pixel only an error that no resolved contact has is proof.
-    pub(super) fn limit(&self, pixel: Option<f64>, state: &State) -> f64 {
-        let grid = Self { demanded: None, ..*self }.allowed(pixel, state);
+    pub(super) fn limit(&self, pixel: Option<f64>, state: &State, room: f64) -> f64 {
+        let grid = Self { demanded: None, ..*self }.allowed(pixel, state, room);
         match pixel {
             Some(_) => (HEADROOM * grid).max(HEADROOM * self.demanded.unwrap_or(0.0)),
             None => BLIND_ROW.max(HEADROOM * self.demanded.unwrap_or(0.0)),
         }
     }
 
-    /// The relative error that a grid excuses at a contact radius.
-    pub(super) fn allowed(&self, pixel: Option<f64>, state: &State) -> f64 {
+    /// The relative error that a grid excuses at a contact radius whose nearest kink lies at the distance `room` from the edge.
+    pub(super) fn allowed(&self, pixel: Option<f64>, state: &State, room: f64) -> f64 {
         let blind = if state.boundary == Boundary::Rim { BLIND_RIM } else { BLIND };
         let Some(pixel) = pixel else { return self.demanded.unwrap_or(blind + self.solver) };
         // A contact below one pixel is no contact to the grid.
         let share = if state.radius > pixel { pixel / state.radius } else { 1.0 };
-        let grid = if state.boundary == Boundary::Rim { 0.5 * share } else { 0.25 * share * share };
+        // The force of a narrow ring stands between its edges.
+        let narrow = (state.radius / room.max(share * state.radius)).max(1.0);
+        let grid = if state.boundary == Boundary::Rim { 0.25 * share } else { 0.25 * share * share * narrow };
         self.demanded.unwrap_or(grid + self.solver)
     }
 }
@@ -127,8 +131,9 @@ pub(super) fn compare(
             unmatched += 1;
             continue;
         };
-        let (at, allowed) = (survey.shown(control_kind, load), judge.allowed(pixel.pixel, &state));
-        let limit = judge.limit(pixel.pixel, &state);
+        let room = exact.room(&state);
+        let (at, allowed) = (survey.shown(control_kind, load), judge.allowed(pixel.pixel, &state, room));
+        let limit = judge.limit(pixel.pixel, &state, room);
         let mut deciding = None;
         if control == Control::Depth && !row.force.is_nan() {
             force.add(at, load, row.force, state.force, allowed);
@@ -144,7 +149,8 @@ pub(super) fn compare(
                 force.add(at, load, row.force, own.force, allowed);
             }
         }
-        if !row.radius.is_nan() {
+        // The radius of a contact of a few pixels is not known to half a pixel.
+        if !row.radius.is_nan() && pixel.pixel.is_none_or(|h| state.radius >= FEWEST_PIXELS * h) {
             radius.add(at, load, row.radius, state.radius, allowed);
             radii.push(Outlier { at, data: row.radius, exact: state.radius, allowed }, state.radius);
         }

@@ -313,7 +313,11 @@ impl Work<'_> {
             scene_for_data(self.request.text, &Change::NoPoisson).ok().map(|own| own.effective_modulus / self.scene.effective_modulus);
         let unit = survey.unit(Kind::Displacement, self.scene);
         let length = |own: f64| format!("{:.4e} {unit}", survey.shown(Kind::Displacement, own)).trim_end().to_owned();
-        finest.displacements.suspicion(self.judge.allowed(pixel.pixel, state), young.filter(|own| (own - 1.0).abs() > 1e-6), &length)
+        finest.displacements.suspicion(
+            self.judge.allowed(pixel.pixel, state, finest.room),
+            young.filter(|own| (own - 1.0).abs() > 1e-6),
+            &length,
+        )
     }
 
     fn single_load(&self) -> Result<Load, ValidationError> {

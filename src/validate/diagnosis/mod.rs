@@ -6,7 +6,7 @@ pub(crate) mod placing;
 pub(crate) mod score;
 
 use super::exact::{Exact, Formula, Pressures};
-use super::field::Spot;
+use super::field::{Region, Spot};
 use super::record::Suspicion;
 use crate::contact::{Load, State};
 use crate::num::work;
@@ -223,11 +223,15 @@ impl Trial<'_> {
         let Evidence::Field { spots, state, held, side, free, placings, factors } = evidence else { return None };
         // Places far outside say nothing; where the unit of r has slipped the pressures tell what lies inside.
         let inside: Vec<Spot> = spots.iter().copied().filter(|spot| spot.p != 0.0).collect();
-        let spots = thinned(if inside.len() < 8 { spots } else { &inside });
         let solution = self.scene.solution().ok()?;
         let exact = Exact::new(self.scene, &solution, Load::Depth(state.depth)).ok()?;
         let formula = exact.formula();
         let known = exact.pressures(formula.as_ref(), state);
+        // Places next to edges say nothing either, if they are where the file says.
+        let region = Region::new(state.radius, self.gauge.margin, &known.sharp);
+        let clear: Vec<Spot> = inside.iter().copied().filter(|spot| region.holds(spot.r)).collect();
+        let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(spots.as_slice(), Vec::as_slice);
+        let spots = thinned(chosen);
         let before = score::field(&known, &spots, self.gauge);
         let mut tried = Vec::new();
         for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {

@@ -67,7 +67,7 @@ pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge)
             lost += 1;
             continue;
         };
-        let allowed = judge.allowed(gauge.pixel, &state);
+        let allowed = judge.allowed(gauge.pixel, &state, exact.room(&state));
         match load {
             Load::Depth(_) if !row.force.is_nan() => main.add(0.0, 0.0, row.force, state.force, allowed),
             Load::Force(_) if !row.depth.is_nan() => main.add(0.0, 0.0, row.depth, exact.depth(&state), allowed),
