@@ -94,10 +94,21 @@ pub struct Suspicion {
     pub id: &'static str,
     /// What it is, in one sentence.
     pub text: String,
-    /// ‖e‖₂/‖exact‖₂ as the data stand.
+    /// ‖e‖₂/‖exact‖₂ as the data stand; [`f64::MAX`] where no place can be compared.
     pub before: f64,
     /// The same if the suspicion is true.
     pub after: f64,
+}
+
+impl Suspicion {
+    /// How the error changes if the suspicion is true, in words; data without any comparable place have no error before.
+    pub fn fall(&self) -> String {
+        if self.before < f64::MAX {
+            format!("the error falls from {:.2e} to {:.2e}", self.before, self.after)
+        } else {
+            format!("the error then is {:.2e}", self.after)
+        }
+    }
 }
 
 /// The whole.

@@ -20,13 +20,7 @@ pub fn html(own: &Validation) -> Result<String, String> {
         escaped(&own.reason)
     );
     if let Some(suspicion) = &own.suspicion {
-        let _ = writeln!(
-            page,
-            "<p><strong>Suspicion:</strong> {} (the error falls from {:.2e} to {:.2e}).</p>",
-            escaped(&suspicion.text),
-            suspicion.before,
-            suspicion.after
-        );
+        let _ = writeln!(page, "<p><strong>Suspicion:</strong> {} ({}).</p>", escaped(&suspicion.text), suspicion.fall());
     }
     for (name, order) in own.orders.iter().flatten() {
         let span = order.low.zip(order.high).map_or(String::new(), |(low, high)| format!(", {low:.2} to {high:.2}"));

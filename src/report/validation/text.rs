@@ -10,7 +10,7 @@ use std::io::{self, Write};
 pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}: {}", if own.passed { "passed" } else { "failed" }, own.reason)?;
     if let Some(suspicion) = &own.suspicion {
-        writeln!(out, "suspicion: {} (the error falls from {:.2e} to {:.2e})", suspicion.text, suspicion.before, suspicion.after)?;
+        writeln!(out, "suspicion: {} ({})", suspicion.text, suspicion.fall())?;
     }
     for (name, order) in own.orders.iter().flatten() {
         let span = match (order.low, order.high) {

@@ -143,6 +143,31 @@ fn tens() -> impl Iterator<Item = (i32, f64)> {
     (-12..=12).filter(|power| *power != 0).map(|power| (power, 10f64.powi(power)))
 }
 
+/// What such a power is as a slip of units, as in `, as numbers in mm that are read as m`; empty where no two units are that far apart.
+fn units_apart(symbol: &str, power: i32) -> String {
+    let base = match symbol {
+        "F" => "N",
+        "p" => "Pa",
+        _ => "m",
+    };
+    let prefix = |power: i32| ["", "m", "u", "n", "p"].get(power as usize / 3).map(|own| format!("{own}{base}"));
+    let large = |power: i32| ["", "k", "M", "G"].get(power as usize / 3).map(|own| format!("{own}{base}"));
+    let size = power.abs();
+    let other = if size % 3 != 0 {
+        None
+    } else if base == "Pa" {
+        large(size)
+    } else {
+        prefix(size)
+    };
+    // Small units make large numbers.
+    let names = other.map(|other| match (base == "Pa", power > 0) {
+        (true, true) | (false, false) => (base.to_owned(), other),
+        _ => (other, base.to_owned()),
+    });
+    names.map_or_else(String::new, |(own, read)| format!(", as numbers in {own} that are read as {read}"))
+}
+
 /// Factors of a force or a pressure that was computed with a slip.
 const FACTORS: [(&str, f64, &str); 10] = [
     ("sign", -1.0, "tension for compression: the sign of"),
@@ -168,12 +193,24 @@ pub(in crate::validate) fn of_loads() -> Vec<Fault> {
     list.push(slip("sign", "tension for compression: depths and forces have the opposite sign", Slip { force: -1.0, depth: -1.0, ..none }));
     list.push(slip("sign", "the depths have the opposite sign", Slip { depth: -1.0, ..none }));
     for (power, factor) in tens() {
-        list.push(slip("unit", format!("unit slip: F is 10^{power} times too large"), Slip { force: factor, ..none }));
-        list.push(slip("unit", format!("unit slip: d is 10^{power} times too large"), Slip { depth: factor, ..none }));
-        list.push(slip("unit", format!("unit slip: a is 10^{power} times too large"), Slip { radius: factor, ..none }));
         list.push(slip(
             "unit",
-            format!("unit slip: d and a are 10^{power} times too large"),
+            format!("unit slip: F is 10^{power} times too large{}", units_apart("F", power)),
+            Slip { force: factor, ..none },
+        ));
+        list.push(slip(
+            "unit",
+            format!("unit slip: d is 10^{power} times too large{}", units_apart("d", power)),
+            Slip { depth: factor, ..none },
+        ));
+        list.push(slip(
+            "unit",
+            format!("unit slip: a is 10^{power} times too large{}", units_apart("a", power)),
+            Slip { radius: factor, ..none },
+        ));
+        list.push(slip(
+            "unit",
+            format!("unit slip: d and a are 10^{power} times too large{}", units_apart("d", power)),
             Slip { depth: factor, radius: factor, ..none },
         ));
     }
@@ -237,8 +274,16 @@ pub(in crate::validate) fn of_field(pixel: Option<f64>, (length, pressure): (f64
         list.push(slip(id, format!("{text} {what}"), Slip { pressure, ..none }));
     }
     for (power, factor) in tens() {
-        list.push(slip("unit", format!("unit slip: p is 10^{power} times too large"), Slip { pressure: factor, ..none }));
-        list.push(slip("unit", format!("unit slip: r is 10^{power} times too large"), Slip { distance: factor, ..none }));
+        list.push(slip(
+            "unit",
+            format!("unit slip: p is 10^{power} times too large{}", units_apart("p", power)),
+            Slip { pressure: factor, ..none },
+        ));
+        list.push(slip(
+            "unit",
+            format!("unit slip: r is 10^{power} times too large{}", units_apart("r", power)),
+            Slip { distance: factor, ..none },
+        ));
     }
     for (factor, name) in [(6_894.757_293_168, "psi and Pa"), (9.806_65, "kgf and N"), (1e6 / 98_066.5, "MPa and kgf/cm^2")] {
         list.push(slip(

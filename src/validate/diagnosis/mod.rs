@@ -49,8 +49,8 @@ const SHARE: f64 = 2.0;
 /// Rows and places that a hypothesis is tried on.
 const TRIED: usize = 40;
 
-/// Steps of work for one hypothesis that needs an exact solution of its own, and for all of them together: about 0.1 and 1.5 seconds.
-const ONE: u64 = 10_000_000;
+/// Steps of work for one hypothesis that needs an exact solution of its own, and for all of them together: about 0.2 and 1.5 seconds.
+const ONE: u64 = 20_000_000;
 const ALL: u64 = 150_000_000;
 
 /// A hypothesis that was tried.
@@ -126,23 +126,41 @@ impl Trial<'_> {
         let solution = self.scene.solution().ok()?;
         let largest = score::largest(rows, self.gauge.by_force);
         let exact = Exact::new(self.scene, &solution, largest).ok()?;
-        let before = score::loads(&exact, rows, self.gauge);
-        let mut tried = Vec::new();
-        for fault in self.faults(&hypothesis::of_loads()) {
+        let states = score::states(&exact, rows, self.gauge.by_force);
+        let before = score::under(&exact, rows, &states, self.gauge);
+        let faults = self.faults(&hypothesis::of_loads());
+        // The work may end: loads that stay as they are have their contacts already, and far ones cost most.
+        let mut order: Vec<(usize, &Fault)> = faults.iter().enumerate().collect();
+        let far = |fault: &Fault| if fault.slip.columns == Exchange::Nothing { fault.slip.depth.abs().ln().abs() } else { f64::MAX };
+        order.sort_by(|one, other| far(one.1).total_cmp(&far(other.1)));
+        let mut found: Vec<(usize, Tried)> = Vec::new();
+        // The states of the last loads that are far from those of the data.
+        let mut far_states: Option<(Load, Vec<Option<State>>)> = None;
+        for (index, fault) in order {
             let level = fault.slip.ahead != 0 || fault.slip.force_ahead != 0;
             // Forces are in proportion to the modulus.
             let force = if let Taken::Modulus(factor) = fault.taken { factor } else { 1.0 };
             let slip = Slip { force: force * fault.slip.force, ..fault.slip };
             let rows = corrected(if level { neighbours } else { rows }, &slip, factors);
-            let found = match fault.taken {
-                Taken::AsIs | Taken::Modulus(_) => self.limited(|| score::loads(&exact, &rows, self.gauge)),
-                Taken::Changed(_) | Taken::Parabola => {
-                    let largest = score::largest(&rows, self.gauge.by_force);
-                    self.with(&fault.taken, &exact, largest, |exact| score::loads(exact, &rows, self.gauge))
+            let own = score::largest(&rows, self.gauge.by_force);
+            let load = if self.gauge.by_force { slip.force } else { slip.depth };
+            let stays = load == 1.0 && slip.ahead == 0 && slip.force_ahead == 0 && slip.columns == Exchange::Nothing;
+            let score = match fault.taken {
+                Taken::AsIs | Taken::Modulus(_) if stays => score::under(&exact, &rows, &states, self.gauge),
+                Taken::AsIs | Taken::Modulus(_) if is_near(own, largest) => self.limited(|| score::loads(&exact, &rows, self.gauge)),
+                Taken::AsIs | Taken::Modulus(_) => {
+                    if far_states.as_ref().is_none_or(|known| known.0 != own) {
+                        let states = |exact: Exact<'_>| score::states(&exact, &rows, self.gauge.by_force);
+                        far_states = self.limited(|| Exact::new(self.scene, &solution, own).ok().map(states)).map(|found| (own, found));
+                    }
+                    far_states.as_ref().and_then(|(_, states)| score::under(&exact, &rows, states, self.gauge))
                 }
+                Taken::Changed(_) | Taken::Parabola => self.with(&fault.taken, &exact, own, |exact| score::loads(exact, &rows, self.gauge)),
             };
-            tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text, score, free: false, rough: false }));
+            found.extend(score.map(|score| (index, Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false })));
         }
+        found.sort_by_key(|own| own.0);
+        let mut tried: Vec<Tried> = found.into_iter().map(|own| own.1).collect();
         self.references(&exact, rows, &mut tried);
         self.fitted(&exact, rows, &mut tried);
         Some((before, tried))
@@ -220,9 +238,9 @@ impl Trial<'_> {
     }
 
     fn field(&self, evidence: &Evidence) -> Option<Found> {
-        let Evidence::Field { spots, state, held, side, free, placings, factors } = evidence else { return None };
+        let Evidence::Field { spots: all, state, held, side, free, placings, factors } = evidence else { return None };
         // Places far outside say nothing; where the unit of r has slipped the pressures tell what lies inside.
-        let inside: Vec<Spot> = spots.iter().copied().filter(|spot| spot.p != 0.0).collect();
+        let inside: Vec<Spot> = all.iter().copied().filter(|spot| spot.p != 0.0).collect();
         let solution = self.scene.solution().ok()?;
         let exact = Exact::new(self.scene, &solution, Load::Depth(state.depth)).ok()?;
         let formula = exact.formula();
@@ -230,10 +248,14 @@ impl Trial<'_> {
         // Places next to edges say nothing either, if they are where the file says.
         let region = Region::new(state.radius, self.gauge.margin, &known.sharp);
         let clear: Vec<Spot> = inside.iter().copied().filter(|spot| region.holds(spot.r)).collect();
-        let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(spots.as_slice(), Vec::as_slice);
+        let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(all.as_slice(), Vec::as_slice);
         let spots = thinned(chosen);
         let before = score::field(&known, &spots, self.gauge);
+        if before.is_some_and(|own| own.share() <= 1.0) {
+            return self.lost(&known, all);
+        }
         let mut tried = Vec::new();
+        tried.extend(self.cut_off(&known, &clear, factors.1));
         for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
             let spots = placed(&spots, &fault.slip, *factors);
             if fault.taken == Taken::AsIs {
@@ -264,6 +286,33 @@ impl Trial<'_> {
         }
         self.fitted_field((&exact, formula.as_ref()), &known, &spots, &mut tried);
         Some((before, tried))
+    }
+
+    /// Pressures that are right up to some pixels within the edge, and 0 beyond.
+    fn lost(&self, known: &Pressures<'_>, all: &[Spot]) -> Option<Found> {
+        let (a, pixel) = (known.state.radius, self.gauge.pixel?);
+        let gauge = Gauge { margin: pixel, ..*self.gauge };
+        let (kept, gone): (Vec<Spot>, Vec<Spot>) = all.iter().filter(|spot| spot.r < a).partition(|spot| spot.p != 0.0);
+        let end = kept.iter().map(|spot| spot.r).fold(0.0, f64::max);
+        if end > a - 1.5 * pixel || gone.iter().any(|spot| spot.r < end) {
+            return None;
+        }
+        let both: Vec<Spot> = kept.iter().chain(&gone).copied().collect();
+        let text = format!("pressures are lost at the edge of the contact: they end {:.1} pixels inside of it", (a - end) / pixel);
+        let score = score::field(known, &kept, &gauge)?;
+        Some((score::field(known, &both, &gauge), vec![Tried { id: "lost-edge", text, score, free: false, rough: true }]))
+    }
+
+    /// Pressures that are cut off: several places have the largest one, and the others are right.
+    fn cut_off(&self, known: &Pressures<'_>, clear: &[Spot], factor: f64) -> Option<Tried> {
+        const FEWEST: usize = 3;
+        let top = clear.iter().map(|spot| spot.p).fold(0.0, f64::max);
+        let (flat, kept): (Vec<Spot>, Vec<Spot>) = clear.iter().partition(|spot| spot.p >= top * (1.0 - 1e-9));
+        if flat.len() < FEWEST {
+            return None;
+        }
+        let text = format!("pressures are cut off: none is larger than {:.6e}", top / factor);
+        Some(Tried { id: "cut-off", text, score: score::field(known, &thinned(&kept), self.gauge)?, free: false, rough: false })
     }
 
     /// A box that repeats: its images press at the same force on a surface that they bend by c r² + e r⁴.
@@ -394,6 +443,14 @@ impl Trial<'_> {
         self.left.set(self.left.get().saturating_sub(spent));
         work::spend(spent);
         found.filter(|_| whole)
+    }
+}
+
+/// True for a load that a solution for another largest load has looked at closely.
+fn is_near(load: Load, largest: Load) -> bool {
+    match (load, largest) {
+        (Load::Depth(own), Load::Depth(other)) | (Load::Force(own), Load::Force(other)) => (0.05..=1.0 + 1e-9).contains(&(own / other)),
+        _ => false,
     }
 }
 

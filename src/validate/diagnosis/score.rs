@@ -1,6 +1,6 @@
 //! How well data fit an exact solution: the L2 error, alone and in units of what the grid excuses.
 
-use crate::contact::{Boundary, Load};
+use crate::contact::{Boundary, Load, State};
 use crate::validate::exact::{Exact, Pressures};
 use crate::validate::field::{Region, Spot, excused, places};
 use crate::validate::file::row::Row;
@@ -59,11 +59,21 @@ pub(in crate::validate) fn largest(rows: &[Row], by_force: bool) -> Load {
 
 /// The score of rows of loads; `None` where most loads have no contact.
 pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
+    under(exact, rows, &states(exact, rows, gauge.by_force), gauge)
+}
+
+/// The states of the loads of rows, as far as there are any.
+pub(in crate::validate) fn states(exact: &Exact<'_>, rows: &[Row], by_force: bool) -> Vec<Option<State>> {
+    rows.iter().map(|row| exact.state(load(row, by_force))).collect()
+}
+
+/// The score of rows whose states are known.
+pub(in crate::validate) fn under(exact: &Exact<'_>, rows: &[Row], states: &[Option<State>], gauge: &Gauge) -> Option<Score> {
     let judge = Judge { demanded: gauge.demanded, solver: gauge.solver };
     let (mut main, mut radius, mut lost) = (Norms::new(true), Norms::new(true), 0);
-    for row in rows {
+    for (row, state) in rows.iter().zip(states) {
         let load = load(row, gauge.by_force);
-        let Some(state) = exact.state(load) else {
+        let Some(state) = *state else {
             lost += 1;
             continue;
         };
