@@ -2,15 +2,14 @@
 
 use super::exact::{Exact, Pressures, Sharp};
 use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
-use super::norms::{Norms, Outlier, Sample, ratio};
+use super::norms::{Norms, Outlier, Sample};
 use super::record::{Beyond, Column, Excluded, Plot};
+use super::shells::Shells;
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, State};
 use crate::scene::Scene;
 use crate::validate::diagnosis::displacement::Displacements;
 use crate::validate::file::column::Kind;
-use crate::validate::file::lattice;
-use crate::validate::file::lattice::{Lattice, Offset};
 use crate::validate::file::layout::Averaging;
 use crate::validate::file::pixel::Pixel;
 use crate::validate::file::survey::{Cell, Places, Survey};
@@ -292,7 +291,7 @@ impl Sums {
 
     fn add(&mut self, spot: &Spot, exact: f64, region: &Region, judge: Judge, pixel: Pixel) {
         self.spots.push(*spot);
-        self.force.add(spot, exact, self.means);
+        self.force.add((spot.r, spot.p), exact, self.means);
         if exact.is_nan() {
             self.infinite += 1;
             return;
@@ -369,70 +368,5 @@ impl Sums {
         norms.add(0.0, 0.0, data, exact, allowed);
         // Values at a rim's pixels say nothing: their sum is reported only.
         decided("F_from_p", &norms, self.means || !self.rim)
-    }
-}
-
-/// Pressures summed over the shells of a lattice; complete where every pixel up to a distance was seen.
-struct Shells {
-    lattice: Option<Lattice>,
-    reach: f64,
-    /// 4 r²/h² of the outermost shell.
-    outermost: u64,
-    counts: std::collections::BTreeMap<u64, (u64, u64)>,
-    data: std::collections::BTreeMap<u64, (f64, f64)>,
-    broken: bool,
-}
-
-/// Shells beyond these are too many to be kept in mind.
-const MOST_SHELLS: f64 = 4e6;
-
-impl Shells {
-    fn new(survey: &Survey<'_>, reach: f64, pixel: Pixel) -> Self {
-        let lattice = survey.lattice.filter(|own| own.offset != Offset::Line);
-        let lattice = lattice.map(|own| Lattice { pixel: pixel.pixel.unwrap_or(own.pixel), ..own });
-        let most = lattice.map_or(0.0, |own| 4.0 * (reach / own.pixel).powi(2));
-        let usable = lattice.filter(|_| most < MOST_SHELLS);
-        // A shell at the reach itself belongs to it, whatever the last digit.
-        let outermost = (most * (1.0 + 1e-9)) as u64;
-        let counts = usable.map_or_else(Default::default, |own| {
-            lattice::shells(own.offset, outermost).into_iter().map(|(key, count)| (key, (count, 0))).collect()
-        });
-        Self { lattice: usable, reach, outermost, counts, data: Default::default(), broken: usable.is_none() }
-    }
-
-    /// Adds a pressure; one that is infinite as a value at its place counts only where the data are means.
-    fn add(&mut self, spot: &Spot, exact: f64, means: bool) {
-        let Some(lattice) = self.lattice else { return };
-        let shell = lattice::quarters(spot.r, lattice.pixel);
-        if self.broken || shell.map_or(spot.r > self.reach, |key| key > self.outermost) {
-            return;
-        }
-        let Some((key, count)) = shell.and_then(|key| Some((key, self.counts.get_mut(&key)?))) else {
-            // A place off the lattice.
-            self.broken = true;
-            return;
-        };
-        count.1 += 1;
-        let sums = self.data.entry(key).or_insert((0.0, 0.0));
-        if means || !exact.is_nan() {
-            *sums = (sums.0 + spot.p, sums.1 + exact);
-        }
-    }
-
-    /// Force of the data and of the exact pressures by the same sum; `None` where a pixel is missing.
-    fn total(&self) -> Option<(f64, f64)> {
-        let lattice = self.lattice.filter(|_| !self.broken)?;
-        let area = lattice.pixel * lattice.pixel;
-        let mut total = (0.0, 0.0);
-        for (key, (pixels, seen)) in &self.counts {
-            // Every pixel, or some of each shell: a quarter, an octant, or one.
-            if *seen == 0 || *seen > *pixels {
-                return None;
-            }
-            let (data, exact) = self.data.get(key).copied().unwrap_or((0.0, 0.0));
-            let weight = ratio(*pixels as f64, *seen as f64);
-            total = (total.0 + weight * data * area, total.1 + weight * exact * area);
-        }
-        Some(total)
     }
 }

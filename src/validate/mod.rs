@@ -11,6 +11,7 @@ mod norms;
 mod order;
 mod record;
 mod run;
+mod shells;
 mod verdict;
 
 pub use error::ValidationError;

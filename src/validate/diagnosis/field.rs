@@ -1,0 +1,197 @@
+//! The diagnosis of files of places.
+
+use super::hypothesis::{self, Exchange, Slip, Taken};
+use super::score::{Gauge, Score};
+use super::{Evidence, Found, Trial, Tried, minimum, score, thinned};
+use crate::contact::{Load, State};
+use crate::parse;
+use crate::scene::{Control, Scene};
+use crate::transform::Profile;
+use crate::validate::exact::{Exact, Formula, Pressures};
+use crate::validate::field::{Region, Spot};
+
+impl Trial<'_> {
+    pub(super) fn field(&self, evidence: &Evidence) -> Option<Found> {
+        let Evidence::Field { spots: all, state, held, side, free, placings, factors } = evidence else { return None };
+        // Places far outside say nothing; where the unit of r has slipped the pressures tell what lies inside.
+        let inside: Vec<Spot> = all.iter().copied().filter(|spot| spot.p != 0.0).collect();
+        let solution = self.scene.solution().ok()?;
+        let exact = Exact::new(self.scene, &solution, Load::Depth(state.depth)).ok()?;
+        let formula = exact.formula();
+        let known = exact.pressures(formula.as_ref(), state);
+        // Places next to edges say nothing either, if they are where the file says.
+        let region = Region::new(state.radius, self.gauge.margin, &known.sharp);
+        let clear: Vec<Spot> = inside.iter().copied().filter(|spot| region.holds(spot.r)).collect();
+        let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(all.as_slice(), Vec::as_slice);
+        let spots = thinned(chosen);
+        let before = score::field(&known, &spots, self.gauge);
+        if before.is_some_and(|own| own.share() <= 1.0) {
+            return self.lost(&known, all);
+        }
+        let mut tried = Vec::new();
+        tried.extend(self.cut_off(&known, &clear, factors.1));
+        for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
+            let spots = placed(&spots, &fault.slip, *factors);
+            if fault.taken == Taken::AsIs {
+                // A pixel that was read off the places has slipped with them, one that was declared has not.
+                let factor = fault.slip.distance;
+                let slipped = Gauge { margin: self.gauge.margin / factor, pixel: self.gauge.pixel.map(|h| h / factor), ..*self.gauge };
+                for gauge in [slipped, *self.gauge] {
+                    let found = score::field(&known, &spots, &gauge);
+                    tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false }));
+                }
+                continue;
+            }
+            for control in held {
+                let load = held_load(*control, state);
+                let found = self.with(&fault.taken, &exact, load, |exact| {
+                    score::field(&exact.pressures(exact.formula().as_ref(), &exact.state(load)?), &spots, self.gauge)
+                });
+                tried.extend(found.map(|score| Tried { id: fault.id, text: fault.text.clone(), score, free: false, rough: false }));
+            }
+        }
+        for placing in placings {
+            let spots: Vec<Spot> = spots.iter().map(|spot| spot.at(placing.at(spot.x, spot.y))).collect();
+            let found = score::field(&known, &spots, self.gauge);
+            tried.extend(found.map(|score| Tried { id: placing.id, text: placing.text.to_owned(), score, free: false, rough: false }));
+        }
+        if !free {
+            self.images(state, &spots, *side, &mut tried);
+        }
+        self.fitted_field((&exact, formula.as_ref()), &known, &spots, &mut tried);
+        Some((before, tried))
+    }
+
+    /// Pressures that are right up to some pixels within the edge, and 0 beyond.
+    fn lost(&self, known: &Pressures<'_>, all: &[Spot]) -> Option<Found> {
+        let (a, pixel) = (known.state.radius, self.gauge.pixel?);
+        let gauge = Gauge { margin: pixel, ..*self.gauge };
+        let (kept, gone): (Vec<Spot>, Vec<Spot>) = all.iter().filter(|spot| spot.r < a).partition(|spot| spot.p != 0.0);
+        let end = kept.iter().map(|spot| spot.r).fold(0.0, f64::max);
+        if end > a - 1.5 * pixel || gone.iter().any(|spot| spot.r < end) {
+            return None;
+        }
+        let both: Vec<Spot> = kept.iter().chain(&gone).copied().collect();
+        let text = format!("pressures are lost at the edge of the contact: they end {:.1} pixels inside of it", (a - end) / pixel);
+        let score = score::field(known, &kept, &gauge)?;
+        Some((score::field(known, &both, &gauge), vec![Tried { id: "lost-edge", text, score, free: false, rough: true }]))
+    }
+
+    /// Pressures that are cut off: several places have the largest one, and the others are right.
+    fn cut_off(&self, known: &Pressures<'_>, clear: &[Spot], factor: f64) -> Option<Tried> {
+        const FEWEST: usize = 3;
+        let top = clear.iter().map(|spot| spot.p).fold(0.0, f64::max);
+        let (flat, kept): (Vec<Spot>, Vec<Spot>) = clear.iter().partition(|spot| spot.p >= top * (1.0 - 1e-9));
+        if flat.len() < FEWEST {
+            return None;
+        }
+        let text = format!("pressures are cut off: none is larger than {:.6e}", top / factor);
+        Some(Tried { id: "cut-off", text, score: score::field(known, &thinned(&kept), self.gauge)?, free: false, rough: false })
+    }
+
+    /// A box that repeats: its images press at the same force on a surface that they bend by c r² + e r⁴.
+    ///
+    /// A force F at the distance ρ lowers the surface by F/(πE*ρ); over a square lattice of side L the mean over the angle has
+    /// r² Σρ⁻³/4 and 9 r⁴ Σρ⁻⁵/64, where L³Σρ⁻³ = 9.0336 and L⁵Σρ⁻⁵ = 5.0903; a constant moves the depth only.
+    fn images(&self, state: &State, spots: &[Spot], side: Option<f64>, tried: &mut Vec<Tried>) {
+        let score = |side: f64| {
+            let force = state.force / (std::f64::consts::PI * self.scene.effective_modulus);
+            let (second, fourth) = (force * 9.033_6 / 4.0 / side.powi(3), force * 9.0 * 5.090_3 / 64.0 / side.powi(5));
+            let added = parse::profile(&format!("{second:e}*r^2+{fourth:e}*r^4")).ok()?;
+            let profile = Profile::new(&crate::expr::Formula::sum([self.scene.profile.typed.clone(), added])).ok()?;
+            let scene = Scene { profile, ..self.scene.clone() };
+            self.solved(&scene, Load::Force(state.force), |exact| {
+                let own = exact.state(Load::Force(state.force))?;
+                score::field(&exact.pressures(exact.formula().as_ref(), &own), spots, self.gauge)
+            })
+        };
+        let a = state.radius;
+        let text = |side: f64| {
+            format!(
+                "periodic images: the data fit a box that repeats with a side of {:.3} a, with pressures too high inside, too low at the edge and the force conserved; refinement cannot cure that, a free half-space operator would",
+                side / a
+            )
+        };
+        if let Some(own) = side {
+            tried.extend(score(own).map(|score| Tried { id: "periodic", text: text(own), score, free: false, rough: true }));
+            return;
+        }
+        let fitted = minimum(2.0f64.ln(), 12.0f64.ln(), 9, &|x| score(a * x.exp()).map_or(f64::MAX, |own| own.share()));
+        if let Some(own) = fitted.map(|x| a * x.exp()) {
+            tried.extend(score(own).map(|score| Tried { id: "periodic", text: text(own), score, free: true, rough: true }));
+        }
+    }
+
+    fn fitted_field(
+        &self,
+        (exact, formula): (&Exact<'_>, Option<&Formula<'_>>),
+        known: &Pressures<'_>,
+        spots: &[Spot],
+        tried: &mut Vec<Tried>,
+    ) {
+        let State { radius: a, force, .. } = known.state;
+        let share = |own: Option<Score>| own.map_or(f64::MAX, |own| own.share());
+        let length = |x: f64| {
+            let unit = self.scene.system.unit_name(crate::scene::Dimension::LENGTH);
+            format!("{:.4e} {unit}", x * self.scene.system.out(crate::scene::Dimension::LENGTH)).trim_end().to_owned()
+        };
+        let moved = |x: f64, y: f64| -> Vec<Spot> {
+            let one = |spot: &Spot| {
+                let r = if spot.y.is_nan() || spot.x.is_nan() { (spot.r - x).abs() } else { (spot.x - x).hypot(spot.y - y) };
+                Spot { r, ..*spot }
+            };
+            spots.iter().map(one).collect()
+        };
+        let score = |x: f64, y: f64| score::field(known, &moved(x, y), self.gauge);
+        let planar = spots.iter().all(|spot| !spot.x.is_nan() && !spot.y.is_nan());
+        let (mut x, mut y) = (0.0, 0.0);
+        for _ in 0..if planar { 4 } else { 1 } {
+            x = minimum(-0.5 * a, 0.5 * a, 41, &|own| share(score(own, y))).unwrap_or(x);
+            if planar {
+                y = minimum(-0.5 * a, 0.5 * a, 41, &|own| share(score(x, own))).unwrap_or(y);
+            }
+        }
+        let place = if planar { format!("({}, {})", length(x), length(y)) } else { format!("r = {}", length(x)) };
+        let text = format!("a shifted origin: the axis of the data lies at {place}");
+        tried.extend(score(x, y).map(|score| Tried { id: "origin", text, score, free: true, rough: false }));
+
+        let scaled = |factor: f64| {
+            let spots: Vec<Spot> = spots.iter().map(|spot| Spot { p: spot.p / factor, ..*spot }).collect();
+            score::field(known, &spots, self.gauge)
+        };
+        if let Some(x) = minimum(-1.0, 1.0, 81, &|x| share(scaled(10f64.powf(x)))) {
+            let factor = 10f64.powf(x);
+            let text = format!(
+                "another modulus: all pressures are {factor:.4} times the exact ones, as for an E* {factor:.4} times that of the scene at the same depth"
+            );
+            tried.extend(scaled(factor).map(|score| Tried { id: "modulus", text, score, free: true, rough: false }));
+        }
+        let another = |x: f64| {
+            self.limited(|| {
+                let own = exact.state(Load::Force(force * x.exp()))?;
+                score::field(&exact.pressures(formula, &own), spots, self.gauge)
+            })
+        };
+        if let Some(x) = minimum(-1.6, 1.6, 41, &|x| share(another(x))) {
+            let text = format!("a load level off: the pressures belong to a force {:.4} times that of the scene's load", x.exp());
+            tried.extend(another(x).map(|score| Tried { id: "level", text, score, free: true, rough: false }));
+        }
+    }
+}
+
+fn held_load(control: Control, state: &State) -> Load {
+    match control {
+        Control::Depth => Load::Depth(state.depth),
+        Control::Force => Load::Force(state.force),
+        Control::ContactRadius => Load::Radius(state.radius),
+    }
+}
+
+/// Places without the slip.
+fn placed(spots: &[Spot], slip: &Slip, (length, pressure): (f64, f64)) -> Vec<Spot> {
+    let one = |spot: &Spot| match slip.columns {
+        Exchange::DistanceAndPressure => Spot { r: (spot.p / pressure * length).abs(), p: spot.r / length * pressure, ..*spot },
+        _ => Spot { r: spot.r / slip.distance, p: spot.p / slip.pressure, ..*spot },
+    };
+    spots.iter().map(one).collect()
+}

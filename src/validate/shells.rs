@@ -1,0 +1,72 @@
+//! The force that the pressures of a lattice make, summed over its shells.
+
+use super::norms::ratio;
+use crate::validate::file::lattice::{self, Lattice, Offset};
+use crate::validate::file::pixel::Pixel;
+use crate::validate::file::survey::Survey;
+use std::collections::BTreeMap;
+
+/// Pressures summed over the shells of a lattice; complete where every pixel up to a distance was seen.
+pub(super) struct Shells {
+    lattice: Option<Lattice>,
+    reach: f64,
+    /// 4 r²/h² of the outermost shell.
+    outermost: u64,
+    counts: BTreeMap<u64, (u64, u64)>,
+    data: BTreeMap<u64, (f64, f64)>,
+    broken: bool,
+}
+
+/// Shells beyond these are too many to be kept in mind.
+const MOST_SHELLS: f64 = 4e6;
+
+impl Shells {
+    pub(super) fn new(survey: &Survey<'_>, reach: f64, pixel: Pixel) -> Self {
+        let lattice = survey.lattice.filter(|own| own.offset != Offset::Line);
+        let lattice = lattice.map(|own| Lattice { pixel: pixel.pixel.unwrap_or(own.pixel), ..own });
+        let most = lattice.map_or(0.0, |own| 4.0 * (reach / own.pixel).powi(2));
+        let usable = lattice.filter(|_| most < MOST_SHELLS);
+        // A shell at the reach itself belongs to it, whatever the last digit.
+        let outermost = (most * (1.0 + 1e-9)) as u64;
+        let counts = usable.map_or_else(Default::default, |own| {
+            lattice::shells(own.offset, outermost).into_iter().map(|(key, count)| (key, (count, 0))).collect()
+        });
+        Self { lattice: usable, reach, outermost, counts, data: Default::default(), broken: usable.is_none() }
+    }
+
+    /// Adds a pressure; one that is infinite as a value at its place counts only where the data are means.
+    pub(super) fn add(&mut self, (r, p): (f64, f64), exact: f64, means: bool) {
+        let Some(lattice) = self.lattice else { return };
+        let shell = lattice::quarters(r, lattice.pixel);
+        if self.broken || shell.map_or(r > self.reach, |key| key > self.outermost) {
+            return;
+        }
+        let Some((key, count)) = shell.and_then(|key| Some((key, self.counts.get_mut(&key)?))) else {
+            // A place off the lattice.
+            self.broken = true;
+            return;
+        };
+        count.1 += 1;
+        let sums = self.data.entry(key).or_insert((0.0, 0.0));
+        if means || !exact.is_nan() {
+            *sums = (sums.0 + p, sums.1 + exact);
+        }
+    }
+
+    /// Force of the data and of the exact pressures by the same sum; `None` where a pixel is missing.
+    pub(super) fn total(&self) -> Option<(f64, f64)> {
+        let lattice = self.lattice.filter(|_| !self.broken)?;
+        let area = lattice.pixel * lattice.pixel;
+        let mut total = (0.0, 0.0);
+        for (key, (pixels, seen)) in &self.counts {
+            // Every pixel, or some of each shell: a quarter, an octant, or one.
+            if *seen == 0 || *seen > *pixels {
+                return None;
+            }
+            let (data, exact) = self.data.get(key).copied().unwrap_or((0.0, 0.0));
+            let weight = ratio(*pixels as f64, *seen as f64);
+            total = (total.0 + weight * data * area, total.1 + weight * exact * area);
+        }
+        Some(total)
+    }
+}
