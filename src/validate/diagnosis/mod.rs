@@ -97,6 +97,8 @@ fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
     };
     let found = match (best(false), best(true)) {
         (Some(fixed), Some(free)) if 3.0 * error(free) < error(fixed) && fixed.score.share() > 0.7 => free,
+        // Without a grid the tolerance is wide, and a number may fit far better than a fault that only fits.
+        (Some(fixed), Some(free)) if 30.0 * error(free) < error(fixed) => free,
         (Some(fixed), _) => fixed,
         (None, free) => free?,
     };

@@ -346,10 +346,16 @@ impl Nearest {
     }
 }
 
-/// The smallest distance between two of the coordinates.
+/// The smallest distance between two of the coordinates, where all others are multiples of it.
 fn gap(xs: &BTreeSet<Ordered>) -> Option<f64> {
+    // Coordinates may be printed with few digits.
+    const OFF: f64 = 0.2;
     let scale = xs.first()?.0.abs().max(xs.last()?.0.abs());
     let all: Vec<f64> = xs.iter().map(|own| own.0).collect();
-    let gaps = all.windows(2).map(|pair| pair[1] - pair[0]).filter(|own| *own > 1e-7 * scale);
-    gaps.min_by(f64::total_cmp)
+    let gaps = || all.windows(2).map(|pair| pair[1] - pair[0]).filter(|own| *own > 1e-7 * scale);
+    let least = gaps().min_by(f64::total_cmp)?;
+    // What is off in the smallest distance adds up over many; its mean over neighbours does not.
+    let near: Vec<f64> = gaps().filter(|own| *own < 1.5 * least).collect();
+    let mean = near.iter().sum::<f64>() / near.len() as f64;
+    gaps().all(|own| (own / mean - (own / mean).round()).abs() <= OFF).then_some(mean)
 }

@@ -124,6 +124,7 @@ def main():
                 fine, document = judged(None, kind, values, arguments)
                 if not fine:
                     alarms.append(f"{name}, {n}, {kind}, {arguments}: {document['reason']}")
+                    print(alarms[-1])
         for kind, cases in (("field", field_faults(p, solver.r, solver.h)), ("loads", load_faults(rows))):
             for fault, values in cases:
                 faults[fault] += 1
@@ -134,7 +135,7 @@ def main():
         print(f"{run + 1} runs: {len(alarms)} of {good} good data failed, {len(passed)} of {sum(faults.values())} faults passed, {sum(named.values())} named", flush=True)
     for fault, count in faults.items():
         print(f"{fault}: {named[fault]} of {count} named")
-    print(*alarms, *passed, sep="\n")
+    print(*passed, sep="\n")
 
 
 main()

@@ -36,6 +36,8 @@ class Solver:
             gap = self.displacement(p) - wanted
             touching = p > 0 if (p > 0).any() else wanted > 0
             before, norm = norm, (gap[touching] ** 2).sum()
+            if norm == 0:
+                return p
             step = np.where(touching, -gap + keep * norm / before * step, 0)
             response = self.displacement(step)
             length = -(gap[touching] * step[touching]).sum() / (response[touching] * step[touching]).sum()
