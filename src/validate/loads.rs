@@ -119,7 +119,7 @@ pub(super) fn compare(
     let mut table = Table::open(&survey.data)?;
     let (mut force, mut depth, mut radius) = (Norms::new(true), Norms::new(true), Norms::new(true));
     let (mut kept, mut errors, mut drawn) = (Sample::new(KEPT), Sample::new(KEPT), Sample::new(KEPT));
-    let (mut values, mut unmatched) = (Vec::new(), 0);
+    let (mut values, mut unmatched, mut has_rim) = (Vec::new(), 0, false);
     let (mut rows, mut radii) = (Neighbours::new(2, CLEAR + HEADROOM * judge.solver), Neighbours::new(1, CLEAR_RADIUS));
     let mut others = [Kind::Energy, Kind::Stiffness].map(|kind| (kind, survey.index(kind), Norms::new(true)));
     let control_kind = if control == Control::Depth { Kind::Depth } else { Kind::Force };
@@ -131,6 +131,7 @@ pub(super) fn compare(
             unmatched += 1;
             continue;
         };
+        has_rim |= state.boundary == Boundary::Rim;
         let room = exact.room(&state);
         let (at, allowed) = (survey.shown(control_kind, load), judge.allowed(pixel.pixel, &state, room));
         let limit = judge.limit(pixel.pixel, &state, room);
@@ -185,7 +186,8 @@ pub(super) fn compare(
             if let Some((own, limit)) = radii.worst() {
                 radius.limit(own, limit);
             }
-            tolerance = seen_by_radii(&radius);
+            // The radius of a punch with a rim is that of the punch, and tells nothing of the solver.
+            tolerance = seen_by_radii(&radius).filter(|_| !has_rim);
             deciding.tighten(tolerance.map_or(1.0, |own| own / BLIND));
         }
     }

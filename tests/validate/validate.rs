@@ -879,6 +879,12 @@ fn radii_and_the_edge_of_the_contact_are_used() {
         let (found, document) = validated(&place, scene, &["data.csv".to_owned()], &[]);
         assert_eq!(found, code, "{document:#}");
     }
+    // The radius of a flat punch is given, however the force errs.
+    let punch = (1..8).map(|index| 0.01 * f64::from(index)).map(|d| format!("{d:?},{:?},1.0002\n", 2.0 * d * 1.004));
+    fs::write(place.join("data.csv"), format!("d,F,a\n{}", punch.collect::<String>())).unwrap();
+    let flat = "[profile]\nf = \"0\"\nradius = 1\n[material]\nE = 1\nnu = 0\n";
+    let (found, document) = validated(&place, flat, &["data.csv".to_owned()], &[]);
+    assert_eq!(found, 0, "{document:#}");
     // p = 2 √(a² − r²)/(π R) on a square lattice of 64 pixels, lost within some pixels of the edge.
     let field = |lost: f64| {
         let (a, h) = (1.0_f64, 1.0 / 20.0);
