@@ -102,7 +102,7 @@ impl<'a> Exact<'a> {
         let is_kink = |at: f64| kinks.iter().any(|own| (own - at).abs() <= 1e-9 * at);
         let mut bends = self.indentation.shape().evaluator().breakpoints_below(within);
         bends.retain(|own| *own > 0.0 && !is_kink(*own));
-        // The pieces of a measured tip have no corners that a pixel would see.
+        // A measured tip has a breakpoint at every point, where the curvature hardly jumps.
         if bends.len() > MOST_BENDS {
             bends.clear();
         }
@@ -123,7 +123,7 @@ impl<'a> Exact<'a> {
     }
 }
 
-/// Radii where the curvature jumps, beyond which they are pieces of a table.
+/// A profile with more jumps of the curvature is a measured tip.
 const MOST_BENDS: usize = 8;
 
 /// A formula's contact with a smooth edge.

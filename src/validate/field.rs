@@ -55,10 +55,11 @@ pub(super) const MARGIN: f64 = 4.0;
 const INNER: f64 = 0.05;
 /// The share of h²/(a s) at the distance s ≥ h from a place where the curvature jumps.
 const BEND: f64 = 0.02;
-/// Pixels by which the edge of the data may be elsewhere, and the share by which pressures may miss those so far in and out.
+/// The edge of the data may lie this many pixels elsewhere; a pressure may exceed the range of the exact ones within that distance by the
+/// share `AT_EDGE`.
 const EDGE: f64 = 1.5;
 const AT_EDGE: f64 = 0.1;
-/// The share of the pressure so far in that may be lacking at a rim.
+/// The part by which a pressure at a rim may be smaller than the exact one `EDGE` pixels further in.
 const AT_RIM: f64 = 0.5;
 /// Rows that are computed together.
 const BLOCK: usize = 4096;
@@ -124,7 +125,7 @@ pub(super) fn excused(r: f64, region: &Region, pixel: Option<f64>, rim: bool) ->
     let a = region.a;
     let share = pixel / (a * (1.0 - (r / a).powi(2)).abs());
     let inner = region.kinks.iter().copied().chain(region.apex.then_some(0.0)).map(|at| (pixel / (r - at)).powi(2)).sum::<f64>();
-    // Where the curvature jumps the slope of p has a logarithm, and the mean an error of first order within a pixel.
+    // Where the curvature jumps, the slope of p is logarithmic, and the mean over the pixel is off in first order.
     let bends = region.bends.iter().map(|at| pixel / a * pixel / (r - at).abs().max(pixel)).sum::<f64>();
     INNER * inner + BEND * bends + if rim { 0.3 * share } else { 0.25 * share * share }
 }
@@ -314,7 +315,7 @@ impl Sums {
         let [inner, exact, outer] = *exact else { return };
         let far = (inner - exact).abs().max((exact - outer).abs());
         if self.rim {
-            // The pressure grows without end towards a rim; pixels that the rim cuts may have any.
+            // The exact pressure is infinite at a rim, so there is no upper limit; pixels that the rim cuts are not judged.
             let lost = Outlier { at: spot.r, data: spot.p, exact: inner, allowed: AT_RIM };
             if inner.is_finite() && spot.p < inner && spot.r + 0.75 * self.pixel <= self.state.radius {
                 self.compared.limit(lost, AT_RIM);

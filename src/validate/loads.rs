@@ -29,7 +29,7 @@ pub(super) struct Compared {
     pub(super) single: Option<Suspicion>,
     /// The factor of a column beside d, F and a, where this column alone fails.
     pub(super) scaled: Option<Suspicion>,
-    /// The tolerance that radii leave where no grid is known.
+    /// The tolerance that the contact radii imply where no grid is known.
     pub(super) tolerance: Option<f64>,
 }
 
@@ -81,7 +81,7 @@ impl Judge {
         let Some(pixel) = pixel else { return self.demanded.unwrap_or(blind + self.solver) };
         // A contact below one pixel is no contact to the grid.
         let share = if state.radius > pixel { pixel / state.radius } else { 1.0 };
-        // The force of a narrow ring stands between its edges.
+        // A ring between a kink and the edge is resolved by its width.
         let narrow = (state.radius / room.max(share * state.radius)).max(1.0);
         let grid = if state.boundary == Boundary::Rim { 0.25 * share } else { 0.25 * share * share * narrow };
         self.demanded.unwrap_or(grid + self.solver)

@@ -87,7 +87,7 @@ impl DimensionedNumber {
         Self { text: self.text.clone(), number: Expr::pi() / Expr::integer(2) - self.in_base(), unit: None }
     }
 
-    /// The angle times a power of 180/π; a length is no angle, so the scene refuses it then.
+    /// The angle times a power of 180/π, as a bare number, which a scene with units does not accept as a length.
     pub(in crate::scene) fn turned(&self, power: i64) -> Self {
         let turn = Expr::integer(180) / Expr::pi();
         Self { text: self.text.clone(), number: self.in_base() * turn.power(power), unit: None }

@@ -13,13 +13,13 @@ use crate::validate::field::{Region, Spot};
 impl Trial<'_> {
     pub(super) fn field(&self, evidence: &Evidence) -> Option<Found> {
         let Evidence::Field { spots: all, state, held, side, free, placings, factors } = evidence else { return None };
-        // Places far outside say nothing; where the unit of r has slipped the pressures tell what lies inside.
+        // Places outside of the contact are left out: those without pressure, since r may be in another unit.
         let inside: Vec<Spot> = all.iter().copied().filter(|spot| spot.p != 0.0).collect();
         let solution = self.scene.solution().ok()?;
         let exact = Exact::new(self.scene, &solution, Load::Depth(state.depth)).ok()?;
         let formula = exact.formula();
         let known = exact.pressures(formula.as_ref(), state);
-        // Places next to edges say nothing either, if they are where the file says.
+        // Places next to edges are left out as well, unless that leaves too few.
         let region = Region::new(state.radius, self.gauge.margin, &known.sharp);
         let clear: Vec<Spot> = inside.iter().copied().filter(|spot| region.holds(spot.r)).collect();
         let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(all.as_slice(), Vec::as_slice);
@@ -33,7 +33,7 @@ impl Trial<'_> {
         for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
             let spots = placed(&spots, &fault.slip, *factors);
             if fault.taken == Taken::AsIs {
-                // A pixel that was read off the places has slipped with them, one that was declared has not.
+                // A pixel that was inferred from the places changes with them, a declared one does not.
                 let factor = fault.slip.distance;
                 let slipped = Gauge { margin: self.gauge.margin / factor, pixel: self.gauge.pixel.map(|h| h / factor), ..*self.gauge };
                 for gauge in [slipped, *self.gauge] {
@@ -131,10 +131,6 @@ impl Trial<'_> {
     ) {
         let State { radius: a, force, .. } = known.state;
         let share = |own: Option<Score>| own.map_or(f64::MAX, |own| own.share());
-        let length = |x: f64| {
-            let unit = self.scene.system.unit_name(crate::scene::Dimension::LENGTH);
-            format!("{:.4e} {unit}", x * self.scene.system.out(crate::scene::Dimension::LENGTH)).trim_end().to_owned()
-        };
         let moved = |x: f64, y: f64| -> Vec<Spot> {
             let one = |spot: &Spot| {
                 let r = if spot.y.is_nan() || spot.x.is_nan() { (spot.r - x).abs() } else { (spot.x - x).hypot(spot.y - y) };
@@ -151,7 +147,7 @@ impl Trial<'_> {
                 y = minimum(-0.5 * a, 0.5 * a, 41, &|own| share(score(x, own))).unwrap_or(y);
             }
         }
-        let place = if planar { format!("({}, {})", length(x), length(y)) } else { format!("r = {}", length(x)) };
+        let place = if planar { format!("({}, {})", self.length(x), self.length(y)) } else { format!("r = {}", self.length(x)) };
         let text = format!("a shifted origin: the axis of the data lies at {place}");
         tried.extend(score(x, y).map(|score| Tried { id: "origin", text, score, free: true, rough: false }));
 

@@ -143,29 +143,19 @@ fn tens() -> impl Iterator<Item = (i32, f64)> {
     (-12..=12).filter(|power| *power != 0).map(|power| (power, 10f64.powi(power)))
 }
 
-/// What such a power is as a slip of units, as in `, as numbers in mm that are read as m`; empty where no two units are that far apart.
+/// Names two units that differ by a power of ten, as in `, as numbers in mm that are read as m`; empty where there are none.
 fn units_apart(symbol: &str, power: i32) -> String {
-    let base = match symbol {
-        "F" => "N",
-        "p" => "Pa",
-        _ => "m",
+    // From large to small by factors of 1000.
+    let units: [&str; 5] = match symbol {
+        "F" => ["N", "mN", "uN", "nN", "pN"],
+        "p" => ["GPa", "MPa", "kPa", "Pa", "mPa"],
+        _ => ["m", "mm", "um", "nm", "pm"],
     };
-    let prefix = |power: i32| ["", "m", "u", "n", "p"].get(power as usize / 3).map(|own| format!("{own}{base}"));
-    let large = |power: i32| ["", "k", "M", "G"].get(power as usize / 3).map(|own| format!("{own}{base}"));
-    let size = power.abs();
-    let other = if size % 3 != 0 {
-        None
-    } else if base == "Pa" {
-        large(size)
-    } else {
-        prefix(size)
-    };
+    let steps = power.unsigned_abs() as usize / 3;
+    let (Some(large), Some(small)) = (units.first(), units.get(steps).filter(|_| power % 3 == 0)) else { return String::new() };
     // Small units make large numbers.
-    let names = other.map(|other| match (base == "Pa", power > 0) {
-        (true, true) | (false, false) => (base.to_owned(), other),
-        _ => (other, base.to_owned()),
-    });
-    names.map_or_else(String::new, |(own, read)| format!(", as numbers in {own} that are read as {read}"))
+    let (own, read) = if power > 0 { (small, large) } else { (large, small) };
+    format!(", as numbers in {own} that are read as {read}")
 }
 
 /// Factors of a force or a pressure that was computed with a slip.

@@ -9,7 +9,7 @@ use crate::validate::file::row::Row;
 impl Trial<'_> {
     pub(super) fn loads(&self, all: &[Row], factors: &Row) -> Option<Found> {
         let rows = &thinned(all);
-        // Neighbours are neighbours only where none is left out.
+        // Only among all rows is the next one the next load.
         let neighbours = all.get(all.len().saturating_sub(TRIED)..)?;
         let solution = self.scene.solution().ok()?;
         let largest = score::largest(rows, self.gauge.by_force);
@@ -17,12 +17,12 @@ impl Trial<'_> {
         let states = score::states(&exact, rows, self.gauge.by_force);
         let before = score::under(&exact, rows, &states, self.gauge);
         let faults = self.faults(&hypothesis::of_loads());
-        // The work may end: loads that stay as they are have their contacts already, and far ones cost most.
+        // The budget may end: faults that keep the loads need no new contacts and come first, those with the farthest loads come last.
         let mut order: Vec<(usize, &Fault)> = faults.iter().enumerate().collect();
         let far = |fault: &Fault| if fault.slip.columns == Exchange::Nothing { fault.slip.depth.abs().ln().abs() } else { f64::MAX };
         order.sort_by(|one, other| far(one.1).total_cmp(&far(other.1)));
         let mut found: Vec<(usize, Tried)> = Vec::new();
-        // The states of the last loads that are far from those of the data.
+        // The states of the loads that were computed last.
         let mut far_states: Option<(Load, Vec<Option<State>>)> = None;
         for (index, fault) in order {
             let level = fault.slip.ahead != 0 || fault.slip.force_ahead != 0;
@@ -101,20 +101,15 @@ impl Trial<'_> {
             let Some(x) = minimum(-0.5, 0.5, 41, &|x| score(x).map_or(f64::MAX, |own| own.share())) else { return };
             tried.extend(score(x).map(|score| Tried { id, text: name(x), score, free: true, rough: false }));
         };
-        let length = |x: f64| {
-            let unit = self.scene.system.unit_name(crate::scene::Dimension::LENGTH);
-            format!("{:.4e} {unit}", x * deepest * self.scene.system.out(crate::scene::Dimension::LENGTH)).trim_end().to_owned()
-        };
-        fit("reference", &|x| format!("depth from another reference: every d is too large by {}", length(x)), &|row, x| Row {
-            depth: row.depth - x * deepest,
-            ..*row
+        fit("reference", &|x| format!("depth from another reference: every d is too large by {}", self.length(x * deepest)), &|row, x| {
+            Row { depth: row.depth - x * deepest, ..*row }
         });
         fit(
             "compliance",
             &|x| {
                 format!(
                     "depth from another reference: d holds a part in proportion to the force, {} at the largest, as of a compliant frame or of periodic images",
-                    length(x)
+                    self.length(x * deepest)
                 )
             },
             &|row, x| Row { depth: row.depth - x * deepest * row.force / strongest, ..*row },

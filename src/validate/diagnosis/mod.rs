@@ -13,7 +13,7 @@ use super::record::Suspicion;
 use crate::contact::{Load, State};
 use crate::num::work;
 use crate::parse;
-use crate::scene::{Change, Control, Scene, scene_for_data};
+use crate::scene::{Change, Control, Dimension, Scene, scene_for_data};
 use crate::transform::Profile;
 use crate::validate::file::row::Row;
 use hypothesis::{Fault, Taken};
@@ -68,7 +68,7 @@ struct Tried {
 
 /// Names the one fault that explains the data.
 pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &Gauge) -> Option<Suspicion> {
-    // The verdict stands already: what is left of the budget must not be used up by the search for its cause.
+    // The search takes at most half of the budget that is left, so that the verdict can be written.
     let trial = Trial { text, scene, gauge, left: Cell::new(ALL.min(work::left() / 2)) };
     let (before, tried) = match evidence {
         Evidence::Loads { rows, factors } => trial.loads(rows, factors)?,
@@ -97,7 +97,7 @@ fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
     };
     let found = match (best(false), best(true)) {
         (Some(fixed), Some(free)) if 3.0 * error(free) < error(fixed) && fixed.score.share() > 0.7 => free,
-        // Without a grid the tolerance is wide, and a number may fit far better than a fault that only fits.
+        // Without a grid the tolerance is wide: a fitted number with a far smaller error is more likely than a fault within the tolerance.
         (Some(fixed), Some(free)) if 30.0 * error(free) < error(fixed) => free,
         (Some(fixed), _) => fixed,
         (None, free) => free?,
@@ -130,6 +130,12 @@ impl Trial<'_> {
         all
     }
 
+    /// A length in the unit of the scene's answers.
+    fn length(&self, x: f64) -> String {
+        let system = &self.scene.system;
+        format!("{:.4e} {}", x * system.out(Dimension::LENGTH), system.unit_name(Dimension::LENGTH)).trim_end().to_owned()
+    }
+
     /// Asks the exact solution of what the solver may have taken the scene for.
     fn with<T>(&self, taken: &Taken, exact: &Exact<'_>, largest: Load, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
         let scene = match taken {
@@ -156,7 +162,7 @@ impl Trial<'_> {
         })
     }
 
-    /// The answer, where it takes no more than one hypothesis may; what it costs is taken from what is left for all.
+    /// Returns the answer if its work stays within the limits for one hypothesis and for all of them.
     fn limited<T>(&self, ask: impl FnOnce() -> Option<T>) -> Option<T> {
         let (found, spent, whole) = work::apart(ONE.min(self.left.get()), ask);
         self.left.set(self.left.get().saturating_sub(spent));

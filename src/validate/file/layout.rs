@@ -101,7 +101,7 @@ impl Layout {
         self.map.iter().any(|own| matches!(read(&own.0, 0), Reading::Known(column) if column.kind == kind))
     }
 
-    /// Whether the map has one entry, which calls the first column a quantity of places: an array with two indices is that field.
+    /// True where the map only says which field the first column is; an array with two indices is that field.
     fn names_the_whole(&self) -> bool {
         let is_field = |symbol: &str| matches!(read(symbol, 0), Reading::Known(column) if column.kind.is_field());
         matches!(self.map.as_slice(), [(symbol, column)] if column == "1" && is_field(symbol))

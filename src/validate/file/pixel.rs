@@ -50,7 +50,7 @@ pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> 
     Some(Suspicion { id: "box", text, before: ratio.map_or(0.0, |own| (own - 1.0).abs()), after: 0.0 })
 }
 
-/// By how much the boxes differ that the numbers of pixels make with the pixels that are seen in the files, where they do not once both are sorted.
+/// Returns the relative difference of the boxes that numbers of pixels and pixels make file by file, if sorting both makes one box.
 fn in_another_order(pixels: &[Pixel]) -> Option<f64> {
     const SAME: f64 = 0.02;
     let mut counts: Vec<f64> = pixels.iter().map(|own| own.grid).collect::<Option<_>>()?;

@@ -35,7 +35,7 @@ pub fn points(source: &Source<'_>, scene: &Scene) -> Result<Grid, ValidationErro
     let mut row = Vec::new();
     while table.next(&mut row)?.is_some() {
         for (list, (index, factor)) in places.iter_mut().zip(&wanted) {
-            // Decimals in small units are rounded once.
+            // A division by a whole number rounds once, so that 30 um are 3e-5 m.
             let (number, inverse) = (row.get(*index).copied().unwrap_or(f64::NAN), (1.0 / factor).round());
             list.push(if *factor < 1.0 && 1.0 / inverse == *factor { number / inverse } else { number * factor });
         }

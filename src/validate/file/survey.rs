@@ -354,7 +354,7 @@ fn gap(xs: &BTreeSet<Ordered>) -> Option<f64> {
     let all: Vec<f64> = xs.iter().map(|own| own.0).collect();
     let gaps = || all.windows(2).map(|pair| pair[1] - pair[0]).filter(|own| *own > 1e-7 * scale);
     let least = gaps().min_by(f64::total_cmp)?;
-    // What is off in the smallest distance adds up over many; its mean over neighbours does not.
+    // The mean distance of neighbours is more exact than the smallest one.
     let near: Vec<f64> = gaps().filter(|own| *own < 1.5 * least).collect();
     let mean = near.iter().sum::<f64>() / near.len() as f64;
     gaps().all(|own| (own / mean - (own / mean).round()).abs() <= OFF).then_some(mean)
