@@ -292,7 +292,9 @@ impl Sums {
 
     fn add(&mut self, spot: &Spot, exact: f64, region: &Region, judge: Judge, pixel: Pixel) {
         self.spots.push(*spot);
-        self.force.add((spot.r, spot.p), exact, self.means);
+        // Within a pixel of a kink the value at the place is no mean over the pixel, and both are left out of the force.
+        let in_force = if !self.means && region.is_near_inner(spot.r, self.pixel) { f64::NAN } else { exact };
+        self.force.add((spot.r, spot.p), in_force, self.means);
         if exact.is_nan() {
             self.infinite += 1;
             return;

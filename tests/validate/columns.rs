@@ -97,6 +97,29 @@ fn grids_in_another_order_are_named() {
     }
 }
 
+/// Where a pixel lies next to a kink, the mean that a solver has there is far below the exact value; the force of all pixels is right.
+#[test]
+fn a_pixel_at_a_kink_leaves_the_force_alone() {
+    let place = room("kink");
+    let scene =
+        "[profile]\nf = \"max(0,s*(r-b))\"\nparameters = { b = 0.6, s = 0.2 }\n[material]\nE = 1\nnu = 0\n[load]\ncontact_radius = 1\n";
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    // The places (12.5, 2.5) h, at the distance 12.75 h from the axis.
+    let h = 0.6 / 12.5_f64.hypot(2.5) * (1.0 + 1e-9);
+    let side = format!("{:?}", 64.0 * h);
+    let done = reference(&place, &["--grid", "64", "--box", &side, "--between"]);
+    let text = String::from_utf8(done.stdout).unwrap();
+    let row = |line: &str| line.split(',').map(|own| own.parse::<f64>().unwrap_or(f64::NAN)).collect::<Vec<_>>();
+    let rows: Vec<Vec<f64>> = text.lines().skip(1).map(row).collect();
+    let near = |row: &&Vec<f64>| (0.3..0.7).contains(&((row[2] - 0.6).abs() / h));
+    let most = rows.iter().filter(near).map(|row| row[3]).fold(0.0, f64::max);
+    assert!(rows.iter().any(|row| row[3] > 2.0 * most));
+    let data = rows.iter().map(|row| format!("{:?},{:?},{:?}\n", row[0], row[1], row[3].min(most)));
+    fs::write(place.join("data.csv"), format!("x,y,p\n{}", data.collect::<String>())).unwrap();
+    let (code, found) = validated(&place, scene, &["data.csv".to_owned()], &[]);
+    assert_eq!(code, 0, "{found:#}");
+}
+
 fn reference(place: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_sneddon")).current_dir(place).args(["reference", "scene.toml"]).args(arguments).output().unwrap()
 }
