@@ -5,7 +5,7 @@ use super::exact::Exact;
 use super::order::Level;
 use super::verdict::{Verdict, verdict};
 use super::{FileReport, Suspicion, Validation, ValidationError, field, loads};
-use crate::contact::{Load, State};
+use crate::contact::{Boundary, Load, State};
 use crate::scene::{Change, Control, Scene, Walls, scene_for_data};
 use crate::validate::diagnosis::placing::placings;
 use crate::validate::diagnosis::score::Gauge;
@@ -220,7 +220,8 @@ impl Work<'_> {
         let Some(finest) = all.last() else {
             return Err(ValidationError::request("there are no files", "a file of data would be accepted"));
         };
-        let verdict = verdict(finest.column, &finest.report.columns, &levels, self.judge.solver, finest.unmatched);
+        let has_rim = exact.state(load).is_some_and(|own| own.boundary == Boundary::Rim);
+        let verdict = verdict(finest.column, &finest.report.columns, &levels, (self.judge.solver, has_rim), finest.unmatched);
         let suspicion = if verdict.passed {
             None
         } else if let Some(own) = finest
@@ -270,7 +271,7 @@ impl Work<'_> {
         let levels: Vec<Level> = all.iter().zip(relative).map(|(own, pixel)| level(pixel, within(&own.errors, &region))).collect();
         let column = finest.report.columns.first().map_or("p", |own| own.name);
         let levels = if column == "p" { levels } else { Vec::new() };
-        let verdict = verdict(column, &finest.report.columns, &levels, self.judge.solver, 0);
+        let verdict = verdict(column, &finest.report.columns, &levels, (self.judge.solver, state.boundary == Boundary::Rim), 0);
         let reversed = reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>());
         let suspicion = match finest.single.clone().or(reversed) {
             _ if verdict.passed => None,

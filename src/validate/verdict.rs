@@ -23,6 +23,8 @@ const PRINTED: f64 = 1e-8;
 const LEAST_ORDER: f64 = 0.25;
 /// Errors of this share of the tolerance in every file are noise that no refinement needs to cure.
 const NOTHING_LEFT: f64 = 0.05;
+/// The same under a rim, whose pixels make steps that do not shrink evenly.
+const STEPS_OF_A_RIM: f64 = 0.6;
 /// An order with a wider interval is not determined.
 const WIDEST: f64 = 2.0;
 /// The error on an infinitely fine grid must be proven to exceed this share of the tolerance of the finest file.
@@ -45,12 +47,13 @@ enum Convergence {
 }
 
 impl Convergence {
-    fn of(levels: &[Level], tolerance: Option<f64>, noise: f64) -> Self {
+    fn of(levels: &[Level], tolerance: Option<f64>, noise: f64, has_rim: bool) -> Self {
         if levels.len() < 2 {
             return Self::One;
         }
         let found = order(levels, noise);
-        let small = tolerance.map_or(0.0, |own| NOTHING_LEFT * own).max(10.0 * PRINTED.max(noise));
+        let share = if has_rim { STEPS_OF_A_RIM } else { NOTHING_LEFT };
+        let small = tolerance.map_or(0.0, |own| share * own).max(10.0 * PRINTED.max(noise));
         if vanishing(levels, small) {
             return found.filter(shrinks).map_or(Self::Settled, Self::Shrinks);
         }
@@ -86,13 +89,19 @@ fn vanishing(levels: &[Level], most: f64) -> bool {
     levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= most))
 }
 
-/// Judges the columns of the finest file, and the levels of all of them.
-pub(super) fn verdict(column: &'static str, finest: &[Column], levels: &[Level], solver: f64, unmatched: u64) -> Verdict {
+/// Judges the columns of the finest file, and the levels of all of them; `unmatched` loads have no contact.
+pub(super) fn verdict(
+    column: &'static str,
+    finest: &[Column],
+    levels: &[Level],
+    (solver, has_rim): (f64, bool),
+    unmatched: u64,
+) -> Verdict {
     let failed: Vec<&Column> = finest.iter().filter(|own| own.passed == Some(false)).collect();
     let decisive = finest.iter().find(|own| own.name == column);
     // Contact radii count in pixels: their relative errors have no tolerance.
     let tolerance = decisive.filter(|own| own.pixels.is_none()).and_then(|own| own.tolerance);
-    let convergence = Convergence::of(levels, tolerance, PRINTED.max(solver));
+    let convergence = Convergence::of(levels, tolerance, PRINTED.max(solver), has_rim);
     let none_judged = finest.iter().all(|own| own.passed.is_none());
     let passed = failed.is_empty() && !convergence.fails() && unmatched == 0 && !none_judged;
     let (reason, advice) = if unmatched > 0 {
@@ -186,8 +195,7 @@ fn sentence(column: &str, finest: &[Column], convergence: &Convergence) -> Strin
             format!("the errors of {column} shrink with the pixel, {order}, and the finest file is within its tolerance{shown}{floor}")
         }
         Convergence::Settled => {
-            let part = (1.0 / NOTHING_LEFT).round();
-            format!("the errors of {column} are below the tolerance by {part} and more in every file: no order is left to see")
+            format!("the errors of {column} are far below the tolerance in every file: no order is left to see")
         }
         Convergence::Undetermined => format!("the finest file is within its tolerance{shown}; order not determined"),
         Convergence::Stays(_) | Convergence::Left(..) => stays(column, convergence),
