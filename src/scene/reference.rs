@@ -22,17 +22,18 @@ pub enum Grid {
         /// True where the axis lies between four points, not at the point of index count/2.
         between: bool,
     },
-    /// Places in any order.
+    /// A list of points, in any order.
     Points {
-        /// x, or the radius where there is no y.
+        /// The x coordinates, or the radii if `y` is `None`.
         x: Vec<f64>,
-        /// y, as many as x.
+        /// The y coordinates; as many as in `x`.
         y: Option<Vec<f64>>,
     },
 }
 
-/// The most points along a side, and along a radius or in a list.
+/// Maximum number of points along a side of the square.
 pub const LARGEST_GRID: usize = 1 << 13;
+/// Maximum number of radii, and of points in a list.
 const MOST_RADII: usize = 10_000_000;
 
 /// A field of one load: value and error in the units of the answers, or why there is none.
@@ -85,10 +86,10 @@ impl Grid {
                 fault("the radii of the grid do not rise".to_owned(), "rising radii would be accepted")
             }
             Self::Points { x, .. } if x.is_empty() || x.len() > MOST_RADII => {
-                fault(format!("a list of {} places is not possible", x.len()), "1 to 10000000 places would be accepted")
+                fault(format!("the list contains {} points", x.len()), "expected 1 to 10000000 points")
             }
             Self::Points { x, y: None } if x.iter().any(|own| *own < 0.0) => {
-                fault("the list has a negative radius".to_owned(), "radii from 0 on, or columns x and y, would be accepted")
+                fault("the list contains a negative radius".to_owned(), "expected radii of at least 0, or columns x and y")
             }
             Self::Square { count, .. } if *count == 0 || *count > LARGEST_GRID => {
                 fault(format!("a grid of {count} points along a side is not possible"), "1 to 8192 points would be accepted")
@@ -150,7 +151,7 @@ impl Grid {
         }
     }
 
-    /// The radius of an index.
+    /// Returns the radius of the point with this index.
     fn radius(&self, index: usize) -> f64 {
         match self {
             Self::Points { y: Some(y), .. } => self.coordinate(index).hypot(y.get(index).copied().unwrap_or(f64::NAN)),
@@ -158,7 +159,7 @@ impl Grid {
         }
     }
 
-    /// The coordinates x, y and r of an index of a list, or its radius alone.
+    /// Returns x, y and r of the point with this index in a list, or its radius if only radii are known.
     pub fn place(&self, index: usize) -> Vec<f64> {
         let own = self.coordinate(index);
         match self {
@@ -167,7 +168,7 @@ impl Grid {
         }
     }
 
-    /// The coordinate of a row or column, x in a list of places, or the radius of an index.
+    /// Returns the coordinate of a row or column, or x of a listed point, or the radius with this index.
     pub fn coordinate(&self, index: usize) -> f64 {
         match self {
             Self::Radial(r) => r.get(index).unwrap_or(f64::NAN),
@@ -179,7 +180,7 @@ impl Grid {
         }
     }
 
-    /// The side of a cell of the square, or the width of the ring around the radius of an index; places of a list have no cells.
+    /// The side of a cell of the square, or the width of the ring around the radius of an index; 0 for a list of points, which have no cells.
     pub fn cell_width(&self, index: usize) -> f64 {
         match self {
             Self::Points { .. } => 0.0,

@@ -55,8 +55,7 @@ pub(super) const MARGIN: f64 = 4.0;
 const INNER: f64 = 0.05;
 /// The share of h²/(a s) at the distance s ≥ h from a place where the curvature jumps.
 const BEND: f64 = 0.02;
-/// The edge of the data may lie this many pixels elsewhere; a pressure may exceed the range of the exact ones within that distance by the
-/// share `AT_EDGE`.
+/// Next to the edge, the change of the exact pressure over this many pixels limits the error, with the headroom `AT_EDGE`.
 const EDGE: f64 = 1.5;
 const AT_EDGE: f64 = 0.1;
 /// The error of displacements around a rim in those of the force.

@@ -23,7 +23,7 @@ pub(in crate::cli) struct Arguments {
     /// N points along both sides of a square box, or start:stop:count for radii; without it what [data] declares, or the radii of [outputs].
     #[arg(long, value_name = "GRID")]
     grid: Option<String>,
-    /// A file of data whose columns x and y, or r, are the places, in any order.
+    /// Reads the points from the columns x and y, or r, of this file; their order is kept.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["grid", "side", "cells", "between"])]
     points: Option<PathBuf>,
     /// The side of the box, as "8 um"; without it that of [data].
@@ -82,10 +82,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         (None, None, None) if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
         (None, None, None) => {
             return Err(Failure::new("there is no grid")
-                .help("--grid \"0:2 um:101\", --grid 64 with --box \"8 um\", --points with a file, or at in [outputs] would be accepted"));
+                .help("use --grid \"0:2 um:101\", --grid 64 --box \"8 um\" or --points FILE, or set `at` in [outputs]"));
         }
     };
-    // Places of a list have no cells.
+    // Points from a file have no cells.
     let cells = arguments.points.is_none() && (arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true)));
     let (curves, others) = scene.outputs.fields().map_err(failed)?;
     for other in others {

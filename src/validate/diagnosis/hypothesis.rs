@@ -158,6 +158,17 @@ fn units_apart(symbol: &str, power: i32) -> String {
     format!(", as numbers in {own} that are read as {read}")
 }
 
+/// Numbers that are too large by a power of ten.
+fn power_of_ten(subject: &str, symbol: &str, (power, factor): (i32, f64), of: fn(f64) -> Slip) -> Fault {
+    slip("unit", format!("unit slip: {subject} 10^{power} times too large{}", units_apart(symbol, power)), of(factor))
+}
+
+/// Numbers that are too large or too small by the ratio of two units.
+fn ratio_of_units(symbol: &str, (factor, names): (f64, &str), of: fn(f64) -> Slip) -> [Fault; 2] {
+    [("large", factor), ("small", 1.0 / factor)]
+        .map(|(size, own)| slip("unit", format!("unit slip: {symbol} is {factor} times too {size}, the ratio of {names}"), of(own)))
+}
+
 /// Factors of a force or a pressure that was computed with a slip.
 const FACTORS: [(&str, f64, &str); 10] = [
     ("sign", -1.0, "tension for compression: the sign of"),
@@ -182,35 +193,14 @@ pub(in crate::validate) fn of_loads() -> Vec<Fault> {
     }
     list.push(slip("sign", "tension for compression: depths and forces have the opposite sign", Slip { force: -1.0, depth: -1.0, ..none }));
     list.push(slip("sign", "the depths have the opposite sign", Slip { depth: -1.0, ..none }));
-    for (power, factor) in tens() {
-        list.push(slip(
-            "unit",
-            format!("unit slip: F is 10^{power} times too large{}", units_apart("F", power)),
-            Slip { force: factor, ..none },
-        ));
-        list.push(slip(
-            "unit",
-            format!("unit slip: d is 10^{power} times too large{}", units_apart("d", power)),
-            Slip { depth: factor, ..none },
-        ));
-        list.push(slip(
-            "unit",
-            format!("unit slip: a is 10^{power} times too large{}", units_apart("a", power)),
-            Slip { radius: factor, ..none },
-        ));
-        list.push(slip(
-            "unit",
-            format!("unit slip: d and a are 10^{power} times too large{}", units_apart("d", power)),
-            Slip { depth: factor, radius: factor, ..none },
-        ));
+    for ten in tens() {
+        list.push(power_of_ten("F is", "F", ten, |force| Slip { force, ..Slip::NONE }));
+        list.push(power_of_ten("d is", "d", ten, |depth| Slip { depth, ..Slip::NONE }));
+        list.push(power_of_ten("a is", "a", ten, |radius| Slip { radius, ..Slip::NONE }));
+        list.push(power_of_ten("d and a are", "d", ten, |own| Slip { depth: own, radius: own, ..Slip::NONE }));
     }
-    for (factor, name) in [(9.806_65, "kgf and N"), (4.448_221_615_260_5, "lbf and N")] {
-        list.push(slip("unit", format!("unit slip: F is {factor} times too large, the ratio of {name}"), Slip { force: factor, ..none }));
-        list.push(slip(
-            "unit",
-            format!("unit slip: F is {factor} times too small, the ratio of {name}"),
-            Slip { force: 1.0 / factor, ..none },
-        ));
+    for units in [(9.806_65, "kgf and N"), (4.448_221_615_260_5, "lbf and N")] {
+        list.extend(ratio_of_units("F", units, |force| Slip { force, ..Slip::NONE }));
     }
     for (depth, text) in [(2.0, "twice the depth stands in d"), (0.5, "half of the depth stands in d")] {
         list.push(slip(
@@ -263,29 +253,12 @@ pub(in crate::validate) fn of_field(pixel: Option<f64>, (length, pressure): (f64
         let what = if id == "sign" { "p is turned over" } else { "the exact pressure stands in p" };
         list.push(slip(id, format!("{text} {what}"), Slip { pressure, ..none }));
     }
-    for (power, factor) in tens() {
-        list.push(slip(
-            "unit",
-            format!("unit slip: p is 10^{power} times too large{}", units_apart("p", power)),
-            Slip { pressure: factor, ..none },
-        ));
-        list.push(slip(
-            "unit",
-            format!("unit slip: r is 10^{power} times too large{}", units_apart("r", power)),
-            Slip { distance: factor, ..none },
-        ));
+    for ten in tens() {
+        list.push(power_of_ten("p is", "p", ten, |pressure| Slip { pressure, ..Slip::NONE }));
+        list.push(power_of_ten("r is", "r", ten, |distance| Slip { distance, ..Slip::NONE }));
     }
-    for (factor, name) in [(6_894.757_293_168, "psi and Pa"), (9.806_65, "kgf and N"), (1e6 / 98_066.5, "MPa and kgf/cm^2")] {
-        list.push(slip(
-            "unit",
-            format!("unit slip: p is {factor} times too large, the ratio of {name}"),
-            Slip { pressure: factor, ..none },
-        ));
-        list.push(slip(
-            "unit",
-            format!("unit slip: p is {factor} times too small, the ratio of {name}"),
-            Slip { pressure: 1.0 / factor, ..none },
-        ));
+    for units in [(6_894.757_293_168, "psi and Pa"), (9.806_65, "kgf and N"), (1e6 / 98_066.5, "MPa and kgf/cm^2")] {
+        list.extend(ratio_of_units("p", units, |pressure| Slip { pressure, ..Slip::NONE }));
     }
     for (distance, text) in [(2.0, "twice the distance stands in r"), (0.5, "half of the distance stands in r")] {
         list.push(slip("diameter", format!("diameter for radius: {text}"), Slip { distance, ..none }));

@@ -51,8 +51,9 @@ const SHARE: f64 = 2.0;
 /// Rows and places that a hypothesis is tried on.
 const TRIED: usize = 40;
 
-/// Steps of work for one hypothesis that needs an exact solution of its own, and for all of them together: about 0.2 and 1.5 seconds.
+/// Maximum work for a hypothesis that requires a new exact solution, in steps (about 0.2 s).
 const ONE: u64 = 20_000_000;
+/// Maximum work for all such hypotheses together, in steps (about 1.5 s).
 const ALL: u64 = 150_000_000;
 
 /// A hypothesis that was tried.
