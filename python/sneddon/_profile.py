@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -94,6 +95,7 @@ class Profile:
                 "kinks" if self._kinks else "end",
                 "omit them for formulas and points; a parameter with one of these names is set by parameters={...}",
             )
+        _check_ends(self._kinks, self._end)
         self._values = values
         self._texts = {name: text_of_number(name, value) for name, value in values.items()}
         if self._text is None:
@@ -179,3 +181,15 @@ class Profile:
 
     def _repr_latex_(self) -> str | None:
         return None if self._text is None else f"$\\displaystyle f(r) = {self.derive().latex}$"
+
+
+def _check_ends(kinks: list[float], end: float | None) -> None:
+    """Refuse an end that is not above 0, and kinks that do not rise between 0 and the end."""
+    if end is not None and not end > 0:
+        raise SneddonError(f"the profile ends at {end}", "end", "a radius above 0 is accepted")
+    last = 0.0
+    for index, kink in enumerate(kinks):
+        if not last < kink < (math.inf if end is None else end):
+            message = f"the kink {kink} is not between {last} and {'infinity' if end is None else end}"
+            raise SneddonError(message, f"kinks[{index}]", "radii that rise from 0 to the end of the profile are accepted")
+        last = kink

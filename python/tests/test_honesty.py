@@ -341,6 +341,24 @@ def test_parameters_may_be_called_like_arguments():
         sneddon.Profile("r^2/R", R=1, parameters={"R": 2})
 
 
+@pytest.mark.parametrize(
+    ("stated", "place"),
+    [
+        ({"end": -1.0}, "end"),
+        ({"end": 0.0}, "end"),
+        ({"end": math.nan}, "end"),
+        ({"kinks": [math.nan]}, "kinks[0]"),
+        ({"kinks": [0.0]}, "kinks[0]"),
+        ({"kinks": [0.5, 0.5]}, "kinks[1]"),
+        ({"kinks": [0.5, 2.0], "end": 1.0}, "kinks[1]"),
+    ],
+)
+def test_ends_and_kinks_that_cannot_be_are_refused_at_once(stated, place):
+    with pytest.raises(sneddon.SneddonError) as error:
+        sneddon.Profile(lambda r: r * r, **stated)
+    assert error.value.place == place
+
+
 @pytest.mark.parametrize("shape", ["r^2", ([0.0, 1.0, 2.0], [0.0, 1.0, 4.0])])
 @pytest.mark.parametrize("stated", [{"end": 0.5}, {"kinks": [0.5]}])
 def test_ends_and_kinks_belong_to_functions(shape, stated):

@@ -8,6 +8,7 @@ mod file;
 mod input;
 mod output;
 mod points;
+mod precision;
 mod progress;
 mod quantities;
 mod series;

@@ -2,6 +2,7 @@
 
 use super::Failure;
 use super::units::Units;
+use crate::scene::{Loads, Steps};
 
 /// The largest number of points.
 const MOST: usize = 1_000_000;
@@ -18,21 +19,20 @@ pub fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
     for item in list.split(',') {
         let bad = |message: String| Failure::new(message).help(ACCEPTED).at("--at", list, start..start + item.len());
         let number = |text: &str| units.length("--at", text);
+        let range = |ends: [&str; 2], count, logarithmic| {
+            let [first, last] = [units.end("--at", ends[0])?, units.end("--at", ends[1])?];
+            if logarithmic && (first.value() <= 0.0 || last.value() <= 0.0) {
+                return Err(bad("a logarithmic range starts and stops above 0".to_owned()));
+            }
+            Ok(Loads::Range(Steps::new(first, last, count, logarithmic)))
+        };
         let parts: Vec<&str> = item.split(':').collect();
         match parts.as_slice() {
             [blank] if blank.trim().is_empty() => return Err(bad("a number is missing".to_owned())),
             [only] => points.push(number(only)?),
-            [first, last, count] => {
-                let (first, last, count) = (number(first)?, number(last)?, counted(count, points.len()).map_err(bad)?);
-                range(count, |t| first + t * (last - first), first, last, &mut points);
-            }
+            [first, last, count] => points.extend(range([first, last], counted(count, points.len()).map_err(bad)?, false)?.iter()),
             ["log", first, last, count] => {
-                let (first, last, count) = (number(first)?, number(last)?, counted(count, points.len()).map_err(bad)?);
-                if first <= 0.0 || last <= 0.0 {
-                    return Err(bad("a logarithmic range starts and stops above 0".to_owned()));
-                }
-                let (low, high) = (first.ln(), last.ln());
-                range(count, |t| (low + t * (high - low)).exp(), first, last, &mut points);
+                points.extend(range([first, last], counted(count, points.len()).map_err(bad)?, true)?.iter());
             }
             _ => return Err(bad(format!("{item} is neither a number nor a range"))),
         }
@@ -53,13 +53,4 @@ fn counted(text: &str, already: usize) -> Result<usize, String> {
         count if count.saturating_add(already) > MOST => Err(format!("{count} points are too many; the limit is {MOST}")),
         count => Ok(count),
     }
-}
-
-/// `count` points; the first and the last one exactly as they were typed.
-fn range(count: usize, at: impl Fn(f64) -> f64, first: f64, last: f64, points: &mut Vec<f64>) {
-    points.extend((0..count).map(|index| match index {
-        0 => first,
-        index if index + 1 == count => last,
-        index => at(index as f64 / (count - 1) as f64),
-    }));
 }

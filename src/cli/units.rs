@@ -4,8 +4,9 @@ use super::Failure;
 use super::failure::warn;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Formula, Symbol};
+use crate::num::DoubleDouble;
 use crate::parse;
-use crate::scene::{Counting, Dimension, DimensionedNumber, SceneError};
+use crate::scene::{Counting, Dimension, DimensionedNumber, SceneError, to_double_double};
 
 /// The units of one call: that of its first length, and that of its modulus; none where all numbers are bare.
 pub struct Units(Counting);
@@ -35,6 +36,12 @@ impl Units {
     /// A finite length.
     pub(super) fn length(&self, place: &str, text: &str) -> Result<f64, Failure> {
         self.number(place, text, Dimension::LENGTH)
+    }
+
+    /// The end of a range of lengths, with 31 digits.
+    pub(super) fn end(&self, place: &str, text: &str) -> Result<DoubleDouble, Failure> {
+        let (exact, _) = self.exact(place, text, Dimension::LENGTH)?;
+        to_double_double(&exact).map_err(|error| failure(place, text, &error))
     }
 
     /// A length above 0.

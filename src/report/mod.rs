@@ -1,5 +1,6 @@
 //! Reports: plain records of what was found, and one file per output format that writes them.
 
+mod digits;
 #[cfg(feature = "data")]
 pub mod inversion;
 #[cfg(feature = "data")]
@@ -25,6 +26,7 @@ pub mod tradeoff;
 #[cfg(feature = "data")]
 pub mod validation;
 
+pub use digits::Digits;
 #[cfg(feature = "data")]
 pub use inversion::{Inversion, Wanted};
 pub use record::{Compared, Derivation, Entry, Evaluation, Shift, Unchecked, Units};

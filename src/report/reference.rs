@@ -1,6 +1,7 @@
 //! Exact fields on a solver's grid as CSV, JSON and NPY, load by load: one field is kept at a time.
 
 use crate::contact::State;
+use crate::report::digits::Digits;
 use crate::scene::{Dimension, Field, Grid, Quantity, Run, infinite_value};
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
@@ -18,6 +19,8 @@ pub struct Reference<'a, 'r> {
     pub curves: &'a [Quantity],
     /// True where pressures are means over cells.
     pub cells: bool,
+    /// The digits of the values in CSV.
+    pub digits: Digits,
 }
 
 impl Reference<'_, '_> {
@@ -72,7 +75,7 @@ impl Reference<'_, '_> {
                 let numbers: Vec<String> = coordinates.iter().map(|own| format!("{:?}", own * factor)).collect();
                 write!(out, "{}", numbers.join(","))?;
                 for field in &fields {
-                    match field.at(place) {
+                    match field.at(place).map(|(value, error)| self.digits.shown(value, error)) {
                         Ok((value, error)) => write!(out, ",{value:?},{error:?},{}", field.bound().name())?,
                         Err(_) => write!(out, ",,,")?,
                     }

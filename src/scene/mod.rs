@@ -23,6 +23,8 @@ pub use file::change::Change;
 pub use file::counting::Counting;
 pub use file::declared::{Declared, Walls};
 pub use file::dimensioned::DimensionedNumber;
+#[cfg(feature = "cli")]
+pub(crate) use file::dimensioned::to_double_double;
 pub use file::document::LONGEST;
 pub use file::read::{scene, scene_for_data, scene_for_grid};
 pub use file::template::template;

@@ -376,6 +376,17 @@ fn a_comparison_without_digits_does_not_pass() {
     }
 }
 
+/// Class "a closed form that cancels next to the axis is not compared": farther out it has digits, for `derive` and `compare` alike.
+#[test]
+fn a_form_that_cancels_next_to_the_axis_is_compared_farther_out() {
+    for profile in ["r^30*sinh(r)", "r^31*sinh(r)", "h*r^40*(cosh(r/w)-1)", "r^20*besselj(0,r)"] {
+        let answer = json(&["compare", profile, "--json"]);
+        assert_eq!((&answer["g"]["verdict"], &answer["F"]["verdict"]), (&"passed".into(), &"passed".into()), "{profile}");
+        let (verdict, [g, d, force, _]) = compared(profile);
+        assert!(verdict == "passed" && g && d && force, "{profile}");
+    }
+}
+
 /// Class "the gate does not compare what the check compares": powers that underflow or overflow at some of its radii.
 #[test]
 fn high_powers_are_compared() {

@@ -8,6 +8,7 @@ mod docs;
 mod endings;
 mod pictures;
 mod points;
+mod precision;
 mod quantities;
 mod references;
 mod schemas;

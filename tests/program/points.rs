@@ -12,6 +12,8 @@ fn lists_and_ranges() {
     assert_eq!(bare("0.1, 3/2,1e-6").unwrap(), [0.1, 1.5, 1e-6]);
     assert_eq!(bare("0:1:5").unwrap(), [0.0, 0.25, 0.5, 0.75, 1.0]);
     assert_eq!(bare("2:1:1").unwrap(), [2.0]);
+    // Every point is the double nearest to its decimal.
+    assert_eq!(bare("0.1:0.5:5").unwrap(), [0.1, 0.2, 0.3, 0.4, 0.5]);
     let log = bare("log:0.01:100:5").unwrap();
     assert_eq!((log[0], log[4], log.len()), (0.01, 100.0, 5));
     assert!((log[2] - 1.0).abs() < 1e-15);

@@ -421,7 +421,8 @@ fn bad_scenes_are_refused_with_their_messages() {
         assert_eq!(done.status.code(), Some(2), "{name}: {said}");
         assert!(done.stdout.is_empty(), "{name}");
         assert_eq!(said, fs::read_to_string(path.with_extension("txt")).unwrap(), "{name}");
-        assert!(said.contains(", column "), "{name} has no place");
+        // Of a file that has comments only, no line is to blame, and none is quoted.
+        assert!(said.contains(", column ") || name == "tip_comments_only.toml", "{name} has no place");
     }
 }
 

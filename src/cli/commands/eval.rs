@@ -2,6 +2,7 @@
 
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
+use crate::cli::precision::PrecisionArguments;
 use crate::cli::quantities::Quantities;
 use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
 use crate::contact::{self, Contact, ContactError, Measured, Quantity, Reason};
@@ -9,7 +10,7 @@ use crate::eval::constant_value;
 use crate::expr::Bindings;
 use crate::report::{self, Evaluation, Shift, Units};
 use crate::scene::Dimension;
-use crate::transform::{self, Evaluator, Method, Profile, TransformError};
+use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError};
 use clap::ValueEnum;
 use std::path::PathBuf;
 
@@ -56,6 +57,8 @@ pub(in crate::cli) struct Arguments {
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
+    precision: PrecisionArguments,
+    #[command(flatten)]
     pub(in crate::cli) budget: budget::BudgetArguments,
 }
 
@@ -98,6 +101,7 @@ const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv),
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let digits = arguments.precision.digits(answer.format() != Format::Json)?;
     let quantity = arguments.quantity;
     let lengths = [Some(arguments.at.as_str()), arguments.radius.as_deref(), arguments.depth.as_deref()];
     let units = arguments.profile.units(&lengths, Some(&arguments.effective_modulus));
@@ -171,7 +175,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         depth,
         shift,
         at,
-        readings,
+        readings: readings.into_iter().map(|own| own.map(|own| Reading { estimate: digits.of(own.estimate), ..own })).collect(),
         units: Units {
             at: units.name(quantity.coordinate_dimension()),
             value: units.name(quantity.dimension()),

@@ -4,6 +4,7 @@ use crate::cli::commands::solve::read;
 use crate::cli::commands::validate;
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
+use crate::cli::precision::PrecisionArguments;
 use crate::cli::progress::Progress;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::report::Reference;
@@ -42,6 +43,8 @@ pub(in crate::cli) struct Arguments {
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
+    precision: PrecisionArguments,
+    #[command(flatten)]
     pub(in crate::cli) budget: budget::BudgetArguments,
 }
 
@@ -67,6 +70,7 @@ const ENDINGS: &Endings<Format> = &[("csv", Format::Csv), ("json", Format::Json)
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.json.then_some(Format::Json);
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Csv, ENDINGS)?;
+    let digits = arguments.precision.digits(answer.format() == Format::Csv)?;
     let text = read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let failed = |error: SceneError| Failure::scene(&name, &text, &error);
@@ -103,7 +107,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     budget::allow(steps, STEPS_PER_PLACE);
     let progress = Progress::new(steps, answer.is_stdout());
     let run = run.watched(|| progress.step());
-    let reference = Reference { run: &run, grid: &grid, curves: &curves, cells };
+    let reference = Reference { run: &run, grid: &grid, curves: &curves, cells, digits };
     let mut missing = 0;
     answer.write(|format, out| {
         missing = match format {

@@ -2,6 +2,7 @@
 
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
+use crate::cli::precision::PrecisionArguments;
 use crate::cli::progress::Progress;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::contact::{Edge, relations, steps};
@@ -35,6 +36,8 @@ pub(in crate::cli) struct Arguments {
     /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv, .json, .npz, or .html for a page with pictures and formulas.
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
+    #[command(flatten)]
+    precision: PrecisionArguments,
     #[command(flatten)]
     pub(in crate::cli) budget: budget::BudgetArguments,
     /// Shows the numbers of invalid rows beside what is wrong with them.
@@ -71,6 +74,7 @@ const ENDINGS: &Endings<Format> =
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let digits = arguments.precision.digits(matches!(answer.format(), Format::Text | Format::Csv))?;
     let text = read(&arguments.scene)?;
     let name = arguments.scene.display().to_string();
     let failed = |error: SceneError| Failure::scene(&name, &text, &error);
@@ -89,9 +93,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     answer.write(|format, out| {
         verdict = match format {
             Format::Json => solved_json::solved(&run, arguments.force, out)?,
-            Format::Csv => solved_text::csv(&run, arguments.force, out)?,
+            Format::Csv => solved_text::csv(&run, arguments.force, digits, out)?,
             Format::Npz => solved_npz::npz(&run, arguments.force, out)?,
-            Format::Text => solved_text::table(&run, arguments.force, out)?,
+            Format::Text => solved_text::table(&run, arguments.force, digits, out)?,
             Format::Html => page(&file_name(&arguments.scene), &text, &run, arguments.force, out)?,
         };
         Ok(())

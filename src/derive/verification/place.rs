@@ -53,7 +53,7 @@ struct Radii {
     lower: f64,
     upper: Option<f64>,
     all: Vec<(f64, Part)>,
-    /// Further radii within the segment, for terms that are inaccurate at the others, such as (r − b)²⁰ next to b.
+    /// Further radii within the segment, for terms that are inaccurate at the others, such as (r − b)²⁰ next to b or r³⁰ sinh r next to the axis.
     spare: Vec<f64>,
 }
 
@@ -98,7 +98,7 @@ impl Place {
         let spare = match (top.is_finite(), lower > 0.0) {
             (true, _) => vec![lower + 0.937 * (top - lower)],
             (false, true) => vec![3.93 * lower, 11.3 * lower],
-            (false, false) => Vec::new(),
+            (false, false) => vec![2.47, 5.13, 11.7],
         };
         let beyond = upper.into_iter().flat_map(|upper| [1.21 * upper, 2.63 * upper]).filter(|x| *x < self.limit);
         let all = within.map(|x| (x, Part::Within)).into_iter();

@@ -1,6 +1,7 @@
 //! Error bounds of the rows of a solved scene: the largest ones as a sentence, and columns of CSV.
 
-use crate::num::Bound;
+use crate::num::{Bound, Estimate};
+use crate::report::digits::Digits;
 use crate::report::text::{marked, short};
 use crate::scene::{Quantity, Row, Run};
 
@@ -10,8 +11,8 @@ pub(in crate::report) struct Largest(Vec<(Quantity, f64, Bound)>);
 
 impl Largest {
     /// Takes a row into account.
-    pub(in crate::report) fn take(&mut self, run: &Run<'_>, index: usize, row: &Row) {
-        for (datum, estimate) in run.estimates(index, row) {
+    pub(in crate::report) fn take(&mut self, run: &Run<'_>, index: usize, row: &Row, digits: Digits) {
+        for (datum, estimate) in estimates(run, index, row, digits) {
             let Some(own) = estimate.filter(|own| own.value != 0.0) else { continue };
             let relative = (own.error / own.value).abs();
             match self.0.iter_mut().find(|known| known.0 == datum) {
@@ -42,11 +43,21 @@ pub(in crate::report) fn header(run: &Run<'_>) -> Vec<String> {
 }
 
 /// The fields of these columns for a row; empty where no bound is known.
-pub(in crate::report) fn fields(run: &Run<'_>, index: usize, row: &Row) -> Vec<String> {
+pub(in crate::report) fn fields(run: &Run<'_>, index: usize, row: &Row, digits: Digits) -> Vec<String> {
     let pair = |own: Option<crate::num::Estimate>| {
         own.map_or_else(Default::default, |own| [format!("{:?}", own.error), own.bound.name().to_owned()])
     };
-    run.estimates(index, row).into_iter().flat_map(|(_, own)| pair(own)).collect()
+    estimates(run, index, row, digits).flat_map(|(_, own)| pair(own)).collect()
+}
+
+/// The estimates of a row with the digits that are shown; the load has all of its digits.
+fn estimates(run: &Run<'_>, index: usize, row: &Row, digits: Digits) -> impl Iterator<Item = (Quantity, Option<Estimate>)> {
+    let scene = run.scene();
+    let load = scene.control.datum();
+    let is_input = move |datum| datum == load && !scene.counts_from_touch();
+    run.estimates(index, row)
+        .into_iter()
+        .map(move |(datum, own)| (datum, own.map(|own| if is_input(datum) { own } else { digits.of(own) })))
 }
 
 /// A name and its unit, as the columns of CSV are called.

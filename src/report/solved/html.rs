@@ -3,6 +3,7 @@
 use crate::contact::{Severity, Step};
 use crate::print::escaped;
 use crate::report::Derivation;
+use crate::report::digits::Digits;
 use crate::report::page::{Format, Page, Style};
 use crate::report::picture::{Picture, Pictured};
 use crate::report::sheet::SHEET;
@@ -38,9 +39,11 @@ pub fn html(sheet: &Sheet<'_>, formally: bool, out: &mut dyn Write) -> io::Resul
     for (index, row) in (0..scene.loads.len()).filter_map(|index| Some((index, run.row(index)?))) {
         verdict.take(&row);
         if row.is_valid() || formally {
-            bounds.take(run, index, &row);
+            bounds.take(run, index, &row, Digits::default());
         }
-        let numbers = cells(run, &row, formally).into_iter().map(|own| own.map_or_else(|| "–".to_owned(), |own| format!("{own:?}")));
+        let numbers = cells(run, &row, formally, Digits::default())
+            .into_iter()
+            .map(|own| own.map_or_else(|| "–".to_owned(), |own| format!("{own:?}")));
         let finding = row.indented.findings.iter().find(|own| own.severity == Severity::Error);
         rows.push((numbers.collect::<Vec<_>>(), edge_of(&row), finding.map_or("valid", |own| own.rule)));
     }

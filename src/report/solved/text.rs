@@ -1,6 +1,7 @@
 //! A solved scene as a table for the terminal, and as CSV.
 
 use crate::contact::Severity;
+use crate::report::digits::Digits;
 use crate::report::solved::bounds;
 use crate::report::solved::bounds::{Largest, named};
 use crate::report::solved::tip;
@@ -14,7 +15,7 @@ use std::io::{self, Write};
 ///
 /// # Errors
 /// As the writer.
-pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
+pub fn table(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write) -> io::Result<Verdict> {
     let scene = run.scene();
     let modulus = scene.effective_modulus * scene.system.out(Dimension::PRESSURE);
     writeln!(out, "E* = {modulus:?} {}", scene.system.unit_name(Dimension::PRESSURE))?;
@@ -35,11 +36,11 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
             lacking.extend(reasons.filter(|own| !lacking.contains(own)).collect::<Vec<_>>());
         }
         if row.is_valid() || formally {
-            bounds.take(run, index, &row);
+            bounds.take(run, index, &row, digits);
         }
         let state = row.indented.state.filter(|_| row.is_valid());
         changes.take(run.row_model_errors(index, state.as_ref()), |datum| row.value(datum));
-        for cell in cells(run, &row, formally) {
+        for cell in cells(run, &row, formally, digits) {
             write!(out, "{:>24}", cell.map_or_else(|| "-".to_owned(), |value| format!("{value:?}")))?;
         }
         write!(out, "  {}", edge_of(&row))?;
@@ -49,7 +50,7 @@ pub fn table(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<V
         writeln!(out)?;
     }
     for curve in scene.outputs.curves.iter().copied() {
-        curve_table(run, curve, formally, out)?;
+        curve_table(run, curve, formally, digits, out)?;
     }
     verdict.close(run);
     writeln!(out)?;
@@ -92,23 +93,23 @@ pub(in crate::report) fn columns(run: &Run<'_>) -> Vec<(String, String)> {
 }
 
 /// The numbers of a row; the load stands there even where the row is invalid.
-pub(in crate::report) fn cells(run: &Run<'_>, row: &Row, formally: bool) -> Vec<Option<f64>> {
+pub(in crate::report) fn cells(run: &Run<'_>, row: &Row, formally: bool, digits: Digits) -> Vec<Option<f64>> {
     let scene = run.scene();
     let touch = scene.counts_from_touch();
     let mut list = if touch { vec![Some(row.load)] } else { Vec::new() };
     let shown = formally || row.is_valid();
     list.extend(row.values.iter().map(|(datum, value)| match value {
         _ if !touch && *datum == scene.control.datum() => Some(row.load),
-        Ok(value) if shown => Some(*value),
+        Ok(value) if shown => Some(digits.rounded(*value)),
         _ => None,
     }));
     if !touch && run.touches_beside_the_axis() {
-        list.push(row.depth_from_touch.filter(|_| shown));
+        list.push(row.depth_from_touch.filter(|_| shown).map(|own| digits.rounded(own)));
     }
     list
 }
 
-fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, out: &mut dyn Write) -> io::Result<()> {
+fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, digits: Digits, out: &mut dyn Write) -> io::Result<()> {
     let scene = run.scene();
     let indices: Vec<Option<usize>> = if curve.needs_radius() { (0..scene.loads.len()).map(Some).collect() } else { vec![None] };
     let (length, unit) = (scene.system.unit_name(Dimension::LENGTH), scene.system.unit_name(curve.dimension()));
@@ -132,7 +133,7 @@ fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, out: &mut dyn Wri
                 Some(own) => format!("{own:>16.1e}"),
                 None => format!("{:>16}", "-"),
             };
-            match point.value {
+            match point.value.map(|(value, error)| digits.shown(value, error)) {
                 Ok((value, error)) => {
                     writeln!(out, "{:>24}{value:>24?}{:>16}{more}", format!("{:?}", point.at), marked(format!("{error:.1e}"), point.bound))?
                 }
@@ -155,7 +156,7 @@ fn depth(run: &Run<'_>, index: usize, state: Option<&crate::contact::State>) -> 
 ///
 /// # Errors
 /// As the writer.
-pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
+pub fn csv(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write) -> io::Result<Verdict> {
     let scene = run.scene();
     let curves = &scene.outputs.curves;
     // A load stands in every point; whatever else is known of it needs rows.
@@ -171,10 +172,10 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
     for (index, row) in (0..scene.loads.len()).filter_map(|index| Some((index, run.row(index)?))) {
         verdict.take(&row);
         if rows {
-            let numbers: Vec<String> = cells(run, &row, formally).into_iter().map(number).collect();
+            let numbers: Vec<String> = cells(run, &row, formally, digits).into_iter().map(number).collect();
             let rule = row.indented.findings.iter().find(|own| own.severity == Severity::Error).map_or("", |own| own.rule);
             let bounds = if formally || row.is_valid() {
-                bounds::fields(run, index, &row)
+                bounds::fields(run, index, &row, digits)
             } else {
                 vec![String::new(); 2 * scene.outputs.data.len()]
             };
@@ -188,11 +189,11 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
         }
         writeln!(out, "quantity,{},{},value,error,unit,bound", named("d", &length), named("at", &length))?;
         for curve in curves.iter().filter(|own| !own.needs_radius()) {
-            points(run, *curve, None, formally, out)?;
+            points(run, *curve, None, formally, digits, out)?;
         }
         for index in 0..scene.loads.len() {
             for curve in curves.iter().filter(|own| own.needs_radius()) {
-                points(run, *curve, Some(index), formally, out)?;
+                points(run, *curve, Some(index), formally, digits, out)?;
             }
         }
     }
@@ -200,13 +201,13 @@ pub fn csv(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Ver
     Ok(verdict)
 }
 
-fn points(run: &Run<'_>, curve: Quantity, index: Option<usize>, formally: bool, out: &mut dyn Write) -> io::Result<()> {
+fn points(run: &Run<'_>, curve: Quantity, index: Option<usize>, formally: bool, digits: Digits, out: &mut dyn Write) -> io::Result<()> {
     let state = index.and_then(|index| run.state(index, formally));
     let depth = state.zip(index).map_or_else(String::new, |(own, index)| format!("{:?}", run.shown_depth(index, &own)));
     let unit = run.scene().system.unit_name(curve.dimension());
     for (_, point) in run.points(curve, state) {
-        let (value, error) =
-            point.value.map_or((String::new(), String::new()), |(value, error)| (format!("{value:?}"), format!("{error:?}")));
+        let shown = point.value.map(|(value, error)| digits.shown(value, error));
+        let (value, error) = shown.map_or_else(|_| Default::default(), |(value, error)| (format!("{value:?}"), format!("{error:?}")));
         let bound = point.value.map_or("", |_| point.bound.name());
         writeln!(out, "{},{depth},{:?},{value},{error},{unit},{bound}", curve.key(), point.at)?;
     }

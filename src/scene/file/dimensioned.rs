@@ -120,7 +120,7 @@ pub(in crate::scene) fn to_f64(number: &Expr) -> Result<f64, SceneError> {
 ///
 /// # Errors
 /// As [`to_f64`].
-pub(in crate::scene) fn to_double_double(number: &Expr) -> Result<DoubleDouble, SceneError> {
+pub(crate) fn to_double_double(number: &Expr) -> Result<DoubleDouble, SceneError> {
     let nearest = to_f64(number)?;
     let rest = number.as_number().zip(BigRational::from_float(nearest)).and_then(|(exact, near)| (exact.value() - near).to_f64());
     Ok(DoubleDouble { hi: nearest, lo: rest.unwrap_or(0.0) })

@@ -57,8 +57,11 @@ pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
     let mut comment = None;
     let first = loop {
         let Some(line) = lines.peek().cloned() else {
-            let message = if comment.is_some() { "the file has comments only" } else { "the file is empty" };
-            return Err(SceneError::missing(message).help(HEADER).at(0..0));
+            // Comments are not quoted: they may be confidential.
+            return Err(match comment {
+                Some(_) => SceneError::missing("the file has comments only").help(HEADER),
+                None => SceneError::missing("the file is empty").help(HEADER).at(0..0),
+            });
         };
         match body(text, &line) {
             Some(_) => break line,
