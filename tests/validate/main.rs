@@ -4,6 +4,7 @@ mod array;
 mod columns;
 mod diagnosis;
 mod displacement;
+mod images;
 mod lattice;
 mod order;
 mod placing;

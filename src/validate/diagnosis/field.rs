@@ -1,6 +1,7 @@
 //! The diagnosis of files of places.
 
 use super::hypothesis::{self, Exchange, Slip, Taken};
+use super::images::{self, Images};
 use super::score::{Gauge, Score};
 use super::{Evidence, Found, Trial, Tried, minimum, score, thinned};
 use crate::contact::{Load, State};
@@ -56,7 +57,7 @@ impl Trial<'_> {
             tried.extend(found.map(|score| Tried { id: placing.id, text: placing.text.to_owned(), score, free: false, rough: false }));
         }
         if !free {
-            self.images(state, &spots, *side, &mut tried);
+            self.images(&exact, state, &spots, *side, &mut tried);
         }
         self.fitted_field((&exact, formula.as_ref()), &known, &spots, &mut tried);
         Some((before, tried))
@@ -89,36 +90,41 @@ impl Trial<'_> {
         Some(Tried { id: "cut-off", text, score: score::field(known, &thinned(&kept), self.gauge)?, free: false, rough: false })
     }
 
-    /// A box that repeats: its images press at the same force on a surface that they bend by c r² + e r⁴.
-    ///
-    /// A force F at the distance ρ lowers the surface by F/(πE*ρ); over a square lattice of side L the mean over the angle has
-    /// r² Σρ⁻³/4 and 9 r⁴ Σρ⁻⁵/64, where L³Σρ⁻³ = 9.0336 and L⁵Σρ⁻⁵ = 5.0903; a constant moves the depth only.
-    fn images(&self, state: &State, spots: &[Spot], side: Option<f64>, tried: &mut Vec<Tried>) {
-        let score = |side: f64| {
-            let force = state.force / (std::f64::consts::PI * self.scene.effective_modulus);
-            let (second, fourth) = (force * 9.033_6 / 4.0 / side.powi(3), force * 9.0 * 5.090_3 / 64.0 / side.powi(5));
-            let added = parse::profile(&format!("{second:e}*r^2+{fourth:e}*r^4")).ok()?;
+    /// A box that repeats, with the same force.
+    fn images(&self, exact: &Exact<'_>, state: &State, spots: &[Spot], side: Option<f64>, tried: &mut Vec<Tried>) {
+        let Some(free) = images::moments(exact, state) else { return };
+        let load = Load::Force(state.force);
+        let under = |images: Images| {
+            let added = parse::profile(&images.surface()).ok()?;
             let profile = Profile::new(&crate::expr::Formula::sum([self.scene.profile.typed.clone(), added])).ok()?;
             let scene = Scene { profile, ..self.scene.clone() };
-            self.solved(&scene, Load::Force(state.force), |exact| {
-                let own = exact.state(Load::Force(state.force))?;
-                score::field(&exact.pressures(exact.formula().as_ref(), &own), spots, self.gauge)
+            self.solved(&scene, load, |exact| {
+                let own = exact.state(load)?;
+                let spots = images.without_fourfold(spots, own.radius, self.scene.effective_modulus);
+                let score = score::field(&exact.pressures(exact.formula().as_ref(), &own), &spots, self.gauge)?;
+                Some((score, images::moments(exact, &own)?))
             })
         };
-        let a = state.radius;
-        let text = |side: f64| {
-            format!(
+        let mut take = |side: f64, is_fitted: bool| {
+            let mut found = under(Images { side, moments: free });
+            // The images make the contact smaller, and so do its own moments.
+            for _ in 0..2 {
+                found = found.and_then(|(_, moments)| under(Images { side, moments }));
+            }
+            let text = format!(
                 "periodic images: the data fit a box that repeats with a side of {:.3} a, with pressures too high inside, too low at the edge and the force conserved; refinement cannot cure that, a free half-space operator would",
-                side / a
-            )
+                side / state.radius
+            );
+            tried.extend(found.map(|(score, _)| Tried { id: "periodic", text, score, free: is_fitted, rough: true }));
         };
-        if let Some(own) = side {
-            tried.extend(score(own).map(|score| Tried { id: "periodic", text: text(own), score, free: false, rough: true }));
+        if let Some(side) = side {
+            take(side, false);
             return;
         }
-        let fitted = minimum(2.0f64.ln(), 12.0f64.ln(), 9, &|x| score(a * x.exp()).map_or(f64::MAX, |own| own.share()));
-        if let Some(own) = fitted.map(|x| a * x.exp()) {
-            tried.extend(score(own).map(|score| Tried { id: "periodic", text: text(own), score, free: true, rough: true }));
+        let a = state.radius;
+        let share = |side: f64| under(Images { side, moments: free }).map_or(f64::MAX, |(score, _)| score.share());
+        if let Some(x) = minimum(2.0f64.ln(), 12.0f64.ln(), 9, &|x| share(a * x.exp())) {
+            take(a * x.exp(), true);
         }
     }
 

@@ -3,6 +3,7 @@
 pub(crate) mod displacement;
 mod field;
 pub(crate) mod hypothesis;
+mod images;
 mod loads;
 pub(crate) mod placing;
 pub(crate) mod score;
@@ -48,6 +49,8 @@ pub(super) enum Evidence {
 /// The error must fall by this much, and to this many times what the grid excuses.
 const FALL: f64 = 6.0;
 const SHARE: f64 = 2.0;
+/// The error that remains where an effect is known to an order only: at a side of 2.05 a, that of periodic images is 4.3e-3.
+const ROUGH: f64 = 5e-3;
 /// Rows and places that a hypothesis is tried on.
 const TRIED: usize = 40;
 
@@ -86,7 +89,7 @@ fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
         let fell = error(own) * FALL <= old(column);
         // A coarse grid makes small errors that a free number can always follow.
         let clear = before.is_none_or(|before| before.share() >= if own.free { 3.0 } else { 1.5 });
-        clear && fell && (own.score.share() <= SHARE || (own.rough && error(own) <= 3e-3))
+        clear && fell && (own.score.share() <= SHARE || (own.rough && error(own) <= ROUGH))
     };
     let best = |free: bool| {
         let all = tried.iter().filter(|own| own.free == free && explains(own));
