@@ -9,6 +9,7 @@ mod loads;
 mod neighbours;
 mod norms;
 mod order;
+mod peak;
 mod record;
 mod run;
 mod shells;

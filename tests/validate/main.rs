@@ -5,6 +5,7 @@ mod columns;
 mod diagnosis;
 mod displacement;
 mod images;
+mod kinks;
 mod lattice;
 mod order;
 mod placing;
