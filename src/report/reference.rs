@@ -1,12 +1,13 @@
 //! Exact fields on a solver's grid as CSV, JSON and NPY, load by load: one field is kept at a time.
 
 use crate::contact::State;
+use crate::num::Bound;
 use crate::report::digits::Digits;
 use crate::scene::{Dimension, Field, Grid, Quantity, Run, infinite_value};
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
 use std::cell::Cell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
 /// What is wanted: fields of all loads of a run on one grid.
@@ -155,15 +156,21 @@ impl Reference<'_, '_> {
     ///
     /// What theory makes infinite is infinite there, with an infinite error; anything else that is missing is refused.
     ///
+    /// Returns the quantities with error bounds that are estimated, which an array of numbers cannot say.
+    ///
     /// # Errors
     /// As the writer; [`io::ErrorKind::InvalidData`] with the reason where there is no number.
-    pub fn npy(&self, out: &mut dyn Write) -> io::Result<usize> {
+    pub fn npy(&self, out: &mut dyn Write) -> io::Result<BTreeSet<&'static str>> {
         let grid = self.places();
         let shape = [&[self.run.scene().loads.len(), self.curves.len(), 2], grid.as_slice()].concat();
         out.write_all(&super::npy::header("<f8", &shape))?;
+        let mut estimated = BTreeSet::new();
         for (index, state) in self.states() {
             for curve in self.curves {
                 let field = self.field(*curve, state.as_ref());
+                if field.bound() == Bound::Estimated {
+                    estimated.insert(curve.key());
+                }
                 for part in 0..2 {
                     let mut write = |place: &[usize]| match field.at(place) {
                         Ok((value, error)) => out.write_all(&if part == 0 { value } else { error }.to_le_bytes()),
@@ -184,7 +191,7 @@ impl Reference<'_, '_> {
                 }
             }
         }
-        Ok(0)
+        Ok(estimated)
     }
 }
 

@@ -1,10 +1,11 @@
 //! A file of places under one load: pressures away from apex, kinks and rim, displacements, and the force that the pressures make.
 
-use super::exact::{Exact, Pressures, Sharp};
+use super::exact::{Exact, Pressures};
 use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
 use super::norms::{Norms, Outlier, Sample};
 use super::peak::{CUT, Peak};
 use super::record::{Beyond, Column, Excluded, Plot};
+use super::region::{Region, excused};
 use super::shells::Shells;
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, State};
@@ -52,10 +53,6 @@ pub(super) struct Compared {
 
 /// The pixels that are kept away from singular places.
 pub(super) const MARGIN: f64 = 4.0;
-/// The share of (h/s)² at the distance s from an inner edge.
-const INNER: f64 = 0.05;
-/// The share of h²/(a s) at the distance s ≥ h from a place where the curvature jumps.
-const BEND: f64 = 0.02;
 /// Next to the edge, the change of the exact pressure over this many pixels limits the error, with the headroom `AT_EDGE`.
 const EDGE: f64 = 1.5;
 const AT_EDGE: f64 = 0.1;
@@ -71,72 +68,12 @@ const KEPT_ERRORS: usize = 4000;
 /// Displacements that are compared.
 const DISPLACEMENTS: u64 = 4000;
 
-/// Where pressures are compared.
-pub(super) struct Region {
-    a: f64,
-    margin: f64,
-    apex: bool,
-    kinks: Vec<f64>,
-    bends: Vec<f64>,
-}
-
-impl Region {
-    pub(super) fn new(a: f64, margin: f64, sharp: &Sharp) -> Self {
-        Self {
-            a,
-            margin,
-            apex: sharp.apex,
-            kinks: sharp.kinks.iter().copied().filter(|own| *own < a).collect(),
-            bends: sharp.bends.clone(),
-        }
-    }
-
-    pub(super) fn holds(&self, r: f64) -> bool {
-        // Pixels exactly so far away belong to it, whatever their last digit.
-        let margin = self.margin * (1.0 - 1e-6);
-        (r - self.a).abs() >= margin && !self.is_near_inner(r, margin)
-    }
-
-    /// True next to the apex or a kink, but a pixel or more away from it, and away from the edge: the norms leave such a place out,
-    /// but alone it may not be off by more than `HEADROOM` times what is excused.
-    fn lies_between(&self, r: f64, pixel: Option<f64>) -> bool {
-        let near = |pixel: f64| self.is_near_inner(r, self.margin) && !self.is_near_inner(r, pixel * (1.0 - 1e-6));
-        pixel.is_some_and(near) && (r - self.a).abs() >= self.margin
-    }
-
-    fn is_near_inner(&self, r: f64, margin: f64) -> bool {
-        (self.apex && r < margin) || self.kinks.iter().any(|kink| (r - kink).abs() < margin)
-    }
-
-    /// True inside of the contact next to its edge, and away from other sharp places.
-    fn meets_edge(&self, r: f64) -> bool {
-        let margin = self.margin * (1.0 - 1e-6);
-        r < self.a && self.a - r < margin && !self.is_near_inner(r, 2.0 * margin)
-    }
-}
-
 /// Radii from whose pressures that of the data follows as a mean: those of the cell, or the place itself.
 pub(super) fn places(r: f64, cell: Option<Cell>, out: &mut Vec<f64>) {
     match cell {
         None => out.push(r),
         Some(cell) => out.extend(cell.radii(r)),
     }
-}
-
-/// The relative error of a pressure that the grid excuses.
-///
-/// F has 0.25 (h/a)² under a smooth edge and 0.25 h/a under a rim, p a little more there; next to the edge the length that the pixel must resolve is not a
-/// but (a² − r²)/a, over which p changes by itself.
-///
-/// At the distance s from an apex or a kink, where p has a logarithm, the mean over a pixel differs from p by a share of (h/s)².
-pub(super) fn excused(r: f64, region: &Region, pixel: Option<f64>, rim: bool) -> f64 {
-    let Some(pixel) = pixel else { return super::loads::BLIND };
-    let a = region.a;
-    let share = pixel / (a * (1.0 - (r / a).powi(2)).abs());
-    let inner = region.kinks.iter().copied().chain(region.apex.then_some(0.0)).map(|at| (pixel / (r - at)).powi(2)).sum::<f64>();
-    // Where the curvature jumps, the slope of p is logarithmic, and the mean over the pixel is off in first order.
-    let bends = region.bends.iter().map(|at| pixel / a * pixel / (r - at).abs().max(pixel)).sum::<f64>();
-    INNER * inner + BEND * bends + if rim { 0.3 * share } else { 0.25 * share * share }
 }
 
 /// Reads the file once more, beside the exact solution.

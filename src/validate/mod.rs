@@ -11,6 +11,7 @@ mod norms;
 mod order;
 mod peak;
 mod record;
+mod region;
 mod run;
 mod shells;
 mod verdict;

@@ -3,6 +3,7 @@
 use super::diagnosis::{self, Evidence};
 use super::exact::Exact;
 use super::order::Level;
+use super::region::Region;
 use super::verdict::{Verdict, verdict};
 use super::{FileReport, Suspicion, Validation, ValidationError, field, loads};
 use crate::contact::{Boundary, Load, State};
@@ -266,7 +267,7 @@ impl Work<'_> {
         };
         // Orders belong to one region: that of the coarsest file.
         let margin = all.iter().map(|own| own.margin).fold(0.0, f64::max);
-        let region = field::Region::new(state.radius, margin, &exact.sharp(state.radius));
+        let region = Region::new(state.radius, margin, &exact.sharp(state.radius));
         let relative = files.iter().map(|(_, pixel)| pixel.relative);
         let levels: Vec<Level> = all.iter().zip(relative).map(|(own, pixel)| level(pixel, within(&own.errors, &region))).collect();
         let column = finest.report.columns.first().map_or("p", |own| own.name);
@@ -343,7 +344,7 @@ fn reversed(verdict: &Verdict, files: &[&FileReport]) -> Option<Suspicion> {
 }
 
 /// The relative L2 error within a region, and the error of the amplitude.
-fn within(errors: &[(f64, f64, f64)], region: &field::Region) -> Option<(f64, f64)> {
+fn within(errors: &[(f64, f64, f64)], region: &Region) -> Option<(f64, f64)> {
     let (mut error, mut exact, mut along) = (0.0, 0.0, 0.0);
     for (_, p, own) in errors.iter().filter(|own| region.holds(own.0)) {
         error += (p - own) * (p - own);

@@ -34,7 +34,7 @@ fn faults_next_to_kinks_and_rims_fail() {
     for (tip, load, kink) in TIPS {
         let scene = format!("[profile]\n{tip}[material]\neffective_modulus = 1\n[load]\n{load}\n[data]\npressure = \"point\"\n");
         let rows = exact(&scene, &place);
-        let mut judged = |change: &dyn Fn(f64, f64, f64, f64) -> f64, digits: usize| {
+        let judged = |change: &dyn Fn(f64, f64, f64, f64) -> f64, digits: usize| {
             let row = |own: &[f64; 4]| {
                 let [x, y, r, p] = *own;
                 format!("{x},{y},{:.*e}\n", digits - 1, change(x, y, r, p))

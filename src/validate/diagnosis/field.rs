@@ -9,7 +9,8 @@ use crate::parse;
 use crate::scene::{Control, Scene};
 use crate::transform::Profile;
 use crate::validate::exact::{Exact, Formula, Pressures};
-use crate::validate::field::{Region, Spot};
+use crate::validate::field::Spot;
+use crate::validate::region::Region;
 
 impl Trial<'_> {
     pub(super) fn field(&self, evidence: &Evidence) -> Option<Found> {

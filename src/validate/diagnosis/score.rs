@@ -2,12 +2,13 @@
 
 use crate::contact::{Boundary, Load, State};
 use crate::validate::exact::{Exact, Pressures};
-use crate::validate::field::{Region, Spot, excused, places};
+use crate::validate::field::{Spot, places};
 use crate::validate::file::row::Row;
 use crate::validate::file::survey::Cell;
 use crate::validate::loads::{BLIND_RADIUS, Judge};
 use crate::validate::norms::Norms;
 use crate::validate::norms::ratio;
+use crate::validate::region::{Region, excused};
 
 /// What is known of the grid of the data that are scored.
 #[derive(Clone, Copy, Debug)]
