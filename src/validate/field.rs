@@ -6,6 +6,7 @@ use super::norms::{Norms, Outlier, Sample};
 use super::peak::{CUT, Peak};
 use super::record::{Beyond, Column, Excluded, Plot};
 use super::region::{Region, excused};
+use super::rim::Expected;
 use super::shells::Shells;
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, State};
@@ -60,6 +61,8 @@ const AT_EDGE: f64 = 0.1;
 const RIM_OUTSIDE: f64 = 2.0;
 /// The part by which a pressure at a rim may be smaller than the exact one `EDGE` pixels further in.
 const AT_RIM: f64 = 0.5;
+/// The part of the tolerance within which the force is the controlled one.
+const CONTROLLED: f64 = 0.1;
 /// Rows that are computed together.
 const BLOCK: usize = 4096;
 /// Places that are kept for plots and the diagnosis, and for the order.
@@ -156,7 +159,7 @@ pub(super) fn compare(
             near.iter().zip(found.chunks(3)).for_each(|(spot, exact)| own.add_at_edge(spot, exact));
         }
     }
-    let mut report = own.report(survey, scene, state, pixel, judge);
+    let mut report = own.report(survey, scene, exact, pixel, judge);
     if at_u.is_some() {
         // Around a rim the displacement changes as fast as the pressure inside, so that it is farther off than the force.
         let allowed = judge.allowed(pixel.pixel, state, room) * if state.boundary == Boundary::Rim { RIM_OUTSIDE } else { 1.0 };
@@ -218,6 +221,8 @@ struct Sums {
     force: Shells,
     /// True where the pressures are means over pixels, which add up to the force itself.
     means: bool,
+    /// True where they are said to be values at their places.
+    values: bool,
     state: State,
     rim: bool,
     /// How far the nearest kink lies from the edge of the contact.
@@ -239,6 +244,7 @@ impl Sums {
             pixel: pixel.pixel.unwrap_or(0.0),
             force: Shells::new(survey, state.radius + pixel.pixel.unwrap_or(margin), pixel),
             means: matches!(survey.cell(pixel.pixel), Some(Cell::Square { .. })),
+            values: survey.averaging == Some(Averaging::Values),
             state: *state,
             rim: state.boundary == Boundary::Rim,
         }
@@ -287,7 +293,7 @@ impl Sums {
         }
     }
 
-    fn report(&mut self, survey: &Survey<'_>, scene: &Scene, state: &State, pixel: Pixel, judge: Judge) -> FileReport {
+    fn report(&mut self, survey: &Survey<'_>, scene: &Scene, exact: &Exact<'_>, pixel: Pixel, judge: Judge) -> FileReport {
         let at = |r: f64| survey.shown(if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X }, r);
         let mut columns = Vec::new();
         let mut notes = survey.notes.clone();
@@ -305,7 +311,7 @@ impl Sums {
                 (rows > 0).then(|| Excluded { rows, infinite: self.infinite, l2: self.left_out.l2(), max: self.left_out.max() });
             columns.push(column);
             match self.force.total() {
-                Some((data, exact)) => columns.push(self.integrated(data, exact, pixel, judge)),
+                Some((data, sum, radius)) => columns.push(self.integrated(exact, (data, sum, radius), pixel, judge)),
                 None => notes.push("the force of the pressures is not judged: the lattice is not complete".to_owned()),
             }
         }
@@ -316,7 +322,7 @@ impl Sums {
         FileReport {
             name: survey.name(scene),
             grid: pixel.grid,
-            pixel: pixel.pixel.map(|h| h / state.radius),
+            pixel: pixel.pixel.map(|h| h / self.state.radius),
             rows: survey.rows,
             columns,
             notes,
@@ -324,15 +330,23 @@ impl Sums {
         }
     }
 
-    fn integrated(&self, data: f64, exact: f64, pixel: Pixel, judge: Judge) -> Column {
+    fn integrated(&self, exact: &Exact<'_>, (data, sum, radius): (f64, f64, f64), pixel: Pixel, judge: Judge) -> Column {
         // Pixels that the edge of a smooth contact cuts, where p rises as a square root: O((h/a)^(3/2)).
         let narrow = (self.state.radius / self.room).sqrt();
         let grid = pixel.pixel.map_or(super::loads::BLIND, |h| 0.5 * (h / self.state.radius).powf(1.5) * narrow);
-        let exact = if self.means { self.state.force } else { exact };
+        let force = if self.means { self.state.force } else { sum };
         let allowed = judge.demanded.unwrap_or(0.0).max(grid + judge.solver);
         let mut norms = Norms::new(true);
-        norms.add(0.0, 0.0, data, exact, allowed);
-        // Values at a rim's pixels say nothing: their sum is reported only.
-        decided("F_from_p", &norms, self.means || !self.rim)
+        norms.add(0.0, 0.0, data, force, allowed);
+        // A solver that controls the force has the exact one, and exact values at the places have their own sum.
+        let known = [self.state.force, sum].into_iter().any(|own| (data / own - 1.0).abs() <= CONTROLLED * allowed);
+        let missed = pixel.pixel.filter(|_| !self.values && !known && judge.demanded.is_none());
+        let missed = missed.and_then(|h| Expected::missed(exact, &self.state, (data, radius), h));
+        if let Some(expected) = &missed {
+            let (own, limit) = expected.of_force(radius, data);
+            norms.limit(own, limit);
+        }
+        // Values at a rim's pixels say nothing else: their sum is reported only.
+        decided("F_from_p", &norms, self.means || !self.rim || missed.is_some())
     }
 }

@@ -4,6 +4,7 @@ use super::exact::Exact;
 use super::neighbours::Neighbours;
 use super::norms::{Norms, Outlier, Sample};
 use super::record::{Column, Plot};
+use super::rim::Expected;
 use super::{FileReport, Suspicion, ValidationError};
 use crate::contact::{Boundary, Load, State};
 use crate::scene::{Control, Declared, Scene};
@@ -148,6 +149,18 @@ pub(super) fn compare(
             // The same error as one of the force, for comparison with other runs; it decides nothing.
             if let Some(own) = exact.state(Load::Depth(row.depth)) {
                 force.add(at, load, row.force, own.force, allowed);
+            }
+        }
+        if let (Some(pixel), None) = (pixel.pixel, judge.demanded)
+            && let Some(own) = exact.state(Load::Depth(row.depth)).filter(|_| has_rim)
+            && let Some(expected) = Expected::missed(exact, &own, (row.force, row.radius), pixel)
+        {
+            if control == Control::Depth {
+                let (own, limit) = expected.of_force(at, row.force);
+                force.limit(own, limit);
+            } else {
+                let (own, limit) = expected.of_depth(at, (row.force, row.depth));
+                depth.limit(own, limit);
             }
         }
         // The radius of a contact of a few pixels is not known to half a pixel.

@@ -12,6 +12,7 @@ mod order;
 mod peak;
 mod record;
 mod region;
+mod rim;
 mod run;
 mod shells;
 mod verdict;

@@ -5,6 +5,7 @@ use crate::validate::file::lattice::{self, Lattice, Offset};
 use crate::validate::file::pixel::Pixel;
 use crate::validate::file::survey::Survey;
 use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 /// Pressures summed over the shells of a lattice; complete where every pixel up to a distance was seen.
 pub(super) struct Shells {
@@ -13,7 +14,8 @@ pub(super) struct Shells {
     /// 4 r²/h² of the outermost shell.
     outermost: u64,
     counts: BTreeMap<u64, (u64, u64)>,
-    data: BTreeMap<u64, (f64, f64)>,
+    /// Sums of the pressures of the data and of the exact ones, and the number of places with a pressure.
+    data: BTreeMap<u64, (f64, f64, f64)>,
     broken: bool,
 }
 
@@ -47,26 +49,30 @@ impl Shells {
             return;
         };
         count.1 += 1;
-        let sums = self.data.entry(key).or_insert((0.0, 0.0));
+        let sums = self.data.entry(key).or_insert((0.0, 0.0, 0.0));
         if means || !exact.is_nan() {
-            *sums = (sums.0 + p, sums.1 + exact);
+            let pressed = f64::from(u8::from(p != 0.0));
+            *sums = (sums.0 + p, sums.1 + exact, sums.2 + pressed);
+        } else {
+            sums.2 = f64::NAN;
         }
     }
 
-    /// Force of the data and of the exact pressures by the same sum; `None` where a pixel is missing.
-    pub(super) fn total(&self) -> Option<(f64, f64)> {
+    /// Force of the data and of the exact pressures by the same sum, and the radius of a circle that has the area of all pixels with a
+    /// pressure, NaN where one of them does not count; `None` where a pixel is missing.
+    pub(super) fn total(&self) -> Option<(f64, f64, f64)> {
         let lattice = self.lattice.filter(|_| !self.broken)?;
         let area = lattice.pixel * lattice.pixel;
-        let mut total = (0.0, 0.0);
+        let mut total = (0.0, 0.0, 0.0);
         for (key, (pixels, seen)) in &self.counts {
             // Every pixel, or some of each shell: a quarter, an octant, or one.
             if *seen == 0 || *seen > *pixels {
                 return None;
             }
-            let (data, exact) = self.data.get(key).copied().unwrap_or((0.0, 0.0));
+            let (data, exact, pressed) = self.data.get(key).copied().unwrap_or_default();
             let weight = ratio(*pixels as f64, *seen as f64);
-            total = (total.0 + weight * data * area, total.1 + weight * exact * area);
+            total = (total.0 + weight * data * area, total.1 + weight * exact * area, total.2 + weight * pressed * area);
         }
-        Some(total)
+        Some((total.0, total.1, (total.2 / PI).sqrt()))
     }
 }

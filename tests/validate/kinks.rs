@@ -63,3 +63,52 @@ fn faults_next_to_kinks_and_rims_fail() {
         }
     }
 }
+
+/// Under a rim the force of whole pixels is that of a radius a' − 0.116 h, where a' is counted: so it was in every solver that was measured.
+#[test]
+fn one_per_cent_more_force_under_a_rim_fails() {
+    let place = room("rim");
+    let (side, radius, depth) = (3.0, 1.0, 0.05);
+    for count in [64, 96, 128] {
+        let pixel = side / f64::from(count);
+        let at = |index: i32| (f64::from(index - count / 2) + 0.5) * pixel;
+        let lattice = || (0..count).flat_map(|i| (0..count).map(move |j| (i, j)));
+        let inside = |(i, j): (i32, i32)| at(i).hypot(at(j)) < radius;
+        let counted = (lattice().filter(|own| inside(*own)).count() as f64 / std::f64::consts::PI).sqrt() * pixel;
+        let effective = counted - 0.116 * pixel;
+        let scene = "[profile]\nf = \"0\"\nradius = 1\n[material]\neffective_modulus = 1\n";
+        let loads = |factor: f64| {
+            let row = |k: i32| {
+                let d = depth * f64::from(k) / 8.0;
+                format!("{d},{:?},{counted:?}\n", factor * 2.0 * effective * d)
+            };
+            format!("d,F,a\n{}", (1..=8).map(row).collect::<String>())
+        };
+        // Pressures of that force: those of the exact contact, but for what the pixels next to the rim take.
+        let field = |factor: f64| {
+            let exact = |(i, j): (i32, i32)| {
+                let r = at(i).hypot(at(j));
+                depth / std::f64::consts::PI / (radius * radius - r * r).sqrt()
+            };
+            let is_next = |own: (i32, i32)| at(own.0).hypot(at(own.1)) > radius - 2.0 * pixel;
+            let sum = |next: bool| lattice().filter(|own| inside(*own) && is_next(*own) == next).map(exact).sum::<f64>() * pixel * pixel;
+            let rest = (2.0 * effective * depth - sum(false)) / sum(true);
+            let row = |own: (i32, i32)| {
+                let p = if !inside(own) { 0.0 } else { factor * exact(own) * if is_next(own) { rest } else { 1.0 } };
+                format!("{},{},{p:?}\n", at(own.0), at(own.1))
+            };
+            format!("x,y,p\n{}", lattice().map(row).collect::<String>())
+        };
+        for factor in [1.0, 1.01, 0.985] {
+            let code = i32::from(factor != 1.0);
+            fs::write(place.join("loads.csv"), loads(factor)).unwrap();
+            let grid = count.to_string();
+            let (found, document) = validated(&place, scene, &["loads.csv".to_owned()], &["--grid", &grid, "--box", "3"]);
+            assert_eq!(found, code, "{count} {factor}: {document:#}");
+            fs::write(place.join("field.csv"), field(factor)).unwrap();
+            let scene = format!("{scene}[load]\ndepth = {depth}\n");
+            let (found, document) = validated(&place, &scene, &["field.csv".to_owned()], &["--grid", &grid, "--box", "3"]);
+            assert_eq!(found, code, "field {count} {factor}: {document:#}");
+        }
+    }
+}
