@@ -199,32 +199,42 @@ pub(super) fn ratio(above: f64, below: f64) -> f64 {
     if ratio.is_finite() { ratio } else { f64::MAX }
 }
 
-/// At most twice so many items of a stream, evenly spaced.
+/// At most twice so many items of a stream, drawn evenly.
+///
+/// The fractional parts of i φ, where φ is the golden ratio, fill [0, 1) evenly, and those below 2⁻ⁿ choose the items. A step between
+/// items would meet the same column of a lattice in every row.
 #[derive(Clone, Debug)]
 pub(super) struct Sample<T> {
     pub(super) items: Vec<T>,
+    /// The fractional parts as whole numbers, one per item.
+    parts: Vec<u64>,
     most: usize,
-    every: u64,
+    /// n.
+    level: u32,
     seen: u64,
 }
 
 impl<T> Sample<T> {
     pub(super) fn new(most: usize) -> Self {
-        Self { items: Vec::new(), most, every: 1, seen: 0 }
+        Self { items: Vec::new(), parts: Vec::new(), most, level: 0, seen: 0 }
     }
 
     pub(super) fn push(&mut self, item: T) {
-        if self.seen.is_multiple_of(self.every) {
-            self.items.push(item);
-        }
+        let part = self.seen.wrapping_mul(GOLDEN);
         self.seen += 1;
-        if self.items.len() >= 2 * self.most {
-            let mut index = 0;
-            self.items.retain(|_| {
-                index += 1;
-                index % 2 == 1
-            });
-            self.every *= 2;
+        if part.leading_zeros() < self.level {
+            return;
+        }
+        self.items.push(item);
+        self.parts.push(part);
+        while self.items.len() >= 2 * self.most {
+            self.level += 1;
+            let mut chosen = self.parts.iter().map(|own| own.leading_zeros() >= self.level);
+            self.items.retain(|_| chosen.next().unwrap_or(false));
+            self.parts.retain(|own| own.leading_zeros() >= self.level);
         }
     }
 }
+
+/// 2⁶⁴ (φ − 1).
+const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;

@@ -63,7 +63,7 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
         let mut files: Vec<(&Survey<'_>, Pixel)> = own.into_iter().map(|own| &*own).zip(pixels).collect();
         files.sort_by(|one, other| other.1.relative.total_cmp(&one.1.relative));
         let part = if content == Content::Loads { work.loads(&files)? } else { work.field(&files)? };
-        parts.push(part.against(contradiction));
+        parts.push(part.against(contradiction, content == Content::Loads));
     }
     let mut notes: Vec<String> = units.note.into_iter().collect();
     if scene.data.as_ref().is_some_and(|own| own.walls == Walls::Periodic) {
@@ -136,14 +136,15 @@ impl Part {
     }
 
     /// Fails where the places of the data contradict what is declared of them.
-    fn against(mut self, contradiction: Option<Suspicion>) -> Self {
+    fn against(mut self, contradiction: Option<Suspicion>, of_radii: bool) -> Self {
         if let Some(found) = contradiction {
             if self.verdict.passed {
-                self.verdict.reason = "the declared box and grid do not fit the places of the data".to_owned();
+                self.verdict.reason = "the declared box and grid do not fit the data".to_owned();
             }
             (self.verdict.passed, self.verdict.judged) = (false, true);
-            // Coordinates from a corner often miss a pixel as well; the axis is the larger fault.
-            if self.suspicion.as_ref().is_none_or(|own| !matches!(own.id, "origin-corner" | "fftshift")) {
+            // Coordinates from a corner often miss a pixel as well, and the axis is the larger fault; radii may be other numbers under their name.
+            let is_larger = |own: &Suspicion| of_radii || matches!(own.id, "origin-corner" | "fftshift");
+            if !self.suspicion.as_ref().is_some_and(is_larger) {
                 self.suspicion = Some(found);
             }
         }
@@ -302,7 +303,7 @@ impl Work<'_> {
             spots: finest.spots.clone(),
             state: *state,
             held,
-            side: pixel.side,
+            side: pixel.side.or_else(|| survey.filled_square()),
             free,
             placings: placings(&survey.extent, pixel.pixel, pixel.side),
             factors: survey.place_factors(),

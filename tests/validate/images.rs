@@ -48,16 +48,19 @@ fn images_are_named_down_to_touching_contacts() {
                 writeln!(data, "{},{},{}", at(column), at(row), pressures[&(i.max(j), i.min(j))]).unwrap();
             }
         }
-        fs::write(place.join("data.csv"), data).unwrap();
-        for known in [&["--box", &side][..], &[]] {
-            let arguments = [&["validate", "scene.toml", "data.csv", "--grid", "64", "--json"], known].concat();
+        fs::write(place.join("data.csv"), &data).unwrap();
+        // Without a part of the box, nothing but the pressures tells its side; where contacts almost touch, that is not found.
+        let part: Vec<&str> = data.lines().enumerate().filter(|(index, _)| *index == 0 || index % COUNT > 3).map(|own| own.1).collect();
+        fs::write(place.join("part.csv"), part.join("\n")).unwrap();
+        let calls = [&["data.csv", "--grid", "64", "--box", &side][..], &["data.csv"], &["part.csv"]];
+        for known in &calls[..if side_of_box > 2.5 { 3 } else { 2 }] {
+            let arguments = [["validate", "scene.toml", "--json"].as_slice(), known].concat();
             let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).current_dir(&place).args(arguments).output().unwrap();
             let answer: Value = serde_json::from_slice(&done.stdout).unwrap();
             assert_eq!((done.status.code(), &answer["suspicion_details"]["id"]), (Some(1), &"periodic".into()), "{tip} {side}: {answer}");
-            // The side of the box is found from the pressures alone.
             let text = answer["suspicion"].as_str().unwrap();
             let named: f64 = text.split("a side of ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
-            assert!((named / side_of_box - 1.0).abs() < 1e-2, "{tip} {side}: {text}");
+            assert!((named / side_of_box - 1.0).abs() < 2e-3, "{tip} {side}: {text}");
         }
     }
 }

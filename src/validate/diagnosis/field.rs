@@ -3,7 +3,7 @@
 use super::hypothesis::{self, Exchange, Slip, Taken};
 use super::images::{self, Images};
 use super::score::{Gauge, Score};
-use super::{Evidence, Found, Trial, Tried, minimum, score, thinned};
+use super::{Evidence, Found, Trial, Tried, minimum, minimum_by, score, thinned};
 use crate::contact::{Load, State};
 use crate::parse;
 use crate::scene::{Control, Scene};
@@ -11,6 +11,9 @@ use crate::transform::Profile;
 use crate::validate::exact::{Exact, Formula, Pressures};
 use crate::validate::field::Spot;
 use crate::validate::region::Region;
+
+/// Golden sections for the side of a box, each of which requires a new exact solution: they leave some 1e-4 of the side.
+const SECTIONS_OF_A_SIDE: u32 = 14;
 
 impl Trial<'_> {
     pub(super) fn field(&self, evidence: &Evidence) -> Option<Found> {
@@ -26,12 +29,18 @@ impl Trial<'_> {
         let clear: Vec<Spot> = inside.iter().copied().filter(|spot| region.holds(spot.r)).collect();
         let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(all.as_slice(), Vec::as_slice);
         let spots = thinned(chosen);
+        // All places count here, since few of them may be cut off.
+        if let Some(cut_off) = self.cut_off(&known, &clear, factors.1) {
+            let whole = score::field(&known, &clear, self.gauge);
+            if super::chosen(whole, vec![cut_off.clone()]).is_some() {
+                return Some((whole, vec![cut_off]));
+            }
+        }
         let before = score::field(&known, &spots, self.gauge);
         if before.is_some_and(|own| own.share() <= 1.0) {
             return self.lost(&known, all);
         }
         let mut tried = Vec::new();
-        tried.extend(self.cut_off(&known, &clear, factors.1));
         for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
             let spots = placed(&spots, &fault.slip, *factors);
             if fault.taken == Taken::AsIs {
@@ -124,7 +133,7 @@ impl Trial<'_> {
         }
         let a = state.radius;
         let share = |side: f64| under(Images { side, moments: free }).map_or(f64::MAX, |(score, _)| score.share());
-        if let Some(x) = minimum(2.0f64.ln(), 12.0f64.ln(), 9, &|x| share(a * x.exp())) {
+        if let Some(x) = minimum_by(SECTIONS_OF_A_SIDE, 2.0f64.ln(), 12.0f64.ln(), 9, &|x| share(a * x.exp())) {
             take(a * x.exp(), true);
         }
     }

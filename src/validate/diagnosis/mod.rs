@@ -60,6 +60,7 @@ const ONE: u64 = 20_000_000;
 const ALL: u64 = 150_000_000;
 
 /// A hypothesis that was tried.
+#[derive(Clone)]
 struct Tried {
     id: &'static str,
     text: String,
@@ -175,8 +176,16 @@ impl Trial<'_> {
     }
 }
 
+/// Golden sections that make a minimum as sharp as doubles allow.
+const SECTIONS: u32 = 28;
+
 /// The smallest value of a function over an interval: the best of evenly spaced trials, made sharp by golden sections.
 fn minimum(low: f64, high: f64, trials: u32, f: &dyn Fn(f64) -> f64) -> Option<f64> {
+    minimum_by(SECTIONS, low, high, trials, f)
+}
+
+/// The same by so many golden sections.
+fn minimum_by(sections: u32, low: f64, high: f64, trials: u32, f: &dyn Fn(f64) -> f64) -> Option<f64> {
     let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(trials - 1);
     let best = (0..trials).map(|index| (index, f(at(index)))).min_by(|one, other| one.1.total_cmp(&other.1))?;
     if best.1 == f64::MAX {
@@ -186,7 +195,7 @@ fn minimum(low: f64, high: f64, trials: u32, f: &dyn Fn(f64) -> f64) -> Option<f
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let (mut inner, mut outer) = (right - golden * (right - left), left + golden * (right - left));
     let (mut f_inner, mut f_outer) = (f(inner), f(outer));
-    for _ in 0..28 {
+    for _ in 0..sections {
         if f_inner <= f_outer {
             (right, outer, f_outer) = (outer, inner, f_inner);
             inner = right - golden * (right - left);

@@ -17,10 +17,13 @@ pub(in crate::validate) struct Pixel {
     pub(in crate::validate) side: Option<f64>,
     /// The pixel that the places or the contact radii of the data show.
     seen: Option<f64>,
-    /// How many times the pixel of the places is as large as the one that box and grid make, where both are known.
+    /// How many times the pixel of the places is as large as the one that box and grid make, where both are known; for contact radii, the
+    /// ratio of the areas.
     mismatch: Option<f64>,
-    /// The side of the square that the places fill, where another box is declared and no grid.
+    /// The side of the square that the places fill, where another box or a smaller grid is declared.
     filled: Option<f64>,
+    /// True where contact radii show the pixel, not places.
+    by_radii: bool,
 }
 
 impl Pixel {
@@ -38,15 +41,24 @@ pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> 
         let text = "files in the wrong order: the numbers of pixels fit the data only in another order of the files".to_owned();
         return Some(Suspicion { id: "file-order", text, before, after: 0.0 });
     }
-    let text = if let Some(side) = worst?.filled {
-        format!("another box: the places of the data fill a square of {side:.6} in the scene's unit of length, not the declared box")
-    } else {
-        let side = worst.and_then(|own| Some(own.seen? * own.grid?)).unwrap_or(f64::NAN);
-        format!(
-            "another box: with that grid the places of the data fit a box of {side:.6} in the scene's unit of length, not the declared one"
-        )
+    let worst = worst?;
+    let text = match (worst.filled, worst.grid, worst.seen) {
+        (Some(side), Some(count), Some(h)) => {
+            format!("another grid: the places of the data fill a square of {:.0} pixels along a side, not of {count}", side / h)
+        }
+        (Some(side), ..) => {
+            format!("another box: the places of the data fill a square of {side:.6} in the scene's unit of length, not the declared box")
+        }
+        (None, Some(count), Some(h)) if worst.by_radii => format!(
+            "another box: the contact radii are counted in pixels of {h:.6}, and with that grid fit a box of {:.6} in the scene's unit of length or a whole fraction of it, not the declared one",
+            h * count
+        ),
+        (None, count, h) => format!(
+            "another box: with that grid the places of the data fit a box of {:.6} in the scene's unit of length, not the declared one",
+            count.zip(h).map_or(f64::NAN, |(count, h)| count * h)
+        ),
     };
-    let ratio = worst.and_then(|own| own.filled.zip(own.side).map(|(filled, side)| filled / side).or(own.mismatch));
+    let ratio = worst.filled.zip(worst.side).map(|(filled, side)| filled / side).or(worst.mismatch);
     Some(Suspicion { id: "box", text, before: ratio.map_or(0.0, |own| (own - 1.0).abs()), after: 0.0 })
 }
 
@@ -87,16 +99,21 @@ pub(in crate::validate) fn pixels(
         let count = if given.len() == surveys_len(given, grid, index) { given.get(index).copied() } else { None };
         let betrayed = survey.lattice.map(|own| own.pixel).or(survey.counted);
         let stated = side.zip(count).map(|(side, count)| side / count);
-        let mismatch = survey.lattice.map(|own| own.pixel).zip(stated).map(|(own, stated)| own / stated);
-        // Coordinates may begin and end on the sides of the box, or half a pixel inside.
-        let filled = survey
-            .filled_square()
-            .filter(|own| count.is_none() && side.zip(betrayed).is_some_and(|(side, h)| (own - side).abs() > 1.5 * h));
+        let of_places = survey.lattice.map(|own| own.pixel).zip(stated).map(|(own, stated)| own / stated);
+        // The largest pixel of whole areas has a whole number of true pixels: four where the contact is symmetrical.
+        let of_radii = survey.counted.filter(|_| survey.lattice.is_none()).zip(stated).map(|(own, stated)| (own / stated).powi(2));
+        let mismatch = of_places.or(of_radii);
+        let filled = survey.filled_square().filter(|own| match (side, count, betrayed) {
+            // Coordinates may begin and end on the sides of the box, or half a pixel inside.
+            (Some(side), None, Some(h)) => [0.0, 1.0].iter().all(|pixels| (own - side - pixels * h).abs() > 0.25 * h),
+            (None, Some(count), Some(h)) => *own > (count + 0.5) * h,
+            _ => false,
+        });
         // What the data show is true of them, whatever is declared; contact radii tell less surely.
         let disagrees = Pixel { mismatch, ..Pixel::default() }.contradicts();
-        let pixel = if disagrees { betrayed.or(stated) } else { stated.or(betrayed) };
+        let pixel = if disagrees && survey.lattice.is_some() { betrayed.or(stated) } else { stated.or(betrayed) };
         match (stated, betrayed, survey.lattice) {
-            (Some(stated), Some(betrayed), _) if (stated / betrayed - 1.0).abs() > 0.01 => {
+            (Some(stated), Some(betrayed), _) if disagrees || (survey.lattice.is_some() && (stated / betrayed - 1.0).abs() > 0.01) => {
                 survey.notes.push(format!(
                     "box and grid make a pixel of {stated:.6e}, the data look like one of {betrayed:.6e} (in the scene's unit of length)"
                 ));
@@ -116,7 +133,7 @@ pub(in crate::validate) fn pixels(
             _ => {}
         }
         let side = side.or_else(|| pixel.zip(count).map(|(pixel, count)| pixel * count));
-        list.push(Pixel { grid: count, pixel, relative: 0.0, side, seen: betrayed, mismatch, filled });
+        list.push(Pixel { grid: count, pixel, relative: 0.0, side, seen: betrayed, mismatch, filled, by_radii: survey.lattice.is_none() });
     }
     let all_known = list.iter().all(|own| own.pixel.is_some());
     let all_counted = list.iter().all(|own| own.grid.is_some());
