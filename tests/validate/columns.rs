@@ -97,6 +97,60 @@ fn grids_in_another_order_are_named() {
     }
 }
 
+/// A shift by one pixel of 256: places that are drawn by a step would all lie in a few columns.
+#[test]
+fn the_axis_of_a_fine_lattice_is_found() {
+    let place = room("axis");
+    let scene = format!("{SCENE}[load]\ncontact_radius = 4\n");
+    let whole = field(&[4.0], 256, 256);
+    for (rows, across) in [(1, 0), (0, 1), (-1, 1)] {
+        let at = |i: i32, j: i32| whole[usize::try_from(256 * (i - rows).rem_euclid(256) + (j - across).rem_euclid(256)).unwrap()];
+        let moved: Vec<f64> = (0..256).flat_map(|i| (0..256).map(move |j| at(i, j))).collect();
+        fs::write(place.join("data.npy"), npy(&[256, 256], &moved)).unwrap();
+        let (code, found) = validated(&place, &scene, &["data.npy".to_owned()], &["--box", "12.8", "--origin", "pixel"]);
+        assert_eq!((code, &found["suspicion_details"]["id"]), (1, &"origin".into()), "{found:#}");
+        let text = found["suspicion"].as_str().unwrap();
+        let named: Vec<f64> = text.split(['(', ',', ')']).filter_map(|own| own.trim().parse().ok()).collect();
+        let [x, y] = named[..] else { panic!("{text}") };
+        assert!((x - 0.05 * f64::from(across)).abs() < 1e-3 && (y - 0.05 * f64::from(rows)).abs() < 1e-3, "{rows} {across}: {text}");
+    }
+}
+
+/// Fewer pixels than places along a side, and boxes that the counted contact radii do not fit.
+#[test]
+fn grids_and_boxes_that_cannot_be_fail() {
+    let place = room("impossible");
+    let scene = format!("{SCENE}[load]\ncontact_radius = 1\n");
+    let step = |index: usize| 0.05 * (index as f64 - 32.0);
+    let row =
+        |index: usize| format!("{},{},{:?}\n", step(index % 64), step(index / 64), pressure(1.0, step(index % 64).hypot(step(index / 64))));
+    fs::write(place.join("data.csv"), format!("x,y,p\n{}", (0..64 * 64).map(row).collect::<String>())).unwrap();
+    let counted = |a: f64| {
+        let pixels = (0..64 * 64).filter(|index| step(index % 64).hypot(step(index / 64)) < a).count();
+        (pixels as f64 / PI).sqrt() * 0.05
+    };
+    let load = |index: i32| {
+        let a = 0.3 + 0.1 * f64::from(index);
+        format!("{:?},{:?},{:?}\n", a * a / 10.0, 4.0 * a.powi(3) / 30.0, counted(a))
+    };
+    fs::write(place.join("loads.csv"), format!("d,F,a\n{}", (0..9).map(load).collect::<String>())).unwrap();
+    for (file, more, code) in [
+        ("data.csv", &["--grid", "64"][..], 0),
+        ("data.csv", &["--grid", "32"], 1),
+        ("data.csv", &["--grid", "63"], 1),
+        ("data.csv", &["--box", "3.2"], 0),
+        ("data.csv", &["--box", "3.12"], 1),
+        ("loads.csv", &["--grid", "64", "--box", "3.2"], 0),
+        ("loads.csv", &["--grid", "32", "--box", "3.2"], 1),
+        ("loads.csv", &["--grid", "64", "--box", "6.4"], 1),
+    ] {
+        let (found, document) = validated(&place, &scene, &[file.to_owned()], more);
+        assert_eq!(found, code, "{file} {more:?}: {document:#}");
+        let name = if code == 0 { Value::Null } else { Value::from("box") };
+        assert_eq!(document["suspicion_details"].get("id").cloned().unwrap_or_default(), name, "{more:?}: {document:#}");
+    }
+}
+
 /// Where a pixel lies next to a kink, the mean that a solver has there is far below the exact value; the force of all pixels is right.
 #[test]
 fn a_pixel_at_a_kink_leaves_the_force_alone() {
