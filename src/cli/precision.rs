@@ -1,4 +1,4 @@
-//! How many digits text and CSV have.
+//! The option `--precision`: the number of digits in text and CSV.
 
 use super::Failure;
 use crate::report::Digits;
@@ -11,21 +11,21 @@ pub(super) struct PrecisionArguments {
 }
 
 impl PrecisionArguments {
-    /// The digits; `rounds` says whether the format is one of those that can have fewer.
+    /// Returns the digits; `rounds` says whether the format of the answer can be rounded.
     ///
     /// # Errors
-    /// [`Failure`] for a number that is none of digits, and for a format that always has all of them.
+    /// [`Failure`] for anything but a whole number from 1 to 17, and for formats that are never rounded.
     pub(super) fn digits(&self, rounds: bool) -> Result<Digits, Failure> {
         let Some(text) = &self.precision else { return Ok(Digits::default()) };
         let digits = text.trim().parse().ok().and_then(Digits::significant).ok_or_else(|| {
-            Failure::new(format!("--precision {} is no number of digits", text.trim()))
+            Failure::new(format!("--precision {} is not a number of digits", text.trim()))
                 .help(format!("a whole number from 1 to {} would be accepted", Digits::MOST))
                 .at("--precision", text, 0..text.len())
         })?;
         if rounds {
             Ok(digits)
         } else {
-            Err(Failure::new("--precision is for text and CSV; other formats have all digits").help("leave it out"))
+            Err(Failure::new("--precision rounds text and CSV; other formats have all digits").help("leave --precision out"))
         }
     }
 }

@@ -1,18 +1,18 @@
-//! How many digits of a number are shown.
+//! Rounding to a number of significant digits, with error bounds that include it.
 
 use crate::num::Estimate;
 
-/// The digits of the values in text and CSV: all of them, or a number of significant ones.
+/// The number of significant digits of values in text and CSV; all digits by default.
 ///
 /// Coordinates, loads and other inputs are always shown with all their digits, because the values belong to them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Digits(Option<usize>);
 
 impl Digits {
-    /// The most digits that a double needs.
+    /// The number of digits that identify every double.
     pub const MOST: usize = 17;
 
-    /// So many significant digits, from 1 to [`Self::MOST`]; `None` for other numbers.
+    /// Returns a rounding to `count` digits, from 1 to [`Self::MOST`]; `None` for any other number.
     ///
     /// ```
     /// use sneddon::report::Digits;
@@ -23,16 +23,16 @@ impl Digits {
         (1..=Self::MOST).contains(&count).then_some(Self(Some(count)))
     }
 
-    /// The double nearest to the value rounded to so many digits.
+    /// Rounds a value and returns the double nearest to the result.
     pub fn rounded(self, value: f64) -> f64 {
         match self.0 {
-            // A number next to the largest one may have no neighbour of so few digits.
+            // The largest doubles would be rounded to infinity.
             Some(count) => format!("{value:.*e}", count - 1).parse().ok().filter(|own: &f64| own.is_finite()).unwrap_or(value),
             None => value,
         }
     }
 
-    /// The value as it is shown, and a bound of the error of what is shown, rounded up.
+    /// Rounds a value and returns it with a bound of its error, rounding included; the bound is rounded up.
     pub fn shown(self, value: f64, error: f64) -> (f64, f64) {
         let shown = self.rounded(value);
         let error = if shown == value { error } else { (error + (shown - value).abs()).next_up() };
@@ -48,7 +48,7 @@ impl Digits {
         }
     }
 
-    /// The same for an estimate.
+    /// Rounds the value of an estimate and its error bound.
     pub fn of(self, estimate: Estimate) -> Estimate {
         let (value, error) = self.shown(estimate.value, estimate.error);
         Estimate { value, error, ..estimate }

@@ -156,7 +156,7 @@ impl Reference<'_, '_> {
     ///
     /// What theory makes infinite is infinite there, with an infinite error; anything else that is missing is refused.
     ///
-    /// Returns the quantities with error bounds that are estimated, which an array of numbers cannot say.
+    /// Returns the quantities whose error bounds are estimated; an array of numbers cannot hold this.
     ///
     /// # Errors
     /// As the writer; [`io::ErrorKind::InvalidData`] with the reason where there is no number.

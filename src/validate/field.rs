@@ -61,7 +61,7 @@ const AT_EDGE: f64 = 0.1;
 const RIM_OUTSIDE: f64 = 2.0;
 /// The part by which a pressure at a rim may be smaller than the exact one `EDGE` pixels further in.
 const AT_RIM: f64 = 0.5;
-/// The part of the tolerance within which the force is the controlled one.
+/// A force this near to the exact one, as a part of the tolerance, was controlled.
 const CONTROLLED: f64 = 0.1;
 /// Rows that are computed together.
 const BLOCK: usize = 4096;
@@ -189,7 +189,7 @@ pub(super) fn compare(
     }
     let kind = if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X };
     let shown = |p: f64| sign * survey.shown(Kind::Pressure, p);
-    // Where the norms fail as well, other faults may explain the data, such as a wrong place of the axis.
+    // If the norms fail as well, a wrong axis or another fault may explain the data, and the diagnosis decides.
     let holds = own.compared.l2() <= own.compared.allowed();
     let cut_off = own.peak.suspicion(shown, own.compared.l2()).filter(|_| holds);
     let single = cut_off.or_else(|| single(&own.compared, shown, "p", (|r| survey.shown(kind, r), "r")));
@@ -221,7 +221,7 @@ struct Sums {
     force: Shells,
     /// True where the pressures are means over pixels, which add up to the force itself.
     means: bool,
-    /// True where they are said to be values at their places.
+    /// True if the scene or the file says that they are values at their places.
     values: bool,
     state: State,
     rim: bool,
@@ -298,7 +298,7 @@ impl Sums {
         let mut columns = Vec::new();
         let mut notes = survey.notes.clone();
         if survey.index(Kind::Pressure).is_some() {
-            // Pressures that are cut off near a kink or a rim lie within wide tolerances.
+            // Near kinks and rims the tolerances are too wide to show that pressures are cut off.
             if let Some(own) = self.peak.cut_off() {
                 self.compared.limit(own, CUT);
             }
@@ -338,7 +338,7 @@ impl Sums {
         let allowed = judge.demanded.unwrap_or(0.0).max(grid + judge.solver);
         let mut norms = Norms::new(true);
         norms.add(0.0, 0.0, data, force, allowed);
-        // A solver that controls the force has the exact one, and exact values at the places have their own sum.
+        // This does not apply to the exact force of a solver under force control, nor to the sum of exact values at the places.
         let known = [self.state.force, sum].into_iter().any(|own| (data / own - 1.0).abs() <= CONTROLLED * allowed);
         let missed = pixel.pixel.filter(|_| !self.values && !known && judge.demanded.is_none());
         let missed = missed.and_then(|h| Expected::missed(exact, &self.state, (data, radius), h));
@@ -346,7 +346,7 @@ impl Sums {
             let (own, limit) = expected.of_force(radius, data);
             norms.limit(own, limit);
         }
-        // Values at a rim's pixels say nothing else: their sum is reported only.
+        // Otherwise a sum of values under a rim is reported, but decides nothing.
         decided("F_from_p", &norms, self.means || !self.rim || missed.is_some())
     }
 }

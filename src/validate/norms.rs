@@ -199,14 +199,14 @@ pub(super) fn ratio(above: f64, below: f64) -> f64 {
     if ratio.is_finite() { ratio } else { f64::MAX }
 }
 
-/// At most twice so many items of a stream, drawn evenly.
+/// A sample of a stream: fewer than twice `most` items, drawn evenly.
 ///
-/// The fractional parts of i φ, where φ is the golden ratio, fill [0, 1) evenly, and those below 2⁻ⁿ choose the items. A step between
-/// items would meet the same column of a lattice in every row.
+/// An item is kept if the fractional part of its index times the golden ratio is below 2⁻ⁿ; these parts are spread evenly over [0, 1).
+/// Taking every 2ⁿ-th item would take the same columns of every row of a lattice.
 #[derive(Clone, Debug)]
 pub(super) struct Sample<T> {
     pub(super) items: Vec<T>,
-    /// The fractional parts as whole numbers, one per item.
+    /// The fractional part of each item in units of 2⁻⁶⁴.
     parts: Vec<u64>,
     most: usize,
     /// n.

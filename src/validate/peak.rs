@@ -1,15 +1,15 @@
-//! The largest pressure: where several places have it although the exact pressures differ, the data are cut off.
+//! Pressures that are cut off: several places share the largest value although their exact pressures differ.
 
 use super::Suspicion;
 use super::norms::Outlier;
 
-/// Pressures that agree within this share are one number.
+/// Relative difference up to which two pressures are the same.
 const SAME: f64 = 1e-9;
-/// Places that must have it; pixels that lie symmetrically to the axis have one exact pressure.
+/// Minimum number of places that share the largest pressure.
 const FEWEST: u64 = 3;
-/// The share by which the exact pressures must differ, several times what is lost by printing two digits.
+/// Minimum relative difference of their exact pressures; printing only two digits makes one of at most 0.05 look equal.
 const APART: f64 = 0.1;
-/// The part of the largest exact pressure that must be missing.
+/// Limit of the error of the largest exact pressure, relative to it.
 pub(super) const CUT: f64 = 0.05;
 
 /// The largest pressure of the data and the exact pressures at its places.
@@ -21,7 +21,7 @@ pub(super) struct Peak {
     high: f64,
     /// Where the exact pressure is largest.
     at: f64,
-    /// Sums of the squares of the exact pressures and of what the data lack of them.
+    /// Sums of squares: of the exact pressures, and of their differences from the data.
     exact: f64,
     lack: f64,
 }
@@ -43,7 +43,7 @@ impl Peak {
         }
     }
 
-    /// The place with the largest exact pressure, where the data are cut off.
+    /// Returns the place with the largest exact pressure if the data are cut off.
     pub(super) fn cut_off(&self) -> Option<Outlier> {
         let is_cut = self.places >= FEWEST && self.high > self.low * (1.0 + APART) && self.high > self.p;
         is_cut.then_some(Outlier { at: self.at, data: self.p, exact: self.high, allowed: 0.0 })

@@ -33,8 +33,9 @@ impl Region {
         (r - self.a).abs() >= margin && !self.is_near_inner(r, margin)
     }
 
-    /// True next to the apex or a kink, but a pixel or more away from it, and away from the edge: the norms leave such a place out,
-    /// but alone it may not be off by more than `HEADROOM` times what is excused.
+    /// Returns true within the margin of the apex or a kink, but at least one pixel away from it and outside the margin of the edge.
+    ///
+    /// The norms leave such a place out, but it has a limit of its own: `HEADROOM` times what the grid excuses there.
     pub(super) fn lies_between(&self, r: f64, pixel: Option<f64>) -> bool {
         let near = |pixel: f64| self.is_near_inner(r, self.margin) && !self.is_near_inner(r, pixel * (1.0 - 1e-6));
         pixel.is_some_and(near) && (r - self.a).abs() >= self.margin

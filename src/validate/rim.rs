@@ -5,13 +5,15 @@ use super::norms::{Outlier, ratio};
 use crate::contact::{Boundary, State};
 use std::f64::consts::PI;
 
-/// A solver fills whole pixels, whose area is that of a circle of the radius a' = √(N h²/π), and F is that of about the radius a' − 0.116 h:
-/// it was 0.105 to 0.119 in 14 fields of three solvers. The limits are those of the difference in h; other elements may have another one.
+/// Limits of the radius to which F belongs, below and above a' = √(N h²/π), in pixels.
+///
+/// A solver fills N whole pixels, and its force is that of about the radius a' − 0.116 h: in 14 runs of three solvers the difference was
+/// 0.105 h to 0.119 h. The limits leave room for solvers with other elements.
 const LIMITS: [f64; 2] = [0.25, 0.05];
-/// Part of a pixel by which a number of pixels may be no whole one, as in a printed radius.
+/// Maximum distance of N from a whole number; radii are printed with few digits.
 const WHOLE: f64 = 0.02;
 
-/// The force that belongs to a radius, and by how much the one of the data may differ from it.
+/// The force that belongs to the counted radius, and the maximum difference of the data from it.
 pub(super) struct Expected {
     force: f64,
     bound: f64,
@@ -20,7 +22,7 @@ pub(super) struct Expected {
 }
 
 impl Expected {
-    /// `None` unless the contact ends at a rim, N is a whole number, and the force is too far from that of a'.
+    /// Returns what was expected if the contact ends at a rim, N is a whole number, and the force is outside its limits.
     ///
     /// At a given depth, dF/da = 2E*(d − g(a)).
     pub(super) fn missed(exact: &Exact<'_>, state: &State, (force, radius): (f64, f64), pixel: f64) -> Option<Self> {
@@ -37,13 +39,13 @@ impl Expected {
         ((force - expected).abs() > bound).then_some(Self { force: expected, bound, stiffness: twice * radius })
     }
 
-    /// The force as an outlier, with its limit.
+    /// Returns the force as an outlier with its limit.
     pub(super) fn of_force(&self, at: f64, data: f64) -> (Outlier, f64) {
         let limit = ratio(self.bound, self.force);
         (Outlier { at, data, exact: self.force, allowed: limit }, limit)
     }
 
-    /// The same as an error of the depth at a given force.
+    /// Returns the same as an error of the depth at the force of the data.
     pub(super) fn of_depth(&self, at: f64, (force, depth): (f64, f64)) -> (Outlier, f64) {
         let exact = depth + (force - self.force) / self.stiffness;
         let limit = ratio(self.bound, self.stiffness * exact);

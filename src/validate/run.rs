@@ -142,7 +142,8 @@ impl Part {
                 self.verdict.reason = "the declared box and grid do not fit the data".to_owned();
             }
             (self.verdict.passed, self.verdict.judged) = (false, true);
-            // Coordinates from a corner often miss a pixel as well, and the axis is the larger fault; radii may be other numbers under their name.
+            // Coordinates from a corner often miss a pixel as well, and the axis is the larger fault. Contact radii that do not fit the
+            // box may be the consequence of another fault, such as exchanged columns.
             let is_larger = |own: &Suspicion| of_radii || matches!(own.id, "origin-corner" | "fftshift");
             if !self.suspicion.as_ref().is_some_and(is_larger) {
                 self.suspicion = Some(found);
@@ -324,7 +325,7 @@ impl Work<'_> {
     }
 
     fn single_load(&self) -> Result<Load, ValidationError> {
-        let help = "[load] with one number, such as depth = \"0.4 um\", would be accepted";
+        let help = "[load] with one number, such as depth = \"0.4 um\", or --load \"d=0.4 um\" would be accepted";
         match (self.scene.loads.len(), self.scene.loads.get(0)) {
             (1, Some(value)) => Ok(self.scene.control.load(value)),
             (0, _) => Err(ValidationError::request("pressures belong to a load, but the scene has none", help)),

@@ -58,8 +58,8 @@ impl Shells {
         }
     }
 
-    /// Force of the data and of the exact pressures by the same sum, and the radius of a circle that has the area of all pixels with a
-    /// pressure, NaN where one of them does not count; `None` where a pixel is missing.
+    /// Returns the force of the data, that of the exact pressures by the same sum, and the radius of the circle with the area of all pixels
+    /// that have a pressure, NaN if an infinite exact pressure was left out; `None` if a pixel is missing.
     pub(super) fn total(&self) -> Option<(f64, f64, f64)> {
         let lattice = self.lattice.filter(|_| !self.broken)?;
         let area = lattice.pixel * lattice.pixel;

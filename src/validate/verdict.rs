@@ -25,6 +25,8 @@ const LEAST_ORDER: f64 = 0.25;
 const NOTHING_LEFT: f64 = 0.05;
 /// The same under a rim, whose pixels make steps that do not shrink evenly.
 const STEPS_OF_A_RIM: f64 = 0.6;
+/// No grid is so coarse that its error is this many times the tolerance, which is in proportion to the error.
+const COARSE: f64 = 20.0;
 /// An order with a wider interval is not determined.
 const WIDEST: f64 = 2.0;
 /// The error on an infinitely fine grid must be proven to exceed this share of the tolerance of the finest file.
@@ -147,7 +149,8 @@ fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String,
     if let Some(Beyond { at, error, limit }) = failed.beyond.filter(|_| hidden) {
         let name = failed.name;
         let place = if matches!(name, "p" | "u") { format!("r = {at}") } else { format!("the load {at}") };
-        return (format!("the error of {name} is {error:.3e} at {place}, more than the {limit:.3e} that a single row may have"), None);
+        let one = if matches!(name, "p" | "u") { "place" } else { "row" };
+        return (format!("the error of {name} is {error:.3e} at {place}, more than the {limit:.3e} that a single {one} may have"), None);
     }
     let size = match (failed.pixels, failed.tolerance) {
         (Some(pixels), Some(tolerance)) => format!("contact radii are {pixels:.2} pixels off, more than {tolerance}"),
@@ -157,7 +160,10 @@ fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String,
         }
     };
     match convergence {
-        Convergence::One => (size, Some("one file cannot tell a coarse grid from a wrong model")),
+        Convergence::One => {
+            let is_near = failed.tolerance.is_none_or(|own| failed.l2 <= COARSE * own);
+            (size, is_near.then_some("one file cannot tell a coarse grid from a wrong model"))
+        }
         Convergence::Shrinks(own) if failed.name == column => {
             let advice = own.floor.is_none().then_some("a finer grid would help");
             (format!("{size}; the errors of {column} shrink with the pixel, {}", order_text(own)), advice)
@@ -195,7 +201,7 @@ fn sentence(column: &str, finest: &[Column], convergence: &Convergence) -> Strin
             format!("the errors of {column} shrink with the pixel, {order}, and the finest file is within its tolerance{shown}{floor}")
         }
         Convergence::Settled => {
-            format!("the errors of {column} are far below the tolerance in every file: no order is left to see")
+            format!("the errors of {column} are within the tolerance in every file, and too small for an order to matter{shown}")
         }
         Convergence::Undetermined => format!("the finest file is within its tolerance{shown}; order not determined"),
         Convergence::Stays(_) | Convergence::Left(..) => stays(column, convergence),

@@ -85,11 +85,11 @@ fn values_have_so_many_digits_and_bounds_include_the_rounding() {
 #[test]
 fn what_is_no_number_of_digits_is_refused() {
     for (more, expected) in [
-        (["--precision", "0", "--csv"], "--precision 0 is no number of digits"),
+        (["--precision", "0", "--csv"], "--precision 0 is not a number of digits"),
         (["--precision", "18", "--csv"], "from 1 to 17"),
-        (["--precision", "x", "--csv"], "--precision x is no number of digits"),
-        (["--precision", "-3", "--csv"], "--precision -3 is no number of digits"),
-        (["--precision", "4", "--json"], "--precision is for text and CSV"),
+        (["--precision", "x", "--csv"], "--precision x is not a number of digits"),
+        (["--precision", "-3", "--csv"], "--precision -3 is not a number of digits"),
+        (["--precision", "4", "--json"], "--precision rounds text and CSV"),
     ] {
         let done = run(&[["eval", "r^2", "--quantity", "F", "--at", "0.1"].as_slice(), &more].concat());
         let said = String::from_utf8(done.stderr).unwrap();

@@ -53,7 +53,7 @@ struct Radii {
     lower: f64,
     upper: Option<f64>,
     all: Vec<(f64, Part)>,
-    /// Further radii within the segment, for terms that are inaccurate at the others, such as (r − b)²⁰ next to b or r³⁰ sinh r next to the axis.
+    /// Further radii within the segment, for terms that cancel at the others, such as (r − b)²⁰ next to b and r³⁰ sinh r next to the axis.
     spare: Vec<f64>,
 }
 

@@ -50,7 +50,7 @@ pub(in crate::report) fn fields(run: &Run<'_>, index: usize, row: &Row, digits: 
     estimates(run, index, row, digits).flat_map(|(_, own)| pair(own)).collect()
 }
 
-/// The estimates of a row with the digits that are shown; the load has all of its digits.
+/// The estimates of a row, rounded as they are shown; the load is an input and is not rounded.
 fn estimates(run: &Run<'_>, index: usize, row: &Row, digits: Digits) -> impl Iterator<Item = (Quantity, Option<Estimate>)> {
     let scene = run.scene();
     let load = scene.control.datum();

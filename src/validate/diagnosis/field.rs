@@ -12,7 +12,7 @@ use crate::validate::exact::{Exact, Formula, Pressures};
 use crate::validate::field::Spot;
 use crate::validate::region::Region;
 
-/// Golden sections for the side of a box, each of which requires a new exact solution: they leave some 1e-4 of the side.
+/// Golden sections in the search for the side of a box; each needs a new exact solution, and together they find the side to about 1e-4.
 const SECTIONS_OF_A_SIDE: u32 = 14;
 
 impl Trial<'_> {
@@ -29,7 +29,7 @@ impl Trial<'_> {
         let clear: Vec<Spot> = inside.iter().copied().filter(|spot| region.holds(spot.r)).collect();
         let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(all.as_slice(), Vec::as_slice);
         let spots = thinned(chosen);
-        // All places count here, since few of them may be cut off.
+        // This looks at all places: a sample of them may hold none of those that are cut off.
         if let Some(cut_off) = self.cut_off(&known, &clear, factors.1) {
             let whole = score::field(&known, &clear, self.gauge);
             if super::chosen(whole, vec![cut_off.clone()]).is_some() {
@@ -100,7 +100,7 @@ impl Trial<'_> {
         Some(Tried { id: "cut-off", text, score: score::field(known, &thinned(&kept), self.gauge)?, free: false, rough: false })
     }
 
-    /// A box that repeats, with the same force.
+    /// Tries a periodic box under the same force.
     fn images(&self, exact: &Exact<'_>, state: &State, spots: &[Spot], side: Option<f64>, tried: &mut Vec<Tried>) {
         let Some(free) = images::moments(exact, state) else { return };
         let load = Load::Force(state.force);
@@ -117,7 +117,7 @@ impl Trial<'_> {
         };
         let mut take = |side: f64, is_fitted: bool| {
             let mut found = under(Images { side, moments: free });
-            // The images make the contact smaller, and so do its own moments.
+            // The images change the contact, and so its moments: two more rounds suffice.
             for _ in 0..2 {
                 found = found.and_then(|(_, moments)| under(Images { side, moments }));
             }

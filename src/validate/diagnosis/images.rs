@@ -1,14 +1,14 @@
-//! A box that repeats: the images of the contact, on a square lattice, bend the surface under it.
+//! Periodic boxes: how the images of a contact on a square lattice deform the surface below it.
 
 use crate::contact::State;
 use crate::validate::exact::Exact;
 use crate::validate::field::Spot;
 use std::f64::consts::{FRAC_2_PI, PI};
 
-/// Powers r², r⁴, … of the surface that the images bend, and moments of the pressure.
+/// Number of powers r², r⁴, … in the deformed surface, and of moments of the pressure.
 const POWERS: usize = 6;
 const MOMENTS: usize = 6;
-/// Σρ^−q over the points of a square lattice of side 1 but the origin, for q = 3, 5, …, 23: 4 ζ(q/2) β(q/2), where β is Dirichlet's.
+/// Σρ^−q over the points of a square lattice with the period 1, without the origin, for q = 3, 5, …, 23: 4 ζ(q/2) β(q/2), where β is Dirichlet's.
 const SUMS: [f64; POWERS + MOMENTS - 1] = [
     9.033_621_683_100_95,
     5.090_258_233_665_483,
@@ -22,19 +22,19 @@ const SUMS: [f64; POWERS + MOMENTS - 1] = [
     4.002_764_411_540_935,
     4.001_381_618_274_438,
 ];
-/// Σ cos(4φ) ρ^−q of the same points, for q = 5, 7, 9, 11.
+/// Σ cos(4φ) ρ^−q over the same points for q = 5, 7, 9, 11, summed directly.
 const FOURFOLD: [f64; 4] = [3.373_865_696, 3.669_000_850_5, 3.829_323_736_8, 3.913_227_593_8];
 /// Intervals of Simpson's rule for the moments.
 const INTERVALS: u32 = 32;
 
 /// The images of a contact in a box.
 ///
-/// A pressure with the moments Mₖ = ∫p s²ᵏ dA/(πE*) whose axis lies at the distance ρ lowers the surface. Averaged over the angles of r and of s,
-/// it does so by Σ Mₖ ((2N−1)!!)²/(4ᴺ m!² k!²) r²ᵐ ρ^−(2N+1), N = m + k: this is I₀(r∇) I₀(s∇) of 1/ρ, where Δ ρ^−q = q² ρ^−(q+2).
-/// The constant only moves the depth.
+/// An image at the distance ρ, whose pressure has the moments Mₖ = ∫p s²ᵏ dA/(πE*), lowers the surface at r, averaged over all angles, by
+/// Σ Mₖ ((2N−1)!!)²/(4ᴺ m!² k!²) r²ᵐ ρ^−(2N+1) with N = m + k. This follows from I₀(r∇) I₀(s∇) applied to 1/ρ, and Δ ρ^−q = q² ρ^−(q+2).
+/// The term with m = 0 is constant and changes the depth only.
 ///
-/// What depends on the angle θ is largest as r⁴ cos 4θ, by Σ (35/64) Mₖ Π(q² − 16)/(4ᵏ k!²) ρ^−(2k+5) cos 4φ, q = 5, 7, … below 2k + 5.
-/// The pressure E* w n!/((1/2)ₙ π) rⁿ cos nθ/√(a² − r²) makes the displacement w rⁿ cos nθ.
+/// The largest term that depends on the angle θ is r⁴ cos 4θ Σ (35/64) Mₖ Π(q² − 16)/(4ᵏ k!²) ρ^−(2k+5) cos 4φ, with the product over
+/// q = 5, 7, … below 2k + 5. The displacement w rⁿ cos nθ belongs to the pressure (E* w/π) n!/(1/2)ₙ rⁿ cos nθ/√(a² − r²).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Images {
     pub(super) side: f64,
@@ -67,7 +67,7 @@ pub(super) fn moments(exact: &Exact<'_>, state: &State) -> Option<[f64; MOMENTS]
 }
 
 impl Images {
-    /// The formula by which the images lower the surface, averaged over the angle.
+    /// Returns the mean displacement by the images as a formula of r.
     pub(super) fn surface(&self) -> String {
         let coefficient = |m: usize| -> f64 {
             let one = |(k, moment): (usize, &f64)| {
@@ -83,7 +83,7 @@ impl Images {
         terms.join("+")
     }
 
-    /// The places with the pressures that they would have if the images bent the surface equally in all directions.
+    /// Returns the places with the fourfold part of the pressure removed.
     pub(super) fn without_fourfold(&self, spots: &[Spot], a: f64, effective_modulus: f64) -> Vec<Spot> {
         let mut factor = 1.0;
         let mut strength = 0.0;

@@ -49,7 +49,7 @@ pub(super) enum Evidence {
 /// The error must fall by this much, and to this many times what the grid excuses.
 const FALL: f64 = 6.0;
 const SHARE: f64 = 2.0;
-/// The error that remains where an effect is known to an order only: at a side of 2.05 a, that of periodic images is 4.3e-3.
+/// The error that may remain where a hypothesis is an approximation: that of periodic images is 4.3e-3 at a side of 2.05 a.
 const ROUGH: f64 = 5e-3;
 /// Rows and places that a hypothesis is tried on.
 const TRIED: usize = 40;
@@ -176,7 +176,7 @@ impl Trial<'_> {
     }
 }
 
-/// Golden sections that make a minimum as sharp as doubles allow.
+/// Golden sections of a search whose trials cost little.
 const SECTIONS: u32 = 28;
 
 /// The smallest value of a function over an interval: the best of evenly spaced trials, made sharp by golden sections.
@@ -184,7 +184,7 @@ fn minimum(low: f64, high: f64, trials: u32, f: &dyn Fn(f64) -> f64) -> Option<f
     minimum_by(SECTIONS, low, high, trials, f)
 }
 
-/// The same by so many golden sections.
+/// The same with a given number of golden sections.
 fn minimum_by(sections: u32, low: f64, high: f64, trials: u32, f: &dyn Fn(f64) -> f64) -> Option<f64> {
     let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(trials - 1);
     let best = (0..trials).map(|index| (index, f(at(index)))).min_by(|one, other| one.1.total_cmp(&other.1))?;

@@ -17,8 +17,7 @@ pub(in crate::validate) struct Pixel {
     pub(in crate::validate) side: Option<f64>,
     /// The pixel that the places or the contact radii of the data show.
     seen: Option<f64>,
-    /// How many times the pixel of the places is as large as the one that box and grid make, where both are known; for contact radii, the
-    /// ratio of the areas.
+    /// Ratio of the pixel of the places to that of box and grid; for contact radii, the ratio of the areas of the pixels.
     mismatch: Option<f64>,
     /// The side of the square that the places fill, where another box or a smaller grid is declared.
     filled: Option<f64>,
@@ -100,7 +99,7 @@ pub(in crate::validate) fn pixels(
         let betrayed = survey.lattice.map(|own| own.pixel).or(survey.counted);
         let stated = side.zip(count).map(|(side, count)| side / count);
         let of_places = survey.lattice.map(|own| own.pixel).zip(stated).map(|(own, stated)| own / stated);
-        // The largest pixel of whole areas has a whole number of true pixels: four where the contact is symmetrical.
+        // All areas are multiples of this pixel, which may consist of several true ones: of four if the contact is symmetrical.
         let of_radii = survey.counted.filter(|_| survey.lattice.is_none()).zip(stated).map(|(own, stated)| (own / stated).powi(2));
         let mismatch = of_places.or(of_radii);
         let filled = survey.filled_square().filter(|own| match (side, count, betrayed) {
