@@ -22,7 +22,7 @@ pub fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
         let range = |ends: [&str; 2], count, logarithmic| {
             let [first, last] = [units.end("--at", ends[0])?, units.end("--at", ends[1])?];
             if logarithmic && (first.value() <= 0.0 || last.value() <= 0.0) {
-                return Err(bad("a logarithmic range starts and stops above 0".to_owned()));
+                return Err(bad("both ends of a logarithmic range must be positive".to_owned()));
             }
             Ok(Loads::Range(Steps::new(first, last, count, logarithmic)))
         };

@@ -5,7 +5,7 @@ use crate::report::Digits;
 
 #[derive(clap::Args)]
 pub(super) struct PrecisionArguments {
-    /// Number of significant digits of values in text and CSV [default: all]; their error bounds include the rounding.
+    /// Significant digits of the values in text and CSV [default: all]; error bounds include the rounding.
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     precision: Option<String>,
 }

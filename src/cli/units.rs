@@ -38,7 +38,7 @@ impl Units {
         self.number(place, text, Dimension::LENGTH)
     }
 
-    /// The end of a range of lengths, with 31 digits.
+    /// The end of a range of lengths; a fraction keeps 31 digits.
     pub(super) fn end(&self, place: &str, text: &str) -> Result<DoubleDouble, Failure> {
         let (exact, _) = self.exact(place, text, Dimension::LENGTH)?;
         to_double_double(&exact).map_err(|error| failure(place, text, &error))

@@ -100,7 +100,7 @@ fn compare(
     sampler: &mut Sampler,
     (tally, seen): (&mut Tally, &mut [bool; 3]),
 ) -> Result<(), TransformError> {
-    // Beside terms without closed form, the closed ones are compared together with the integrals of the others.
+    // Where only some terms have a closed form, `Auto` compares these together with the integrals of the others.
     let strict = Evaluator::new(solution, bindings, Method::Exact, TOLERANCE)?;
     let closed = Evaluator::new(solution, bindings, Method::Auto, TOLERANCE)?;
     let plain = Evaluator::new(solution, bindings, Method::Quadrature, TOLERANCE)?;
@@ -135,7 +135,10 @@ fn compare(
             take(force_seen, strict.force(x).or_else(|_| closed.force(x)), &|| plain.force(x));
             if closed_pressure && index % every_pressure == 0 {
                 let r = x * share;
-                let own = strict.pressure(r, x).or_else(|_| closed.pressure(r, x));
+                let own = match strict.pressure(r, x) {
+                    Ok(Some(own)) => Ok(Some(own)),
+                    _ => closed.pressure(r, x),
+                };
                 if let (Ok(Some(one)), Ok(Some(other))) = (own, plain.pressure(r, x)) {
                     take(pressure_seen, Ok(one), &|| Ok(other));
                 }

@@ -40,12 +40,14 @@ impl Digits {
     }
 
     fn rounded_up(self, error: f64) -> f64 {
-        let rounded = self.rounded(error);
-        let text = format!("{rounded:e}");
-        match (self.0, text.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok())) {
-            (Some(count), Some(exponent)) if rounded < error => self.rounded(rounded + 10_f64.powi(exponent + 1 - count as i32)),
-            _ => rounded,
-        }
+        let Some(count) = self.0 else { return error };
+        let text = format!("{error:.*e}", count - 1);
+        let Some((mantissa, exponent)) = text.split_once('e') else { return error };
+        // In decimals, because a step of a double may be lost again by rounding.
+        let digits = mantissa.replace('.', "").parse::<u64>().unwrap_or(u64::MAX);
+        let scaled = |digits: u64| format!("{digits}e{}", exponent.parse::<i32>().unwrap_or(0) - (count as i32 - 1)).parse::<f64>().ok();
+        let fits = |own: &f64| *own >= error && own.is_finite();
+        scaled(digits).filter(fits).or_else(|| scaled(digits.saturating_add(1)).filter(fits)).unwrap_or(error)
     }
 
     /// Rounds the value of an estimate and its error bound.

@@ -68,7 +68,7 @@ impl Reference<'_, '_> {
         for (index, state) in self.states() {
             missing += usize::from(state.is_none());
             let fields: Vec<Field> = self.curves.iter().map(|curve| self.field(*curve, state.as_ref())).collect();
-            let depth = state.map_or_else(String::new, |state| format!("{:?}", self.run.shown_depth(index, &state)));
+            let depth = super::solved::text::depth(self.run, index, state.as_ref(), self.digits).unwrap_or_default();
             let mut line = |coordinates: &[f64], place: &[usize], cell: Option<f64>| -> io::Result<()> {
                 if several {
                     write!(out, "{depth},")?;

@@ -18,6 +18,7 @@ use crate::validate::file::pixel::Pixel;
 use crate::validate::file::survey::{Cell, Places, Survey};
 use crate::validate::file::table::Table;
 use crate::validate::file::units;
+use std::f64::consts::PI;
 
 /// A place with its pressure; coordinates where the file has them. Computed units, positive in compression.
 #[derive(Clone, Copy, Debug)]
@@ -61,6 +62,8 @@ const AT_EDGE: f64 = 0.1;
 const RIM_OUTSIDE: f64 = 2.0;
 /// The part by which a pressure at a rim may be smaller than the exact one `EDGE` pixels further in.
 const AT_RIM: f64 = 0.5;
+/// Pressures below this share of the mean pressure are rounding errors.
+const ROUNDING: f64 = 1e-6;
 /// A force this near to the exact one, as a part of the tolerance, was controlled.
 const CONTROLLED: f64 = 0.1;
 /// Rows that are computed together.
@@ -233,6 +236,7 @@ struct Sums {
 
 impl Sums {
     fn new(state: &State, (margin, room): (f64, f64), survey: &Survey<'_>, pixel: Pixel) -> Self {
+        let mean = state.force / (PI * state.radius * state.radius);
         Self {
             compared: Norms::new(false),
             left_out: Norms::new(false),
@@ -242,7 +246,7 @@ impl Sums {
             errors: Sample::new(KEPT_ERRORS),
             room,
             pixel: pixel.pixel.unwrap_or(0.0),
-            force: Shells::new(survey, state.radius + pixel.pixel.unwrap_or(margin), pixel),
+            force: Shells::new(survey, state.radius + pixel.pixel.unwrap_or(margin), pixel, ROUNDING * mean),
             means: matches!(survey.cell(pixel.pixel), Some(Cell::Square { .. })),
             values: survey.averaging == Some(Averaging::Values),
             state: *state,
@@ -300,7 +304,7 @@ impl Sums {
         if survey.index(Kind::Pressure).is_some() {
             // Near kinks and rims the tolerances are too wide to show that pressures are cut off.
             if let Some(own) = self.peak.cut_off() {
-                self.compared.limit(own, CUT);
+                self.compared.limit(own, CUT.max(HEADROOM * judge.demanded.unwrap_or(0.0)));
             }
             let mut column = decided("p", &self.compared, true);
             column.worst_at = at(column.worst_at);

@@ -152,7 +152,8 @@ pub(super) fn compare(
             }
         }
         if let (Some(pixel), None) = (pixel.pixel, judge.demanded)
-            && let Some(own) = exact.state(Load::Depth(row.depth)).filter(|_| has_rim)
+            && state.boundary == Boundary::Rim
+            && let Some(own) = if control == Control::Depth { Some(state) } else { exact.state(Load::Depth(row.depth)) }
             && let Some(expected) = Expected::missed(exact, &own, (row.force, row.radius), pixel)
         {
             if control == Control::Depth {

@@ -7,9 +7,9 @@ use super::norms::Outlier;
 const SAME: f64 = 1e-9;
 /// Minimum number of places that share the largest pressure.
 const FEWEST: u64 = 3;
-/// Minimum relative difference of their exact pressures; printing only two digits makes one of at most 0.05 look equal.
-const APART: f64 = 0.1;
-/// Limit of the error of the largest exact pressure, relative to it.
+/// Minimum relative difference of their exact pressures; two printed digits hide one of 0.095 at most, between 1.05 and 1.15.
+const APART: f64 = 0.12;
+/// Minimum error of the largest exact pressure, relative to it.
 pub(super) const CUT: f64 = 0.05;
 
 /// The largest pressure of the data and the exact pressures at its places.
@@ -45,11 +45,11 @@ impl Peak {
 
     /// Returns the place with the largest exact pressure if the data are cut off.
     pub(super) fn cut_off(&self) -> Option<Outlier> {
-        let is_cut = self.places >= FEWEST && self.high > self.low * (1.0 + APART) && self.high > self.p;
+        let is_cut = self.places >= FEWEST && self.high > self.low * (1.0 + APART) && self.high - self.p > CUT * self.high;
         is_cut.then_some(Outlier { at: self.at, data: self.p, exact: self.high, allowed: 0.0 })
     }
 
-    /// Names the fault; the largest pressure is given in the unit of the column, and `after` is the error of the other places.
+    /// Names the fault; the largest pressure is given in the unit of the column, and `after` is the L2 error of the places that are compared.
     pub(super) fn suspicion(&self, largest: impl Fn(f64) -> f64, after: f64) -> Option<Suspicion> {
         self.cut_off()?;
         let text = format!("pressures are cut off: none is larger than {:.6e}", largest(self.p));

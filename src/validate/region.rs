@@ -7,6 +7,7 @@ use super::loads::BLIND;
 const INNER: f64 = 0.05;
 /// The share of h²/(a s) at the distance s ≥ h from a place where the curvature jumps.
 const BEND: f64 = 0.02;
+
 /// Where pressures are compared.
 pub(super) struct Region {
     a: f64,
@@ -27,9 +28,13 @@ impl Region {
         }
     }
 
+    /// The margin; pixels exactly so far away lie outside of it, whatever their last digit.
+    fn margin(&self) -> f64 {
+        self.margin * (1.0 - 1e-6)
+    }
+
     pub(super) fn holds(&self, r: f64) -> bool {
-        // Pixels exactly so far away belong to it, whatever their last digit.
-        let margin = self.margin * (1.0 - 1e-6);
+        let margin = self.margin();
         (r - self.a).abs() >= margin && !self.is_near_inner(r, margin)
     }
 
@@ -37,8 +42,9 @@ impl Region {
     ///
     /// The norms leave such a place out, but it has a limit of its own: `HEADROOM` times what the grid excuses there.
     pub(super) fn lies_between(&self, r: f64, pixel: Option<f64>) -> bool {
-        let near = |pixel: f64| self.is_near_inner(r, self.margin) && !self.is_near_inner(r, pixel * (1.0 - 1e-6));
-        pixel.is_some_and(near) && (r - self.a).abs() >= self.margin
+        let margin = self.margin();
+        let near = |pixel: f64| self.is_near_inner(r, margin) && !self.is_near_inner(r, pixel * (1.0 - 1e-6));
+        pixel.is_some_and(near) && (r - self.a).abs() >= margin
     }
 
     pub(super) fn is_near_inner(&self, r: f64, margin: f64) -> bool {
@@ -47,7 +53,7 @@ impl Region {
 
     /// True inside of the contact next to its edge, and away from other sharp places.
     pub(super) fn meets_edge(&self, r: f64) -> bool {
-        let margin = self.margin * (1.0 - 1e-6);
+        let margin = self.margin();
         r < self.a && self.a - r < margin && !self.is_near_inner(r, 2.0 * margin)
     }
 }

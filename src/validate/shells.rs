@@ -14,16 +14,18 @@ pub(super) struct Shells {
     /// 4 r²/h² of the outermost shell.
     outermost: u64,
     counts: BTreeMap<u64, (u64, u64)>,
-    /// Sums of the pressures of the data and of the exact ones, and the number of places with a pressure.
+    /// Sums of the pressures of the data and of the exact ones, and the number of places with a pressure, NaN if one was left out.
     data: BTreeMap<u64, (f64, f64, f64)>,
     broken: bool,
+    /// Smaller pressures are rounding errors of a solver.
+    least: f64,
 }
 
 /// Shells beyond these are too many to be kept in mind.
 const MOST_SHELLS: f64 = 4e6;
 
 impl Shells {
-    pub(super) fn new(survey: &Survey<'_>, reach: f64, pixel: Pixel) -> Self {
+    pub(super) fn new(survey: &Survey<'_>, reach: f64, pixel: Pixel, least: f64) -> Self {
         let lattice = survey.lattice.filter(|own| own.offset != Offset::Line);
         let lattice = lattice.map(|own| Lattice { pixel: pixel.pixel.unwrap_or(own.pixel), ..own });
         let most = lattice.map_or(0.0, |own| 4.0 * (reach / own.pixel).powi(2));
@@ -33,7 +35,7 @@ impl Shells {
         let counts = usable.map_or_else(Default::default, |own| {
             lattice::shells(own.offset, outermost).into_iter().map(|(key, count)| (key, (count, 0))).collect()
         });
-        Self { lattice: usable, reach, outermost, counts, data: Default::default(), broken: usable.is_none() }
+        Self { lattice: usable, reach, outermost, counts, data: Default::default(), broken: usable.is_none(), least }
     }
 
     /// Adds a pressure; one that is infinite as a value at its place counts only where the data are means.
@@ -51,7 +53,7 @@ impl Shells {
         count.1 += 1;
         let sums = self.data.entry(key).or_insert((0.0, 0.0, 0.0));
         if means || !exact.is_nan() {
-            let pressed = f64::from(u8::from(p != 0.0));
+            let pressed = f64::from(u8::from(p > self.least));
             *sums = (sums.0 + p, sums.1 + exact, sums.2 + pressed);
         } else {
             sums.2 = f64::NAN;

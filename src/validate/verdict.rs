@@ -149,6 +149,11 @@ fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String,
     if let Some(Beyond { at, error, limit }) = failed.beyond.filter(|_| hidden) {
         let name = failed.name;
         let place = if matches!(name, "p" | "u") { format!("r = {at}") } else { format!("the load {at}") };
+        if name == "F_from_p" {
+            let reason =
+                format!("the error of {name} is {error:.3e}, more than the {limit:.3e} that the area of the pixels in contact allows");
+            return (reason, None);
+        }
         let one = if matches!(name, "p" | "u") { "place" } else { "row" };
         return (format!("the error of {name} is {error:.3e} at {place}, more than the {limit:.3e} that a single {one} may have"), None);
     }

@@ -10,7 +10,7 @@ import numpy as np
 import tamaas as tm
 
 COUNT = 64
-# f, g and F/2 = int_0^1 (g(1) - g(x)) dx of each tip at a = 1.
+# f and F/2 = int_0^1 (g(1) - g(x)) dx of each tip at a = 1.
 TIPS = {
     "cone": (lambda r: 0.2 * r, 0.2 * math.pi / 4),
     "paraboloid": (lambda r: r * r / 20, 1 / 15),

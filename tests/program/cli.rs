@@ -144,7 +144,7 @@ fn points_that_are_none() {
     eval("1,,2", &["missing", "^"]);
     eval("1:2:0", &["0 points"]);
     eval("0:1:10000001", &["1000000"]);
-    eval("log:0:1:5", &["above 0"]);
+    eval("log:0:1:5", &["must be positive"]);
     let sphere = ["eval", "R-sqrt(R^2-r^2)", "--set", "R=2", "--quantity"];
     for (quantity, at) in [("g", "2"), ("F", "2.5"), ("d", "2:3:4"), ("G", "2"), ("U", "2"), ("k", "2")] {
         refused(b"", &[&sphere[..], &[quantity, "--at", at]].concat(), &["domain", "2"]);

@@ -168,6 +168,7 @@ fn a_pixel_at_a_kink_leaves_the_force_alone() {
     let near = |row: &&Vec<f64>| (0.3..0.7).contains(&((row[2] - 0.6).abs() / h));
     let most = rows.iter().filter(near).map(|row| row[3]).fold(0.0, f64::max);
     assert!(rows.iter().any(|row| row[3] > 2.0 * most));
+    // Not `most` itself: several places with one largest pressure would be cut off.
     let data = rows.iter().map(|row| format!("{:?},{:?},{:?}\n", row[0], row[1], if row[3] > most { 0.999 * most } else { row[3] }));
     fs::write(place.join("data.csv"), format!("x,y,p\n{}", data.collect::<String>())).unwrap();
     let (code, found) = validated(&place, scene, &["data.csv".to_owned()], &[]);

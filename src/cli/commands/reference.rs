@@ -119,7 +119,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Ok(())
     })?;
     for key in estimated {
-        warn(&format!("error bounds of {key} are estimated, not proven; CSV and JSON say so in the answer"));
+        warn(&format!("error bounds of {key} are estimated, not proven; NPY cannot record this, CSV and JSON do"));
     }
     drop(run);
     drop(progress);

@@ -117,7 +117,9 @@ fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, digits: Digits, o
         let state = index.and_then(|index| run.state(index, formally));
         writeln!(out)?;
         match index {
-            Some(index) => writeln!(out, "{} at d = {}", curve.key(), depth(run, index, state.as_ref()))?,
+            Some(index) => {
+                writeln!(out, "{} at d = {}", curve.key(), depth(run, index, state.as_ref(), digits).unwrap_or_else(|| "-".to_owned()))?
+            }
             None => writeln!(out, "{}", curve.key())?,
         }
         let with = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") };
@@ -144,8 +146,11 @@ fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, digits: Digits, o
     Ok(())
 }
 
-fn depth(run: &Run<'_>, index: usize, state: Option<&crate::contact::State>) -> String {
-    state.map_or_else(|| "-".to_owned(), |state| format!("{:?}", run.shown_depth(index, state)))
+/// The depth of a load; all of its digits if it is the load itself.
+pub(in crate::report) fn depth(run: &Run<'_>, index: usize, state: Option<&crate::contact::State>, digits: Digits) -> Option<String> {
+    let shown = run.shown_depth(index, state?);
+    let is_input = run.scene().control.datum() == Quantity::Depth;
+    Some(format!("{:?}", if is_input { shown } else { digits.rounded(shown) }))
 }
 
 /// Writes the rows as CSV, and the points where the scene asks for curves.
@@ -203,7 +208,7 @@ pub fn csv(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write) -
 
 fn points(run: &Run<'_>, curve: Quantity, index: Option<usize>, formally: bool, digits: Digits, out: &mut dyn Write) -> io::Result<()> {
     let state = index.and_then(|index| run.state(index, formally));
-    let depth = state.zip(index).map_or_else(String::new, |(own, index)| format!("{:?}", run.shown_depth(index, &own)));
+    let depth = index.and_then(|index| depth(run, index, state.as_ref(), digits)).unwrap_or_default();
     let unit = run.scene().system.unit_name(curve.dimension());
     for (_, point) in run.points(curve, state) {
         let shown = point.value.map(|(value, error)| digits.shown(value, error));

@@ -216,7 +216,7 @@ impl Typed {
                 let (first, last) = (number(start)?, number(stop)?);
                 if *logarithmic && (first <= 0.0 || last <= 0.0) {
                     let bad = if first <= 0.0 { start } else { stop };
-                    return Err(SceneError::value("a logarithmic range starts and stops above 0").at(bad.1.clone()));
+                    return Err(SceneError::value("both ends of a logarithmic range must be positive").at(bad.1.clone()));
                 }
                 let end = |own: &(DimensionedNumber, Range<usize>)| to_double_double(&system.exact(&own.0, dimension, what)?);
                 Loads::Range(Steps::new(end(start)?, end(stop)?, *count, *logarithmic))

@@ -43,7 +43,8 @@ pub(super) struct Images {
 
 /// The moments of the pressure of a state; `None` where g is not known up to its contact radius.
 ///
-/// p is a superposition of flat punches of the radii x ≤ a with the forces 2E* x dg, so that
+/// p is a superposition of flat punches of the radii x ≤ a with the forces 2E* x dg and, under a rim, of one with the radius a and the
+/// force 2E* a (d − g(a)), so that
 /// Mₖ = (2/π) cₖ (d a²ᵏ⁺¹ − (2k + 1) ∫g x²ᵏ dx), where cₖ x²ᵏ is the mean of s²ᵏ under a flat punch.
 pub(super) fn moments(exact: &Exact<'_>, state: &State) -> Option<[f64; MOMENTS]> {
     let a = state.radius;
@@ -99,7 +100,7 @@ impl Images {
         let one = |spot: &Spot| {
             let Spot { x, y, r, p } = *spot;
             let (square, room) = (r * r, a * a - r * r);
-            if x.is_nan() || y.is_nan() || square == 0.0 || room <= 0.0 {
+            if x.is_nan() || y.is_nan() || room <= 0.0 {
                 return *spot;
             }
             // r⁴ cos 4θ
