@@ -186,10 +186,10 @@ class Profile:
 def _check_ends(kinks: list[float], end: float | None) -> None:
     """Refuse an end that is not above 0, and kinks that do not rise between 0 and the end."""
     if end is not None and not end > 0:
-        raise SneddonError(f"the profile ends at {end}", "end", "a radius above 0 is accepted")
+        raise SneddonError(f"the profile ends at {end}", "end", "expected a radius greater than 0")
     last = 0.0
     for index, kink in enumerate(kinks):
         if not last < kink < (math.inf if end is None else end):
             message = f"the kink {kink} is not between {last} and {'infinity' if end is None else end}"
-            raise SneddonError(message, f"kinks[{index}]", "radii that rise from 0 to the end of the profile are accepted")
+            raise SneddonError(message, f"kinks[{index}]", "expected strictly increasing radii between 0 and the end of the profile")
         last = kink

@@ -19,7 +19,7 @@ impl PrecisionArguments {
         let Some(text) = &self.precision else { return Ok(Digits::default()) };
         let digits = text.trim().parse().ok().and_then(Digits::significant).ok_or_else(|| {
             Failure::new(format!("--precision {} is not a number of digits", text.trim()))
-                .help(format!("a whole number from 1 to {} would be accepted", Digits::MOST))
+                .help(format!("expected a whole number from 1 to {}", Digits::MOST))
                 .at("--precision", text, 0..text.len())
         })?;
         if rounds {

@@ -2,7 +2,7 @@
 
 use super::exact::{Exact, Pressures};
 use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
-use super::norms::{Norms, Outlier, Sample};
+use super::norms::{GOLDEN, Norms, Outlier, Sample};
 use super::peak::{CUT, Peak};
 use super::record::{Beyond, Column, Excluded, Plot};
 use super::region::{Region, excused};
@@ -109,7 +109,7 @@ pub(super) fn compare(
         |values: &[f64], index: Option<usize>| index.and_then(|own| values.get(own).zip(survey.factors.get(own))).map(|(v, f)| v * f);
     let every = survey.rows.div_ceil(DISPLACEMENTS).max(1);
     // Steps of the golden ratio meet no row and no column of a lattice more often than others.
-    let is_drawn = |index: u64| (index.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32).is_multiple_of(every);
+    let is_drawn = |index: u64| (index.wrapping_mul(GOLDEN) >> 32).is_multiple_of(every);
     let (mut values, mut index, mut ended) = (Vec::new(), 0u64, false);
     let free_constant = at_u.and_then(|own| survey.columns.get(own)).is_some_and(|own| own.free_constant);
     let mut displacements = Displacements::new(free_constant);

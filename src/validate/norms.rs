@@ -237,4 +237,4 @@ impl<T> Sample<T> {
 }
 
 /// 2⁶⁴ (φ − 1).
-const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+pub(super) const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;

@@ -325,7 +325,7 @@ impl Work<'_> {
     }
 
     fn single_load(&self) -> Result<Load, ValidationError> {
-        let help = "[load] with one number, such as depth = \"0.4 um\", or --load \"d=0.4 um\" would be accepted";
+        let help = "expected one load: depth = \"0.4 um\" under [load], or --load \"d=0.4 um\"";
         match (self.scene.loads.len(), self.scene.loads.get(0)) {
             (1, Some(value)) => Ok(self.scene.control.load(value)),
             (0, _) => Err(ValidationError::request("pressures belong to a load, but the scene has none", help)),

@@ -1,6 +1,6 @@
 """Writes tests/data/periodic_boxes.csv: pressures of tips in small periodic boxes, by tamaas (E* = 1, contact radius 1 on a free half-space).
 
-The axis lies between the four middle pixels of 64 x 64; pixels 0 <= j <= i < 32 of one eighth stand for all.
+The axis lies at the centre of 64 x 64 pixels. By symmetry, only pixels with 0 <= j <= i < 32, counted from the axis, are written.
 Usage: python3 periodic_boxes.py > ../data/periodic_boxes.csv
 """
 

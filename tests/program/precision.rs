@@ -6,20 +6,6 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-const SCENE: &str = r#"
-[profile]
-shape = "sphere"
-parameters = { R = "10 um" }
-radius = "2 um"
-[material]
-E = "72 GPa"
-nu = 0.17
-[load]
-depth = { start = "0.05 um", stop = "0.35 um", count = 7 }
-[outputs]
-quantities = ["d", "F", "a", "k"]
-"#;
-
 fn run(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_sneddon")).args(arguments).output().unwrap()
 }
@@ -49,7 +35,7 @@ fn digits(field: &str) -> usize {
 #[test]
 fn values_have_so_many_digits_and_bounds_include_the_rounding() {
     let scene = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("precision.toml");
-    fs::write(&scene, SCENE).unwrap();
+    fs::write(&scene, run(&["scene", "new", "sphere"]).stdout).unwrap();
     let scene = scene.to_str().unwrap();
     let calls: [&[&str]; 4] = [
         &["eval", "R-sqrt(R^2-r^2)", "--set", "R=2", "--quantity", "F", "--at", "1e-9,0.1,0.3,1.9", "--csv"],
@@ -92,7 +78,7 @@ fn values_have_so_many_digits_and_bounds_include_the_rounding() {
 fn what_is_no_number_of_digits_is_refused() {
     for (more, expected) in [
         (["--precision", "0", "--csv"], "--precision 0 is not a number of digits"),
-        (["--precision", "18", "--csv"], "from 1 to 17"),
+        (["--precision", "18", "--csv"], "expected a whole number from 1 to 17"),
         (["--precision", "x", "--csv"], "--precision x is not a number of digits"),
         (["--precision", "-3", "--csv"], "--precision -3 is not a number of digits"),
         (["--precision", "4", "--json"], "--precision rounds text and CSV"),
