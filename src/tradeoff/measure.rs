@@ -57,7 +57,7 @@ pub struct Skipped {
 }
 
 /// What one batch should last.
-const BATCH: f64 = 2e6;
+const BATCH: f64 = 1e6;
 /// Times that a set-up is run.
 const SET_UPS: usize = 3;
 /// Points of a slice; those of the problem are repeated to fill it.

@@ -8,6 +8,7 @@ use sneddon::num::{Bounded, Estimate};
 use sneddon::transform::{Evaluator, Method, Status};
 use sneddon_checks::formulas::{bindings, contact, derived, derived_with, formula, number, relative, typed, value};
 use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
 use std::f64::consts::PI;
 
 /// Profiles with closed and with open terms; H scales the height and L the radius.
@@ -136,7 +137,7 @@ fn stiffness_and_work() {
 /// F = 2π ∫ p r dr: the pressure carries the force; and F/(2E) + G = a g.
 #[test]
 fn pressure_carries_the_force() {
-    for template in TEMPLATES {
+    for template in TEMPLATES.iter().step_by(cases(6, 1)) {
         let solution = derived(&plain(template));
         let (modulus, a) = (2.0, 1.6);
         let own = contact(&solution, &[], modulus, None);

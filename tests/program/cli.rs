@@ -379,7 +379,7 @@ fn a_comparison_without_digits_does_not_pass() {
 /// Class "a closed form that cancels next to the axis is not compared": farther out it has digits, for `derive` and `compare` alike.
 #[test]
 fn a_form_that_cancels_next_to_the_axis_is_compared_farther_out() {
-    for profile in ["r^30*sinh(r)", "r^31*sinh(r)", "h*r^40*(cosh(r/w)-1)", "r^20*besselj(0,r)"] {
+    for profile in ["r^30*sinh(r)", "r^31*sinh(r)", "h*r^40*(cosh(r/w)-1)", "r^20*besselj(0,r)"].into_iter().step_by(cases(2, 1)) {
         let answer = json(&["compare", profile, "--json"]);
         assert_eq!((&answer["g"]["verdict"], &answer["F"]["verdict"]), (&"passed".into(), &"passed".into()), "{profile}");
         let (verdict, [g, d, force, _]) = compared(profile);
@@ -390,12 +390,14 @@ fn a_form_that_cancels_next_to_the_axis_is_compared_farther_out() {
 /// Class "the gate does not compare what the check compares": powers that underflow or overflow at some of its radii.
 #[test]
 fn high_powers_are_compared() {
-    for profile in ["r^1000", "C*r^800", "r^300+r^2", "(1+r/b)^90", "r^(1001/2)"] {
+    for profile in ["r^1000", "C*r^800", "r^300+r^2", "(1+r/b)^90", "r^(1001/2)"].into_iter().step_by(cases(2, 1)) {
         assert_eq!(compared(profile), ("passed".to_owned(), [true; 4]), "{profile}");
     }
     // Next to a kink f′ as a polynomial has no digits; pressures of high powers beyond a kink are integrals.
     for profile in
         ["exp(r^2)*r^40", "piecewise(0,r<b,(r-b)^20)", "max(0,r-b)^30", "piecewise(0,r<0.7,(r-0.7)^24)", "max(r,b)^50", "max(r,b)^100"]
+            .into_iter()
+            .step_by(cases(3, 1))
     {
         assert_eq!(compared(profile), ("passed".to_owned(), [true, true, true, false]), "{profile}");
     }
@@ -404,9 +406,11 @@ fn high_powers_are_compared() {
 /// Class "a formula of many pages exhausts the budget": g is left as an integral, and its numbers come from quadrature.
 #[test]
 fn endless_formulas_are_left_as_integrals() {
-    for profile in ["(1+r/b)^(101/2)", "(1+r/b)^60.5", "(1-r/b)^(141/2)"] {
-        let derived = json(&["derive", profile, "--json"]);
-        assert_eq!((&derived["g"]["status"], &derived["k"]["status"]), (&"numeric".into(), &"exact".into()), "{profile}");
+    for profile in ["(1+r/b)^60.5", "(1+r/b)^(101/2)", "(1-r/b)^(141/2)"].into_iter().step_by(cases(3, 1)) {
+        if cases(false, true) {
+            let derived = json(&["derive", profile, "--json"]);
+            assert_eq!((&derived["g"]["status"], &derived["k"]["status"]), (&"numeric".into(), &"exact".into()), "{profile}");
+        }
         // g = n (π/2) x/b up to the share (n−1) (2/π) x/b, which is 4.5e-11 for the largest n.
         let point = &json(&["eval", profile, "--set", "b=1", "--quantity", "g", "--at", "1e-12", "--json"])["points"][0];
         let exponent = profile.rsplit('^').next().unwrap().trim_matches(['(', ')']);
@@ -415,7 +419,7 @@ fn endless_formulas_are_left_as_integrals() {
             .map_or_else(|| exponent.parse().unwrap(), |(p, q)| p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap());
         let sign = if profile.contains('-') { -1.0 } else { 1.0 };
         let ratio = point["value"].as_f64().unwrap() / (sign * exponent * std::f64::consts::FRAC_PI_2 * 1e-12);
-        assert!((ratio - 1.0).abs() < 5e-11, "{profile}: {ratio}");
+        assert!(point["method"] == "quadrature" && (ratio - 1.0).abs() < 5e-11, "{profile}: {ratio}");
     }
 }
 
@@ -433,8 +437,13 @@ fn expensive_profiles_are_compared_at_fewer_points() {
     for profile in ["(1-r/b)^88", "(1-r/b)^76", "(1-r/b)^70"].into_iter().step_by(cases(3, 1)) {
         let check = &json(&["derive", profile, "--json"])["check"];
         assert!(check["verdict"] == "passed" && (1..64).contains(&check["points"].as_u64().unwrap()), "{profile}: {check}");
-        let answer = json(&["compare", profile, "--json"]);
-        assert!(answer["g"]["verdict"] == "passed" && (1..64).contains(&answer["g"]["points"].as_u64().unwrap()), "{profile}: {answer}");
+        if cases(false, true) {
+            let answer = json(&["compare", profile, "--json"]);
+            assert!(
+                answer["g"]["verdict"] == "passed" && (1..64).contains(&answer["g"]["points"].as_u64().unwrap()),
+                "{profile}: {answer}"
+            );
+        }
         let cut = run(&["compare", profile, "--json", "--budget", "0.7"]);
         let answer: Value = serde_json::from_str(&cut.stdout).unwrap();
         assert_eq!((cut.code, &answer["complete"]), (1, &false.into()), "{profile}: {answer}");
@@ -444,7 +453,7 @@ fn expensive_profiles_are_compared_at_fewer_points() {
 /// Class "a call that was cut short is called bad input": one place or several without the budget for any.
 #[test]
 fn a_call_that_was_cut_short_says_so() {
-    for places in ["0.1", "0.1,0.5", "0.1,0.2,0.5"] {
+    for places in ["0.1,0.5", "0.1", "0.1,0.2,0.5"].into_iter().take(cases(1, 3)) {
         let cut = run(&["eval", "r^3*sin(1/r)", "--quantity", "U", "--at", places, "--json", "--budget", "0.3"]);
         let answer: Value = serde_json::from_str(&cut.stdout).unwrap();
         assert_eq!((cut.code, &answer["complete"]), (1, &false.into()), "{places}: {answer} {}", cut.stderr);
@@ -482,7 +491,7 @@ fn catalogue_values_are_right_to_their_own_error_estimates() {
     let truth: Value = serde_json::from_str(include_str!("../data/truth.json")).unwrap();
     let profiles: Value = serde_json::from_str(include_str!("../data/profiles.json")).unwrap();
     let mut problems = Vec::new();
-    for entry in profiles.as_array().unwrap() {
+    for entry in profiles.as_array().unwrap().iter().step_by(cases(4, 1)) {
         let (id, f) = (entry["id"].as_str().unwrap(), entry["f"].as_str().unwrap());
         let sets: Vec<String> =
             entry["params"].as_object().unwrap().iter().map(|(k, v)| format!("--set={k}={}", v.as_str().unwrap())).collect();

@@ -8,37 +8,39 @@ use serde_json::Value;
 use sneddon::code::inner::identifiers;
 use sneddon::code::{CodeError, Language, Program, QUANTITIES, program, write};
 use sneddon::contact::Quantity;
-use sneddon::expr::{Bindings, Expr, Number, Symbol};
+use sneddon::expr::{Expr, Number, Symbol};
 use sneddon::num::{DoubleDouble, Precise, precise};
 use sneddon::transform::{Evaluator, Method, Profile, Solution, Superposed, derive, reach};
 use sneddon::{parse, print};
-use sneddon_checks::seeds::cases as cases_of;
+use sneddon_checks::seeds::{cases as cases_of, takes};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 /// A profile of the catalogue at the doubles next to its parameters.
 struct Entry {
     id: String,
     text: String,
     solution: Solution,
-    bindings: Bindings,
     parameters: Vec<f64>,
 }
 
-fn entries() -> Vec<Entry> {
+fn entries() -> &'static [Entry] {
+    static ENTRIES: OnceLock<Vec<Entry>> = OnceLock::new();
+    ENTRIES.get_or_init(read_entries)
+}
+
+fn read_entries() -> Vec<Entry> {
     let list: Value = serde_json::from_str(include_str!("../data/profiles.json")).unwrap();
     let entry = |own: &Value| {
         let formula = parse::profile(own["f"].as_str().unwrap()).unwrap();
         let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
         let number = |name: &str| parse::constant(own["params"][name].as_str().unwrap()).unwrap().as_number().unwrap().to_f64();
         let parameters: Vec<f64> = solution.profile.parameters().iter().map(|own| number(own.name())).collect();
-        let names = solution.profile.parameters();
-        let bindings =
-            names.iter().zip(&parameters).map(|(own, value)| (own.name(), Expr::number(Number::from_f64(*value).unwrap()))).collect();
-        Entry { id: own["id"].as_str().unwrap().to_owned(), text: print::text(&formula), solution, bindings, parameters }
+        Entry { id: own["id"].as_str().unwrap().to_owned(), text: print::text(&formula), solution, parameters }
     };
     // Bessel functions J and differences I - L, which the catalogue lacks.
     let more = serde_json::json!([
@@ -69,8 +71,8 @@ struct Case {
     function: String,
     arguments: Vec<f64>,
     truth: DoubleDouble,
+    /// The claim, times the condition number where it is conditional.
     ulps: f64,
-    conditional: bool,
 }
 
 /// E* of every call.
@@ -78,11 +80,15 @@ const MODULUS: f64 = 1.5;
 /// The step of condition numbers.
 const STEP: f64 = 1e-6;
 
-fn cases(entry: &Entry, module: &str, own: Quantity, made: &Program) -> Vec<Case> {
-    let evaluator = Evaluator::new(&entry.solution, &entry.bindings, Method::Auto, 1e-13).unwrap();
+fn cases(entry: &Entry, near: &Near<'_>, module: &str, own: Quantity, made: &Program) -> Vec<Case> {
+    let evaluator = &near.evaluator;
     let (_, claim) = made.claims()[0];
     let Some(claim) = claim else { return Vec::new() };
-    let end = reach(&evaluator);
+    let end = reach(evaluator);
+    // The condition number itself is known to some digits.
+    let claimed = |coordinates: &[f64], place: f64, more: f64| {
+        (claim.ulps + more) * claim.condition.map_or(1.0, |_| 1.01 * near.condition(own, coordinates, place))
+    };
     let mut list = Vec::new();
     // Integrals of mpmath over 24 decades of the radius.
     for line in include_str!("../oracle/decades.csv").lines().skip(1) {
@@ -93,10 +99,11 @@ fn cases(entry: &Entry, module: &str, own: Quantity, made: &Program) -> Vec<Case
         }
         let truth = parse::constant(value).unwrap().as_number().unwrap().to_f64() * factor.first().map_or(1.0, |own| 2.0 * own);
         // Two roundings of the truth, of half a unit each.
-        let (ulps, conditional) = (claim.ulps + 1.0, claim.condition.is_some());
-        let arguments = [&[radius.parse().unwrap()], factor, &entry.parameters].concat();
+        let radius: f64 = radius.parse().unwrap();
+        let ulps = claimed(&[radius], radius, 1.0);
+        let arguments = [&[radius], factor, &entry.parameters].concat();
         let (what, function) = (format!("{id} {}", own.key()), format!("sneddon_{}", own.key()));
-        list.push(Case { what, module: module.to_owned(), function, arguments, truth: truth.into(), ulps, conditional });
+        list.push(Case { what, module: module.to_owned(), function, arguments, truth: truth.into(), ulps });
     }
     for part in [1e-5, 3e-4, 0.01, 0.11, 0.3, 0.52, 0.77, 0.93, 0.999] {
         let place = end * part;
@@ -109,8 +116,8 @@ fn cases(entry: &Entry, module: &str, own: Quantity, made: &Program) -> Vec<Case
             }
             arguments.extend(&entry.parameters);
             let (what, function) = (format!("{} {}", entry.id, own.key()), format!("sneddon_{}", own.key()));
-            let (ulps, conditional) = (claim.ulps, claim.condition.is_some());
-            list.push(Case { what, module: module.to_owned(), function, arguments, truth: truth.value, ulps, conditional });
+            let ulps = claimed(coordinates, place, 0.0);
+            list.push(Case { what, module: module.to_owned(), function, arguments, truth: truth.value, ulps });
         };
         match own {
             Quantity::Equivalent | Quantity::Depth => push(&[place], exact(Superposed::Equivalent, &[place])),
@@ -149,44 +156,98 @@ fn cases(entry: &Entry, module: &str, own: Quantity, made: &Program) -> Vec<Case
     list
 }
 
-/// The arguments of a case, and after them those that its condition number needs.
-fn variations(case: &Case) -> Vec<Vec<f64>> {
-    let mut all = vec![case.arguments.clone()];
-    if case.conditional {
-        for index in 0..case.arguments.len() {
-            for factor in [1.0 + STEP, 1.0 - STEP] {
-                let mut moved = case.arguments.clone();
-                moved[index] *= factor;
-                all.push(moved);
-            }
-        }
-    }
-    all
+/// A profile at its parameters, and with each of them moved up and down by a small step.
+struct Near<'a> {
+    evaluator: Evaluator<'a>,
+    moved: Vec<[Evaluator<'a>; 2]>,
 }
 
-/// Holds the values that a language printed against the truth; one value for each variation of each case.
+impl<'a> Near<'a> {
+    fn new(entry: &'a Entry) -> Self {
+        let at = |parameters: &[f64]| {
+            let names = entry.solution.profile.parameters();
+            let pairs = names.iter().zip(parameters).map(|(own, value)| (own.name(), Expr::number(Number::from_f64(*value).unwrap())));
+            Evaluator::new(&entry.solution, &pairs.collect(), Method::Auto, 1e-13).unwrap()
+        };
+        let one = |index: usize, factor: f64| {
+            let mut parameters = entry.parameters.clone();
+            parameters[index] *= factor;
+            at(&parameters)
+        };
+        let moved = (0..entry.parameters.len()).map(|index| [one(index, 1.0 + STEP), one(index, 1.0 - STEP)]).collect();
+        Self { evaluator: at(&entry.parameters), moved }
+    }
+
+    /// 1 + Σ |v ∂f/∂v|/|f| over the arguments v, for coordinates that belong to the contact radius `place`.
+    fn condition(&self, own: Quantity, coordinates: &[f64], place: f64) -> f64 {
+        let number = |evaluator: &Evaluator<'_>, own: Superposed, inputs: &[f64]| {
+            let reading = match own {
+                Superposed::Force => evaluator.force(inputs[0]).ok(),
+                Superposed::Pressure => evaluator.pressure(inputs[0], inputs[1]).ok().flatten(),
+                _ => evaluator.slope(inputs[0]).ok(),
+            };
+            reading.map_or(f64::NAN, |own| own.estimate.value)
+        };
+        let here = |own, inputs: &[f64]| number(&self.evaluator, own, inputs);
+        // v ∂f/∂v by a coordinate, and by each parameter.
+        let by_coordinate = |own, inputs: &[f64], index: usize| {
+            let at = |factor: f64| {
+                here(own, &inputs.iter().enumerate().map(|(i, v)| if i == index { v * factor } else { *v }).collect::<Vec<_>>())
+            };
+            (at(1.0 + STEP) - at(1.0 - STEP)) / (2.0 * STEP)
+        };
+        let by_parameters = |own, inputs: &[f64]| -> Vec<f64> {
+            let change = |pair: &[Evaluator<'_>; 2]| (number(&pair[0], own, inputs) - number(&pair[1], own, inputs)) / (2.0 * STEP);
+            self.moved.iter().map(change).collect()
+        };
+        let (depth, at) = (here(Superposed::Equivalent, &[place]), [place]);
+        let changes: Vec<f64> = match own {
+            // g(a, v) = d, so that ∂a/∂d = 1/g′ and ∂a/∂v = -(∂g/∂v)/g′.
+            Quantity::Radius => {
+                let rise = by_coordinate(Superposed::Equivalent, &at, 0) / place;
+                let all = [vec![depth], by_parameters(Superposed::Equivalent, &at)].concat();
+                all.into_iter().map(|own| own / (rise * place)).collect()
+            }
+            // ∂F/∂d = 2E*a and ∂F/∂v = ∂F(a)/∂v - 2E*a ∂g/∂v, in units of 2E*.
+            Quantity::ForceOfDepth => {
+                let force = here(Superposed::Force, &at);
+                let pairs = by_parameters(Superposed::Force, &at).into_iter().zip(by_parameters(Superposed::Equivalent, &at));
+                let all = pairs.map(|(force, depth)| force - place * depth).chain([place * depth, force]);
+                all.map(|own| own / force).collect()
+            }
+            _ => {
+                let own = match own {
+                    Quantity::Force => Superposed::Force,
+                    Quantity::Pressure => Superposed::Pressure,
+                    _ => Superposed::Equivalent,
+                };
+                let (value, modulus) = (here(own, coordinates), if own == Superposed::Equivalent { 0.0 } else { 1.0 });
+                let coordinates_moved = (0..coordinates.len()).map(|index| by_coordinate(own, coordinates, index));
+                coordinates_moved.chain(by_parameters(own, coordinates)).map(|own| own / value).chain([modulus]).collect()
+            }
+        };
+        1.0 + changes.into_iter().map(f64::abs).filter(|own| own.is_finite()).sum::<f64>()
+    }
+}
+
+/// Holds the values that a language printed against the truth; one value for each case.
 fn judge(language: &str, cases: &[Case], output: &str) {
     let mut values = output.lines().map(|line| line.trim().parse::<f64>().unwrap_or_else(|_| panic!("{language}: {line}")));
     let (mut faults, mut seen) = (Vec::new(), 0);
     for case in cases {
-        let found: Vec<f64> = variations(case).iter().map(|_| values.next().expect("a value for each call")).collect();
-        let value = found[0];
+        let value = values.next().expect("a value for each call");
         let spacing = case.truth.hi.abs().next_up() - case.truth.hi.abs();
         let off = ((case.truth.hi - value) + case.truth.lo).abs() / spacing;
-        let shares = found[1..].chunks(2).map(|pair| ((pair[0] - pair[1]) / (2.0 * STEP * value)).abs());
-        let condition = 1.0 + shares.filter(|own| own.is_finite()).sum::<f64>();
-        // The condition number itself is known to some digits.
-        let claimed = case.ulps * if case.conditional { 1.01 * condition } else { 1.0 };
         seen += 1;
-        if off.is_nan() || off > claimed {
+        if off.is_nan() || off > case.ulps {
             faults.push(format!(
-                "{} {:?} = {value:e}, not {:e}: {off:.2} ulp, claimed {claimed:.2}",
-                case.what, case.arguments, case.truth.hi
+                "{} {:?} = {value:e}, not {:e}: {off:.2} ulp, claimed {:.2}",
+                case.what, case.arguments, case.truth.hi, case.ulps
             ));
         }
     }
     assert!(faults.is_empty(), "{language}: {} of {seen}\n{}", faults.len(), faults.join("\n"));
-    assert!(seen > 600 / cases_of(4, 1), "{language}: {seen} values only");
+    assert!(seen > 600 / cases_of(40, 1), "{language}: {seen} values only");
 }
 
 fn place(name: &str) -> PathBuf {
@@ -219,18 +280,19 @@ fn listed(arguments: &[f64]) -> String {
 /// Programs and their compilation take long: a part of the catalogue shows one language, and others show other parts.
 fn catalogue(language: Language, first: usize, every: usize) -> (Vec<(String, String)>, Vec<Case>) {
     let (mut sources, mut all, every) = (Vec::new(), Vec::new(), cases_of(every, 1));
-    for (number, entry) in entries().into_iter().enumerate() {
+    for (number, entry) in entries().iter().enumerate() {
+        let near = Near::new(entry);
         for (index, own) in QUANTITIES.into_iter().enumerate() {
             if !(first + number + index).is_multiple_of(every) {
                 continue;
             }
-            let Some(made) = program_of(&entry, own, language) else { continue };
+            let Some(made) = program_of(entry, own, language) else { continue };
             let is_extra = ["sine", "saturating"].contains(&entry.id.as_str());
             let claim = made.claims()[0].1.map_or(0.0, |own| own.ulps);
             let largest = if own == Quantity::ForceOfDepth { LARGEST_CLAIM_OF_DEPTH } else { LARGEST_CLAIM };
             assert!(is_extra || claim <= largest, "{} {}: a claim of {claim} ulp", entry.id, own.key());
             let module = format!("m{}", sources.len());
-            all.extend(cases(&entry, &module, own, &made));
+            all.extend(cases(entry, &near, &module, own, &made));
             sources.push((module, write(&made)));
         }
     }
@@ -239,35 +301,31 @@ fn catalogue(language: Language, first: usize, every: usize) -> (Vec<(String, St
 
 #[test]
 fn c_is_as_accurate_as_it_claims() {
-    let (sources, cases) = catalogue(Language::C, 0, 2);
+    let (sources, cases) = catalogue(Language::C, 0, 9);
     let (place, mut text) = (place("c"), "#include <stdio.h>\n".to_owned());
     for (module, source) in &sources {
         text.push_str(&source.replace("sneddon_", &format!("{module}_sneddon_")));
     }
     text.push_str("int main(void)\n{\n");
     for case in &cases {
-        for arguments in variations(case) {
-            writeln!(text, "    printf(\"%.17g\\n\", {}_{}({}));", case.module, case.function, listed(&arguments)).unwrap();
-        }
+        writeln!(text, "    printf(\"%.17g\\n\", {}_{}({}));", case.module, case.function, listed(&case.arguments)).unwrap();
     }
     text.push_str("    return 0;\n}\n");
     fs::write(place.join("all.c"), text).unwrap();
-    run("cc", &["-std=c99", "-Wall", "-Wextra", "-Werror", "-O2", "all.c", "-lm", "-o", "all"], &place);
+    run("cc", &["-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "all.c", "-lm", "-o", "all"], &place);
     judge("C", &cases, &run("./all", &[], &place));
 }
 
 #[test]
 fn rust_is_as_accurate_as_it_claims() {
-    let (sources, cases) = catalogue(Language::Rust, 1, 2);
+    let (sources, cases) = catalogue(Language::Rust, 1, 9);
     let (place, mut text) = (place("rust"), String::new());
     for (module, source) in &sources {
         writeln!(text, "mod {module} {{\n{source}}}").unwrap();
     }
     text.push_str("fn main() {\n    let show = |own: Result<f64, &str>| println!(\"{:e}\", own.unwrap_or(f64::NAN));\n");
     for case in &cases {
-        for arguments in variations(case) {
-            writeln!(text, "    show({}::{}({}));", case.module, case.function, listed(&arguments)).unwrap();
-        }
+        writeln!(text, "    show({}::{}({}));", case.module, case.function, listed(&case.arguments)).unwrap();
     }
     text.push_str("}\n");
     fs::write(place.join("all.rs"), text).unwrap();
@@ -280,7 +338,7 @@ fn python_is_as_accurate_as_it_claims() {
     if !is_installed("python3") {
         return;
     }
-    let (sources, mut cases) = catalogue(Language::Python, 0, 2);
+    let (sources, mut cases) = catalogue(Language::Python, 2, 18);
     let place = place("python");
     // SciPy is not everywhere.
     let sources: Vec<_> = sources.into_iter().filter(|(_, text)| !text.contains("scipy")).collect();
@@ -293,10 +351,8 @@ fn python_is_as_accurate_as_it_claims() {
         writeln!(text, "import {module}").unwrap();
     }
     for case in &cases {
-        for arguments in variations(case) {
-            let name = case.function.trim_start_matches("sneddon_");
-            writeln!(text, "show({}.{name}, {})", case.module, listed(&arguments)).unwrap();
-        }
+        let name = case.function.trim_start_matches("sneddon_");
+        writeln!(text, "show({}.{name}, {})", case.module, listed(&case.arguments)).unwrap();
     }
     fs::write(place.join("all.py"), text).unwrap();
     judge("Python", &cases, &run("python3", &["-B", "all.py"], &place));
@@ -307,7 +363,7 @@ fn fortran_is_as_accurate_as_it_claims() {
     if !is_installed("gfortran") {
         return;
     }
-    let (sources, cases) = catalogue(Language::Fortran, 1, 2);
+    let (sources, cases) = catalogue(Language::Fortran, 3, 18);
     let (place, mut text, mut uses) = (place("fortran"), String::new(), String::new());
     for (module, source) in &sources {
         text.push_str(&source.replace("module sneddon", &format!("module {module}")));
@@ -320,13 +376,11 @@ fn fortran_is_as_accurate_as_it_claims() {
     writeln!(text, "program all\n{uses}    implicit none").unwrap();
     let literal = |arguments: &[f64]| arguments.iter().map(|own| format!("{own:e}").replace('e', "d")).collect::<Vec<_>>().join(", ");
     for case in &cases {
-        for arguments in variations(case) {
-            writeln!(text, "    print '(es25.17e3)', {}_{}({})", case.module, case.function, literal(&arguments)).unwrap();
-        }
+        writeln!(text, "    print '(es25.17e3)', {}_{}({})", case.module, case.function, literal(&case.arguments)).unwrap();
     }
     text.push_str("end program all\n");
     fs::write(place.join("all.f90"), text).unwrap();
-    run("gfortran", &["-std=f2008", "-Wall", "-O1", "all.f90", "-o", "all"], &place);
+    run("gfortran", &["-std=f2008", "-Wall", "all.f90", "-o", "all"], &place);
     judge("Fortran", &cases, &run("./all", &[], &place));
 }
 
@@ -335,15 +389,13 @@ fn octave_is_as_accurate_as_it_claims() {
     if !is_installed("octave") {
         return;
     }
-    let (sources, cases) = catalogue(Language::Matlab, 1, 6);
+    let (sources, cases) = catalogue(Language::Matlab, 5, 30);
     let (place, mut text) = (place("octave"), "1;\n".to_owned());
     for (module, source) in &sources {
         text.push_str(&source.replace("sneddon_", &format!("{module}_sneddon_")));
     }
     for case in &cases {
-        for arguments in variations(case) {
-            writeln!(text, "printf(\"%.17g\\n\", {}_{}({}));", case.module, case.function, listed(&arguments)).unwrap();
-        }
+        writeln!(text, "printf(\"%.17g\\n\", {}_{}({}));", case.module, case.function, listed(&case.arguments)).unwrap();
     }
     fs::write(place.join("all.m"), text).unwrap();
     judge("Octave", &cases, &run("octave", &["--norc", "--quiet", "all.m"], &place));
@@ -378,23 +430,44 @@ fn hostile_names_stay_names() {
         let formula = parse::profile(&terms.join(" + ")).unwrap();
         let solution = derive(&Profile::new(&formula).unwrap()).unwrap();
         let place = place(&format!("hostile_{group}"));
-        let quantities = QUANTITIES.into_iter().filter(|own| *own != Quantity::Pressure).collect::<Vec<_>>();
+        let all = QUANTITIES.into_iter().filter(|own| *own != Quantity::Pressure).collect::<Vec<_>>();
+        let quantities = cases_of(vec![Quantity::Equivalent, Quantity::Radius, Quantity::Depth], all);
         let text = |language| write(&program(&solution, &quantities, language, &print::text(&formula)).unwrap());
-        fs::write(place.join("a.c"), text(Language::C)).unwrap();
-        run("cc", &["-Wall", "-Wextra", "-Werror", "-c", "a.c"], &place);
-        fs::write(place.join("a.rs"), text(Language::Rust)).unwrap();
-        run("rustc", &["--edition", "2024", "-Dwarnings", "--crate-type", "lib", "--emit", "metadata", "a.rs"], &place);
-        if is_installed("python3") {
+        // Half of the groups in each language.
+        let is_written = |number: usize| takes(group + number, 2);
+        if is_written(0) {
+            fs::write(place.join("a.c"), text(Language::C)).unwrap();
+            run("cc", &["-Wall", "-Wextra", "-Werror", "-c", "a.c"], &place);
+        }
+        if is_written(1) {
+            fs::write(place.join("a.rs"), text(Language::Rust)).unwrap();
+            run("rustc", &["--edition", "2024", "-Dwarnings", "--crate-type", "lib", "--emit", "metadata", "a.rs"], &place);
+        }
+        if is_written(0) && is_installed("python3") {
             fs::write(place.join("a.py"), text(Language::Python)).unwrap();
-            let ones = ["1.0"; 11].iter().take(list.len()).copied().collect::<Vec<_>>().join(", ");
+            let ones = vec!["1.0"; list.len()].join(", ");
             let check = format!("import a; assert a.g(0.5, {ones}) > 0.5 and abs(a.a(a.d(0.5, {ones}), {ones}) - 0.5) < 1e-15");
             run("python3", &["-B", "-c", &check], &place);
         }
-        if is_installed("gfortran") {
+        if is_written(1) && is_installed("gfortran") {
             fs::write(place.join("a.f90"), text(Language::Fortran)).unwrap();
             run("gfortran", &["-std=f2008", "-Wall", "-c", "a.f90"], &place);
         }
     }
+}
+
+/// The series of a polynomial piece has nothing to compute from term to term.
+#[test]
+fn a_first_piece_with_one_power_runs_in_python() {
+    if !is_installed("python3") {
+        return;
+    }
+    let text = "piecewise(r^2/2, r<b, b*(r-b/2))";
+    let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+    let place = place("polynomial_piece");
+    fs::write(place.join("a.py"), write(&program(&solution, &[Quantity::Equivalent], Language::Python, text).unwrap())).unwrap();
+    // g of r²/2 is x².
+    run("python3", &["-B", "-c", "import a; assert abs(a.g(0.3, 0.5) - 0.09) < 1e-16"], &place);
 }
 
 /// What has no closed form is an error that says so.

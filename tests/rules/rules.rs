@@ -13,9 +13,13 @@ use sneddon_checks::seeds::cases;
 
 /// Draws of the parameters for every rule.
 const DRAWS: usize = 12;
+/// Draws of the usual run.
+fn draws() -> usize {
+    cases(3, DRAWS)
+}
 /// Random terms made from the pattern of every rule.
 fn terms() -> usize {
-    cases(6, 60)
+    cases(3, 60)
 }
 /// Shown and evaluated forms, statement and code agree to this at moderate arguments, where the plain forms cancel little.
 const SAME: f64 = 1e-9;
@@ -43,7 +47,7 @@ fn patterns_are_recognised_by_their_own_rule_only() {
     let mut stream = Stream::new(1);
     for rule in RULES {
         let mut solutions = vec![derived(rule.pattern)];
-        for _ in 0..DRAWS {
+        for _ in 0..draws() {
             solutions.push(derived_with(rule.pattern, &draw(rule, &mut stream)));
         }
         for solution in &solutions {
@@ -83,7 +87,7 @@ fn code_is_the_stated_formula() {
         let solution = derived(rule.pattern);
         let (slope, force) = (formula(rule.slope), formula(rule.force));
         let pressure = rule.pressure.map(formula);
-        for _ in 0..DRAWS {
+        for _ in 0..draws() {
             let parameters = draw(rule, &mut stream);
             let own = evaluator(&solution, &parameters, Method::Exact);
             for _ in 0..6 {
@@ -110,11 +114,11 @@ fn code_is_quadrature() {
     let mut stream = Stream::new(3);
     for rule in RULES {
         let solution = derived(rule.pattern);
-        for _ in 0..cases(2, DRAWS) {
+        for _ in 0..cases(1, DRAWS) {
             let parameters = draw(rule, &mut stream);
             let exact = evaluator(&solution, &parameters, Method::Exact);
             let plain = evaluator(&solution, &parameters, Method::Quadrature);
-            for _ in 0..4 {
+            for _ in 0..cases(2, 4) {
                 let (a, r) = places(&exact, &mut stream);
                 for (what, one, two) in [
                     ("g", Some(exact.slope(a).unwrap()), Some(plain.slope(a).unwrap())),
@@ -174,7 +178,7 @@ fn shown_is_evaluated() {
     let mut stream = Stream::new(4);
     for rule in RULES {
         let symbolic = derived(rule.pattern);
-        for _ in 0..DRAWS {
+        for _ in 0..draws() {
             let values = draw(rule, &mut stream);
             let set = derived_with(rule.pattern, &values);
             for (solution, own) in [(&symbolic, &values[..]), (&set, &[])] {
@@ -249,7 +253,7 @@ fn any_term_that_a_rule_accepts_is_right() {
         let numeric = NumericProfile::new(&[(term.segment.clone(), term.slope())], &Bindings::default()).unwrap();
         let upper = term.segment.upper.as_ref().map_or(f64::INFINITY, |c| number(c, &[]));
         let lower = number(&term.segment.lower, &[]);
-        for _ in 0..3 {
+        for _ in 0..cases(2, 3) {
             // Numbers with few bits, so that the walk and the quadrature mean the same point.
             let a = stream.short(lower + 0.01, if upper.is_finite() { 1.8 * upper } else { lower + 4.0 });
             let r = stream.short(0.05 * a, 0.97 * a);
@@ -280,10 +284,14 @@ fn any_term_that_a_rule_accepts_is_right() {
             }
         }
     }
+    let mut missing = 0;
     for (rule, (count, pressures)) in RULES.iter().zip(answered) {
-        assert!(count >= terms() / 2, "{}: only {count} sharp values", rule.id);
-        assert!(pressures >= terms() / 6 || rule.pressure.is_none(), "{}: only {pressures} pressures", rule.id);
+        missing += u32::from(count == 0);
+        assert!(count >= cases(0, terms() / 2), "{}: only {count} sharp values", rule.id);
+        assert!(pressures >= cases(0, terms() / 6) || rule.pressure.is_none(), "{}: only {pressures} pressures", rule.id);
     }
+    // A few draws of a rule may all be blunt.
+    assert!(missing < 4, "{missing} rules have no sharp value");
 }
 
 /// What no rule may answer: exponents without a finite profile, roots of another sign or degree.
@@ -333,7 +341,7 @@ fn terms_without_a_solution_are_declined() {
 fn the_general_rule_agrees_with_every_other() {
     let mut stream = Stream::new(6);
     let mut compared = 0;
-    for (rule, round) in RULES.iter().flat_map(|rule| (0..DRAWS).map(move |round| (rule, round))) {
+    for (rule, round) in RULES.iter().flat_map(|rule| (0..draws()).map(move |round| (rule, round))) {
         let solution = derived_with(rule.pattern, &draw(rule, &mut stream));
         for solved in solution.terms() {
             let (Some((own, answer)), Some(general)) = (&solved.answer, (GENERAL.apply)(&solved.term)) else { continue };
@@ -354,7 +362,7 @@ fn the_general_rule_agrees_with_every_other() {
             }
         }
     }
-    assert!(compared >= 4 * DRAWS, "{compared}");
+    assert!(compared >= 4 * draws(), "{compared}");
 }
 
 /// With a symbol in the exponent or under the root, what the answer needs is a condition.

@@ -9,6 +9,7 @@ use sneddon::transform::inner::Gate;
 use sneddon::transform::{
     Answer, Branches, Evaluator, Method, Profile, Solution, SolvedTerm, Status, Verdict, Verification, check, derive,
 };
+use sneddon_checks::seeds::cases;
 
 fn solution(text: &str) -> Solution {
     derived(parse::profile(text).unwrap())
@@ -68,11 +69,16 @@ fn the_check_says_what_it_proves() {
         "r^0.001",
         "r^0.01",
         "C*r^(1/500)",
-    ] {
+    ]
+    .into_iter()
+    .step_by(cases(2, 1))
+    {
         let found = verdict(text);
         assert!(found.verdict == Verdict::NotCompared && found.points == 0 && found.why.is_some(), "{text}: {found:?}");
     }
-    for text in ["r^0.1", "r^2/2+ln(cosh(r))", "R-sqrt(R^2-r^2)", "piecewise(0,r<2*b,r-2*b,r<c/3,2*r-2*b-c/3)"] {
+    for text in
+        ["r^0.1", "r^2/2+ln(cosh(r))", "R-sqrt(R^2-r^2)", "piecewise(0,r<2*b,r-2*b,r<c/3,2*r-2*b-c/3)"].into_iter().step_by(cases(2, 1))
+    {
         let found = verdict(text);
         assert!(found.passed() && found.points == 64 && found.max_relative_difference < 1e-11, "{text}: {found:?}");
     }

@@ -4,6 +4,7 @@
 
 use crate::validate::{room, validated};
 use serde_json::Value;
+use sneddon_checks::seeds::cases;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -32,7 +33,7 @@ fn answer(place: &Path, arguments: &[&str]) -> Value {
 #[test]
 fn a_fault_of_any_profile_is_named_within_a_small_budget() {
     let place = room("diagnosis");
-    for shape in SHAPES {
+    for shape in SHAPES.into_iter().step_by(cases(6, 1)) {
         let text = scene(shape, "contact_radius = 1.0");
         fs::write(place.join("scene.toml"), &text).unwrap();
         let exact = answer(&place, &["reference", "scene.toml", "--grid", "0:1.2:121"]);

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use serde_json::Value;
+use sneddon_checks::seeds::cases;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
@@ -29,7 +30,7 @@ fn images_are_named_down_to_touching_contacts() {
     fs::create_dir_all(&place).unwrap();
     let boxes = boxes();
     assert_eq!(boxes.len(), 6);
-    for ((tip, side), pressures) in boxes {
+    for ((tip, side), pressures) in boxes.into_iter().step_by(cases(2, 1)) {
         let formula = match tip.as_str() {
             "cone" => "r/5",
             "paraboloid" => "r^2/20",

@@ -5,6 +5,7 @@ use sneddon::contact::Contact;
 use sneddon::expr::Bindings;
 use sneddon::parse;
 use sneddon::transform::{Closure, Evaluator, Interpolation, Method, Profile, Solution, derive};
+use sneddon_checks::seeds::{cases, sample};
 use std::f64::consts::PI;
 
 fn solution(text: &str) -> Solution {
@@ -55,7 +56,7 @@ fn hertz_is_closed() {
 #[test]
 fn stresses_do_not_depend_on_the_unit() {
     let mut answered = 0;
-    for text in [
+    let shapes = [
         "r^2/(2*R)",
         "R-sqrt(R^2-r^2)",
         "R*ln(cosh(r/R))",
@@ -66,20 +67,23 @@ fn stresses_do_not_depend_on_the_unit() {
         "R*abs(r/R-0.2)^1.5",
         "R*max(0,r/R-0.2)^1.2",
         "R*max(0,r/R-0.2)^2.5",
-    ] {
+    ];
+    for (number, text) in shapes.into_iter().enumerate().step_by(cases(2, 1)) {
         let stress = |unit: f64| {
             let text = text.replace('R', &format!("({unit:e})"));
             contact(&solution(&text), None).axial_stress(0.2 * unit, 0.5 * unit).map(|found| found.unwrap().estimate)
         };
         let usual = stress(1.0).unwrap();
-        for unit in [-1012, -1004, -996, -984, -900, -700, -540, -500, 400, 500, 540, 700, 1000].map(|k| f64::from(k).exp2()) {
+        for unit in
+            sample([-1012, -1004, -996, -984, -900, -700, -540, -500, 400, 500, 540, 700, 1000], number / 2, 5).map(|k| f64::from(k).exp2())
+        {
             let Ok(found) = stress(unit) else { continue };
             answered += 1;
             let off = (found.value - usual.value).abs();
             assert!(off <= found.error + usual.error, "{text}, R = {unit:e}: {found:?} instead of {usual:?}");
         }
     }
-    assert!(answered >= 126, "{answered}");
+    assert!(answered >= cases(12, 126), "{answered}");
 }
 
 /// Class "a length compared with a number": f′ of these shapes is nearly constant from 1e-12 of the axis on, in a small enough unit.

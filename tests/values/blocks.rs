@@ -9,6 +9,7 @@ use sneddon::num::{Bounded, Precise};
 use sneddon::parse;
 use sneddon_checks::decimal::Decimal;
 use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
 
 fn expression(text: &str) -> Expr {
     match parse::formula(text).unwrap_or_else(|error| panic!("{text}: {error}")) {
@@ -39,7 +40,7 @@ fn values_are_those_of_the_scalar_tape_and_bounds_cover_the_truth() {
     let mut stream = Stream::new(4);
     let (mut scratch, mut slots, mut plain_slots) = (BlockScratch::default(), Vec::new(), Vec::new());
     let (mut compared, mut apart, mut held, mut ratios, mut precise_slots) = (0, 0, 0, Vec::new(), Vec::new());
-    for line in include_str!("../oracle/second.csv").lines() {
+    for line in include_str!("../oracle/second.csv").lines().step_by(cases(3, 1)) {
         let [text, x, y, value] = line.split(';').collect::<Vec<_>>().try_into().unwrap();
         let truth = Decimal::read(value);
         let tape = Tape::compile(&[expression(text)], &inputs).unwrap();
@@ -111,7 +112,7 @@ fn values_are_those_of_the_scalar_tape_and_bounds_cover_the_truth() {
         println!("bound over the scalar bound, share {part}: {:.3} {}", share(part).0, share(part).1);
     }
     println!("{compared} values compared, {apart} differ; {held} bounds held against 30 digits");
-    assert!(compared > 300_000 && share(0.5).0 <= 1.0 && share(0.9).0 <= 1.01 && share(0.99).0 <= 4.0);
+    assert!(compared > cases(90_000, 300_000) && share(0.5).0 <= 1.0 && share(0.9).0 <= 1.01 && share(0.99).0 <= 4.0);
 }
 
 #[test]

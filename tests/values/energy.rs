@@ -7,6 +7,7 @@ use sneddon::num::Bound;
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Solution, derive};
 use sneddon_checks::decimal::Decimal;
+use sneddon_checks::seeds::{cases, sample};
 
 fn solution(text: &str) -> Solution {
     derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
@@ -20,11 +21,11 @@ fn contact(solution: &Solution, method: Method, depth: Option<f64>) -> Contact<'
 #[test]
 fn energies_are_proven() {
     let (mut count, mut worst) = (0, 0.0f64);
-    for line in include_str!("../oracle/energy.csv").lines().filter(|line| !line.starts_with('#')) {
+    for (number, line) in include_str!("../oracle/energy.csv").lines().filter(|line| !line.starts_with('#')).enumerate() {
         let [text, depth, a, truth] = line.split(';').collect::<Vec<_>>()[..] else { panic!("{line}") };
         let (depth, a, truth) = (depth.parse().ok(), a.parse().unwrap(), Decimal::read(truth));
         let solution = solution(text);
-        for method in [Method::Auto, Method::Quadrature] {
+        for method in sample([Method::Auto, Method::Quadrature], number, 4) {
             let own = contact(&solution, method, depth);
             let found = own.energy(a).unwrap().estimate;
             // Next to the end of a sphere g itself is estimated by quadrature.
@@ -38,7 +39,7 @@ fn energies_are_proven() {
     }
     println!("{count} energies, the widest bound {worst:.1e}");
     // The widest is that of a contact that has just passed a kink, where d − g cancels.
-    assert!(count >= 60 && worst < 5e-12, "{count}, {worst:e}");
+    assert!(count >= cases(15, 60) && worst < 5e-12, "{count}, {worst:e}");
 }
 
 /// Class "p(0) is often estimated": open pressures on the axis are proven, and their method of quadrature agrees with that of closed forms.

@@ -14,7 +14,7 @@ const PROFILES: u64 = 300;
 #[test]
 fn closed_forms_are_never_wrong() {
     let mut total = Outcome::default();
-    let profiles = cases(PROFILES / 3, PROFILES) as usize;
+    let profiles = cases(PROFILES / 9, PROFILES) as usize;
     for seed in 0..profiles as u64 {
         let mut stream = Stream::new(1_000_000 + seed);
         let profile = sample(&mut stream);
@@ -32,7 +32,7 @@ const DENSE: usize = 4000;
 /// Where a slice is dense a value is that of its own slice of one point, or right to 0.8 units in the last place.
 #[test]
 fn dense_slices_are_never_wrong() {
-    let profiles = std::env::var("PROFILES").ok().and_then(|text| text.parse().ok()).unwrap_or(PROFILES / 3);
+    let profiles = std::env::var("PROFILES").ok().and_then(|text| text.parse().ok()).unwrap_or(cases(PROFILES / 12, PROFILES / 3));
     let (mut single, mut precise, mut values) = (0, 0, vec![0.0; DENSE]);
     let mut worst = 0.0f64;
     for seed in 0..profiles {

@@ -5,6 +5,7 @@ use sneddon::contact::{Contact, Reason};
 use sneddon::expr::Bindings;
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Solution, TransformError, derive};
+use sneddon_checks::seeds::cases;
 
 fn solution(text: &str) -> Solution {
     derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
@@ -18,7 +19,7 @@ fn contact(solution: &Solution, method: Method) -> Contact<'_> {
 #[test]
 fn finite_pressures_have_their_reference_values() {
     let (mut worst, mut count) = (0.0f64, 0);
-    for line in include_str!("../oracle/apex.csv").lines().skip(1) {
+    for line in include_str!("../oracle/apex.csv").lines().skip(1).step_by(cases(3, 1)) {
         let [profile, a, r, pressure] = line.split(';').collect::<Vec<_>>().try_into().unwrap();
         let number = |text: &str| text.parse::<f64>().unwrap();
         let solution = solution(profile);
@@ -36,7 +37,7 @@ fn finite_pressures_have_their_reference_values() {
             }
         }
     }
-    assert_eq!(count, 124);
+    assert_eq!(count, cases(42, 124));
     assert!(worst < 4e-14, "{worst:e}");
 }
 

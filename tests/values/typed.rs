@@ -8,6 +8,7 @@ use sneddon::expr::{Bindings, Expr, Number};
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Reading, derive};
 use sneddon_checks::decimal::Decimal;
+use sneddon_checks::seeds::cases;
 use std::collections::BTreeMap;
 
 /// A row: quantity, contact radius, place, true value.
@@ -53,7 +54,7 @@ fn pressures_beside_kinks_at_decimals_keep_their_bounds() {
 fn compare(text: &'static str, fewest: usize, numbers: usize, largest: f64) {
     let (mut faults, mut count, mut worst) = (Vec::new(), 0, 0.0f64);
     let profiles = table(text);
-    for ((text, parameters), rows) in &profiles {
+    for ((text, parameters), rows) in profiles.iter().step_by(cases(3, 1)) {
         let values: Bindings =
             parameters.split_whitespace().map(|own| own.split_once('=').unwrap()).map(|(name, value)| (name, exact(value))).collect();
         let profile = Profile::new(&parse::profile(text).unwrap().substitute(&values)).unwrap_or_else(|error| panic!("{text}: {error}"));
@@ -70,6 +71,6 @@ fn compare(text: &'static str, fewest: usize, numbers: usize, largest: f64) {
         }
     }
     println!("{count} values of {} profiles, the largest relative error {worst:.1e}", profiles.len());
-    assert!(profiles.len() >= fewest && count >= numbers, "the table is too short");
+    assert!(profiles.len() >= fewest && count >= numbers / cases(4, 1), "the table is too short");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

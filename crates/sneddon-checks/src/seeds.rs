@@ -7,6 +7,16 @@ pub fn cases<T>(usual: T, long: T) -> T {
     if std::env::var_os("SNEDDON_LONG").is_some() { long } else { usual }
 }
 
+/// Whether the case of a test with this number is examined: one in `every`, and each of them under `just long`.
+pub fn takes(number: usize, every: usize) -> bool {
+    number.is_multiple_of(cases(every, 1))
+}
+
+/// What a test examines of a list: one item in `every` from `first` on, counted around, and all of them under `just long`.
+pub fn sample<T>(list: impl IntoIterator<Item = T>, first: usize, every: usize) -> impl Iterator<Item = T> {
+    list.into_iter().enumerate().filter(move |(index, _)| takes(first + index, every)).map(|own| own.1)
+}
+
 /// COUNT and FIRST SEED of the command line, or `count` and 0.
 pub fn asked(count: u64) -> (u64, u64) {
     let mut numbers = std::env::args().skip(1).map(|text| text.parse::<u64>());

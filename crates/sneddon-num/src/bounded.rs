@@ -43,18 +43,21 @@ const UNIFORM: f64 = 2.0 * f64::MIN_POSITIVE;
 impl Bounded {
     /// A number that is meant exactly as it stands.
     #[must_use]
+    #[inline]
     pub const fn exact(value: f64) -> Self {
         Self { value, error: 0.0 }
     }
 
     /// A number that was correctly rounded to `value`: the error is half a unit in the last place.
     #[must_use]
+    #[inline]
     pub fn rounded(value: f64) -> Self {
         Self::checked(value, half_ulp(value))
     }
 
     /// `value` with the given error; restores the rules for NaN and infinity.
     #[must_use]
+    #[inline]
     pub fn checked(value: f64, error: f64) -> Self {
         if value.is_nan() {
             return Self { value, error: f64::NAN };
@@ -65,11 +68,13 @@ impl Bounded {
 
     /// Whether both the value and its error bound are numbers.
     #[must_use]
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.value.is_finite() && self.error.is_finite()
     }
 
     /// Whether the value overflows for certain.
+    #[inline]
     fn is_beyond(self) -> bool {
         self.value.is_infinite() && self.error.is_finite()
     }
@@ -137,6 +142,7 @@ impl Bounded {
 impl Add for Bounded {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         let (value, rest) = two_sum(self.value, other.value);
         // The rest is the rounding error itself; it is NaN only next to the overflow threshold.
@@ -151,6 +157,7 @@ impl Add for Bounded {
 impl Sub for Bounded {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -159,6 +166,7 @@ impl Sub for Bounded {
 impl Neg for Bounded {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         Self { value: -self.value, error: self.error }
     }
@@ -167,6 +175,7 @@ impl Neg for Bounded {
 impl Mul for Bounded {
     type Output = Self;
 
+    #[inline]
     fn mul(self, other: Self) -> Self {
         let value = self.value * other.value;
         if value.is_infinite() {
@@ -189,6 +198,7 @@ impl Mul for Bounded {
 impl Div for Bounded {
     type Output = Self;
 
+    #[inline]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         if other.is_beyond() && self.is_finite() {
@@ -213,6 +223,7 @@ impl Div for Bounded {
 }
 
 /// a + b rounded, and what the rounding lost: exact (Knuth), NaN after overflow.
+#[inline]
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let from_b = sum - a;
@@ -221,11 +232,13 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// Bound on the rounding error of a correctly rounded sum, root or scaled value; 0 for 0.
+#[inline]
 fn half_ulp(value: f64) -> f64 {
     if value == 0.0 { 0.0 } else { half_ulp_of_zero_too(value) }
 }
 
 /// Bound on the rounding error of a product or quotient, which may be a zero by underflow.
+#[inline]
 fn half_ulp_of_zero_too(value: f64) -> f64 {
     if value.abs() < UNIFORM {
         return TINY;
@@ -235,11 +248,13 @@ fn half_ulp_of_zero_too(value: f64) -> f64 {
 }
 
 /// Whether multiplying by the value only shifts the exponent.
+#[inline]
 fn is_power_of_two(value: f64) -> bool {
     value.to_bits() & 0x000f_ffff_ffff_ffff == 0 && value.is_normal()
 }
 
 /// Enlarges an error bound by more than the few roundings made in computing it; 0 stays 0.
+#[inline]
 fn widen(error: f64) -> f64 {
     // Near the underflow threshold a relative margin rounds away.
     let margin = if error > 0.0 && error < f64::MIN_POSITIVE { 8.0 * TINY } else { 0.0 };
@@ -247,6 +262,7 @@ fn widen(error: f64) -> f64 {
 }
 
 /// The same for a bound made of products, which may each have underflowed to zero.
+#[inline]
 fn widen_inexact(error: f64) -> f64 {
     if error < f64::MIN_POSITIVE { error + 8.0 * TINY } else { widen(error) }
 }

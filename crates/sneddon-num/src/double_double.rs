@@ -21,6 +21,7 @@ pub struct DoubleDouble {
 }
 
 /// `a + b` and its rounding error, exactly, for any order of magnitudes.
+#[inline]
 pub fn two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     let virtual_b = hi - a;
@@ -29,12 +30,14 @@ pub fn two_sum(a: f64, b: f64) -> DoubleDouble {
 }
 
 /// `a + b` and its rounding error, exactly, when `|a| >= |b|` or `a = 0`.
+#[inline]
 fn quick_two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
 /// Halves of at most 26 bits; `mul_add` would do without them, but is a slow call where the target has no fma.
+#[inline]
 fn split(a: f64) -> (f64, f64) {
     let scaled = 134_217_729.0 * a;
     let high = scaled - (scaled - a);
@@ -42,6 +45,7 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 /// `a * b` and its rounding error, exactly while nothing over- or underflows.
+#[inline]
 pub fn two_prod(a: f64, b: f64) -> DoubleDouble {
     let hi = a * b;
     let (a_high, a_low) = split(a);
@@ -51,6 +55,7 @@ pub fn two_prod(a: f64, b: f64) -> DoubleDouble {
 }
 
 /// A constant by its two words.
+#[inline]
 pub(crate) const fn words(hi: f64, lo: f64) -> DoubleDouble {
     DoubleDouble { hi, lo }
 }
@@ -62,21 +67,25 @@ impl DoubleDouble {
     pub const ONE: Self = Self { hi: 1.0, lo: 0.0 };
 
     /// The nearest double.
+    #[inline]
     pub fn value(self) -> f64 {
         self.hi + self.lo
     }
 
     /// Negation, exact.
+    #[inline]
     pub fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
 
     /// Product by a power of two, exact.
+    #[inline]
     pub fn scale(self, power_of_two: f64) -> Self {
         Self { hi: self.hi * power_of_two, lo: self.lo * power_of_two }
     }
 
     /// Sum.
+    #[inline]
     pub fn add(self, other: Self) -> Self {
         let head = two_sum(self.hi, other.hi);
         let tail = two_sum(self.lo, other.lo);
@@ -85,17 +94,20 @@ impl DoubleDouble {
     }
 
     /// Difference.
+    #[inline]
     pub fn sub(self, other: Self) -> Self {
         self.add(other.neg())
     }
 
     /// Product.
+    #[inline]
     pub fn mul(self, other: Self) -> Self {
         let head = two_prod(self.hi, other.hi);
         quick_two_sum(head.hi, head.lo + (self.hi * other.lo + self.lo * other.hi))
     }
 
     /// Quotient.
+    #[inline]
     pub fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
         let rest = self.sub(other.mul(first.into()));
@@ -106,6 +118,7 @@ impl DoubleDouble {
     }
 
     /// Quotient by a double, in two steps: relative error at most about `2^-103`.
+    #[inline]
     pub fn over(self, other: f64) -> Self {
         let first = self.hi / other;
         let rest = self.sub(two_prod(first, other));

@@ -150,13 +150,24 @@ fn measured(
     Ok(Moments { plain, first, size })
 }
 
-/// Adds weight · P_k(t) for every k.
+/// k/(k+1) for k = 0, 1, …
+const SHARES: [f64; TERMS + 1] = {
+    let mut shares = [0.0; TERMS + 1];
+    let mut k = 0;
+    while k <= TERMS {
+        shares[k] = k as f64 / (k + 1) as f64;
+        k += 1;
+    }
+    shares
+};
+
+/// Adds weight · P_k(t) for every k: P_(k+1) = t P_k + k/(k+1) (t P_k − P_(k−1)).
 fn add(sums: &mut [f64; TERMS + 1], weight: f64, t: f64) {
     let (mut before, mut own) = (0.0, weight);
-    for (k, sum) in sums.iter_mut().enumerate() {
+    for (sum, share) in sums.iter_mut().zip(SHARES) {
         *sum += own;
-        let n = k as f64;
-        (before, own) = (own, ((2.0 * n + 1.0) * t * own - n * before) / (n + 1.0));
+        let next = t * own;
+        (before, own) = (own, next + share * (next - before));
     }
 }
 

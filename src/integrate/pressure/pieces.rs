@@ -31,6 +31,7 @@ pub(crate) fn pressure_of_segments<'a>(
     tolerance: f64,
 ) -> Option<Estimate> {
     let mut ranges = Vec::new();
+    let (unit, place_of_s) = (Region::real(1.0) / Region::real(a), place_of_s(s, a));
     for segment in segments {
         let lower = segment.ends.0;
         let end = segment.ends.1.filter(|upper| upper.at < a).unwrap_or(Endpoint::exact(a));
@@ -40,7 +41,7 @@ pub(crate) fn pressure_of_segments<'a>(
         let bend = segment.bend().ok()?;
         let mut add = |from: Endpoint, to: Endpoint| {
             let power = if from == lower { segment.power_of_bend_for(to.at) } else { None };
-            ranges.push(Radii { segment, bend, power, from, to, s, a, slots: Vec::new() });
+            ranges.push(Radii { segment, bend, power, from, to, s, a, unit, place_of_s, slots: Vec::new() });
         };
         if s > lower.at && s < end.at {
             add(lower, Endpoint::exact(s));
@@ -64,7 +65,18 @@ struct Radii<'a> {
     to: Endpoint,
     s: f64,
     a: f64,
+    /// 1/a.
+    unit: Region,
+    /// s and a − s in units of a.
+    place_of_s: (Region, Region),
     slots: Vec<Region>,
+}
+
+/// s and a − s in units of a.
+fn place_of_s(s: f64, a: f64) -> (Region, Region) {
+    let ratio = |own: f64| Region::new(((own / a).next_down(), (own / a).next_up()), (0.0, 0.0));
+    let rest = a - s;
+    (ratio(s), Region::new(((rest / a).next_down() * (1.0 - UNIT), (rest / a).next_up() * (1.0 + UNIT)), (0.0, 0.0)))
 }
 
 /// What the kernel is made of, in units of a.
@@ -107,7 +119,6 @@ impl Radii<'_> {
     fn lengths(&self, piece: Piece, sigma: f64) -> Lengths {
         let (low, high, short) = piece.around(sigma);
         let v = Region::new((low, high), (-short, short));
-        let unit = Region::real(1.0) / Region::real(self.a);
         // A difference of two places with its roundings.
         let gap = |from: Endpoint, to: Endpoint| {
             let own = from.to(to);
@@ -128,20 +139,13 @@ impl Radii<'_> {
             (place(from) + v, difference, gap(from, a) - v, gap(lower, from) + v)
         };
         let delta = if sigma == 0.0 { delta.above_zero() } else { delta };
-        Lengths { r: r * unit, difference: difference * unit, below_edge: below_edge * unit, delta }
-    }
-
-    /// s and a − s in units of a.
-    fn place_of_s(&self) -> (Region, Region) {
-        let ratio = |own: f64| Region::new(((own / self.a).next_down(), (own / self.a).next_up()), (0.0, 0.0));
-        let rest = self.a - self.s;
-        (ratio(self.s), Region::new(((rest / self.a).next_down() * (1.0 - UNIT), (rest / self.a).next_up() * (1.0 + UNIT)), (0.0, 0.0)))
+        Lengths { r: r * self.unit, difference: difference * self.unit, below_edge: below_edge * self.unit, delta }
     }
 
     /// A bound on |K|·a, by that on R_F where its arguments have positive real parts.
     fn largest_kernel(&self, own: &Lengths, sigma: f64) -> f64 {
         let one = Region::real(1.0);
-        let (s, rest) = self.place_of_s();
+        let (s, rest) = self.place_of_s;
         let edge = if sigma == 0.0 { own.below_edge.above_zero() } else { own.below_edge } * (one + own.r);
         let spread = own.difference * (own.r + s);
         let (root, form) = if self.is_outside() {
@@ -161,7 +165,7 @@ impl Radii<'_> {
     /// ∫ |K| dr over a piece that begins at s, which has no unit: R_F(x, y, z) ≤ R_C(z, x) for x ≤ y, and R_C(z, x) ≤ ln(4z/x)/√(2z) for 2x ≤ z.
     fn logarithm(&self, piece: Piece, own: &Lengths) -> f64 {
         let one = Region::real(1.0);
-        let (s, rest) = self.place_of_s();
+        let (s, rest) = self.place_of_s;
         let edge = own.below_edge.above_zero() * (one + own.r);
         let (root, square, z) = if self.is_outside() {
             let square = own.r.powi(2);

@@ -13,36 +13,43 @@ const LOOSE: f64 = 8.0 * f64::EPSILON;
 impl Interval {
     pub(super) const UNKNOWN: Self = Self { low: f64::NAN, high: f64::NAN };
 
+    #[inline]
     pub(super) fn new(low: f64, high: f64) -> Self {
         Self { low, high }
     }
 
+    #[inline]
     pub(super) fn point(value: f64) -> Self {
         Self::new(value, value)
     }
 
+    #[inline]
     pub(super) fn is(self, value: f64) -> bool {
         self.low == value && self.high == value
     }
 
+    #[inline]
     pub(super) fn has_zero(self) -> bool {
         // True where nothing is known.
         !(self.low > 0.0 || self.high < 0.0)
     }
 
     /// The largest magnitude.
+    #[inline]
     pub(super) fn largest(self) -> f64 {
         if self.low.is_nan() || self.high.is_nan() { f64::NAN } else { self.low.abs().max(self.high.abs()) }
     }
 
     /// The smallest magnitude.
+    #[inline]
     pub(super) fn least(self) -> f64 {
         if self.has_zero() { 0.0 } else { self.low.abs().min(self.high.abs()) }
     }
 
     /// Bounds that are each right to half an ulp.
+    #[inline]
     fn rounded(low: f64, high: f64) -> Self {
-        Self { low: low.next_down(), high: high.next_up() }
+        Self { low: down(low), high: up(high) }
     }
 
     /// Bounds by functions of the platform.
@@ -51,6 +58,7 @@ impl Interval {
         Self { low: low - LOOSE * low.abs() - tiny, high: high + LOOSE * high.abs() + tiny }
     }
 
+    #[inline]
     pub(super) fn add(self, other: Self) -> Self {
         if self.is(0.0) {
             return other;
@@ -61,10 +69,12 @@ impl Interval {
         Self::rounded(self.low + other.low, self.high + other.high)
     }
 
+    #[inline]
     pub(super) fn negated(self) -> Self {
         Self { low: -self.high, high: -self.low }
     }
 
+    #[inline]
     pub(super) fn scaled(self, by: f64) -> Self {
         if self.is(0.0) {
             return self;
@@ -72,37 +82,39 @@ impl Interval {
         if by >= 0.0 { Self::rounded(self.low * by, self.high * by) } else { self.negated().scaled(-by) }
     }
 
+    #[inline]
     pub(super) fn multiply(self, other: Self) -> Self {
         if (self.is(0.0) && other.is_known()) || (other.is(0.0) && self.is_known()) {
             return Self::point(0.0);
         }
-        let all = [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
         if self.low >= 0.0 && other.low >= 0.0 {
             // The product of what is not negative is not negative either.
-            return Self { low: (self.low * other.low).next_down().max(0.0), high: (self.high * other.high).next_up() };
+            return Self { low: down(self.low * other.low).max(0.0), high: up(self.high * other.high) };
         }
+        let [a, b, c, d] = [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
         // Zero times infinity is not a number, and must stay none.
-        if all.iter().any(|v| v.is_nan()) {
+        if a.partial_cmp(&b).is_none() || c.partial_cmp(&d).is_none() {
             return Self::UNKNOWN;
         }
-        Self::rounded(all.into_iter().fold(f64::INFINITY, f64::min), all.into_iter().fold(f64::NEG_INFINITY, f64::max))
+        let least = |v: f64, w: f64| if v < w { v } else { w };
+        let largest = |v: f64, w: f64| if v > w { v } else { w };
+        Self::rounded(least(least(a, b), least(c, d)), largest(largest(a, b), largest(c, d)))
     }
 
+    #[inline]
     pub(super) fn square(self) -> Self {
         let (least, largest) = (self.least(), self.largest());
-        if largest == 0.0 {
-            Self::point(0.0)
-        } else {
-            Self { low: (least * least).next_down().max(0.0), high: (largest * largest).next_up() }
-        }
+        if largest == 0.0 { Self::point(0.0) } else { Self { low: down(least * least).max(0.0), high: up(largest * largest) } }
     }
 
     /// 1/v for positive v.
+    #[inline]
     pub(super) fn inverse(self) -> Self {
         Self::rounded(1.0 / self.high, 1.0 / self.low)
     }
 
     /// What lies within ±`most`.
+    #[inline]
     pub(super) fn cut(self, most: f64) -> Self {
         if self.is_known() { Self { low: self.low.max(-most), high: self.high.min(most) } } else { self }
     }
@@ -118,6 +130,7 @@ impl Interval {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
+    #[inline]
     pub(super) fn is_known(self) -> bool {
         self.low >= f64::MIN && self.high <= f64::MAX && self.low <= self.high
     }
@@ -163,5 +176,50 @@ impl Interval {
         let quarter = Self::point(std::f64::consts::FRAC_PI_2);
         let own = Self::loose(self.low, self.high).add(quarter.negated()).cos();
         if self.is(0.0) { Self::point(0.0) } else { own }
+    }
+}
+
+/// The next double above: `next_up` without a branch on the sign, which products of both signs take in no order.
+///
+/// |v| u(1 + 2u) lies between a half and one spacing above every v, with u = 2⁻⁵³, so that the sum rounds to the next double.
+#[inline]
+pub(super) fn up(v: f64) -> f64 {
+    if is_ordinary(v) { v + v.abs() * STEP } else { v.next_up() }
+}
+
+/// The next double below.
+#[inline]
+pub(super) fn down(v: f64) -> f64 {
+    if is_ordinary(v) { v - v.abs() * STEP } else { v.next_down() }
+}
+
+/// Half a spacing of doubles at 1, and a little more.
+const STEP: f64 = 0.5 * f64::EPSILON * (1.0 + f64::EPSILON);
+
+/// Whether a step from a number is a normal number.
+#[inline]
+fn is_ordinary(v: f64) -> bool {
+    v.abs() >= 1e-290 && v.abs() <= f64::MAX
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{down, up};
+
+    #[test]
+    fn steps_reach_the_neighbouring_doubles() {
+        let mut state = 1_u64;
+        let mut places = vec![0.0, -0.0, f64::MAX, f64::MIN, f64::INFINITY, f64::NEG_INFINITY, f64::MIN_POSITIVE, 5e-324, 1e-290];
+        for exponent in -1022..1024 {
+            let own = f64::from(exponent).exp2();
+            places.extend([own, own.next_up(), own.next_down(), 1.5 * own]);
+        }
+        for _ in 0..100_000 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            places.push(f64::from_bits(state));
+        }
+        for v in places.into_iter().filter(|v| !v.is_nan()).flat_map(|v| [v, -v]) {
+            assert_eq!((up(v), down(v)), (v.next_up(), v.next_down()), "{v:e}");
+        }
     }
 }

@@ -4,7 +4,7 @@ mod functions;
 mod interval;
 mod special;
 
-use interval::Interval;
+use interval::{Interval, up};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All z with Re z and Im z between bounds; unknown where an operation is, or may be, not analytic on what it is given.
@@ -71,6 +71,7 @@ impl Region {
     }
 
     /// Numbers of which nothing is known but the rectangle.
+    #[inline]
     fn rectangle(re: Interval, im: Interval) -> Self {
         Self { re, im, least: 0.0, most: f64::INFINITY, logarithm: Interval::UNKNOWN }
     }
@@ -86,9 +87,10 @@ impl Region {
     }
 
     /// The largest |z|; infinite where it is not known.
+    #[inline]
     pub fn largest(self) -> f64 {
         let size = magnitude(self.re.largest(), self.im.largest());
-        if size.is_nan() { f64::INFINITY } else { (size * (1.0 + 2.0 * f64::EPSILON)).next_up().min(self.most) }
+        if size.is_nan() { f64::INFINITY } else { up(size * (1.0 + 2.0 * f64::EPSILON)).min(self.most) }
     }
 
     /// What lies in both rectangles, of which each has all values of one function.
@@ -133,11 +135,21 @@ impl Region {
 
     /// Numbers of which the magnitude alone is known.
     fn sized(least: f64, most: f64) -> Self {
-        // What is not a number bounds nothing.
-        let least = if least > 0.0 { (least * (1.0 - 4.0 * f64::EPSILON)).min(f64::MAX) } else { 0.0 };
-        let most = if most < f64::MAX { most * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE } else { f64::INFINITY };
+        let (least, most) = rounded(least, most);
         let own = Interval::new(-most, most);
         Self { least, most, ..Self::rectangle(own, own) }
+    }
+
+    /// A result with these parts and this magnitude, which a few roundings have moved; where |z| itself may tell too little, with the bounds
+    /// on ln|z| as well.
+    #[inline]
+    fn result(re: Interval, im: Interval, magnitude: (f64, f64), is_extreme: bool, logarithm: impl FnOnce() -> Interval) -> Self {
+        let (least, most) = rounded(magnitude.0, magnitude.1);
+        if is_extreme || leaves_the_range(most) {
+            Self { re, im, least, most, logarithm: Interval::UNKNOWN }.or_by_logarithm(logarithm())
+        } else {
+            Self { re, im, least, most, logarithm: Interval::UNKNOWN }
+        }
     }
 
     /// Numbers with these bounds on ln|z|.
@@ -148,6 +160,7 @@ impl Region {
     }
 
     /// Whether |z| itself tells less than its logarithm.
+    #[inline]
     fn is_extreme(self) -> bool {
         !self.logarithm.high.is_nan()
     }
@@ -163,11 +176,13 @@ impl Region {
     }
 
     /// Whether all bounds are numbers.
+    #[inline]
     fn is_known(self) -> bool {
         self.re.is_known() && self.im.is_known()
     }
 
     /// A bound from below on |z|.
+    #[inline]
     fn least(self) -> f64 {
         let size = magnitude(self.re.least(), self.im.least());
         if size > 0.0 { (size * (1.0 - 4.0 * f64::EPSILON)).max(self.least) } else { self.least }
@@ -182,11 +197,12 @@ impl Region {
     fn square(self) -> Self {
         let re = self.re.square().add(self.im.square().negated());
         let im = self.re.multiply(self.im).scaled(2.0);
-        let own = Self { re, im, ..Self::sized(self.least() * self.least(), self.largest() * self.largest()) };
-        if leaves_the_range(own.most) || self.is_extreme() { own.or_by_logarithm(self.logarithm().scaled(2.0)) } else { own }
+        let (least, largest) = (self.least(), self.largest());
+        Self::result(re, im, (least * least, largest * largest), self.is_extreme(), || self.logarithm().scaled(2.0))
     }
 
     /// With bounds on ln|z| that tell more of what overflows, or is a product of what overflows and what underflows.
+    #[cold]
     fn or_by_logarithm(self, logarithm: Interval) -> Self {
         let sized = Self::sized_by_logarithm(logarithm);
         if sized.most < self.largest() { sized } else { Self { logarithm, least: self.least.max(sized.least), ..self } }
@@ -238,15 +254,14 @@ impl Add for Region {
         let (low, high, other_low, other_high) = (self.least(), self.largest(), other.least(), other.largest());
         let least = (low - other_high).max(other_low - high);
         // The difference is rounded.
-        let own = Self { re, im, ..Self::sized(least - 2.0 * f64::EPSILON * (low + other_low), high + other_high) };
-        if !leaves_the_range(own.most) {
-            return own;
-        }
-        let (a, b) = (self.logarithm(), other.logarithm());
-        // |z + w| is at most twice the larger, and at least more than half of it where that is e times the other.
-        let (large, small) = if a.low >= b.low { (a, b) } else { (b, a) };
-        let low = if large.low > small.high + 1.0 { large.low - 0.5 } else { f64::NEG_INFINITY };
-        own.or_by_logarithm(Interval::loose(low, a.high.max(b.high) + std::f64::consts::LN_2))
+        let magnitude = (least - 2.0 * f64::EPSILON * (low + other_low), high + other_high);
+        Self::result(re, im, magnitude, false, || {
+            let (a, b) = (self.logarithm(), other.logarithm());
+            // |z + w| is at most twice the larger, and at least more than half of it where that is e times the other.
+            let (large, small) = if a.low >= b.low { (a, b) } else { (b, a) };
+            let low = if large.low > small.high + 1.0 { large.low - 0.5 } else { f64::NEG_INFINITY };
+            Interval::loose(low, a.high.max(b.high) + std::f64::consts::LN_2)
+        })
     }
 }
 
@@ -269,9 +284,8 @@ impl Mul for Region {
     fn mul(self, other: Self) -> Self {
         let re = self.re.multiply(other.re).add(self.im.multiply(other.im).negated());
         let im = self.re.multiply(other.im).add(self.im.multiply(other.re));
-        let own = Self { re, im, ..Self::sized(self.least() * other.least(), self.largest() * other.largest()) };
-        let extreme = leaves_the_range(own.most) || self.is_extreme() || other.is_extreme();
-        if extreme { own.or_by_logarithm(self.logarithm().add(other.logarithm())) } else { own }
+        let magnitude = (self.least() * other.least(), self.largest() * other.largest());
+        Self::result(re, im, magnitude, self.is_extreme() || other.is_extreme(), || self.logarithm().add(other.logarithm()))
     }
 }
 
@@ -282,7 +296,17 @@ impl Div for Region {
     }
 }
 
+/// Bounds on a magnitude, moved outwards by more than a few roundings.
+#[inline]
+fn rounded(least: f64, most: f64) -> (f64, f64) {
+    // What is not a number bounds nothing.
+    let least = if least > 0.0 { (least * (1.0 - 4.0 * f64::EPSILON)).min(f64::MAX) } else { 0.0 };
+    let most = if most < f64::MAX { most * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE } else { f64::INFINITY };
+    (least, most)
+}
+
 /// √(x² + y²) of numbers that are not negative, within a relative error of 2^-52.
+#[inline]
 fn magnitude(x: f64, y: f64) -> f64 {
     let squares = x * x + y * y;
     if y == 0.0 {
@@ -295,6 +319,7 @@ fn magnitude(x: f64, y: f64) -> f64 {
 }
 
 /// Whether a magnitude up to this may be part of a product that overflows or underflows.
+#[inline]
 fn leaves_the_range(most: f64) -> bool {
     !(SMALL..LARGE).contains(&most)
 }

@@ -153,7 +153,7 @@ fn values_at_points_of_a_rectangle_are_in_the_rectangle_of_values() {
     let mut random = Numbers(7);
     for (name, region, value) in LAWS {
         let mut known = 0;
-        for _ in 0..2000 {
+        for _ in 0..1000 {
             // Rectangles of all sizes, some of them with an end on an axis.
             let width = 10.0_f64.powf(random.between(-3.0, 0.6));
             let mut end = |low: f64, high: f64| if random.next() < 0.2 { 0.0 } else { random.between(low, high) };
@@ -172,7 +172,7 @@ fn values_at_points_of_a_rectangle_are_in_the_rectangle_of_values() {
                 assert!(own.norm() <= found.largest() + slack, "{name} at {z}");
             }
         }
-        assert!(known > 300, "{name}: {known} rectangles had an answer");
+        assert!(known > 150, "{name}: {known} rectangles had an answer");
     }
 }
 
