@@ -468,8 +468,21 @@ def do_definitions():
         add("artanh_ratio", (a, r), mp.quad(lambda u: whole(u) * sphere(whole(u)), [0, half_turn]))
 
 
+def do_inverse_moment():
+    """E_(-1), also at r = 0 and far inside."""
+    triples = [(0.5, 0.0, 1.0), (0.5, 1e-8, 1.0), (1e-8, 0.5, 1.0), (0.0, 0.5, 1.0), (6.25e-9, 0.15625, 0.3125), (3e-50, 4e-50, 5e-49), (3e50, 4e50, 5e50)]
+    for _ in range(40):
+        a = log_uniform(1e-2, 1e2)
+        b = a * rng.choice([uniform(0, 1), log_uniform(1e-4, 1), 1 - log_uniform(1e-12, 1)])
+        s = rng.choice([a * uniform(0, 1), a * (1 - log_uniform(1e-12, 1)), b * (1 + log_uniform(1e-14, 1)), b * (1 - log_uniform(1e-14, 1))])
+        triples.append((b, s, a))
+    for b, s, a in triples:
+        if 0 <= s < a and 0 <= b < a and s != b:
+            add("elliptic_moment", (-1, b, s, a), elliptic_moment(-1, b, s, a))
+
+
 PARTS = [do_kappa, do_segment, do_pressure_power, do_root_family, do_worn_root, do_root_pressure, do_worn_pressure, do_carlson, do_elliptic,
-         do_dilogarithm, do_hypergeometric, do_bessel, do_digamma, do_definitions]
+         do_dilogarithm, do_hypergeometric, do_bessel, do_digamma, do_definitions, do_inverse_moment]
 
 
 def main():

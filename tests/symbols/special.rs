@@ -65,7 +65,7 @@ fn call(name: &str, a: &[f64]) -> f64 {
         ("worn_hyperboloid_force", [b, a, s]) => worn_hyperboloid_force(*b, *a, *s),
         ("sphere_pressure", [s, a, r]) => sphere_pressure(*s, *a, *r),
         ("hyperboloid_pressure", [s, a, b]) => hyperboloid_pressure(*s, *a, *b),
-        ("elliptic_moment", [k, b, s, a]) => elliptic_moment(*k as u32, *b, *s, *a),
+        ("elliptic_moment", [k, b, s, a]) => elliptic_moment(*k as i32, *b, *s, *a),
         ("rf", [x, y, z]) => rf(*x, *y, *z),
         ("rd", [x, y, z]) => rd(*x, *y, *z),
         ("rc", [x, y]) => rc(*x, *y),

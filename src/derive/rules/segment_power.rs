@@ -12,14 +12,19 @@ pub(super) static NEGATIVE: Rule = Rule {
     pattern: "piecewise(0, r<b, A*ln(r/b)+C*(1/b-1/r))",
     slope: "piecewise(0, x<b, A*acosh(x/b)+C*sqrt(x^2-b^2)/(b*x))",
     force: "piecewise(0, a<b, 2*E*(A*sqrt(a^2-b^2)+C*acos(b/a)))",
-    pressure: None,
+    pressure: Some(
+        "piecewise(0, a<b, E/pi*(A*ellipf(asin(sqrt((a^2-max(b,r)^2)/(a^2-min(b,r)^2))),(min(b,r)/max(b,r))^2)/max(b,r)\
+         +b*C*((ellipf(asin(sqrt((a^2-max(b,r)^2)/(a^2-min(b,r)^2))),(min(b,r)/max(b,r))^2)\
+         -ellipe(asin(sqrt((a^2-max(b,r)^2)/(a^2-min(b,r)^2))),(min(b,r)/max(b,r))^2))/(min(b,r)^2*max(b,r))\
+         +sqrt((a^2-max(b,r)^2)/(a^2-min(b,r)^2))/(a*max(b,r)^2))))",
+    ),
     parameters: &[
         Parameter { name: "A", lowest: 0.1, highest: 2.0 },
         Parameter { name: "C", lowest: 0.1, highest: 2.0 },
         Parameter { name: "b", lowest: 0.2, highest: 2.0 },
     ],
-    guard: "f′ = c·r^m on [b, c) with whole m < 0 and b > 0",
-    reference: &["integration by parts of ∫ r^m/√(x²−r²) dr"],
+    guard: "f′ = c·r^m on [b, c) with whole m < 0 and b > 0; the pressure closes for m = −1 and m = −2",
+    reference: &["integration by parts of ∫ r^m/√(x²−r²) dr", "DLMF 19.25(i)"],
     specializes: None,
     apply: negative,
 };
@@ -58,7 +63,20 @@ fn negative(term: &Term) -> Option<Answer> {
         Branches::from_ends(&term.segment, pair).scaled(factor)
     };
     let c = &part.coefficient;
-    Some(Answer { slope: pieces(m, &x, &(c * &x)), force: pieces(m + 2, &a, c), pressure: None, conditions: Vec::new() })
+    let pressure = pressure_from(m, &Expr::symbol("r"), &a).map(|from| Branches::from_ends(&term.segment, from).scaled(c));
+    Some(Answer { slope: pieces(m, &x, &(c * &x)), force: pieces(m + 2, &a, c), pressure, conditions: Vec::new() })
+}
+
+/// ∫ g′/√(x²−r²) dx for f′ = r^m from e on: g′ is 1/√(x²−e²) for m = −1, e/(x² √(x²−e²)) for m = −2.
+fn pressure_from<'a>(m: i64, r: &'a Expr, a: &'a Expr) -> Option<impl Fn(&Expr) -> Pair + 'a> {
+    let order = match m {
+        -1 => 0,
+        -2 => -1,
+        _ => return None,
+    };
+    Some(move |e: &Expr| {
+        Pair::same(e.power(-order) * Expr::call("elliptic_moment", [Expr::integer(order), e.clone(), r.clone(), a.clone()]))
+    })
 }
 
 /// √(x²−b²), and ∫_b^x of 1/√(x²−r²) for even m, of 1/(r √(x²−r²)) for odd m.

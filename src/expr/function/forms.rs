@@ -332,7 +332,7 @@ pub(super) static ROWS: &[Row] = &[
         accuracy: Accuracy::Measured(14.0),
         arity: (4, 4),
         value: |a| match a {
-            [k, b, s, a] => order(*k).map_or(f64::NAN, |k| forms::elliptic_moment(k, *b, *s, *a)),
+            [k, b, s, a] => whole_order(*k).map_or(f64::NAN, |k| forms::elliptic_moment(k, *b, *s, *a)),
             _ => f64::NAN,
         },
         shown: Some(|a| match a {
@@ -406,7 +406,12 @@ fn pressure_power(n: &Expr, s: &Expr, a: &Expr) -> Expr {
     if whole % 2 == 1 { with_root } else { with_root + factor * Expr::call("acosh", [a / s]) }
 }
 
-/// E_k for k = 0 and 1 by elliptic integrals, for larger k by these two.
+/// The order of an elliptic moment, where it is one.
+fn whole_order(k: f64) -> Option<i32> {
+    if k == -1.0 { Some(-1) } else { order(k).and_then(|k| k.try_into().ok()) }
+}
+
+/// E_k for k = −1, 0 and 1 by elliptic integrals, for larger k by those of 0 and 1.
 fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
     let moment = |k: i64| Expr::call("elliptic_moment", [Expr::integer(k), b.clone(), s.clone(), a.clone()]);
     if k > 1 {
@@ -415,6 +420,13 @@ fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
     }
     let (big, small) = (Expr::call("max", [b.clone(), s.clone()]), Expr::call("min", [b.clone(), s.clone()]));
     let ratio = leg(a, &big) / leg(a, &small);
+    if k < 0 {
+        // ∫ sin²/Δ dθ = ⅓ sin³φ R_D(cos²φ, Δ²(φ), 1), which keeps its digits at r = 0, unlike (F − E)/m.
+        let (cosine, one) = ((leg(&big, &small) / leg(a, &small)).power(2), Expr::one());
+        let delta = &cosine * (a / &big).power(2);
+        let part = ratio.power(3) / Expr::integer(3) * Expr::call("elliprd", [cosine, delta, one]);
+        return part / big.power(3) + ratio / (a * big.power(2));
+    }
     let (angle, parameter) = (Expr::call("asin", [ratio.clone()]), (&small / &big).power(2));
     let first = Expr::call("ellipf", [angle.clone(), parameter.clone()]);
     let second = Expr::call("ellipe", [angle, parameter]);
