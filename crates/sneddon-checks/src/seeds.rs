@@ -7,12 +7,12 @@ pub fn cases<T>(usual: T, long: T) -> T {
     if std::env::var_os("SNEDDON_LONG").is_some() { long } else { usual }
 }
 
-/// Whether the case of a test with this number is examined: one in `every`, and each of them under `just long`.
+/// Returns whether a usual run examines the case with this number: one case in `every`. Under `just long` the answer is yes.
 pub fn takes(number: usize, every: usize) -> bool {
     number.is_multiple_of(cases(every, 1))
 }
 
-/// What a test examines of a list: one item in `every` from `first` on, counted around, and all of them under `just long`.
+/// Returns the items of a list that a usual run examines: one in `every`, which ones depends on `first`. Under `just long` it returns all.
 pub fn sample<T>(list: impl IntoIterator<Item = T>, first: usize, every: usize) -> impl Iterator<Item = T> {
     list.into_iter().enumerate().filter(move |(index, _)| takes(first + index, every)).map(|own| own.1)
 }

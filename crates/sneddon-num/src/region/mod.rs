@@ -4,7 +4,7 @@ mod functions;
 mod interval;
 mod special;
 
-use interval::{Interval, up};
+use interval::Interval;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// All z with Re z and Im z between bounds; unknown where an operation is, or may be, not analytic on what it is given.
@@ -90,7 +90,7 @@ impl Region {
     #[inline]
     pub fn largest(self) -> f64 {
         let size = magnitude(self.re.largest(), self.im.largest());
-        if size.is_nan() { f64::INFINITY } else { up(size * (1.0 + 2.0 * f64::EPSILON)).min(self.most) }
+        if size.is_nan() { f64::INFINITY } else { (size * (1.0 + 2.0 * f64::EPSILON)).next_up().min(self.most) }
     }
 
     /// What lies in both rectangles, of which each has all values of one function.
@@ -140,11 +140,12 @@ impl Region {
         Self { least, most, ..Self::rectangle(own, own) }
     }
 
-    /// A result with these parts and this magnitude, which a few roundings have moved; where |z| itself may tell too little, with the bounds
-    /// on ln|z| as well.
+    /// Returns the result of an operation, given its parts and bounds on its magnitude that were rounded a few times. Where |z| may leave the
+    /// range of doubles, the result has bounds on ln|z| as well.
     #[inline]
     fn result(re: Interval, im: Interval, magnitude: (f64, f64), is_extreme: bool, logarithm: impl FnOnce() -> Interval) -> Self {
         let (least, most) = rounded(magnitude.0, magnitude.1);
+        // Built in each branch, so that the usual result is written where the caller wants it and not copied.
         if is_extreme || leaves_the_range(most) {
             Self { re, im, least, most, logarithm: Interval::UNKNOWN }.or_by_logarithm(logarithm())
         } else {
