@@ -125,6 +125,11 @@ impl Test {
 }
 
 impl Statement {
+    /// Returns true for a condition with nothing to do in either case.
+    pub(super) fn is_idle(&self) -> bool {
+        matches!(self, Self::If(_, yes, no) if yes.iter().chain(no).all(Self::is_idle))
+    }
+
     fn visit(&self, see: &mut impl FnMut(&Value)) {
         let mut block = |list: &[Statement]| list.iter().for_each(|own| own.visit(see));
         match self {

@@ -284,14 +284,15 @@ fn any_term_that_a_rule_accepts_is_right() {
             }
         }
     }
-    let mut missing = 0;
+    let (mut blunt, mut blunt_pressures) = (0, 0);
     for (rule, (count, pressures)) in RULES.iter().zip(answered) {
-        missing += u32::from(count == 0);
+        blunt += u32::from(count == 0);
+        blunt_pressures += u32::from(pressures == 0 && rule.pressure.is_some());
         assert!(count >= cases(0, terms() / 2), "{}: only {count} sharp values", rule.id);
         assert!(pressures >= cases(0, terms() / 6) || rule.pressure.is_none(), "{}: only {pressures} pressures", rule.id);
     }
-    // A few draws of a rule may all be blunt.
-    assert!(missing < 4, "{missing} rules have no sharp value");
+    // With three draws, some rules may have no comparison sharp enough to count.
+    assert!(blunt <= 2 && blunt_pressures == 0, "{blunt} {blunt_pressures}");
 }
 
 /// What no rule may answer: exponents without a finite profile, roots of another sign or degree.

@@ -60,8 +60,10 @@ fn means_add_up_to_the_force() {
         let coarse = profile.starts_with("piecewise") && cases(true, false);
         let grids: &[_] = if coarse {
             &[(2.5, 2, true)]
+        } else if cases(true, false) {
+            &[(2.1, 7, false), (2.5, 8, true)]
         } else {
-            &[(2.1, 7, false), (2.5, 8, true), (2.5, 16, false), (2.0 + 1.0 / 8.0, 17, false)][..cases(2, 4)]
+            &[(2.5, 16, false), (2.5, 16, true), (2.1, 15, false), (2.0 + 1.0 / 8.0, 17, false)]
         };
         for &(side, count, between) in grids {
             let field = run.field(&Grid::Square { side, count, between }, Quantity::Pressure, Some(&state), true);

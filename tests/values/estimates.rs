@@ -19,7 +19,7 @@ fn no_estimate_is_below_the_true_error() {
     }
     assert!(total.faults.is_empty(), "{}", total.faults.join("\n"));
     println!("{total:?}");
-    assert!(total.numbers > cases(110, 350) && total.undecided < 30, "{total:?}");
+    assert!(total.numbers > cases(110, 350) && total.undecided < cases(4, 30), "{total:?}");
     // An estimate that is always huge would be honest and useless.
     assert!(total.met > total.numbers * 9 / 10, "{total:?}");
 }

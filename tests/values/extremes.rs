@@ -17,7 +17,7 @@ const REFUSED: usize = 174;
 
 /// The cells of both tests, evaluated once.
 fn found() -> &'static [Cell] {
-    // A fourteenth of the corners of each rule shows a change of a rule; all of them take 13 s of processor time.
+    // One corner in fourteen of each rule is enough to notice a change; all of them take 13 s of processor time.
     static FOUND: OnceLock<Vec<Cell>> = OnceLock::new();
     FOUND.get_or_init(|| cells(REFERENCES, cases(14, 1)))
 }
@@ -32,7 +32,7 @@ fn corners_keep_their_digits() {
     let without: Vec<&str> = RULES.iter().map(|rule| rule.id).filter(|id| !seen.contains(id)).collect();
     assert!(without.is_empty(), "run `just rule ID` for {}", without.join(", "));
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
-    assert!(refused.len() <= cases(20, REFUSED), "{} refusals:\n{}", refused.len(), refused.join("\n"));
+    assert!(refused.len() <= cases(15, REFUSED), "{} refusals:\n{}", refused.len(), refused.join("\n"));
 }
 
 #[test]

@@ -89,7 +89,8 @@ fn slices_have_the_numbers_of_the_scalar_way() {
 fn the_number_of_threads_changes_nothing() {
     let solution = solution("piecewise(r, r<0.5, r^2+0.25, r<1.25, 3*r-1.9375)");
     let evaluator = evaluator(&solution, 1e-13);
-    let x = points(&mut Stream::new(45), 40_000);
+    let count = cases(40_000, 100_000);
+    let x = points(&mut Stream::new(45), count);
     let run = |threads: usize| {
         let (mut values, mut errors) = (vec![0.0; x.len()], vec![0.0; x.len()]);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -99,7 +100,7 @@ fn the_number_of_threads_changes_nothing() {
     assert!(run(1) == run(3));
     // The first error by place, too.
     let mut far = x.clone();
-    (far[25_000], far[35_000]) = (f64::INFINITY, f64::NAN);
+    (far[7 * count / 10], far[9 * count / 10]) = (f64::INFINITY, f64::NAN);
     let mut values = vec![0.0; far.len()];
     for _ in 0..4 {
         let error = evaluator.slopes(&far, Slice::values(&mut values)).unwrap_err();

@@ -7,12 +7,12 @@ pub fn cases<T>(usual: T, long: T) -> T {
     if std::env::var_os("SNEDDON_LONG").is_some() { long } else { usual }
 }
 
-/// Returns whether a usual run examines the case with this number: one case in `every`. Under `just long` the answer is yes.
+/// Returns whether this run examines case `number`: every case under `just long`, one in `every` otherwise.
 pub fn takes(number: usize, every: usize) -> bool {
     number.is_multiple_of(cases(every, 1))
 }
 
-/// Returns the items of a list that a usual run examines: one in `every`, which ones depends on `first`. Under `just long` it returns all.
+/// Returns the items that this run examines: all under `just long`, otherwise one in `every`, starting at an offset given by `first`.
 pub fn sample<T>(list: impl IntoIterator<Item = T>, first: usize, every: usize) -> impl Iterator<Item = T> {
     list.into_iter().enumerate().filter(move |(index, _)| takes(first + index, every)).map(|own| own.1)
 }

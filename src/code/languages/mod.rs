@@ -191,8 +191,8 @@ pub(super) fn block(list: &[Statement], level: usize, changed: &[String], target
                 line(&target.assign(&target.element(name, &value(index, target)), &value(own, target)))
             }
             Statement::Return(own) => target.give(&value(own, target)).iter().for_each(|own| line(own)),
-            // Python has no empty blocks.
-            Statement::If(_, yes, no) if yes.is_empty() && no.is_empty() => {}
+            // Python rejects a block without statements.
+            own if own.is_idle() => {}
             Statement::If(condition, yes, no) => {
                 line(&format!("{}{}{}", words.when.0, test(condition, target), words.when.1));
                 let inner = block(yes, level + 1, changed, target);

@@ -406,7 +406,7 @@ fn pressure_power(n: &Expr, s: &Expr, a: &Expr) -> Expr {
     if whole % 2 == 1 { with_root } else { with_root + factor * Expr::call("acosh", [a / s]) }
 }
 
-/// The order of an elliptic moment, where it is one.
+/// Returns `k` as the order of an elliptic moment: −1 or a whole number from 0 to 400.
 fn whole_order(k: f64) -> Option<i32> {
     if k == -1.0 { Some(-1) } else { order(k).and_then(|k| k.try_into().ok()) }
 }
@@ -420,7 +420,7 @@ fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
     }
     let (big, small) = (Expr::call("max", [b.clone(), s.clone()]), Expr::call("min", [b.clone(), s.clone()]));
     let ratio = leg(a, &big) / leg(a, &small);
-    if k < 0 {
+    if k == -1 {
         // ∫ sin²/Δ dθ = ⅓ sin³φ R_D(cos²φ, Δ²(φ), 1), which keeps its digits at r = 0, unlike (F − E)/m.
         let (cosine, one) = ((leg(&big, &small) / leg(a, &small)).power(2), Expr::one());
         let delta = &cosine * (a / &big).power(2);
@@ -430,7 +430,11 @@ fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
     let (angle, parameter) = (Expr::call("asin", [ratio.clone()]), (&small / &big).power(2));
     let first = Expr::call("ellipf", [angle.clone(), parameter.clone()]);
     let second = Expr::call("ellipe", [angle, parameter]);
-    if k == 0 { first / big } else { big * (first - second) + a * ratio }
+    match k {
+        0 => first / big,
+        1 => big * (first - second) + a * ratio,
+        _ => moment(k),
+    }
 }
 
 /// α, β, γ of E_k = α E_0 + β E_1 + γ √((a²−b²)(a²−s²)), polynomials in the squares of a, b and s.

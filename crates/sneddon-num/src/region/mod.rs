@@ -140,8 +140,8 @@ impl Region {
         Self { least, most, ..Self::rectangle(own, own) }
     }
 
-    /// Returns the result of an operation, given its parts and bounds on its magnitude that were rounded a few times. Where |z| may leave the
-    /// range of doubles, the result has bounds on ln|z| as well.
+    /// Returns the result of an operation from its real and imaginary part and bounds on its magnitude, which are widened for a few roundings.
+    /// Where |z| may leave the range of doubles, the result has bounds on ln|z| as well.
     #[inline]
     fn result(re: Interval, im: Interval, magnitude: (f64, f64), is_extreme: bool, logarithm: impl FnOnce() -> Interval) -> Self {
         let (least, most) = rounded(magnitude.0, magnitude.1);
