@@ -157,13 +157,13 @@ fn the_power_of_a_parameter_is_not_written_out() {
 #[test]
 fn an_inverse_of_high_order_costs_no_more_than_its_quadrature() {
     let read = |text: &str| parse::formula(text).ok();
-    for order in [12, 22].into_iter().take(cases(1, 2)) {
+    for (order, most) in [(12, 25_000_000), (22, 300_000_000)].into_iter().take(cases(1, 2)) {
         let (check, steps) = counted(|| {
             let found = transform::invert(&parse::equivalent(&format!("H*ln(1+(L*x)^{order})")).unwrap(), read).unwrap();
             transform::check_inverse(&found).unwrap()
         });
         assert!(check.passed() && check.points == 64, "{order}: {check:?}");
-        assert!(steps < 300_000_000, "{order}: {steps}");
+        assert!(steps < most, "{order}: {steps}");
     }
 }
 

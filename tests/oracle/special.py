@@ -289,19 +289,23 @@ def elliptic_moment(k, b, s, a):
     return value * unit ** (2 * k - 1)
 
 
-def do_worn_pressure():
-    triples = [(0.5, 0.2, 1.0), (0.2, 0.5, 1.0), (0.0, 0.5, 1.0), (0.5, 0.0, 1.0), (0.6000005999999998, 0.6, 0.6000005999999999),
-               (0.5, 0.5 + 2.0**-52, 1.0), (0.5, 0.25, 0.5 + 2.0**-50), (1e-6, 0.0, 1.0), (1e-10, 1e-3, 1.0), (3e100, 4e100, 5e100),
-               (3e-100, 4e-100, 5e-99)]
-    for _ in range(60):
+def with_random(triples, count):
+    """The places (b, s, a), and `count` more: close to each other, to the edge and far apart."""
+    for _ in range(count):
         a = log_uniform(1e-2, 1e2)
         b = a * rng.choice([uniform(0, 1), log_uniform(1e-4, 1), 1 - log_uniform(1e-12, 1)])
         s = rng.choice([a * uniform(0, 1), a * (1 - log_uniform(1e-12, 1)), b * (1 + log_uniform(1e-14, 1)), b * (1 - log_uniform(1e-14, 1))])
         triples.append((b, s, a))
-    for b, s, a in triples:
-        if 0 <= s < a and 0 <= b < a and s != b:
-            for k in [0, 1] + rng.sample([2, 3, 4, 5, 8], 1):
-                add("elliptic_moment", (k, b, s, a), elliptic_moment(k, b, s, a))
+    return [(b, s, a) for b, s, a in triples if 0 <= s < a and 0 <= b < a and s != b]
+
+
+def do_worn_pressure():
+    triples = [(0.5, 0.2, 1.0), (0.2, 0.5, 1.0), (0.0, 0.5, 1.0), (0.5, 0.0, 1.0), (0.6000005999999998, 0.6, 0.6000005999999999),
+               (0.5, 0.5 + 2.0**-52, 1.0), (0.5, 0.25, 0.5 + 2.0**-50), (1e-6, 0.0, 1.0), (1e-10, 1e-3, 1.0), (3e100, 4e100, 5e100),
+               (3e-100, 4e-100, 5e-99)]
+    for b, s, a in with_random(triples, 60):
+        for k in [0, 1] + rng.sample([2, 3, 4, 5, 8], 1):
+            add("elliptic_moment", (k, b, s, a), elliptic_moment(k, b, s, a))
 
 
 # --- Carlson, Legendre ---------------------------------------------------------------------------------------------
@@ -471,14 +475,8 @@ def do_definitions():
 def do_inverse_moment():
     """E_(-1), also at r = 0 and far inside."""
     triples = [(0.5, 0.0, 1.0), (0.5, 1e-8, 1.0), (1e-8, 0.5, 1.0), (0.0, 0.5, 1.0), (6.25e-9, 0.15625, 0.3125), (3e-50, 4e-50, 5e-49), (3e50, 4e50, 5e50)]
-    for _ in range(40):
-        a = log_uniform(1e-2, 1e2)
-        b = a * rng.choice([uniform(0, 1), log_uniform(1e-4, 1), 1 - log_uniform(1e-12, 1)])
-        s = rng.choice([a * uniform(0, 1), a * (1 - log_uniform(1e-12, 1)), b * (1 + log_uniform(1e-14, 1)), b * (1 - log_uniform(1e-14, 1))])
-        triples.append((b, s, a))
-    for b, s, a in triples:
-        if 0 <= s < a and 0 <= b < a and s != b:
-            add("elliptic_moment", (-1, b, s, a), elliptic_moment(-1, b, s, a))
+    for b, s, a in with_random(triples, 40):
+        add("elliptic_moment", (-1, b, s, a), elliptic_moment(-1, b, s, a))
 
 
 PARTS = [do_kappa, do_segment, do_pressure_power, do_root_family, do_worn_root, do_root_pressure, do_worn_pressure, do_carlson, do_elliptic,
