@@ -3,7 +3,7 @@
 use super::{Contact, ContactError, Explicit, Quantity, explicit};
 use crate::expr::Bindings;
 use crate::num::{Estimate, work};
-use crate::transform::{Evaluator, Method, NO_REFERENCE, Sampler, Solution, Status, Tally, TransformError, Verdict, reach};
+use crate::transform::{Evaluator, Method, NO_REFERENCE, Sampler, Solution, Superposed, Tally, TransformError, Verdict, reach};
 use std::borrow::Cow;
 
 /// How one quantity fared.
@@ -135,15 +135,15 @@ impl Subject {
 
 /// One subject per quantity.
 fn started(solution: &Solution, explicit: bool) -> Vec<Subject> {
-    let (g, force) = (solution.equivalent_profile().status, solution.force().status);
-    let pressure = solution.pressure().map_or(Status::Numeric, |own| own.status);
-    let inverse = if explicit { vec![(Quantity::Radius, Status::Exact), (Quantity::ForceOfDepth, Status::Exact)] } else { Vec::new() };
+    let (g, force) = (solution.has_closed(Superposed::Equivalent), solution.has_closed(Superposed::Force));
+    let pressure = solution.has_closed(Superposed::Pressure) && solution.pressure().is_some();
+    let inverse = if explicit { vec![(Quantity::Radius, true), (Quantity::ForceOfDepth, true)] } else { Vec::new() };
     let direct = [Quantity::Equivalent, Quantity::Depth, Quantity::Force, Quantity::Pressure, Quantity::Integral];
     direct
         .into_iter()
         .zip([g, g, force, pressure, g])
         .chain(inverse)
-        .map(|(quantity, status)| Subject { quantity, tally: (status != Status::Numeric).then(Tally::default), trouble: None })
+        .map(|(quantity, is_closed)| Subject { quantity, tally: is_closed.then(Tally::default), trouble: None })
         .collect()
 }
 

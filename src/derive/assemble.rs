@@ -2,6 +2,7 @@
 
 use crate::derive::engine::Solution;
 use crate::derive::engine::expanded_or_same;
+use crate::derive::rules::abel;
 use crate::derive::solved::{SolvedChain, SolvedTerm};
 use crate::derive::superposed::Superposed;
 use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, shown};
@@ -104,6 +105,12 @@ impl Solution {
         };
         let formula = Formula::sum(self.chains.iter().map(|chain| chain.formula(quantity, variable, self)));
         let compared = Some(compared && status != Status::Numeric);
+        // Integrals of a pressure may close in part, or once their terms are added up.
+        let status = match status {
+            Status::Numeric | Status::Partial if !formula.has_integral() => Status::Exact,
+            Status::Numeric if has_closed_part(&formula) => Status::Partial,
+            other => other,
+        };
         Derived { formula: formula.scaled(factor), status, compared, rules, reference: references }
     }
 }
@@ -119,7 +126,7 @@ impl SolvedChain {
         }
         .into_iter();
         let mut values = (0..self.intervals.len()).map(|interval| {
-            let closed = collected(&self.closed(interval, quantity, |pair| &pair.shown));
+            let closed = self.closed(interval, quantity, |pair| &pair.shown);
             let open = match quantity {
                 Superposed::Equivalent => self.open_integral(interval, "x"),
                 Superposed::Force => self.open_integral(interval, "a"),
@@ -127,7 +134,7 @@ impl SolvedChain {
                 // No formula of it is shown.
                 Superposed::Outside => Formula::zero(),
             };
-            Formula::sum([Formula::Closed(closed), open])
+            with_collected(Formula::sum([Formula::Closed(closed), open]))
         });
         let pieces: Vec<(Formula, Expr)> = values.by_ref().take(self.breakpoints.len()).zip(self.breakpoints.iter().cloned()).collect();
         let last = values.next().unwrap_or_else(Formula::zero);
@@ -199,11 +206,14 @@ impl SolvedChain {
         let root = (x.power(2) - r.power(2)).sqrt();
         let from = |begin: Option<&Expr>| begin.map_or_else(|| r.clone(), |begin| Expr::call("max", [begin.clone(), r.clone()]));
         let part = |slope: &Expr, begin: Option<&Expr>, end: Option<&Expr>| {
+            let split = abel::split(slope, &self.breakpoints, begin, end.unwrap_or(&a));
+            let (closed, slope) = split.map_or_else(|| (Expr::zero(), slope.clone()), |own| (own.closed, own.rest));
             let lower = match end {
                 Some(end) => Expr::call("min", [from(begin), end.clone()]),
                 None => from(begin),
             };
-            (!slope.is_zero()).then(|| integral(slope / &root, "x", lower, end.cloned().unwrap_or_else(|| a.clone())))
+            let open = (!slope.is_zero()).then(|| integral(slope / &root, "x", lower, end.cloned().unwrap_or_else(|| a.clone())));
+            Formula::sum([Formula::Closed(closed)].into_iter().chain(open))
         };
         let begin = |index: usize| index.checked_sub(1).and_then(|i| self.breakpoints.get(i));
         let apart = slopes.len() > MANY;
@@ -215,11 +225,11 @@ impl SolvedChain {
         let mut all = Vec::with_capacity(slopes.len());
         for (index, [within, beyond]) in slopes.iter().enumerate() {
             let slope = if apart { within.clone() } else { shorter(Expr::sum(before.iter().chain([within]).cloned())) };
-            all.push(Formula::sum(ended.iter().cloned().chain(part(&slope, begin(index), None))));
+            all.push(Formula::sum(ended.iter().cloned().chain([part(&slope, begin(index), None)])));
             let end = self.breakpoints.get(index);
-            ended.extend(part(&slope, begin(index), end));
+            ended.push(part(&slope, begin(index), end));
             if apart {
-                ended.extend(part(beyond, end, None));
+                ended.push(part(beyond, end, None));
             } else {
                 before.push(beyond.clone());
             }
@@ -252,6 +262,26 @@ impl SolvedChain {
             previous = slope;
         }
         Ok(all)
+    }
+}
+
+/// True where something other than 0 stands beside or in place of an integral.
+fn has_closed_part(formula: &Formula) -> bool {
+    match formula {
+        Formula::Closed(expr) => !expr.is_zero(),
+        Formula::Sum(parts) => parts.iter().any(has_closed_part),
+        Formula::Scaled(_, inner) => has_closed_part(inner),
+        Formula::Piecewise { pieces, last, .. } => has_closed_part(last) || pieces.iter().any(|(value, _)| has_closed_part(value)),
+        Formula::Integral { .. } => false,
+    }
+}
+
+/// The formula with what is closed in it collected; integrals stay as they are.
+fn with_collected(formula: Formula) -> Formula {
+    match formula {
+        Formula::Closed(expr) => Formula::Closed(collected(&expr)),
+        Formula::Sum(parts) => Formula::Sum(parts.into_iter().map(with_collected).collect()),
+        other => other,
     }
 }
 

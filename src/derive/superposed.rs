@@ -89,6 +89,11 @@ pub struct EvaluatedChain {
 }
 
 impl Solution {
+    /// True where a term's share of the quantity is closed, or where there is no term.
+    pub(crate) fn has_closed(&self, quantity: Superposed) -> bool {
+        self.terms().next().is_none() || self.terms().any(|term| !quantity.is_open(term))
+    }
+
     /// A quantity in the form in which it is evaluated, chain by chain, to be added up; `None` where something is left to integrate.
     ///
     /// g(x) is over x, F/(2E*) over a, and p π/E* over r and a, r < a.

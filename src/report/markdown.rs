@@ -13,7 +13,10 @@ pub fn rules(statements: &[Statement], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "This document is written by `sneddon rules --format markdown`; a test holds it to the program.\n")?;
     writeln!(out, "Every rule answers one family of terms of $f'$; a profile's solution is the sum of its terms' solutions.")?;
     writeln!(out, "Parameters are positive, $E$ is the effective modulus $E^\\ast$, and $F$ and $p$ belong to a smooth edge.")?;
-    writeln!(out, "Where no pressure is stated, it stays an integral over the closed $g$.")?;
+    writeln!(
+        out,
+        "Where no pressure is stated, it stays an integral over the closed $g$, for the reasons in [pressures.md](pressures.md)."
+    )?;
     writeln!(
         out,
         "The formula of a family is an example of it: powers of $r$ in front of it, other parameters and, where it says so, segments are answered too.\n"

@@ -8,6 +8,7 @@ pub mod json;
 pub mod markdown;
 #[cfg(feature = "data")]
 mod npy;
+mod open_pressure;
 pub mod page;
 #[cfg(feature = "cli")]
 mod palette;

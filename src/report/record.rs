@@ -1,5 +1,6 @@
 //! The records that every output format reads: what was derived, evaluated and compared.
 
+use super::open_pressure;
 use crate::contact::{Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
 use crate::expr::{Expr, Formula};
 use crate::print::{Prose, Renaming};
@@ -102,7 +103,9 @@ impl Derivation<'_> {
         } else if self.relations.contact_radius_of_depth.is_none() {
             notes.push("$a(d)$ and $F(d)$ have no explicit form that is known here; eval --quantity a solves $g(a)$ = $d$ in numbers");
         }
-        notes.into_iter().map(|own| Prose::read(own).renamed(self.names)).collect()
+        let pressure = self.relations.pressure.as_ref().filter(|_| self.asked.is_empty() || self.asked.contains(&Quantity::Pressure));
+        let reasons = pressure.map_or_else(Vec::new, |own| open_pressure::reasons(&own.formula));
+        notes.into_iter().map(Prose::read).chain(reasons).map(|own| own.renamed(self.names)).collect()
     }
 
     /// The conditions under the names that are shown.

@@ -6,6 +6,7 @@ mod chapter3_values;
 mod hypergeometric;
 mod inverse;
 mod laurent;
+mod pressures;
 mod products;
 mod reading;
 mod rules;

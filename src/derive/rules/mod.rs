@@ -1,5 +1,6 @@
 //! The list of exact solutions: one line per family, one file per line.
 
+pub(crate) mod abel;
 mod bessel;
 mod combination;
 mod error_function;

@@ -1,0 +1,117 @@
+//! Why a pressure is left as an integral: one sentence for each kind of function under it.
+
+use crate::expr::{Expr, Formula, Node, Symbol};
+use crate::print::Prose;
+use std::collections::BTreeSet;
+
+/// What is known about an integral of g′(x)/√(x²−r²), by the functions in g′.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Kind {
+    /// g itself is an integral.
+    OpenProfile,
+    /// Exponentials, waves, Bessel and Struve functions, and integrals of them.
+    Bessel,
+    /// Elliptic integrals.
+    Elliptic,
+    /// Inverse functions, which are integrals of roots.
+    Inverse,
+    /// Hypergeometric and incomplete beta functions.
+    Hypergeometric,
+    /// Logarithms beside powers.
+    Logarithm,
+    /// Powers and roots.
+    Algebraic,
+}
+
+impl Kind {
+    /// Of a function by its name; `None` for one that has no say.
+    fn of(name: &str) -> Option<Self> {
+        Some(match name {
+            "sin" | "cos" | "tan" | "exp" | "sinh" | "cosh" | "tanh" | "besselj" | "besseli" | "struveh" | "struvel" | "dawson" | "erf"
+            | "erfc" | "erfi" | "fresnelc" | "fresnels" => Self::Bessel,
+            "ellipk" | "ellipe" | "ellipf" | "elliprf" | "elliprd" | "elliprj" => Self::Elliptic,
+            "asin" | "acos" | "atan" | "atan2" | "asinh" | "acosh" | "atanh" | "elliprc" => Self::Inverse,
+            "hyp2f1" | "hyp1f1" | "hyper" | "betainc" | "polylog" => Self::Hypergeometric,
+            "ln" => Self::Logarithm,
+            _ => return None,
+        })
+    }
+
+    fn sentence(self) -> &'static str {
+        match self {
+            Self::OpenProfile => "the integral in $p(r)$ runs over $f'$, because a part of $g(x)$ has no closed form here",
+            Self::Bessel => {
+                "the integral in $p(r)$ is an incomplete Bessel integral: it has no known closed form, except for an unbounded contact"
+            }
+            Self::Elliptic => "the integral in $p(r)$ is one of elliptic integrals over their modulus: it has no known closed form",
+            Self::Inverse => {
+                "the integral in $p(r)$ has an inverse function beside two square roots, which makes it an integral of elliptic integrals \
+                 over a parameter: it has no known closed form"
+            }
+            Self::Hypergeometric => {
+                "the integral in $p(r)$ has a hypergeometric function beside a square root: it has no known closed form"
+            }
+            Self::Logarithm => {
+                "the integral in $p(r)$ is a derivative of an incomplete beta function by its exponent: it closes for few exponents only"
+            }
+            Self::Algebraic => "the integral in $p(r)$ has roots only; the program knows no closed form of it",
+        }
+    }
+}
+
+/// The sentences for a pressure with integrals; none for a closed one.
+pub(super) fn reasons(pressure: &Formula) -> Vec<Prose> {
+    let mut found = BTreeSet::new();
+    in_formula(pressure, &mut found);
+    found.into_iter().map(|kind| Prose::read(kind.sentence())).collect()
+}
+
+fn in_formula(formula: &Formula, found: &mut BTreeSet<Kind>) {
+    match formula {
+        Formula::Closed(_) => {}
+        Formula::Sum(parts) => parts.iter().for_each(|part| in_formula(part, found)),
+        Formula::Scaled(_, inner) => in_formula(inner, found),
+        Formula::Piecewise { pieces, last, .. } => {
+            pieces.iter().for_each(|(value, _)| in_formula(value, found));
+            in_formula(last, found);
+        }
+        // Over g′ the variable is x; another one stands for the radius in f′.
+        Formula::Integral { variable, .. } if variable.name() != "x" => {
+            found.insert(Kind::OpenProfile);
+        }
+        Formula::Integral { integrand, variable, .. } => {
+            let mut own = BTreeSet::new();
+            if let Formula::Closed(expr) = integrand.as_ref() {
+                in_expression(expr, variable, &mut own);
+            }
+            found.extend(if own.is_empty() { BTreeSet::from([Kind::Algebraic]) } else { own });
+        }
+    }
+}
+
+/// Adds the kinds of the outermost functions of the variable that have one.
+fn in_expression(expr: &Expr, variable: &Symbol, found: &mut BTreeSet<Kind>) {
+    if !expr.contains(variable) {
+        return;
+    }
+    let kind = match expr.node() {
+        // The sine of an angle that is an inverse function is algebraic, and ln(x + √(x²+1)) is one.
+        Node::Function(function, arguments) => match (function.name(), arguments.as_slice()) {
+            ("sin" | "cos" | "tan", [argument]) if is_inverse(argument) => None,
+            ("ln", [argument]) if !matches!(argument.node(), Node::Symbol(_) | Node::Product(_)) => Some(Kind::Inverse),
+            (name, _) => Kind::of(name),
+        },
+        Node::Power(base, exponent) if *base == Expr::euler() && exponent.contains(variable) => Some(Kind::Bessel),
+        _ => None,
+    };
+    match kind {
+        Some(kind) => {
+            found.insert(kind);
+        }
+        None => expr.children().into_iter().for_each(|child| in_expression(child, variable, found)),
+    }
+}
+
+fn is_inverse(expr: &Expr) -> bool {
+    matches!(expr.node(), Node::Function(function, _) if Kind::of(function.name()) == Some(Kind::Inverse))
+}
