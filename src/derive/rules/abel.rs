@@ -1,10 +1,10 @@
 //! ∫ g′(x)/√(x²−r²) dx for the terms of g′ that close, beside terms that stay an integral.
 
 use crate::expr::normal::{self, NormalTerm};
-use crate::expr::{Expr, Node, Number, Sign, Symbol, sign};
+use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, sign};
 
-/// Expressions are compared up to this number of nodes.
-const LONGEST: usize = 10_000;
+/// Nodes of the longest g′ that is split.
+const LONGEST: usize = 500;
 
 /// What closes of ∫ g′(x)/√(x²−r²) dx from `lower` to `upper`, and the terms of g′ that stay.
 pub(crate) struct Split {
@@ -31,6 +31,9 @@ enum Known<'a> {
 /// Powers are those of (3.37) under a power (Popov & Heß 3.20–3.24), x^(2k)/√(x²−b²) leads to incomplete elliptic integrals, and
 /// x^(2k+1) exp(κx²) with t² = x² − r² to the error function.
 pub(crate) fn split(slope: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper: &Expr) -> Option<Split> {
+    if slope.size_up_to(LONGEST) >= LONGEST || !may_close(slope) {
+        return None;
+    }
     let (mut closed, mut open) = (Vec::new(), Vec::new());
     for term in normal::normal_terms(slope, &Symbol::new("x")).ok()? {
         let known = known(&term, kinks);
@@ -154,12 +157,28 @@ fn exponent_of_square(kernel: &Expr) -> Option<Expr> {
     (constant.is_zero() && linear.is_zero() && matches!(sign(&kappa), Sign::Positive | Sign::Negative)).then_some(kappa)
 }
 
+/// False where the terms that stay would have special functions, or inverse functions of roots, which the recognition form makes longer.
+fn may_close(slope: &Expr) -> bool {
+    let own = match slope.node() {
+        Node::Function(function, arguments) => function.name() == "exp" || is_inverse(function) && !arguments.iter().any(has_root),
+        _ => true,
+    };
+    own && slope.children().into_iter().all(may_close)
+}
+
+fn has_root(expr: &Expr) -> bool {
+    matches!(expr.node(), Node::Power(_, exponent) if exponent.as_integer().is_none()) || expr.children().into_iter().any(has_root)
+}
+
+/// True for logarithms and inverse functions.
+fn is_inverse(function: &Function) -> bool {
+    matches!(function.name(), "ln" | "asin" | "acos" | "atan" | "atan2" | "asinh" | "acosh" | "atanh" | "elliprc")
+}
+
 /// True for roots, logarithms and inverse functions alone.
 fn is_elementary(kernel: &Expr) -> bool {
     let own = match kernel.node() {
-        Node::Function(function, _) => {
-            matches!(function.name(), "ln" | "asin" | "acos" | "atan" | "atan2" | "asinh" | "acosh" | "atanh" | "elliprc")
-        }
+        Node::Function(function, _) => is_inverse(function),
         Node::Power(_, exponent) => exponent.as_number().is_some(),
         _ => true,
     };

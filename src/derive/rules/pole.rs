@@ -3,6 +3,7 @@
 use super::combination::{Combination, Form};
 use crate::expr::{Condition, Expr, Sign, sign};
 use crate::integrate::segment::Segment;
+use std::cell::RefCell;
 
 /// A zero of w + r below the segment (w may be negative), or of w − r above it.
 pub(super) struct Pole {
@@ -12,6 +13,20 @@ pub(super) struct Pole {
     pub(super) above: bool,
     /// True for half-odd exponents.
     pub(super) half: bool,
+    /// The moments found so far: what is shown and what is evaluated often have the same one.
+    known: RefCell<Vec<(Moment, Combination)>>,
+}
+
+/// Which moment a combination is.
+#[derive(PartialEq, Eq)]
+struct Moment {
+    m: i64,
+    n: i64,
+    end: Expr,
+    x: Expr,
+    reach: Reach,
+    /// True where levels above 1 are numerators over a common denominator.
+    lifted: bool,
 }
 
 /// Which integral a basis stands for.
@@ -55,7 +70,7 @@ impl Pole {
         if conditions.iter().any(|condition| condition.decided() == Some(false)) {
             return None;
         }
-        Some((Self { w, above, half }, conditions))
+        Some((Self { w, above, half, known: RefCell::default() }, conditions))
     }
 
     /// w + r or w − r at r = e.
@@ -118,8 +133,20 @@ impl Pole {
     /// ∫ r^m u^(−κ)/√(x²−r²) dr with κ of level n, over [`Self::basis`].
     pub(super) fn moment(&self, m: i64, n: i64, e: &Expr, x: &Expr, reach: Reach, form: Form) -> Combination {
         // Without a common denominator the recurrence is gentler, but every level doubles what is written.
-        let lifted = form == Form::Shown || n > GENTLE;
-        let levels = self.levels(n - m, n, e, x, reach, lifted);
+        let lifted = n > 1 && (form == Form::Shown || n > GENTLE);
+        let moment = Moment { m, n, end: e.clone(), x: x.clone(), reach, lifted };
+        if let Some((_, found)) = self.known.borrow().iter().find(|(known, _)| *known == moment) {
+            return found.clone();
+        }
+        let found = self.computed(&moment);
+        self.known.borrow_mut().push((moment, found.clone()));
+        found
+    }
+
+    fn computed(&self, moment: &Moment) -> Combination {
+        let Moment { m, n, end: e, x, reach, lifted } = moment;
+        let (m, n, lifted) = (*m, *n, *lifted);
+        let levels = self.levels(n - m, n, e, x, *reach, lifted);
         let difference = x.power(2) - self.w.power(2);
         let lift = if lifted { difference } else { Expr::one() };
         // r = ±(u − w)
