@@ -1,6 +1,8 @@
 //! Bad input: what is said about it, with the place marked under the text.
 
 use crate::contact::ContactError;
+use crate::eval::EvalError;
+use crate::expr::ExprError;
 use crate::num::{Budget, Exhausted};
 use crate::parse::{self, ParseError};
 use crate::scene::SceneError;
@@ -40,6 +42,20 @@ const WARNING: usize = 10;
 const BAR: usize = 5;
 /// Replaces omitted text.
 const DOTS: &str = " ...";
+
+/// The arguments with which a command goes further.
+fn advice(error: &ContactError) -> Option<String> {
+    let ContactError::Transform(error) = error else { return None };
+    match error {
+        TransformError::Flat => Some("give the depth of the punch with --depth d (or a number)".to_owned()),
+        TransformError::Kinks { .. } => Some("set the parameters with --set, or write the pieces with piecewise(…)".to_owned()),
+        TransformError::Expression(ExprError::UnknownOrder { .. }) => Some("set the values of their parameters with --set".to_owned()),
+        TransformError::CurveTooRough { .. } => Some("ask for that tolerance, a smaller range, or --method quadrature".to_owned()),
+        TransformError::NoClosedForm { .. } => Some("--method auto or --method quadrature gives its value".to_owned()),
+        TransformError::Evaluation(EvalError::Unbound { name }) => Some(format!("give one with --set {name}=VALUE")),
+        _ => None,
+    }
+}
 
 impl Failure {
     /// A message that needs no place.
@@ -100,6 +116,11 @@ impl Failure {
         let failure = match error {
             ContactError::Transform(TransformError::Exhausted(own)) => Self::from(*own),
             other => Self::new(other.to_string()),
+        };
+        let failure = match advice(error) {
+            // It takes the place of what the message ends with.
+            Some(advice) => Self { message: failure.message.split("; ").next().unwrap_or_default().to_owned(), ..failure }.help(advice),
+            None => failure,
         };
         if about_profile { failure.at("PROFILE", text, 0..text.len()) } else { failure }
     }

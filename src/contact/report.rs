@@ -44,7 +44,7 @@ impl Relations {
     pub fn confirm(&mut self, check: &Check) {
         let [slope, force, pressure] = check.compared.map(|own| own && check.passed());
         let confirm = |own: &mut Derived, compared: bool| {
-            if compared && own.status != Status::Numeric && own.compared == Some(false) {
+            if compared && !own.split && own.status != Status::Numeric && own.compared == Some(false) {
                 own.compared = Some(true);
             }
         };
@@ -92,6 +92,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
         formula: Formula::Closed(Expr::integer(2) * &modulus * &a),
         status: Status::Exact,
         compared: Some(true),
+        split: false,
         rules: Vec::new(),
         reference: vec!["Popov & Heß (3.1), (3.22)"],
     };
@@ -103,6 +104,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
         formula: Formula::Closed(expr.clone()),
         status: Status::Exact,
         compared,
+        split: false,
         rules: g.rules.clone(),
         reference: found.reference.clone(),
     };

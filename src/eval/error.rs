@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum EvalError {
     /// A symbol has no value.
-    #[error("the parameter {name} has no value; give one with --set {name}=VALUE")]
+    #[error("the parameter {name} has no value")]
     Unbound {
         /// The symbol.
         name: String,

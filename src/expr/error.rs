@@ -21,7 +21,7 @@ pub enum ExprError {
         argument: usize,
     },
     /// The order of two breakpoints is not known.
-    #[error("the order of the breakpoints {left} and {right} is not known; set their values with --set")]
+    #[error("the order of the breakpoints {left} and {right} is not known; expected numbers for their parameters")]
     UnknownOrder {
         /// One breakpoint.
         left: String,

@@ -32,10 +32,10 @@ pub enum TransformError {
         detail: String,
     },
     /// f does not depend on r, and no depth was given.
-    #[error("a flat profile with a smooth edge has no contact problem; give the depth of the punch with --depth d (or a number)")]
+    #[error("a flat profile with a smooth edge has no contact problem; expected a depth of the punch")]
     Flat,
     /// The kinks of abs, min or max could not be located.
-    #[error("the kinks of {function} cannot be located ({reason}); set the parameters with --set, or write the pieces with piecewise(…)")]
+    #[error("the kinks of {function} cannot be located ({reason}); expected numbers for its parameters, or its pieces in piecewise(…)")]
     Kinks {
         /// The function whose kinks are wanted.
         function: &'static str,
@@ -98,7 +98,7 @@ pub enum TransformError {
     },
     /// A whole curve that misses its tolerance.
     #[error(
-        "the curve of {quantity} reaches a relative error of {achieved:e} only, where {requested:e} was asked for; that tolerance, a smaller range, or --method quadrature would be accepted"
+        "the curve of {quantity} reaches a relative error of {achieved:e} only, where {requested:e} was asked for; expected that tolerance, a smaller range, or quadrature at every point"
     )]
     CurveTooRough {
         /// The quantity.
@@ -109,7 +109,7 @@ pub enum TransformError {
         requested: f64,
     },
     /// No closed form where one was demanded.
-    #[error("no closed form is known for {quantity} of this profile; --method auto or --method quadrature gives its value")]
+    #[error("no closed form is known for {quantity} of this profile")]
     NoClosedForm {
         /// The quantity.
         quantity: &'static str,

@@ -24,7 +24,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// Of a function by its name; `None` for one that has no say.
+    /// Of a function by its name; `None` for one that the others decide.
     fn of(name: &str) -> Option<Self> {
         Some(match name {
             "sin" | "cos" | "tan" | "exp" | "sinh" | "cosh" | "tanh" | "besselj" | "besseli" | "struveh" | "struvel" | "dawson" | "erf"
@@ -40,9 +40,7 @@ impl Kind {
     fn sentence(self) -> &'static str {
         match self {
             Self::OpenProfile => "the integral in $p(r)$ runs over $f'$, because a part of $g(x)$ has no closed form here",
-            Self::Bessel => {
-                "the integral in $p(r)$ is an incomplete Bessel integral: it has no known closed form, except for an unbounded contact"
-            }
+            Self::Bessel => "the integral in $p(r)$ is of the kind of incomplete Bessel integrals: it has no known closed form",
             Self::Elliptic => "the integral in $p(r)$ is one of elliptic integrals over their modulus: it has no known closed form",
             Self::Inverse => {
                 "the integral in $p(r)$ has an inverse function beside two square roots, which makes it an integral of elliptic integrals \
@@ -51,9 +49,7 @@ impl Kind {
             Self::Hypergeometric => {
                 "the integral in $p(r)$ has a hypergeometric function beside a square root: it has no known closed form"
             }
-            Self::Logarithm => {
-                "the integral in $p(r)$ is a derivative of an incomplete beta function by its exponent: it closes for few exponents only"
-            }
+            Self::Logarithm => "the integral in $p(r)$ has a logarithm: the program knows a closed form beside odd powers of x only",
             Self::Algebraic => "the integral in $p(r)$ has roots only; the program knows no closed form of it",
         }
     }

@@ -101,7 +101,7 @@ impl Derivation<'_> {
         if self.has_rim() {
             notes.push("$a$ is the radius of the rim, whatever the depth is");
         } else if self.relations.contact_radius_of_depth.is_none() {
-            notes.push("$a(d)$ and $F(d)$ have no explicit form that is known here; eval --quantity a solves $g(a)$ = $d$ in numbers");
+            notes.push("$a(d)$ and $F(d)$ have no explicit form that is known here; $g(a)$ = $d$ is solved in numbers");
         }
         let pressure = self.relations.pressure.as_ref().filter(|_| self.asked.is_empty() || self.asked.contains(&Quantity::Pressure));
         let reasons = pressure.map_or_else(Vec::new, |own| open_pressure::reasons(&own.formula));

@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use sneddon::transform::Status;
-use sneddon_checks::formulas::{Values, contact, derived, derived_with, relative, value};
+use sneddon_checks::formulas::{Values, contact, derived, derived_with, value};
 
 /// Truncated, rounded and capped tips, kinks in both directions, ends of pieces between, and logarithms beside powers.
 const OPEN: &[(&str, &Values<'static>)] = &[
@@ -15,8 +15,10 @@ const OPEN: &[(&str, &Values<'static>)] = &[
     ("piecewise(r*s, r<b, s*b+(r-b)^2/(2*R), r<c, s*b+(c-b)^2/(2*R)+(r-c)^3)", &[("b", 0.5), ("c", 1.1), ("s", 0.3), ("R", 2.0)]),
     ("max(0,r-b)+max(0,r-c)", &[("b", 0.4), ("c", 0.9)]),
     ("r^2/(2*R)+C*abs(r-b)", &[("b", 0.9), ("C", 0.2), ("R", 2.0)]),
+    ("max(0,r-b)*tan(t)", &[("b", 0.6), ("t", 0.4)]),
+    ("piecewise(C*r^4*ln(r), r<b, C*b^4*ln(b))", &[("b", 1.2), ("C", 1.2)]),
+    ("min(C*r^2.5, h)", &[("C", 0.8), ("h", 0.5)]),
     ("C*r^2*ln(1+r/b)", &[("b", 0.7), ("C", 1.2)]),
-    ("piecewise(0, r<b, C*r^2*ln(r/b))", &[("b", 0.7), ("C", 1.2)]),
     ("h*((w^2+r^2)*ln(1+r^2/w^2)-r^2)", &[("h", 0.7), ("w", 1.2)]),
 ];
 
@@ -29,10 +31,12 @@ fn hold(profile: &str, values: &Values<'_>, status: Status, tolerance: f64) {
     assert_eq!(printed.status, status, "{profile}");
     let solution = derived_with(profile, values);
     let contact = contact(&solution, &[], 1.0, None);
-    for r in RADII {
-        let number = contact.pressure(r, A).unwrap().unwrap().estimate.value;
+    let numbers = RADII.map(|r| contact.pressure(r, A).unwrap().unwrap().estimate.value);
+    // Printed terms cancel where the pressure is small.
+    let largest = numbers.iter().fold(0.0_f64, |largest, number| largest.max(number.abs()));
+    for (r, number) in RADII.into_iter().zip(numbers) {
         let own = value(&printed.formula, &[values, &[("r", r), ("a", A), ("E", 1.0)]].concat());
-        assert!(relative(own, number) < tolerance, "{profile}: p({r}) = {number:e}, the formula is {own:e}");
+        assert!((own - number).abs() < tolerance * largest, "{profile}: p({r}) = {number:e}, the formula is {own:e}");
     }
 }
 
@@ -43,6 +47,14 @@ fn what_closes_beside_an_integral_adds_up() {
     }
 }
 
+/// x arcosh(x/b) by parts, and odd powers times ln x.
+#[test]
+fn pressures_of_logarithms_close() {
+    let values: &Values<'_> = &[("b", 0.7), ("C", 1.2)];
+    hold("piecewise(0, r<b, C*r^2*ln(r/b))", values, Status::Exact, 4e-15);
+    hold("piecewise(C*r^2*ln(r), r<b, C*b^2*ln(b))", values, Status::Exact, 4e-15);
+}
+
 /// ∫ x e^(∓x²/w²)/√(x²−r²) dx closes by the error functions, once the terms of g are added up.
 #[test]
 fn pressures_of_gaussian_g_close() {
@@ -51,5 +63,5 @@ fn pressures_of_gaussian_g_close() {
     hold("h*(exp(r^2/(2*w^2))*besseli(0,r^2/(2*w^2))-1)", values, Status::Exact, 4e-15);
 }
 
-/// The integrals keep eight digits, because a root vanishes at their lower ends; 2.7e-7 is left where the parts of `min(s*r,h)` cancel.
-const TOLERANCE: f64 = 4e-7;
+/// Integrals of the checks keep seven digits, because a root vanishes at their lower ends.
+const TOLERANCE: f64 = 1e-7;

@@ -227,7 +227,7 @@ impl Inverse {
             (true, true) => Status::Partial,
         };
         let formula = Formula::sum(self.chains.iter().map(InverseChain::formula));
-        Derived { formula, status, compared: None, rules, reference }
+        Derived { formula, status, compared: None, split: false, rules, reference }
     }
 
     /// f(0) = g(0), which a contact does not see.

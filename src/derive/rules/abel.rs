@@ -16,20 +16,24 @@ pub(crate) struct Split {
 
 /// A function whose integral over x, from where its root begins to a radius above r, is known.
 enum Known<'a> {
-    /// x^m for whole m ≥ 0, from r on.
-    Power(i64),
+    /// x^m, from r on.
+    Power(Expr),
+    /// x^m ln x for odd whole m, from r on.
+    Logarithm(i64),
+    /// x exp(κx²), from r on.
+    Gaussian(Expr),
     /// x^(2k)/√(x²−b²), from max(b, r) on.
     OverRoot(i64, &'a Expr),
-    /// x^(2k+1) exp(κx²), from r on.
-    Gaussian(i64, Expr),
+    /// x arcosh(x/b), from max(b, r) on.
+    Arcosh(&'a Expr),
 }
 
 /// Splits ∫ `slope`/√(x²−r²) dx; `None` where no term of `slope` closes, where the terms that stay are longer than all were together, or
-/// where one of them has a special function: what closes beside that belongs to its derivative.
+/// where one of them has a special function: a power beside that comes from differentiating it, and cancels with it.
 ///
 /// The limits are max(`lower`, r), or r where there is none, and max(`upper`, r). Roots √(x²−b²) are read for the places b in `kinks`.
 /// Powers are those of (3.37) under a power (Popov & Heß 3.20–3.24), x^(2k)/√(x²−b²) leads to incomplete elliptic integrals, and
-/// x^(2k+1) exp(κx²) with t² = x² − r² to the error function.
+/// x exp(κx²) with t² = x² − r² to the error function.
 pub(crate) fn split(slope: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper: &Expr) -> Option<Split> {
     if slope.size_up_to(LONGEST) >= LONGEST || !may_close(slope) {
         return None;
@@ -60,9 +64,7 @@ fn complement(closed: &mut Vec<(Expr, Known)>, open: &mut [NormalTerm]) {
     closed.retain(|(coefficient, known)| {
         let Known::Power(m) = known else { return true };
         let arcsine = |term: &NormalTerm| match term.kernel.node() {
-            Node::Function(function, arguments) if function.name() == "asin" && term.exponent == Expr::integer(*m) => {
-                arguments.first().cloned()
-            }
+            Node::Function(function, arguments) if function.name() == "asin" && term.exponent == *m => arguments.first().cloned(),
             _ => None,
         };
         let sum = Expr::sum(open.iter().filter(|term| arcsine(term).is_some()).map(|term| term.coefficient.clone()));
@@ -82,30 +84,36 @@ impl Known<'_> {
     /// The integral up to max(`end`, r).
     fn up_to(&self, end: &Expr) -> Expr {
         let r = Expr::symbol("r");
+        let top = beyond(end, &r);
+        let root = (top.power(2) - r.power(2)).sqrt();
+        let elliptic = |k: i64, b: &Expr| Expr::call("elliptic_moment", [Expr::integer(k), b.clone(), r.clone(), top.clone()]);
         match self {
-            Self::OverRoot(_, b) if *b == end => Expr::zero(),
-            Self::OverRoot(k, b) => Expr::call("elliptic_moment", [Expr::integer(*k), (*b).clone(), r.clone(), beyond(end, &r)]),
-            Self::Power(m) => Expr::call("pressure_power", [Expr::integer(*m), r.clone(), beyond(end, &r)]),
-            Self::Gaussian(k, kappa) => gaussian(*k, kappa, &r, &beyond(end, &r)),
+            Self::OverRoot(_, b) | Self::Arcosh(b) if *b == end => Expr::zero(),
+            Self::OverRoot(k, b) => elliptic(*k, b),
+            // By parts; what is left is ∫ √(x²−r²)/√(x²−b²) dx, and at max(b, r) the product is 0 for r > b and arcosh for r < b.
+            Self::Arcosh(b) => root * Expr::call("acosh", [&top / *b]) - elliptic(1, b) + r.power(2) * elliptic(0, b),
+            Self::Power(m) => Expr::call("pressure_power", [m.clone(), r.clone(), top]),
+            Self::Logarithm(m) => logarithm(*m, &r, &top, &root),
+            Self::Gaussian(kappa) => {
+                let (name, scale) = if sign(kappa) == Sign::Negative { ("erf", (-kappa).sqrt()) } else { ("erfi", kappa.sqrt()) };
+                let exponential = Expr::call("exp", [kappa * r.power(2)]);
+                Expr::pi().sqrt() / (Expr::integer(2) * &scale) * exponential * Expr::call(name, [scale * root])
+            }
         }
     }
 }
 
-/// J_k = ∫_r^e x^(2k+1) exp(κx²)/√(x²−r²) dx, from d(x^(2k) exp(κx²) √(x²−r²)):
-/// 2κ J_(k+1) = x^(2k) exp(κx²) √(x²−r²) + (2κr² − 2k − 1) J_k + 2k r² J_(k−1).
-fn gaussian(k: i64, kappa: &Expr, r: &Expr, end: &Expr) -> Expr {
-    let (decays, two) = (sign(kappa) == Sign::Negative, Expr::integer(2));
-    let (name, scale) = if decays { ("erf", (-kappa).sqrt()) } else { ("erfi", kappa.sqrt()) };
-    let root = (end.power(2) - r.power(2)).sqrt();
-    let exponential = |at: &Expr| Expr::call("exp", [kappa * at.power(2)]);
-    let first = Expr::pi().sqrt() / (&two * &scale) * exponential(r) * Expr::call(name, [&scale * &root]);
-    let (mut before, mut own) = (Expr::zero(), first);
-    for j in 0..k {
-        let edge = end.power(2 * j) * exponential(end) * &root;
-        let sum = edge + (&two * kappa * r.power(2) - Expr::integer(2 * j + 1)) * &own + Expr::integer(2 * j) * r.power(2) * &before;
-        before = std::mem::replace(&mut own, sum / (&two * kappa));
-    }
-    own
+/// I_m = ∫_r^e x^m ln x/√(x²−r²) dx for odd m, with w = √(e²−r²) and S_m the integral without ln:
+/// m I_m = (m−1) r² I_(m−2) + e^(m−1) w ln e − S_m + r² S_(m−2), where S_(−1) = acos(r/e)/r.
+fn logarithm(m: i64, r: &Expr, end: &Expr, root: &Expr) -> Expr {
+    let plain = |m: i64| match m {
+        -1 => Expr::call("acos", [r / end]) / r,
+        _ => Expr::call("pressure_power", [Expr::integer(m), r.clone(), end.clone()]),
+    };
+    (1..=m).step_by(2).fold(Expr::zero(), |before, m| {
+        let edge = end.power(m - 1) * root * Expr::call("ln", [end.clone()]);
+        (Expr::integer(m - 1) * r.power(2) * before + edge - plain(m) + r.power(2) * plain(m - 2)) / Expr::integer(m)
+    })
 }
 
 /// max(end, r); the contact radius a is above r.
@@ -117,23 +125,37 @@ fn beyond(end: &Expr, r: &Expr) -> Expr {
 fn known<'a>(term: &NormalTerm, kinks: &'a [Expr]) -> Vec<(Expr, Known<'a>)> {
     /// Higher powers are long.
     const HIGHEST: i64 = 12;
-    let Some(m) = term.exponent.as_integer().filter(|m| (0..=HIGHEST).contains(m)) else { return Vec::new() };
+    let coefficient = &term.coefficient;
+    let only = |known| vec![(coefficient.clone(), known)];
+    let whole = term.exponent.as_integer();
     if term.kernel.is_one() {
-        return vec![(term.coefficient.clone(), Known::Power(m))];
+        let is_plain = !term.exponent.contains(&Symbol::new("x")) && whole.is_none_or(|m| (0..=HIGHEST).contains(&m));
+        return if is_plain { only(Known::Power(term.exponent.clone())) } else { Vec::new() };
     }
-    if let (1, Some(kappa)) = (m % 2, exponent_of_square(&term.kernel)) {
-        return vec![(term.coefficient.clone(), Known::Gaussian(m / 2, kappa))];
+    let Some(m) = whole.filter(|m| (0..=HIGHEST).contains(m)) else { return Vec::new() };
+    if m % 2 == 1 {
+        let arcosh = || arcosh(&term.kernel, kinks).filter(|_| m == 1).map(Known::Arcosh);
+        let gaussian = || exponent_of_square(&term.kernel).filter(|_| m == 1).map(Known::Gaussian);
+        let logarithm = || (term.kernel == Expr::call("ln", [Expr::symbol("x")])).then_some(Known::Logarithm(m));
+        return arcosh().or_else(gaussian).or_else(logarithm).map_or_else(Vec::new, only);
     }
     let (base, exponent) = super::reading::power(&term.kernel);
-    let half = |sign: i64| exponent.as_number() == Some(&Number::ratio(sign, 2));
-    let (true, Some((b, factor))) = (m % 2 == 0, root(&base, kinks)) else { return Vec::new() };
-    let coefficient = &term.coefficient * factor.pow(&exponent);
-    match (half(-1), half(1)) {
-        (true, _) => vec![(coefficient, Known::OverRoot(m / 2, b))],
-        // √Q = Q/√Q
-        (_, true) => vec![(coefficient.clone(), Known::OverRoot(m / 2 + 1, b)), (-coefficient * b.power(2), Known::OverRoot(m / 2, b))],
-        _ => Vec::new(),
+    let is_half = |sign: i64| exponent.as_number() == Some(&Number::ratio(sign, 2));
+    if !is_half(1) && !is_half(-1) {
+        return Vec::new();
     }
+    let Some((b, factor)) = root(&base, kinks) else { return Vec::new() };
+    let coefficient = coefficient * factor.pow(&exponent);
+    if is_half(-1) {
+        return vec![(coefficient, Known::OverRoot(m / 2, b))];
+    }
+    // √Q = Q/√Q
+    vec![(coefficient.clone(), Known::OverRoot(m / 2 + 1, b)), (-coefficient * b.power(2), Known::OverRoot(m / 2, b))]
+}
+
+/// b of arcosh(x/b), b one of the places.
+fn arcosh<'a>(kernel: &Expr, kinks: &'a [Expr]) -> Option<&'a Expr> {
+    kinks.iter().find(|b| *kernel == Expr::call("acosh", [Expr::symbol("x") / *b]))
 }
 
 /// b and c of c (x² − b²), b one of the places.
@@ -157,10 +179,13 @@ fn exponent_of_square(kernel: &Expr) -> Option<Expr> {
     (constant.is_zero() && linear.is_zero() && matches!(sign(&kappa), Sign::Positive | Sign::Negative)).then_some(kappa)
 }
 
-/// False where the terms that stay would have special functions, or inverse functions of roots, which the recognition form makes longer.
+/// False where g′ has special functions, or inverse functions of roots, which its recognition form makes longer: a look that costs little.
 fn may_close(slope: &Expr) -> bool {
     let own = match slope.node() {
-        Node::Function(function, arguments) => function.name() == "exp" || is_inverse(function) && !arguments.iter().any(has_root),
+        _ if !slope.contains(&Symbol::new("x")) => return true,
+        Node::Function(function, arguments) => {
+            function.name() == "exp" || is_logarithm_or_inverse(function) && !arguments.iter().any(has_root)
+        }
         _ => true,
     };
     own && slope.children().into_iter().all(may_close)
@@ -170,15 +195,15 @@ fn has_root(expr: &Expr) -> bool {
     matches!(expr.node(), Node::Power(_, exponent) if exponent.as_integer().is_none()) || expr.children().into_iter().any(has_root)
 }
 
-/// True for logarithms and inverse functions.
-fn is_inverse(function: &Function) -> bool {
+fn is_logarithm_or_inverse(function: &Function) -> bool {
     matches!(function.name(), "ln" | "asin" | "acos" | "atan" | "atan2" | "asinh" | "acosh" | "atanh" | "elliprc")
 }
 
-/// True for roots, logarithms and inverse functions alone.
+/// True for roots, logarithms and inverse functions alone: no exponential is left either.
 fn is_elementary(kernel: &Expr) -> bool {
     let own = match kernel.node() {
-        Node::Function(function, _) => is_inverse(function),
+        _ if !kernel.contains(&Symbol::new("x")) => return true,
+        Node::Function(function, _) => is_logarithm_or_inverse(function),
         Node::Power(_, exponent) => exponent.as_number().is_some(),
         _ => true,
     };

@@ -20,7 +20,7 @@ impl Breakpoints {
     pub(super) fn unknown_order(&self, left: &Expr, right: &Expr, span: &Range<usize>) -> ParseError {
         let typed = |expr: &Expr| self.0.iter().find(|(own, _)| own == expr).map_or_else(String::new, |(_, text)| text.clone());
         let (left, right) = (typed(left), typed(right));
-        let accepted = "give them numbers (as --set does), write one piecewise with both breakpoints in order, or add the two instead";
+        let accepted = "give them numbers, write one piecewise with both breakpoints in order, or add the two instead";
         ParseError::new(span.clone(), Reason::UnknownOrder { left, right }, accepted)
     }
 }
