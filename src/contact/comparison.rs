@@ -112,7 +112,7 @@ impl Subject {
         let Self { quantity, tally, trouble } = self;
         let verdict = tally.as_ref().map_or(Verdict::NotCompared, Tally::verdict);
         let why = match &tally {
-            None => Some("only quadrature gives its value".into()),
+            None => Some("no closed form gives its value, only quadrature does".into()),
             Some(_) if verdict != Verdict::NotCompared => None,
             Some(_) if !is_complete => Some("the budget of work did not suffice".into()),
             Some(_) => Some(match trouble {
