@@ -43,7 +43,7 @@ const BAR: usize = 5;
 /// Replaces omitted text.
 const DOTS: &str = " ...";
 
-/// The arguments with which a command goes further.
+/// Returns advice in terms of command-line arguments.
 fn advice(error: &ContactError) -> Option<String> {
     let ContactError::Transform(error) = error else { return None };
     match error {
@@ -118,7 +118,7 @@ impl Failure {
             other => Self::new(other.to_string()),
         };
         let failure = match advice(error) {
-            // It takes the place of what the message ends with.
+            // The advice replaces the end of the library's message.
             Some(advice) => Self { message: failure.message.split("; ").next().unwrap_or_default().to_owned(), ..failure }.help(advice),
             None => failure,
         };

@@ -48,7 +48,7 @@ pub struct Derived {
     pub status: Status,
     /// True if every closed form that a rule gave agreed with quadrature when it was derived; `None` if only a later check compares it.
     pub compared: Option<bool>,
-    /// True where parts of an integral over g′ are shown in closed form, which only the tests compare.
+    /// True if parts of an open pressure are shown in closed form. They are not compared with quadrature when the profile is derived.
     pub split: bool,
     /// The rules that answered, in the order of the terms.
     pub rules: Vec<&'static str>,
@@ -269,7 +269,7 @@ impl SolvedChain {
     }
 }
 
-/// True where something other than 0 stands beside or in place of an integral.
+/// Returns true if the formula has a closed part that is not 0.
 fn has_closed_part(formula: &Formula) -> bool {
     match formula {
         Formula::Closed(expr) => !expr.is_zero(),
@@ -280,7 +280,7 @@ fn has_closed_part(formula: &Formula) -> bool {
     }
 }
 
-/// The formula with what is closed in it collected; integrals stay as they are.
+/// Collects like terms in the closed parts of a formula.
 fn with_collected(formula: Formula) -> Formula {
     match formula {
         Formula::Closed(expr) => Formula::Closed(collected(&expr)),

@@ -89,7 +89,7 @@ pub struct EvaluatedChain {
 }
 
 impl Solution {
-    /// True where a term's share of the quantity is closed, or where there is no term.
+    /// Returns true if at least one term has a closed form for `quantity`, or if there are no terms.
     pub(crate) fn has_closed(&self, quantity: Superposed) -> bool {
         self.terms().next().is_none() || self.terms().any(|term| !quantity.is_open(term))
     }

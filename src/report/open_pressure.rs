@@ -1,4 +1,4 @@
-//! Why a pressure is left as an integral: one sentence for each kind of function under it.
+//! Notes that say why a pressure is left as an integral, by the functions in the integrand.
 
 use crate::expr::{Expr, Formula, Node, Symbol};
 use crate::print::Prose;
@@ -24,7 +24,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// Of a function by its name; `None` for one that the others decide.
+    /// Returns the kind of a function by its name, or `None` if the function does not determine one.
     fn of(name: &str) -> Option<Self> {
         Some(match name {
             "sin" | "cos" | "tan" | "exp" | "sinh" | "cosh" | "tanh" | "besselj" | "besseli" | "struveh" | "struvel" | "dawson" | "erf"
@@ -71,7 +71,7 @@ fn in_formula(formula: &Formula, found: &mut BTreeSet<Kind>) {
             pieces.iter().for_each(|(value, _)| in_formula(value, found));
             in_formula(last, found);
         }
-        // Over g′ the variable is x; another one stands for the radius in f′.
+        // Integrals over g′ have the variable x; integrals over f′ have another one.
         Formula::Integral { variable, .. } if variable.name() != "x" => {
             found.insert(Kind::OpenProfile);
         }
@@ -91,7 +91,7 @@ fn in_expression(expr: &Expr, variable: &Symbol, found: &mut BTreeSet<Kind>) {
         return;
     }
     let kind = match expr.node() {
-        // The sine of an angle that is an inverse function is algebraic, and ln(x + √(x²+1)) is one.
+        // sin(atan x) is algebraic, and ln(x + √(x²+1)) is an inverse function.
         Node::Function(function, arguments) => match (function.name(), arguments.as_slice()) {
             ("sin" | "cos" | "tan", [argument]) if is_inverse(argument) => None,
             ("ln", [argument]) if !matches!(argument.node(), Node::Symbol(_) | Node::Product(_)) => Some(Kind::Inverse),

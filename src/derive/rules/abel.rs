@@ -3,7 +3,7 @@
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, sign};
 
-/// Nodes of the longest g′ that is split.
+/// Maximum number of nodes of a g′ that is split.
 const LONGEST: usize = 500;
 
 /// What closes of ∫ g′(x)/√(x²−r²) dx from `lower` to `upper`, and the terms of g′ that stay.
@@ -28,8 +28,10 @@ enum Known<'a> {
     Arcosh(&'a Expr),
 }
 
-/// Splits ∫ `slope`/√(x²−r²) dx; `None` where no term of `slope` closes, where the terms that stay are longer than all were together, or
-/// where one of them has a special function: a power beside that comes from differentiating it, and cancels with it.
+/// Splits ∫ `slope`/√(x²−r²) dx into a closed part and a remaining integral.
+///
+/// Returns `None` if no term of `slope` has a closed integral, if the remaining terms are longer than `slope`, or if one of them contains a
+/// special function. Its derivative contains powers that cancel with it, so they are kept in one integral.
 ///
 /// The limits are max(`lower`, r), or r where there is none, and max(`upper`, r). Roots √(x²−b²) are read for the places b in `kinks`.
 /// Powers are those of (3.37) under a power (Popov & Heß 3.20–3.24), x^(2k)/√(x²−b²) leads to incomplete elliptic integrals, and
@@ -58,7 +60,7 @@ pub(crate) fn split(slope: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper: &
     is_shorter.then(|| Split { closed: Expr::sum(closed.iter().flat_map(ends)), rest })
 }
 
-/// Writes acos for π/2 − asin where that takes a power of x away.
+/// Replaces asin u by π/2 − acos u if this cancels a power of x.
 fn complement(closed: &mut Vec<(Expr, Known)>, open: &mut [NormalTerm]) {
     let variable = Symbol::new("x");
     closed.retain(|(coefficient, known)| {
@@ -90,7 +92,7 @@ impl Known<'_> {
         match self {
             Self::OverRoot(_, b) | Self::Arcosh(b) if *b == end => Expr::zero(),
             Self::OverRoot(k, b) => elliptic(*k, b),
-            // By parts; what is left is ∫ √(x²−r²)/√(x²−b²) dx, and at max(b, r) the product is 0 for r > b and arcosh for r < b.
+            // Integration by parts leaves ∫ √(x²−r²)/√(x²−b²) dx; the boundary term is 0 at max(b, r).
             Self::Arcosh(b) => root * Expr::call("acosh", [&top / *b]) - elliptic(1, b) + r.power(2) * elliptic(0, b),
             Self::Power(m) => Expr::call("pressure_power", [m.clone(), r.clone(), top]),
             Self::Logarithm(m) => logarithm(*m, &r, &top, &root),
@@ -153,12 +155,12 @@ fn known<'a>(term: &NormalTerm, kinks: &'a [Expr]) -> Vec<(Expr, Known<'a>)> {
     vec![(coefficient.clone(), Known::OverRoot(m / 2 + 1, b)), (-coefficient * b.power(2), Known::OverRoot(m / 2, b))]
 }
 
-/// b of arcosh(x/b), b one of the places.
+/// Returns b of arcosh(x/b) if b is one of `kinks`.
 fn arcosh<'a>(kernel: &Expr, kinks: &'a [Expr]) -> Option<&'a Expr> {
     kinks.iter().find(|b| *kernel == Expr::call("acosh", [Expr::symbol("x") / *b]))
 }
 
-/// b and c of c (x² − b²), b one of the places.
+/// Returns b and c of c (x² − b²) if b is one of `kinks`.
 fn root<'a>(base: &Expr, kinks: &'a [Expr]) -> Option<(&'a Expr, Expr)> {
     let variable = Symbol::new("x");
     let [constant, linear, factor] = <[Expr; 3]>::try_from(normal::polynomial_coefficients(base, &variable)?).ok()?;
@@ -167,7 +169,7 @@ fn root<'a>(base: &Expr, kinks: &'a [Expr]) -> Option<(&'a Expr, Expr)> {
     Some((b, factor))
 }
 
-/// κ of exp(κx²), where its sign is known.
+/// Returns κ of exp(κx²) if its sign is known.
 fn exponent_of_square(kernel: &Expr) -> Option<Expr> {
     let variable = Symbol::new("x");
     let exponent = match kernel.node() {
@@ -179,7 +181,9 @@ fn exponent_of_square(kernel: &Expr) -> Option<Expr> {
     (constant.is_zero() && linear.is_zero() && matches!(sign(&kappa), Sign::Positive | Sign::Negative)).then_some(kappa)
 }
 
-/// False where g′ has special functions, or inverse functions of roots, which its recognition form makes longer: a look that costs little.
+/// Returns false if `slope` contains special functions, or inverse functions with roots in their arguments.
+///
+/// The recognition form of such functions is expensive to compute and longer than `slope`.
 fn may_close(slope: &Expr) -> bool {
     let own = match slope.node() {
         _ if !slope.contains(&Symbol::new("x")) => return true,
@@ -199,7 +203,7 @@ fn is_logarithm_or_inverse(function: &Function) -> bool {
     matches!(function.name(), "ln" | "asin" | "acos" | "atan" | "atan2" | "asinh" | "acosh" | "atanh" | "elliprc")
 }
 
-/// True for roots, logarithms and inverse functions alone: no exponential is left either.
+/// Returns true if `kernel` consists of powers, roots, logarithms and inverse functions of x.
 fn is_elementary(kernel: &Expr) -> bool {
     let own = match kernel.node() {
         _ if !kernel.contains(&Symbol::new("x")) => return true,

@@ -13,11 +13,11 @@ pub(super) struct Pole {
     pub(super) above: bool,
     /// True for half-odd exponents.
     pub(super) half: bool,
-    /// The moments found so far: what is shown and what is evaluated often have the same one.
+    /// The moments computed so far; shown and evaluated forms often share one.
     known: RefCell<Vec<(Moment, Combination)>>,
 }
 
-/// Which moment a combination is.
+/// The arguments that determine a moment.
 #[derive(PartialEq, Eq)]
 struct Moment {
     m: i64,
@@ -25,7 +25,7 @@ struct Moment {
     end: Expr,
     x: Expr,
     reach: Reach,
-    /// True where levels above 1 are numerators over a common denominator.
+    /// True if levels above 1 are numerators over a common denominator.
     lifted: bool,
 }
 
