@@ -37,6 +37,10 @@ lint:
     cargo clippy --all-targets -- -D warnings
     cargo clippy --no-default-features --lib -- -D warnings
 
+# Write what the examples of the documents answer today below them.
+examples:
+    SNEDDON_WRITE=1 cargo test --test program docs::examples_run
+
 # The API documentation, and the tests that hold the written documents to the program.
 docs:
     RUSTDOCFLAGS="-D warnings" cargo doc --no-deps

@@ -1,7 +1,7 @@
 //! `eval --method series`: the numbers of a quantity by its power series.
 
 use super::Failure;
-use crate::contact::{Measured, Quantity};
+use crate::contact::{Measured, Quantity, Reason};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{HIGHEST_ORDER, Profile, Reading, SeriesEvaluator, SeriesFailure};
 
@@ -50,7 +50,12 @@ pub(super) fn readings(
             other => return Err(SeriesFailure::Quantity { quantity: other.key() }),
         }))
     };
-    at.iter().map(|point| value(*point).map_err(failed)).collect()
+    // A point has a reason instead of a value where others have one.
+    let found: Vec<Result<Measured, SeriesFailure>> = at.iter().map(|point| value(*point)).collect();
+    if found.iter().any(Result::is_ok) {
+        return Ok(found.into_iter().map(|own| own.unwrap_or_else(|error| Err(Reason::Refused(error.to_string())))).collect());
+    }
+    found.into_iter().map(|own| own.map_err(failed)).collect()
 }
 
 /// The smooth edge that a series needs.

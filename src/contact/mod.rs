@@ -2,6 +2,7 @@
 
 mod comparison;
 mod error;
+mod explained;
 mod explicit;
 mod force_radius;
 mod foundation;
@@ -19,6 +20,7 @@ mod stress;
 
 pub use comparison::{Comparison, Comparisons, Setting, compare};
 pub use error::ContactError;
+pub use explained::{Asked, Explained};
 pub use explicit::{Explicit, explicit};
 pub use foundation::{FoundationState, SpringFoundation};
 pub use indentation::{Body, Boundary, Estimates, Finding, Indentation, Indented, Load, Naming, Part, Setup, Severity, State, in_unit};

@@ -377,7 +377,8 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     }
 
     fn nested_energy(&self, a: f64) -> Result<Reading, ContactError> {
-        let d = self.depth(a)?.estimate.bounded();
+        let depth = self.depth(a)?.estimate;
+        let d = depth.bounded();
         if !(d.value * (d.value * a)).is_finite() {
             return Err(TransformError::Overflow { symbol: "a", at: a }.into());
         }
@@ -411,7 +412,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             ) if error.is_finite() => Estimate::estimated(value, error, evaluations),
             Err(other) => return Err(failure.map_or_else(|| other.into(), Into::into)),
         };
-        let total = charge_underflow(found, d, a).scaled(self.effective_modulus);
+        let total = charge_underflow(found, d, a).scaled(self.effective_modulus).by(depth.way);
         Ok(Reading { estimate: Estimate { evaluations: found.evaluations + inner, ..total }, method: "quadrature" })
     }
 

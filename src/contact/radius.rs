@@ -62,19 +62,29 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
     if depth == 0.0 {
         return Ok(Reading { estimate: Estimate::exact(start), method: "exact" });
     }
-    let mut evaluations = 0;
+    let (mut evaluations, mut way, mut refused) = (0, "", None);
     let mut height = |a: f64| match evaluator.slope(a) {
         Ok(g) => {
             evaluations += g.estimate.evaluations + 1;
+            way = g.estimate.way;
             Ok(g.estimate)
         }
         // g overflows beyond every root.
         Err(TransformError::Overflow { .. }) => Ok(Estimate::exact(f64::INFINITY)),
-        Err(other) => Err(other),
+        Err(other) => {
+            refused = refused.take().or_else(|| of_a_way(&other));
+            Err(other)
+        }
     };
     let found = root(&mut height, radii, depth, start, limit)?;
-    let (a, Certain { reach, bound, .. }) = found.map_err(|reason| ContactError::Unreachable { depth, reason })?;
-    Ok(Reading { estimate: Estimate { value: a, error: reach, evaluations, bound }, method: "root" })
+    let unreachable = |reason| refused.map_or(ContactError::Unreachable { depth, reason }, ContactError::Transform);
+    let (a, Certain { reach, bound, .. }) = found.map_err(unreachable)?;
+    Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
+}
+
+/// The error, if it is that of a way that has no answer: then no search can say that there is none.
+pub(super) fn of_a_way(error: &TransformError) -> Option<TransformError> {
+    matches!(error, TransformError::NotThisWay { .. } | TransformError::NoSuchWay { .. }).then(|| error.clone())
 }
 
 /// The smallest radius at which a function reaches a value, with its error; or the reason why there is none.

@@ -2,8 +2,8 @@
 
 use super::problem::representable;
 use super::{Contact, ContactError, Measured};
-use crate::num::{Bound, Bounded, Estimate};
-use crate::transform::{Reading, Slice, TransformError};
+use crate::num::{Bounded, Estimate};
+use crate::transform::{Origin, Reading, Slice, TransformError};
 
 /// Points that are computed before their readings are written down: what they need beside the readings stays small.
 const PART: usize = 1 << 16;
@@ -76,27 +76,17 @@ fn readings(
 ) -> Result<Vec<Measured>, ContactError> {
     let part = points.len().min(PART);
     let (mut values, mut errors) = (vec![0.0; part], vec![0.0; part]);
-    let (mut methods, mut counts) = (vec!["exact"; part], vec![0; part]);
-    let mut bounds = vec![Bound::Proven; part];
+    let mut origins = vec![Origin::CLOSED; part];
     let mut list = Vec::with_capacity(points.len());
     for points in points.chunks(PART) {
         for buffer in [&mut values, &mut errors] {
             buffer.resize(points.len(), 0.0);
         }
-        methods.resize(points.len(), "exact");
-        counts.resize(points.len(), 0);
-        bounds.resize(points.len(), Bound::Proven);
-        let out = Slice {
-            values: &mut values,
-            errors: Some(&mut errors),
-            methods: Some(&mut methods),
-            evaluations: Some(&mut counts),
-            bounds: Some(&mut bounds),
-        };
-        run(points, out)?;
-        let numbers = points.iter().zip(&values).zip(&errors).zip(methods.iter().zip(&counts).zip(&bounds));
-        for (((point, value), error), ((method, evaluations), bound)) in numbers {
-            let estimate = Estimate { value: *value, error: *error, evaluations: *evaluations, bound: *bound };
+        origins.resize(points.len(), Origin::CLOSED);
+        run(points, Slice { values: &mut values, errors: Some(&mut errors), origins: Some(&mut origins) })?;
+        for (((point, value), error), origin) in points.iter().zip(&values).zip(&errors).zip(&origins) {
+            let Origin { method, way, evaluations, bound } = *origin;
+            let estimate = Estimate { value: *value, error: *error, evaluations, bound, way };
             let own = measured(*point, Reading { estimate, method });
             list.push(own.map_or_else(|reason| Ok(Err(reason)), |own| representable(own, symbol, *point).map(Ok))?);
         }

@@ -3,11 +3,17 @@
 use crate::derive::rule::Pair;
 use crate::eval::{BoundedAlgebra, EvalError, IntervalAlgebra, PreciseAlgebra, Tape, WideAlgebra};
 use crate::expr::{Expr, Symbol, has_30_digits, shown_to_30_digits};
-use crate::num::{Bounded, Precise, Region, Wide, work};
+use crate::num::{Bounded, Estimate, Precise, Region, Wide, work};
 use std::sync::OnceLock;
 
 /// A relative bound of this size is good enough for every digit: four units in the last place of a double.
 const GOOD: f64 = 4.0 * f64::EPSILON;
+/// The key of values in double precision …
+pub(crate) const DOUBLES: &str = "doubles";
+/// … of those with 30 digits …
+pub(crate) const THIRTY_DIGITS: &str = "thirty-digits";
+/// … and of those with 30 digits and an exponent that neither overflows nor underflows.
+pub(crate) const WIDE_EXPONENT: &str = "wide-exponent";
 /// From this tolerance on down every digit is wanted that the form has.
 const EVERY_DIGIT: f64 = 1e-13;
 
@@ -56,7 +62,7 @@ impl ClosedForm {
 
     /// The value at exact inputs, with a bound of its error; NaN where the number of inputs is wrong.
     pub fn value(&self, inputs: &[f64]) -> Bounded {
-        total(&[self], inputs, GOOD)
+        total(&[self], inputs, GOOD).bounded()
     }
 
     /// The lowest and the highest value that the only input may give between two numbers, or more; `None` where nothing is known.
@@ -101,36 +107,53 @@ impl ClosedForm {
 }
 
 /// The sum of closed forms at exact inputs; see [`refined`].
-pub(crate) fn total(forms: &[&ClosedForm], inputs: &[f64], good: f64) -> Bounded {
-    let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
-    let mut slots = Vec::new();
-    let sum = forms.iter().fold(Bounded::exact(0.0), |sum, form| sum + form.in_doubles(&exact, &mut slots));
+pub(crate) fn total(forms: &[&ClosedForm], inputs: &[f64], good: f64) -> Estimate {
+    let sum = in_doubles(forms, inputs);
     refined(sum, sum.value, good, || precise_total(forms, inputs))
 }
 
-/// The sum with 30 digits, which survives what cancels between the forms; infinite where it is beyond the range of doubles.
-pub(crate) fn precise_total(forms: &[&ClosedForm], inputs: &[f64]) -> Precise {
+/// The sum in double precision.
+pub(crate) fn in_doubles(forms: &[&ClosedForm], inputs: &[f64]) -> Bounded {
+    let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
+    let mut slots = Vec::new();
+    forms.iter().fold(Bounded::exact(0.0), |sum, form| sum + form.in_doubles(&exact, &mut slots))
+}
+
+/// The sum with 30 digits, which survives what cancels between the forms.
+pub(crate) fn in_30_digits(forms: &[&ClosedForm], inputs: &[f64]) -> Precise {
     let exact: Vec<Precise> = inputs.iter().copied().map(Precise::exact).collect();
     let mut slots = Vec::new();
-    let second = forms.iter().fold(Precise::exact(0.0), |sum, form| sum.add(form.in_30_digits(&exact, &mut slots)));
+    forms.iter().fold(Precise::exact(0.0), |sum, form| sum.add(form.in_30_digits(&exact, &mut slots)))
+}
+
+/// The same without overflow or underflow on the way; infinite where the sum is beyond the range of doubles.
+pub(crate) fn in_wide(forms: &[&ClosedForm], inputs: &[f64]) -> Precise {
+    let exact: Vec<Wide> = inputs.iter().copied().map(|own| Wide::new(Precise::exact(own))).collect();
+    let mut slots = Vec::new();
+    forms.iter().fold(Wide::new(Precise::exact(0.0)), |sum, form| sum.add(form.in_wide(&exact, &mut slots))).precise()
+}
+
+/// The better of the two, and its key.
+pub(crate) fn precise_total(forms: &[&ClosedForm], inputs: &[f64]) -> (Precise, &'static str) {
+    let second = in_30_digits(forms, inputs);
     if second.is_finite() && second.error <= GOOD * second.value.hi.abs() {
-        return second;
+        return (second, THIRTY_DIGITS);
     }
-    let (exact, mut slots) = (exact.iter().copied().map(Wide::new).collect::<Vec<_>>(), Vec::new());
-    let start = Wide::new(Precise::exact(0.0));
-    let third = forms.iter().fold(start, |sum, form| sum.add(form.in_wide(&exact, &mut slots))).precise();
+    let third = in_wide(forms, inputs);
     let better = third.value.hi.is_infinite() || second.error.is_nan() || third.error < second.error;
-    if better && !third.value.hi.is_nan() { third } else { second }
+    if better && !third.value.hi.is_nan() { (third, WIDE_EXPONENT) } else { (second, THIRTY_DIGITS) }
 }
 
 /// The first value where its bound is good next to the whole of which it is a part, else the better of both.
-pub(crate) fn refined(first: Bounded, whole: f64, good: f64, second: impl FnOnce() -> Precise) -> Bounded {
+pub(crate) fn refined(first: Bounded, whole: f64, good: f64, second: impl FnOnce() -> (Precise, &'static str)) -> Estimate {
+    let in_doubles = Estimate::from_bounded(first, 0).by(DOUBLES);
     if first.error <= good * whole.abs() {
-        return first;
+        return in_doubles;
     }
-    let second = rounded(second());
+    let (second, way) = second();
+    let second = rounded(second);
     let better = first.error.is_nan() || second.error < first.error;
-    if second.is_finite() && better { second } else { first }
+    if second.is_finite() && better { Estimate::from_bounded(second, 0).by(way) } else { in_doubles }
 }
 
 /// Rounded once.

@@ -35,6 +35,14 @@ impl Superposed {
         if self == Self::Equivalent { "x" } else { "a" }
     }
 
+    /// What its closed forms are functions of, out of a place and a contact radius: both, or the radius alone.
+    pub(crate) fn inputs(self, coordinates: &[f64; 2]) -> &[f64] {
+        match self {
+            Self::Pressure | Self::Outside => coordinates,
+            Self::Equivalent | Self::Force => coordinates.split_at(1).1,
+        }
+    }
+
     fn branches(self, solved: &SolvedTerm) -> Option<Branches> {
         let answer = || solved.answer.as_ref().map(|(_, answer)| answer);
         match self {

@@ -1,6 +1,6 @@
 //! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
 
-use crate::derive::closed_form::{ClosedForm, for_second_pass, good_enough, precise_total, refined, total};
+use crate::derive::closed_form::{ClosedForm, DOUBLES, THIRTY_DIGITS, for_second_pass, good_enough, precise_total, refined, total};
 use crate::derive::domain::barrier::Barrier;
 use crate::derive::engine::Solution;
 use crate::derive::kinks::is_below;
@@ -8,10 +8,10 @@ use crate::derive::solved::SolvedInterval;
 use crate::derive::superposed::Superposed;
 use crate::eval::{constant_value, first_double_from};
 use crate::evaluate::local_polynomials::PolynomialCache;
-use crate::evaluate::series::SeriesEvaluator;
-use crate::evaluate::ways::combine::ORDER;
+use crate::evaluate::ways::{RECOGNISED, Way};
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
 use crate::integrate::admit::{beyond_the_edge, finite_and_not_negative, tolerance_in_range};
+use crate::integrate::ask::Ask;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
 use crate::integrate::segment::Segment;
@@ -30,6 +30,8 @@ pub enum Method {
     Exact,
     /// Quadrature of the profile as typed.
     Quadrature,
+    /// One of [`WAYS`](crate::evaluate::ways::WAYS) alone.
+    Only(&'static Way),
 }
 
 /// A number with its error and the way it was found.
@@ -39,6 +41,13 @@ pub struct Reading {
     pub estimate: Estimate,
     /// `exact`, `quadrature`, or `mixed` where closed terms stand beside integrals.
     pub method: &'static str,
+}
+
+impl Reading {
+    /// The key of the way, or the method where the number follows from what was given.
+    pub fn way(&self) -> &'static str {
+        if self.estimate.way.is_empty() { self.method } else { self.estimate.way }
+    }
 }
 
 /// A solution with numbers for its parameters, compiled for many points; it may be shared between threads.
@@ -181,12 +190,7 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// [`TransformError`]: outside the domain, no closed form where one is demanded, or no digits.
     pub fn slope(&self, x: f64) -> Result<Reading, TransformError> {
-        self.check_domain("x", x)?;
-        let integrate = |open: &NumericProfile| open.slope(x, self.tolerance);
-        if self.method == Method::Quadrature {
-            return self.integral_of(Superposed::Equivalent, x, integrate);
-        }
-        self.combine(Superposed::Equivalent, x, &[x], |open| integrate(open).map(Some)).and_then(|r| finite(r, "x", x))
+        self.number("x", Superposed::Equivalent, Ask::Equivalent(x))
     }
 
     /// F(a)/(2E*) under a smooth edge.
@@ -194,31 +198,30 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// As [`Self::slope`].
     pub fn force(&self, a: f64) -> Result<Reading, TransformError> {
-        self.check_domain("a", a)?;
-        let integrate = |open: &NumericProfile| open.force(a, self.tolerance);
-        if self.method == Method::Quadrature {
-            return self.integral_of(Superposed::Force, a, integrate);
-        }
-        self.combine(Superposed::Force, a, &[a], |open| integrate(open).map(Some)).and_then(|r| finite(r, "a", a))
+        self.number("a", Superposed::Force, Ask::Force(a))
+    }
+
+    #[inline]
+    fn number(&self, symbol: &'static str, quantity: Superposed, ask: Ask) -> Result<Reading, TransformError> {
+        let at = ask.reach();
+        self.check_domain(symbol, at)?;
+        let found = match self.method {
+            Method::Quadrature => return self.integral_of(symbol, ask),
+            Method::Only(way) => way.answer(self, ask),
+            Method::Auto | Method::Exact => self.combine(quantity, ask),
+        };
+        found.and_then(|reading| finite(reading, symbol, at))
     }
 
     /// g or F/(2E*) by quadrature alone: at once where f′ as typed has the digits, which is nearly always.
     #[inline]
-    fn integral_of(
-        &self,
-        quantity: Superposed,
-        at: f64,
-        integrate: impl Fn(&NumericProfile) -> Result<Estimate, TransformError>,
-    ) -> Result<Reading, TransformError> {
-        let typed = self.typed().and_then(&integrate);
+    fn integral_of(&self, symbol: &'static str, ask: Ask) -> Result<Reading, TransformError> {
+        let typed = self.typed().and_then(|own| own.answer(ask, self.tolerance));
         match typed {
-            Ok(own) if own.value.is_normal() && own.error <= self.tolerance * own.value.abs() => {
+            Ok(Some(own)) if own.value.is_normal() && own.error <= self.tolerance * own.value.abs() => {
                 Ok(Reading { estimate: own, method: "quadrature" })
             }
-            typed => {
-                let found = self.by_quadrature(quantity, at, &[at], typed.map(Some), |open| integrate(open).map(Some));
-                found.and_then(|reading| finite(reading, quantity.coordinate(), at))
-            }
+            typed => self.by_quadrature(ask, typed).and_then(|reading| finite(reading, symbol, ask.reach())),
         }
     }
 
@@ -247,15 +250,10 @@ impl<'a> Evaluator<'a> {
     /// As [`Self::slope`].
     pub fn height(&self, r: f64) -> Result<Reading, TransformError> {
         self.check_domain("r", r)?;
-        let heights = self.height_forms()?;
-        let mut forms = Vec::new();
-        for (breakpoints, pieces) in &heights.chains {
-            let Some(piece) = pieces.get(breakpoints.iter().filter(|b| **b <= r).count()) else {
-                return Err(TransformError::OutOfDomain { symbol: "r", at: r, limit: String::new() });
-            };
-            forms.push(piece);
+        if let Method::Only(way) = self.method {
+            return way.answer(self, Ask::Height(r)).and_then(|found| finite(found, "r", r));
         }
-        let estimate = Estimate::from_bounded(total(&forms, &[r], good_enough(self.tolerance)), 0);
+        let estimate = total(&self.forms_of_height(r)?, &[r], good_enough(self.tolerance));
         let plain = Reading { estimate, method: "exact" };
         if self.method != Method::Quadrature && (self.method == Method::Exact || estimate.relative_error() <= self.tolerance) {
             return finite(Some(plain), "r", r);
@@ -265,59 +263,55 @@ impl<'a> Evaluator<'a> {
         finite(Some(better), "r", r)
     }
 
+    /// The pieces of f at r, one per chain.
+    pub(crate) fn forms_of_height(&self, r: f64) -> Result<Vec<&ClosedForm>, TransformError> {
+        let piece =
+            |(breakpoints, pieces): &'_ (Vec<f64>, Vec<ClosedForm>)| breakpoints.iter().filter(|b| **b <= r).count().min(pieces.len());
+        let chains = self.height_forms()?.chains.iter();
+        let forms = chains.map(|own| own.1.get(piece(own)).ok_or(TransformError::OutOfDomain { symbol: "r", at: r, limit: String::new() }));
+        forms.collect()
+    }
+
     /// G(a) = ∫₀^a g dx: from the closed forms where that keeps its digits, else as one integral of its own.
     ///
     /// # Errors
     /// As [`Self::slope`].
     pub fn integral(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
+        if let Method::Only(way) = self.method {
+            return way.answer(self, Ask::Integral(a)).and_then(|found| finite(found, "a", a));
+        }
         if self.method != Method::Quadrature {
-            let (slope, force) = (self.slope(a)?, self.force(a)?);
-            let closed = Bounded::exact(a) * slope.estimate.bounded() - force.estimate.bounded();
-            let (evaluations, bound) =
-                (slope.estimate.evaluations + force.estimate.evaluations, slope.estimate.bound.and(force.estimate.bound));
-            let closed = refined(closed, closed.value, good_enough(self.tolerance), || self.precise_integral(a).unwrap_or(Precise::nan()));
-            let estimate = Estimate::from_bounded(closed, evaluations).resting_on(bound);
-            let own = Reading { estimate, method: slope.method };
-            if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
+            let own = self.integral_of_parts(a)?;
+            if self.method == Method::Exact || own.estimate.relative_error() <= self.tolerance {
                 return Ok(own);
             }
-            let mut whole = self.typed()?.integral(a, self.tolerance);
-            let is_poor = |own: &Result<Estimate, TransformError>| !own.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance);
-            let beats = |other: &Estimate, own: &Result<Estimate, _>| own.as_ref().map_or(true, |own| other.is_better_than(*own));
-            // What the typed f′ takes away from itself the recognised one has not.
-            if is_poor(&whole)
-                && let Ok(other) = self.recognised().and_then(|own| own.integral(a, self.tolerance))
-                && beats(&other, &whole)
-            {
-                // Next to the end of a root the rounding of the nodes shows between them, which no difference of values tells in full.
-                whole = Ok(Estimate { error: 2.0 * other.error, ..other });
-            }
-            if is_poor(&whole)
-                && let Ok(series) = SeriesEvaluator::with(&self.solution.profile, &self.bindings, ORDER)
-                && let Ok(Reading { estimate: series, .. }) = series.integral(a)
-                && (series.value != 0.0 || series.error > 0.0)
-                && beats(&series, &whole)
-            {
-                whole = Ok(series);
-            }
-            return match whole {
-                Ok(whole) if whole.is_better_than(estimate) => Ok(Reading { estimate: whole, method: "quadrature" }),
-                Err(error) if !estimate.error.is_finite() => Err(error),
-                _ => Ok(own),
-            };
+            return Ok(self.or_the_whole(own, Ask::Integral(a))?.unwrap_or(own));
         }
         Ok(Reading { estimate: self.typed()?.integral(a, self.tolerance)?, method: "quadrature" })
     }
 
+    /// a g(a) − F/(2E*), each in its own way, and with 30 digits where that cancels and nothing is left to integrate.
+    pub(crate) fn integral_of_parts(&self, a: f64) -> Result<Reading, TransformError> {
+        let (slope, force) = (self.slope(a)?, self.force(a)?);
+        let closed = Bounded::exact(a) * slope.estimate.bounded() - force.estimate.bounded();
+        // What the two were found from.
+        let both = slope.estimate + force.estimate;
+        let precise = || self.precise_integral(a).unwrap_or((Precise::nan(), THIRTY_DIGITS));
+        let closed = refined(closed, closed.value, good_enough(self.tolerance), precise);
+        let way = if closed.way == DOUBLES { both.way } else { closed.way };
+        let estimate = Estimate { evaluations: both.evaluations, bound: both.bound, way, ..closed };
+        Ok(Reading { estimate, method: slope.method })
+    }
+
     /// a g(a) − F/(2E*) with 30 digits, where nothing is left to integrate.
-    fn precise_integral(&self, a: f64) -> Result<Precise, TransformError> {
-        let (Some(slope), Some(force)) =
-            (self.with_30_digits(Superposed::Equivalent, &[a])?, self.with_30_digits(Superposed::Force, &[a])?)
-        else {
-            return Ok(Precise::nan());
+    fn precise_integral(&self, a: f64) -> Result<(Precise, &'static str), TransformError> {
+        let forms = |quantity| self.closed_forms(quantity, a);
+        let (Some(slope), Some(force)) = (forms(Superposed::Equivalent)?, forms(Superposed::Force)?) else {
+            return Ok((Precise::nan(), THIRTY_DIGITS));
         };
-        Ok(Precise::exact(a).mul(slope).sub(force))
+        let ((slope, way), (force, _)) = (precise_total(&slope, &[a]), precise_total(&force, &[a]));
+        Ok((Precise::exact(a).mul(slope).sub(force), way))
     }
 
     /// The closed form with 30 digits: g(x) at `[x]`, F/(2E*) at `[a]`, p π/E* at `[r, a]`, r < a; `None` where something is left to integrate.
@@ -325,7 +319,12 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// [`TransformError`] where an answer cannot be compiled.
     pub fn with_30_digits(&self, quantity: Superposed, inputs: &[f64]) -> Result<Option<Precise>, TransformError> {
-        let contact = inputs.last().copied().unwrap_or(0.0);
+        let forms = self.closed_forms(quantity, inputs.last().copied().unwrap_or(0.0))?;
+        Ok(forms.map(|forms| precise_total(&forms, inputs).0))
+    }
+
+    /// The closed forms of every chain for a contact that ends at a radius; `None` where something is left to integrate.
+    pub(crate) fn closed_forms(&self, quantity: Superposed, contact: f64) -> Result<Option<Vec<&ClosedForm>>, TransformError> {
         let mut forms = Vec::new();
         for index in 0..self.chains.len() {
             let part = self.part(index, quantity)?;
@@ -334,7 +333,7 @@ impl<'a> Evaluator<'a> {
             }
             forms.extend(part.closed.get(self.interval(index, contact)).and_then(Option::as_ref));
         }
-        Ok(Some(precise_total(&forms, inputs)))
+        Ok(Some(forms))
     }
 
     /// u_z(r) outside a contact of radius a < r with a smooth edge.
@@ -344,7 +343,11 @@ impl<'a> Evaluator<'a> {
     pub fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
         beyond_the_edge("r", r, a)?;
-        let found = self.combine(Superposed::Outside, a, &[r, a], |open| open.displacement(r, a, self.tolerance).map(Some));
+        let ask = Ask::Outside { r, a };
+        let found = match self.method {
+            Method::Only(way) => way.answer(self, ask),
+            _ => self.combine(Superposed::Outside, ask),
+        };
         found.and_then(|reading| finite(reading, "r", r))
     }
 
@@ -366,13 +369,16 @@ impl<'a> Evaluator<'a> {
         if self.method == Method::Exact {
             return Err(TransformError::NoClosedForm { quantity: "the stress below the surface" });
         }
+        if let Method::Only(way) = self.method {
+            return way.answer(self, Ask::Axial { z, a }).and_then(|found| finite(found, "z", z));
+        }
         let estimate = self.typed()?.axial(z, a, self.tolerance);
         let poor = |own: &Estimate| own.relative_error() > self.tolerance;
         if estimate.as_ref().map_or(true, poor)
             && let Ok(other) = self.recognised().and_then(|own| own.axial(z, a, self.tolerance))
             && estimate.as_ref().map_or(true, |own| other.is_better_than(*own))
         {
-            return Ok(Reading { estimate: other, method: "quadrature" });
+            return Ok(Reading { estimate: other.by(RECOGNISED), method: "quadrature" });
         }
         Ok(Reading { estimate: estimate?, method: "quadrature" })
     }

@@ -109,7 +109,6 @@ impl InverseNumbers {
                 _ => sum(),
             },
         };
-        let closed = Estimate::from_bounded(closed, 0);
         let estimate = if any_open { closed + open } else { closed };
         let method = match (!forms.is_empty(), any_open) {
             (true, true) => "mixed",

@@ -6,6 +6,7 @@
 use crate::derive::profile::Profile;
 use crate::eval::{Series, SeriesError, constant_value, power_series};
 use crate::evaluate::evaluator::Reading;
+use crate::evaluate::ways::SERIES;
 use crate::expr::{Bindings, Expr};
 use crate::integrate::error::TransformError;
 use crate::num::{Bounded, Estimate, forms, kappa::kappa};
@@ -172,7 +173,7 @@ impl SeriesEvaluator {
         if !remainder.is_finite() || !total.is_finite() {
             return Err(SeriesFailure::NoBound { symbol, at: x });
         }
-        let estimate = Estimate::from_bounded(Bounded { error: (total.error + remainder) * (1.0 + MARGIN), ..total }, 0);
+        let estimate = Estimate::from_bounded(Bounded { error: (total.error + remainder) * (1.0 + MARGIN), ..total }, 0).by(SERIES);
         Ok(Reading { estimate, method: "series" })
     }
 

@@ -1,6 +1,6 @@
 //! Closed forms over slices: blocks of points on every core, and the scalar way for the points that need another one.
 
-use crate::derive::closed_form::{ClosedForm, good_enough};
+use crate::derive::closed_form::{ClosedForm, DOUBLES, good_enough};
 use crate::derive::kinks::is_below;
 use crate::derive::superposed::Superposed;
 use crate::eval::{BlockInput, BlockScratch};
@@ -23,28 +23,42 @@ pub struct Slice<'a> {
     pub values: &'a mut [f64],
     /// Bounds of their errors, if they are wanted.
     pub errors: Option<&'a mut [f64]>,
-    /// How each value was found, as in [`Reading`], if that is wanted.
-    pub methods: Option<&'a mut [&'static str]>,
-    /// Evaluations of f′ that each value cost, if they are wanted; 0 for a closed form.
-    pub evaluations: Option<&'a mut [u64]>,
-    /// What each error rests on, if that is wanted.
-    pub bounds: Option<&'a mut [Bound]>,
+    /// How each value was found, if that is wanted.
+    pub origins: Option<&'a mut [Origin]>,
+}
+
+/// How a value was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Origin {
+    /// As in [`Reading`].
+    pub method: &'static str,
+    /// The key of the way, as in [`Estimate`].
+    pub way: &'static str,
+    /// Evaluations of f′ that the value cost; 0 for a closed form.
+    pub evaluations: u64,
+    /// What the error rests on.
+    pub bound: Bound,
+}
+
+impl Origin {
+    /// A closed form in double precision.
+    pub const CLOSED: Self = Self { method: "exact", way: DOUBLES, evaluations: 0, bound: Bound::Proven };
 }
 
 impl<'a> Slice<'a> {
     /// Values alone.
     pub fn values(values: &'a mut [f64]) -> Self {
-        Self { values, errors: None, methods: None, evaluations: None, bounds: None }
+        Self { values, errors: None, origins: None }
     }
 
     /// Whether nothing but values is wanted.
     fn is_plain(&self) -> bool {
-        self.errors.is_none() && self.methods.is_none() && self.evaluations.is_none() && self.bounds.is_none()
+        self.errors.is_none() && self.origins.is_none()
     }
 
     /// Values and bounds of their errors.
     pub fn bounded(values: &'a mut [f64], errors: &'a mut [f64]) -> Self {
-        Self { values, errors: Some(errors), methods: None, evaluations: None, bounds: None }
+        Self { values, errors: Some(errors), origins: None }
     }
 }
 
@@ -135,12 +149,7 @@ impl Evaluator<'_> {
         out: Slice<'_>,
         scalar: &(impl Fn(f64) -> Result<Option<Reading>, TransformError> + Sync),
     ) -> Result<(), TransformError> {
-        let wanted_too = [
-            out.errors.as_ref().map(|e| e.len()),
-            out.methods.as_ref().map(|m| m.len()),
-            out.evaluations.as_ref().map(|n| n.len()),
-            out.bounds.as_ref().map(|b| b.len()),
-        ];
+        let wanted_too = [out.errors.as_ref().map(|e| e.len()), out.origins.as_ref().map(|o| o.len())];
         if let Some(buffer) = wanted_too.into_iter().flatten().chain([out.values.len()]).find(|length| *length != points.len()) {
             return Err(TransformError::Buffer { points: points.len(), buffer });
         }
@@ -193,7 +202,7 @@ impl Evaluator<'_> {
 
     /// The closed forms, where they alone are the answer; `None` where every point goes the scalar way.
     fn forms(&self, wanted: Wanted) -> Result<Option<Vec<Forms<'_>>>, TransformError> {
-        if self.method == Method::Quadrature {
+        if matches!(self.method, Method::Quadrature | Method::Only(_)) {
             return Ok(None);
         }
         let Wanted::Superposed(quantity, _) = wanted else {
@@ -233,20 +242,12 @@ impl Evaluator<'_> {
             let range = index * CHUNK..index * CHUNK + points.len();
             let Some(values) = out.values.get_mut(range.clone()) else { continue };
             let mut errors = out.errors.as_deref_mut().and_then(|errors| errors.get_mut(range.clone()));
-            let mut methods = out.methods.as_deref_mut().and_then(|methods| methods.get_mut(range.clone()));
-            let mut evaluations = out.evaluations.as_deref_mut().and_then(|evaluations| evaluations.get_mut(range.clone()));
-            let mut bounds = out.bounds.as_deref_mut().and_then(|bounds| bounds.get_mut(range));
-            if let Some(bounds) = &mut bounds {
-                bounds.fill(Bound::Proven);
-            }
-            if let Some(evaluations) = &mut evaluations {
-                evaluations.fill(0);
-            }
+            let mut origins = out.origins.as_deref_mut().and_then(|origins| origins.get_mut(range));
             let done = forms
                 .as_ref()
                 .is_some_and(|forms| self.closed(forms, wanted, points, values, errors.as_deref_mut(), &mut scratch).is_some());
-            if let Some(methods) = &mut methods {
-                methods.fill("exact");
+            if let Some(origins) = &mut origins {
+                origins.fill(Origin::CLOSED);
             }
             if done && all_enough(values, errors.as_deref(), good) {
                 continue;
@@ -268,14 +269,8 @@ impl Evaluator<'_> {
                 if let Some(error) = error {
                     *error = found.error;
                 }
-                if let Some(method_of) = methods.as_deref_mut().and_then(|methods| methods.get_mut(place)) {
-                    *method_of = method;
-                }
-                if let Some(count) = evaluations.as_deref_mut().and_then(|evaluations| evaluations.get_mut(place)) {
-                    *count = found.evaluations;
-                }
-                if let Some(bound) = bounds.as_deref_mut().and_then(|bounds| bounds.get_mut(place)) {
-                    *bound = found.bound;
+                if let Some(origin) = origins.as_deref_mut().and_then(|origins| origins.get_mut(place)) {
+                    *origin = Origin { method, way: found.way, evaluations: found.evaluations, bound: found.bound };
                 }
             }
         }
@@ -474,16 +469,13 @@ fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), Transfo
         return run(points, out);
     }
     let mut errors = out.errors.map(|errors| errors.chunks_mut(TASK));
-    let mut methods = out.methods.map(|methods| methods.chunks_mut(TASK));
-    let mut counts = out.evaluations.map(|evaluations| evaluations.chunks_mut(TASK));
-    let mut bounds = out.bounds.map(|bounds| bounds.chunks_mut(TASK));
+    let mut origins = out.origins.map(|origins| origins.chunks_mut(TASK));
     let tasks: Vec<(&[f64], Slice<'_>)> = points
         .chunks(TASK)
         .zip(out.values.chunks_mut(TASK))
         .map(|(points, values)| {
-            let (errors, methods) = (errors.as_mut().and_then(Iterator::next), methods.as_mut().and_then(Iterator::next));
-            let (evaluations, bounds) = (counts.as_mut().and_then(Iterator::next), bounds.as_mut().and_then(Iterator::next));
-            (points, Slice { values, errors, methods, evaluations, bounds })
+            let (errors, origins) = (errors.as_mut().and_then(Iterator::next), origins.as_mut().and_then(Iterator::next));
+            (points, Slice { values, errors, origins })
         })
         .collect();
     // The first error by place, whichever thread is faster.

@@ -108,6 +108,22 @@ pub enum TransformError {
         /// The tolerance.
         requested: f64,
     },
+    /// No answer in the way that was demanded.
+    #[error("the way {way} has no answer here: {reason}")]
+    NotThisWay {
+        /// The key of the way.
+        way: &'static str,
+        /// Why not.
+        reason: &'static str,
+    },
+    /// A way that does not compute the quantity.
+    #[error("the way {way} does not compute {quantity}")]
+    NoSuchWay {
+        /// The key of the way.
+        way: &'static str,
+        /// The key of the quantity.
+        quantity: &'static str,
+    },
     /// No closed form where one was demanded.
     #[error("no closed form is known for {quantity} of this profile")]
     NoClosedForm {

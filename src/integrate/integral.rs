@@ -3,7 +3,7 @@
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
 use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
-use crate::integrate::admit::{beyond_the_edge, finite_and_not_negative};
+use crate::integrate::ask::{BISECTION, By, GAUSS, NESTED, PIECES, by, not_this_way};
 use crate::integrate::error::TransformError;
 use crate::integrate::segment::Segment;
 use crate::integrate::source::analytic_bound::AnalyticBound;
@@ -140,6 +140,11 @@ impl NumericProfile {
         Ok(self)
     }
 
+    /// The number of intervals on which f′ is not 0.
+    pub(crate) fn intervals(&self) -> usize {
+        self.segments.len()
+    }
+
     /// True where nothing is left to integrate.
     pub fn is_empty(&self) -> bool {
         self.segments.is_empty()
@@ -167,75 +172,6 @@ impl NumericProfile {
     /// True where a piece that is not flat lies below the contact's end, so that no integral is exactly 0 but by underflow.
     pub(crate) fn reaches(&self, contact: f64) -> bool {
         self.segments.iter().any(|segment| segment.lower.value < contact)
-    }
-
-    /// g(x) = x ∫₀^{π/2} f′(x sin t) dt.
-    ///
-    /// # Errors
-    /// [`TransformError`] where f′ is not finite below x, or no digits can be promised.
-    pub fn slope(&self, x: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        finite_and_not_negative("x", x)?;
-        Ok(self.over_angle(x, Weight::Slope, tolerance, None)?.scaled(x))
-    }
-
-    /// F(a)/(2E*) = ∫₀^a r² f′/√(a²−r²) dr, for a smooth edge.
-    ///
-    /// # Errors
-    /// As [`Self::slope`].
-    pub fn force(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        finite_and_not_negative("a", a)?;
-        Ok(self.over_angle(a, Weight::Force, tolerance, None)?.scaled(a).scaled(a))
-    }
-
-    /// g(x) by bisection with one Gauss–Kronrod rule, for those who want to know what a rule costs.
-    ///
-    /// # Errors
-    /// As [`Self::slope`].
-    pub fn slope_by(&self, x: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
-        finite_and_not_negative("x", x)?;
-        Ok(self.over_angle(x, Weight::Slope, tolerance, Some(rule))?.scaled(x))
-    }
-
-    /// F(a)/(2E*) by bisection with one Gauss–Kronrod rule.
-    ///
-    /// # Errors
-    /// As [`Self::slope`].
-    pub fn force_by(&self, a: f64, tolerance: f64, rule: Rule) -> Result<Estimate, TransformError> {
-        finite_and_not_negative("a", a)?;
-        Ok(self.over_angle(a, Weight::Force, tolerance, Some(rule))?.scaled(a).scaled(a))
-    }
-
-    /// G(a) = ∫₀^a g dx = ∫₀^a f′ √(a²−r²) dr.
-    ///
-    /// # Errors
-    /// As [`Self::slope`].
-    pub fn integral(&self, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        finite_and_not_negative("a", a)?;
-        Ok(self.over_angle(a, Weight::Integral, tolerance, None)?.scaled(a).scaled(a))
-    }
-
-    /// The displacement u_z(r) outside a contact of radius a < r with a smooth edge.
-    ///
-    /// # Errors
-    /// As [`Self::slope`].
-    pub fn displacement(&self, r: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
-        finite_and_not_negative("a", a)?;
-        beyond_the_edge("r", r, a)?;
-        let found = self.over_angle(a, Weight::Outside(r), tolerance, None)?;
-        let factor = Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI) * Bounded::exact(a);
-        Ok(found.times(factor))
-    }
-
-    /// ∫ f′(x sin t)·weight dt over all intervals below x.
-    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
-        if let [segment] = self.segments.as_slice() {
-            return segment.over_angle(x, weight, tolerance, rule);
-        }
-        let mut total = Estimate::exact(0.0);
-        for segment in &self.segments {
-            total = total + segment.over_angle(x, weight, tolerance, rule)?;
-        }
-        Ok(total)
     }
 }
 
@@ -280,10 +216,18 @@ pub(crate) const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-
 pub(crate) const MOST: usize = 61;
 
 impl NumericSegment {
-    /// The part of the integral on this interval, by nested rules where no other is named; 0 where it begins beyond x.
-    fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
-        let found = self.any_over_angle(x, weight, tolerance, rule)?;
-        self.seen(found, x)
+    /// The part of the integral on this interval; 0 where it begins beyond x.
+    pub(crate) fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, by: By) -> Result<Estimate, TransformError> {
+        let smear = self.smear(x);
+        if self.lower.value >= x {
+            return Ok(Estimate { error: smear, ..Estimate::exact(0.0) });
+        }
+        let found = match by {
+            By::Cheapest => self.in_the_cheapest_way(x, weight, tolerance)?,
+            By::Rule(rule) => self.by_bisection(x, weight, tolerance, Some(rule))?,
+            By::Only(key) => self.in_the_way(key, x, weight, tolerance)?.ok_or(not_this_way(key))?,
+        };
+        self.seen(Estimate { error: found.error + smear, ..found }, x)
     }
 
     /// The estimate, unless every sample of a formula vanished and no enclosure says that the formula does.
@@ -292,22 +236,41 @@ impl NumericSegment {
         if nothing { Err(TransformError::NoDigits { at, value: 0.0, error: found.error }) } else { Ok(found) }
     }
 
-    fn any_over_angle(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
-        let lower = self.lower.value;
-        let smear = self.smear(x);
-        if lower >= x {
-            return Ok(Estimate { error: smear, ..Estimate::exact(0.0) });
-        }
-        let cuts = if rule.is_none() { self.slope.cuts(self.upper.map_or(x, |upper| upper.value.min(x)) - lower) } else { Vec::new() };
-        if rule.is_none() && cuts.is_empty() {
-            let found = match self.by_known_rule(x, weight, tolerance)? {
-                Some(found) => Some(found),
-                None => self.by_pieces_or_nested(x, weight, tolerance)?,
-            };
-            if let Some(found) = found {
-                return Ok(Estimate { error: found.error + smear, ..found });
+    fn in_the_cheapest_way(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Estimate, TransformError> {
+        if self.slope_cuts(x).is_empty() {
+            if let Some(found) = by(GAUSS, self.by_known_rule(x, weight, tolerance))? {
+                return Ok(found);
+            }
+            if let Some(found) = self.by_pieces_or_nested(x, weight, tolerance)? {
+                return Ok(found);
             }
         }
+        self.by_bisection(x, weight, tolerance, None)
+    }
+
+    /// In the way of a key; `None` where it has no answer.
+    fn in_the_way(&self, key: &'static str, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        let found = match key {
+            BISECTION => self.by_bisection(x, weight, tolerance, None).map(Some),
+            // Where f′ itself is known in parts only, every rule would reach over their ends.
+            _ if !self.slope_cuts(x).is_empty() => Ok(None),
+            GAUSS => self.by_known_rule(x, weight, tolerance),
+            PIECES => self.by_pieces(x, weight, tolerance),
+            NESTED => self.by_nested_rules(x, weight, tolerance),
+            _ => Ok(None),
+        };
+        by(key, found)
+    }
+
+    /// Places within the interval below x at which f′ is cut into parts, counted from the lower end.
+    fn slope_cuts(&self, x: f64) -> Vec<f64> {
+        self.slope.cuts(self.upper.map_or(x, |upper| upper.value.min(x)) - self.lower.value)
+    }
+
+    /// By adaptive quadrature over the angle, with the default rule where no other is named.
+    fn by_bisection(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
+        let lower = self.lower.value;
+        let cuts = if rule.is_none() { self.slope_cuts(x) } else { Vec::new() };
         let end = self.upper.map_or(f64::INFINITY, |u| u.value);
         let width = forms::angle_between(lower, end, x);
         let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };
@@ -370,26 +333,27 @@ impl NumericSegment {
         };
         let found = settle(result, x, || magnitude(width, inner))?;
         let mut found = modest(found, rel_tol * found.value.abs(), tolerance * found.value.abs());
-        // The rounding of the angle, and of the interval's ends.
-        found.error += 8.0 * f64::EPSILON * found.value.abs() + smear;
-        Ok(found)
+        // The rounding of the angle.
+        found.error += 8.0 * f64::EPSILON * found.value.abs();
+        Ok(found.by(BISECTION))
     }
 
     /// By pieces with a proof, or by nested rules. Next to the end of f′ these have a variable made for it: they come first where nothing
     /// narrow can hide, and are believed elsewhere where they have more digits and the proof does not exclude them.
     fn by_pieces_or_nested(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+        let nested = || by(NESTED, self.by_nested_rules(x, weight, tolerance));
         let end = self.limit.as_ref().filter(|limit| x > NEAR_THE_LIMIT * limit.value.value);
         if end.is_some_and(|end| end.is_featureless(self.lower.value))
-            && let Ok(Some(found)) = self.by_nested_rules(x, weight, tolerance)
+            && let Ok(Some(found)) = nested()
         {
             return Ok(Some(found));
         }
         let near_the_end = end.is_some();
-        let proven = self.by_pieces(x, weight, tolerance).ok().flatten();
+        let proven = by(PIECES, self.by_pieces(x, weight, tolerance)).ok().flatten();
         let nested = match proven {
             Some(proven) if !near_the_end || proven.error <= tolerance * proven.value.abs() => return Ok(Some(proven)),
-            _ if near_the_end => self.by_nested_rules(x, weight, tolerance).ok().flatten(),
-            _ => self.by_nested_rules(x, weight, tolerance)?,
+            _ if near_the_end => nested().ok().flatten(),
+            _ => nested()?,
         };
         Ok(match (proven, nested) {
             (Some(proven), Some(nested)) => Some(if nested.is_better_than(proven) { nested } else { proven }),

@@ -6,8 +6,10 @@
 
 pub(crate) mod abel;
 pub(crate) mod admit;
+pub(crate) mod ask;
 pub(crate) mod error;
 pub(crate) mod integral;
+pub(crate) mod numbers;
 pub(crate) mod pressure;
 pub(crate) mod segment;
 pub(crate) mod source;

@@ -1,7 +1,7 @@
 //! Records as JSON: one document, numbers as the shortest decimals that read back, null with a reason where there is none.
 
 use super::{Compared, Derivation, Evaluation, Unchecked};
-use crate::contact::{self, Measured, Reason};
+use crate::contact::{self, Asked, Measured, Reason};
 use crate::expr::{Expr, Formula};
 use crate::print::{self, Notation, Prose, Renaming};
 use crate::transform::{self, Derived, Reading, Rule, Verdict};
@@ -327,7 +327,10 @@ struct Points<'a>(&'a Evaluation<'a>);
 
 impl Serialize for Points<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.at.iter().zip(&self.0.readings).map(|(at, reading)| Point::new(*at, reading)))
+        let Evaluation { at, readings, ways, .. } = self.0;
+        let own = |place: usize| ways.as_ref().map(|ways| ways.get(place).into_iter().flatten().map(Way::of).collect());
+        let points = at.iter().zip(readings).enumerate();
+        serializer.collect_seq(points.map(|(place, (at, reading))| Point { ways: own(place), ..Point::new(*at, reading) }))
     }
 }
 
@@ -339,9 +342,34 @@ struct Point<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     bound: Option<&'static str>,
     method: Option<&'static str>,
+    way: Option<&'static str>,
     evaluations: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     why: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ways: Option<Vec<Way<'a>>>,
+}
+
+/// What one way answered.
+#[derive(Serialize)]
+struct Way<'a> {
+    id: &'static str,
+    value: Option<f64>,
+    error_estimate: Option<f64>,
+    bound: Option<&'static str>,
+    steps: u64,
+    why: Option<&'a str>,
+}
+
+impl<'a> Way<'a> {
+    fn of(asked: &'a Asked) -> Self {
+        let (found, why) = match &asked.found {
+            Ok(found) => (Some(found), None),
+            Err(why) => (None, Some(why.as_str())),
+        };
+        let (value, error_estimate) = (found.and_then(|own| finite(own.value)), found.and_then(|own| finite(own.error)));
+        Self { id: asked.way, value, error_estimate, bound: found.map(|own| own.bound.name()), steps: asked.steps, why }
+    }
 }
 
 impl<'a> Point<'a> {
@@ -349,7 +377,8 @@ impl<'a> Point<'a> {
         match reading {
             Ok(reading) => Self::of(at, reading),
             Err(reason) => {
-                Self { at, value: None, error_estimate: None, bound: None, method: None, evaluations: 0, why: Some(reason.text()) }
+                let why = Some(reason.text());
+                Self { at, value: None, error_estimate: None, bound: None, method: None, way: None, evaluations: 0, why, ways: None }
             }
         }
     }
@@ -362,7 +391,8 @@ impl<'a> Point<'a> {
             _ => None,
         };
         let bound = error_estimate.map(|_| reading.estimate.bound.name());
-        Self { at, value, error_estimate, bound, method: Some(reading.method), evaluations: reading.estimate.evaluations, why }
+        let (method, way, evaluations) = (Some(reading.method), Some(reading.way()), reading.estimate.evaluations);
+        Self { at, value, error_estimate, bound, method, way, evaluations, why, ways: None }
     }
 }
 

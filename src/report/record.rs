@@ -1,7 +1,7 @@
 //! The records that every output format reads: what was derived, evaluated and compared.
 
 use super::open_pressure;
-use crate::contact::{Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
+use crate::contact::{Asked, Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
 use crate::expr::{Expr, Formula};
 use crate::print::{Prose, Renaming};
 use crate::transform::{Check, Derived, Profile, TransformError};
@@ -141,6 +141,8 @@ pub struct Evaluation<'a> {
     pub at: Vec<f64>,
     /// The readings, one per coordinate.
     pub readings: Vec<Measured>,
+    /// What every way answers at each coordinate, if that is wanted.
+    pub ways: Option<Vec<Vec<Asked>>>,
     /// The units in which all of these are counted.
     pub units: Units,
 }

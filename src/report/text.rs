@@ -39,7 +39,26 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
             Err(reason) => [number(*at), "-".to_owned(), "-".to_owned(), reason.text().to_owned()],
         })
     };
-    table(&header, rows, out)
+    table(&header, rows, out)?;
+    let asked = record.ways.iter().flatten();
+    record.at.iter().zip(&record.readings).zip(asked).try_for_each(|((at, reading), asked)| {
+        let chosen = reading.as_ref().map_or("none", |own| own.way());
+        writeln!(out, "\nWays to {} at {} = {}; the answer is that of {chosen}:", record.quantity, record.coordinate, number(*at))?;
+        let rows = || {
+            asked.iter().map(|own| match &own.found {
+                Ok(found) => {
+                    let numbers = [number(found.value), error(found), found.bound.name().to_owned()];
+                    let [value, error, bound] = numbers;
+                    [own.way.to_owned(), value, error, bound, own.steps.to_string(), String::new()]
+                }
+                Err(why) => {
+                    let none = || "-".to_owned();
+                    [own.way.to_owned(), none(), none(), none(), own.steps.to_string(), why.clone()]
+                }
+            })
+        };
+        table(&["way", quantity.as_str(), "error", "bound", "steps", "why not"], rows, out)
+    })
 }
 
 /// Writes the same numbers as comma-separated values; where there is no number the field is empty.

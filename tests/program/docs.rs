@@ -24,13 +24,19 @@ struct Example {
     output: Vec<String>,
 }
 
+/// With `SNEDDON_WRITE` set the documents are given the answers of today instead: `just examples`.
 #[test]
 fn examples_run_and_answer_as_shown() {
     let mut faults = Vec::new();
     for document in documents() {
         let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("docs").join(document.file_stem().unwrap());
         fs::create_dir_all(&place).unwrap();
-        for example in examples(&fs::read_to_string(&document).unwrap()) {
+        let text = fs::read_to_string(&document).unwrap();
+        if std::env::var_os("SNEDDON_WRITE").is_some() {
+            fs::write(&document, rewritten(&text, &place)).unwrap();
+            continue;
+        }
+        for example in examples(&text) {
             if let Some(fault) = fault(&example, &place) {
                 faults.push(format!("{}:{}: {}\n{fault}", document.display(), example.line, example.command));
             }
@@ -196,16 +202,32 @@ fn documents() -> Vec<PathBuf> {
     found
 }
 
-/// Runs one example in the given directory; what differs, if anything does.
-fn fault(example: &Example, place: &Path) -> Option<String> {
+/// The document with what its examples answer below them.
+fn rewritten(text: &str, place: &Path) -> String {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for example in examples(text).iter().rev().filter(|example| !example.output.is_empty()) {
+        let first = example.line - 1 + example.command.lines().count();
+        let (_, answer) = run(example, place);
+        lines.splice(first..first + example.output.len(), answer.trim_end().lines().map(str::to_owned));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Runs one example in the given directory: its exit code, and what a terminal shows.
+fn run(example: &Example, place: &Path) -> (Option<i32>, String) {
     let program = Path::new(env!("CARGO_BIN_EXE_sneddon"));
     let path = format!("{}:{}", program.parent().unwrap().display(), std::env::var("PATH").unwrap_or_default());
     // Both streams go where a terminal shows them.
     let script = format!("exec 2>&1\n{}", example.command);
     let done = Command::new("sh").args(["-c", &script]).current_dir(place).env("PATH", path).env("NO_COLOR", "1").output().unwrap();
-    let answer = String::from_utf8_lossy(&done.stdout).into_owned();
-    if done.status.code() != Some(example.exit) {
-        return Some(format!("exit {:?} instead of {}\n{answer}", done.status.code(), example.exit));
+    (done.status.code(), String::from_utf8_lossy(&done.stdout).into_owned())
+}
+
+/// What differs from what is shown, if anything does.
+fn fault(example: &Example, place: &Path) -> Option<String> {
+    let (exit, answer) = run(example, place);
+    if exit != Some(example.exit) {
+        return Some(format!("exit {exit:?} instead of {}\n{answer}", example.exit));
     }
     let shown = example.output.join("\n");
     let differs = !example.output.is_empty() && shown.trim_end() != answer.trim_end();

@@ -18,3 +18,4 @@ mod steps;
 mod tradeoff;
 mod typesetting;
 mod units;
+mod ways;

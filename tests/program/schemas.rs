@@ -213,7 +213,7 @@ fn what_breaks_a_schema_is_found() {
     let schema = schema("eval");
     let good = json!({ "schema": "sneddon/eval/1", "quantity": "F", "method": "exact", "coordinate": "a", "profile": { "text": "r", "latex": "r" },
         "parameters": {}, "effective_modulus": 1.0, "radius": null, "depth": null, "shift": null,
-        "points": [{ "at": 1.0, "value": null, "error_estimate": null, "method": null, "evaluations": 0, "why": "it is infinite" }] });
+        "points": [{ "at": 1.0, "value": null, "error_estimate": null, "method": null, "way": null, "evaluations": 0, "why": "it is infinite" }] });
     let count = |document: &Value| {
         let mut found = Vec::new();
         faults(&schema, document, &schema, "", &mut found);

@@ -24,3 +24,4 @@ mod tables;
 mod typed;
 mod typed_quadrature;
 mod units;
+mod ways;

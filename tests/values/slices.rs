@@ -4,7 +4,7 @@
 use sneddon::expr::Bindings;
 use sneddon::num::work;
 use sneddon::parse;
-use sneddon::transform::{Evaluator, Method, Profile, Reading, Slice, Solution, Superposed, TransformError, derive};
+use sneddon::transform::{Evaluator, Method, Origin, Profile, Reading, Slice, Solution, Superposed, TransformError, derive};
 use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
 use std::sync::atomic::AtomicBool;
@@ -141,10 +141,10 @@ fn what_cannot_be_answered_is_an_error() {
     assert!(matches!(outside, Err(TransformError::OutOfDomain { at: 2.5, .. })), "{outside:?}");
     evaluator.slopes(&[], Slice::values(&mut [])).unwrap();
     let cone = solution("r");
-    let (mut values, mut errors, mut methods) = ([0.0; 2], [0.0; 2], [""; 2]);
-    let out = Slice { methods: Some(&mut methods), ..Slice::bounded(&mut values, &mut errors) };
+    let (mut values, mut errors, mut origins) = ([0.0; 2], [0.0; 2], [Origin::CLOSED; 2]);
+    let out = Slice { origins: Some(&mut origins), ..Slice::bounded(&mut values, &mut errors) };
     self::evaluator(&cone, 1e-13).pressures(&[0.0, 0.5], 1.0, out).unwrap();
-    assert_eq!((values[0], errors[0], methods), (f64::INFINITY, f64::INFINITY, ["infinite", "exact"]));
+    assert_eq!((values[0], errors[0], origins.map(|own| own.method)), (f64::INFINITY, f64::INFINITY, ["infinite", "exact"]));
 }
 
 /// The second pass is taken for digits that are wanted, and a looser tolerance never costs more evaluations.

@@ -51,29 +51,39 @@ pub struct Estimate {
     pub evaluations: u64,
     /// Whether the error is proven or rests on samples.
     pub bound: Bound,
+    /// The key of the way that found the number; empty where nothing was computed, [`Self::SEVERAL`] where parts were found in different ways.
+    pub way: &'static str,
 }
 
 impl Estimate {
     /// A proven error of at most this share of the value is better than any estimated one, however small the other claims to be: samples
     /// may miss what enclosures see.
     pub const TRUSTED: f64 = 1e-3;
+    /// The way of a number whose parts were found in different ways.
+    pub const SEVERAL: &'static str = "mixed";
 
     /// A number that is what it is said to be.
     #[must_use]
     pub fn exact(value: f64) -> Self {
-        Self { value, error: 0.0, evaluations: 0, bound: Bound::Proven }
+        Self { value, error: 0.0, evaluations: 0, bound: Bound::Proven, way: "" }
     }
 
     /// A number whose error was judged by samples.
     #[must_use]
     pub fn estimated(value: f64, error: f64, evaluations: u64) -> Self {
-        Self { value, error, evaluations, bound: Bound::Estimated }
+        Self { value, error, evaluations, bound: Bound::Estimated, way: "" }
     }
 
     /// A proven number that cost `evaluations` calls, from an error-carrying number.
     #[must_use]
     pub fn from_bounded(number: Bounded, evaluations: u64) -> Self {
-        Self { value: number.value, error: number.error, evaluations, bound: Bound::Proven }
+        Self { value: number.value, error: number.error, evaluations, bound: Bound::Proven, way: "" }
+    }
+
+    /// The same number, found in the way of this key.
+    #[must_use]
+    pub fn by(self, way: &'static str) -> Self {
+        Self { way, ..self }
     }
 
     /// The same number without the count of evaluations and without what its error rests on, for further arithmetic.
@@ -174,7 +184,19 @@ impl std::ops::Add for Estimate {
     /// The sum of two independent estimates: errors and evaluations add up, and it is proven where both are.
     fn add(self, other: Self) -> Self {
         let Bounded { value, error } = self.bounded() + other.bounded();
-        Self { value, error, evaluations: self.evaluations.saturating_add(other.evaluations), bound: self.bound.and(other.bound) }
+        let way = match (self.way, other.way) {
+            (own, "") => own,
+            ("", own) => own,
+            (own, next) => {
+                if own == next {
+                    own
+                } else {
+                    Self::SEVERAL
+                }
+            }
+        };
+        let evaluations = self.evaluations.saturating_add(other.evaluations);
+        Self { value, error, evaluations, bound: self.bound.and(other.bound), way }
     }
 }
 

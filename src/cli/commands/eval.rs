@@ -5,13 +5,16 @@ use crate::cli::output::{Destination, Endings};
 use crate::cli::precision::PrecisionArguments;
 use crate::cli::quantities::Quantities;
 use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
-use crate::contact::{self, Contact, ContactError, Measured, Quantity, Reason};
+use crate::contact::{self, Asked, Contact, ContactError, Explained, Measured, Quantity, Reason};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
 use crate::report::{self, Evaluation, Shift, Units};
 use crate::scene::Dimension;
-use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError};
-use clap::ValueEnum;
+use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError, WAYS, Way};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::error::ErrorKind;
+use clap::{Arg, Command};
+use std::ffi::OsStr;
 use std::path::PathBuf;
 
 /// Computes numbers, each with a bound of its error.
@@ -39,8 +42,11 @@ pub(in crate::cli) struct Arguments {
     #[arg(long, value_name = "VALUE", default_value = "1", allow_hyphen_values = true)]
     effective_modulus: String,
     /// Which way; auto takes the cheapest one that meets the tolerance.
-    #[arg(long, value_enum, default_value_t = Way::Auto)]
-    method: Way,
+    #[arg(long, value_parser = Methods, default_value = "auto")]
+    method: Chosen,
+    /// Shows what every way to each number answers, and its steps of work; not with --csv.
+    #[arg(long, conflicts_with = "csv")]
+    explain: bool,
     /// The highest power of r that --method series keeps [default: 20].
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     order: Option<String>,
@@ -75,18 +81,45 @@ const TOLERANCE: f64 = 1e-13;
 /// The relative error that is worth a warning where no tolerance was given.
 const FEW_DIGITS: f64 = 1e-8;
 
-#[derive(Clone, Copy, ValueEnum)]
-enum Way {
-    /// The cheapest way that meets the tolerance.
-    Auto,
-    /// Closed forms only.
-    Exact,
-    /// Quadrature of the profile as typed.
-    Quadrature,
+#[derive(Clone, Copy, PartialEq)]
+enum Chosen {
+    /// One way, or the best of several, at each point.
+    Method(Method),
     /// The power series at r = 0, term by term.
     Series,
     /// One piecewise expansion of f′ for all points, checked against quadrature: for many points.
     Curve,
+}
+
+/// Reads a method or the key of a way.
+#[derive(Clone)]
+struct Methods;
+
+/// The methods that are none of the ways to one number.
+const METHODS: [(&str, &str, Chosen); 5] = [
+    ("auto", "the cheapest way that meets the tolerance", Chosen::Method(Method::Auto)),
+    ("exact", "closed forms only", Chosen::Method(Method::Exact)),
+    ("quadrature", "quadrature of the profile as typed", Chosen::Method(Method::Quadrature)),
+    ("series", "the power series at r = 0, term by term", Chosen::Series),
+    ("curve", "one piecewise expansion of f′ for all points, checked against quadrature: for many points", Chosen::Curve),
+];
+
+impl TypedValueParser for Methods {
+    type Value = Chosen;
+
+    fn parse_ref(&self, command: &Command, argument: Option<&Arg>, value: &OsStr) -> Result<Chosen, clap::Error> {
+        let known = PossibleValuesParser::new(self.possible_values().into_iter().flatten());
+        let key = known.parse_ref(command, argument, value)?;
+        let method = METHODS.iter().find(|(own, ..)| *own == key).map(|(.., chosen)| *chosen);
+        let chosen = method.or_else(|| Way::of(&key).map(|way| Chosen::Method(Method::Only(way))));
+        chosen.ok_or_else(|| clap::Error::new(ErrorKind::InvalidValue).with_cmd(command))
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let ways = WAYS.iter().filter(|way| METHODS.iter().all(|(own, ..)| *own != way.key)).map(|way| (way.key, way.title));
+        let all = METHODS.iter().map(|(key, title, _)| (*key, *title)).chain(ways);
+        Some(Box::new(all.map(|(key, title)| PossibleValue::new(key).help(title))))
+    }
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -111,8 +144,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let depth = arguments.depth.as_deref().map(|text| units.length("--depth", text)).transpose()?;
     let effective_modulus = units.modulus("--effective-modulus", &arguments.effective_modulus)?;
     let demanded = arguments.tol.as_deref().map(input::tolerance).transpose()?;
-    let (method, tolerance) = (arguments.method.method(), demanded.unwrap_or(TOLERANCE));
-    let by_series = matches!(arguments.method, Way::Series);
+    let (chosen, tolerance) = (arguments.method, demanded.unwrap_or(TOLERANCE));
+    let method = match chosen {
+        Chosen::Method(method) => method,
+        // Series and curve have their own ways; what they share with the others is cheap.
+        Chosen::Series | Chosen::Curve => Method::Quadrature,
+    };
+    let by_series = chosen == Chosen::Series;
     if by_series {
         series::refuse_rim(depth)?;
     } else {
@@ -130,7 +168,12 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let (typed, settings) = arguments.profile.read(&units)?;
     settings.demand_all(&typed)?;
-    let failed = |error: ContactError| Failure::profile(&typed.text, &error);
+    let failed = |error: ContactError| match error {
+        ContactError::Transform(TransformError::NotThisWay { .. } | TransformError::NoSuchWay { .. }) => {
+            Failure::new(error.to_string()).help("--explain lists the ways that have an answer")
+        }
+        error => Failure::profile(&typed.text, &error),
+    };
     let profile = settings.bound_profile(&typed)?;
     if profile.is_flat() && depth.is_none() && quantity.needs_contact() {
         return Err(failed(TransformError::Flat.into()));
@@ -140,12 +183,12 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
     let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
     // Series and curve answer all points together, and a contact radius belongs to all of them.
-    let together = matches!(arguments.method, Way::Series | Way::Curve) && !quantity.needs_radius() && !by_load;
+    let together = matches!(chosen, Chosen::Series | Chosen::Curve) && !quantity.needs_radius() && !by_load;
     let shared = radius.filter(|_| quantity.needs_radius()).map(|a| ("a", a));
     for (symbol, place) in at.iter().filter(|_| together).map(|place| (quantity.coordinate(), *place)).chain(shared) {
         contact.evaluator().check_domain(symbol, place).map_err(|error| failed(error.into()))?;
     }
-    let contact = if quantity.coordinate() == "d" && method != Method::Quadrature {
+    let contact = if quantity.coordinate() == "d" && matches!(method, Method::Auto | Method::Exact) {
         contact.with_explicit(contact::explicit(&solution), method == Method::Exact)
     } else {
         contact
@@ -155,7 +198,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let readings = if by_series {
         series::readings(quantity, &profile, order, &at, radius, effective_modulus)?
-    } else if matches!(arguments.method, Way::Curve) {
+    } else if chosen == Chosen::Curve {
         let radius = radius.filter(|_| quantity.needs_radius());
         let own = curve::Asked { quantity, at: &at, radius, depth, effective_modulus, tolerance: demanded };
         curve::readings(&contact, &own, failed)?
@@ -164,6 +207,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
+    let ways = if arguments.explain {
+        let explained = Explained::new(&solution, &Bindings::default(), effective_modulus, depth, tolerance).map_err(failed)?;
+        let own = |(at, reading): (&f64, &Measured)| with_the_answer(explained.ask(quantity, *at, radius.unwrap_or(*at)), reading);
+        Some(at.iter().zip(&readings).map(own).collect())
+    } else {
+        None
+    };
     let shift = shift(&profile, &settings.exact_profile(&typed).unwrap_or_else(|_| profile.clone()));
     let record = Evaluation {
         quantity: quantity.key(),
@@ -175,6 +225,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         depth,
         shift,
         at,
+        ways,
         readings: readings.into_iter().map(|own| own.map(|own| Reading { estimate: digits.of(own.estimate), ..own })).collect(),
         units: Units {
             at: units.name(quantity.coordinate_dimension()),
@@ -229,15 +280,14 @@ fn warn_of_missing_values(readings: &[Measured]) {
     }
 }
 
-impl Way {
-    fn method(self) -> Method {
-        match self {
-            Self::Auto => Method::Auto,
-            Self::Exact => Method::Exact,
-            // Series and curve have their own ways; what they share with the others is cheap.
-            Self::Quadrature | Self::Series | Self::Curve => Method::Quadrature,
-        }
+/// The list, and the answer itself where it was found in none of the ways, as numbers that follow from what was given are.
+fn with_the_answer(mut asked: Vec<Asked>, reading: &Measured) -> Vec<Asked> {
+    if let Ok(own) = reading
+        && asked.iter().all(|other| other.way != own.way())
+    {
+        asked.insert(0, Asked { way: own.way(), found: Ok(own.estimate), steps: 0 });
     }
+    asked
 }
 
 /// The readings of a list, block by block where closed forms answer.

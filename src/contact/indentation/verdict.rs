@@ -324,10 +324,9 @@ impl Indentation<'_> {
                 let value = f.estimate.value - depth + u.estimate.value;
                 surely(
                     Estimate {
-                        value,
                         error: f.estimate.error + u.estimate.error,
-                        evaluations: 0,
                         bound: f.estimate.bound.and(u.estimate.bound),
+                        ..Estimate::exact(value)
                     },
                     NOISE * depth.abs(),
                 )

@@ -4,6 +4,7 @@ use crate::derive::closed_form::{ClosedForm, good_enough, total};
 use crate::derive::kinks::is_below;
 use crate::derive::superposed::Superposed;
 use crate::evaluate::evaluator::Evaluator;
+use crate::evaluate::ways::CLOSED_SLOPE;
 use crate::evaluate::ways::pressure::MORE_DIGITS;
 use crate::expr::{Symbol, derivative};
 use crate::integrate::integral::reached;
@@ -34,7 +35,7 @@ impl Evaluator<'_> {
             let x = r * point.x.cosh();
             // x is right to a few roundings, and g′ changes over the distance to the last kink.
             let moved = 4.0 * f64::EPSILON * (1.0 + point.x) * (r / (r - last));
-            let own = total(&forms, &[x], good_enough(self.tolerance));
+            let own = total(&forms, &[x], good_enough(self.tolerance)).bounded();
             Bounded { error: own.error + moved * own.value.abs(), ..own }
         };
         let reach = (leg(a, r) / r).asinh();
@@ -50,7 +51,7 @@ impl Evaluator<'_> {
         // U is right to a few roundings.
         let end = slope(Point { x: reach, from_lower: reach, from_upper: f64::MIN_POSITIVE });
         let error = found.error + 8.0 * f64::EPSILON * reach * end.value.abs();
-        Some(Estimate { error, ..found })
+        Some(Estimate { error, ..found.by(CLOSED_SLOPE) })
     }
 
     /// g′ of every chain where the contact ends at a; `None` where something is left to integrate.

@@ -1,9 +1,11 @@
 //! One number from a solution: closed terms and integrals together, or whichever other way has more digits.
 
-use crate::derive::closed_form::{good_enough, precise_total, refined, rounded};
+use crate::derive::closed_form::{DOUBLES, good_enough, precise_total, refined, rounded};
 use crate::derive::superposed::Superposed;
 use crate::evaluate::evaluator::{Evaluator, Method, Reading};
 use crate::evaluate::series::SeriesEvaluator;
+use crate::evaluate::ways::RECOGNISED;
+use crate::integrate::ask::Ask;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Bounded, Estimate, Precise, work};
@@ -24,44 +26,37 @@ impl Evaluator<'_> {
     ///
     /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form is given about a millisecond
     /// before quadrature is asked, and half a second where quadrature misses the tolerance.
-    pub(crate) fn combine(
-        &self,
-        quantity: Superposed,
-        contact: f64,
-        inputs: &[f64],
-        integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
-    ) -> Result<Option<Reading>, TransformError> {
-        let integrate = |profile: &NumericProfile| work::bounded(|| integrate(profile));
+    pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Result<Option<Reading>, TransformError> {
         let dear = Cell::new(false);
-        let found = self.combined(quantity, contact, inputs, &integrate, Some(&dear));
+        let found = self.combined(quantity, ask, Some(&dear));
         if !dear.get() {
             return found;
         }
-        match self.by_quadrature(quantity, contact, inputs, self.typed().and_then(integrate), integrate) {
+        match self.by_quadrature(ask, self.typed().and_then(|typed| self.integrate(typed, ask))) {
             Ok(Some(other)) if other.estimate.relative_error() <= self.tolerance => Ok(Some(other)),
-            other => match work::share(DEAREST, || self.combined(quantity, contact, inputs, &integrate, None)) {
+            other => match work::share(DEAREST, || self.combined(quantity, ask, None)) {
                 Some(found) => found,
                 None => other,
             },
         }
     }
 
+    fn integrate(&self, profile: &NumericProfile, ask: Ask) -> Result<Option<Estimate>, TransformError> {
+        work::bounded(|| profile.answer(ask, self.tolerance))
+    }
+
     /// The same; where `dear` is given, closed forms that take too long are given up, and it is set.
-    fn combined(
-        &self,
-        quantity: Superposed,
-        contact: f64,
-        inputs: &[f64],
-        integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
-        dear: Option<&Cell<bool>>,
-    ) -> Result<Option<Reading>, TransformError> {
+    fn combined(&self, quantity: Superposed, ask: Ask, dear: Option<&Cell<bool>>) -> Result<Option<Reading>, TransformError> {
         work::spend(OVERHEAD);
         let dear = dear.filter(|_| self.method == Method::Auto);
-        let typed = || self.typed().and_then(integrate);
+        let coordinates = ask.coordinates();
+        let [place, contact] = coordinates;
+        let inputs = quantity.inputs(&coordinates);
+        let typed = || self.typed().and_then(|typed| self.integrate(typed, ask));
         if self.method == Method::Quadrature {
-            return self.by_quadrature(quantity, contact, inputs, typed(), integrate);
+            return self.by_quadrature(ask, typed());
         }
-        let whole = || self.integrated(typed(), integrate, contact);
+        let whole = || self.integrated(ask, typed());
         let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
         let (mut closed, mut open, mut any_open) = (Bounded::exact(0.0), Estimate::exact(0.0), false);
         let mut overflow = false;
@@ -76,7 +71,7 @@ impl Evaluator<'_> {
                 };
                 if value.value.is_infinite() {
                     // Terms that are infinite apart, at the apex or at a kink; elsewhere the value is too large for a float.
-                    if quantity == Superposed::Pressure && self.may_be_infinite(inputs.first().copied().unwrap_or(0.0)) {
+                    if quantity == Superposed::Pressure && self.may_be_infinite(place) {
                         return Ok(None);
                     }
                     overflow = true;
@@ -95,13 +90,13 @@ impl Evaluator<'_> {
                 {
                     return Ok(own);
                 }
-                let found = match integrate(&part.open) {
+                let found = match self.integrate(&part.open, ask) {
                     Ok(Some(found)) => found,
                     Ok(None) => return Ok(None),
                     // A term that underflows, or is 0/0 next to the axis: the whole may have its digits all the same.
                     // An estimate would hide what could not be resolved alone.
                     Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                        let whole = self.by_quadrature(quantity, contact, inputs, typed(), integrate)?;
+                        let whole = self.by_quadrature(ask, typed())?;
                         return whole.filter(|whole| whole.estimate.bound == Bound::Proven).map(Some).ok_or(error);
                     }
                     Err(error) => return Err(error),
@@ -111,18 +106,19 @@ impl Evaluator<'_> {
             }
         }
         let special = forms.iter().any(|form| form.tape().is_special());
-        let precise = || in_time(special, dear, DEAR_TWICE, || precise_total(&forms, inputs)).unwrap_or_else(Precise::nan);
-        let closed = if closed.value.is_finite() {
+        let precise = || in_time(special, dear, DEAR_TWICE, || precise_total(&forms, inputs)).unwrap_or((Precise::nan(), DOUBLES));
+        let closed = if forms.is_empty() {
+            Estimate::exact(0.0)
+        } else if closed.value.is_finite() {
             refined(closed, (closed + open.bounded()).value, good_enough(self.tolerance), precise)
         } else {
             // What overflows on the way may be a number all the same.
-            let exact = precise_total(&forms, inputs);
+            let (exact, way) = precise_total(&forms, inputs);
             if exact.value.hi.is_infinite() || (overflow && !exact.is_finite()) {
                 return Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact });
             }
-            rounded(exact)
+            Estimate::from_bounded(rounded(exact), 0).by(way)
         };
-        let closed = Estimate::from_bounded(closed, 0);
         let estimate = if any_open { closed + open } else { closed };
         let method = match (!forms.is_empty(), any_open) {
             (true, true) => "mixed",
@@ -141,17 +137,22 @@ impl Evaluator<'_> {
             return Ok(Some(own));
         }
         if method == "quadrature" {
-            let better = if estimate.relative_error() > SCANT { self.by_series(quantity, inputs) } else { None };
+            let better = if estimate.relative_error() > SCANT { self.by_series(ask) } else { None };
             return Ok(better.filter(|other| other.estimate.is_better_than(estimate)).or(Some(own)));
         }
-        // The closed form lost digits here, or left its domain: quadrature may have them, and next to the axis the series.
-        let mut other = whole();
+        self.or_the_whole(own, ask)
+    }
+
+    /// A number whose closed form lost digits, or left its domain; or the whole by quadrature or, next to the axis, by the series if that is
+    /// better.
+    pub(crate) fn or_the_whole(&self, own: Reading, ask: Ask) -> Result<Option<Reading>, TransformError> {
+        let mut other = self.integrated(ask, self.typed().and_then(|typed| self.integrate(typed, ask)));
         let poor = |reading: &Result<Option<Reading>, TransformError>| match reading {
             Ok(reading) => reading.is_some_and(|own| own.estimate.relative_error() > self.tolerance),
             Err(_) => true,
         };
         if poor(&other)
-            && let Some(series) = self.by_series(quantity, inputs)
+            && let Some(series) = self.by_series(ask)
             && other.as_ref().map_or(true, |own| own.is_some_and(|own| series.estimate.is_better_than(own.estimate)))
         {
             other = Ok(Some(series));
@@ -159,8 +160,8 @@ impl Evaluator<'_> {
         match other {
             Ok(Some(other)) if other.estimate.is_better_than(own.estimate) => Ok(Some(other)),
             Ok(Some(other)) => Ok(Some(Reading { estimate: own.estimate.sharpened_by(other.estimate), ..own })),
-            Ok(None) if estimate.value.is_nan() => Ok(None),
-            Err(error) if estimate.value.is_nan() => Err(error),
+            Ok(None) if own.estimate.value.is_nan() => Ok(None),
+            Err(error) if !own.estimate.error.is_finite() => Err(error),
             _ => Ok(Some(own)),
         }
     }
@@ -169,16 +170,13 @@ impl Evaluator<'_> {
     #[cold]
     pub(crate) fn by_quadrature(
         &self,
-        quantity: Superposed,
-        contact: f64,
-        inputs: &[f64],
+        ask: Ask,
         typed: Result<Option<Estimate>, TransformError>,
-        integrate: impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
     ) -> Result<Option<Reading>, TransformError> {
-        match self.integrated(typed, &integrate, contact) {
+        match self.integrated(ask, typed) {
             // An integrand that is 0/0 in doubles next to the axis may have a series.
             Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                let own = self.by_series(quantity, inputs).filter(|own| own.estimate.error < own.estimate.value.abs());
+                let own = self.by_series(ask).filter(|own| own.estimate.error < own.estimate.value.abs());
                 own.map(Some).ok_or(error)
             }
             other => other,
@@ -186,21 +184,9 @@ impl Evaluator<'_> {
     }
 
     /// The whole by quadrature of f′ as typed or, where that cancels or leaves the range of doubles, of its recognition form.
-    fn integrated(
-        &self,
-        typed: Result<Option<Estimate>, TransformError>,
-        integrate: &impl Fn(&NumericProfile) -> Result<Option<Estimate>, TransformError>,
-        contact: f64,
-    ) -> Result<Option<Reading>, TransformError> {
+    fn integrated(&self, ask: Ask, typed: Result<Option<Estimate>, TransformError>) -> Result<Option<Reading>, TransformError> {
         let by_quadrature = |estimate| Reading { estimate, method: "quadrature" };
-        // An exact 0 of a slope that is not 0 is an underflow, or a divisor that is infinite.
-        let own = |profile: &NumericProfile, found: Result<Option<Estimate>, TransformError>| match found {
-            Ok(Some(own)) if own.value == 0.0 && own.error == 0.0 && profile.reaches(contact) => {
-                Err(TransformError::NotComputable { at: contact })
-            }
-            other => other,
-        };
-        let typed = self.typed().and_then(|profile| own(profile, typed));
+        let typed = self.typed().and_then(|profile| unless_underflown(profile, ask, typed));
         let enough = match &typed {
             Ok(Some(own)) => own.relative_error() <= self.tolerance,
             Ok(None) => true,
@@ -208,25 +194,41 @@ impl Evaluator<'_> {
             Err(_) => true,
         };
         if !enough
-            && let Ok(Some(other)) = self.recognised().and_then(|profile| own(profile, integrate(profile)))
+            && let Ok(Some(other)) = self.recognised().and_then(|profile| unless_underflown(profile, ask, self.integrate(profile, ask)))
             && typed.as_ref().map_or(true, |own| own.is_some_and(|own| other.is_better_than(own)))
         {
-            return Ok(Some(by_quadrature(other)));
+            return Ok(Some(by_quadrature(other.by(RECOGNISED))));
         }
         Ok(typed?.map(by_quadrature))
     }
 
-    /// g, F or p by the power series at the axis, with a proven remainder.
-    fn by_series(&self, quantity: Superposed, inputs: &[f64]) -> Option<Reading> {
-        let order = if quantity == Superposed::Pressure { PRESSURE_ORDER } else { ORDER };
+    /// By the power series at the axis, with a proven remainder; `None` where it has no answer.
+    pub(crate) fn by_series(&self, ask: Ask) -> Option<Reading> {
+        let order = if matches!(ask, Ask::Pressure { .. }) { PRESSURE_ORDER } else { ORDER };
         let series = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order).ok()?;
-        let found = match (quantity, inputs) {
-            (Superposed::Equivalent, [x]) => series.slope(*x).ok(),
-            (Superposed::Force, [a]) => series.force(*a).ok(),
-            (Superposed::Pressure, [r, a]) if *r > 0.0 => series.pressure(*r, *a).ok(),
-            _ => None,
+        let found = match ask {
+            Ask::Equivalent(x) => series.slope(x),
+            Ask::Force(a) => series.force(a),
+            Ask::Integral(a) => series.integral(a),
+            Ask::Height(r) => series.height(r),
+            Ask::Pressure { r, a } if r > 0.0 => series.pressure(r, a),
+            Ask::Pressure { .. } | Ask::Outside { .. } | Ask::Axial { .. } => return None,
         };
-        found.filter(|own| own.estimate.value != 0.0 || own.estimate.error > 0.0)
+        found.ok().filter(|own| own.estimate.value != 0.0 || own.estimate.error > 0.0)
+    }
+}
+
+/// The integral, unless it is an exact 0 of a slope that is not 0: an underflow, or a divisor that is infinite.
+pub(crate) fn unless_underflown(
+    profile: &NumericProfile,
+    ask: Ask,
+    found: Result<Option<Estimate>, TransformError>,
+) -> Result<Option<Estimate>, TransformError> {
+    match found? {
+        Some(own) if own.value == 0.0 && own.error == 0.0 && profile.reaches(ask.reach()) => {
+            Err(TransformError::NotComputable { at: ask.reach() })
+        }
+        other => Ok(other),
     }
 }
 

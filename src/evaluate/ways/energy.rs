@@ -27,11 +27,12 @@ impl Evaluator<'_> {
         let mut ends = vec![0.0];
         ends.extend(self.breakpoints_below(a));
         ends.push(a);
-        let (evaluations, bound) = (Cell::new(0), Cell::new(Bound::Proven));
+        let (evaluations, bound, way) = (Cell::new(0), Cell::new(Bound::Proven), Cell::new(""));
         let slope = |x: f64| match self.slope(x) {
             Ok(Reading { estimate, .. }) => {
                 evaluations.set(evaluations.get() + estimate.evaluations + 1);
                 bound.set(bound.get().and(estimate.bound));
+                way.set(estimate.way);
                 estimate.bounded()
             }
             // NaN ends the sum; the nested rules report the error.
@@ -58,7 +59,7 @@ impl Evaluator<'_> {
         let largest = ends.iter().map(|at| size(depth - slope(*at))).fold(0.0, f64::max);
         let more = Bounded { value: 0.0, error: 4.0 * skipped * largest * largest };
         let found = work::share(LONGEST, || proven_sum(&mut ranges, more, TOLERANCE, a))?.ok()??;
-        let estimate = Estimate { evaluations: evaluations.get(), ..found }.resting_on(bound.get());
+        let estimate = Estimate { evaluations: evaluations.get(), ..found }.resting_on(bound.get()).by(way.get());
         Some(Ok(Reading { estimate, method: "quadrature" }))
     }
 }

@@ -1,6 +1,7 @@
 //! f itself as the integral of f′, for what knows f′ alone and to check a formula by.
 
 use crate::integrate::admit::finite_and_not_negative;
+use crate::integrate::ask::BISECTION;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{GRADES, NumericProfile, NumericSegment, magnitude, settle};
 use crate::num::bounded::UNIT;
@@ -24,7 +25,7 @@ impl NumericProfile {
                 total = total + segment.rise(length, r, tolerance)?;
             }
         }
-        Ok(total)
+        Ok(total.by(BISECTION))
     }
 }
 

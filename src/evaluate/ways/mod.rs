@@ -1,10 +1,238 @@
-//! Quantities that combine closed forms with integrals: sums, pressures, heights and energies.
+//! The ways to a number: one entry each, for `--method`, for the list of `--explain` and for the tests of their bounds.
 //!
-//! Each file extends the evaluator by one quantity.
-//! `combine` returns the more accurate of the available results.
+//! A way answers alone, or says that it has no answer at a place.
+//! Each other file extends the evaluator by one quantity; `combine` asks ways in the order of their cost and returns the most accurate result.
 
 pub(crate) mod closed_slope;
 pub(crate) mod combine;
 pub(crate) mod energy;
 pub(crate) mod height;
 pub(crate) mod pressure;
+
+use crate::derive::closed_form::{
+    ClosedForm, DOUBLES, THIRTY_DIGITS, WIDE_EXPONENT, good_enough, in_30_digits, in_doubles, in_wide, rounded, total,
+};
+use crate::derive::superposed::Superposed;
+use crate::evaluate::evaluator::{Evaluator, Reading};
+use crate::evaluate::ways::combine::unless_underflown;
+use crate::evaluate::ways::pressure::FIRST_DIGITS;
+use crate::integrate::ask::{Ask, BISECTION, ELLIPTIC, GAUSS, LEGENDRE, LEGENDRE_SAMPLED, NESTED, OVER_U, OVER_U_SAMPLED, PIECES};
+use crate::integrate::error::TransformError;
+use crate::num::{Bound, Bounded, Estimate, Precise};
+use std::fmt;
+
+/// The key of the integral of the derivative of a closed g …
+pub(crate) const CLOSED_SLOPE: &str = "closed-slope";
+/// … of integrals over the recognition form of f′ …
+pub(crate) const RECOGNISED: &str = "recognised";
+/// … and of the power series at the axis.
+pub(crate) const SERIES: &str = "series";
+
+/// One way to a number.
+pub struct Way {
+    /// The key, as `--method` takes it.
+    pub key: &'static str,
+    /// What is done.
+    pub title: &'static str,
+    /// The keys of the quantities that it computes: f, g, G, F, p, u outside the contact, and the stress on the axis.
+    pub quantities: &'static [&'static str],
+    /// The best that its error may rest on.
+    pub bound: Bound,
+    /// Why it has no answer where it has none.
+    pub missing: &'static str,
+    /// `exact`, `quadrature`, `series` or `mixed`.
+    method: &'static str,
+    run: Run,
+}
+
+/// The number, found in this way; `None` where it has no answer.
+type Run = fn(&Way, &Evaluator<'_>, Ask) -> Result<Option<Estimate>, TransformError>;
+
+const OPEN: &str = "a term has no closed form, or overflows on the way";
+const UNPROVEN: &str = "enclosures of f′ do not show that a rule suffices";
+const UNMET: &str = "the rules miss the tolerance, or f′ has a kink below the contact radius";
+
+/// Every way, roughly in the order of their cost.
+pub static WAYS: [Way; 16] = [
+    closed(DOUBLES, "closed forms in double precision"),
+    closed(THIRTY_DIGITS, "closed forms with 30 digits, rounded once"),
+    closed(WIDE_EXPONENT, "closed forms with 30 digits and an exponent that does not overflow"),
+    Way {
+        missing: "no term has a closed form, and f′ has one interval",
+        method: "mixed",
+        run: in_parts,
+        ..integral(Estimate::SEVERAL, "closed terms, and every integral of the others in the cheapest way", ALL, Bound::Proven)
+    },
+    integral(GAUSS, "one Gauss rule, which an enclosure of f′ proves to suffice", &["g", "F", "G"], Bound::Proven),
+    integral(LEGENDRE, "Legendre terms of f′, a proven number of them", &["p"], Bound::Proven),
+    integral(OVER_U, "∫ g′(r cosh u) du with proven rules", &["p"], Bound::Proven),
+    integral(PIECES, "pieces, each with a rule that an enclosure proves to suffice", &["g", "F", "G", "p"], Bound::Proven),
+    Way {
+        missing: UNMET,
+        ..integral(NESTED, "nested rules over the angle; their differences judge the error", &["g", "F", "G", "u"], Bound::Estimated)
+    },
+    Way {
+        missing: UNMET, ..integral(LEGENDRE_SAMPLED, "Legendre terms of f′; values of f′ judge the error", &["p"], Bound::Estimated)
+    },
+    Way { missing: UNMET, ..integral(OVER_U_SAMPLED, "∫ g′(r cosh u) du; nested rules judge the error", &["p"], Bound::Estimated) },
+    integral(ELLIPTIC, "∫ (r f′)′ K(r, s) dr with the elliptic kernel, by adaptive Gauss–Kronrod quadrature", &["p"], Bound::Estimated),
+    integral(BISECTION, "adaptive Gauss–Kronrod quadrature", &["f", "g", "F", "G", "u", "sigma_zz"], Bound::Estimated),
+    Way {
+        missing: "g has no closed form, or a kink lies beyond r",
+        run: by_closed_slope,
+        ..integral(CLOSED_SLOPE, "∫ g′/√(x²−r²) dx with the derivative of the closed g", &["p"], Bound::Estimated)
+    },
+    Way { run: by_recognition, ..integral(RECOGNISED, "integrals over f′ as the rules read it", ALL, Bound::Proven) },
+    Way {
+        missing: "the power series of f is not known, or not proven to converge there",
+        method: "series",
+        run: by_series,
+        ..integral(SERIES, "the power series at the axis with a proven remainder", &["f", "g", "F", "G", "p"], Bound::Proven)
+    },
+];
+
+const ALL: &[&str] = &["f", "g", "F", "G", "p", "u", "sigma_zz"];
+
+const fn closed(key: &'static str, title: &'static str) -> Way {
+    Way { missing: OPEN, method: "exact", run: by_closed_forms, ..integral(key, title, &["f", "g", "F", "G", "p", "u"], Bound::Proven) }
+}
+
+const fn integral(key: &'static str, title: &'static str, quantities: &'static [&'static str], bound: Bound) -> Way {
+    Way { key, title, quantities, bound, missing: UNPROVEN, method: "quadrature", run: by_integral }
+}
+
+impl Way {
+    /// The way of a key.
+    ///
+    /// ```
+    /// use sneddon::transform::Way;
+    /// assert_eq!(Way::of("nested").unwrap().quantities, ["g", "F", "G", "u"]);
+    /// ```
+    pub fn of(key: &str) -> Option<&'static Self> {
+        WAYS.iter().find(|own| own.key == key)
+    }
+
+    /// The number that is asked for, found in this way alone; `None` where it is infinite by theory.
+    ///
+    /// # Errors
+    /// [`TransformError::NoSuchWay`] for another quantity, [`TransformError::NotThisWay`] where the way has no answer, and what
+    /// [`Evaluator::slope`] has.
+    pub(crate) fn answer(&'static self, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Reading>, TransformError> {
+        if !self.quantities.contains(&ask.key()) {
+            return Err(TransformError::NoSuchWay { way: self.key, quantity: ask.key() });
+        }
+        let none = TransformError::NotThisWay { way: self.key, reason: self.missing };
+        match (self.run)(self, evaluator, ask) {
+            Ok(Some(own)) if own.value.is_finite() && own.error.is_finite() => {
+                Ok(Some(Reading { estimate: own.by(self.key), method: self.method }))
+            }
+            Ok(_) | Err(TransformError::NotThisWay { .. }) => Err(none),
+            Err(other) => Err(other),
+        }
+    }
+}
+
+impl PartialEq for Way {
+    fn eq(&self, other: &Self) -> bool {
+        self.key == other.key
+    }
+}
+
+impl Eq for Way {}
+
+impl fmt::Debug for Way {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.key)
+    }
+}
+
+/// The quantity whose terms have closed forms.
+fn superposed(ask: Ask) -> Option<Superposed> {
+    match ask {
+        Ask::Equivalent(_) => Some(Superposed::Equivalent),
+        Ask::Force(_) => Some(Superposed::Force),
+        Ask::Pressure { .. } => Some(Superposed::Pressure),
+        Ask::Outside { .. } => Some(Superposed::Outside),
+        Ask::Integral(_) | Ask::Height(_) | Ask::Axial { .. } => None,
+    }
+}
+
+fn by_closed_forms(way: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
+    let coordinates = ask.coordinates();
+    if let Ask::Integral(a) = ask {
+        let forms = |quantity| evaluator.closed_forms(quantity, a);
+        let (Some(slope), Some(force)) = (forms(Superposed::Equivalent)?, forms(Superposed::Force)?) else { return Ok(None) };
+        let precise = |sum: fn(&[&_], &[f64]) -> Precise| rounded(Precise::exact(a).mul(sum(&slope, &[a])).sub(sum(&force, &[a])));
+        let found = match way.key {
+            DOUBLES => Bounded::exact(a) * in_doubles(&slope, &[a]) - in_doubles(&force, &[a]),
+            THIRTY_DIGITS => precise(in_30_digits),
+            _ => precise(in_wide),
+        };
+        return Ok(Some(Estimate::from_bounded(found, 0)));
+    }
+    let (forms, inputs) = match superposed(ask) {
+        Some(quantity) => match evaluator.closed_forms(quantity, ask.reach())? {
+            Some(forms) => (forms, quantity.inputs(&coordinates)),
+            None => return Ok(None),
+        },
+        None => (evaluator.forms_of_height(ask.reach())?, coordinates.split_at(1).1),
+    };
+    let found = match way.key {
+        DOUBLES => in_doubles(&forms, inputs),
+        THIRTY_DIGITS => rounded(in_30_digits(&forms, inputs)),
+        _ => rounded(in_wide(&forms, inputs)),
+    };
+    Ok(Some(Estimate::from_bounded(found, 0)))
+}
+
+fn by_integral(way: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
+    let profile = evaluator.typed()?;
+    unless_underflown(profile, ask, profile.in_the_way(way.key, ask, evaluator.tolerance))
+}
+
+fn by_recognition(_: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
+    let profile = evaluator.recognised()?;
+    unless_underflown(profile, ask, profile.answer(ask, evaluator.tolerance))
+}
+
+fn by_closed_slope(_: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
+    let [r, a] = ask.coordinates();
+    Ok(evaluator.pressure_by_closed_slope(r, a, FIRST_DIGITS))
+}
+
+fn by_series(_: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
+    // Far out a few terms and their remainder promise no digit.
+    Ok(evaluator.by_series(ask).map(|own| own.estimate).filter(|own| own.error < own.value.abs()))
+}
+
+/// Closed terms and the integrals of the others; where no term is closed, f′ interval by interval.
+fn in_parts(_: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
+    let coordinates = ask.coordinates();
+    let sum = |forms: &[&ClosedForm], inputs: &[f64]| total(forms, inputs, good_enough(evaluator.tolerance));
+    let Some(quantity) = superposed(ask) else {
+        return match ask {
+            Ask::Height(r) => Ok(Some(sum(&evaluator.forms_of_height(r)?, &[r]))),
+            Ask::Integral(a) => evaluator.integral_of_parts(a).map(|own| Some(own.estimate)),
+            _ => by_intervals(evaluator, ask),
+        };
+    };
+    let (mut open, mut forms) = (Estimate::exact(0.0), Vec::new());
+    for index in 0..evaluator.chains.len() {
+        let part = evaluator.part(index, quantity)?;
+        forms.extend(part.closed.get(evaluator.interval(index, ask.reach())).and_then(Option::as_ref));
+        if !part.open.is_empty() {
+            let Some(found) = part.open.answer(ask, evaluator.tolerance)? else { return Ok(None) };
+            open = open + found;
+        }
+    }
+    if forms.is_empty() { by_intervals(evaluator, ask) } else { Ok(Some(sum(&forms, quantity.inputs(&coordinates)) + open)) }
+}
+
+/// f′ as typed, where it has several intervals.
+fn by_intervals(evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
+    let profile = evaluator.typed()?;
+    if profile.intervals() < 2 {
+        return Ok(None);
+    }
+    unless_underflown(profile, ask, profile.answer(ask, evaluator.tolerance))
+}

@@ -8,8 +8,10 @@ use crate::derive::domain;
 use crate::derive::superposed::Superposed;
 use crate::eval::constant_value;
 use crate::evaluate::evaluator::{Evaluator, Method, Reading};
+use crate::evaluate::ways::RECOGNISED;
 use crate::expr::{Bindings, Expr, Symbol, normal};
 use crate::integrate::admit::finite_and_not_negative;
+use crate::integrate::ask::Ask;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Estimate, work};
@@ -17,7 +19,7 @@ use crate::num::{Bound, Estimate, work};
 /// Steps of work that a few more digits of a pressure are worth: some twenty milliseconds …
 pub(crate) const MORE_DIGITS: u64 = 2_000_000;
 /// … and the first ones.
-const FIRST_DIGITS: u64 = 50_000_000;
+pub(crate) const FIRST_DIGITS: u64 = 50_000_000;
 /// A pressure as rough as this has not many digits yet.
 const ROUGH: f64 = 1e-7;
 
@@ -42,7 +44,10 @@ impl Evaluator<'_> {
         if special && self.is_infinite_at(r)? {
             return Ok(None);
         }
-        let mut found = self.combine(Superposed::Pressure, a, &[r, a], |open| open.pressure(r, a, self.tolerance));
+        if let Method::Only(way) = self.method {
+            return way.answer(self, Ask::Pressure { r, a });
+        }
+        let mut found = self.combine(Superposed::Pressure, Ask::Pressure { r, a });
         let poor = |own: &Reading| own.method != "exact" && own.estimate.relative_error() > self.tolerance && !is_trusted(own.estimate);
         let most = worth(found.as_ref().ok().and_then(Option::as_ref));
         if self.method == Method::Auto
@@ -126,7 +131,7 @@ impl Evaluator<'_> {
         if axial.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance) {
             return axial;
         }
-        let recognised = self.recognised().and_then(|own| own.axial(0.0, a, self.tolerance));
+        let recognised = self.recognised().and_then(|own| Ok(own.axial(0.0, a, self.tolerance)?.by(RECOGNISED)));
         // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
         let direct = typed.pressure(0.0, a, self.tolerance).and_then(|own| own.ok_or(TransformError::NotComputable { at: a }));
         let better = |best: Result<Estimate, TransformError>, other: Result<Estimate, TransformError>| match (&best, &other) {

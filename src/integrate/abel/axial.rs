@@ -1,6 +1,7 @@
 //! The stress on the axis below the surface, as one integral straight from f′ whose weight is positive.
 
 use crate::integrate::admit::finite_and_not_negative;
+use crate::integrate::ask::BISECTION;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericProfile, NumericSegment, magnitude, settle};
 use crate::integrate::source::slope::Scratch;
@@ -25,7 +26,7 @@ impl NumericProfile {
         for segment in &self.segments {
             total = total + segment.axial(z, a, tolerance)?;
         }
-        Ok(total)
+        Ok(total.by(BISECTION))
     }
 }
 

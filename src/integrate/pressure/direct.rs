@@ -1,6 +1,7 @@
 //! The pressure by one integral straight from f′ and f″, with its logarithmic singularity and its kinks.
 
 use crate::integrate::admit::finite_and_not_negative;
+use crate::integrate::ask::{BISECTION, ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U_SAMPLED, PIECES, not_this_way};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{MOST, NumericProfile, NumericSegment, reached, settled, with_ulps};
 use crate::integrate::source::endpoint::Endpoint;
@@ -19,23 +20,54 @@ impl NumericProfile {
     pub fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         finite_and_not_negative("r", s)?;
         finite_and_not_negative("a", a)?;
-        let proven = self.pressure_by_proven_series(s, a, tolerance).or_else(|| self.proven_pressure(s, a, tolerance));
-        let found = proven.or_else(|| self.pressure_by_series(s, a, tolerance)).or_else(|| self.pressure_by_slopes(s, a, tolerance));
-        match found {
+        let way = |key: &'static str| self.pressure_of_smooth(key, s, a, tolerance);
+        let proven = way(LEGENDRE).or_else(|| self.proven_pressure(s, a, tolerance));
+        match proven.or_else(|| way(LEGENDRE_SAMPLED)).or_else(|| way(OVER_U_SAMPLED)) {
             Some(found) => Ok(Some(found)),
             None => self.stress_direct(s, a, tolerance),
         }
     }
 
+    /// The same in the way of a key alone.
+    ///
+    /// # Errors
+    /// As [`Self::pressure`], and [`TransformError::NotThisWay`] where the way has no answer.
+    pub(crate) fn pressure_in_the_way(
+        &self,
+        key: &'static str,
+        s: f64,
+        a: f64,
+        tolerance: f64,
+    ) -> Result<Option<Estimate>, TransformError> {
+        match key {
+            ELLIPTIC => self.stress_direct(s, a, tolerance),
+            BISECTION if s == 0.0 => self.axial(0.0, a, tolerance).map(Some),
+            _ => self.pressure_of_smooth(key, s, a, tolerance).map(Some).ok_or(not_this_way(key)),
+        }
+    }
+
+    /// In one of the ways for a pressure whose integrals have no kinks, or are cut there; `None` where it has no answer.
+    fn pressure_of_smooth(&self, key: &'static str, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
+        let found = match key {
+            LEGENDRE => self.pressure_by_proven_series(s, a, tolerance),
+            OVER_U => self.pressure_by_proven_slopes(s, a, tolerance),
+            PIECES if s == 0.0 => self.pressure_on_axis(a, tolerance),
+            PIECES => self.pressure_by_pieces(s, a, tolerance),
+            LEGENDRE_SAMPLED => self.pressure_by_series(s, a, tolerance),
+            OVER_U_SAMPLED => self.pressure_by_slopes(s, a, tolerance),
+            _ => None,
+        };
+        found.map(|own| own.by(key))
+    }
+
     /// By values of g′ or by pieces, the better one where neither meets the tolerance.
     fn proven_pressure(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         let enough = |own: &Estimate| own.error <= tolerance * own.value.abs();
-        let slopes = self.pressure_by_proven_slopes(s, a, tolerance);
+        let slopes = self.pressure_of_smooth(OVER_U, s, a, tolerance);
         if slopes.as_ref().is_some_and(enough) {
             return slopes;
         }
-        let pieces = if s == 0.0 { self.pressure_on_axis(a, tolerance) } else { self.pressure_by_pieces(s, a, tolerance) };
-        match (slopes, pieces) {
+        match (slopes, self.pressure_of_smooth(PIECES, s, a, tolerance)) {
             (Some(one), Some(other)) => Some(if one.is_better_than(other) { one } else { other }),
             (one, other) => one.or(other),
         }
@@ -63,7 +95,7 @@ impl NumericProfile {
             }
         }
         let found = Estimate::from_bounded(total, 0) + parts;
-        settled(found, a, || size).map(Some)
+        settled(found.by(ELLIPTIC), a, || size).map(Some)
     }
 
     /// Σ b δ K(b, s) over the jumps δ of f′; `None` at one of them.

@@ -6,7 +6,7 @@ use crate::integrate::integral::{NumericSegment, Weight};
 use crate::integrate::source::slope::Numbers;
 use crate::num::bounded::UNIT;
 use crate::num::quadrature::{Extent, Form, Known};
-use crate::num::{Bound, Estimate, Region, work};
+use crate::num::{Estimate, Region, work};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -158,7 +158,7 @@ impl NumericSegment {
         let found = known.mean(&mut integrand).map_err(|_| TransformError::NotComputable { at: x })?;
         let value = scale * found.value;
         let error = scale * (found.left_out + found.noise) + 8.0 * UNIT * value.abs();
-        let estimate = Estimate { value, error, evaluations: found.evaluations, bound: Bound::Proven };
+        let estimate = Estimate { error, evaluations: found.evaluations, ..Estimate::exact(value) };
         Ok(Found { estimate, mean: found.value, scale, left_out: found.left_out, noise: found.noise })
     }
 

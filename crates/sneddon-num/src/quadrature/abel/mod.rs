@@ -166,9 +166,9 @@ fn times(found: Result<Estimate, NumError>, x: f64) -> Result<Estimate, NumError
     };
     let too_large = NumError::OutOfDomain { what: "upper end of an Abel integral", got: x, accepted: "x where the value is a double" };
     match found {
-        Ok(Estimate { value, error, evaluations, bound }) => {
-            let (value, error) = by(value, error);
-            if value.is_finite() && error.is_finite() { Ok(Estimate { value, error, evaluations, bound }) } else { Err(too_large) }
+        Ok(own) => {
+            let (value, error) = by(own.value, own.error);
+            if value.is_finite() && error.is_finite() { Ok(Estimate { value, error, ..own }) } else { Err(too_large) }
         }
         Err(NumError::ToleranceNotReached { value, error, requested, evaluations }) => {
             let (value, error) = by(value, error);

@@ -1,0 +1,75 @@
+//! Every way to a number of a contact, each asked alone.
+
+use super::{Contact, ContactError, Measured, Quantity};
+use crate::expr::Bindings;
+use crate::num::{Estimate, work};
+use crate::transform::{Evaluator, Method, Solution, TransformError, WAYS, Way};
+
+/// Steps of work that one way may take for one point, about a fifth of a second.
+const MOST_STEPS: u64 = 20_000_000;
+
+/// What one way answered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// The key of the way.
+    pub way: &'static str,
+    /// The number, or why there is none.
+    pub found: Result<Estimate, String>,
+    /// Steps of work that it took; those of a formula count when it is compiled, at the first point.
+    pub steps: u64,
+}
+
+/// A contact whose numbers are asked for in each of [`WAYS`] alone.
+pub struct Explained<'a> {
+    contacts: Vec<(&'static Way, Contact<'a>)>,
+}
+
+impl<'a> Explained<'a> {
+    /// The contact of [`Contact::new`], once for each way.
+    ///
+    /// ```
+    /// use sneddon::{contact::{Explained, Quantity}, expr::Bindings, parse, transform::{Profile, derive}};
+    /// let solution = derive(&Profile::new(&parse::profile("r^2/4").unwrap()).unwrap()).unwrap();
+    /// let explained = Explained::new(&solution, &Bindings::default(), 1.0, None, 1e-13).unwrap();
+    /// let asked = explained.ask(Quantity::Force, 1.0, 1.0);
+    /// // F = (4/3) a³/R with R = 2
+    /// assert!(asked.iter().filter_map(|own| own.found.as_ref().ok()).all(|own| (own.value - 2.0 / 3.0).abs() <= own.error));
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Evaluator::new`].
+    pub fn new(
+        solution: &'a Solution,
+        bindings: &Bindings,
+        effective_modulus: f64,
+        depth: Option<f64>,
+        tolerance: f64,
+    ) -> Result<Self, ContactError> {
+        let contact = |way| {
+            let evaluator = Evaluator::new(solution, bindings, Method::Only(way), tolerance)?;
+            Ok((way, Contact::new(evaluator, effective_modulus, depth, tolerance)))
+        };
+        Ok(Self { contacts: WAYS.iter().map(contact).collect::<Result<_, ContactError>>()? })
+    }
+
+    /// What every way that computes the quantity answers at a place or load; `radius` is the contact radius of a field.
+    pub fn ask(&self, quantity: Quantity, at: f64, radius: f64) -> Vec<Asked> {
+        self.contacts.iter().filter_map(|(way, contact)| asked(way, contact, quantity, at, radius)).collect()
+    }
+}
+
+/// What one way answers; `None` if the quantity is not found in ways such as this one.
+fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, radius: f64) -> Option<Asked> {
+    let (answer, steps, whole) = work::apart(MOST_STEPS.min(work::left()), || quantity.number(contact, at, radius));
+    work::spend(steps);
+    let found = match answer {
+        _ if !whole => Err(format!("it takes more than {steps} steps of work")),
+        Err(ContactError::Transform(TransformError::NoSuchWay { .. })) => return None,
+        Err(ContactError::Transform(TransformError::NotThisWay { reason, .. })) => Err(reason.to_owned()),
+        Err(error) => Err(error.to_string()),
+        Ok(Measured::Err(reason)) => Err(reason.text().to_owned()),
+        Ok(Measured::Ok(own)) if own.estimate.way == way.key => Ok(own.estimate),
+        Ok(Measured::Ok(_)) => return None,
+    };
+    Some(Asked { way: way.key, found, steps })
+}
