@@ -9,7 +9,7 @@ use sneddon::expr::{Bindings, Expr, Formula, Number, Symbol};
 use sneddon::num::work::{self, Budget};
 use sneddon::num::{Bound as Ground, Estimate};
 use sneddon::parse;
-use sneddon::print::Renaming;
+use sneddon::print::Presentation;
 use sneddon::report::{self, Compared, Derivation, Inversion, Unchecked, Wanted, inversion};
 use sneddon::transform::{self, FromPressure, Inverse, InverseNumbers, Method, Profile, TransformError};
 
@@ -65,7 +65,7 @@ pub(crate) fn derive(py: Python<'_>, text: &str, names: Vec<String>, values: Vec
             edge: &edge,
             relations: &relations,
             asked: &[],
-            names: &Renaming::default(),
+            presentation: &Presentation::of(&typed),
             check,
         };
         written(|out| report::json::derivation(&record, None, out))
@@ -150,7 +150,7 @@ pub(crate) fn invert(py: Python<'_>, text: &str, pressure: bool) -> PyResult<Str
             at: Vec::new(),
             readings: Vec::new(),
         };
-        written(|out| inversion::json(&record, None, &Renaming::default(), out))
+        written(|out| inversion::json(&record, None, &Presentation::of(&asked.equivalent), out))
     });
     Ok(document??)
 }

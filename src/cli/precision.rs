@@ -1,4 +1,4 @@
-//! The option `--precision`: the number of digits in text and CSV.
+//! The option `--precision`, the number of digits in text and CSV, and how numbers of digits are read.
 
 use super::Failure;
 use crate::report::Digits;
@@ -17,15 +17,23 @@ impl PrecisionArguments {
     /// [`Failure`] for anything but a whole number from 1 to 17, and for formats that are never rounded.
     pub(super) fn digits(&self, rounds: bool) -> Result<Digits, Failure> {
         let Some(text) = &self.precision else { return Ok(Digits::default()) };
-        let digits = text.trim().parse().ok().and_then(Digits::significant).ok_or_else(|| {
-            Failure::new(format!("--precision {} is not a number of digits", text.trim()))
-                .help(format!("expected a whole number from 1 to {}", Digits::MOST))
-                .at("--precision", text, 0..text.len())
-        })?;
+        let digits = significant("--precision", text, |text| text.parse().ok().and_then(Digits::significant))?;
         if rounds {
             Ok(digits)
         } else {
             Err(Failure::new("--precision rounds text and CSV; other formats have all digits").help("leave --precision out"))
         }
     }
+}
+
+/// Returns the number of digits that an option has.
+///
+/// # Errors
+/// [`Failure`] for anything but a whole number from 1 to 17, of which `read` makes nothing.
+pub(super) fn significant<T>(option: &str, text: &str, read: impl Fn(&str) -> Option<T>) -> Result<T, Failure> {
+    read(text.trim()).ok_or_else(|| {
+        Failure::new(format!("{option} {} is not a number of digits", text.trim()))
+            .help(format!("expected a whole number from 1 to {}", Digits::MOST))
+            .at(option, text, 0..text.len())
+    })
 }

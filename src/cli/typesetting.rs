@@ -1,11 +1,12 @@
-//! Flags about how formulas are set: whole documents, the width of lines, and other names of symbols.
+//! Flags about how formulas are set: whole documents, the width of lines, names of symbols, digits of numbers, and logarithms.
 
 use super::Failure;
 use super::output::Endings;
+use super::precision::significant;
 use crate::expr::Formula;
 use crate::parse;
-use crate::print::Renaming;
-use crate::report::page;
+use crate::print::{Presentation, Renaming};
+use crate::report::{Digits, page};
 use clap::ValueEnum;
 
 /// The formats of derivations and inversions.
@@ -56,6 +57,21 @@ pub(super) struct TypesettingArguments {
     /// Shows symbols under other names, such as E=E_r,d=\\delta.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     symbols: Vec<String>,
+    /// Rounds decimals, and fractions of longer numbers, to N significant digits in print, from 1 to 17 [default: exact].
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    digits: Option<String>,
+    /// Writes inverse hyperbolic functions as arsinh, arcosh and artanh, or as logarithms.
+    #[arg(long, value_name = "FORM", value_enum, default_value = "ar")]
+    inverse_hyperbolic: InverseHyperbolic,
+}
+
+/// How inverse hyperbolic functions are written.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum InverseHyperbolic {
+    /// As functions: arsinh z, arcosh z, artanh z; in text asinh(z), acosh(z), atanh(z).
+    Ar,
+    /// As logarithms: ln(z + sqrt(z^2 + 1)), ln(z + sqrt(z^2 - 1)), ln((1 + z)/(1 - z))/2.
+    Log,
 }
 
 impl TypesettingArguments {
@@ -69,8 +85,16 @@ impl TypesettingArguments {
         Ok(page::Style { standalone: self.standalone, width: self.width.map(usize::from) })
     }
 
+    /// What is changed in the formulas of an answer to a profile.
+    pub(super) fn presentation(&self, profile: &Formula) -> Result<Presentation, Failure> {
+        let count = |text: &str| text.parse().ok().filter(|own: &u32| (1..=Digits::MOST).contains(&(*own as usize)));
+        let digits = self.digits.as_deref().map(|text| significant("--digits", text, count)).transpose()?;
+        let logarithms = self.inverse_hyperbolic == InverseHyperbolic::Log;
+        Ok(Presentation { names: self.names(profile)?, digits, logarithms, ..Presentation::of(profile) })
+    }
+
     /// The names that are shown; two symbols of an answer never get the same one.
-    pub(super) fn names(&self, profile: &Formula) -> Result<Renaming, Failure> {
+    fn names(&self, profile: &Formula) -> Result<Renaming, Failure> {
         const HELP: &str = "write NAME=NAME, such as --symbols 'E=E_r,d=\\delta'; a name is a letter or a word, with an index behind _";
         let mut pairs: Vec<(String, String)> = Vec::new();
         for item in &self.symbols {

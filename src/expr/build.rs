@@ -262,6 +262,7 @@ fn fold_root(base: &Number, exponent: &Expr) -> Option<Expr> {
     if whole == 0 && outside.is_one() {
         return None;
     }
+    let outside = if base.has_decimals() { outside.with_decimals() } else { outside };
     let root = Expr::raw(Node::Power(Expr::number(inner), Expr::ratio(rest, i64::from(k))));
     Some(if outside.is_one() { root } else { Expr::raw(Node::Product(vec![Expr::number(outside), root])) })
 }

@@ -184,6 +184,20 @@ impl Formula {
         }
     }
 
+    /// Every expression in the formula: closed parts, factors, breakpoints and limits.
+    pub fn expressions(&self) -> Vec<&Expr> {
+        match self {
+            Self::Closed(expr) => vec![expr],
+            Self::Sum(parts) => parts.iter().flat_map(Self::expressions).collect(),
+            Self::Scaled(factor, inner) => inner.expressions().into_iter().chain([factor]).collect(),
+            Self::Piecewise { pieces, last, .. } => {
+                let before = pieces.iter().flat_map(|(value, end)| value.expressions().into_iter().chain([end]));
+                before.chain(last.expressions()).collect()
+            }
+            Self::Integral { integrand, lower, upper, .. } => integrand.expressions().into_iter().chain([lower, upper]).collect(),
+        }
+    }
+
     /// Every symbol that occurs free.
     pub fn symbols(&self) -> std::collections::BTreeSet<Symbol> {
         match self {

@@ -29,6 +29,6 @@ pub use function::{Function, Growth, Row, SliceLaw};
 pub use leading::{LeadingTerm, leading_term};
 pub use node::{Constant, Expr, Node, Symbol};
 pub use number::Number;
-pub use shown::{has_30_digits, shown, shown_as_mathematics, shown_to_30_digits};
+pub use shown::{has_30_digits, shown, shown_as_mathematics, shown_to_30_digits, shown_with_logarithms};
 pub use sign::{Sign, sign};
 pub use substitute::Bindings;

@@ -13,7 +13,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// An exact rational number; `decimal` is a wish of the printer and no part of its identity.
 ///
 /// `0.7` is 7/10 in every computation and prints as `0.7` because it was typed that way.
-/// Sums and products with a decimal are decimals again, as long as the decimal expansion ends.
+/// Sums and products with a decimal are decimals again, as long as the decimal expansion ends; else they print as quotients.
 ///
 /// ```
 /// use sneddon::expr::Number;
@@ -81,7 +81,47 @@ impl Number {
 
     /// True where the number should print as a decimal fraction.
     pub fn is_decimal(&self) -> bool {
+        self.decimal && (self.is_integer() || ends_in_decimals(&self.value))
+    }
+
+    /// Numerator and denominator as they are printed: 0.7 over 1, and for decimals without an end 0.7 over 3 or 1 over 12.73.
+    ///
+    /// Such a quotient has no factor 5 in its digits, and a point behind the first digit of long denominators: 1.853 over 5.024.
+    /// Short ones stay fractions of whole numbers.
+    ///
+    /// ```
+    /// use sneddon::expr::Number;
+    /// let number = |text| Number::parse_decimal(text).unwrap();
+    /// let inverse = number("12.73").reciprocal().unwrap();
+    /// assert_eq!(inverse.printed_parts(), (number("1"), number("12.73")));
+    /// ```
+    pub fn printed_parts(&self) -> (Self, Self) {
+        let (p, q) = (self.value.numer(), self.value.denom());
+        if self.is_decimal() {
+            return (self.clone(), Self::integer(1));
+        }
+        let scale = if self.decimal && !self.is_short() { decimal_scale(p, q) } else { BigInt::one() };
+        let part = |own: &BigInt| {
+            let value = BigRational::new(own.clone(), scale.clone());
+            Self { decimal: !value.is_integer(), value }
+        };
+        (part(p), part(q))
+    }
+
+    /// True for decimals and for what was computed from them, such as 0.7/3, whether or not its expansion ends.
+    pub fn has_decimals(&self) -> bool {
         self.decimal
+    }
+
+    /// True for whole numbers, and for fractions whose numerator and denominator have at most two digits.
+    pub fn is_short(&self) -> bool {
+        let is_short = |own: &BigInt| own.bits() <= 7 && *own.magnitude() < 100u32.into();
+        self.is_integer() || (is_short(self.value.numer()) && is_short(self.value.denom()))
+    }
+
+    /// The same number, printed with decimals unless it is short.
+    pub fn with_decimals(&self) -> Self {
+        Self { value: self.value.clone(), decimal: self.decimal || !self.is_short() }
     }
 
     /// The same number, printed as a fraction.
@@ -183,7 +223,7 @@ impl Number {
     }
 
     fn keep(value: BigRational, decimal: bool) -> Self {
-        let decimal = decimal && !value.is_integer() && ends_in_decimals(&value);
+        let decimal = decimal && !value.is_integer();
         Self { value, decimal }
     }
 }
@@ -196,16 +236,46 @@ fn fraction(p: i128, q: i128) -> BigRational {
 
 /// True where the denominator has no prime factor besides 2 and 5 and few enough digits to print.
 fn ends_in_decimals(value: &BigRational) -> bool {
-    let mut denominator = value.denom().clone();
-    if denominator.bits() > 64 {
-        return false;
+    let (twos, fives, rest) = factors_of_ten(value.denom());
+    rest.is_one() && twos.abs_diff(fives) <= 64
+}
+
+/// The factors 2 and 5 of a positive number, and what is left of it.
+fn factors_of_ten(number: &BigInt) -> (u64, u64, BigInt) {
+    let twos = number.trailing_zeros().unwrap_or(0);
+    let mut rest = number >> twos;
+    // 5, 5², 5⁴, … as far as they divide what is left; then each of them once more from the largest down.
+    let mut powers = vec![(1, BigInt::from(5))];
+    let mut fives = 0;
+    while let Some((count, power)) = powers.last().filter(|(_, power)| (&rest % power).is_zero()) {
+        fives += count;
+        rest /= power;
+        powers.push((2 * count, power * power));
     }
-    for prime in [2, 5] {
-        while (&denominator % BigInt::from(prime)).is_zero() {
-            denominator /= BigInt::from(prime);
+    for (count, power) in powers.iter().rev() {
+        if (&rest % power).is_zero() {
+            fives += count;
+            rest /= power;
         }
     }
-    denominator.is_one()
+    (twos, fives, rest)
+}
+
+/// By what numerator and denominator of a quotient of decimals are divided.
+fn decimal_scale(p: &BigInt, q: &BigInt) -> BigInt {
+    let hundred = BigInt::from(100);
+    let fives = fives(p) * fives(q);
+    if !fives.is_one() || p.abs() < hundred || *q < hundred {
+        return fives;
+    }
+    let digits = q.to_string().len();
+    BigInt::from(10).pow(digits - 1)
+}
+
+/// All factors 5 of a number, each with a factor 2 as far as there are any.
+fn fives(number: &BigInt) -> BigInt {
+    let (twos, fives, _) = factors_of_ten(number);
+    BigInt::from(5).pow(fives) << twos.min(fives)
 }
 
 /// Rounds to the nearest `f64` by integer division of scaled operands.

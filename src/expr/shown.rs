@@ -19,6 +19,27 @@ pub fn shown_as_mathematics(expr: &Expr) -> Expr {
     replaced(expr, &|row, a| row.shown.filter(|_| !row.has_sign).map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
 }
 
+/// The same with inverse hyperbolic functions as logarithms.
+///
+/// arsinh z = ln(z + √(z²+1)), arcosh z = ln(z + √(z²−1)), artanh z = ln((1+z)/(1−z))/2.
+///
+/// ```
+/// use sneddon::expr::{Expr, shown_with_logarithms};
+/// let z = Expr::symbol("z");
+/// let logarithm = Expr::call("ln", [&z + (z.power(2) + Expr::one()).sqrt()]);
+/// assert_eq!(shown_with_logarithms(&Expr::call("asinh", [z])), logarithm);
+/// ```
+pub fn shown_with_logarithms(expr: &Expr) -> Expr {
+    let ln = |argument: Expr| Some(Expr::call("ln", [argument]));
+    let form = |row: &Row, a: &[Expr]| match (row.name, a) {
+        ("asinh", [z]) => ln(z + (z.power(2) + Expr::one()).sqrt()),
+        ("acosh", [z]) => ln(z + (z.power(2) - Expr::one()).sqrt()),
+        ("atanh", [z]) => ln((Expr::one() + z) / (Expr::one() - z)).map(|own| own / Expr::integer(2)),
+        _ => row.shown.filter(|_| !row.has_sign).map(|rule| rule(a)),
+    };
+    replaced(expr, &form).unwrap_or_else(|| expr.clone())
+}
+
 /// The expression that is evaluated with 30 digits: functions that have no value of that kind give way to what they equal,
 /// where that has.
 pub fn shown_to_30_digits(expr: &Expr) -> Expr {

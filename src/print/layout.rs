@@ -50,7 +50,7 @@ pub(super) fn layout(expr: &Expr) -> Layout {
         match factor.node() {
             Node::Number(number) => {
                 negative = number.is_negative();
-                let (number, denominator) = parts(&number.abs());
+                let (number, denominator) = number.abs().printed_parts();
                 if !number.is_one() {
                     upper.push(Factor::plain(Expr::number(number)));
                 }
@@ -108,13 +108,4 @@ fn under_one_root(factors: Vec<Factor>) -> Vec<Factor> {
         }
     }
     joined
-}
-
-/// Numerator and denominator, as they are written; a decimal is all numerator.
-fn parts(number: &Number) -> (Number, Number) {
-    if number.is_decimal() {
-        return (number.clone(), Number::integer(1));
-    }
-    let whole = |n: &num_bigint::BigInt| Number::from(num_rational::BigRational::from_integer(n.clone()));
-    (whole(number.value().numer()), whole(number.value().denom()))
 }

@@ -12,9 +12,11 @@ mod notation;
 pub(crate) mod notations;
 mod number;
 mod order;
+mod presentation;
 mod prose;
 mod renaming;
 mod roots;
+mod rounding;
 
 use crate::expr::{Condition, Expr, Formula, shown, shown_as_mathematics};
 use compose::Style;
@@ -22,6 +24,7 @@ use math::Math;
 use notations::{latex, mathml, text, typst, unicode};
 
 pub use notation::Notation;
+pub use presentation::Presentation;
 pub use prose::Prose;
 pub use renaming::Renaming;
 

@@ -1,6 +1,6 @@
 //! Sentences with formulas in them, which every notation writes in its own way.
 
-use super::{Notation, Renaming};
+use super::{Notation, Presentation};
 use crate::expr::{Condition, Formula};
 use crate::print::notations::{greek, mathml};
 
@@ -71,16 +71,16 @@ impl Prose {
         self.0.is_empty()
     }
 
-    /// The same with other names of symbols.
+    /// The same with formulas and names as they are presented.
     #[must_use]
-    pub fn renamed(&self, names: &Renaming) -> Self {
-        let renamed = |span: &Span| match span {
+    pub fn presented(&self, presentation: &Presentation) -> Self {
+        let presented = |span: &Span| match span {
             Span::Words(words) => Span::Words(words.clone()),
-            Span::Name(name) => Span::Name(names.name(name)),
-            Span::Formula(formula) => Span::Formula(names.formula(formula)),
-            Span::Condition(condition) => Span::Condition(names.condition(condition)),
+            Span::Name(name) => Span::Name(presentation.name(name)),
+            Span::Formula(formula) => Span::Formula(presentation.formula(formula)),
+            Span::Condition(condition) => Span::Condition(presentation.condition(condition)),
         };
-        Self(self.0.iter().map(renamed).collect())
+        Self(self.0.iter().map(presented).collect())
     }
 
     /// The sentence in a notation; in LaTeX and Typst formulas stand between dollar signs, in MathML in `math` elements, and words are escaped.

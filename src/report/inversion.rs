@@ -2,10 +2,11 @@
 
 use super::Unchecked;
 use super::json::{Check, Completion, Quantity, Readings, Step, Typeset, write};
+use super::record::rounding;
 use super::text::{error, number, table};
 use crate::contact;
 use crate::expr::{Bindings, Condition, Expr, Formula};
-use crate::print::{self, Notation, Prose, Renaming};
+use crate::print::{self, Notation, Presentation, Prose};
 use crate::transform::{self, Derived, Reading, TransformError};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -42,7 +43,7 @@ pub struct Wanted<'a> {
 
 impl Inversion<'_> {
     /// What a reader of the formulas must know.
-    pub(super) fn notes(&self) -> Vec<Prose> {
+    pub(super) fn notes(&self, presentation: &Presentation) -> Vec<Prose> {
         let zero = if self.at_axis.is_zero() { "" } else { "; it shifts the shape and is not seen by a contact" };
         let mut notes = vec![
             Prose::read("$f(0)$ = $g(0)$ = ").formula(self.at_axis.clone()).then(zero),
@@ -53,7 +54,8 @@ impl Inversion<'_> {
                 "$E$ is the effective modulus E*, $a$ the contact radius; $f$ holds for $r$ < $a$, outside anything below the surface",
             ));
         }
-        notes
+        notes.extend(rounding(presentation));
+        notes.iter().map(|own| own.presented(presentation)).collect()
     }
 }
 
@@ -104,7 +106,7 @@ pub fn readings(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
 ///
 /// # Errors
 /// As the writer.
-pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, names: &Renaming, out: &mut dyn Write) -> io::Result<()> {
+pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, presentation: &Presentation, out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Document<'a> {
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -122,24 +124,27 @@ pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, names: &Ren
         notes: Vec<String>,
         check: Check<'a>,
         #[serde(skip_serializing_if = "Option::is_none")]
+        digits: Option<u32>,
+        #[serde(skip_serializing_if = "Option::is_none")]
         steps: Option<Vec<Step<'a>>>,
         #[serde(skip_serializing_if = "Option::is_none")]
         points: Option<Readings<'a>>,
     }
-    let typeset = |expr: &Expr| Typeset::of(&names.formula(&expr.clone().into()));
+    let typeset = |expr: &Expr| Typeset::of(&presentation.formula(&expr.clone().into()));
     let wanted = record.pressure.as_ref();
     let document = Document {
         p: wanted.map(|own| typeset(own.pressure)),
         d: wanted.map(|own| typeset(own.depth)),
         force: wanted.map(|own| typeset(own.force)),
         complete: Completion(Unchecked::why(&record.check)),
-        g: Typeset::of(&names.formula(record.equivalent)),
-        f: Quantity::named(&record.profile, names),
+        g: Typeset::of(&presentation.formula(record.equivalent)),
+        f: Quantity::presented(&record.profile, presentation),
         at_axis: typeset(record.at_axis),
-        conditions: record.conditions.iter().map(|own| print::text_condition(&names.condition(own))).collect(),
-        notes: record.notes().iter().map(|own| own.renamed(names).written(Notation::Text)).collect(),
+        conditions: record.conditions.iter().map(|own| print::text_condition(&presentation.condition(own))).collect(),
+        notes: record.notes(presentation).iter().map(|own| own.written(Notation::Text)).collect(),
         check: Check::of(&record.check),
-        steps: steps.map(|list| list.iter().map(|own| Step::of(own, names)).collect()),
+        digits: presentation.digits,
+        steps: steps.map(|list| list.iter().map(|own| Step::of(own, presentation)).collect()),
         points: (!record.at.is_empty()).then_some(Readings { at: &record.at, readings: &record.readings }),
     };
     write("invert", &document, out)

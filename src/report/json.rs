@@ -3,7 +3,7 @@
 use super::{Compared, Derivation, Evaluation, Unchecked};
 use crate::contact::{self, Asked, Measured, Reason};
 use crate::expr::{Expr, Formula};
-use crate::print::{self, Notation, Prose, Renaming};
+use crate::print::{self, Notation, Presentation, Prose};
 use crate::transform::{self, Derived, Reading, Rule, Verdict};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
@@ -43,18 +43,21 @@ pub fn derivation(record: &Derivation<'_>, steps: Option<&[contact::Step]>, out:
         notes: Vec<String>,
         check: Check<'a>,
         #[serde(skip_serializing_if = "Option::is_none")]
+        digits: Option<u32>,
+        #[serde(skip_serializing_if = "Option::is_none")]
         steps: Option<Vec<Step<'a>>>,
     }
     let in_text = |list: Vec<Prose>| list.iter().map(|own| own.written(Notation::Text)).collect();
     let document = Document {
         complete: Completion(Unchecked::why(&record.check)),
-        profile: Typeset::of(&record.names.formula(record.formula())),
-        shift: record.shift().map(|shift| Typeset::of(&record.names.formula(&shift.clone().into()))),
+        profile: Typeset::of(&record.presentation.formula(record.formula())),
+        shift: record.shift().map(|shift| Typeset::of(&record.presentation.formula(&shift.clone().into()))),
         conditions: in_text(record.conditions()),
         entries: Entries(record),
         notes: in_text(record.notes()),
         check: Check::of(&record.check),
-        steps: steps.map(|list| list.iter().map(|own| Step::of(own, record.names)).collect()),
+        digits: record.presentation.digits,
+        steps: steps.map(|list| list.iter().map(|own| Step::of(own, record.presentation)).collect()),
     };
     write("derive", &document, out)
 }
@@ -225,9 +228,10 @@ struct Entries<'a>(&'a Derivation<'a>);
 
 impl Serialize for Entries<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let names = self.0.names;
-        serializer
-            .collect_map(self.0.entries().iter().map(|entry| (entry.key, entry.derived.as_deref().map(|own| Quantity::named(own, names)))))
+        let presentation = self.0.presentation;
+        serializer.collect_map(
+            self.0.entries().iter().map(|entry| (entry.key, entry.derived.as_deref().map(|own| Quantity::presented(own, presentation)))),
+        )
     }
 }
 
@@ -244,8 +248,8 @@ pub(super) struct Quantity<'a> {
 }
 
 impl<'a> Quantity<'a> {
-    pub(super) fn named(derived: &'a Derived, names: &Renaming) -> Self {
-        let formula = Typeset::of(&names.formula(&derived.formula));
+    pub(super) fn presented(derived: &'a Derived, presentation: &Presentation) -> Self {
+        let formula = Typeset::of(&presentation.formula(&derived.formula));
         Self { formula, status: derived.status.name(), compared: derived.compared, rules: &derived.rules, reference: &derived.reference }
     }
 }
@@ -262,15 +266,15 @@ pub(super) struct Step<'a> {
 }
 
 impl<'a> Step<'a> {
-    pub(super) fn of(step: &'a contact::Step, names: &Renaming) -> Self {
-        let left = step.left.as_ref().map(|left| names.name(left));
+    pub(super) fn of(step: &'a contact::Step, presentation: &Presentation) -> Self {
+        let left = step.left.as_ref().map(|left| presentation.name(left));
         Self {
             title: &step.title,
             left: left.map(|left| Typeset { text: Notation::Text.name(&left), latex: Notation::Latex.name(&left) }),
-            right: step.right.as_ref().map(|right| Typeset::of(&names.formula(right))),
-            reason: step.reason.renamed(names).written(Notation::Text),
+            right: step.right.as_ref().map(|right| Typeset::of(&presentation.formula(right))),
+            reason: step.reason.presented(presentation).written(Notation::Text),
             reference: &step.reference,
-            steps: step.steps.iter().map(|own| Self::of(own, names)).collect(),
+            steps: step.steps.iter().map(|own| Self::of(own, presentation)).collect(),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::open_pressure;
 use crate::contact::{Asked, Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
 use crate::expr::{Expr, Formula};
-use crate::print::{Prose, Renaming};
+use crate::print::{Presentation, Prose};
 use crate::transform::{Check, Derived, Profile, TransformError};
 use std::borrow::Cow;
 
@@ -19,8 +19,8 @@ pub struct Derivation<'a> {
     pub relations: &'a Relations,
     /// The quantities that were asked for, in this order; empty for the usual ones.
     pub asked: &'a [Quantity],
-    /// Names that are shown in place of the program's own.
-    pub names: &'a Renaming,
+    /// What is changed in the formulas when they are printed.
+    pub presentation: &'a Presentation,
     /// The outcome of the check, or why it could not be made.
     pub check: Result<Check, Unchecked>,
 }
@@ -105,18 +105,25 @@ impl Derivation<'_> {
         }
         let pressure = self.relations.pressure.as_ref().filter(|_| self.asked.is_empty() || self.asked.contains(&Quantity::Pressure));
         let reasons = pressure.map_or_else(Vec::new, |own| open_pressure::reasons(&own.formula));
-        notes.into_iter().map(Prose::read).chain(reasons).map(|own| own.renamed(self.names)).collect()
+        let all = notes.into_iter().map(Prose::read).chain(reasons).chain(rounding(self.presentation));
+        all.map(|own| own.presented(self.presentation)).collect()
     }
 
-    /// The conditions under the names that are shown.
+    /// The conditions as they are presented.
     pub fn conditions(&self) -> Vec<Prose> {
-        self.relations.conditions.iter().map(|own| own.renamed(self.names)).collect()
+        self.relations.conditions.iter().map(|own| own.presented(self.presentation)).collect()
     }
 
     /// True for a punch with a rim at the contact radius.
     pub(super) fn has_rim(&self) -> bool {
         matches!(self.edge, Edge::Rim(_))
     }
+}
+
+/// What a reader of rounded formulas must know.
+pub(super) fn rounding(presentation: &Presentation) -> Option<Prose> {
+    let digits = presentation.digits?;
+    Some(Prose::words(&format!("numbers are rounded to {digits} significant digit{}", if digits == 1 { "" } else { "s" })))
 }
 
 /// The numbers that `eval` found.

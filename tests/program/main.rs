@@ -9,6 +9,7 @@ mod endings;
 mod pictures;
 mod points;
 mod precision;
+mod presentation;
 mod quantities;
 mod references;
 mod schemas;

@@ -70,3 +70,17 @@ fn a_decimal_stays_one_only_while_it_ends() {
     assert!(!(&a * &Number::ratio(1, 3)).is_decimal());
     assert!(!(&a * &Number::integer(10)).is_decimal());
 }
+
+proptest! {
+    /// What is printed for a number computed from decimals is that number, and its parts are decimals that end.
+    #[test]
+    fn printed_parts_are_the_number(p in 1_i64..1_000_000, q in 1_i64..1_000_000, tens in -40_i32..40) {
+        let power = Number::parse_decimal(&format!("1e{tens}")).unwrap();
+        let number = &(&Number::ratio(p, q).with_decimals() * &power);
+        for number in [number.clone(), number.with_decimals(), number.as_fraction()] {
+            let (upper, lower) = number.printed_parts();
+            prop_assert_eq!(upper.value() / lower.value(), number.value().clone());
+            prop_assert!([upper, lower].iter().all(|own| own.is_integer() || own.is_decimal()));
+        }
+    }
+}

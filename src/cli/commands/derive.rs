@@ -59,7 +59,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let edge = arguments.depth.as_deref().map(|text| units.depth(text)).transpose()?.map_or(Edge::Smooth, Edge::Rim);
     let (typed, settings) = if edge == Edge::Smooth { arguments.profile.read(&units)? } else { arguments.profile.read_punch(&units)? };
     let shown = typed.formula.substitute(&settings.exact()).substitute(&Bindings::one(RIM, Expr::symbol("a")));
-    let names = arguments.typesetting.names(&shown)?;
+    let presentation = arguments.typesetting.presentation(&shown)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
@@ -74,7 +74,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         edge: &edge,
         relations: &relations,
         asked: &arguments.quantity,
-        names: &names,
+        presentation: &presentation,
         check,
     };
     answer.write(|format, out| match (format.page(), &steps) {

@@ -82,7 +82,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let set = settings.exact();
         [&own.0, &own.1.depth, &own.1.force].map(|expr| set.apply(expr))
     });
-    let names = arguments.typesetting.names(&equivalent)?;
+    let presentation = arguments.typesetting.presentation(&equivalent)?;
     let check = budget::part(|| transform::check_inverse(&found));
     let record = Inversion {
         pressure: pressure.as_ref().map(|[pressure, depth, force]| Wanted { pressure, depth, force }),
@@ -97,11 +97,11 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let steps = arguments.steps.then(|| inverse_steps(&equivalent, &record.profile, record.at_axis));
     answer.write(|format, out| {
         let Some(page) = format.page() else {
-            return inversion::json(&record, steps.as_deref(), &names, out);
+            return inversion::json(&record, steps.as_deref(), &presentation, out);
         };
         let whole = match &steps {
-            None => Page::of_inversion(&record, &names),
-            Some(steps) => Page::of_inverse_steps(&record, steps, &names),
+            None => Page::of_inversion(&record, &presentation),
+            Some(steps) => Page::of_inverse_steps(&record, steps, &presentation),
         };
         whole.write(page, style, out)?;
         if matches!(format, Format::Text | Format::Unicode) { inversion::readings(&record, out) } else { Ok(()) }

@@ -7,7 +7,7 @@ use crate::cli::progress::Progress;
 use crate::cli::{Failure, Outcome, budget, tip};
 use crate::contact::{Edge, relations, steps};
 use crate::expr::Expr;
-use crate::print::Renaming;
+use crate::print::Presentation;
 use crate::report::solved::html;
 use crate::report::solved::html::Sheet;
 use crate::report::solved::{json as solved_json, npz as solved_npz, text as solved_text};
@@ -135,14 +135,14 @@ fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io:
         check
     });
     let steps = found.as_ref().and_then(|found| steps(&typed, &solution, &edge, found).ok());
-    let names = Renaming::default();
+    let presentation = Presentation::of(&typed);
     let record = found.as_ref().zip(check).map(|(relations, check)| Derivation {
         profile: &scene.profile,
         typed: &typed,
         edge: &edge,
         relations,
         asked: &[],
-        names: &names,
+        presentation: &presentation,
         check,
     });
     let formulas = record.as_ref().zip(steps.as_deref());

@@ -7,35 +7,11 @@ use std::collections::BTreeSet;
 /// A sentence for every special function that occurs and that has no single definition everywhere.
 pub(super) fn of(formulas: &[Formula]) -> Vec<Prose> {
     let mut found = BTreeSet::new();
-    for formula in formulas {
-        in_formula(formula, &mut found);
+    for expr in formulas.iter().flat_map(Formula::expressions) {
+        in_expression(expr, &mut found);
     }
     let occur = |names: &[&str]| names.iter().any(|name| found.contains(name));
     DEFINITIONS.iter().filter(|(names, _)| occur(names)).map(|(_, sentence)| Prose::words(sentence)).collect()
-}
-
-/// Adds the names of the functions in a formula.
-fn in_formula(formula: &Formula, found: &mut BTreeSet<&'static str>) {
-    match formula {
-        Formula::Closed(expr) => in_expression(expr, found),
-        Formula::Sum(parts) => parts.iter().for_each(|part| in_formula(part, found)),
-        Formula::Scaled(factor, inner) => {
-            in_expression(factor, found);
-            in_formula(inner, found);
-        }
-        Formula::Piecewise { pieces, last, .. } => {
-            in_formula(last, found);
-            for (value, end) in pieces {
-                in_formula(value, found);
-                in_expression(end, found);
-            }
-        }
-        Formula::Integral { integrand, lower, upper, .. } => {
-            in_formula(integrand, found);
-            in_expression(lower, found);
-            in_expression(upper, found);
-        }
-    }
 }
 
 /// Adds the names of the functions in an expression as it is shown.

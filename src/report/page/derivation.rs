@@ -9,29 +9,29 @@ use crate::report::{Derivation, text};
 impl Page {
     /// What `derive` found, in the order of reading.
     pub fn of_derivation(record: &Derivation<'_>) -> Self {
-        let names = record.names;
+        let presentation = record.presentation;
         let mut page = Self { title: "Derived relations".to_owned(), is_text: false, blocks: Vec::new() };
         // Where it is asked for, it stands among the others.
         if !record.asked.contains(&Quantity::Profile) {
-            page.equation("f", &names.name("f(r)"), &names.formula(record.formula()), Prose::default());
+            page.equation("f", &presentation.name("f(r)"), &presentation.formula(record.formula()), Prose::default());
         }
         if let Some(shift) = record.shift() {
             let remark = Prose::read("$f(0)$ = ").formula(shift.clone()).then(" is subtracted, so that $f$ starts at 0");
-            page.blocks.push(Block::Remark(remark.renamed(names)));
+            page.blocks.push(Block::Remark(remark.presented(presentation)));
         }
         let mut shown = vec![record.formula().clone()];
         for entry in record.entries() {
             match entry.derived {
                 Some(derived) => {
                     let sources = Prose::words(&text::sources(&derived));
-                    page.equation(entry.key, &names.name(entry.left), &names.formula(&derived.formula), sources);
+                    page.equation(entry.key, &presentation.name(entry.left), &presentation.formula(&derived.formula), sources);
                     shown.push(derived.formula.clone());
                 }
                 // Where a is given by a rim there is no a(d) to look for; a note says so.
                 None if record.has_rim() => {}
-                None => {
-                    page.blocks.push(Block::Sentence(Prose::default().then(&format!("${}$: no explicit form", names.name(entry.left)))))
-                }
+                None => page
+                    .blocks
+                    .push(Block::Sentence(Prose::default().then(&format!("${}$: no explicit form", presentation.name(entry.left))))),
             }
         }
         page.close(record, &shown);

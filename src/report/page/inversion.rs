@@ -3,15 +3,16 @@
 use super::Page;
 use crate::contact::Step;
 use crate::expr::Formula;
-use crate::print::{Prose, Renaming};
+use crate::print::{Presentation, Prose};
 use crate::report::{Inversion, text};
 
 impl Page {
     /// What `invert` found.
-    pub fn of_inversion(record: &Inversion<'_>, names: &Renaming) -> Self {
+    pub fn of_inversion(record: &Inversion<'_>, presentation: &Presentation) -> Self {
         let mut page = Self { title: "Profile of an equivalent profile".to_owned(), is_text: false, blocks: Vec::new() };
-        let mut state =
-            |key: &str, left: &str, right: &Formula, sources| page.equation(key, &names.name(left), &names.formula(right), sources);
+        let mut state = |key: &str, left: &str, right: &Formula, sources| {
+            page.equation(key, &presentation.name(left), &presentation.formula(right), sources)
+        };
         if let Some(wanted) = &record.pressure {
             for (key, left, expr) in [("p", "p(r)", wanted.pressure), ("d", "d", wanted.depth), ("F", "F", wanted.force)] {
                 state(key, left, &expr.clone().into(), Prose::default());
@@ -19,24 +20,24 @@ impl Page {
         }
         state("g", "g(x)", record.equivalent, Prose::default());
         state("f", "f(r)", &record.profile.formula, Prose::words(&text::sources(&record.profile)));
-        page.close_inversion(record, names);
+        page.close_inversion(record, presentation);
         page
     }
 
     /// The steps of an inversion, numbered; then the same.
-    pub fn of_inverse_steps(record: &Inversion<'_>, steps: &[Step], names: &Renaming) -> Self {
-        let mut page = Self::of_numbered("From the equivalent profile to the profile", steps, names);
-        page.close_inversion(record, names);
+    pub fn of_inverse_steps(record: &Inversion<'_>, steps: &[Step], presentation: &Presentation) -> Self {
+        let mut page = Self::of_numbered("From the equivalent profile to the profile", steps, presentation);
+        page.close_inversion(record, presentation);
         page
     }
 
-    fn close_inversion(&mut self, record: &Inversion<'_>, names: &Renaming) {
+    fn close_inversion(&mut self, record: &Inversion<'_>, presentation: &Presentation) {
         self.list(
             "Conditions",
             "condition",
-            record.conditions.iter().map(|own| Prose::default().condition(names.condition(own))).collect(),
+            record.conditions.iter().map(|own| Prose::default().condition(presentation.condition(own))).collect(),
         );
-        self.list("Notes", "note", record.notes().iter().map(|own| own.renamed(names)).collect());
+        self.list("Notes", "note", record.notes(presentation));
         self.list("Check against quadrature of g as typed", "check", vec![Prose::words(&text::outcome(&record.check))]);
     }
 }

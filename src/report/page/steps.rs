@@ -2,33 +2,38 @@
 
 use super::{Block, Page};
 use crate::contact::Step;
-use crate::print::{Prose, Renaming};
+use crate::print::{Presentation, Prose};
 use crate::report::Derivation;
 
 impl Page {
     /// The steps of a derivation, numbered; then notes and the check.
     pub fn of_steps(record: &Derivation<'_>, steps: &[Step]) -> Self {
-        let mut page = Self::of_numbered("Derivation", steps, record.names);
+        let mut page = Self::of_numbered("Derivation", steps, record.presentation);
         let shown: Vec<_> = record.entries().into_iter().filter_map(|entry| Some(entry.derived?.formula.clone())).collect();
         page.close_steps(record, &shown);
         page
     }
 
     /// Steps, numbered.
-    pub fn of_numbered(title: &str, steps: &[Step], names: &Renaming) -> Self {
+    pub fn of_numbered(title: &str, steps: &[Step], presentation: &Presentation) -> Self {
         let mut page = Self { title: title.to_owned(), is_text: true, blocks: Vec::new() };
-        page.steps(steps, "", 1, names);
+        page.steps(steps, "", 1, presentation);
         page
     }
 
-    fn steps(&mut self, steps: &[Step], number: &str, level: usize, names: &Renaming) {
+    fn steps(&mut self, steps: &[Step], number: &str, level: usize, presentation: &Presentation) {
         for (at, step) in steps.iter().enumerate() {
             let number = if number.is_empty() { (at + 1).to_string() } else { format!("{number}.{}", at + 1) };
             self.heading(level, &format!("{number} {}", step.title));
             if let (Some(left), Some(right)) = (&step.left, &step.right) {
-                self.equation(&format!("step-{}", number.replace('.', "-")), &names.name(left), &names.formula(right), Prose::default());
+                self.equation(
+                    &format!("step-{}", number.replace('.', "-")),
+                    &presentation.name(left),
+                    &presentation.formula(right),
+                    Prose::default(),
+                );
             }
-            let mut reason = step.reason.renamed(names);
+            let mut reason = step.reason.presented(presentation);
             if !step.reference.is_empty() {
                 let sources = format!(" [{}]", step.reference.join("; "));
                 reason = reason.followed_by(&Prose::words(&sources));
@@ -36,7 +41,7 @@ impl Page {
             if !reason.is_empty() {
                 self.blocks.push(Block::Sentence(reason));
             }
-            self.steps(&step.steps, &number, level + 1, names);
+            self.steps(&step.steps, &number, level + 1, presentation);
         }
     }
 }
