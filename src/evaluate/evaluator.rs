@@ -8,7 +8,8 @@ use crate::derive::solved::SolvedInterval;
 use crate::derive::superposed::Superposed;
 use crate::eval::{constant_value, first_double_from};
 use crate::evaluate::local_polynomials::PolynomialCache;
-use crate::evaluate::ways::{RECOGNISED, Way};
+use crate::evaluate::ways::Way;
+use crate::evaluate::ways::best::{Best, by_quadrature};
 use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
 use crate::integrate::admit::{beyond_the_edge, finite_and_not_negative, tolerance_in_range};
 use crate::integrate::ask::Ask;
@@ -254,13 +255,13 @@ impl<'a> Evaluator<'a> {
             return way.answer(self, Ask::Height(r)).and_then(|found| finite(found, "r", r));
         }
         let estimate = total(&self.forms_of_height(r)?, &[r], good_enough(self.tolerance));
-        let plain = Reading { estimate, method: "exact" };
-        if self.method != Method::Quadrature && (self.method == Method::Exact || estimate.relative_error() <= self.tolerance) {
-            return finite(Some(plain), "r", r);
-        }
-        let other = Reading { estimate: self.typed()?.height(r, self.tolerance)?, method: "quadrature" };
-        let better = if other.estimate.is_better_than(estimate) { other } else { plain };
-        finite(Some(better), "r", r)
+        let typed = || by_quadrature(self.typed()?.height(r, self.tolerance).map(Some));
+        let found = match self.method {
+            Method::Quadrature => typed(),
+            Method::Exact => Ok(Some(Reading { estimate, method: "exact" })),
+            _ => Best::of(self.tolerance, Ok(Some(Reading { estimate, method: "exact" }))).or(typed).answer(),
+        };
+        finite(found?, "r", r)
     }
 
     /// The pieces of f at r, one per chain.
@@ -278,17 +279,14 @@ impl<'a> Evaluator<'a> {
     /// As [`Self::slope`].
     pub fn integral(&self, a: f64) -> Result<Reading, TransformError> {
         self.check_domain("a", a)?;
-        if let Method::Only(way) = self.method {
-            return way.answer(self, Ask::Integral(a)).and_then(|found| finite(found, "a", a));
-        }
-        if self.method != Method::Quadrature {
-            let own = self.integral_of_parts(a)?;
-            if self.method == Method::Exact || own.estimate.relative_error() <= self.tolerance {
-                return Ok(own);
-            }
-            return Ok(self.or_the_whole(own, Ask::Integral(a))?.unwrap_or(own));
-        }
-        Ok(Reading { estimate: self.typed()?.integral(a, self.tolerance)?, method: "quadrature" })
+        let ask = Ask::Integral(a);
+        let found = match self.method {
+            Method::Only(way) => way.answer(self, ask),
+            Method::Quadrature => return Ok(Reading { estimate: self.typed()?.integral(a, self.tolerance)?, method: "quadrature" }),
+            Method::Exact => return self.integral_of_parts(a),
+            Method::Auto => self.or_the_whole(self.integral_of_parts(a)?, ask),
+        };
+        finite(found?, "a", a)
     }
 
     /// a g(a) − F/(2E*), each in its own way, and with 30 digits where that cancels and nothing is left to integrate.
@@ -372,15 +370,9 @@ impl<'a> Evaluator<'a> {
         if let Method::Only(way) = self.method {
             return way.answer(self, Ask::Axial { z, a }).and_then(|found| finite(found, "z", z));
         }
-        let estimate = self.typed()?.axial(z, a, self.tolerance);
-        let poor = |own: &Estimate| own.relative_error() > self.tolerance;
-        if estimate.as_ref().map_or(true, poor)
-            && let Ok(other) = self.recognised().and_then(|own| own.axial(z, a, self.tolerance))
-            && estimate.as_ref().map_or(true, |own| other.is_better_than(*own))
-        {
-            return Ok(Reading { estimate: other.by(RECOGNISED), method: "quadrature" });
-        }
-        Ok(Reading { estimate: estimate?, method: "quadrature" })
+        let typed = by_quadrature(self.typed()?.axial(z, a, self.tolerance).map(Some));
+        let found = Best::of(self.tolerance, typed).or(|| self.by_recognition(Ask::Axial { z, a })).answer();
+        finite(found?, "z", z)
     }
 
     /// Refuses a place that is no length, or that the profile does not reach.

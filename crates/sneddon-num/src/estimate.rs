@@ -165,6 +165,13 @@ impl Estimate {
         }
     }
 
+    /// Returns true if the relative error is at most the tolerance; false for NaN.
+    #[must_use]
+    #[inline]
+    pub fn meets(self, tolerance: f64) -> bool {
+        self.relative_error() <= tolerance
+    }
+
     /// error / |value|: 0 for an exact value (zero included), infinite for an inexact zero.
     ///
     /// ```

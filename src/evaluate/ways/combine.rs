@@ -5,6 +5,7 @@ use crate::derive::superposed::Superposed;
 use crate::evaluate::evaluator::{Evaluator, Method, Reading};
 use crate::evaluate::series::SeriesEvaluator;
 use crate::evaluate::ways::RECOGNISED;
+use crate::evaluate::ways::best::{Answer, Best, by_quadrature, is_lost};
 use crate::integrate::ask::Ask;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
@@ -26,14 +27,14 @@ impl Evaluator<'_> {
     ///
     /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form is given about a millisecond
     /// before quadrature is asked, and half a second where quadrature misses the tolerance.
-    pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Result<Option<Reading>, TransformError> {
+    pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Answer {
         let dear = Cell::new(false);
         let found = self.combined(quantity, ask, Some(&dear));
         if !dear.get() {
             return found;
         }
         match self.by_quadrature(ask, self.typed().and_then(|typed| self.integrate(typed, ask))) {
-            Ok(Some(other)) if other.estimate.relative_error() <= self.tolerance => Ok(Some(other)),
+            Ok(Some(other)) if other.estimate.meets(self.tolerance) => Ok(Some(other)),
             other => match work::share(DEAREST, || self.combined(quantity, ask, None)) {
                 Some(found) => found,
                 None => other,
@@ -46,7 +47,7 @@ impl Evaluator<'_> {
     }
 
     /// The same; where `dear` is given, closed forms that take too long are given up, and it is set.
-    fn combined(&self, quantity: Superposed, ask: Ask, dear: Option<&Cell<bool>>) -> Result<Option<Reading>, TransformError> {
+    fn combined(&self, quantity: Superposed, ask: Ask, dear: Option<&Cell<bool>>) -> Answer {
         work::spend(OVERHEAD);
         let dear = dear.filter(|_| self.method == Method::Auto);
         let coordinates = ask.coordinates();
@@ -56,7 +57,7 @@ impl Evaluator<'_> {
         if self.method == Method::Quadrature {
             return self.by_quadrature(ask, typed());
         }
-        let whole = || self.integrated(ask, typed());
+        let whole = || self.by_quadrature(ask, typed());
         let exact: Vec<Bounded> = inputs.iter().copied().map(Bounded::exact).collect();
         let (mut closed, mut open, mut any_open) = (Bounded::exact(0.0), Estimate::exact(0.0), false);
         let mut overflow = false;
@@ -95,9 +96,8 @@ impl Evaluator<'_> {
                     Ok(None) => return Ok(None),
                     // A term that underflows, or is 0/0 next to the axis: the whole may have its digits all the same.
                     // An estimate would hide what could not be resolved alone.
-                    Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                        let whole = self.by_quadrature(ask, typed())?;
-                        return whole.filter(|whole| whole.estimate.bound == Bound::Proven).map(Some).ok_or(error);
+                    Err(error) if is_lost(&error) => {
+                        return whole()?.filter(|whole| whole.estimate.bound == Bound::Proven).map(Some).ok_or(error);
                     }
                     Err(error) => return Err(error),
                 };
@@ -133,88 +133,61 @@ impl Evaluator<'_> {
                 Some(_) => Err(TransformError::NoClosedForm { quantity: quantity.name() }),
             };
         }
-        if self.method == Method::Exact || estimate.relative_error() <= self.tolerance {
+        if self.method == Method::Exact || estimate.meets(self.tolerance) {
             return Ok(Some(own));
         }
         if method == "quadrature" {
-            let better = if estimate.relative_error() > SCANT { self.by_series(ask) } else { None };
-            return Ok(better.filter(|other| other.estimate.is_better_than(estimate)).or(Some(own)));
+            let own = Best::of(self.tolerance, Ok(Some(own)));
+            return if estimate.meets(SCANT) { own } else { own.or(|| self.by_series(ask)) }.answer();
         }
         self.or_the_whole(own, ask)
     }
 
-    /// A number whose closed form lost digits, or left its domain; or the whole by quadrature or, next to the axis, by the series if that is
-    /// better.
-    pub(crate) fn or_the_whole(&self, own: Reading, ask: Ask) -> Result<Option<Reading>, TransformError> {
-        let mut other = self.integrated(ask, self.typed().and_then(|typed| self.integrate(typed, ask)));
-        let poor = |reading: &Result<Option<Reading>, TransformError>| match reading {
-            Ok(reading) => reading.is_some_and(|own| own.estimate.relative_error() > self.tolerance),
-            Err(_) => true,
-        };
-        if poor(&other)
-            && let Some(series) = self.by_series(ask)
-            && other.as_ref().map_or(true, |own| own.is_some_and(|own| series.estimate.is_better_than(own.estimate)))
-        {
-            other = Ok(Some(series));
-        }
-        match other {
-            Ok(Some(other)) if other.estimate.is_better_than(own.estimate) => Ok(Some(other)),
-            Ok(Some(other)) => Ok(Some(Reading { estimate: own.estimate.sharpened_by(other.estimate), ..own })),
-            Ok(None) if own.estimate.value.is_nan() => Ok(None),
-            Err(error) if !own.estimate.error.is_finite() => Err(error),
-            _ => Ok(Some(own)),
-        }
+    /// The better of a number whose closed form lost digits, or left its domain, and of the whole by quadrature or, next to the axis, by the
+    /// series.
+    pub(crate) fn or_the_whole(&self, own: Reading, ask: Ask) -> Answer {
+        let typed = || self.quadrature(self.typed()?, ask);
+        Best::of(self.tolerance, Ok(Some(own))).or(typed).or(|| self.by_recognition(ask)).or(|| self.by_series(ask)).answer()
     }
 
-    /// The whole where quadrature is demanded; `typed` is what f′ as typed has.
+    /// The whole by quadrature of f′ as typed, which is given, or of its recognition form where the typed one cancels or leaves the range of
+    /// doubles.
     #[cold]
-    pub(crate) fn by_quadrature(
-        &self,
-        ask: Ask,
-        typed: Result<Option<Estimate>, TransformError>,
-    ) -> Result<Option<Reading>, TransformError> {
-        match self.integrated(ask, typed) {
+    pub(crate) fn by_quadrature(&self, ask: Ask, typed: Result<Option<Estimate>, TransformError>) -> Answer {
+        let typed = self.typed().and_then(|profile| by_quadrature(unless_underflown(profile, ask, typed)));
+        match Best::of(self.tolerance, typed).or(|| self.by_recognition(ask)).answer() {
             // An integrand that is 0/0 in doubles next to the axis may have a series.
-            Err(error @ (TransformError::NoDigits { .. } | TransformError::NotComputable { .. })) => {
-                let own = self.by_series(ask).filter(|own| own.estimate.error < own.estimate.value.abs());
-                own.map(Some).ok_or(error)
-            }
+            Err(error) if is_lost(&error) => self.by_series(ask).map_err(|_| error),
             other => other,
         }
     }
 
-    /// The whole by quadrature of f′ as typed or, where that cancels or leaves the range of doubles, of its recognition form.
-    fn integrated(&self, ask: Ask, typed: Result<Option<Estimate>, TransformError>) -> Result<Option<Reading>, TransformError> {
-        let by_quadrature = |estimate| Reading { estimate, method: "quadrature" };
-        let typed = self.typed().and_then(|profile| unless_underflown(profile, ask, typed));
-        let enough = match &typed {
-            Ok(Some(own)) => own.relative_error() <= self.tolerance,
-            Ok(None) => true,
-            Err(TransformError::NoDigits { .. } | TransformError::NotComputable { .. }) => false,
-            Err(_) => true,
-        };
-        if !enough
-            && let Ok(Some(other)) = self.recognised().and_then(|profile| unless_underflown(profile, ask, self.integrate(profile, ask)))
-            && typed.as_ref().map_or(true, |own| own.is_some_and(|own| other.is_better_than(own)))
-        {
-            return Ok(Some(by_quadrature(other.by(RECOGNISED))));
-        }
-        Ok(typed?.map(by_quadrature))
+    pub(crate) fn by_recognition(&self, ask: Ask) -> Answer {
+        let found = self.quadrature(self.recognised()?, ask)?;
+        Ok(found.map(|own| Reading { estimate: own.estimate.by(RECOGNISED), ..own }))
     }
 
-    /// By the power series at the axis, with a proven remainder; `None` where it has no answer.
-    pub(crate) fn by_series(&self, ask: Ask) -> Option<Reading> {
+    fn quadrature(&self, profile: &NumericProfile, ask: Ask) -> Answer {
+        by_quadrature(unless_underflown(profile, ask, self.integrate(profile, ask)))
+    }
+
+    /// By the power series at the axis, with a proven remainder.
+    ///
+    /// # Errors
+    /// [`TransformError::NotComputable`] where the series is not known, or far out, where a few terms promise no digit.
+    pub(crate) fn by_series(&self, ask: Ask) -> Answer {
         let order = if matches!(ask, Ask::Pressure { .. }) { PRESSURE_ORDER } else { ORDER };
-        let series = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order).ok()?;
+        let none = TransformError::NotComputable { at: ask.reach() };
+        let Ok(series) = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order) else { return Err(none) };
         let found = match ask {
             Ask::Equivalent(x) => series.slope(x),
             Ask::Force(a) => series.force(a),
             Ask::Integral(a) => series.integral(a),
             Ask::Height(r) => series.height(r),
             Ask::Pressure { r, a } if r > 0.0 => series.pressure(r, a),
-            Ask::Pressure { .. } | Ask::Outside { .. } | Ask::Axial { .. } => return None,
+            Ask::Pressure { .. } | Ask::Outside { .. } | Ask::Axial { .. } => return Err(none),
         };
-        found.ok().filter(|own| own.estimate.value != 0.0 || own.estimate.error > 0.0)
+        found.ok().filter(|own| own.estimate.error < own.estimate.value.abs()).map(Some).ok_or(none)
     }
 }
 

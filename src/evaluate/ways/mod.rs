@@ -3,6 +3,7 @@
 //! A way answers alone, or says that it has no answer at a place.
 //! Each other file extends the evaluator by one quantity; `combine` asks ways in the order of their cost and returns the most accurate result.
 
+pub(crate) mod best;
 pub(crate) mod closed_slope;
 pub(crate) mod combine;
 pub(crate) mod energy;
@@ -201,8 +202,7 @@ fn by_closed_slope(_: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Optio
 }
 
 fn by_series(_: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
-    // Far out a few terms and their remainder promise no digit.
-    Ok(evaluator.by_series(ask).map(|own| own.estimate).filter(|own| own.error < own.value.abs()))
+    Ok(evaluator.by_series(ask).ok().flatten().map(|own| own.estimate))
 }
 
 /// Closed terms and the integrals of the others; where no term is closed, f′ interval by interval.

@@ -8,7 +8,7 @@ use crate::derive::domain;
 use crate::derive::superposed::Superposed;
 use crate::eval::constant_value;
 use crate::evaluate::evaluator::{Evaluator, Method, Reading};
-use crate::evaluate::ways::RECOGNISED;
+use crate::evaluate::ways::best::{Answer, Best, by_quadrature};
 use crate::expr::{Bindings, Expr, Symbol, normal};
 use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::ask::Ask;
@@ -47,27 +47,22 @@ impl Evaluator<'_> {
         if let Method::Only(way) = self.method {
             return way.answer(self, Ask::Pressure { r, a });
         }
-        let mut found = self.combine(Superposed::Pressure, Ask::Pressure { r, a });
-        let poor = |own: &Reading| own.method != "exact" && own.estimate.relative_error() > self.tolerance && !is_trusted(own.estimate);
+        let found = self.combine(Superposed::Pressure, Ask::Pressure { r, a });
         let most = worth(found.as_ref().ok().and_then(Option::as_ref));
-        if self.method == Method::Auto
-            && found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(poor))
-            && let Some(Some(estimate)) = work::share(most, || self.pressure_by_closed_slope(r, a, most))
-            && found.as_ref().is_ok_and(|own| own.is_some_and(|own| estimate.is_better_than(own.estimate)))
-        {
-            found = Ok(Some(Reading { estimate, method: "quadrature" }));
-        }
-        if special && self.method != Method::Exact {
-            // Parts that are infinite one by one may meet in a number without any digit, or in none.
-            let digits = |own: &Reading| own.estimate.relative_error() <= self.tolerance;
-            if !found.as_ref().is_ok_and(|own| own.as_ref().is_some_and(digits))
-                && let Ok(other) = self.finite_pressure(r, a)
-                && found.as_ref().map_or(true, |own| own.is_none_or(|own| other.is_better_than(own.estimate)))
-            {
-                found = Ok(Some(Reading { estimate: other, method: "quadrature" }));
-            }
-        }
-        match found? {
+        // A closed form, or a proven number, is not worth the search.
+        let enough = |own: &Reading| own.method == "exact" || is_trusted(own.estimate);
+        let may_rise = self.method == Method::Auto && matches!(&found, Ok(Some(own)) if !enough(own));
+        let by_closed_slope = || {
+            let found = work::share(most, || self.pressure_by_closed_slope(r, a, most)).flatten();
+            by_quadrature(found.map(Some).ok_or(TransformError::NotComputable { at: a }))
+        };
+        // Parts that are infinite one by one may meet in a number without any digit, or in none.
+        let found =
+            if special && self.method != Method::Exact && found == Ok(None) { Err(TransformError::NotComputable { at: a }) } else { found };
+        let best = Best::of(self.tolerance, found);
+        let best = if may_rise { best.or(by_closed_slope) } else { best };
+        let best = if special && self.method != Method::Exact { best.or(|| self.finite_pressure(r, a)) } else { best };
+        match best.answer()? {
             Some(own) if own.estimate.value.is_nan() => Err(TransformError::NotComputable { at: a }),
             Some(own) if own.estimate.value.is_finite() && !own.estimate.error.is_finite() => Err(TransformError::NotComputable { at: a }),
             Some(own) if own.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol: "a", at: a }),
@@ -118,28 +113,19 @@ impl Evaluator<'_> {
     ///
     /// # Errors
     /// [`TransformError`] where quadrature has no digits.
-    pub(crate) fn finite_pressure(&self, r: f64, a: f64) -> Result<Estimate, TransformError> {
+    pub(crate) fn finite_pressure(&self, r: f64, a: f64) -> Answer {
+        let lost = TransformError::NotComputable { at: a };
         if r > 0.0 {
-            return self.typed()?.stress_direct(r, a, self.tolerance)?.ok_or(TransformError::NotComputable { at: a });
+            return by_quadrature(self.typed()?.stress_direct(r, a, self.tolerance)?.map(Some).ok_or(lost));
         }
         let level = self.typed_without_slopes()?;
         let typed = level.as_ref().map_or_else(|| self.typed(), Ok)?;
-        if let Some(proven) = typed.pressure_on_axis(a, self.tolerance).filter(|own| own.relative_error() <= self.tolerance) {
-            return Ok(proven);
-        }
-        let axial = typed.axial(0.0, a, self.tolerance);
-        if axial.as_ref().is_ok_and(|own| own.relative_error() <= self.tolerance) {
-            return axial;
-        }
-        let recognised = self.recognised().and_then(|own| Ok(own.axial(0.0, a, self.tolerance)?.by(RECOGNISED)));
-        // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
-        let direct = typed.pressure(0.0, a, self.tolerance).and_then(|own| own.ok_or(TransformError::NotComputable { at: a }));
-        let better = |best: Result<Estimate, TransformError>, other: Result<Estimate, TransformError>| match (&best, &other) {
-            (Ok(own), Ok(next)) if next.is_better_than(*own) => other,
-            (Err(_), Ok(_)) => other,
-            _ => best,
-        };
-        better(better(axial, recognised), direct)
+        Best::of(self.tolerance, by_quadrature(typed.pressure_on_axis(a, self.tolerance).map(Some).ok_or(lost.clone())))
+            .or(|| by_quadrature(typed.axial(0.0, a, self.tolerance).map(Some)))
+            .or(|| self.by_recognition(Ask::Axial { z: 0.0, a }))
+            // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
+            .or(|| by_quadrature(typed.pressure(0.0, a, self.tolerance)?.map(Some).ok_or(lost)))
+            .answer()
     }
 
     /// The profile as typed, where the slopes of its chains at the axis add up to 0 and are not 0 one by one, less these slopes times r;
