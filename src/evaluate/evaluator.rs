@@ -255,11 +255,13 @@ impl<'a> Evaluator<'a> {
             return way.answer(self, Ask::Height(r)).and_then(|found| finite(found, "r", r));
         }
         let estimate = total(&self.forms_of_height(r)?, &[r], good_enough(self.tolerance));
+        let own = Ok(Some(Reading { estimate, method: "exact" }));
         let typed = || by_quadrature(self.typed()?.height(r, self.tolerance).map(Some));
         let found = match self.method {
-            Method::Quadrature => typed(),
-            Method::Exact => Ok(Some(Reading { estimate, method: "exact" })),
-            _ => Best::of(self.tolerance, Ok(Some(Reading { estimate, method: "exact" }))).or(typed).answer(),
+            Method::Exact => own,
+            // Even where its values are the answer, f′ is asked.
+            Method::Quadrature => Best::of(0.0, own).or(typed).answer(),
+            _ => Best::of(self.tolerance, own).or(typed).answer(),
         };
         finite(found?, "r", r)
     }
