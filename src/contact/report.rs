@@ -1,7 +1,7 @@
 //! The derived relations of a contact: g, d, F, p, k, a(d) and F(d) with their rules and conditions.
 
 use super::{ContactError, Explicit, explicit};
-use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative, normal, sign};
+use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, derivative, in_lowest_terms, normal, sign};
 use crate::num::work;
 use crate::print::Prose;
 use crate::transform::{Check, Derived, Solution, Status, TransformError};
@@ -101,7 +101,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
         conditions.extend(found.conditions.iter().cloned());
     }
     let closed = |expr: &Expr, found: &Explicit, compared: Option<bool>| Derived {
-        formula: Formula::Closed(expr.clone()),
+        formula: Formula::Closed(in_lowest_terms(expr)),
         status: Status::Exact,
         compared,
         split: false,
@@ -208,7 +208,9 @@ fn at_edge_of(formula: &Formula, at_edge: &Bindings) -> Formula {
 /// Closed sums are expanded once, so that the edge's share and the smooth share cancel where they can.
 fn simplified(formula: Formula, variable: &str) -> Formula {
     match &formula {
-        Formula::Closed(expr) => normal::expanded(expr, &Symbol::new(variable)).map_or(formula, Formula::Closed),
+        Formula::Closed(expr) => {
+            normal::expanded(expr, &Symbol::new(variable)).map_or(formula, |own| Formula::Closed(in_lowest_terms(&own)))
+        }
         _ => formula,
     }
 }

@@ -5,7 +5,7 @@ use crate::derive::engine::expanded_or_same;
 use crate::derive::rules::abel;
 use crate::derive::solved::{SolvedChain, SolvedTerm};
 use crate::derive::superposed::Superposed;
-use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, shown};
+use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, in_lowest_terms, shown};
 use crate::integrate::error::TransformError;
 use crate::integrate::source::ends::{Growth, growth};
 
@@ -118,7 +118,14 @@ impl Solution {
             Status::Numeric if split => Status::Partial,
             other => other,
         };
-        Derived { formula: formula.scaled(factor), status, compared, split, rules, reference: references }
+        Derived {
+            formula: formula.scaled(factor).map(&in_lowest_terms).with_constants_in_front(),
+            status,
+            compared,
+            split,
+            rules,
+            reference: references,
+        }
     }
 }
 

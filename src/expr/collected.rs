@@ -1,10 +1,14 @@
 //! Sums as an author writes them: one coefficient before each root or function, what is common in front.
 
 use super::{Expr, Node, Number, Symbol};
+use num_bigint::BigInt;
+use num_traits::One;
 use std::collections::BTreeMap;
 
 /// Larger sums are left as they are.
 const TERMS: usize = 120;
+/// Larger denominators are not multiplied out.
+const LONGEST: u32 = 1000;
 /// Sizes are compared up to this number of nodes.
 const SIZE: usize = 20_000;
 
@@ -30,6 +34,79 @@ pub fn collected(expr: &Expr) -> Expr {
     }
     // A little shorter is no reason to change what the rules say.
     if 6 * size(&result) <= 5 * size(expr) { result } else { expr.clone() }
+}
+
+/// The expression with what the numbers of a sum share in front of it where that is shorter, and with what its powers share out of roots.
+///
+/// ```
+/// use sneddon::expr::{Expr, in_lowest_terms};
+/// let (a, b) = (Expr::symbol("a"), Expr::symbol("b"));
+/// let halves = Expr::ratio(1, 2) * &a + Expr::ratio(3, 2) * &b;
+/// assert_eq!(in_lowest_terms(&(Expr::integer(2) * &halves)), &a + Expr::integer(3) * &b);
+/// let root = (Expr::integer(4) * (a.power(2) * b.power(2)) + Expr::integer(4) * a.power(4)).sqrt();
+/// assert_eq!(in_lowest_terms(&root), Expr::integer(2) * &a * (a.power(2) + b.power(2)).sqrt());
+/// ```
+pub fn in_lowest_terms(expr: &Expr) -> Expr {
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(in_lowest_terms).collect()),
+        Node::Sum(terms) => Expr::sum(terms.iter().map(in_lowest_terms)),
+        Node::Power(base, exponent) => out_of_power(&in_lowest_terms(base), exponent),
+        Node::Product(factors) => {
+            let product = Expr::product(factors.iter().map(in_lowest_terms));
+            let number = Expr::number(product.split_coefficient().0);
+            let sums = product.factors().into_iter().filter(|own| matches!(own.node(), Node::Sum(_)));
+            // Halves and thirds stay apart, with the number in front of the sum inside, unless that is longer.
+            let others = sums.flat_map(|sum| {
+                let rest = &product / &sum;
+                let inside = Expr::sum(sum.terms().iter().map(|term| term * &number));
+                [&rest / &number * in_front(&inside), rest * shared_in_front(&sum)]
+            });
+            let shortest = others.min_by_key(digits).filter(|other| digits(other) < digits(&product));
+            // Sums may have met in a longer one.
+            shortest.map_or(product, |other| in_lowest_terms(&other))
+        }
+    }
+}
+
+/// A power of a sum without what its terms share, which stands in front with the same power if that leaves no root of a number.
+fn out_of_power(base: &Expr, exponent: &Expr) -> Expr {
+    let plain = base.pow(exponent);
+    if !matches!(base.node(), Node::Sum(_)) {
+        return plain;
+    }
+    let inner = shared_in_front(base);
+    let (number, _) = inner.split_coefficient();
+    let in_front = number.is_positive() && Expr::number(number).pow(exponent).as_number().is_some();
+    let other = Expr::product(inner.factors().iter().map(|factor| factor.pow(exponent)));
+    if in_front && digits(&other) < digits(&plain) { other } else { plain }
+}
+
+/// How much there is to read: the digits of all numbers but 1, and the symbols.
+fn digits(expr: &Expr) -> usize {
+    match expr.node() {
+        Node::Number(number) => {
+            let length = |own: &BigInt| if own.magnitude().is_one() { 0 } else { own.to_string().len() };
+            length(number.value().numer()) + length(number.value().denom())
+        }
+        Node::Constant(_) | Node::Symbol(_) => 1,
+        Node::Function(_, list) => 1 + list.iter().map(digits).sum::<usize>(),
+        Node::Sum(list) => list.iter().map(digits).sum(),
+        Node::Product(list) => list.iter().map(digits).sum(),
+        Node::Power(base, exponent) => digits(base) + digits(exponent),
+    }
+}
+
+/// The number of which all are whole multiples, negative where all are.
+fn shared_number(numbers: &[Number]) -> Number {
+    let [first, others @ ..] = numbers else { return Number::integer(1) };
+    // Decimals are shown as they were typed, and long fractions come from them.
+    let is_plain = |own: &Number| !own.has_decimals() && *own.value().denom() <= BigInt::from(LONGEST);
+    if !numbers.iter().all(is_plain) {
+        return Number::integer(1);
+    }
+    let shared = others.iter().fold(first.abs(), |all, own| all.common_factor(own));
+    if numbers.iter().all(Number::is_negative) { -&shared } else { shared }
 }
 
 /// One coefficient before each product of kernels, and the common factor of all in front.
@@ -138,20 +215,24 @@ fn products(expr: &Expr, is_distributed: &dyn Fn(&Expr) -> bool) -> Option<Vec<E
     Some(done)
 }
 
-/// The common factor of the terms in front: the lowest power of every base that all of them have.
+/// The common factor of the terms in front: the lowest power of every base that all of them have, and a number that makes none longer.
 fn in_front(sum: &Expr) -> Expr {
+    with_in_front(sum, number_in_front)
+}
+
+/// The same with all that their numbers share.
+fn shared_in_front(sum: &Expr) -> Expr {
+    with_in_front(sum, shared_number)
+}
+
+fn with_in_front(sum: &Expr, shared: fn(&[Number]) -> Number) -> Expr {
     let terms = sum.terms();
     let [first, others @ ..] = terms.as_slice() else { return sum.clone() };
     if others.is_empty() {
         return sum.clone();
     }
-    let mut common: Vec<(Expr, Expr)> = first
-        .factors()
-        .iter()
-        .filter(|f| f.as_number().is_none())
-        .map(Expr::split_power)
-        .filter(|(_, p)| p.as_number().is_some())
-        .collect();
+    let mut common: Vec<(Expr, Expr)> =
+        first.factors().iter().map(Expr::split_power).filter(|(base, p)| base.as_number().is_none() && p.as_number().is_some()).collect();
     for term in others {
         let own: Vec<(Expr, Expr)> = term.factors().iter().map(Expr::split_power).collect();
         common = common
@@ -162,7 +243,7 @@ fn in_front(sum: &Expr) -> Expr {
             })
             .collect();
     }
-    let number = number_in_front(&terms.iter().map(|term| term.split_coefficient().0).collect::<Vec<_>>());
+    let number = shared(&terms.iter().map(|term| term.split_coefficient().0).collect::<Vec<_>>());
     let content = Expr::number(number) * Expr::product(common.into_iter().map(|(base, power)| base.pow(&power)));
     if content.is_one() {
         return sum.clone();
@@ -174,9 +255,8 @@ fn in_front(sum: &Expr) -> Expr {
 fn number_in_front(numbers: &[Number]) -> Number {
     let [first, others @ ..] = numbers else { return Number::integer(1) };
     let alike = others.iter().all(|own| own.value().denom() == first.value().denom());
-    let shared = if alike { others.iter().fold(first.clone(), |all, own| all.common_factor(own)) } else { Number::integer(1) };
-    let shared = if shared.is_negative() { -&shared } else { shared };
-    if numbers.iter().all(Number::is_negative) { -&shared } else { shared }
+    let one = if numbers.iter().all(Number::is_negative) { -1 } else { 1 };
+    if alike { shared_number(numbers) } else { Number::integer(one) }
 }
 
 /// The power nearer to zero where both have the same sign, or the one that both are.

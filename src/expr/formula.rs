@@ -184,6 +184,26 @@ impl Formula {
         }
     }
 
+    /// The formula with the constant factors of closed integrands in front of their integrals.
+    pub fn with_constants_in_front(self) -> Self {
+        match self {
+            Self::Closed(_) => self,
+            Self::Sum(parts) => Self::sum(parts.into_iter().map(Self::with_constants_in_front)),
+            Self::Scaled(factor, inner) => inner.with_constants_in_front().scaled(&factor),
+            Self::Piecewise { variable, pieces, last } => Self::Piecewise {
+                variable,
+                pieces: pieces.into_iter().map(|(value, end)| (value.with_constants_in_front(), end)).collect(),
+                last: Box::new(last.with_constants_in_front()),
+            },
+            Self::Integral { integrand, variable, lower, upper } => {
+                let Self::Closed(expr) = integrand.as_ref() else { return Self::Integral { integrand, variable, lower, upper } };
+                let (inside, outside): (Vec<Expr>, Vec<Expr>) = expr.factors().into_iter().partition(|own| own.contains(&variable));
+                let integrand = Box::new(Self::Closed(Expr::product(inside)));
+                Self::Integral { integrand, variable, lower, upper }.scaled(&Expr::product(outside))
+            }
+        }
+    }
+
     /// Every expression in the formula: closed parts, factors, breakpoints and limits.
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {

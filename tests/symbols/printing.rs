@@ -50,3 +50,35 @@ fn names_are_set_as_an_author_sets_them() {
         assert_eq!(latex_expr(&Expr::symbol(name)), latex, "{name}");
     }
 }
+
+/// In lowest terms an expression is the same number at random places, and no sum under a factor shares a number or a symbol any more.
+#[test]
+fn lowest_terms_are_the_same_numbers() {
+    use sneddon::eval::constant_value;
+    use sneddon::expr::{Bindings, Formula, in_lowest_terms};
+    use sneddon_checks::random::Stream;
+    for (text, expected) in [
+        ("2*E*(a^2/2*acos(b/a) + b/2*sqrt(a^2 - b^2))", "E*(a^2*acos(b/a) + b*sqrt(a^2 - b^2))"),
+        ("-a*(-5*a^2 - 3*b^2)", "a*(5*a^2 + 3*b^2)"),
+        ("sqrt(4*b^2*d^2 + 4*a^2*b^2)", "2*b*sqrt(a^2 + d^2)"),
+        ("sqrt(8*b^2 + 8*a^2)", "sqrt(8*a^2 + 8*b^2)"),
+        ("2*E*(2*a^3/(3*b) + pi/4*a^2*d)", "E*a^2*(4*a/(3*b) + pi/2*d)"),
+        ("2*a*(0.5*a + 1.25*b)", "a*(a + 2.5*b)"),
+        ("a/2 + b/2", "a/2 + b/2"),
+    ] {
+        let closed = |text: &str| match sneddon::parse::formula(text).unwrap() {
+            Formula::Closed(expr) => expr,
+            other => panic!("{other:?}"),
+        };
+        let (typed, found) = (closed(text), in_lowest_terms(&closed(text)));
+        assert_eq!(found, closed(expected), "{text}: {}", sneddon::print::text_expr(&found));
+        let mut stream = Stream::new(17);
+        for _ in 0..8 {
+            let values = [("E", 0.2), ("b", 0.2), ("d", 0.2), ("a", 1.0)].map(|(name, least)| (name, stream.uniform(least, 2.0 * least)));
+            let set = sneddon_checks::formulas::bindings(&values);
+            let value = |expr: &Expr| constant_value(&set.apply(expr), &Bindings::default()).unwrap();
+            let (one, two) = (value(&typed), value(&found));
+            assert!((one.value - two.value).abs() <= one.error + two.error, "{text}: {one:?} {two:?}");
+        }
+    }
+}
