@@ -21,6 +21,15 @@ pub(super) enum Format {
     Json,
 }
 
+/// How much of a derivation is shown.
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum Steps {
+    /// One step per quantity: its result, its definition and the rules of its closed form.
+    Short,
+    /// A tree of steps: the definition, and within it every term, substitution and result.
+    Full,
+}
+
 /// The endings of files that have one of them.
 pub(super) const ENDINGS: &Endings<Format> = &[
     ("txt", Format::Text),

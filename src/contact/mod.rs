@@ -32,4 +32,4 @@ pub(crate) use problem::step_of;
 pub use problem::{Contact, Measured, Reason};
 pub use quantity::{Dimension, Formulas, Kind, Loaded, Quantity};
 pub use report::{Edge, RIM, Relations, relations};
-pub use steps::{Step, inverse_steps, steps};
+pub use steps::{Step, inverse_steps, short_inverse_steps, short_steps, steps};

@@ -14,6 +14,7 @@ const COMMANDS: &[&str] = &[
     "derive r^2/(2*R) --set R=2",
     "derive r^2/(2*R) --json",
     "derive r^2/(2*R) --steps",
+    "derive r^2/(2*R) --steps=full",
     "derive R-sqrt(R^2-r^2) --format latex",
     "derive -h*r^2/c^2 --depth d",
     "derive piecewise(0,r<b,(r-b)*tan(theta)) --json",

@@ -94,8 +94,10 @@ fn logarithms_equal_the_functions_that_they_replace() {
                 assert!(!written.iter().any(|own| shown.contains(own)), "{profile}: {shown}");
             }
         }
-        let steps = answer(&["derive", profile, "--inverse-hyperbolic", "log", "--steps"]);
-        assert!(!["asinh(", "acosh(", "atanh("].iter().any(|own| steps.contains(own)), "{steps}");
+        for more in ["--steps", "--steps=full"] {
+            let steps = answer(&["derive", profile, "--inverse-hyperbolic", "log", more]);
+            assert!(!["asinh(", "acosh(", "atanh("].iter().any(|own| steps.contains(own)), "{steps}");
+        }
     }
 }
 
@@ -167,7 +169,7 @@ fn every_format_rounds_and_says_so() {
     let shown = [("text", "F(a) = 33.9*E*a^3"), ("unicode", "F(a) = 33.9·E*·a³"), ("latex", "F(a) &= 33.9 E^{*} a^{3}")];
     let others = [("markdown", "33.9 E^{*} a^{3}"), ("typst", "33.9 E^* a^(3)"), ("mathml", "<mn>33.9</mn>"), ("json", "\"33.9*E*a^3\"")];
     for (format, formula) in shown.into_iter().chain(others) {
-        for more in [&[][..], &["--steps"]] {
+        for more in [&[][..], &["--steps"], &["--steps=full"]] {
             let text = answer(&[&["derive", "12.73*r^2", "--digits", "3", "--format", format], more].concat());
             assert!(!text.contains("33.94") && !text.contains("101.84"), "{text}");
             assert!(!more.is_empty() || text.contains(formula), "{format}: {text}");

@@ -1,4 +1,4 @@
-//! Steps: every equation that a derivation states holds in numbers, the limit of small contacts is one, and every rule's steps exist.
+//! Steps: every equation that a derivation states holds in numbers, every rule's steps exist, and the short derivation has every result.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
 
 use sneddon::contact::{Edge, Formulas, Quantity, Step, relations, steps};
@@ -244,4 +244,152 @@ fn evaluated(f: &str, sets: &[String], quantity: Quantity, at: f64, a: f64) -> f
     let document: serde_json::Value =
         serde_json::from_slice(&done.stdout).unwrap_or_else(|_| panic!("{}", String::from_utf8_lossy(&done.stderr)));
     document["points"][0]["value"].as_f64().unwrap()
+}
+
+/// Arguments of `derive` of every kind: closed, in pieces, partly and wholly open, without a pressure, under a rim, with other names.
+const DERIVED: [&[&str]; 14] = [
+    &["r^2/(2*R)"],
+    &["C*r^n"],
+    &["1+r^2/(2*R)+r*tan(theta)"],
+    &["R-sqrt(R^2-r^2)"],
+    &["piecewise(0,r<b,(r^2-b^2)/(2*R))"],
+    &["piecewise(0,r<b,(r-b)*tan(theta),r<c,(c-b)*tan(theta))"],
+    &["max(r^2/(2*R)-h,0)+h*ln(1+r^3/w^3)"],
+    &["ln(cosh(r))"],
+    &["piecewise(0,r<0.3,sqrt(r^2-0.09))"],
+    &["0", "--depth", "d"],
+    &["-h*r^2/a^2", "--depth", "d"],
+    &["r^2/(2*R)", "--depth", "0.3"],
+    &["r^2/(2*R)", "--set", "R=12.73", "--symbols", "E=E_r", "--digits", "3"],
+    &["r^2*atan(r/w)", "--inverse-hyperbolic", "log", "--quantity", "F"],
+];
+
+/// The keys of results with the left side and the title of their steps.
+const RESULTS: [(&str, &[&str], &str); 7] = [
+    ("g", &["g(x)"], "Equivalent profile"),
+    ("d", &["d(a)", "d"], "Depth"),
+    ("F", &["F(a)"], "Force"),
+    ("p", &["p(r)"], "Pressure"),
+    ("k", &["k(a)"], "Stiffness"),
+    ("a_of_d", &["a(d)"], "Contact radius at a depth"),
+    ("F_of_d", &["F(d)"], "Force at a depth"),
+];
+
+#[test]
+fn the_short_derivation_has_every_result_once() {
+    for arguments in DERIVED {
+        let plain = json("derive", &arguments.iter().copied().filter(|own| !["--quantity", "F"].contains(own)).collect::<Vec<_>>());
+        let document = json("derive", &[arguments, &["--steps"]].concat());
+        assert_eq!(document["steps"], json("derive", &[arguments, &["--steps=short"]].concat())["steps"]);
+        let steps = document["steps"].as_array().unwrap();
+        assert!((8..=12).contains(&steps.len()), "{arguments:?}: {} steps", steps.len());
+        for step in steps {
+            assert_eq!(step["steps"], serde_json::json!([]), "{arguments:?}: {step}");
+            assert!(!step["reason"].as_str().unwrap().is_empty(), "{arguments:?}: {step}");
+        }
+        let with = |left: &str| steps.iter().filter(|own| own["left"]["text"] == left).collect::<Vec<_>>();
+        assert_eq!((with("f(r)").len(), with("f'(r)").len()), (1, 1), "{arguments:?}");
+        for (key, lefts, title) in RESULTS {
+            let stated: Vec<_> = lefts.iter().flat_map(|left| with(left)).collect();
+            let result = &plain[key];
+            // Why there is no formula; F(d) shares the sentence about a(d). That d is d states nothing.
+            if result.is_null() || result["text"] == "d" {
+                let is_explained = steps.iter().any(|own| own["title"] == title && own["right"].is_null());
+                assert!(stated.is_empty() && (is_explained || key == "F_of_d" || key == "a_of_d"), "{arguments:?}: {key}");
+                continue;
+            }
+            let [step] = stated.as_slice() else { panic!("{arguments:?}: {} steps with {key}", stated.len()) };
+            assert_eq!(step["title"], title);
+            for notation in ["text", "latex"] {
+                assert_eq!(step["right"][notation], result[notation], "{arguments:?}: {key}");
+            }
+            if !["g", "F", "p"].contains(&key) || arguments.contains(&"--digits") {
+                continue;
+            }
+            assert_eq!(step["reference"], result["reference"], "{arguments:?}: {key}");
+            let reason = step["reason"].as_str().unwrap();
+            assert!(reason.contains("= ") && reason.contains("integral("), "{arguments:?}: {reason}");
+            let rules = result["rules"].as_array().unwrap();
+            assert!(rules.iter().all(|own| reason.contains(own.as_str().unwrap())), "{arguments:?}: {reason}");
+            let stays = result["text"].as_str().unwrap().contains("integral(");
+            assert_eq!(reason.contains("computed by quadrature"), stays, "{arguments:?}: {reason}");
+        }
+    }
+}
+
+#[test]
+fn the_full_derivation_is_the_tree_of_the_library() {
+    for text in PROFILES.into_iter().filter(|text| !text.contains('.')) {
+        let typed = parse::profile(text).unwrap();
+        let solution = derive(&Profile::new(&typed).unwrap()).unwrap();
+        let found = relations(&solution, &Edge::Smooth).unwrap();
+        let document = json("derive", &[text, "--steps=full"]);
+        same(text, &steps(&typed, &solution, &Edge::Smooth, &found).unwrap(), &document["steps"]);
+    }
+}
+
+/// Compares titles, equations and steps within steps.
+fn same(text: &str, list: &[Step], written: &serde_json::Value) {
+    let written = written.as_array().unwrap();
+    assert_eq!(list.len(), written.len(), "{text}");
+    for (step, own) in list.iter().zip(written) {
+        assert_eq!(own["title"], step.title, "{text}");
+        assert_eq!(own["left"]["text"].as_str(), step.left.as_deref(), "{text}: {}", step.title);
+        assert_eq!(own["right"]["text"].as_str().map(str::to_owned), step.right.as_ref().map(print::text), "{text}: {}", step.title);
+        same(text, &step.steps, &own["steps"]);
+    }
+}
+
+#[test]
+fn every_format_has_both_derivations() {
+    for (command, given) in [("derive", "r*tan(theta)+r^2/(2*R)"), ("derive", "ln(cosh(r))"), ("invert", "x*atanh(x/R)")] {
+        for format in ["text", "unicode", "latex", "markdown", "typst", "mathml"] {
+            let [plain, short, full] =
+                ["--steps", "--steps=short", "--steps=full"].map(|flag| answer(command, &[given, flag, "--format", format]));
+            assert_eq!(plain, short);
+            assert!(short.len() < full.len(), "{given} as {format}");
+            let inner = |page: &str| page.contains("2.1 ") || page.contains("3.1 ");
+            assert!(!inner(&short.replace("(3.1)", "")) && inner(&full), "{given} as {format}: {short}");
+        }
+    }
+}
+
+#[test]
+fn the_short_inversion_has_the_result_and_its_definition() {
+    for given in ["x*atanh(x/R)", "x^2/R", "ln(1+x^4/w^4)", "x^3*exp(sin(x))"] {
+        let document = json("invert", &[given, "--steps"]);
+        let [equivalent, profile] = document["steps"].as_array().unwrap().as_slice() else { panic!("{given}: {document}") };
+        for (step, key) in [(equivalent, "g"), (profile, "f")] {
+            assert_eq!(step["right"]["text"], document[key]["text"], "{given}");
+            assert_eq!(step["steps"], serde_json::json!([]), "{given}");
+        }
+        assert!(profile["reason"].as_str().unwrap().contains("f(r) = 2/pi*integral(g(x)/sqrt(r^2 - x^2), x, 0, r)"), "{profile}");
+        let full = json("invert", &[given, "--steps=full"]);
+        assert!(!full["steps"][1]["steps"].as_array().unwrap().is_empty(), "{given}");
+    }
+}
+
+#[test]
+fn other_lengths_of_derivations_are_refused() {
+    for (command, given) in [("derive", "r^2"), ("invert", "x^2")] {
+        for refused in [&["--steps=long"][..], &["--steps="], &["--steps=Full"], &["--steps", "full"], &["--steps", "--steps=full"]] {
+            let done = run(command, &[&[given], refused].concat());
+            assert_eq!((done.status.code(), done.stdout.len()), (Some(2), 0), "{command} {refused:?}");
+            assert!(!done.stderr.is_empty());
+        }
+    }
+}
+
+fn run(command: &str, arguments: &[&str]) -> std::process::Output {
+    std::process::Command::new(env!("CARGO_BIN_EXE_sneddon")).arg(command).args(arguments).output().unwrap()
+}
+
+fn answer(command: &str, arguments: &[&str]) -> String {
+    let done = run(command, arguments);
+    assert!(done.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&done.stderr));
+    String::from_utf8(done.stdout).unwrap()
+}
+
+fn json(command: &str, arguments: &[&str]) -> serde_json::Value {
+    serde_json::from_str(&answer(command, &[arguments, &["--json"]].concat())).unwrap()
 }

@@ -46,10 +46,12 @@ fn other_names_are_shown_everywhere() {
     let names = parse::formula(document["F_of_d"]["text"].as_str().unwrap()).unwrap().symbols();
     assert!(["E", "d", "R"].iter().all(|own| !names.contains(&Symbol::new(own))));
     for format in ["text", "latex", "typst", "mathml", "markdown"] {
-        let mut arguments = vec!["derive", "r^2/(2*R)", "--steps", "--format", format];
-        arguments.extend(symbols);
-        let text = answer(&arguments);
-        assert!(!text.contains("E^{*}") && !text.contains("F(d)"), "{format}: {text}");
+        for steps in ["--steps", "--steps=full"] {
+            let mut arguments = vec!["derive", "r^2/(2*R)", steps, "--format", format];
+            arguments.extend(symbols);
+            let text = answer(&arguments);
+            assert!(!text.contains("E^{*}") && !text.contains("F(d)"), "{format}: {text}");
+        }
     }
     for refused in ["E=R", "E=pi", "R=a", "E=x,R=x", "Q=T", "E", "E=", "E=1+1", "E=A,E=B", "E=F"] {
         let done = run(&["derive", "r^2/(2*R)", "--symbols", refused]);
@@ -95,7 +97,7 @@ fn documents_are_whole() {
 
 #[test]
 fn steps_are_data() {
-    let document = json(&["derive", "r^2/(2*R)", "--steps", "--json"]);
+    let document = json(&["derive", "r^2/(2*R)", "--steps=full", "--json"]);
     let steps = document["steps"].as_array().unwrap();
     let mut count = 0;
     let mut open: Vec<&serde_json::Value> = steps.iter().collect();
@@ -109,7 +111,7 @@ fn steps_are_data() {
     }
     assert!(count >= 12, "{count}");
     assert!(json(&["derive", "r^2/(2*R)", "--json"]).get("steps").is_none());
-    let inverse = json(&["invert", "x^2/R", "--steps", "--json"]);
+    let inverse = json(&["invert", "x^2/R", "--steps=full", "--json"]);
     assert!(inverse["steps"].as_array().unwrap().len() >= 2);
 }
 
@@ -117,12 +119,12 @@ fn steps_are_data() {
 #[test]
 fn no_character_is_lost() {
     for (index, rule) in sample(sneddon::transform::rules::RULES, 0, 5).enumerate() {
-        for more in sample([&[][..], &["--steps"]], index, 2) {
+        for more in sample([&[][..], &["--steps"], &["--steps=full"]], index, 3) {
             let latex = answer(&[&["derive", rule.pattern, "--format", "latex", "--standalone"], more].concat());
             assert!(!latex.contains('?') && !latex.contains("[U+"), "{}: {latex}", rule.id);
         }
-        // The output with the steps contains every formula of the output without them.
-        let mathml = answer(&["derive", rule.pattern, "--steps", "--format", "mathml"]);
+        // The output with every step contains every formula of the output without them.
+        let mathml = answer(&["derive", rule.pattern, "--steps=full", "--format", "mathml"]);
         // Text is allowed only inside <mi>, <mn>, <mo> and <mtext>.
         for row in mathml.split("<mrow>").skip(1) {
             assert!(row.is_empty() || row.starts_with('<'), "{}: {}", rule.id, row.chars().take(60).collect::<String>());

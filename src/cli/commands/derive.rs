@@ -3,9 +3,9 @@
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Formats};
 use crate::cli::quantities::{Quantities, demand};
-use crate::cli::typesetting::{ENDINGS, Format, TypesettingArguments};
+use crate::cli::typesetting::{ENDINGS, Format, Steps, TypesettingArguments};
 use crate::cli::{Failure, Outcome, budget, input};
-use crate::contact::{ContactError, Edge, Quantity, RIM, relations, steps};
+use crate::contact::{ContactError, Edge, Quantity, RIM, relations, short_steps, steps};
 use crate::expr::{Bindings, Expr};
 use crate::report::page::Page;
 use crate::report::{self, Derivation};
@@ -32,9 +32,9 @@ pub(in crate::cli) struct Arguments {
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
     typesetting: TypesettingArguments,
-    /// Shows the way from f to every result, step by step.
-    #[arg(long)]
-    steps: bool,
+    /// Shows the way from f to every result, step by step: in short, or in full with --steps=full.
+    #[arg(long, value_name = "FORM", value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "short")]
+    steps: Option<Steps>,
     /// Quantities to derive, separated by commas; `a` is a(d).
     #[arg(long, value_parser = Quantities(has_formula), value_delimiter = ',', value_name = "LIST")]
     quantity: Vec<Quantity>,
@@ -45,7 +45,8 @@ pub(in crate::cli) struct Arguments {
 const EXAMPLES: &str = "Examples:
   sneddon derive 'r^2/(2*R)'
   sneddon derive '-h*r^2/c^2' --depth d --format latex
-  sneddon derive 'r^2/(2*R)' --quantity F,p --symbols 'E=E_r,d=\\delta' --steps
+  sneddon derive 'r^2/(2*R)' --quantity F,p --symbols 'E=E_r,d=\\delta'
+  sneddon derive 'r^2/(2*R) + r*tan(theta)' --steps
   sneddon derive --shape cone --format latex --standalone
   echo 'R-sqrt(R^2-r^2)' | sneddon derive - --set R=2 --json";
 
@@ -67,7 +68,12 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut relations = relations(&solution, &edge).map_err(failed)?;
     let check = budget::part(|| transform::check(&solution));
     check.iter().for_each(|check| relations.confirm(check));
-    let steps = arguments.steps.then(|| steps(&shown, &solution, &edge, &relations)).transpose().map_err(|error| failed(error.into()))?;
+    let steps = match arguments.steps {
+        None => None,
+        Some(Steps::Short) => Some(short_steps(&shown, &solution, &edge, &relations)),
+        Some(Steps::Full) => Some(steps(&shown, &solution, &edge, &relations)),
+    };
+    let steps = steps.transpose().map_err(|error| failed(error.into()))?;
     let record = Derivation {
         profile: &profile,
         typed: &shown,

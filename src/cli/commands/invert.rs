@@ -1,10 +1,10 @@
 //! `sneddon invert`: the profile that has a given equivalent profile, or that presses with a given pressure.
 
 use crate::cli::output::{Destination, Formats};
-use crate::cli::typesetting::{ENDINGS, Format, TypesettingArguments};
+use crate::cli::typesetting::{ENDINGS, Format, Steps, TypesettingArguments};
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, budget, input, points};
-use crate::contact::inverse_steps;
+use crate::contact::{inverse_steps, short_inverse_steps};
 use crate::expr::{Bindings, Expr, Formula};
 use crate::parse;
 use crate::report::page::Page;
@@ -41,9 +41,9 @@ pub(in crate::cli) struct Arguments {
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
     typesetting: TypesettingArguments,
-    /// Shows the way from g to f, step by step.
-    #[arg(long)]
-    steps: bool,
+    /// Shows the way from g to f, step by step: in short, or in full with --steps=full.
+    #[arg(long, value_name = "FORM", value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "short")]
+    steps: Option<Steps>,
     #[command(flatten)]
     pub(in crate::cli) budget: budget::BudgetArguments,
 }
@@ -94,7 +94,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         at,
         readings,
     };
-    let steps = arguments.steps.then(|| inverse_steps(&equivalent, &record.profile, record.at_axis));
+    let steps = arguments.steps.map(|own| match own {
+        Steps::Short => short_inverse_steps(&equivalent, &record.profile, record.at_axis),
+        Steps::Full => inverse_steps(&equivalent, &record.profile, record.at_axis),
+    });
     answer.write(|format, out| {
         let Some(page) = format.page() else {
             return inversion::json(&record, steps.as_deref(), &presentation, out);

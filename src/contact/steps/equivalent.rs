@@ -10,16 +10,7 @@ use crate::transform::{Answer, Rule, Segment, Solution, SolvedTerm, TransformErr
 const MANY: usize = 12;
 
 pub(super) fn steps(typed: &Formula, solution: &Solution, relations: &Relations) -> Result<Vec<Step>, TransformError> {
-    let shift = &solution.profile.shift;
-    let start = if shift.is_zero() {
-        Prose::read("The shape as it was typed, with $f(0)$ = 0")
-    } else {
-        Prose::read("The shape as it was typed; a contact does not see the constant $f(0)$ = ")
-            .formula(shift.clone())
-            .then(", which is subtracted")
-    };
-    let definition = x_times(over("r", Expr::symbol("f'(r)"), root("x", "r"), Expr::zero(), Expr::symbol("x")));
-    let terms: Vec<&SolvedTerm> = solution.terms().filter(|own| !own.term.slope().is_zero()).collect();
+    let terms = sloped_terms(solution);
     let split = match terms.len() {
         0 => Prose::words("The slope vanishes, and so does the integral"),
         1 => Prose::words("Definition of the equivalent profile; the slope is a single term"),
@@ -31,9 +22,9 @@ pub(super) fn steps(typed: &Formula, solution: &Solution, relations: &Relations)
     let parts =
         if terms.len() > MANY { Vec::new() } else { terms.iter().enumerate().map(|(at, own)| term(at, terms.len(), own, name)).collect() };
     let mut list = vec![
-        Step::new("Shape", "f(r)", typed.clone(), start),
+        shape(typed, solution),
         Step::new("Slope", "f'(r)", slope(solution)?, Prose::words("Differentiated piece by piece")),
-        Step::new("Equivalent profile", "g(x)", definition, split).from(&["Popov & Heß (3.27)"]).with(parts),
+        Step::new("Equivalent profile", "g(x)", definition(), split).from(&["Popov & Heß (3.27)"]).with(parts),
     ];
     if terms.len() != 1 || terms.iter().any(|own| !own.term.segment.is_whole()) {
         let added = Prose::words("The contributions are added; the contact radius is the same for all of them");
@@ -42,8 +33,31 @@ pub(super) fn steps(typed: &Formula, solution: &Solution, relations: &Relations)
     Ok(list)
 }
 
+/// f(r), as it was typed.
+pub(super) fn shape(typed: &Formula, solution: &Solution) -> Step {
+    let shift = &solution.profile.shift;
+    let start = if shift.is_zero() {
+        Prose::read("The shape as it was typed, with $f(0)$ = 0")
+    } else {
+        Prose::read("The shape as it was typed; a contact does not see the constant $f(0)$ = ")
+            .formula(shift.clone())
+            .then(", which is subtracted")
+    };
+    Step::new("Shape", "f(r)", typed.clone(), start)
+}
+
+/// g(x) = x ∫₀^x f′(r)/√(x² − r²) dr.
+pub(super) fn definition() -> Formula {
+    x_times(over("r", Expr::symbol("f'(r)"), root("x", "r"), Expr::zero(), Expr::symbol("x")))
+}
+
+/// The terms of f′ that are not 0.
+pub(super) fn sloped_terms(solution: &Solution) -> Vec<&SolvedTerm> {
+    solution.terms().filter(|own| !own.term.slope().is_zero()).collect()
+}
+
 /// f′ of all chains together.
-fn slope(solution: &Solution) -> Result<Formula, TransformError> {
+pub(super) fn slope(solution: &Solution) -> Result<Formula, TransformError> {
     let mut parts = Vec::new();
     for chain in &solution.profile.chains {
         let mut slopes: Vec<Formula> = chain.slopes()?.into_iter().map(Formula::Closed).collect();

@@ -1,11 +1,13 @@
-//! The way from f to every result as a tree of steps, each with its formula, its reason and its source.
+//! The way from f to every result as steps, each with its formula, its reason and its source: a tree, or one step per quantity.
 
 mod equivalent;
 mod inverse;
 mod limit;
 mod results;
+mod short;
 
 pub use inverse::inverse_steps;
+pub use short::{short_inverse_steps, short_steps};
 
 use super::{Edge, Relations};
 use crate::expr::Formula;

@@ -4,7 +4,7 @@ use super::Step;
 use crate::contact::{Edge, Relations, explicit};
 use crate::expr::{Expr, Formula, Symbol, derivative, shown};
 use crate::print::Prose;
-use crate::transform::Solution;
+use crate::transform::{Derived, Solution};
 
 pub(super) fn steps(solution: &Solution, edge: &Edge, relations: &Relations) -> Vec<Step> {
     let mut list = vec![depth(edge, relations), force(edge, relations)];
@@ -19,15 +19,21 @@ pub(super) fn steps(solution: &Solution, edge: &Edge, relations: &Relations) -> 
     if *edge == Edge::Smooth {
         list.extend(solved(solution, relations));
     }
+    list.push(validity(relations));
+    list
+}
+
+/// What must hold.
+pub(super) fn validity(relations: &Relations) -> Step {
     let mut conditions = Prose::words("Conditions: ");
     for (place, own) in relations.conditions.iter().enumerate() {
         conditions = conditions.then(if place == 0 { "" } else { "; " }).followed_by(own);
     }
-    list.push(Step::remark("Validity", conditions));
-    list
+    Step::remark("Validity", conditions)
 }
 
-fn depth(edge: &Edge, relations: &Relations) -> Step {
+/// d(a) = g(a), or the depth that is given under a rim.
+pub(super) fn depth(edge: &Edge, relations: &Relations) -> Step {
     let d = relations.d.formula.clone();
     match edge {
         Edge::Smooth => Step::new(
@@ -42,17 +48,13 @@ fn depth(edge: &Edge, relations: &Relations) -> Step {
 }
 
 fn force(edge: &Edge, relations: &Relations) -> Step {
-    let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
-    let double = Expr::integer(2) * Expr::symbol("E");
-    let compressed =
-        integral(Expr::symbol(if *edge == Edge::Smooth { "d(a)" } else { "d" }) - Expr::symbol("g(x)"), "x", Expr::zero(), a.clone());
-    let by_parts = integral(&x * Expr::symbol("g'(x)"), "x", Expr::zero(), a.clone());
+    let by_parts = integral(Expr::symbol("x") * Expr::symbol("g'(x)"), "x", Expr::zero(), Expr::symbol("a"));
     let mut steps = Vec::new();
     if *edge == Edge::Smooth {
         steps.push(Step::new(
             "By parts",
             "F(a)",
-            by_parts.scaled(&double),
+            by_parts.scaled(&(Expr::integer(2) * Expr::symbol("E"))),
             Prose::read("The boundary term vanishes, because $d$ = $g(a)$"),
         ));
     }
@@ -61,18 +63,20 @@ fn force(edge: &Edge, relations: &Relations) -> Step {
             .from(&relations.force.reference),
     );
     let why = Prose::read("Every spring between −$a$ and $a$ is compressed by $d$ − $g(x)$, and $g$ is even");
-    Step::new("Force", "F(a)", compressed.scaled(&double), why).from(&["Popov & Heß (3.7), (3.22)"]).with(steps)
+    Step::new("Force", "F(a)", force_definition(edge), why).from(&["Popov & Heß (3.7), (3.22)"]).with(steps)
 }
 
+/// F = 2E ∫₀^a (d − g(x)) dx.
+pub(super) fn force_definition(edge: &Edge) -> Formula {
+    let d = Expr::symbol(if *edge == Edge::Smooth { "d(a)" } else { "d" });
+    let compressed = integral(d - Expr::symbol("g(x)"), "x", Expr::zero(), Expr::symbol("a"));
+    compressed.scaled(&(Expr::integer(2) * Expr::symbol("E")))
+}
+
+/// Why p(r) may have no formula.
+pub(super) const NO_PRESSURE: &str = "$g$ may jump where $f'$ is infinite: $p(r)$ has no formula here";
+
 fn pressure(edge: &Edge, relations: &Relations) -> Step {
-    let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
-    let factor = Expr::symbol("E") / Expr::pi();
-    let root = (x.power(2) - r.power(2)).sqrt();
-    let mut definition = integral(Expr::symbol("g'(x)") / root, "x", r.clone(), a.clone()).scaled(&factor);
-    if matches!(edge, Edge::Rim(_)) {
-        let excess = Expr::symbol("d") - Expr::symbol("g(a)");
-        definition = Formula::sum([definition, Formula::Closed(factor * excess / (a.power(2) - r.power(2)).sqrt())]);
-    }
     let mut steps = Vec::new();
     if let Some(slope) = relations.g.formula.as_closed().and_then(|g| derivative(&shown(g), &Symbol::new("x")).ok()) {
         steps.push(Step::new("Slope of the equivalent profile", "g'(x)", Formula::Closed(slope), Prose::words("Differentiated")));
@@ -82,30 +86,56 @@ fn pressure(edge: &Edge, relations: &Relations) -> Step {
             Step::new("Result", "p(r)", found.formula.clone(), Prose::read("For $r$ < $a$; there is no pressure outside"))
                 .from(&found.reference),
         ),
-        None => steps.push(Step::remark("Result", Prose::read("$g$ may jump where $f'$ is infinite: $p(r)$ has no formula here"))),
+        None => steps.push(Step::remark("Result", Prose::read(NO_PRESSURE))),
     }
     let why = match edge {
         Edge::Smooth => "The line load of the foundation is transformed back; its end vanishes under a smooth edge",
         Edge::Rim(_) => "The line load of the foundation is transformed back; the last term is that of its step at the rim",
     };
-    Step::new("Pressure", "p(r)", definition, Prose::words(why)).from(&["Popov & Heß (3.37)"]).with(steps)
+    Step::new("Pressure", "p(r)", pressure_definition(edge), Prose::words(why)).from(&["Popov & Heß (3.37)"]).with(steps)
+}
+
+/// p(r) = E/π ∫_r^a g′(x)/√(x² − r²) dx, and under a rim E (d − g(a))/(π √(a² − r²)) as well.
+pub(super) fn pressure_definition(edge: &Edge) -> Formula {
+    let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
+    let factor = Expr::symbol("E") / Expr::pi();
+    let root = (x.power(2) - r.power(2)).sqrt();
+    let smooth = integral(Expr::symbol("g'(x)") / root, "x", r.clone(), a.clone()).scaled(&factor);
+    if *edge == Edge::Smooth {
+        return smooth;
+    }
+    let excess = Expr::symbol("d") - Expr::symbol("g(a)");
+    Formula::sum([smooth, Formula::Closed(factor * excess / (a.power(2) - r.power(2)).sqrt())])
 }
 
 /// a(d) and F(d), where g(a) = d can be solved.
 fn solved(solution: &Solution, relations: &Relations) -> Vec<Step> {
     let (Some(radius), Some(force)) = (&relations.contact_radius_of_depth, &relations.force_of_depth) else {
-        let why =
-            Prose::read("$d$ = $g(a)$ has no solution for $a$ in closed form that is known here; numbers come from a bracketed root of it");
-        return vec![Step::remark("Contact radius at a depth", why)];
+        return vec![unsolved()];
     };
-    let how = explicit(solution).map_or("", |found| found.equation);
-    let mut steps = vec![Step::new("Equation", "d", relations.d.formula.clone(), Prose::words(how))];
-    steps.push(Step::new("Force at a depth", "F(d)", force.formula.clone(), Prose::read("$a(d)$ put into $F(a)$")).from(&force.reference));
+    let steps = vec![Step::new("Equation", "d", relations.d.formula.clone(), Prose::words(equation(solution))), force_at_depth(force)];
     vec![
         Step::new("Contact radius at a depth", "a(d)", radius.formula.clone(), Prose::read("$d$ = $g(a)$ is solved for $a$"))
             .from(&radius.reference)
             .with(steps),
     ]
+}
+
+/// Where no a(d) is known.
+pub(super) fn unsolved() -> Step {
+    let why =
+        Prose::read("$d$ = $g(a)$ has no solution for $a$ in closed form that is known here; numbers come from a bracketed root of it");
+    Step::remark("Contact radius at a depth", why)
+}
+
+/// How g(a) = d is solved for a, as a sentence.
+pub(super) fn equation(solution: &Solution) -> &'static str {
+    explicit(solution).map_or("", |found| found.equation)
+}
+
+/// F(d) = F(a(d)).
+pub(super) fn force_at_depth(force: &Derived) -> Step {
+    Step::new("Force at a depth", "F(d)", force.formula.clone(), Prose::read("$a(d)$ put into $F(a)$")).from(&force.reference)
 }
 
 fn integral(integrand: Expr, variable: &str, lower: Expr, upper: Expr) -> Formula {
