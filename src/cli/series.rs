@@ -5,12 +5,17 @@ use crate::contact::{Measured, Quantity, Reason};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{HIGHEST_ORDER, Profile, Reading, SeriesEvaluator, SeriesFailure};
 
-/// The order where none was given.
-const ORDER: usize = 20;
+/// True for quantities of which every term of the series is known.
+pub(super) fn answers(quantity: Quantity) -> bool {
+    use Quantity::{Depth, Equivalent, Force, Integral, Pressure, Profile, Stiffness};
+    matches!(quantity, Profile | Equivalent | Depth | Force | Integral | Pressure | Stiffness)
+}
 
-/// Reads `--order N`.
-pub(super) fn order(text: Option<&str>) -> Result<usize, Failure> {
-    let Some(text) = text else { return Ok(ORDER) };
+/// Reads `--order N`, by default that of the way `series`.
+pub(super) fn order(text: Option<&str>, quantity: Quantity) -> Result<usize, Failure> {
+    let Some(text) = text else {
+        return Ok(if quantity == Quantity::Pressure { SeriesEvaluator::PRESSURE_ORDER } else { SeriesEvaluator::ORDER });
+    };
     let number = text.trim().parse::<usize>().ok().filter(|n| (1..=HIGHEST_ORDER).contains(n));
     number.ok_or_else(|| {
         let help = format!("a whole number from 1 to {HIGHEST_ORDER} would be accepted");

@@ -5,8 +5,8 @@ use crate::expr::Bindings;
 use crate::num::{Estimate, work};
 use crate::transform::{Evaluator, Method, Solution, TransformError, WAYS, Way};
 
-/// Steps of work that one way may take for one point, about a fifth of a second.
-const MOST_STEPS: u64 = 20_000_000;
+/// Steps of work that one way may take for one point, about a tenth of a second.
+const MOST_STEPS: u64 = 10_000_000;
 
 /// What one way answered.
 #[derive(Clone, Debug, PartialEq)]

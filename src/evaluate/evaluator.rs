@@ -261,7 +261,7 @@ impl<'a> Evaluator<'a> {
             Method::Exact => own,
             // Even where its values are the answer, f′ is asked.
             Method::Quadrature => Best::of(0.0, own).or(typed).answer(),
-            _ => Best::of(self.tolerance, own).or(typed).answer(),
+            _ => Best::of(self.tolerance, own).or(typed).or(|| self.by_series(Ask::Height(r))).answer(),
         };
         finite(found?, "r", r)
     }

@@ -79,6 +79,11 @@ enum Weight {
 }
 
 impl SeriesEvaluator {
+    /// The highest power of r that is kept where nobody asks for another one …
+    pub const ORDER: usize = 24;
+    /// … and for the pressure, which has nothing else next to the axis.
+    pub const PRESSURE_ORDER: usize = 64;
+
     /// Takes the first piece of every chain of the profile.
     ///
     /// ```

@@ -140,11 +140,6 @@ impl NumericProfile {
         Ok(self)
     }
 
-    /// The number of intervals on which f′ is not 0.
-    pub(crate) fn intervals(&self) -> usize {
-        self.segments.len()
-    }
-
     /// True where nothing is left to integrate.
     pub fn is_empty(&self) -> bool {
         self.segments.is_empty()
@@ -224,10 +219,25 @@ impl NumericSegment {
         }
         let found = match by {
             By::Cheapest => self.in_the_cheapest_way(x, weight, tolerance)?,
-            By::Rule(rule) => self.by_bisection(x, weight, tolerance, Some(rule))?,
+            By::Rule(rule) => self.by_bisection(x, weight, tolerance, Some(rule), &[])?,
             By::Only(key) => self.in_the_way(key, x, weight, tolerance)?.ok_or(not_this_way(key))?,
         };
-        self.seen(Estimate { error: found.error + smear, ..found }, x)
+        self.seen(Estimate { error: found.error + smear + self.shifted(&found, x), ..found }, x)
+    }
+
+    /// How far the integral up to x is off where the lower end is not known to many times less than the distance to x.
+    fn shifted(&self, found: &Estimate, x: f64) -> f64 {
+        /// Farther out the change at the ends is enough.
+        const FAR: f64 = 1e3;
+        let (error, reach) = (self.lower.error, x - self.lower.value);
+        if error == 0.0 || reach > FAR * error {
+            return 0.0;
+        }
+        // f′ ~ δ^m gives g ~ δ^(m + 1/2), F alike and G ~ δ^(m + 3/2).
+        let size = |delta: f64| self.slope_at(delta).value.abs();
+        let power = (size(reach) / size(0.5 * reach)).log2().max(0.0) + 1.5;
+        let share = (1.0 + error / reach).powf(power) - 1.0;
+        if share.is_nan() { f64::INFINITY } else { found.value.abs() * share }
     }
 
     /// The estimate, unless every sample of a formula vanished and no enclosure says that the formula does.
@@ -237,7 +247,8 @@ impl NumericSegment {
     }
 
     fn in_the_cheapest_way(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Estimate, TransformError> {
-        if self.slope_cuts(x).is_empty() {
+        let cuts = self.places_to_cut(x, weight, tolerance);
+        if cuts.is_empty() {
             if let Some(found) = by(GAUSS, self.by_known_rule(x, weight, tolerance))? {
                 return Ok(found);
             }
@@ -245,15 +256,15 @@ impl NumericSegment {
                 return Ok(found);
             }
         }
-        self.by_bisection(x, weight, tolerance, None)
+        self.by_bisection(x, weight, tolerance, None, &cuts)
     }
 
     /// In the way of a key; `None` where it has no answer.
     fn in_the_way(&self, key: &'static str, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let found = match key {
-            BISECTION => self.by_bisection(x, weight, tolerance, None).map(Some),
+            BISECTION => self.by_bisection(x, weight, tolerance, None, &self.places_to_cut(x, weight, tolerance)).map(Some),
             // Where f′ itself is known in parts only, every rule would reach over their ends.
-            _ if !self.slope_cuts(x).is_empty() => Ok(None),
+            _ if !self.places_to_cut(x, weight, tolerance).is_empty() => Ok(None),
             GAUSS => self.by_known_rule(x, weight, tolerance),
             PIECES => self.by_pieces(x, weight, tolerance),
             NESTED => self.by_nested_rules(x, weight, tolerance),
@@ -262,15 +273,18 @@ impl NumericSegment {
         by(key, found)
     }
 
-    /// Places within the interval below x at which f′ is cut into parts, counted from the lower end.
-    fn slope_cuts(&self, x: f64) -> Vec<f64> {
+    /// Places within the interval below x, counted from the lower end, at which f′ is cut into parts, or resolved for an integral that no
+    /// enclosure proves.
+    fn places_to_cut(&self, x: f64, weight: Weight, tolerance: f64) -> Vec<f64> {
+        if matches!(weight, Weight::Outside(_)) && self.slope.is_expression() {
+            return self.features(x, tolerance);
+        }
         self.slope.cuts(self.upper.map_or(x, |upper| upper.value.min(x)) - self.lower.value)
     }
 
     /// By adaptive quadrature over the angle, with the default rule where no other is named.
-    fn by_bisection(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>) -> Result<Estimate, TransformError> {
+    fn by_bisection(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>, cuts: &[f64]) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
-        let cuts = if rule.is_none() { self.slope_cuts(x) } else { Vec::new() };
         let end = self.upper.map_or(f64::INFINITY, |u| u.value);
         let width = forms::angle_between(lower, end, x);
         let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };

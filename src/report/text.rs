@@ -42,8 +42,11 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     table(&header, rows, out)?;
     let asked = record.ways.iter().flatten();
     record.at.iter().zip(&record.readings).zip(asked).try_for_each(|((at, reading), asked)| {
-        let chosen = reading.as_ref().map_or("none", |own| own.way());
-        writeln!(out, "\nWays to {} at {} = {}; the answer is that of {chosen}:", record.quantity, record.coordinate, number(*at))?;
+        write!(out, "\nWays to {} at {} = {}", record.quantity, record.coordinate, with_unit(*at, &units.at))?;
+        match reading {
+            Ok(own) => writeln!(out, "; the answer is that of {}:", own.way())?,
+            Err(reason) => return writeln!(out, ": none, {}", reason.text()),
+        }
         let rows = || {
             asked.iter().map(|own| match &own.found {
                 Ok(found) => {

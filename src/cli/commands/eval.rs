@@ -47,7 +47,7 @@ pub(in crate::cli) struct Arguments {
     /// Shows what every way to each number answers, and its steps of work; not with --csv.
     #[arg(long, conflicts_with = "csv")]
     explain: bool,
-    /// The highest power of r that --method series keeps [default: 20].
+    /// The highest power of r that --method series keeps [default: 24, and 64 for p].
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     order: Option<String>,
     /// The relative tolerance [default: 1e-13].
@@ -134,6 +134,9 @@ const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv),
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    if arguments.explain && answer.format() == Format::Csv {
+        return Err(Failure::new("CSV has no place for the ways of --explain").help("expected -o FILE.txt or FILE.json"));
+    }
     let digits = arguments.precision.digits(answer.format() != Format::Json)?;
     let quantity = arguments.quantity;
     let lengths = [Some(arguments.at.as_str()), arguments.radius.as_deref(), arguments.depth.as_deref()];
@@ -145,18 +148,20 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let effective_modulus = units.modulus("--effective-modulus", &arguments.effective_modulus)?;
     let demanded = arguments.tol.as_deref().map(input::tolerance).transpose()?;
     let (chosen, tolerance) = (arguments.method, demanded.unwrap_or(TOLERANCE));
+    let by_series = chosen == Chosen::Series && (arguments.order.is_some() || (depth.is_none() && series::answers(quantity)));
     let method = match chosen {
         Chosen::Method(method) => method,
+        // Other numbers follow from those that the series has.
+        Chosen::Series if !by_series => Way::of("series").map_or(Method::Quadrature, Method::Only),
         // Series and curve have their own ways; what they share with the others is cheap.
         Chosen::Series | Chosen::Curve => Method::Quadrature,
     };
-    let by_series = chosen == Chosen::Series;
     if by_series {
         series::refuse_rim(depth)?;
     } else {
         series::refuse_order(arguments.order.as_deref())?;
     }
-    let order = series::order(arguments.order.as_deref())?;
+    let order = series::order(arguments.order.as_deref(), quantity)?;
     if quantity.needs_radius() && radius.is_none() {
         let message = format!("--quantity {} needs the contact radius", quantity.key());
         return Err(Failure::new(message).help("give it with --radius A"));
@@ -183,7 +188,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let evaluator = Evaluator::new(&solution, &Bindings::default(), method, tolerance);
     let contact = Contact::new(evaluator.map_err(|error| failed(error.into()))?, effective_modulus, depth, tolerance);
     // Series and curve answer all points together, and a contact radius belongs to all of them.
-    let together = matches!(chosen, Chosen::Series | Chosen::Curve) && !quantity.needs_radius() && !by_load;
+    let together = (by_series || chosen == Chosen::Curve) && !quantity.needs_radius() && !by_load;
     let shared = radius.filter(|_| quantity.needs_radius()).map(|a| ("a", a));
     for (symbol, place) in at.iter().filter(|_| together).map(|place| (quantity.coordinate(), *place)).chain(shared) {
         contact.evaluator().check_domain(symbol, place).map_err(|error| failed(error.into()))?;
@@ -282,10 +287,11 @@ fn warn_of_missing_values(readings: &[Measured]) {
 
 /// The list, and the answer itself where it was found in none of the ways, as numbers that follow from what was given are.
 fn with_the_answer(mut asked: Vec<Asked>, reading: &Measured) -> Vec<Asked> {
-    if let Ok(own) = reading
-        && asked.iter().all(|other| other.way != own.way())
-    {
-        asked.insert(0, Asked { way: own.way(), found: Ok(own.estimate), steps: 0 });
+    let Ok(own) = reading else { return asked };
+    match asked.iter_mut().find(|other| other.way == own.way()) {
+        Some(Asked { found: Ok(_), .. }) => {}
+        Some(other) => other.found = Ok(own.estimate),
+        None => asked.insert(0, Asked { way: own.way(), found: Ok(own.estimate), steps: 0 }),
     }
     asked
 }

@@ -12,11 +12,6 @@ use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Bounded, Estimate, Precise, work};
 use std::cell::Cell;
 
-/// The order of the power series at the axis.
-pub(crate) const ORDER: usize = 24;
-/// The same for the pressure, which has nothing else next to the axis.
-const PRESSURE_ORDER: usize = 64;
-
 /// Where a quadrature has fewer digits than this relative error says, the series is asked too.
 const SCANT: f64 = 1e-10;
 
@@ -176,7 +171,7 @@ impl Evaluator<'_> {
     /// # Errors
     /// [`TransformError::NotComputable`] where the series is not known, or far out, where a few terms promise no digit.
     pub(crate) fn by_series(&self, ask: Ask) -> Answer {
-        let order = if matches!(ask, Ask::Pressure { .. }) { PRESSURE_ORDER } else { ORDER };
+        let order = if matches!(ask, Ask::Pressure { .. }) { SeriesEvaluator::PRESSURE_ORDER } else { SeriesEvaluator::ORDER };
         let none = TransformError::NotComputable { at: ask.reach() };
         let Ok(series) = SeriesEvaluator::with(&self.solution.profile, &self.bindings, order) else { return Err(none) };
         let found = match ask {

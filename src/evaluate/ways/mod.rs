@@ -49,9 +49,10 @@ pub struct Way {
 /// The number, found in this way; `None` where it has no answer.
 type Run = fn(&Way, &Evaluator<'_>, Ask) -> Result<Option<Estimate>, TransformError>;
 
-const OPEN: &str = "a term has no closed form, or overflows on the way";
+const OPEN: &str = "a term has no closed form";
+const UNREPRESENTED: &str = "a value on the way is infinite, or beyond the range of its numbers";
 const UNPROVEN: &str = "enclosures of f′ do not show that a rule suffices";
-const UNMET: &str = "the rules miss the tolerance, or f′ has a kink below the contact radius";
+const UNMET: &str = "its rules do not reach the tolerance for this f′";
 
 /// Every way, roughly in the order of their cost.
 pub static WAYS: [Way; 16] = [
@@ -59,7 +60,7 @@ pub static WAYS: [Way; 16] = [
     closed(THIRTY_DIGITS, "closed forms with 30 digits, rounded once"),
     closed(WIDE_EXPONENT, "closed forms with 30 digits and an exponent that does not overflow"),
     Way {
-        missing: "no term has a closed form, and f′ has one interval",
+        missing: "an integral is infinite",
         method: "mixed",
         run: in_parts,
         ..integral(Estimate::SEVERAL, "closed terms, and every integral of the others in the cheapest way", ALL, Bound::Proven)
@@ -79,13 +80,13 @@ pub static WAYS: [Way; 16] = [
     integral(ELLIPTIC, "∫ (r f′)′ K(r, s) dr with the elliptic kernel, by adaptive Gauss–Kronrod quadrature", &["p"], Bound::Estimated),
     integral(BISECTION, "adaptive Gauss–Kronrod quadrature", &["f", "g", "F", "G", "u", "sigma_zz"], Bound::Estimated),
     Way {
-        missing: "g has no closed form, or a kink lies beyond r",
+        missing: "it needs a closed g without a kink beyond r",
         run: by_closed_slope,
         ..integral(CLOSED_SLOPE, "∫ g′/√(x²−r²) dx with the derivative of the closed g", &["p"], Bound::Estimated)
     },
     Way { run: by_recognition, ..integral(RECOGNISED, "integrals over f′ as the rules read it", ALL, Bound::Proven) },
     Way {
-        missing: "the power series of f is not known, or not proven to converge there",
+        missing: "no power series of f is proven to converge there with digits",
         method: "series",
         run: by_series,
         ..integral(SERIES, "the power series at the axis with a proven remainder", &["f", "g", "F", "G", "p"], Bound::Proven)
@@ -122,12 +123,13 @@ impl Way {
         if !self.quantities.contains(&ask.key()) {
             return Err(TransformError::NoSuchWay { way: self.key, quantity: ask.key() });
         }
-        let none = TransformError::NotThisWay { way: self.key, reason: self.missing };
+        let none = |reason| TransformError::NotThisWay { way: self.key, reason };
         match (self.run)(self, evaluator, ask) {
             Ok(Some(own)) if own.value.is_finite() && own.error.is_finite() => {
                 Ok(Some(Reading { estimate: own.by(self.key), method: self.method }))
             }
-            Ok(_) | Err(TransformError::NotThisWay { .. }) => Err(none),
+            Ok(Some(_)) => Err(none(UNREPRESENTED)),
+            Ok(None) | Err(TransformError::NotThisWay { .. }) => Err(none(self.missing)),
             Err(other) => Err(other),
         }
     }
@@ -228,11 +230,8 @@ fn in_parts(_: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estim
     if forms.is_empty() { by_intervals(evaluator, ask) } else { Ok(Some(sum(&forms, quantity.inputs(&coordinates)) + open)) }
 }
 
-/// f′ as typed, where it has several intervals.
+/// f′ as typed, interval by interval.
 fn by_intervals(evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estimate>, TransformError> {
     let profile = evaluator.typed()?;
-    if profile.intervals() < 2 {
-        return Ok(None);
-    }
     unless_underflown(profile, ask, profile.answer(ask, evaluator.tolerance))
 }

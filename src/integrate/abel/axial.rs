@@ -63,6 +63,9 @@ impl NumericSegment {
             at *= WIDER;
         }
         places.push(end);
+        places.extend(self.features(a, tolerance).iter().map(|delta| lower + delta).filter(|place| *place > lower && *place < end));
+        places.sort_by(f64::total_cmp);
+        places.dedup();
         let mut total = Estimate { error: smear, ..zero };
         for pair in places.windows(2) {
             let [from, to] = pair else { continue };

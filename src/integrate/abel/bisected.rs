@@ -2,7 +2,7 @@
 
 use crate::eval::{RegionAlgebra, Tape};
 use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
-use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum, resolved};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericSegment, Weight};
 use crate::integrate::source::leading_power::LeadingPower;
@@ -22,15 +22,39 @@ impl NumericSegment {
         if !self.slope.is_expression() || matches!(weight, Weight::Outside(_)) || !(x.is_normal() && self.lower.value < x) {
             return Ok(None);
         }
+        let Some(mut range) = self.enclosed(x, weight) else { return Ok(None) };
+        proven_sum(std::slice::from_mut(&mut range), Bounded::exact(0.0), tolerance, x)
+    }
+
+    /// The range with what enclosures near its ends need; `None` where f′ is singular and no power of it is known.
+    fn enclosed(&self, x: f64, weight: Weight) -> Option<Angles<'_>> {
         let power = self.power_for(x);
         if self.singular && power.is_none() {
-            return Ok(None);
+            return None;
         }
         // Next to the end of f′ its distance to that end has the digits.
         let limit = self.limit.as_ref().filter(|limit| x > NEAR_THE_LIMIT * limit.value.value && x < limit.value.value - limit.value.error);
         let limit = limit.and_then(|limit| Some((limit, limit.enclosing()?)));
-        let mut range = Angles { power, limit, weight, ..Angles::over(self, x) };
-        proven_sum(std::slice::from_mut(&mut range), Bounded::exact(0.0), tolerance, x)
+        Some(Angles { power, limit, weight, ..Angles::over(self, x) })
+    }
+
+    /// Distances from the lower end between which one rule resolves f′, found by enclosures; none where one rule resolves all of it, and
+    /// where enclosures show nothing.
+    ///
+    /// They are for integrals without a proof of their own, which would miss what is narrow between their nodes.
+    pub(crate) fn features(&self, x: f64, tolerance: f64) -> Vec<f64> {
+        /// Both halves of a range are always apart.
+        const SMOOTH: usize = 4;
+        if !self.slope.is_expression() || !(x.is_normal() && self.lower.value < x) {
+            return Vec::new();
+        }
+        let is_whole = !self.singular && self.upper.is_none_or(|upper| upper.value >= x);
+        if is_whole && self.sufficient(x, Weight::Slope).is_some() {
+            return Vec::new();
+        }
+        let Some(mut range) = self.enclosed(x, Weight::Slope) else { return Vec::new() };
+        let places = resolved(&mut range, tolerance, x);
+        if places.len() <= SMOOTH { Vec::new() } else { places.into_iter().map(|place| range.delta(place).0).collect() }
     }
 }
 

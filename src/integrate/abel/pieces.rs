@@ -104,7 +104,7 @@ enum Proof {
 }
 
 /// What a set of pieces adds up to.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Default)]
 struct Sum {
     value: DoubleDouble,
     size: f64,
@@ -112,6 +112,8 @@ struct Sum {
     noise: f64,
     evaluations: u64,
     enclosures: usize,
+    /// The pieces that have a rule.
+    pieces: Vec<Piece>,
 }
 
 /// The sum of the integrals over all ranges and of `more`, with a proven bound; `None` where the enclosures do not become small in time, or
@@ -166,6 +168,23 @@ pub(crate) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f
     // A value of 0 is accepted if only underflow remains in its bound: each piece may add the smallest normal number.
     let nothing = MOST_ENCLOSURES as f64 * f64::MIN_POSITIVE;
     Ok(best.filter(|own| own.error <= ROUGH * own.value.abs() || (own.value == 0.0 && own.error < nothing)))
+}
+
+/// The ends of the pieces, each of which one rule resolves; none where the enclosures do not become small in time.
+///
+/// Another integral over the same range, with a smooth weight, misses nothing narrow if it is cut there.
+pub(crate) fn resolved<R: Range>(range: &mut R, tolerance: f64, at: f64) -> Vec<Place> {
+    let (scale, width) = (size(range), range.width());
+    if !has_enclosures(range) || scale <= FAINT * width {
+        return Vec::new();
+    }
+    let found = sum_of(std::slice::from_mut(range), (SHARE * tolerance).max(LEAST) * scale, MOST_ENCLOSURES, at);
+    let pieces = found.ok().flatten().map(|sum| sum.pieces).unwrap_or_default();
+    let place = |from_above: bool, at: f64| {
+        let (from_lower, from_upper) = if from_above { (width - at, at) } else { (at, width - at) };
+        Place { from_lower, from_upper, from_above }
+    };
+    pieces.iter().flat_map(|own| [place(own.from_above, own.from), place(own.from_above, own.to)]).collect()
 }
 
 /// False where the integrand has no enclosure even around single places, as where a function of it has none.
@@ -224,6 +243,7 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
                 Some(Proof::Nothing(bound)) => sum.left_out += bound,
                 Some(Proof::Rule(rule, left_out)) => {
                     sum.left_out += left_out;
+                    sum.pieces.push(piece);
                     add(range, piece, rule, &mut sum, &mut scratch).ok_or(TransformError::NotComputable { at })?;
                 }
                 None => {
