@@ -45,7 +45,7 @@ impl NumericSegment {
     pub(crate) fn features(&self, x: f64, tolerance: f64) -> Vec<f64> {
         /// Both halves of a range are always apart.
         const SMOOTH: usize = 4;
-        if !self.slope.is_expression() || !(x.is_normal() && self.lower.value < x) {
+        if !(self.slope.is_expression() && x.is_normal() && self.lower.value < x) {
             return Vec::new();
         }
         let is_whole = !self.singular && self.upper.is_none_or(|upper| upper.value >= x);
