@@ -11,7 +11,7 @@ pub(super) fn answers(quantity: Quantity) -> bool {
     matches!(quantity, Profile | Equivalent | Depth | Force | Integral | Pressure | Stiffness)
 }
 
-/// Reads `--order N`, by default that of the way `series`.
+/// Reads `--order N`; the default is the order of the way `series`.
 pub(super) fn order(text: Option<&str>, quantity: Quantity) -> Result<usize, Failure> {
     let Some(text) = text else {
         return Ok(if quantity == Quantity::Pressure { SeriesEvaluator::PRESSURE_ORDER } else { SeriesEvaluator::ORDER });

@@ -1,4 +1,4 @@
-//! Every way to a number of a contact, each asked alone.
+//! The result of every way to a number of a contact.
 
 use super::{Contact, ContactError, Measured, Quantity};
 use crate::expr::Bindings;
@@ -52,7 +52,7 @@ impl<'a> Explained<'a> {
         Ok(Self { contacts: WAYS.iter().map(contact).collect::<Result<_, ContactError>>()? })
     }
 
-    /// What every way that computes the quantity answers at a place or load; `radius` is the contact radius of a field.
+    /// The results of all ways that compute the quantity, at a place or load; `radius` is the contact radius of a field.
     pub fn ask(&self, quantity: Quantity, at: f64, radius: f64) -> Vec<Asked> {
         self.contacts.iter().filter_map(|(way, contact)| asked(way, contact, quantity, at, radius)).collect()
     }

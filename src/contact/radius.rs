@@ -82,7 +82,7 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
     Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
 }
 
-/// The error, if it is that of a way that has no answer: then no search can say that there is none.
+/// The error, if a way has no answer: then the search cannot say that there is no root.
 pub(super) fn of_a_way(error: &TransformError) -> Option<TransformError> {
     matches!(error, TransformError::NotThisWay { .. } | TransformError::NoSuchWay { .. }).then(|| error.clone())
 }

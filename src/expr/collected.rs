@@ -69,7 +69,7 @@ pub fn in_lowest_terms(expr: &Expr) -> Expr {
     }
 }
 
-/// A power of a sum without what its terms share, which stands in front with the same power if that leaves no root of a number.
+/// The power of a sum with the common factor of its terms outside, unless a root of a number would remain.
 fn out_of_power(base: &Expr, exponent: &Expr) -> Expr {
     let plain = base.pow(exponent);
     if !matches!(base.node(), Node::Sum(_)) {

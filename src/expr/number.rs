@@ -240,11 +240,11 @@ fn ends_in_decimals(value: &BigRational) -> bool {
     rest.is_one() && twos.abs_diff(fives) <= 64
 }
 
-/// The factors 2 and 5 of a positive number, and what is left of it.
+/// The exponents of the factors 2 and 5 of a positive number, and the remaining factor.
 fn factors_of_ten(number: &BigInt) -> (u64, u64, BigInt) {
     let twos = number.trailing_zeros().unwrap_or(0);
     let mut rest = number >> twos;
-    // 5, 5², 5⁴, … as far as they divide what is left; then each of them once more from the largest down.
+    // 5, 5², 5⁴, … as far as they divide the remainder; then each of them once more from the largest down.
     let mut powers = vec![(1, BigInt::from(5))];
     let mut fives = 0;
     while let Some((count, power)) = powers.last().filter(|(_, power)| (&rest % power).is_zero()) {

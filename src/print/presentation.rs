@@ -25,7 +25,7 @@ pub struct Presentation {
 }
 
 impl Presentation {
-    /// The presentation of answers about a formula: with decimals if it was typed with decimals and without long fractions.
+    /// The default presentation of results for a typed formula: with decimals if it was typed with decimals and without long fractions.
     pub fn of(typed: &Formula) -> Self {
         fn has(expr: &Expr, property: &dyn Fn(&Number) -> bool) -> bool {
             expr.as_number().is_some_and(property) || expr.children().into_iter().any(|child| has(child, property))

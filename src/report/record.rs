@@ -148,7 +148,7 @@ pub struct Evaluation<'a> {
     pub at: Vec<f64>,
     /// The readings, one per coordinate.
     pub readings: Vec<Measured>,
-    /// What every way answers at each coordinate, if that is wanted.
+    /// The results of all ways at each coordinate, if requested.
     pub ways: Option<Vec<Vec<Asked>>>,
     /// The units in which all of these are counted.
     pub units: Units,

@@ -44,7 +44,7 @@ pub(in crate::cli) struct Arguments {
     /// Which way; auto takes the cheapest one that meets the tolerance.
     #[arg(long, value_parser = Methods, default_value = "auto")]
     method: Chosen,
-    /// Shows what every way to each number answers, and its steps of work; not with --csv.
+    /// Shows the result of every way to each number, and its steps of work; not with --csv.
     #[arg(long, conflicts_with = "csv")]
     explain: bool,
     /// The highest power of r that --method series keeps [default: 24, and 64 for p].

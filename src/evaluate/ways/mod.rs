@@ -1,6 +1,6 @@
 //! The ways to a number: one entry each, for `--method`, for the list of `--explain` and for the tests of their bounds.
 //!
-//! A way answers alone, or says that it has no answer at a place.
+//! A way computes the number, or returns `None` where it cannot.
 //! Each other file extends the evaluator by one quantity; `combine` asks ways in the order of their cost and returns the most accurate result.
 
 pub(crate) mod best;
