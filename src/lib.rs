@@ -8,14 +8,11 @@
 pub mod cli;
 pub mod code;
 pub mod contact;
-pub mod eval;
-pub mod expr;
+pub use sneddon_expr::{eval, expr, parse, print};
 pub use sneddon_num as num;
 mod derive;
 mod evaluate;
 mod integrate;
-pub mod parse;
-pub mod print;
 pub mod report;
 #[cfg(feature = "scene")]
 pub mod scene;

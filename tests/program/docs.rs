@@ -166,7 +166,7 @@ fn every_dependency_has_its_line() {
     }
     let text = fs::read_to_string(document).unwrap();
     let mut listed: Vec<&str> = text.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next()).collect();
-    let members = ["", "crates/sneddon-num", "crates/sneddon-checks", "crates/sneddon-runs", "fuzz"];
+    let members = ["", "crates/sneddon-expr", "crates/sneddon-num", "crates/sneddon-checks", "crates/sneddon-runs", "fuzz"];
     let manifests = members.map(|member| fs::read_to_string(root().join(member).join("Cargo.toml")).unwrap());
     let mut declared: Vec<&str> = manifests.iter().flat_map(|own| dependencies(own)).filter(|own| !own.starts_with("sneddon")).collect();
     for list in [&mut listed, &mut declared] {

@@ -6,6 +6,7 @@ use serde_json::Value;
 use sneddon::parse;
 use sneddon_checks::formulas::{relative, typed};
 use sneddon_checks::random::Stream;
+use sneddon_checks::seeds::cases;
 use std::process::{Command, Output};
 
 fn run(arguments: &[&str]) -> Output {
@@ -70,7 +71,7 @@ fn logarithms_equal_the_functions_that_they_replace() {
         "piecewise(0,r<b,h*asinh(r/w)-h*asinh(b/w))",
     ];
     let mut stream = Stream::new(38);
-    for profile in profiles {
+    for profile in profiles.into_iter().step_by(cases(2, 1)) {
         let plain = json(&["derive", profile]);
         let logarithms = json(&["derive", profile, "--inverse-hyperbolic", "log"]);
         assert_eq!(json(&["derive", profile, "--inverse-hyperbolic", "ar"]), plain);
@@ -143,7 +144,7 @@ fn rounded_numbers_have_so_many_digits() {
         "1234/5677*r^2",
     ];
     let mut stream = Stream::new(17);
-    for profile in profiles {
+    for profile in profiles.into_iter().step_by(cases(2, 1)) {
         let profile = profile.replace('C', &decimal(&mut stream));
         let plain = json(&["derive", &profile]);
         for digits in [1, 2, 3, 6, 12, 17] {
@@ -198,12 +199,12 @@ fn short_fractions_and_whole_numbers_stay() {
 
 #[test]
 fn an_inversion_is_presented_in_the_same_way() {
-    let plain = json(&["invert", "x*atanh(x/12.73)+x*acosh(1+x)"]);
-    let other = json(&["invert", "x*atanh(x/12.73)+x*acosh(1+x)", "--digits", "3", "--inverse-hyperbolic", "log"]);
+    let plain = json(&["invert", "x*atanh(x/12.73)+x*asinh(x/3)"]);
+    let other = json(&["invert", "x*atanh(x/12.73)+x*asinh(x/3)", "--digits", "3", "--inverse-hyperbolic", "log"]);
     assert_eq!(other["digits"], 3);
     assert_eq!(plain["check"], other["check"]);
     let g = other["g"]["text"].as_str().unwrap();
-    assert!(g.contains("ln((1 + 0.0786*x)/(1 - 0.0786*x))") && !g.contains("acosh"), "{g}");
+    assert!(g.contains("ln((1 + 0.0786*x)/(1 - 0.0786*x))") && !g.contains("asinh"), "{g}");
     let text = answer(&["invert", "x^2/12.73", "--digits", "2", "--steps"]);
     assert!(text.contains("0.039*r^2") && text.contains("rounded to 2 significant digits"), "{text}");
 }

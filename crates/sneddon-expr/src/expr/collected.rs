@@ -1,0 +1,273 @@
+//! Sums as an author writes them: one coefficient before each root or function, what is common in front.
+
+use super::{Expr, Node, Number, Symbol};
+use num_bigint::BigInt;
+use num_traits::One;
+use std::collections::BTreeMap;
+
+/// Larger sums are left as they are.
+const TERMS: usize = 120;
+/// Larger denominators are not multiplied out.
+const LONGEST: u32 = 1000;
+/// Sizes are compared up to this number of nodes.
+const SIZE: usize = 20_000;
+
+/// The sum with its products multiplied out and collected again by roots and functions, where that is clearly shorter.
+///
+/// ```
+/// use sneddon_expr::expr::{Expr, collected};
+/// let (x, b) = (Expr::symbol("x"), Expr::symbol("b"));
+/// let root = (x.power(2) - b.power(2)).sqrt();
+/// // x² w + x (b w − x) + x² = x w (x + b)
+/// let sum = x.power(2) * &root + &x * (&b * &root - &x) + x.power(2);
+/// assert_eq!(collected(&sum), &x * (&x + &b) * &root);
+/// ```
+pub fn collected(expr: &Expr) -> Expr {
+    if !matches!(expr.node(), Node::Sum(_)) {
+        return expr.clone();
+    }
+    let Some(terms) = products(expr, &|_| true) else { return expr.clone() };
+    let size = |own: &Expr| own.size_up_to(SIZE);
+    let mut result = grouped(&terms);
+    if let Some(other) = over_one_root(&terms).map(|terms| grouped(&terms)).filter(|other| size(other) < size(&result)) {
+        result = other;
+    }
+    // A little shorter is no reason to change what the rules say.
+    if 6 * size(&result) <= 5 * size(expr) { result } else { expr.clone() }
+}
+
+/// The expression with what the numbers of a sum share in front of it where that is shorter, and with what its powers share out of roots.
+///
+/// ```
+/// use sneddon_expr::expr::{Expr, in_lowest_terms};
+/// let (a, b) = (Expr::symbol("a"), Expr::symbol("b"));
+/// let halves = Expr::ratio(1, 2) * &a + Expr::ratio(3, 2) * &b;
+/// assert_eq!(in_lowest_terms(&(Expr::integer(2) * &halves)), &a + Expr::integer(3) * &b);
+/// let root = (Expr::integer(4) * (a.power(2) * b.power(2)) + Expr::integer(4) * a.power(4)).sqrt();
+/// assert_eq!(in_lowest_terms(&root), Expr::integer(2) * &a * (a.power(2) + b.power(2)).sqrt());
+/// ```
+pub fn in_lowest_terms(expr: &Expr) -> Expr {
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(in_lowest_terms).collect()),
+        Node::Sum(terms) => Expr::sum(terms.iter().map(in_lowest_terms)),
+        Node::Power(base, exponent) => out_of_power(&in_lowest_terms(base), exponent),
+        Node::Product(factors) => {
+            let product = Expr::product(factors.iter().map(in_lowest_terms));
+            let number = Expr::number(product.split_coefficient().0);
+            let sums = product.factors().into_iter().filter(|own| matches!(own.node(), Node::Sum(_)));
+            // Halves and thirds stay apart, with the number in front of the sum inside, unless that is longer.
+            let others = sums.flat_map(|sum| {
+                let rest = &product / &sum;
+                let inside = Expr::sum(sum.terms().iter().map(|term| term * &number));
+                [&rest / &number * in_front(&inside), rest * shared_in_front(&sum)]
+            });
+            let shortest = others.min_by_key(digits).filter(|other| digits(other) < digits(&product));
+            // Sums may have met in a longer one.
+            shortest.map_or(product, |other| in_lowest_terms(&other))
+        }
+    }
+}
+
+/// The power of a sum with the common factor of its terms outside, unless a root of a number would remain.
+fn out_of_power(base: &Expr, exponent: &Expr) -> Expr {
+    let plain = base.pow(exponent);
+    if !matches!(base.node(), Node::Sum(_)) {
+        return plain;
+    }
+    let inner = shared_in_front(base);
+    let (number, _) = inner.split_coefficient();
+    let in_front = number.is_positive() && Expr::number(number).pow(exponent).as_number().is_some();
+    let other = Expr::product(inner.factors().iter().map(|factor| factor.pow(exponent)));
+    if in_front && digits(&other) < digits(&plain) { other } else { plain }
+}
+
+/// How much there is to read: the digits of all numbers but 1, and the symbols.
+fn digits(expr: &Expr) -> usize {
+    match expr.node() {
+        Node::Number(number) => {
+            let length = |own: &BigInt| if own.magnitude().is_one() { 0 } else { own.to_string().len() };
+            length(number.value().numer()) + length(number.value().denom())
+        }
+        Node::Constant(_) | Node::Symbol(_) => 1,
+        Node::Function(_, list) => 1 + list.iter().map(digits).sum::<usize>(),
+        Node::Sum(list) => list.iter().map(digits).sum(),
+        Node::Product(list) => list.iter().map(digits).sum(),
+        Node::Power(base, exponent) => digits(base) + digits(exponent),
+    }
+}
+
+/// The number of which all are whole multiples, negative where all are.
+fn shared_number(numbers: &[Number]) -> Number {
+    let [first, others @ ..] = numbers else { return Number::integer(1) };
+    // Decimals are shown as they were typed, and long fractions come from them.
+    let is_plain = |own: &Number| !own.has_decimals() && *own.value().denom() <= BigInt::from(LONGEST);
+    if !numbers.iter().all(is_plain) {
+        return Number::integer(1);
+    }
+    let shared = others.iter().fold(first.abs(), |all, own| all.common_factor(own));
+    if numbers.iter().all(Number::is_negative) { -&shared } else { shared }
+}
+
+/// One coefficient before each product of kernels, and the common factor of all in front.
+fn grouped(terms: &[Expr]) -> Expr {
+    let mut groups: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
+    for term in terms {
+        let (kernels, plain): (Vec<Expr>, Vec<Expr>) = term.factors().into_iter().partition(is_kernel);
+        groups.entry(Expr::product(kernels)).or_default().push(Expr::product(plain));
+    }
+    let parts: Vec<Expr> = groups.into_iter().map(|(kernel, list)| kernel * in_front(&Expr::sum(list))).collect();
+    in_front(&Expr::sum(parts))
+}
+
+/// The terms with every power of a sum lowered by whole steps to the lowest that occurs: q^(−1/2) is q q^(−3/2).
+///
+/// `None` where nothing is lowered, or the terms would be too many.
+fn over_one_root(terms: &[Expr]) -> Option<Vec<Expr>> {
+    let powers = |term: &Expr| -> Vec<(Expr, Expr)> {
+        let pairs = term.factors().iter().map(Expr::split_power).collect::<Vec<_>>();
+        pairs.into_iter().filter(|(base, power)| matches!(base.node(), Node::Sum(_)) && power.as_number().is_some()).collect()
+    };
+    let mut lowest: Vec<(Expr, Expr)> = Vec::new();
+    for (base, power) in terms.iter().flat_map(powers) {
+        match lowest.iter_mut().find(|(own, least)| *own == base && (least as &Expr - &power).as_integer().is_some()) {
+            Some((_, least)) if (least as &Expr - &power).as_integer().is_some_and(|steps| steps > 0) => *least = power,
+            Some(_) => {}
+            None => lowest.push((base, power)),
+        }
+    }
+    let mut lowered = Vec::new();
+    let mut changed = false;
+    for term in terms {
+        let mut products = vec![term.clone()];
+        for (base, power) in powers(term) {
+            let steps = lowest.iter().filter(|(own, _)| *own == base).find_map(|(_, least)| (&power - least).as_integer())?;
+            changed |= steps > 0;
+            for _ in 0..steps {
+                let inner = base.terms();
+                products = products.iter().flat_map(|left| inner.iter().map(|right| left / &base * right).collect::<Vec<_>>()).collect();
+                if products.len() + lowered.len() > TERMS {
+                    return None;
+                }
+            }
+        }
+        lowered.append(&mut products);
+    }
+    changed.then_some(lowered)
+}
+
+/// The sum with every factor that is a sum distributed, or as it is where that would be too long.
+///
+/// ```
+/// use sneddon_expr::expr::{Expr, multiplied_out};
+/// let r = Expr::symbol("r");
+/// assert_eq!(multiplied_out(&(&r * (Expr::one() + r.power(-1)))), Expr::one() + &r);
+/// ```
+pub fn multiplied_out(expr: &Expr) -> Expr {
+    products(expr, &|_| true).map_or_else(|| expr.clone(), Expr::sum)
+}
+
+/// The sum in which powers of one symbol are joined where they would be infinite apart: a factor is distributed that is a sum with
+/// roots or poles of the symbol.
+///
+/// Polynomials stay factors, since r − b outside the brackets has digits next to b that the difference of two products has not.
+///
+/// ```
+/// use sneddon_expr::expr::{Expr, Symbol, joined_powers};
+/// let r = Expr::symbol("r");
+/// let radius = Symbol::new("r");
+/// assert_eq!(joined_powers(&(&r * (Expr::one() + r.power(-1))), &radius), Expr::one() + &r);
+/// let factored = &r * (&r - Expr::integer(3));
+/// assert_eq!(joined_powers(&factored, &radius), factored);
+/// ```
+pub fn joined_powers(expr: &Expr, symbol: &Symbol) -> Expr {
+    let singular = |factor: &Expr| {
+        let (base, exponent) = factor.split_power();
+        base.as_symbol() == Some(symbol) && exponent.as_integer().is_none_or(|n| n < 0)
+    };
+    products(expr, &|sum| sum.terms().iter().any(|term| term.factors().iter().any(singular))).map_or_else(|| expr.clone(), Expr::sum)
+}
+
+/// Roots, functions, and what stands in a denominator: all that is not a plain monomial.
+fn is_kernel(factor: &Expr) -> bool {
+    match factor.node() {
+        Node::Function(..) | Node::Sum(_) => true,
+        Node::Power(base, exponent) => exponent.as_integer().is_none() || !matches!(base.node(), Node::Symbol(_) | Node::Constant(_)),
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) | Node::Product(_) => false,
+    }
+}
+
+/// The terms of the sum with every such factor that is a sum distributed; `None` where they would be too many.
+fn products(expr: &Expr, is_distributed: &dyn Fn(&Expr) -> bool) -> Option<Vec<Expr>> {
+    let mut done = Vec::new();
+    for term in expr.terms() {
+        let mut list = vec![Expr::one()];
+        for factor in term.factors() {
+            let distributed = matches!(factor.node(), Node::Sum(_)) && is_distributed(&factor);
+            let inner = if distributed { products(&factor, is_distributed)? } else { vec![factor] };
+            list = list.iter().flat_map(|left| inner.iter().map(move |right| left * right)).collect();
+            if list.len() + done.len() > TERMS {
+                return None;
+            }
+        }
+        done.append(&mut list);
+    }
+    Some(done)
+}
+
+/// The common factor of the terms in front: the lowest power of every base that all of them have, and a number that makes none longer.
+fn in_front(sum: &Expr) -> Expr {
+    with_in_front(sum, number_in_front)
+}
+
+/// The same with all that their numbers share.
+fn shared_in_front(sum: &Expr) -> Expr {
+    with_in_front(sum, shared_number)
+}
+
+fn with_in_front(sum: &Expr, shared: fn(&[Number]) -> Number) -> Expr {
+    let terms = sum.terms();
+    let [first, others @ ..] = terms.as_slice() else { return sum.clone() };
+    if others.is_empty() {
+        return sum.clone();
+    }
+    let mut common: Vec<(Expr, Expr)> =
+        first.factors().iter().map(Expr::split_power).filter(|(base, p)| base.as_number().is_none() && p.as_number().is_some()).collect();
+    for term in others {
+        let own: Vec<(Expr, Expr)> = term.factors().iter().map(Expr::split_power).collect();
+        common = common
+            .into_iter()
+            .filter_map(|(base, power)| {
+                let (_, other) = own.iter().find(|(own, _)| *own == base)?;
+                Some((base, lower(power, other)?))
+            })
+            .collect();
+    }
+    let number = shared(&terms.iter().map(|term| term.split_coefficient().0).collect::<Vec<_>>());
+    let content = Expr::number(number) * Expr::product(common.into_iter().map(|(base, power)| base.pow(&power)));
+    if content.is_one() {
+        return sum.clone();
+    }
+    &content * Expr::sum(terms.iter().map(|term| term / &content))
+}
+
+/// What the numeric factors share without making any of them longer: halves and thirds are not brought together.
+fn number_in_front(numbers: &[Number]) -> Number {
+    let [first, others @ ..] = numbers else { return Number::integer(1) };
+    let alike = others.iter().all(|own| own.value().denom() == first.value().denom());
+    let one = if numbers.iter().all(Number::is_negative) { -1 } else { 1 };
+    if alike { shared_number(numbers) } else { Number::integer(one) }
+}
+
+/// The power nearer to zero where both have the same sign, or the one that both are.
+fn lower(one: Expr, two: &Expr) -> Option<Expr> {
+    if one == *two {
+        return Some(one);
+    }
+    let (a, b) = (one.as_number()?, two.as_number()?);
+    if a.is_negative() != b.is_negative() {
+        return None;
+    }
+    let first_is_lower = (b - a).is_negative() == a.is_negative();
+    Some(if first_is_lower { one } else { two.clone() })
+}

@@ -1,0 +1,367 @@
+//! The expression tree: seven kinds of node behind a shared pointer.
+
+use super::{Function, Number, build};
+use crate::num::work;
+use std::fmt;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::sync::Arc;
+
+/// An immutable expression; cloning shares the tree.
+///
+/// Build it with the operators and the named constructors: they keep the canonical form.
+/// Equality and order are by content, so equal trees are equal wherever they were built.
+///
+/// ```
+/// use sneddon_expr::expr::Expr;
+/// let r = Expr::symbol("r");
+/// assert_eq!(&r * &r, r.power(2));
+/// assert_eq!(&r + &r - Expr::integer(2) * &r, Expr::zero());
+/// ```
+// Equal trees hash equally: `compare` and the derived hash both look at the content alone.
+#[allow(clippy::derived_hash_with_manual_eq)]
+#[derive(Clone, Hash)]
+pub struct Expr(Arc<Node>);
+
+/// The kinds of node; obtained by matching on [`Expr::node`], never built directly.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Node {
+    /// An exact rational number.
+    Number(Number),
+    /// π or e.
+    Constant(Constant),
+    /// A positive real parameter or variable.
+    Symbol(Symbol),
+    /// A power, base and exponent.
+    Power(Expr, Expr),
+    /// A function of the table with its arguments.
+    Function(Function, Vec<Expr>),
+    /// A product: at most one number, and that first; no nested products.
+    Product(Vec<Expr>),
+    /// A sum of collected terms; no nested sums.
+    Sum(Vec<Expr>),
+}
+
+/// The two named constants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Constant {
+    /// π = 3.14159…
+    Pi,
+    /// Euler's number e = 2.71828…
+    Euler,
+}
+
+/// The name of a parameter or variable.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Symbol(Arc<str>);
+
+impl Symbol {
+    /// A symbol of the given name.
+    pub fn new(name: &str) -> Self {
+        Self(Arc::from(name))
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.0
+    }
+}
+
+impl fmt::Display for Symbol {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+/// Steps of work that one node costs, from its construction to its end …
+const NODE: u64 = 20;
+/// … and each of its operands, which is sorted and compared.
+const CHILD: u64 = 5;
+
+impl Expr {
+    pub(super) fn raw(node: Node) -> Self {
+        let children = match &node {
+            Node::Function(_, list) | Node::Product(list) | Node::Sum(list) => list.len(),
+            _ => 0,
+        };
+        work::spend(NODE + CHILD * children as u64);
+        Self(Arc::new(node))
+    }
+
+    /// The node at the top of the tree.
+    pub fn node(&self) -> &Node {
+        &self.0
+    }
+
+    /// The address of the shared node, for tables that recognise shared subtrees within one run.
+    pub fn address(&self) -> usize {
+        Arc::as_ptr(&self.0).addr()
+    }
+
+    /// A number.
+    pub fn number(number: Number) -> Self {
+        Self::raw(Node::Number(number))
+    }
+
+    /// A whole number.
+    pub fn integer(n: i64) -> Self {
+        Self::number(Number::integer(n))
+    }
+
+    /// The fraction p/q, `q` ≠ 0.
+    pub fn ratio(p: i64, q: i64) -> Self {
+        Self::number(Number::ratio(p, q))
+    }
+
+    /// 0.
+    pub fn zero() -> Self {
+        Self::integer(0)
+    }
+
+    /// 1.
+    pub fn one() -> Self {
+        Self::integer(1)
+    }
+
+    /// π.
+    pub fn pi() -> Self {
+        Self::raw(Node::Constant(Constant::Pi))
+    }
+
+    /// Euler's number.
+    pub fn euler() -> Self {
+        Self::raw(Node::Constant(Constant::Euler))
+    }
+
+    /// The symbol of the given name.
+    pub fn symbol(name: &str) -> Self {
+        Self::raw(Node::Symbol(Symbol::new(name)))
+    }
+
+    /// The sum of the terms.
+    pub fn sum(terms: impl IntoIterator<Item = Expr>) -> Self {
+        build::sum(terms)
+    }
+
+    /// The product of the factors.
+    pub fn product(factors: impl IntoIterator<Item = Expr>) -> Self {
+        build::product(factors)
+    }
+
+    /// The power `self`^`exponent`.
+    pub fn pow(&self, exponent: &Expr) -> Self {
+        build::power(self, exponent)
+    }
+
+    /// The whole power `self`^n.
+    pub fn power(&self, n: i64) -> Self {
+        build::power(self, &Self::integer(n))
+    }
+
+    /// The square root.
+    pub fn sqrt(&self) -> Self {
+        build::power(self, &Self::ratio(1, 2))
+    }
+
+    /// The reciprocal.
+    pub fn recip(&self) -> Self {
+        self.power(-1)
+    }
+
+    /// The function `function` of the arguments.
+    pub fn function(function: Function, arguments: Vec<Expr>) -> Self {
+        build::function(function, arguments)
+    }
+
+    /// The function of the table called `name`, for names that are written in the source.
+    ///
+    /// A name that the table lacks gives a plain symbol; `tests/symbols/functions.rs` reads the sources and finds every such call.
+    pub fn call(name: &'static str, arguments: impl IntoIterator<Item = Expr>) -> Self {
+        match Function::named(name) {
+            Some(function) => build::function(function, arguments.into_iter().collect()),
+            None => Self::symbol(name),
+        }
+    }
+
+    /// The number, where the expression is one.
+    pub fn as_number(&self) -> Option<&Number> {
+        match self.node() {
+            Node::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+
+    /// The whole number, where the expression is one that fits.
+    pub fn as_integer(&self) -> Option<i64> {
+        self.as_number().and_then(Number::to_i64)
+    }
+
+    /// The symbol, where the expression is one.
+    pub fn as_symbol(&self) -> Option<&Symbol> {
+        match self.node() {
+            Node::Symbol(symbol) => Some(symbol),
+            _ => None,
+        }
+    }
+
+    /// True for the number 0.
+    pub fn is_zero(&self) -> bool {
+        self.as_number().is_some_and(Number::is_zero)
+    }
+
+    /// True for the number 1.
+    pub fn is_one(&self) -> bool {
+        self.as_number().is_some_and(Number::is_one)
+    }
+
+    /// The direct subexpressions.
+    pub fn children(&self) -> Vec<&Expr> {
+        match self.node() {
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => Vec::new(),
+            Node::Power(base, exponent) => vec![base, exponent],
+            Node::Function(_, arguments) | Node::Product(arguments) | Node::Sum(arguments) => arguments.iter().collect(),
+        }
+    }
+
+    /// True where the symbol occurs.
+    pub fn contains(&self, symbol: &Symbol) -> bool {
+        match self.node() {
+            Node::Symbol(own) => own == symbol,
+            _ => self.children().into_iter().any(|child| child.contains(symbol)),
+        }
+    }
+
+    /// Every symbol that occurs, sorted by name.
+    pub fn symbols(&self) -> std::collections::BTreeSet<Symbol> {
+        let mut found = std::collections::BTreeSet::new();
+        self.collect_symbols(&mut found);
+        found
+    }
+
+    fn collect_symbols(&self, found: &mut std::collections::BTreeSet<Symbol>) {
+        match self.node() {
+            Node::Symbol(symbol) => {
+                found.insert(symbol.clone());
+            }
+            _ => self.children().into_iter().for_each(|child| child.collect_symbols(found)),
+        }
+    }
+
+    /// The number of nodes, counted up to `limit`.
+    pub fn size_up_to(&self, limit: usize) -> usize {
+        let mut count = 1;
+        for child in self.children() {
+            if count >= limit {
+                return limit;
+            }
+            count += child.size_up_to(limit - count);
+        }
+        count.min(limit)
+    }
+
+    /// Numeric factor and the rest: `3 x y` is (3, `x y`).
+    pub fn split_coefficient(&self) -> (Number, Expr) {
+        build::split_coefficient(self)
+    }
+
+    /// Base and exponent: `x^2` is (`x`, 2), `x` is (`x`, 1), `exp(u)` is (`e`, `u`).
+    pub fn split_power(&self) -> (Expr, Expr) {
+        build::split_power(self)
+    }
+
+    /// The factors of a product; the expression itself otherwise.
+    pub fn factors(&self) -> Vec<Expr> {
+        match self.node() {
+            Node::Product(factors) => factors.clone(),
+            _ => vec![self.clone()],
+        }
+    }
+
+    /// The terms of a sum; the expression itself otherwise.
+    pub fn terms(&self) -> Vec<Expr> {
+        match self.node() {
+            Node::Sum(terms) => terms.clone(),
+            _ => vec![self.clone()],
+        }
+    }
+}
+
+impl fmt::Debug for Expr {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.node() {
+            Node::Number(n) => write!(f, "{}", n.value()),
+            Node::Constant(c) => write!(f, "{c:?}"),
+            Node::Symbol(s) => write!(f, "{s}"),
+            Node::Power(base, exponent) => write!(f, "({base:?})^({exponent:?})"),
+            Node::Function(function, arguments) => write!(f, "{}{arguments:?}", function.name()),
+            Node::Product(factors) => write!(f, "prod{factors:?}"),
+            Node::Sum(terms) => write!(f, "sum{terms:?}"),
+        }
+    }
+}
+
+impl From<Number> for Expr {
+    fn from(number: Number) -> Self {
+        Self::number(number)
+    }
+}
+
+impl From<i64> for Expr {
+    fn from(n: i64) -> Self {
+        Self::integer(n)
+    }
+}
+
+impl From<Symbol> for Expr {
+    fn from(symbol: Symbol) -> Self {
+        Self::raw(Node::Symbol(symbol))
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $left:ident, $right:ident, $body:expr) => {
+        impl $trait<&Expr> for &Expr {
+            type Output = Expr;
+            fn $method(self, other: &Expr) -> Expr {
+                let ($left, $right) = (self, other);
+                $body
+            }
+        }
+        impl $trait<Expr> for Expr {
+            type Output = Expr;
+            fn $method(self, other: Expr) -> Expr {
+                (&self).$method(&other)
+            }
+        }
+        impl $trait<&Expr> for Expr {
+            type Output = Expr;
+            fn $method(self, other: &Expr) -> Expr {
+                (&self).$method(other)
+            }
+        }
+        impl $trait<Expr> for &Expr {
+            type Output = Expr;
+            fn $method(self, other: Expr) -> Expr {
+                self.$method(&other)
+            }
+        }
+    };
+}
+
+operator!(Add, add, left, right, build::sum([left.clone(), right.clone()]));
+operator!(Sub, sub, left, right, build::sum([left.clone(), -right]));
+operator!(Mul, mul, left, right, build::product([left.clone(), right.clone()]));
+operator!(Div, div, left, right, build::product([left.clone(), right.recip()]));
+
+impl Neg for &Expr {
+    type Output = Expr;
+    fn neg(self) -> Expr {
+        build::product([Expr::integer(-1), self.clone()])
+    }
+}
+
+impl Neg for Expr {
+    type Output = Expr;
+    fn neg(self) -> Expr {
+        -&self
+    }
+}

@@ -1,0 +1,98 @@
+//! The form that a reader sees: functions that exist for stable evaluation give way to what they equal.
+
+use super::{Expr, Node, Row};
+use crate::num::work;
+
+/// The expression that is printed for `expr`; parts without such functions are kept as they are.
+///
+/// ```
+/// use sneddon_expr::expr::{Expr, shown};
+/// let stable = Expr::call("artanh_ratio", [Expr::symbol("x"), Expr::symbol("R")]);
+/// assert_eq!(shown(&stable), Expr::call("atanh", [Expr::symbol("x") / Expr::symbol("R")]));
+/// ```
+pub fn shown(expr: &Expr) -> Expr {
+    replaced(expr, &|row, a| row.shown.map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
+}
+
+/// The expression that mathematics shows: functions that have a sign of their own there are kept.
+pub fn shown_as_mathematics(expr: &Expr) -> Expr {
+    replaced(expr, &|row, a| row.shown.filter(|_| !row.has_sign).map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
+}
+
+/// The same with inverse hyperbolic functions as logarithms.
+///
+/// arsinh z = ln(z + √(z²+1)), arcosh z = ln(z + √(z²−1)), artanh z = ln((1+z)/(1−z))/2.
+///
+/// ```
+/// use sneddon_expr::expr::{Expr, shown_with_logarithms};
+/// let z = Expr::symbol("z");
+/// let logarithm = Expr::call("ln", [&z + (z.power(2) + Expr::one()).sqrt()]);
+/// assert_eq!(shown_with_logarithms(&Expr::call("asinh", [z])), logarithm);
+/// ```
+pub fn shown_with_logarithms(expr: &Expr) -> Expr {
+    let ln = |argument: Expr| Some(Expr::call("ln", [argument]));
+    let form = |row: &Row, a: &[Expr]| match (row.name, a) {
+        ("asinh", [z]) => ln(z + (z.power(2) + Expr::one()).sqrt()),
+        ("acosh", [z]) => ln(z + (z.power(2) - Expr::one()).sqrt()),
+        ("atanh", [z]) => ln((Expr::one() + z) / (Expr::one() - z)).map(|own| own / Expr::integer(2)),
+        _ => row.shown.filter(|_| !row.has_sign).map(|rule| rule(a)),
+    };
+    replaced(expr, &form).unwrap_or_else(|| expr.clone())
+}
+
+/// The expression that is evaluated with 30 digits: functions that have no value of that kind give way to what they equal,
+/// where that has.
+pub fn shown_to_30_digits(expr: &Expr) -> Expr {
+    let form = |row: &Row, a: &[Expr]| {
+        let rule = row.shown.filter(|_| row.precise.is_none())?;
+        Some(shown_to_30_digits(&rule(a))).filter(has_30_digits)
+    };
+    replaced(expr, &form).unwrap_or_else(|| expr.clone())
+}
+
+/// Whether every function in the expression has a value with 30 digits.
+pub fn has_30_digits(expr: &Expr) -> bool {
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => true,
+        Node::Power(base, exponent) => has_30_digits(base) && has_30_digits(exponent),
+        Node::Function(function, arguments) => function.row().precise.is_some() && arguments.iter().all(has_30_digits),
+        Node::Product(parts) | Node::Sum(parts) => parts.iter().all(has_30_digits),
+    }
+}
+
+/// What stands in the place of a function at these arguments, where anything does.
+type Form<'a> = &'a dyn Fn(&Row, &[Expr]) -> Option<Expr>;
+
+/// The replacement, where anything changes.
+fn replaced(expr: &Expr, form: Form<'_>) -> Option<Expr> {
+    if work::is_stopped() {
+        return None;
+    }
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => None,
+        Node::Power(base, exponent) => {
+            let (new_base, new_exponent) = (replaced(base, form), replaced(exponent, form));
+            if new_base.is_none() && new_exponent.is_none() {
+                return None;
+            }
+            Some(new_base.as_ref().unwrap_or(base).pow(new_exponent.as_ref().unwrap_or(exponent)))
+        }
+        Node::Function(function, arguments) => {
+            let inner = all_replaced(arguments, form);
+            match form(function.row(), inner.as_deref().unwrap_or(arguments)) {
+                Some(here) => Some(replaced(&here, form).unwrap_or(here)),
+                None => inner.map(|arguments| Expr::function(*function, arguments)),
+            }
+        }
+        Node::Product(factors) => all_replaced(factors, form).map(Expr::product),
+        Node::Sum(terms) => all_replaced(terms, form).map(Expr::sum),
+    }
+}
+
+fn all_replaced(parts: &[Expr], form: Form<'_>) -> Option<Vec<Expr>> {
+    let new: Vec<Option<Expr>> = parts.iter().map(|part| replaced(part, form)).collect();
+    if new.iter().all(Option::is_none) {
+        return None;
+    }
+    Some(new.into_iter().zip(parts).map(|(new, old)| new.unwrap_or_else(|| old.clone())).collect())
+}
