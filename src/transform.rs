@@ -43,7 +43,6 @@ pub mod inner {
     pub use crate::derive::verification::Gate;
     pub use crate::evaluate::closure::cells::Cells;
     pub use crate::evaluate::table::smoothing::solve as smoothed;
-    pub use crate::evaluate::ways::{WAYS, Way};
     pub use crate::integrate::integral::Weight;
     pub use crate::integrate::source::centred::centred;
     pub use crate::integrate::source::ends::{Growth, growth};

@@ -7,15 +7,17 @@ use crate::transform::{Evaluator, Method, Solution, TransformError, WAYS, Way};
 
 /// Steps of work that one way may take for one point, about a tenth of a second.
 const MOST_STEPS: u64 = 10_000_000;
+/// Steps of work that stay for the rest of the command, such as writing the answer.
+const RESERVE: u64 = 1_000_000;
 
-/// What one way answered.
+/// The result of one way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Asked {
     /// The key of the way.
     pub way: &'static str,
     /// The number, or why there is none.
     pub found: Result<Estimate, String>,
-    /// Steps of work that it took; those of a formula count when it is compiled, at the first point.
+    /// Steps of work that it took; compiling the formulas counts at the first point.
     pub steps: u64,
 }
 
@@ -58,9 +60,13 @@ impl<'a> Explained<'a> {
     }
 }
 
-/// What one way answers; `None` if the quantity is not found in ways such as this one.
+/// The result of one way; `None` if the way does not compute the quantity.
 fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, radius: f64) -> Option<Asked> {
-    let (answer, steps, whole) = work::apart(MOST_STEPS.min(work::left()), || quantity.number(contact, at, radius));
+    let share = MOST_STEPS.min(work::left().saturating_sub(RESERVE));
+    if share == 0 {
+        return Some(Asked { way: way.key, found: Err("not asked: the work limit is reached".to_owned()), steps: 0 });
+    }
+    let (answer, steps, whole) = work::apart(share, || quantity.number(contact, at, radius));
     work::spend(steps);
     let found = match answer {
         _ if !whole => Err(format!("it takes more than {steps} steps of work")),

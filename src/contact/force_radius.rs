@@ -1,6 +1,6 @@
 //! The contact radius under a given force with a smooth edge: the root of F(a) = F.
 
-use super::radius::{Certain, Radii, of_a_way, root};
+use super::radius::{Certain, Radii, root};
 use super::{Contact, ContactError};
 use crate::num::Estimate;
 use crate::transform::{Quantities, Reading, TransformError};
@@ -32,7 +32,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         if force.is_nan() || force < 0.0 {
             return Err(unreachable("the force is not positive; expected F >= 0"));
         }
-        let (mut evaluations, mut way, mut refused) = (0, "", None);
+        let (mut evaluations, mut way) = (0, "");
         let mut height = |a: f64| match self.force(a) {
             Ok(own) => {
                 evaluations += own.estimate.evaluations + 1;
@@ -41,18 +41,14 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             }
             // F overflows beyond every root.
             Err(ContactError::Transform(TransformError::Overflow { .. })) => Ok(Estimate::exact(f64::INFINITY)),
-            Err(ContactError::Transform(other)) => {
-                refused = refused.take().or_else(|| of_a_way(&other));
-                Err(other)
-            }
+            Err(ContactError::Transform(other)) => Err(other),
             Err(_) => Err(TransformError::NotComputable { at: a }),
         };
         let found = root(&mut height, &Radii::default(), force, start, self.evaluator().limit()).map_err(|error| match error {
             ContactError::Unreachable { reason, .. } => unreachable(reason),
             other => other,
         })?;
-        let (a, Certain { reach, bound, .. }) =
-            found.map_err(|reason| refused.map_or_else(|| unreachable(reason), ContactError::Transform))?;
+        let (a, Certain { reach, bound, .. }) = found.map_err(unreachable)?;
         Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
     }
 }

@@ -21,6 +21,10 @@ struct Seen {
     largest: f64,
     idle: u32,
     ended: bool,
+    /// The error of a method that has no value of g from here on, so that nothing can be said about larger radii.
+    refused: Option<TransformError>,
+    /// The same while no radius has a value yet.
+    skipped: Option<TransformError>,
 }
 
 /// Smallest radius sampled, relative to the end of the profile if it has one.
@@ -62,7 +66,7 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
     if depth == 0.0 {
         return Ok(Reading { estimate: Estimate::exact(start), method: "exact" });
     }
-    let (mut evaluations, mut way, mut refused) = (0, "", None);
+    let (mut evaluations, mut way) = (0, "");
     let mut height = |a: f64| match evaluator.slope(a) {
         Ok(g) => {
             evaluations += g.estimate.evaluations + 1;
@@ -71,20 +75,11 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
         }
         // g overflows beyond every root.
         Err(TransformError::Overflow { .. }) => Ok(Estimate::exact(f64::INFINITY)),
-        Err(other) => {
-            refused = refused.take().or_else(|| of_a_way(&other));
-            Err(other)
-        }
+        Err(other) => Err(other),
     };
     let found = root(&mut height, radii, depth, start, limit)?;
-    let unreachable = |reason| refused.map_or(ContactError::Unreachable { depth, reason }, ContactError::Transform);
-    let (a, Certain { reach, bound, .. }) = found.map_err(unreachable)?;
+    let (a, Certain { reach, bound, .. }) = found.map_err(|reason| ContactError::Unreachable { depth, reason })?;
     Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
-}
-
-/// The error, if a way has no answer: then the search cannot say that there is no root.
-pub(super) fn of_a_way(error: &TransformError) -> Option<TransformError> {
-    matches!(error, TransformError::NotThisWay { .. } | TransformError::NoSuchWay { .. }).then(|| error.clone())
 }
 
 /// The smallest radius at which a function reaches a value, with its error; or the reason why there is none.
@@ -99,7 +94,8 @@ pub(super) fn root(
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
-    let found = Look { height: &mut with_digits, start, places: outward(start, limit) }.bracket(radii, target)?;
+    let mut look = Look { height: &mut with_digits, start, places: outward(start, limit), refused: None };
+    let found = look.bracket(radii, target)?;
     let Some((lower, upper)) = found else {
         return Ok(Err(if limit.is_finite() {
             "it is not reached as far as the profile goes"
@@ -155,6 +151,8 @@ struct Look<'a> {
     start: f64,
     /// The radii to sample, in increasing order.
     places: Vec<f64>,
+    /// The error of a method that has no value at some radius.
+    refused: Option<TransformError>,
 }
 
 /// One radius per decade, and toward the end of a bounded profile one per decade of the distance to it.
@@ -173,6 +171,15 @@ fn outward(start: f64, limit: f64) -> Vec<f64> {
 }
 
 impl Look<'_> {
+    /// g at a radius; the first error of a method without a value is kept.
+    fn value(&mut self, a: f64) -> Result<f64, TransformError> {
+        let found = (self.height)(a);
+        if let Err(error @ (TransformError::NotThisWay { .. } | TransformError::NoSuchWay { .. })) = &found {
+            self.refused.get_or_insert_with(|| error.clone());
+        }
+        found
+    }
+
     /// The first pair of adjacent radii between which g reaches the depth.
     fn bracket(&mut self, radii: &Radii, depth: f64) -> Result<Option<(f64, f64)>, ContactError> {
         let mut seen = radii.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
@@ -181,8 +188,15 @@ impl Look<'_> {
             if let Some(place) = seen.places.iter().skip(from).position(|(_, g)| *g >= depth) {
                 break Some(from + place);
             }
+            if let Some(refused) = seen.refused.clone() {
+                *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
+                return Err(refused.into());
+            }
             if seen.ended {
-                break None;
+                match seen.skipped.clone().filter(|_| seen.places.is_empty()) {
+                    Some(error) => return Err(error.into()),
+                    None => break None,
+                }
             }
             // A local maximum may be inserted before the last two samples.
             from = seen.places.len().saturating_sub(3);
@@ -193,7 +207,11 @@ impl Look<'_> {
                 *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
                 return Err(TransformError::from(cut).into());
             }
-            seen = further;
+            // A gap between two radii may hide a hump.
+            match self.refused.take() {
+                None => seen = further,
+                Some(error) => seen.refused = Some(error),
+            }
         };
         let found = place.and_then(|place| Some((place, seen.places.get(place)?.0)));
         let Some((place, upper)) = found else {
@@ -213,7 +231,7 @@ impl Look<'_> {
     fn inward(&mut self, mut upper: f64, depth: f64) -> Result<(f64, f64), ContactError> {
         while upper > LEAST {
             let lower = 0.1 * upper;
-            if (self.height)(lower)? < depth {
+            if self.value(lower)? < depth {
                 return Ok((lower, upper));
             }
             upper = lower;
@@ -221,7 +239,7 @@ impl Look<'_> {
         Err(ContactError::Unreachable { depth, reason: "the contact radius underflows; expected a larger one" })
     }
 
-    /// Samples the next radius, refines the interval before it, and adds the local maxima of g.
+    /// Samples the next radius.
     fn go_on(&mut self, seen: &mut Seen) {
         let Some(a) = self.places.get(seen.next).copied() else {
             seen.ended = true;
@@ -229,7 +247,7 @@ impl Look<'_> {
         };
         seen.next += 1;
         let before = work::left();
-        let found = (self.height)(a);
+        let found = self.value(a);
         let cost = before.saturating_sub(work::left());
         let here = match found {
             Ok(g) => (a, g),
@@ -237,7 +255,18 @@ impl Look<'_> {
                 seen.lost += u32::from(!seen.places.is_empty());
                 return;
             }
+            // Next to the axis a method may have no value; smaller roots are looked for there once a larger radius has one.
+            Err(TransformError::NotThisWay { .. }) if seen.places.is_empty() => {
+                seen.skipped = self.refused.take();
+                return;
+            }
             Err(_) if seen.places.is_empty() => return,
+            Err(error @ (TransformError::NotThisWay { .. } | TransformError::NoSuchWay { .. })) => {
+                self.approach(a, seen);
+                self.refused = None;
+                seen.refused = Some(error);
+                return;
+            }
             Err(error) => {
                 if !(matches!(error, TransformError::NoDigits { .. }) && self.leap(seen)) {
                     self.approach(a, seen);
@@ -246,6 +275,11 @@ impl Look<'_> {
             }
         };
         seen.lost = 0;
+        self.accept(here, cost, seen);
+    }
+
+    /// Adds a sample, refines the interval before it, and adds the local maxima of g.
+    fn accept(&mut self, here: (f64, f64), cost: u64, seen: &mut Seen) {
         let known = seen.places.len();
         if let [.., one, two] = seen.places.as_slice()
             && !self.is_power(*one, *two, here)
@@ -269,8 +303,8 @@ impl Look<'_> {
     ///
     /// Rounding turns a function such as exp(r)-1-r into a line next to the axis, and into noise up to a larger radius.
     fn leap(&mut self, seen: &mut Seen) -> bool {
-        let mut rest = self.places.get(seen.next..).unwrap_or_default().iter().take(LEAP);
-        let found = rest.position(|a| (self.height)(*a).is_ok_and(|g| g > seen.largest / NOTHING));
+        let rest: Vec<f64> = self.places.iter().skip(seen.next).take(LEAP).copied().collect();
+        let found = rest.into_iter().position(|a| self.value(a).is_ok_and(|g| g > seen.largest / NOTHING));
         let Some(steps) = found else { return false };
         *seen = Seen { next: seen.next + steps, ..Seen::default() };
         true
@@ -284,7 +318,7 @@ impl Look<'_> {
         if halvings == 0 || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
             return;
         }
-        let Ok(g) = (self.height)(middle) else { return };
+        let Ok(g) = self.value(middle) else { return };
         let here = (middle, g);
         if halvings > doubted || !self.is_power(one, here, two) {
             self.between(one, here, (halvings - 1, doubted), places);
@@ -303,20 +337,21 @@ impl Look<'_> {
         (one.1 == two.1 && two.1 == other.1) || (foretold - h).abs() <= BENT
     }
 
-    /// Bisects toward the radius beyond which g does not exist.
+    /// Bisects toward the radius beyond which g does not exist, or has no value by the chosen method.
     fn approach(&mut self, mut outer: f64, seen: &mut Seen) {
-        seen.ended = true;
         for _ in 0..STEPS {
-            let Some((inner, _)) = seen.places.last().copied() else { return };
+            let Some((inner, _)) = seen.places.last().copied() else { break };
             let a = inner + 0.5 * (outer - inner);
             if a <= inner || a >= outer || work::is_exhausted() {
-                return;
+                break;
             }
-            match (self.height)(a) {
-                Ok(g) => seen.places.push((a, g)),
+            let before = work::left();
+            match self.value(a) {
+                Ok(g) => self.accept((a, g), before.saturating_sub(work::left()), seen),
                 Err(_) => outer = a,
             }
         }
+        seen.ended = true;
     }
 
     /// Adds the local maxima of g among the samples starting at `from`, located by golden-section search.
@@ -335,7 +370,7 @@ impl Look<'_> {
                 }
                 // Probe the longer of the two subintervals.
                 let a = if best.0 - low > high - best.0 { best.0 - GOLDEN * (best.0 - low) } else { best.0 + GOLDEN * (high - best.0) };
-                let Ok(g) = (self.height)(a) else { break };
+                let Ok(g) = self.value(a) else { break };
                 let end = if g > best.1 { best.0 } else { a };
                 if (a > best.0) == (g > best.1) {
                     low = end;

@@ -147,7 +147,7 @@ pub(crate) fn precise_total(forms: &[&ClosedForm], inputs: &[f64]) -> (Precise, 
 /// The first value where its bound is good next to the whole of which it is a part, else the better of both.
 pub(crate) fn refined(first: Bounded, whole: f64, good: f64, second: impl FnOnce() -> (Precise, &'static str)) -> Estimate {
     let in_doubles = Estimate::from_bounded(first, 0).by(DOUBLES);
-    if first.error <= good * whole.abs() {
+    if first.value.is_finite() && first.error <= good * whole.abs() {
         return in_doubles;
     }
     let (second, way) = second();

@@ -45,9 +45,13 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// The key of the way, or the method where the number follows from what was given.
+    /// The key of the way, or the method if no way was needed; a number without error that needed none is `exact`.
     pub fn way(&self) -> &'static str {
-        if self.estimate.way.is_empty() { self.method } else { self.estimate.way }
+        match self.estimate.way {
+            "" if self.estimate.error == 0.0 => "exact",
+            "" => self.method,
+            way => way,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::num::quadrature::Rule;
 
 /// One number of a profile, in units in which E* = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Ask {
+pub(crate) enum Ask {
     /// g(x).
     Equivalent(f64),
     /// F(a)/(2E*) under a smooth edge.
@@ -40,7 +40,7 @@ pub enum Ask {
 
 impl Ask {
     /// The key of the quantity.
-    pub fn key(self) -> &'static str {
+    pub(crate) fn key(self) -> &'static str {
         match self {
             Self::Equivalent(_) => "g",
             Self::Force(_) => "F",
@@ -53,7 +53,7 @@ impl Ask {
     }
 
     /// The coordinates: r (or z) and a; twice the same where there is one only.
-    pub fn coordinates(self) -> [f64; 2] {
+    pub(crate) fn coordinates(self) -> [f64; 2] {
         match self {
             Self::Pressure { r, a } | Self::Outside { r, a } => [r, a],
             Self::Axial { z, a } => [z, a],
@@ -62,7 +62,7 @@ impl Ask {
     }
 
     /// How far out f′ is needed.
-    pub fn reach(self) -> f64 {
+    pub(crate) fn reach(self) -> f64 {
         let [_, end] = self.coordinates();
         end
     }

@@ -225,7 +225,7 @@ impl NumericSegment {
         self.seen(Estimate { error: found.error + smear + self.shifted(&found, x), ..found }, x)
     }
 
-    /// How far the integral up to x is off where the lower end is not known to many times less than the distance to x.
+    /// The error of the integral up to x from the error of its lower end, if that is more than a thousandth of the distance to x.
     fn shifted(&self, found: &Estimate, x: f64) -> f64 {
         /// Farther out the change at the ends is enough.
         const FAR: f64 = 1e3;
@@ -235,9 +235,11 @@ impl NumericSegment {
         }
         // f′ ~ δ^m gives g ~ δ^(m + 1/2), F alike and G ~ δ^(m + 3/2).
         let size = |delta: f64| self.slope_at(delta).value.abs();
-        let power = (size(reach) / size(0.5 * reach)).log2().max(0.0) + 1.5;
-        let share = (1.0 + error / reach).powf(power) - 1.0;
-        if share.is_nan() { f64::INFINITY } else { found.value.abs() * share }
+        let power = (size(reach) / size(0.5 * reach)).log2();
+        if power.is_nan() {
+            return f64::INFINITY;
+        }
+        found.value.abs() * ((1.0 + error / reach).powf(power.max(0.0) + 1.5) - 1.0)
     }
 
     /// The estimate, unless every sample of a formula vanished and no enclosure says that the formula does.

@@ -73,7 +73,7 @@ impl NumericProfile {
     ///
     /// # Errors
     /// As [`Self::slope`].
-    pub fn answer(&self, ask: Ask, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
+    pub(crate) fn answer(&self, ask: Ask, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         match ask {
             Ask::Equivalent(x) => self.slope(x, tolerance).map(Some),
             Ask::Force(a) => self.force(a, tolerance).map(Some),

@@ -44,7 +44,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     record.at.iter().zip(&record.readings).zip(asked).try_for_each(|((at, reading), asked)| {
         write!(out, "\nWays to {} at {} = {}", record.quantity, record.coordinate, with_unit(*at, &units.at))?;
         match reading {
-            Ok(own) => writeln!(out, "; the answer is that of {}:", own.way())?,
+            Ok(own) => writeln!(out, "; the answer comes from {}:", own.way())?,
             Err(reason) => return writeln!(out, ": none, {}", reason.text()),
         }
         let rows = || {

@@ -61,7 +61,7 @@ pub const SHAPES: &[Shape] = &[
     Shape {
         name: "cone",
         title: "cone",
-        source: "Popov & Heß (3.42)–(3.44), (3.57)–(3.58)",
+        source: "Popov & Heß (3.43)–(3.44), (3.57)–(3.58)",
         ways: &[
             Way { f: "r*tan(theta)", parameters: &[p("theta", "12 deg", "angle between flank and surface")] },
             Way { f: "r/tan(alpha)", parameters: &[p("alpha", "78 deg", "half-opening angle")] },
@@ -169,7 +169,7 @@ pub const SHAPES: &[Shape] = &[
     Shape {
         name: "cone-with-spherical-cap",
         title: "cone that ends in a sphere, without a kink",
-        source: "pieces of Popov & Heß (3.42) and (3.71)",
+        source: "pieces of Popov & Heß (3.43) and (3.71)",
         ways: &[Way {
             f: "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), (r-R*sin(theta))*tan(theta)+R-sqrt(R^2-R^2*sin(theta)^2))",
             parameters: &[p("R", "0.2 um", "radius of the tip"), p("theta", "12 deg", "angle between flank and surface")],
@@ -179,7 +179,7 @@ pub const SHAPES: &[Shape] = &[
     Shape {
         name: "cone-with-parabolic-cap",
         title: "cone that ends in a paraboloid, without a kink",
-        source: "pieces of Popov & Heß (3.6) and (3.42)",
+        source: "pieces of Popov & Heß (3.6) and (3.43)",
         ways: &[
             Way {
                 f: "piecewise(r^2*tan(theta)/(2*b), r<b, (r-b/2)*tan(theta))",

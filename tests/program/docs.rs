@@ -30,7 +30,7 @@ fn examples_run_and_answer_as_shown() {
     let mut faults = Vec::new();
     for document in documents() {
         let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("docs").join(document.file_stem().unwrap());
-        fs::create_dir_all(&place).unwrap();
+        copy_examples(&place);
         let text = fs::read_to_string(&document).unwrap();
         if std::env::var_os("SNEDDON_WRITE").is_some() {
             fs::write(&document, rewritten(&text, &place)).unwrap();
@@ -67,6 +67,16 @@ fn help_shows_examples_that_run() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n\n"));
+}
+
+/// Copies the scenes and the data that the documents use into a directory of their examples.
+fn copy_examples(place: &Path) {
+    fs::create_dir_all(place.join("examples")).unwrap();
+    for entry in fs::read_dir(root().join("examples")).unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.extension().is_some_and(|extension| ["toml", "csv"].iter().any(|own| extension == *own)) {
+            fs::copy(&entry, place.join("examples").join(entry.file_name().unwrap())).unwrap();
+        }
+    }
 }
 
 fn help(arguments: &[&str]) -> String {

@@ -30,6 +30,20 @@ fn lines(svg: &str) -> Vec<Vec<(f64, f64)>> {
     all.into_iter().filter(|line: &Vec<_>| line.len() > 10).collect()
 }
 
+/// The picture of `README.md` is what its command in `docs/pictures.md` draws.
+#[test]
+fn the_picture_of_the_readme_is_fresh() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(root.join("docs/pictures.md")).unwrap();
+    let command = page.lines().find(|line| line.ends_with("-o contact.svg")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let typed = command.replace("$ sneddon", env!("CARGO_BIN_EXE_sneddon"));
+    let done = Command::new("sh").args(["-c", &typed]).current_dir(folder.path()).output().unwrap();
+    assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    let drawn = fs::read_to_string(folder.path().join("contact.svg")).unwrap();
+    assert!(drawn == fs::read_to_string(root.join("docs/figures/contact.svg")).unwrap(), "docs/figures/contact.svg is stale: {command}");
+}
+
 #[test]
 fn curves_have_the_shape_of_the_theory() {
     // F is c d² for a cone and c d^(3/2) for a paraboloid, and the pressure of a paraboloid an ellipse.

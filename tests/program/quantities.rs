@@ -42,6 +42,18 @@ fn every_command_answers_or_refuses_every_quantity() {
     }
 }
 
+/// The keys in the first column of the table of `docs/quantities.md`.
+#[test]
+fn the_page_lists_every_quantity() {
+    let page = fs::read_to_string(PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("docs/quantities.md")).unwrap();
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split(" |").next());
+    let mut listed: Vec<&str> = rows.flat_map(|keys| keys.split(", ")).map(|key| key.trim_matches('`')).collect();
+    let mut known: Vec<&str> = Quantity::ALL.iter().map(|own| own.key()).collect();
+    listed.sort_unstable();
+    known.sort_unstable();
+    assert_eq!(listed, known);
+}
+
 #[test]
 fn scenes_have_every_quantity_of_a_load_and_references_write_no_other_one() {
     let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("quantities");

@@ -1,6 +1,6 @@
 //! The source's chapter 3, result by result: the derived formulas are the chapter's, and their numbers are right.
 //!
-//! (3.40)–(3.42) state constants for triangular and square punches; non-circular contacts are outside this engine so far.
+//! (3.40)–(3.42) state constants of triangular and square punches; `tests/scenes` checks the punches that a scene describes by them.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use sneddon::contact::{Edge, Relations, SpringFoundation, relations};

@@ -95,7 +95,7 @@ enum Chosen {
 #[derive(Clone)]
 struct Methods;
 
-/// The methods that are none of the ways to one number.
+/// The methods beside the ways; `series` here gives the series term by term.
 const METHODS: [(&str, &str, Chosen); 5] = [
     ("auto", "the cheapest way that meets the tolerance", Chosen::Method(Method::Auto)),
     ("exact", "closed forms only", Chosen::Method(Method::Exact)),
@@ -175,7 +175,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     settings.demand_all(&typed)?;
     let failed = |error: ContactError| match error {
         ContactError::Transform(TransformError::NotThisWay { .. } | TransformError::NoSuchWay { .. }) => {
-            Failure::new(error.to_string()).help("--explain lists the ways that have an answer")
+            Failure::new(error.to_string()).help("--explain shows which methods have a value here")
         }
         error => Failure::profile(&typed.text, &error),
     };
@@ -214,7 +214,11 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
     let ways = if arguments.explain {
         let explained = Explained::new(&solution, &Bindings::default(), effective_modulus, depth, tolerance).map_err(failed)?;
-        let own = |(at, reading): (&f64, &Measured)| with_the_answer(explained.ask(quantity, *at, radius.unwrap_or(*at)), reading);
+        let own = |(at, reading): (&f64, &Measured)| {
+            let mut list = with_the_answer(explained.ask(quantity, *at, radius.unwrap_or(*at)), reading);
+            list.iter_mut().for_each(|row| row.found = row.found.clone().map(|found| digits.of(found)));
+            list
+        };
         Some(at.iter().zip(&readings).map(own).collect())
     } else {
         None
@@ -285,13 +289,15 @@ fn warn_of_missing_values(readings: &[Measured]) {
     }
 }
 
-/// The list, and the answer itself where it was found in none of the ways, as numbers that follow from what was given are.
+/// The list, with the answer itself in front if its way gives another number alone, or is not in the list.
+///
+/// A depth, radius or force that follows from others is `auto`: its way is the way of the numbers that it follows from.
 fn with_the_answer(mut asked: Vec<Asked>, reading: &Measured) -> Vec<Asked> {
     let Ok(own) = reading else { return asked };
-    match asked.iter_mut().find(|other| other.way == own.way()) {
-        Some(Asked { found: Ok(_), .. }) => {}
-        Some(other) => other.found = Ok(own.estimate),
-        None => asked.insert(0, Asked { way: own.way(), found: Ok(own.estimate), steps: 0 }),
+    let alike = asked.iter().find(|other| other.way == own.way());
+    if !alike.is_some_and(|other| other.found.as_ref().is_ok_and(|found| found.value == own.estimate.value)) {
+        let way = if alike.is_some() { "auto" } else { own.way() };
+        asked.insert(0, Asked { way, found: Ok(own.estimate), steps: 0 });
     }
     asked
 }

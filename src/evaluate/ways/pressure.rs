@@ -11,7 +11,7 @@ use crate::evaluate::evaluator::{Evaluator, Method, Reading};
 use crate::evaluate::ways::best::{Answer, Best, by_quadrature};
 use crate::expr::{Bindings, Expr, Symbol, normal};
 use crate::integrate::admit::finite_and_not_negative;
-use crate::integrate::ask::Ask;
+use crate::integrate::ask::{Ask, PIECES};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Estimate, work};
@@ -120,12 +120,15 @@ impl Evaluator<'_> {
         }
         let level = self.typed_without_slopes()?;
         let typed = level.as_ref().map_or_else(|| self.typed(), Ok)?;
-        Best::of(self.tolerance, by_quadrature(typed.pressure_on_axis(a, self.tolerance).map(Some).ok_or(lost.clone())))
-            .or(|| by_quadrature(typed.axial(0.0, a, self.tolerance).map(Some)))
-            .or(|| self.by_recognition(Ask::Axial { z: 0.0, a }))
-            // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
-            .or(|| by_quadrature(typed.pressure(0.0, a, self.tolerance)?.map(Some).ok_or(lost)))
-            .answer()
+        Best::of(
+            self.tolerance,
+            by_quadrature(typed.pressure_on_axis(a, self.tolerance).map(|own| Some(own.by(PIECES))).ok_or(lost.clone())),
+        )
+        .or(|| by_quadrature(typed.axial(0.0, a, self.tolerance).map(Some)))
+        .or(|| self.by_recognition(Ask::Axial { z: 0.0, a }))
+        // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
+        .or(|| by_quadrature(typed.pressure(0.0, a, self.tolerance)?.map(Some).ok_or(lost)))
+        .answer()
     }
 
     /// The profile as typed, where the slopes of its chains at the axis add up to 0 and are not 0 one by one, less these slopes times r;

@@ -1,7 +1,7 @@
 //! The pressure by one integral straight from f′ and f″, with its logarithmic singularity and its kinks.
 
 use crate::integrate::admit::finite_and_not_negative;
-use crate::integrate::ask::{BISECTION, ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U_SAMPLED, PIECES, not_this_way};
+use crate::integrate::ask::{ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U_SAMPLED, PIECES, not_this_way};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{MOST, NumericProfile, NumericSegment, reached, settled, with_ulps};
 use crate::integrate::source::endpoint::Endpoint;
@@ -41,7 +41,6 @@ impl NumericProfile {
     ) -> Result<Option<Estimate>, TransformError> {
         match key {
             ELLIPTIC => self.stress_direct(s, a, tolerance),
-            BISECTION if s == 0.0 => self.axial(0.0, a, tolerance).map(Some),
             _ => self.pressure_of_smooth(key, s, a, tolerance).map(Some).ok_or(not_this_way(key)),
         }
     }

@@ -78,7 +78,8 @@ fn out_of_power(base: &Expr, exponent: &Expr) -> Expr {
     let inner = shared_in_front(base);
     let (number, _) = inner.split_coefficient();
     let in_front = number.is_positive() && Expr::number(number).pow(exponent).as_number().is_some();
-    let other = Expr::product(inner.factors().iter().map(|factor| factor.pow(exponent)));
+    // Only positive factors leave the root.
+    let other = inner.pow(exponent);
     if in_front && digits(&other) < digits(&plain) { other } else { plain }
 }
 

@@ -84,10 +84,10 @@ impl Number {
         self.decimal && (self.is_integer() || ends_in_decimals(&self.value))
     }
 
-    /// Numerator and denominator as they are printed: 0.7 over 1, and for decimals without an end 0.7 over 3 or 1 over 12.73.
+    /// Numerator and denominator as they are printed: 0.7 over 1, and for decimals without an end 7 over 30 or 1 over 12.73.
     ///
-    /// Such a quotient has no factor 5 in its digits, and a point behind the first digit of long denominators: 1.853 over 5.024.
-    /// Short ones stay fractions of whole numbers.
+    /// Both parts are divided by their factors of ten, and a long denominator is written with one digit before the point: 1.853 over 5.024.
+    /// Short parts are whole numbers.
     ///
     /// ```
     /// use sneddon_expr::expr::Number;

@@ -1,7 +1,7 @@
 //! How formulas are presented: names of symbols, decimals, rounded numbers, and logarithms for inverse hyperbolic functions.
 
 use super::Renaming;
-use super::rounding::{Rounding, with_decimals};
+use super::rounding::{MOST_DIGITS, Rounding, with_decimals};
 use crate::expr::{Condition, Expr, Formula, Number, shown_as_mathematics, shown_with_logarithms};
 
 /// What is changed in formulas just before they are printed; nothing by default.
@@ -42,7 +42,16 @@ impl Presentation {
 
     /// The formula as it is presented.
     pub fn formula(&self, formula: &Formula) -> Formula {
-        self.names.formula(&if self.is_plain() { formula.clone() } else { formula.map(&|expr| self.expr(expr)) })
+        if self.is_plain() {
+            return self.names.formula(formula);
+        }
+        let shown = formula.map(&|expr| self.expr(expr));
+        match self.digits {
+            Some(digits) if digits < MOST_DIGITS && has_empty_piece(&shown) => {
+                Self { digits: Some(digits + 1), ..self.clone() }.formula(formula)
+            }
+            _ => self.names.formula(&shown),
+        }
     }
 
     /// The condition as it is presented.
@@ -61,6 +70,25 @@ impl Presentation {
         }
         let shown = if self.logarithms { shown_with_logarithms(expr) } else { shown_as_mathematics(expr) };
         let shown = if self.decimals { with_decimals(&shown) } else { shown };
-        self.digits.map_or_else(|| shown.clone(), |digits| Rounding { digits, whole: self.decimals }.expr(&shown))
+        match self.digits {
+            Some(digits) => Rounding { digits }.expr(&shown),
+            None => shown,
+        }
+    }
+}
+
+/// Returns whether two pieces end at the same place.
+fn has_empty_piece(formula: &Formula) -> bool {
+    match formula {
+        Formula::Closed(_) => false,
+        Formula::Sum(parts) => parts.iter().any(has_empty_piece),
+        Formula::Scaled(_, inner) => has_empty_piece(inner),
+        Formula::Integral { integrand, .. } => has_empty_piece(integrand),
+        Formula::Piecewise { pieces, last, .. } => {
+            let ends = || pieces.iter().map(|(_, end)| end);
+            ends().zip(ends().skip(1)).any(|(one, next)| one == next)
+                || pieces.iter().any(|(value, _)| has_empty_piece(value))
+                || has_empty_piece(last)
+        }
     }
 }

@@ -4,19 +4,23 @@ use crate::expr::{Expr, Node, Number};
 use crate::num::{DoubleDouble, precise};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::Signed;
+use num_traits::{One, Signed};
 
-/// How numbers are rounded.
+/// Rounding to a number of significant digits.
 ///
-/// Rounded are decimals, and fractions whose numerator or denominator has more digits; other fractions stay.
-/// A product with such a number, or with a root of a longer one, has a single number, its numbers and their roots multiplied.
+/// Decimals and whole numbers are rounded, and fractions whose numerator or denominator has more digits; other fractions stay.
+/// Exponents and constant arguments of functions stay exact, because a function may vanish or change its law when they are rounded.
+/// A product with a rounded number, or with a root of a longer one, has a single number, its numbers and their roots multiplied.
+/// The reciprocal of a decimal is the reciprocal of the rounded decimal.
+/// The square of a fraction beside squares of symbols is the square of the rounded fraction, so that √(x² − b²) vanishes at the printed b.
 #[derive(Clone, Copy)]
 pub(super) struct Rounding {
     /// The largest number of significant digits.
     pub(super) digits: u32,
-    /// Whether whole numbers are rounded too; those that are exponents or arguments of functions stay.
-    pub(super) whole: bool,
 }
+
+/// The most digits of a double.
+pub(super) const MOST_DIGITS: u32 = 17;
 
 impl Rounding {
     /// The expression with rounded numbers.
@@ -25,14 +29,17 @@ impl Rounding {
             Node::Number(number) => Expr::number(self.number(number)),
             Node::Constant(_) | Node::Symbol(_) => expr.clone(),
             Node::Function(function, arguments) => {
-                let one = |own: &Expr| if own.as_integer().is_some() { own.clone() } else { self.expr(own) };
+                // Those of min and max are breakpoints.
+                let is_exact =
+                    |own: &Expr| own.symbols().is_empty() && (expr.symbols().is_empty() || !["min", "max"].contains(&function.name()));
+                let one = |own: &Expr| if is_exact(own) { own.clone() } else { self.expr(own) };
                 Expr::function(*function, arguments.iter().map(one).collect())
             }
-            Node::Sum(terms) => Expr::sum(terms.iter().map(|own| self.expr(own))),
+            Node::Sum(terms) => self.sum(expr, terms),
             Node::Power(..) | Node::Product(_) => {
                 let (numbers, others): (Vec<Expr>, Vec<Expr>) = expr.factors().into_iter().partition(|own| power(own).is_some());
                 let others = others.iter().map(|own| match own.node() {
-                    Node::Power(base, exponent) => self.expr(base).pow(&self.exponent(exponent)),
+                    Node::Power(base, exponent) => self.expr(base).pow(exponent),
                     _ => self.expr(own),
                 });
                 Expr::product(self.coefficient(numbers).into_iter().chain(others))
@@ -40,15 +47,34 @@ impl Rounding {
         }
     }
 
-    fn exponent(self, exponent: &Expr) -> Expr {
-        Self { whole: false, ..self }.expr(exponent)
+    /// A sum with at least so many digits that no two of its terms become alike.
+    ///
+    /// A number beside squares of symbols may be a square, too.
+    fn sum(self, exact: &Expr, terms: &[Expr]) -> Expr {
+        let is_square =
+            |own: &Expr| matches!(own.node(), Node::Power(base, exponent) if base.as_symbol().is_some() && *exponent == Expr::integer(2));
+        let with_squares = terms.iter().any(|own| own.factors().iter().any(is_square));
+        let square = |own: &Expr| own.as_number().filter(|_| with_squares).and_then(|own| self.square(own));
+        let rounded = Expr::sum(terms.iter().map(|own| square(own).map_or_else(|| self.expr(own), Expr::number)));
+        match rounded.node() {
+            Node::Sum(kept) if kept.len() >= terms.len() => rounded,
+            _ if self.digits < MOST_DIGITS => Self { digits: self.digits + 1 }.sum(exact, terms),
+            _ => exact.clone(),
+        }
+    }
+
+    /// The square of a rounded fraction, or less than 0 its opposite, for the square of a fraction.
+    fn square(self, number: &Number) -> Option<Number> {
+        let side = self.number(&number.abs().root(2)?);
+        let square = &side * &side;
+        Some(if number.is_negative() { -&square } else { square })
     }
 
     /// Numbers and powers of numbers, as one number if any of them is rounded.
     fn coefficient(self, factors: Vec<Expr>) -> Vec<Expr> {
         let powers: Vec<(Number, Number)> = factors.iter().filter_map(power).collect();
         let is_rounded = |(base, exponent): &(Number, Number)| {
-            let under_root = !exponent.is_one() && (self.is_longer(base.value().numer()) || self.is_rounded(exponent));
+            let under_root = !exponent.is_one() && self.is_longer(base.value().numer());
             under_root || self.is_rounded(base)
         };
         if !powers.iter().any(is_rounded) {
@@ -56,25 +82,27 @@ impl Rounding {
         }
         let exact = powers.iter().try_fold(Number::integer(1), |product, (base, exponent)| exponent.is_one().then(|| &product * base));
         match exact.or_else(|| value(&powers)) {
-            Some(value) => vec![Expr::number(self.nearest(&value))],
+            Some(value) => vec![Expr::number(self.rounded(&value))],
             // Beyond the range of doubles every number is rounded alone.
-            None => powers
-                .iter()
-                .map(|(base, exponent)| Expr::number(self.number(base)).pow(&self.exponent(&exponent.clone().into())))
-                .collect(),
+            None => powers.iter().map(|(base, exponent)| Expr::number(self.number(base)).pow(&exponent.clone().into())).collect(),
         }
     }
 
     fn number(self, number: &Number) -> Number {
-        if self.is_rounded(number) { self.nearest(number) } else { number.clone() }
+        if self.is_rounded(number) { self.rounded(number) } else { number.clone() }
+    }
+
+    /// The reciprocal of a decimal stays one, so that a/R and R are rounded alike.
+    fn rounded(self, number: &Number) -> Number {
+        let (upper, lower) = number.printed_parts();
+        let reciprocal = || self.nearest(&lower).reciprocal().map(|own| if number.is_negative() { -&own } else { own });
+        let is_reciprocal = upper.value().abs().is_one() && !lower.is_one();
+        reciprocal().filter(|_| is_reciprocal).unwrap_or_else(|| self.nearest(number))
     }
 
     fn is_rounded(self, number: &Number) -> bool {
-        if number.is_integer() {
-            return self.whole && self.nearest(number) != *number;
-        }
         let (upper, lower) = number.printed_parts();
-        if upper.is_integer() && lower.is_integer() {
+        if !number.is_integer() && upper.is_integer() && lower.is_integer() {
             [upper, lower].iter().any(|own| self.is_longer(own.value().numer()))
         } else {
             self.nearest(number) != *number
