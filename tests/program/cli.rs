@@ -53,8 +53,8 @@ fn profiles_that_are_none() {
     let deep = format!("{}r{}", "(".repeat(60_000), ")".repeat(60_000));
     let signs = format!("{}r", "-".repeat(5000));
     let cases: &[(&str, &[&str])] = &[
-        ("r^", &["column 3", "ends too soon", "| r^\n  |   ^\n", "help:"]),
-        ("foo(r)", &["column 1", "no function foo", "\n  | ^^^\n", "help:"]),
+        ("r^", &["column 3", "unexpected end", "| r^\n  |   ^\n", "help:"]),
+        ("foo(r)", &["column 1", "unknown function foo", "\n  | ^^^\n", "help:"]),
         ("r^2/0", &["column 5", "divisor is 0", "\n  |     ^\n"]),
         ("2r", &["column 2", "operator is missing", "2*r"]),
         ("sqrt(-1-r^2)", &["not real", "^"]),
