@@ -363,7 +363,7 @@ impl<'a> Indentation<'a> {
         if force.is_nan() || force < 0.0 {
             return Err(ContactError::Missing {
                 quantity: "a negative force",
-                needs: "adhesion, which is not modelled; F >= 0 would be accepted",
+                needs: "adhesion, which is not modelled; expected F >= 0",
             });
         }
         if force == 0.0 {
@@ -405,7 +405,7 @@ impl<'a> Indentation<'a> {
         if radius.is_nan() || radius < 0.0 {
             return Err(ContactError::Missing {
                 quantity: "a negative contact radius",
-                needs: "a different sign; a >= 0 would be accepted",
+                needs: "a nonnegative radius; expected a >= 0",
             });
         }
         if let Some(rim) = self.at_rim {

@@ -63,7 +63,7 @@ impl<'a> Curve<'a> {
             return Err(TransformError::OutOfDomain {
                 symbol: "reach",
                 at: reach,
-                limit: "; a positive length would be accepted".to_owned(),
+                limit: "; expected a positive length".to_owned(),
             });
         }
         let mut budget = Budget::default();
@@ -230,7 +230,7 @@ impl<'a> Curve<'a> {
             }
         }
         if places.len() != out.len() {
-            let limit = "; slices of one length would be accepted".to_owned();
+            let limit = "; expected slices of equal length".to_owned();
             return Err(TransformError::OutOfDomain { symbol: "length", at: out.len() as f64, limit });
         }
         table.fill(places, out);
