@@ -187,8 +187,8 @@ struct State<const N: usize> {
     gap: f64,
 }
 
-/// Steepness limit for the value at the last node relative to its distance to the end: the ratio is π/2 for a linear function, and
-/// above the limit for a function a few times larger at the other end; smaller ratios indicate a steeper decrease.
+/// Steepness limit for the value at the last node relative to its distance to the end. The ratio is π/2 for a linear function and
+/// above the limit if the other end is a few times larger; smaller ratios indicate a steeper decrease.
 const STEEP: f64 = 0.3;
 
 /// The conclusion from one rule.
