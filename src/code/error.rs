@@ -55,9 +55,9 @@ impl CodeError {
     pub fn accepted(&self) -> &'static str {
         match self {
             Self::NotClosed { .. } => "choose quantities that derive shows without an integral, or compute with eval",
-            Self::Function { .. } => "another --lang or other quantities are accepted; --lang python knows the functions of SciPy",
+            Self::Function { .. } => "choose another --lang or other quantities; --lang python supports the functions of SciPy",
             Self::Inaccurate { .. } => "compute it with eval, in Python with sneddon.Contact, or choose other quantities",
-            _ => "a profile with a closed form is accepted",
+            _ => "expected a profile with a closed form",
         }
     }
 }

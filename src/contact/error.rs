@@ -1,4 +1,4 @@
-//! What can go wrong in a contact problem.
+//! Errors of contact problems.
 
 use crate::num::{Exhausted, NumError};
 use crate::transform::TransformError;
@@ -14,7 +14,7 @@ pub enum ContactError {
         name: &'static str,
         /// Its value.
         value: f64,
-        /// What would be accepted.
+        /// The expected value.
         accepted: &'static str,
     },
     /// A quantity needs something that was not given.
@@ -42,7 +42,7 @@ pub enum ContactError {
         reason: &'static str,
     },
     /// The number of springs is out of range.
-    #[error("a spring foundation of {springs} springs is not possible; 1 to {limit} would be accepted")]
+    #[error("a spring foundation cannot have {springs} springs; expected 1 to {limit}")]
     Springs {
         /// The number asked for.
         springs: usize,

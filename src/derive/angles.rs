@@ -1,7 +1,7 @@
 //! Slope angles: constants such as tan θ, whose angles lie between 0 and π/2.
 //!
-//! The flank of a cone has a slope angle, so that its sine, cosine and tangent are positive.
-//! What is proven under that assumption carries the condition that the angle is acute.
+//! The flank of a cone has an acute slope angle, so that its sine, cosine and tangent are positive.
+//! Results proven under that assumption carry the condition that the angle is acute.
 
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::constant_value;
@@ -39,7 +39,7 @@ impl Positive {
     }
 }
 
-/// The sign of an expression whose slope angles are acute.
+/// The sign of an expression, assuming acute slope angles.
 pub(crate) fn sign(expr: &Expr) -> Sign {
     let known = crate::expr::sign(expr);
     if known != Sign::Unknown || !has_angle(expr) {
@@ -48,7 +48,7 @@ pub(crate) fn sign(expr: &Expr) -> Sign {
     crate::expr::sign(&Positive::of(expr).replaced(expr))
 }
 
-/// True where the expression is proven to be zero, its slope angles being acute; false proves nothing.
+/// True if the expression is proven to be zero for acute slope angles; false proves nothing.
 pub(crate) fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
     normal::is_proven_zero(expr, variable)
         || (has_angle(expr) && algebraic(expr).is_some_and(|algebraic| normal::is_proven_zero(&algebraic, variable)))
@@ -57,17 +57,17 @@ pub(crate) fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
 /// Parameters for which angles are not acute.
 const OTHER_ANGLES: [(i64, i64); 4] = [(67, 32), (87, 32), (141, 32), (167, 32)];
 
-/// True where the expression is zero because of its angles, acute or not, as tan θ − sin θ/cos θ; false proves nothing.
+/// True if the expression vanishes by trigonometric identities for all angles, as tan θ − sin θ/cos θ; false proves nothing.
 pub(crate) fn cancels(expr: &Expr, variable: &Symbol) -> bool {
     let vanishes = |value: Expr| {
         let set: Bindings = expr.symbols().iter().map(|symbol| (symbol.name(), value.clone())).collect();
         constant_value(expr, &set).is_ok_and(|own| own.value.abs() <= 4.0 * own.error)
     };
-    // The proof takes the angles for acute; sin θ − √(1 − cos² θ) is zero for those only.
+    // The proof assumes acute angles; sin θ − √(1 − cos² θ) is zero only for acute angles.
     has_angle(expr) && is_proven_zero(expr, variable) && OTHER_ANGLES.iter().all(|(p, q)| vanishes(Expr::ratio(*p, *q)))
 }
 
-/// True where the quotient of the two is a product of sines and cosines of acute angles, so that the first is the smaller one.
+/// True if the quotient of the two is a product of sines and cosines of acute angles, so that the first is smaller.
 pub(crate) fn is_proven_below(lower: &Expr, upper: &Expr) -> bool {
     let quotient = lower / upper;
     let below_one = |factor: &Expr| {
@@ -83,7 +83,7 @@ pub(crate) fn is_proven_below(lower: &Expr, upper: &Expr) -> bool {
     has_angle(&quotient) && quotient.factors().iter().all(below_one)
 }
 
-/// The conditions 0 < u < π/2 for every slope angle u of the expressions that is no number.
+/// The conditions 0 < u < π/2 for every symbolic slope angle u of the expressions.
 pub(crate) fn conditions<'a>(exprs: impl Iterator<Item = &'a Expr>) -> Vec<Condition> {
     let mut calls = Vec::new();
     exprs.for_each(|expr| collect(expr, &mut calls));
@@ -95,7 +95,7 @@ pub(crate) fn conditions<'a>(exprs: impl Iterator<Item = &'a Expr>) -> Vec<Condi
     conditions
 }
 
-/// The upper end of the values that a parameter may take, where it is a slope angle or a part of one.
+/// The upper limit of a parameter that is a slope angle or occurs in a slope angle.
 pub(crate) fn largest(expr: &Expr, parameter: &Symbol) -> Option<f64> {
     let mut calls = Vec::new();
     collect(expr, &mut calls);
@@ -143,7 +143,7 @@ fn collect(expr: &Expr, calls: &mut Vec<Expr>) {
     }
 }
 
-/// The expression with what `form` has in the place of such constants.
+/// Replaces such constants by the result of `form`.
 fn map_calls(expr: &Expr, form: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
     if is_angle(expr) {
         return form(expr).unwrap_or_else(|| expr.clone());
@@ -194,7 +194,7 @@ fn expanded_under_roots(expr: &Expr) -> Expr {
     }
 }
 
-/// For every base of an angle, such as θ, the largest number of which all its multiples are whole multiples.
+/// For every base of an angle, such as θ, the largest number of which all its factors are integer multiples.
 struct Units(Vec<(Expr, BigRational)>);
 
 impl Units {
@@ -241,7 +241,7 @@ fn product((cosine, sine): &(Expr, Expr), (other_cosine, other_sine): &(Expr, Ex
     (cosine * other_cosine - sine * other_sine, sine * other_cosine + cosine * other_sine)
 }
 
-/// The largest number of which both are whole multiples.
+/// The largest number of which both are integer multiples.
 fn common(one: &BigRational, other: &BigRational) -> BigRational {
     if one.is_zero() || other.is_zero() {
         return one + other;
@@ -251,7 +251,7 @@ fn common(one: &BigRational, other: &BigRational) -> BigRational {
     BigRational::new(whole(one).gcd(&whole(other)), denominator)
 }
 
-/// The sign of a number or of an expression whose slope angles are acute.
+/// The sign of a number, or of an expression with acute slope angles.
 pub(crate) fn known_sign(expr: &Expr) -> Sign {
     match sign(expr) {
         Sign::Unknown => numeric_sign(expr).map_or(Sign::Unknown, |s| if s > 0.0 { Sign::Positive } else { Sign::Negative }),

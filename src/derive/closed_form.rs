@@ -1,4 +1,4 @@
-//! A closed expression as a number: in double precision where that keeps its digits, else with 30 digits, rounded once.
+//! Evaluation of closed expressions: in double precision if that is accurate, else with 30 digits, rounded once.
 
 use crate::derive::rule::Pair;
 use crate::eval::{BoundedAlgebra, EvalError, IntervalAlgebra, PreciseAlgebra, Tape, WideAlgebra};
@@ -6,25 +6,25 @@ use crate::expr::{Expr, Symbol, has_30_digits, shown_to_30_digits};
 use crate::num::{Bounded, Estimate, Precise, Region, Wide, work};
 use std::sync::OnceLock;
 
-/// A relative bound of this size is good enough for every digit: four units in the last place of a double.
+/// A relative bound of this size counts as full accuracy: four units in the last place of a double.
 const GOOD: f64 = 4.0 * f64::EPSILON;
-/// The key of values in double precision …
+/// The key of values in double precision.
 pub(crate) const DOUBLES: &str = "doubles";
-/// … of those with 30 digits …
+/// The key of values with 30 digits.
 pub(crate) const THIRTY_DIGITS: &str = "thirty-digits";
-/// … and of those with 30 digits and an exponent that neither overflows nor underflows.
+/// The key of values with 30 digits and an exponent that neither overflows nor underflows.
 pub(crate) const WIDE_EXPONENT: &str = "wide-exponent";
-/// From this tolerance on down every digit is wanted that the form has.
+/// Smaller tolerances request the full accuracy of the form.
 const EVERY_DIGIT: f64 = 1e-13;
 
-/// The relative bound with which a closed form in doubles is handed on: the tolerance, or four ulps where that is 1e-13 or sharper.
+/// The relative bound at which a double-precision result is used: the tolerance, or four ulps for tolerances of 1e-13 or less.
 pub(crate) fn good_enough(tolerance: f64) -> f64 {
     if tolerance > EVERY_DIGIT { tolerance } else { GOOD }
 }
 
 /// An expression over a few inputs, compiled for many points.
 ///
-/// Measured where the bound promises 8 ulp, over the random expressions of `tests/oracle/second.csv`: mean error 0.26 ulp,
+/// Measured where the bound is at most 8 ulp, over the random expressions of `tests/oracle/second.csv`: mean error 0.26 ulp,
 /// largest 2.8 ulp; over the cancelling profiles of `tests/oracle/cancelling.csv`: mean 0.32 ulp, largest 7.6 ulp.
 ///
 /// ```
@@ -39,7 +39,7 @@ pub(crate) fn good_enough(tolerance: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub struct ClosedForm {
     tape: Tape,
-    /// What the second pass evaluates, before functions give way to what they equal.
+    /// The expression of the second pass, before functions are replaced by equivalent expressions.
     second: Expr,
     inputs: Vec<Symbol>,
     precise: OnceLock<Option<Tape>>,
@@ -54,7 +54,7 @@ impl ClosedForm {
         Self::with_second(expr, expr.clone(), inputs)
     }
 
-    /// The same where the second pass has an expression of its own, which must be equal.
+    /// Compiles an expression with a separate, mathematically equal expression for the second pass.
     pub(crate) fn with_second(expr: &Expr, second: Expr, inputs: &[Symbol]) -> Result<Self, EvalError> {
         let tape = Tape::compile(std::slice::from_ref(expr), inputs)?;
         Ok(Self { tape, second, inputs: inputs.to_vec(), precise: OnceLock::new() })
@@ -65,7 +65,7 @@ impl ClosedForm {
         total(&[self], inputs, GOOD).bounded()
     }
 
-    /// The lowest and the highest value that the only input may give between two numbers, or more; `None` where nothing is known.
+    /// An enclosure of the values while the only input runs between two numbers; `None` if unknown.
     ///
     /// ```
     /// use sneddon::{expr::{Expr, Symbol}, transform::ClosedForm};
@@ -100,7 +100,7 @@ impl ClosedForm {
         self.precise_tape().and_then(|tape| tape.run(&mut PreciseAlgebra, inputs, slots)).unwrap_or(Precise::nan())
     }
 
-    /// The same without overflow or underflow on the way.
+    /// With 30 digits and without intermediate overflow or underflow.
     fn in_wide(&self, inputs: &[Wide], slots: &mut Vec<Wide>) -> Wide {
         self.precise_tape().and_then(|tape| tape.run(&mut WideAlgebra, inputs, slots)).unwrap_or(Wide::nan())
     }
@@ -119,21 +119,21 @@ pub(crate) fn in_doubles(forms: &[&ClosedForm], inputs: &[f64]) -> Bounded {
     forms.iter().fold(Bounded::exact(0.0), |sum, form| sum + form.in_doubles(&exact, &mut slots))
 }
 
-/// The sum with 30 digits, which survives what cancels between the forms.
+/// The sum with 30 digits, which remains accurate under cancellation between the forms.
 pub(crate) fn in_30_digits(forms: &[&ClosedForm], inputs: &[f64]) -> Precise {
     let exact: Vec<Precise> = inputs.iter().copied().map(Precise::exact).collect();
     let mut slots = Vec::new();
     forms.iter().fold(Precise::exact(0.0), |sum, form| sum.add(form.in_30_digits(&exact, &mut slots)))
 }
 
-/// The same without overflow or underflow on the way; infinite where the sum is beyond the range of doubles.
+/// The sum with 30 digits and without intermediate overflow or underflow; infinite if it exceeds the range of doubles.
 pub(crate) fn in_wide(forms: &[&ClosedForm], inputs: &[f64]) -> Precise {
     let exact: Vec<Wide> = inputs.iter().copied().map(|own| Wide::new(Precise::exact(own))).collect();
     let mut slots = Vec::new();
     forms.iter().fold(Wide::new(Precise::exact(0.0)), |sum, form| sum.add(form.in_wide(&exact, &mut slots))).precise()
 }
 
-/// The better of the two, and its key.
+/// The more accurate of two values, and its key.
 pub(crate) fn precise_total(forms: &[&ClosedForm], inputs: &[f64]) -> (Precise, &'static str) {
     let second = in_30_digits(forms, inputs);
     if second.is_finite() && second.error <= GOOD * second.value.hi.abs() {
@@ -144,7 +144,7 @@ pub(crate) fn precise_total(forms: &[&ClosedForm], inputs: &[f64]) -> (Precise, 
     if better && !third.value.hi.is_nan() { (third, WIDE_EXPONENT) } else { (second, THIRTY_DIGITS) }
 }
 
-/// The first value where its bound is good next to the whole of which it is a part, else the better of both.
+/// The first value if its bound is small relative to the whole of which it is a part, else the more accurate of both.
 pub(crate) fn refined(first: Bounded, whole: f64, good: f64, second: impl FnOnce() -> (Precise, &'static str)) -> Estimate {
     let in_doubles = Estimate::from_bounded(first, 0).by(DOUBLES);
     if first.value.is_finite() && first.error <= good * whole.abs() {
@@ -156,17 +156,17 @@ pub(crate) fn refined(first: Bounded, whole: f64, good: f64, second: impl FnOnce
     if second.is_finite() && better { Estimate::from_bounded(second, 0).by(way) } else { in_doubles }
 }
 
-/// Rounded once.
+/// Rounds to a double; the bound includes the rounding error.
 pub(crate) fn rounded(exact: Precise) -> Bounded {
     let mut own = exact.bounded();
     if exact.value.lo != 0.0 {
-        // Nothing is said of where within the rounding the true value lies.
+        // The bound covers at least the rounding error.
         own.error = own.error.max(Bounded::rounded(own.value).error);
     }
     own
 }
 
-/// The expression of an answer that the second pass evaluates: the shown one where the other has functions without 30 digits.
+/// The expression of an answer for the second pass: the shown form if the evaluated form has functions without 30-digit values.
 pub(crate) fn for_second_pass(pair: &Pair) -> &Expr {
     if has_30_digits(&shown_to_30_digits(&pair.evaluated)) { &pair.evaluated } else { &pair.shown }
 }

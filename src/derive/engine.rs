@@ -15,16 +15,16 @@ use crate::integrate::error::TransformError;
 use crate::integrate::segment::Segment;
 use crate::num::work;
 
-/// A profile with the answer of every term: exact where a rule answers, an integral where none does.
+/// A profile with the solution of every term: exact if a rule applies, otherwise an integral.
 #[derive(Clone)]
 pub struct Solution {
     /// The profile.
     pub profile: Profile,
     /// Its chains, solved term by term.
     pub chains: Vec<SolvedChain>,
-    /// What must hold: the profile's conditions and the rules'.
+    /// The conditions of the profile and of the rules.
     pub conditions: Vec<Condition>,
-    /// What the comparison of every term with quadrature found.
+    /// The results of comparing every term with quadrature.
     pub verification: Verification,
 }
 
@@ -64,7 +64,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
             conditions.extend(answer.conditions.iter().cloned());
         }
     }
-    // The pressure of an open term is an integral over (r f′)′: without it the answer would lack that term.
+    // The pressure of an open term is an integral over (r f′)′, without which the result would be incomplete.
     for (_, slope) in chains.iter().flat_map(|chain| chain.remainder(SolvedTerm::has_open_pressure)) {
         derivative(&(Expr::symbol("r") * slope), &Symbol::new("r"))?;
     }
@@ -74,9 +74,9 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     Ok(Solution { profile: profile.clone(), chains, conditions, verification })
 }
 
-/// The terms of f′; what cannot be expanded stays one term without a rule.
+/// The terms of f′; an expression that cannot be expanded is a single term without a rule.
 ///
-/// A coefficient that is zero because of its slope angles, such as tan θ − sin θ/cos θ, is none.
+/// Coefficients that vanish by trigonometric identities, such as tan θ − sin θ/cos θ, are dropped.
 fn normal_parts(slope: &Expr) -> Option<Vec<NormalTerm>> {
     let radius = Symbol::new("r");
     let mut terms = normal::normal_terms(slope, &radius).ok()?;
@@ -84,7 +84,7 @@ fn normal_parts(slope: &Expr) -> Option<Vec<NormalTerm>> {
     Some(terms)
 }
 
-/// Splits a chain into terms; what every interval has in common acts on the whole axis and becomes a chain of its own.
+/// Splits a chain into terms; terms common to all intervals act on the whole axis and form a separate chain.
 fn solve_chain(chain: &Chain, slopes: &[Expr], parts: impl Fn(&Expr) -> Option<Vec<NormalTerm>>) -> Vec<SolvedChain> {
     let radius = Symbol::new("r");
     let mut parts: Vec<Option<Vec<NormalTerm>>> = slopes.iter().map(parts).collect();
@@ -123,7 +123,7 @@ fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>)
         Some(parts) => term::split(parts, &segment),
         None => vec![whole(&slope, &segment)],
     };
-    // Over a place that was located numerically no formula is exact.
+    // No formula is exact if a breakpoint was located numerically.
     let rough = kinks::is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(kinks::is_approximate);
     let mut length = 0;
     let mut answer = |term: &Term| {
@@ -145,12 +145,12 @@ fn whole(slope: &Expr, segment: &Segment) -> Term {
 }
 
 impl Solution {
-    /// What a reader must know of closed forms that were given up.
+    /// Warnings about closed forms that were rejected.
     pub fn warnings(&self) -> Vec<String> {
         self.verification.demoted.iter().map(Demotion::text).collect()
     }
 
-    /// True where every term has an exact answer for g and F.
+    /// True if every term has an exact solution for g and F.
     pub fn is_closed(&self) -> bool {
         self.terms().all(|term| term.answer.is_some())
     }
@@ -162,9 +162,9 @@ impl Solution {
 }
 
 impl SolvedChain {
-    /// f′ of the terms that `left_out` picks, per interval; zero where it picks none.
+    /// f′ of the terms selected by `left_out`, per interval; zero if it selects none.
     ///
-    /// Where it picks every term of an interval the derivative is given as it was typed.
+    /// If it selects every term of an interval, the derivative is returned as typed.
     pub(crate) fn remainder(&self, left_out: impl Fn(&SolvedTerm) -> bool) -> Vec<(Segment, Expr)> {
         self.intervals
             .iter()
@@ -184,18 +184,18 @@ impl SolvedChain {
 }
 
 impl SolvedTerm {
-    /// True where g and F of the term are left as integrals.
+    /// True if g and F of the term remain integrals.
     pub fn is_open(&self) -> bool {
         self.answer.is_none()
     }
 
-    /// True where the pressure of the term is left as an integral.
+    /// True if the pressure of the term remains an integral.
     pub fn has_open_pressure(&self) -> bool {
         self.answer.as_ref().is_none_or(|(_, answer)| answer.pressure.is_none())
     }
 }
 
-/// The expression in its expanded form with respect to a variable, or as it is where that is too large.
+/// The expression expanded with respect to a variable, or unchanged if the expansion is too large.
 pub(crate) fn expanded_or_same(expr: &Expr, variable: &str) -> Expr {
     normal::expanded(expr, &Symbol::new(variable)).unwrap_or_else(|_| expr.clone())
 }

@@ -1,7 +1,7 @@
-//! From a profile to its exact solution: chains of smooth pieces, their terms, the rules that answer them, and the formulas put together.
+//! From a profile to its exact solution: chains of smooth pieces, their terms, the rules for the terms, the assembled formulas.
 //!
-//! The gate (`verification`) compares every closed form with quadrature before anything uses it; `inverse` goes from g back to f.
-//! Of `integrate` it uses the numeric profile that a term makes.
+//! `verification` compares every closed form with quadrature before it is used; `inverse` computes f from g.
+//! From `integrate`, this module uses only the numeric profile of a term.
 
 pub(crate) mod angles;
 pub(crate) mod assemble;

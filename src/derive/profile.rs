@@ -14,7 +14,7 @@ use crate::print;
 /// The largest number of pieces of one chain.
 const MOST_PIECES: usize = 10_000;
 
-/// A profile f(r) as a sum of chains, with the conditions under which it is what it claims to be.
+/// A profile f(r) as a sum of chains, with its conditions of validity.
 #[derive(Clone, Debug)]
 pub struct Profile {
     /// The formula as it was typed, with set parameters in place.
@@ -23,9 +23,9 @@ pub struct Profile {
     pub chains: Vec<Chain>,
     /// f(0), which is subtracted so that f starts at 0.
     pub shift: Expr,
-    /// What must hold for the parameters and for r.
+    /// Conditions on the parameters and on r.
     pub conditions: Vec<Condition>,
-    /// What must be positive where the profile has a value, and is not proven to be so for all parameters.
+    /// Expressions that must be positive for the profile to be real, and are not proven positive for all parameters.
     pub(crate) demands: Vec<Demand>,
 }
 
@@ -62,14 +62,14 @@ impl Profile {
             }
         }
         let whole = |expr| Chain { breakpoints: Vec::new(), pieces: vec![expr] };
-        // Summands with kinks of their own are chains of their own, so that unrelated kinks need no order.
+        // Summands with separate kinks are separate chains, so that unrelated kinks need not be ordered.
         let (together, mut apart) = (Expr::sum(closed), Vec::new());
         if !together.is_zero() || chains.is_empty() {
             apart = kinks::groups(&together).into_iter().map(whole).collect();
         }
         let split = apart.into_iter().map(|chain| examined(chain, &radius, &mut conditions)).collect::<Result<Vec<_>, _>>();
         let mut resolved = match split {
-            // A jump of one summand may be undone by another one.
+            // Jumps of different summands may cancel.
             Err(TransformError::Jump { .. }) => vec![examined(whole(together), &radius, &mut conditions)?],
             other => other?,
         };
@@ -91,7 +91,7 @@ impl Profile {
         for chain in &resolved {
             demands::collect(chain, &mut conditions, &mut open)?;
         }
-        // Pieces are put in order and joined for acute slope angles only.
+        // The order and continuity of the pieces are proven only for acute slope angles.
         if resolved.iter().any(|chain| !chain.breakpoints.is_empty()) {
             conditions.extend(angles::conditions(resolved.iter().flat_map(|chain| chain.breakpoints.iter().chain(&chain.pieces))));
         }
@@ -106,7 +106,7 @@ impl Profile {
         Ok(profile)
     }
 
-    /// Drops the pieces that begin where the profile has ended.
+    /// Drops the pieces that begin beyond the end of the profile.
     fn end_at_limits(&mut self) {
         let limits: Vec<Expr> = self.limits().cloned().collect();
         let unreached = |breakpoint: &Expr| limits.iter().any(|limit| is_proven_not_below(breakpoint, limit));
@@ -137,14 +137,14 @@ impl Profile {
         self.chains.iter().all(|chain| chain.pieces.iter().all(|piece| !piece.contains(&radius)))
     }
 
-    /// Upper limits of r that the conditions state: the right sides of r < limit.
+    /// Upper limits of r from the conditions: the right-hand sides of r < limit.
     pub fn limits(&self) -> impl Iterator<Item = &Expr> {
         let radius = Expr::symbol("r");
         self.conditions.iter().filter(move |c| c.left == radius && c.relation != Relation::Equal).map(|c| &c.right)
     }
 }
 
-/// True where the two are numbers, and the first is not below the second beyond doubt.
+/// True if both are numbers and the first is not certainly below the second.
 fn is_proven_not_below(one: &Expr, other: &Expr) -> bool {
     let difference = constant_value(&(one - other), &Bindings::default());
     one == other || difference.is_ok_and(|difference| difference.value > difference.error)
@@ -169,7 +169,7 @@ impl Chain {
         }
     }
 
-    /// Breakpoints must rise: proven, or stated as a condition.
+    /// Breakpoints must increase: proven, or added as a condition.
     fn refuse_disorder(&self, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
         for pair in self.breakpoints.windows(2) {
             let [lower, upper] = pair else { continue };
@@ -187,7 +187,7 @@ impl Chain {
         Ok(())
     }
 
-    /// Neighbouring pieces must meet: proven zero is accepted, a difference at an admissible point is a jump.
+    /// Neighbouring pieces must meet: a difference at an admissible point is a jump unless it is proven to be zero.
     fn refuse_jumps(&self, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
         for ((before, beyond), at) in self.pieces.iter().zip(self.pieces.iter().skip(1)).zip(&self.breakpoints) {
             let place = Bindings::one(radius.name(), at.clone());
@@ -196,7 +196,7 @@ impl Chain {
                 continue;
             }
             match domain::vanishes_at_random_points(&jump) {
-                // At a place that was located numerically nothing can be proven, and nothing is left to demand.
+                // No condition can be stated at a breakpoint that was located numerically.
                 Some(true) if kinks::is_approximate(at) => {}
                 Some(true) => conditions.push(Condition::equal(place.apply(before), place.apply(beyond))),
                 Some(false) => return Err(TransformError::Jump { at: print::text_expr(at), jump: print::text_expr(&jump) }),
@@ -207,7 +207,7 @@ impl Chain {
     }
 }
 
-/// The chain with its kinks resolved; its breakpoints rise and its pieces meet.
+/// Resolves the kinks of a chain and checks that its breakpoints increase and its pieces meet.
 fn examined(chain: Chain, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
     let chain = kinks::resolve(chain, conditions)?;
     if chain.pieces.len() > MOST_PIECES {

@@ -1,4 +1,4 @@
-//! The quantities that superpose term by term, and the sum of their closed answers.
+//! The quantities that superpose term by term, and the sum of their closed forms.
 
 use crate::derive::engine::Solution;
 use crate::derive::rule::{Branches, Pair};
@@ -35,7 +35,7 @@ impl Superposed {
         if self == Self::Equivalent { "x" } else { "a" }
     }
 
-    /// What its closed forms are functions of, out of a place and a contact radius: both, or the radius alone.
+    /// The arguments of its closed forms: a radius and the contact radius, or the contact radius alone.
     pub(crate) fn inputs(self, coordinates: &[f64; 2]) -> &[f64] {
         match self {
             Self::Pressure | Self::Outside => coordinates,
@@ -49,12 +49,12 @@ impl Superposed {
             Self::Equivalent => Some(answer()?.slope.clone()),
             Self::Force => Some(answer()?.force.clone()),
             Self::Pressure => answer()?.pressure.clone(),
-            // Known for terms, whatever their rules say.
+            // The solution is independent of the rules of the terms.
             Self::Outside => rules::outside(&solved.term),
         }
     }
 
-    /// True where the closed form of the term agreed with quadrature when it was derived; no formula of u outside is shown.
+    /// True if the closed form of the term agreed with quadrature when it was derived; false for u outside, which is never shown.
     pub(crate) fn agrees(self, solved: &SolvedTerm) -> bool {
         match self {
             Self::Equivalent => solved.agreement.slope,
@@ -64,7 +64,7 @@ impl Superposed {
         }
     }
 
-    /// True where the term's share of the quantity is left as an integral.
+    /// True if the term's contribution to the quantity remains an integral.
     pub(crate) fn is_open(self, solved: &SolvedTerm) -> bool {
         match self {
             Self::Equivalent | Self::Force => solved.is_open(),
@@ -75,7 +75,7 @@ impl Superposed {
 }
 
 impl SolvedChain {
-    /// The sum of the closed answers where the contact ends in the given interval.
+    /// The sum of the closed forms for a contact that ends in the given interval.
     pub(crate) fn closed(&self, interval: usize, quantity: Superposed, pick: impl Fn(&Pair) -> &Expr) -> Expr {
         let mut terms = Vec::new();
         for (index, own) in self.intervals.iter().enumerate().take(interval + 1) {
@@ -87,22 +87,22 @@ impl SolvedChain {
     }
 }
 
-/// The evaluated closed forms of a chain: the values where the contact ends in each of its intervals.
+/// The evaluated closed forms of a chain, for a contact that ends in each of its intervals.
 #[derive(Clone, Debug)]
 pub struct EvaluatedChain {
-    /// The breakpoints, rising.
+    /// The breakpoints, in increasing order.
     pub breakpoints: Vec<Expr>,
     /// The values, one more than there are breakpoints; each holds up to its breakpoint.
     pub values: Vec<Expr>,
 }
 
 impl Solution {
-    /// Returns true if at least one term has a closed form for `quantity`, or if there are no terms.
+    /// Returns true if at least one term has a closed form for `quantity`, or for a solution without terms.
     pub(crate) fn has_closed(&self, quantity: Superposed) -> bool {
         self.terms().next().is_none() || self.terms().any(|term| !quantity.is_open(term))
     }
 
-    /// A quantity in the form in which it is evaluated, chain by chain, to be added up; `None` where something is left to integrate.
+    /// The evaluated forms of a quantity, chain by chain, to be summed; `None` if an integral remains.
     ///
     /// g(x) is over x, F/(2E*) over a, and p π/E* over r and a, r < a.
     ///

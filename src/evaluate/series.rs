@@ -38,7 +38,7 @@ pub enum SeriesFailure {
         end: f64,
     },
     /// The series is not proven to converge there.
-    #[error("the series is not proven to converge at {symbol} = {at:?}; a smaller {symbol}, or another method, would be accepted")]
+    #[error("the series is not proven to converge at {symbol} = {at:?}; expected a smaller {symbol} or another method")]
     NoBound {
         /// Name of the coordinate.
         symbol: &'static str,

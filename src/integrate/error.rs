@@ -1,4 +1,4 @@
-//! What can go wrong between a profile and its answers.
+//! Errors of the transform layer, between a profile and its results.
 
 use crate::eval::EvalError;
 use crate::expr::ExprError;
@@ -10,22 +10,20 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TransformError {
     /// f has no finite limit at r = 0.
-    #[error(
-        "the profile has no finite value at r = 0 ({detail}); a shape that starts at a finite height, such as C*r^n with n > 0, would be accepted"
-    )]
+    #[error("the profile has no finite value at r = 0 ({detail}); expected a shape with finite height, such as C*r^n with n > 0")]
     SingularAtAxis {
         /// What was found there.
         detail: String,
     },
     /// The value of f jumps at a breakpoint.
-    #[error("the profile jumps by {jump} at r = {at}; pieces that meet at their breakpoints would be accepted")]
+    #[error("the profile jumps by {jump} at r = {at}; expected pieces that meet at their breakpoints")]
     Jump {
         /// The breakpoint.
         at: String,
         /// Value beyond minus value before.
         jump: String,
     },
-    /// The profile is real nowhere near the axis.
+    /// The profile is not real near the axis.
     #[error("the profile is not a real number near r = 0 ({detail}); check the signs under roots and logarithms")]
     NotReal {
         /// The expression that is not real.
@@ -43,7 +41,7 @@ pub enum TransformError {
         reason: String,
     },
     /// Too many pieces.
-    #[error("the profile has more than {limit} pieces; fewer would be accepted")]
+    #[error("the profile has more than {limit} pieces; expected fewer")]
     TooManyPieces {
         /// The largest number.
         limit: usize,
@@ -59,7 +57,7 @@ pub enum TransformError {
         limit: String,
     },
     /// A value beyond the largest number.
-    #[error("the value at {symbol} = {at:?} is too large for a 64-bit float; a smaller {symbol}, or other units, would be accepted")]
+    #[error("the value at {symbol} = {at:?} is too large for a 64-bit float; expected a smaller {symbol} or other units")]
     Overflow {
         /// Name of the coordinate.
         symbol: &'static str,
@@ -78,15 +76,15 @@ pub enum TransformError {
     },
     /// f′ or f″ has no value in double precision somewhere below the point.
     #[error(
-        "up to {at:?} the profile's slope cannot be computed in double precision (0/0, an overflow or a pole); a form without cancellation, or a smaller range, would be accepted"
+        "the profile's slope up to {at:?} cannot be computed in double precision (0/0, an overflow or a pole); expected a form without cancellation or a smaller range"
     )]
     NotComputable {
         /// The end of the range.
         at: f64,
     },
-    /// A quadrature that promises no digits.
+    /// A quadrature without a reliable digit.
     #[error(
-        "up to {at:?} the integral has no reliable digit ({value:?} with an error of up to {error:?}): a pole, or a feature too narrow to be resolved, lies within; a smaller range would be accepted"
+        "no digit of the integral up to {at:?} is reliable ({value:?} with an error of up to {error:?}): the range contains a pole or a feature too narrow to be resolved; expected a smaller range"
     )]
     NoDigits {
         /// The end of the range.
@@ -98,7 +96,7 @@ pub enum TransformError {
     },
     /// A whole curve that misses its tolerance.
     #[error(
-        "the curve of {quantity} reaches a relative error of {achieved:e} only, where {requested:e} was asked for; expected that tolerance, a smaller range, or quadrature at every point"
+        "the curve of {quantity} reaches a relative error of only {achieved:e}, but {requested:e} was requested; use a looser tolerance, a smaller range, or quadrature at every point"
     )]
     CurveTooRough {
         /// The quantity.
@@ -108,7 +106,7 @@ pub enum TransformError {
         /// The tolerance.
         requested: f64,
     },
-    /// No answer in the way that was demanded.
+    /// The requested way has no answer.
     #[error("the way {way} has no answer here: {reason}")]
     NotThisWay {
         /// The key of the way.
@@ -130,35 +128,33 @@ pub enum TransformError {
         /// The quantity.
         quantity: &'static str,
     },
-    /// A wanted pressure whose profile has no closed form here.
-    #[error("no profile is known for the part {term} of the pressure; sums of c*r^(2*j)*(a^2-r^2)^s with s > -1 would be accepted")]
+    /// A prescribed pressure whose profile has no known closed form.
+    #[error("no profile is known for the part {term} of the pressure; expected a sum of c*r^(2*j)*(a^2-r^2)^s with s > -1")]
     NoProfileForPressure {
         /// The part of the pressure.
         term: String,
     },
-    /// A condition that the answer needs is false.
+    /// A required condition is false.
     #[error("the condition {condition} does not hold for these values; set parameters that satisfy it")]
     ConditionFails {
         /// The condition.
         condition: String,
     },
-    /// A buffer of a slice that is not as long as the slice.
-    #[error("a buffer of {buffer} numbers was given for {points} points; one as long as the points would be accepted")]
+    /// An output buffer whose length differs from the number of points.
+    #[error("the output buffer has length {buffer} for {points} points; expected equal lengths")]
     Buffer {
         /// The number of points.
         points: usize,
         /// The length of the buffer.
         buffer: usize,
     },
-    /// A closure without a value.
-    #[error(
-        "the function of the profile has no finite value at r = {radius:?}; a limit or breakpoints that leave this radius out would be accepted"
-    )]
+    /// A closure without a finite value.
+    #[error("the function of the profile has no finite value at r = {radius:?}; set a limit or breakpoints that exclude this radius")]
     Undefined {
         /// The radius.
         radius: f64,
     },
-    /// A closure that is not smooth where no breakpoint was stated.
+    /// A closure that is not smooth at a radius without a breakpoint.
     #[error(
         "the profile function is not smooth near r = {radius:?}, or oscillates too rapidly there for numerical differentiation; specify a breakpoint or a limit at this radius, or provide the derivatives"
     )]
@@ -166,9 +162,9 @@ pub enum TransformError {
         /// The radius.
         radius: f64,
     },
-    /// A closure whose complex step is not its slope.
+    /// A closure whose complex-step derivative differs from its slope.
     #[error(
-        "at r = {radius:?} the function of a complex radius has the slope {step:?} by a complex step, but {difference:?} by a difference: it is not analytic there, or forgets small imaginary parts, as asin, acos, atan and abs do; f with its slope f′ would be accepted"
+        "at r = {radius:?} the function of a complex radius has the slope {step:?} by a complex step, but {difference:?} by a difference: it is not analytic there, or discards small imaginary parts, as asin, acos, atan and abs do; expected f together with f′"
     )]
     NotAnalytic {
         /// The radius.
@@ -178,20 +174,20 @@ pub enum TransformError {
         /// The difference quotient along the real axis.
         difference: f64,
     },
-    /// A statement about a closure that cannot hold.
-    #[error("{what} is {got:?}; {accepted} would be accepted")]
+    /// An impossible property of a closure.
+    #[error("{what} is {got:?}; expected {accepted}")]
     Statement {
-        /// What was stated.
+        /// The property.
         what: &'static str,
         /// Its value.
         got: f64,
-        /// What would be accepted.
+        /// The expected value.
         accepted: &'static str,
     },
     /// The budget of work is used up.
     #[error(transparent)]
     Exhausted(#[from] Exhausted),
-    /// A table of points that makes no profile.
+    /// A table of points that does not define a profile.
     #[error(transparent)]
     Table(#[from] TableError),
     /// An expression could not be rewritten.

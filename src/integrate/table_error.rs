@@ -1,12 +1,12 @@
-//! What can be wrong with a table of points.
+//! Errors in a table of points.
 
 use thiserror::Error;
 
-/// Why a table of points makes no profile; places count from 0.
+/// Why a table of points does not define a profile; indices count from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum TableError {
     /// Two columns of different lengths.
-    #[error("the table has {radii} radii but {heights} heights; as many of the one as of the other would be accepted")]
+    #[error("the table has {radii} radii but {heights} heights; expected equal numbers")]
     Lengths {
         /// Number of radii.
         radii: usize,
@@ -14,7 +14,7 @@ pub enum TableError {
         heights: usize,
     },
     /// Too few points.
-    #[error("the table has {given} points; at least {needed} would be accepted")]
+    #[error("the table has {given} points; expected at least {needed}")]
     TooFew {
         /// Number of points.
         given: usize,
@@ -32,15 +32,15 @@ pub enum TableError {
         height: f64,
     },
     /// A negative radius.
-    #[error("point {index} of the table has the negative radius {radius:?}; r >= 0 would be accepted")]
+    #[error("point {index} of the table has the negative radius {radius:?}; expected r >= 0")]
     Negative {
         /// Which point.
         index: usize,
         /// Its radius.
         radius: f64,
     },
-    /// Radii that do not rise.
-    #[error("point {index} of the table has r = {radius:?} after r = {before:?}; rising radii would be accepted")]
+    /// Radii that do not increase.
+    #[error("point {index} of the table has r = {radius:?} after r = {before:?}; expected increasing radii")]
     Unsorted {
         /// Which point.
         index: usize,
@@ -50,7 +50,9 @@ pub enum TableError {
         before: f64,
     },
     /// The same radius twice.
-    #[error("points {before} and {index} of the table have the same radius {radius:?}; one of them, or their mean, would be accepted")]
+    #[error(
+        "points {before} and {index} of the table have the same radius {radius:?}; expected distinct radii: keep one point, or take the mean"
+    )]
     Duplicate {
         /// The later point.
         index: usize,
@@ -59,25 +61,23 @@ pub enum TableError {
         /// Their radius.
         radius: f64,
     },
-    /// A penalty or noise that no spline has.
-    #[error("the {what} is {got:?}; {accepted} would be accepted")]
+    /// An invalid penalty or noise of a spline.
+    #[error("the {what} is {got:?}; expected {accepted}")]
     Penalty {
-        /// What was given.
+        /// The parameter.
         what: &'static str,
         /// Its value.
         got: f64,
-        /// What would be accepted.
+        /// The expected value.
         accepted: &'static str,
     },
     /// Pieces that do not join, or whose coefficients are not finite.
-    #[error(
-        "piece {index} of the table does not join the one before, is empty, or is not finite; pieces from one radius to the next would be accepted"
-    )]
+    #[error("piece {index} of the table does not join the previous piece, is empty, or is not finite; expected contiguous pieces")]
     Piece {
         /// Which piece.
         index: usize,
     },
     /// A spline whose equations left the range of doubles.
-    #[error("the spline through these points leaves the range of doubles; other units would be accepted")]
+    #[error("the spline through these points leaves the range of doubles; use other units")]
     OutOfRange,
 }

@@ -16,7 +16,7 @@ pub enum TradeoffError {
         key: &'static str,
     },
     /// No point has a value that errors could be measured against.
-    #[error("no reference value could be found within the time at any point ({reason}); other points, or more time, would be accepted")]
+    #[error("no reference value was found in time at any point ({reason}); use other points or a larger budget")]
     NoReference {
         /// What the last point said.
         reason: String,

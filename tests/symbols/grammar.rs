@@ -104,14 +104,14 @@ fn constants_are_closed() {
 }
 
 #[test]
-fn errors_point_at_their_place_and_say_what_is_accepted() {
+fn errors_point_at_their_place_and_say_what_was_expected() {
     for (text, place, says) in [
         ("2r", "r", "write 2*r"),
         ("2 r", "r", "write 2*r"),
         ("r(r+1)", "r", "write r*(r+1)"),
         ("(r+1)(r+2)", "(", "write (r+1)*(r+2)"),
-        ("r^2 + ", "", "ends too soon"),
-        ("", "", "there is no expression"),
+        ("r^2 + ", "", "unexpected end"),
+        ("", "", "the expression is empty"),
         ("r + * 2", "*", "a number, a name"),
         ("(r", "(", "close it with )"),
         ("r)", ")", "remove it"),
@@ -127,7 +127,7 @@ fn errors_point_at_their_place_and_say_what_is_accepted() {
         ("sin r", "r", "write sin(r)"),
         ("sine(r)", "sine", "sin"),
         ("sqr(r)", "sqr", "sqrt"),
-        ("arctg(r)", "arctg", "accepted"),
+        ("arctg(r)", "arctg", "expected"),
         ("sin(r, 2)", "sin(r, 2)", "1 argument"),
         ("r^2 $ 3", "$", "'$'"),
         ("r**2", "**", "r^2"),
@@ -152,9 +152,9 @@ fn errors_point_at_their_place_and_say_what_is_accepted() {
         ("piecewise(0, b<r, r)", "b<r", "r<b"),
         ("piecewise(0, b<r<c, r)", "<", "one comparison"),
         ("piecewise(0, s<b, r)", "s<b", "r<b"),
-        ("piecewise(0, r<2, r, r<1, r)", "r<1", "rising"),
-        ("piecewise(0, r<b, r, r<b, r)", "r<b", "rising"),
-        ("piecewise(0, r<2*b, r, r<b, r)", "r<b", "rising"),
+        ("piecewise(0, r<2, r, r<1, r)", "r<1", "increasing"),
+        ("piecewise(0, r<b, r, r<b, r)", "r<b", "increasing"),
+        ("piecewise(0, r<2*b, r, r<b, r)", "r<b", "increasing"),
         ("piecewise(0, r<2*r, r)", "2*r", "parameters"),
         ("piecewise(0, r<0, r)", "0", "positive"),
         ("piecewise(0, r<-b, r)", "-b", "positive"),

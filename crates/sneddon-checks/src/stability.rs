@@ -1,4 +1,4 @@
-//! The program in the corners of every rule's domain, against the reference values of `tests/oracle/extremes.py`.
+//! Tests every rule at the limits of its domain against the reference values of `tests/oracle/extremes.py`.
 
 use crate::decimal::Decimal;
 use crate::formulas::{bindings, contact, derived_with};
@@ -11,7 +11,7 @@ use sneddon::transform::rules::RULES;
 use sneddon::transform::{Profile, Reading};
 use std::collections::BTreeMap;
 
-/// What became of one cell: a rule, a corner and a quantity.
+/// The result of one cell: a rule, a corner of its domain, and a quantity.
 #[derive(Clone, Debug)]
 pub struct Cell {
     pub rule: String,
@@ -31,23 +31,23 @@ pub enum Outcome {
     Number {
         /// Error in ulps of the true value.
         ulps: f64,
-        /// The program's own estimate of it, in the same ulps.
+        /// The program's estimate of the error, in the same ulps.
         claimed: f64,
         /// |value − true| over the estimate.
         honesty: f64,
-        /// The path that answered.
+        /// The path of the computation.
         method: &'static str,
     },
-    /// Too large for a double, and refused with a reason.
+    /// Too large for a double, and refused with a typed error.
     Overflow,
-    /// A typed error, or a bound that leaves no digit, where the true value has a double.
+    /// A typed error, or a bound without a reliable digit, although the true value is in the range of doubles.
     Refused(String),
-    /// A number, or a reason, where there should be an overflow.
+    /// A number, or another error, although the true value overflows.
     Wrong(String),
 }
 
 impl Cell {
-    /// What is wrong with it, if anything is.
+    /// A description of the fault, if any.
     pub fn fault(&self) -> Option<String> {
         let said = match &self.outcome {
             Outcome::Number { ulps, honesty, .. } if *ulps > LARGEST * self.condition || *honesty > 1.0 => {
@@ -63,7 +63,7 @@ impl Cell {
 /// The largest error in ulps over the condition number that a cell may have.
 pub const LARGEST: f64 = 16.0;
 
-/// Evaluates the rows of a file that `tests/oracle/extremes.py` wrote, of one corner in `every`, the rules shared out over the cores.
+/// Evaluates every `every`th corner in the output of `tests/oracle/extremes.py`, with the rules distributed over the cores.
 pub fn cells(text: &str, every: usize) -> Vec<Cell> {
     let rows = rows(text);
     let rules: Vec<_> = rows.chunk_by(|one, two| one[0] == two[0]).collect();
@@ -73,7 +73,7 @@ pub fn cells(text: &str, every: usize) -> Vec<Cell> {
 fn of_rule(rows: &[Vec<&str>], every: usize) -> Vec<Cell> {
     let mut solutions = BTreeMap::new();
     let mut found = Vec::new();
-    // Every corner is met with all of its quantities, and every quantity somewhere.
+    // Test selected corners with all of their quantities, and every quantity in at least one corner.
     let mut corners: Vec<(&str, bool)> = Vec::new();
     let mut quantities: Vec<&str> = Vec::new();
     for row in rows {
@@ -131,7 +131,7 @@ fn read(own: &Contact<'_>, quantity: &str, get: impl Fn(&str) -> Option<f64>) ->
     found.map_err(|error| error.to_string())
 }
 
-/// A named shape pressed to a depth: a(d) or F(d). A state has no estimate of its own; its error is not known.
+/// A named shape pressed to a depth: a(d) or F(d). A state has no error estimate.
 fn indented(name: &str, quantity: &str, values: &[(&str, f64)]) -> Result<Reading, String> {
     let has = |name: &str| values.iter().any(|(own, _)| *own == name);
     let shape = sneddon::scene::shape(name).unwrap();

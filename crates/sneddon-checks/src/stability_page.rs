@@ -1,4 +1,4 @@
-//! `docs/stability.md`: what the corners of every rule came to.
+//! Generates `docs/stability.md`: the results at the limits of the domain of every rule.
 
 use crate::stability::{Cell, LARGEST, Outcome};
 use sneddon::transform::rules::RULES;
@@ -10,17 +10,16 @@ const QUANTITIES: [&str; 8] = ["g", "F", "G", "p", "u", "U", "a(d)", "F(d)"];
 /// The whole document.
 pub fn page(cells: &[Cell]) -> String {
     let mut text = String::from("# Stability\n\n");
-    text.push_str("This document is written by `cargo run --release -p sneddon-runs --bin stability`; a test holds it to the program.\n\n");
-    text.push_str("Every rule stands in the corners of its domain: radii from 1e-300 of its length up to one step below its limit, breakpoints that vanish or meet, exponents from 1e-300 to 10 000, wave numbers from tiny to large, lengths of 1e-200 and 1e200.\n");
-    text.push_str("The references are the rules' stated formulas at as many digits as it takes (`tests/oracle/extremes.py`, which finds the corners from the rules' own data); g, F and G at radius x or a, p and u at (r, a), U the strain energy.\n");
+    text.push_str(
+        "This document is written by `cargo run --release -p sneddon-runs --bin stability`; a test checks that it is up to date.\n\n",
+    );
+    text.push_str("Every rule is tested at the limits of its domain: radii from 1e-300 of its length up to one step below its limit, breakpoints that vanish or meet, exponents from 1e-300 to 10 000, wave numbers from tiny to large, lengths of 1e-200 and 1e200.\n");
+    text.push_str("The references are the rules' stated formulas at sufficiently many digits (`tests/oracle/extremes.py`, which derives the limits from the data of the rules); g, F and G at radius x or a, p and u at (r, a), U the strain energy.\n");
     text.push_str("Named shapes are pressed to depths down to 1e-300 of their length, with vanishing flat ends and angles: a(d) and F(d), for which a state has no estimate.\n\n");
-    text.push_str("The condition number κ is the sum of |v ∂ ln|value|/∂v| over all arguments v: so many ulps the true value moves when every argument moves by one, so much is ill-conditioned in the input itself.\n");
+    text.push_str("The condition number κ is the sum of |v ∂ ln|value|/∂v| over all arguments v: the change of the true value in ulps when every argument changes by one ulp.\n");
     let faults: Vec<String> = cells.iter().filter_map(Cell::fault).collect();
     let except = if faults.is_empty() { String::new() } else { format!(", but for the {} listed below the table", faults.len()) };
-    let _ = writeln!(
-        text,
-        "No number is further from the truth than {LARGEST}·max(1, κ) ulp, and none further than its own estimate says{except}.\n"
-    );
+    let _ = writeln!(text, "The error of every number is at most {LARGEST}·max(1, κ) ulp, and at most its estimate{except}.\n");
     summary(cells, &mut text);
     if !faults.is_empty() {
         text.push_str("\nBeyond the limit:\n\n");
@@ -33,8 +32,8 @@ pub fn page(cells: &[Cell]) -> String {
         let _ = writeln!(text, "\nReferences are still missing for {} of {} rules: {}.", without.len(), RULES.len(), without.join(", "));
     }
     text.push_str("\n## Every cell\n\n");
-    text.push_str("An entry is error ≤ own estimate, both in ulps of the true value, and κ where it exceeds 16.\n");
-    text.push_str("*overflow*: the true value is beyond the largest double, and the program says so; *refused*: a typed error, or a bound that promises no digit; —: no reference.\n");
+    text.push_str("An entry is error ≤ estimate, both in ulps of the true value, and κ if it exceeds 16.\n");
+    text.push_str("*overflow*: the true value exceeds the largest double, and an error is returned; *refused*: a typed error, or a bound without a reliable digit; —: no reference.\n");
     let mut rules: Vec<&str> = cells.iter().map(|cell| cell.rule.as_str()).collect();
     rules.dedup();
     for rule in rules {
@@ -125,7 +124,7 @@ fn short(ulps: f64) -> String {
     if ulps < 100.0 { format!("{ulps:.1}") } else { format!("{ulps:.0e}") }
 }
 
-/// The document without its figures, which another machine's elementary functions may move.
+/// The document without its figures, which depend on the elementary functions of the machine.
 pub fn skeleton(page: &str) -> Vec<String> {
     page.lines()
         .map(|line| line.chars().filter(|c| !c.is_ascii_digit() && !matches!(c, '.' | 'κ' | ',' | 'e' | '-' | ' ')).collect())

@@ -1,4 +1,4 @@
-//! Running error analysis: a number whose absolute error bound travels with it.
+//! Running error analysis: numbers with an absolute error bound.
 
 mod functions;
 #[cfg(test)]
@@ -7,14 +7,14 @@ mod tests;
 pub use functions::{is_far, reach_between};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A computed value and a bound on its distance to the value that exact arithmetic would give.
+/// A computed value and a bound on its distance to the value in exact arithmetic.
 ///
-/// Every operation adds the error of its own rounding to what the arguments bring along.
+/// Every operation propagates the errors of its arguments and adds its rounding error.
 /// The four operations and `sqrt` are rigorous; the arguments' errors are taken as independent,
 /// so correlated errors (x − x) give a valid but wide bound.
 /// NaN gives NaN with error NaN; overflow gives an infinite value. Callers turn both into errors.
-/// Where the overflow is certain the error is finite: it bounds the reciprocal of the true value, which has the sign of the infinity.
-/// 1/cosh 1000 is a 0 with a bound, therefore.
+/// After a certain overflow the error is finite: it bounds the reciprocal of the true value, which has the sign of the infinity.
+/// Therefore 1/cosh 1000 is a 0 with a bound.
 ///
 /// ```
 /// use sneddon_num::Bounded;
@@ -33,15 +33,15 @@ pub struct Bounded {
 
 /// Half the spacing of the numbers just above 1: the relative rounding error of one operation.
 pub const UNIT: f64 = f64::EPSILON / 2.0;
-/// The smallest positive number; what an underflow can lose.
+/// The smallest positive number, which bounds the error of an underflow.
 const TINY: f64 = f64::from_bits(1);
-/// The reciprocal of what overflows is smaller than this, or nothing is said of it.
+/// Bounds on the reciprocal of an overflowing value are kept only below this.
 const LEAST_INVERSE: f64 = 1e-280;
 /// Below this the spacing no longer shrinks with the number.
 const UNIFORM: f64 = 2.0 * f64::MIN_POSITIVE;
 
 impl Bounded {
-    /// A number that is meant exactly as it stands.
+    /// An exact number.
     #[must_use]
     #[inline]
     pub const fn exact(value: f64) -> Self {
@@ -85,7 +85,7 @@ impl Bounded {
         Self { value, error }
     }
 
-    /// A bound on 1/|true value|; infinite where there is none.
+    /// A bound on 1/|true value|; infinite if there is none.
     fn most_inverse(self) -> f64 {
         if self.is_beyond() {
             return self.error;
@@ -94,11 +94,11 @@ impl Bounded {
         if least > 0.0 { (1.0 / least) * (1.0 + 4.0 * UNIT) + TINY } else { f64::INFINITY }
     }
 
-    /// The sum where one of the two overflows for certain.
+    /// The sum if one of the terms certainly overflows.
     fn plus_beyond(self, other: Self) -> Self {
         let value = self.value + other.value;
         let (large, other) = if self.is_beyond() { (self, other) } else { (other, self) };
-        // At least half of it remains where the other is at most half as large.
+        // At least half of the larger term remains if the other is at most half as large.
         let enough = other.value == large.value || (other.value.abs() + other.error) * large.error <= 0.5;
         Self::beyond(value, if enough { 2.0 * large.error } else { f64::INFINITY })
     }
@@ -222,7 +222,7 @@ impl Div for Bounded {
     }
 }
 
-/// a + b rounded, and what the rounding lost: exact (Knuth), NaN after overflow.
+/// a + b rounded, and the exact rounding error (Knuth); NaN after overflow.
 #[inline]
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;

@@ -1,26 +1,26 @@
-//! What can go wrong in the numeric layer, as one type.
+//! The error type of the numeric layer.
 
 use super::work::Exhausted;
 use thiserror::Error;
 
-/// Why a numeric routine has no answer, or only a worse one than was asked for.
+/// Why a numeric routine has no result, or only a less accurate one than requested.
 ///
-/// Every message names the place, the reason and what would be accepted instead.
-/// Variants that end an iteration early carry the best value and an honest bound of its error,
+/// Every message names the place, the reason and what was expected.
+/// Variants that end an iteration early carry the best value and a bound on its error,
 /// so that a caller can decide whether it is good enough.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum NumError {
-    /// Rounding in the integrand or in the sums hides the digits that were asked for.
+    /// Rounding errors in the integrand or in the sums prevent the requested accuracy.
     #[error(
         "tolerance {requested:e} not reached: rounding leaves {value:e} with an error of up to {error:e} after {evaluations} evaluations; accept that error, or evaluate the integrand more accurately"
     )]
     ToleranceNotReached {
         /// The best value found.
         value: f64,
-        /// Absolute bound on its error; infinite where nothing can be promised.
+        /// Absolute bound on its error; infinite if there is none.
         error: f64,
-        /// The absolute error that would have been accepted.
+        /// The requested absolute error.
         requested: f64,
         /// Calls of the integrand so far.
         evaluations: u64,
@@ -62,7 +62,7 @@ pub enum NumError {
         what: &'static str,
         /// Its value.
         got: f64,
-        /// What would be accepted, in words or as an inequality.
+        /// The expected value, in words or as an inequality.
         accepted: &'static str,
     },
     /// The budget of work is used up.

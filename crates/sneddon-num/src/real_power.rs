@@ -1,18 +1,18 @@
-//! Powers whose exponent is a double and a little more.
+//! Powers whose exponent is a double plus a small correction.
 
 use super::Bounded;
 use super::bounded::UNIT;
 
-/// Up to this rest of the exponent an estimate of the logarithm is good enough, …
+/// Up to this rest of the exponent an estimate of the logarithm suffices.
 const SHORT: f64 = 5e-16;
-/// … and up to this one the square of what the rest makes of the power is nothing.
+/// Up to this rest of the exponent its second-order effect on the power is negligible.
 const LONG: f64 = 1e-13;
 /// Bound on the error of [`estimated_ln`].
 const ESTIMATE: f64 = 0.0061;
 
 /// base^(nearest + rest) for base ≥ 0 and a rest below half an ulp of `nearest`; at most 1.6 ulp for exponents below 4.
 ///
-/// p = base^nearest, then p + p·rest·ln base: the second power would cost as much as the first.
+/// Computes p = base^nearest, then p + p·rest·ln base, which avoids the cost of a second power.
 ///
 /// ```
 /// use sneddon_num::real_power;
@@ -40,7 +40,7 @@ pub fn corrected_power(power: f64, base: f64, rest: f64) -> f64 {
     }
 }
 
-/// How far [`real_power`] may be from the truth, as a part of it, beyond the error of base^nearest itself.
+/// Relative error of [`real_power`] in addition to the error of base^nearest.
 pub fn real_power_part(rest: f64, error_of_rest: f64) -> f64 {
     // No logarithm of a double is larger than 745.
     let unknown = 745.2 * error_of_rest;
@@ -59,7 +59,7 @@ fn estimated_ln(x: f64) -> f64 {
 }
 
 impl Bounded {
-    /// self^(nearest + rest), where the rest has an error of its own; see [`real_power`].
+    /// self^(nearest + rest), where the rest carries an error; see [`real_power`].
     #[must_use]
     pub fn real_power(self, nearest: f64, rest: Self) -> Self {
         if self.value == 0.0 && nearest > 0.0 {

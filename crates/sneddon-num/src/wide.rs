@@ -11,12 +11,12 @@ const ROOT: f64 = 1.0;
 const EXPONENTIAL: f64 = 8.0;
 /// 2^-104.
 const UNIT: f64 = f64::EPSILON * f64::EPSILON;
-/// A part that lies so many binary places below another one is only an error.
+/// A term that is smaller than the other by this many binary digits contributes only to the error.
 const FAR: i32 = 900;
-/// Exponents beyond this are no numbers any more; sums of two of them still fit.
+/// Numbers with larger exponents become NaN; the sum of two exponents still fits into an `i32`.
 const MOST: i32 = 1 << 29;
 
-/// value · 2^exponent with 1 ≤ |value| < 2 or value = 0, and error · 2^exponent a bound of the distance to the true value.
+/// value · 2^exponent with 1 ≤ |value| < 2 or value = 0, and error · 2^exponent bounds the distance to the true value.
 ///
 /// ```
 /// use sneddon_num::{Precise, Wide};
@@ -33,7 +33,7 @@ pub struct Wide {
 
 #[allow(clippy::should_implement_trait)]
 impl Wide {
-    /// A number that has a double's range.
+    /// A number in the range of doubles.
     #[must_use]
     pub fn new(number: Precise) -> Self {
         Self::scaled(number, 0)
@@ -72,7 +72,7 @@ impl Wide {
             return Precise::nan();
         }
         let shift = self.exponent.clamp(-2200, 2200);
-        // A value that loses digits to the smallest numbers says so.
+        // Account for digits lost to subnormal numbers.
         let lost = if self.value.hi != 0.0 && self.exponent < -900 { 4.0 * f64::from_bits(1) } else { 0.0 };
         let error = ldexp(self.error.into(), shift).hi;
         let least = if self.error > 0.0 { f64::from_bits(1) } else { 0.0 };
@@ -138,7 +138,7 @@ impl Wide {
         let (large, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
         let shift = small.exponent - large.exponent;
         let near = if shift < -FAR {
-            // 2^-FAR is far below every digit, and covers value and error of the small part unless that is hopeless.
+            // 2^-FAR is far below every digit, and covers the value and error of the small term unless its error is huge.
             if small.error > 1.0 {
                 return Self::nan();
             }

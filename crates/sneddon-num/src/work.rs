@@ -1,4 +1,4 @@
-//! The work meter: how many steps a computation may take, counted on this thread and never read from a clock.
+//! The work meter: limits the number of steps of a computation, counted per thread without a clock.
 
 use std::cell::Cell;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,13 +6,13 @@ use thiserror::Error;
 
 /// How much work a computation may do, in steps of about ten nanoseconds.
 ///
-/// Steps are counted, not timed: the same input takes the same number of steps on every machine, so a computation either
-/// has its answer everywhere or is refused everywhere.
+/// Steps are counted instead of timed: the same input takes the same number of steps on every machine, so a computation either
+/// succeeds on every machine or is refused on every machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget(u64);
 
 impl Budget {
-    /// What every public call of the engine may use where the caller has not opened a budget with [`within`].
+    /// The budget of every public call of the engine if the caller has not opened a budget with [`within`].
     pub const DEFAULT: Self = Self(3 * STEPS_PER_SECOND);
 
     /// A budget of this many steps.
@@ -20,14 +20,14 @@ impl Budget {
         Self(steps)
     }
 
-    /// The number of steps that a machine of today takes in about this many seconds; never fewer than one step.
+    /// The number of steps that a current machine takes in about this many seconds; at least one step.
     ///
     /// ```
     /// use sneddon_num::work::Budget;
     /// assert_eq!(Budget::seconds(2.0), Budget::steps(200_000_000));
     /// ```
     pub fn seconds(seconds: f64) -> Self {
-        // A float that is too large becomes the largest number of steps, NaN becomes none.
+        // The cast saturates: a float that is too large becomes the largest number of steps, NaN becomes 0.
         Self(((seconds * STEPS_PER_SECOND as f64) as u64).max(1))
     }
 
@@ -40,15 +40,15 @@ impl Budget {
 /// Steps that take about one second.
 const STEPS_PER_SECOND: u64 = 100_000_000;
 
-/// The budget is used up, so the computation was stopped and has no answer.
+/// The budget was exhausted, so the computation was stopped without a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[error("the budget of {steps} steps of work is used up; a simpler profile, fewer points or a larger budget would be accepted")]
+#[error("the work limit of {steps} steps was reached; simplify the profile, use fewer points or raise the budget")]
 pub struct Exhausted {
     /// The budget in steps.
     pub steps: u64,
 }
 
-/// What is left on this thread; no budget is open where the limit is `NONE`.
+/// The remaining steps of this thread; a limit of `NONE` means that no budget is open.
 struct Meter {
     /// The number of steps left plus one; 0 if more was spent than the budget has.
     left: Cell<u64>,
@@ -63,10 +63,10 @@ thread_local! {
     static METER: Meter = const { Meter { left: Cell::new(NONE), limit: Cell::new(NONE), stop: Cell::new(None) } };
 }
 
-/// Runs `work` with at most `budget` steps; within a budget that is open already, that one goes on instead.
+/// Runs `work` with at most `budget` steps; if a budget is already open, it applies instead.
 ///
 /// # Errors
-/// [`Exhausted`] where the budget was used up, whatever `work` returned; else what `work` returns.
+/// [`Exhausted`] if the budget was exhausted, whatever `work` returned; otherwise the error of `work`.
 ///
 /// ```
 /// use sneddon_num::work::{Budget, Exhausted, spend, within};
@@ -84,7 +84,7 @@ pub fn within<T, E: From<Exhausted>>(budget: Budget, work: impl FnOnce() -> Resu
     result
 }
 
-/// The default budget for one public call, if the caller has opened none.
+/// Runs one public call with the default budget, unless the caller has opened a budget.
 ///
 /// # Errors
 /// As [`within`].
@@ -92,11 +92,11 @@ pub fn bounded<T, E: From<Exhausted>>(work: impl FnOnce() -> Result<T, E>) -> Re
     within(Budget::DEFAULT, work)
 }
 
-/// Runs a part of the work that can be left out with at most `steps` of what is left; `None` where they do not suffice.
+/// Runs an optional part of the work with at most `steps` of the remaining steps; `None` if they do not suffice.
 ///
-/// What the part uses counts for the whole as well.
+/// The steps of the part also count towards the open budget.
 pub fn share<T>(steps: u64, work: impl FnOnce() -> T) -> Option<T> {
-    // Where no budget is open, the default one is that of the whole.
+    // The default budget applies if none is open.
     let most = if left() > NONE / 2 { Budget::DEFAULT.0 } else { left() };
     let (result, spent, whole) = apart(steps.min(most), work);
     // Overdrawing the whole remainder exhausts the outer budget as well.
@@ -104,7 +104,7 @@ pub fn share<T>(steps: u64, work: impl FnOnce() -> T) -> Option<T> {
     (whole && !is_exhausted()).then_some(result)
 }
 
-/// Runs work of another thread, or a part of this one's, with its own count: its result, its steps, and whether they sufficed.
+/// Runs work with a separate count of steps; returns its result, its steps, and whether they sufficed.
 pub fn apart<T>(steps: u64, work: impl FnOnce() -> T) -> (T, u64, bool) {
     let restored = Restored::open(steps);
     let result = work();
@@ -113,9 +113,9 @@ pub fn apart<T>(steps: u64, work: impl FnOnce() -> T) -> (T, u64, bool) {
     (result, steps.saturating_sub(rest), whole)
 }
 
-/// Runs work that ends as if its budget were used up once another thread sets `stop`.
+/// Runs work that ends as if its budget were exhausted once another thread sets `stop`.
 ///
-/// What is computed for later use as well, by [`unbroken`] or [`uncounted`], is finished first.
+/// Results that are computed for later use, by [`unbroken`] or [`uncounted`], are finished first.
 ///
 /// ```
 /// use sneddon_num::work::{Budget, Exhausted, spend, stoppable, within};

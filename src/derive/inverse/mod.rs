@@ -1,7 +1,7 @@
-//! The inverse transform f(r) = (2/π) ∫₀^r g(x)/√(r²−x²) dx: a profile from its equivalent profile, exact where a rule says so.
+//! The inverse transform f(r) = (2/π) ∫₀^r g(x)/√(r²−x²) dx: a profile from its equivalent profile, exact if a rule applies.
 //!
-//! Three ways, in this order: a statement read from g to f, powers by 1/κ_n, and the rules themselves.
-//! The last one needs no rules of its own: the integral is the one that a rule solves for f′, with g in its place.
+//! Three methods are tried in this order: a statement read from g to f, powers by 1/κ_n, and the forward rules.
+//! The last method reuses the forward rules because the integral has the same form, with g instead of f′.
 
 mod pressure;
 mod statement;
@@ -30,14 +30,14 @@ use statement::Found;
 
 /// A profile f(r) that was found from an equivalent profile g(x).
 pub struct Inverse {
-    /// g over r, examined as every profile is: its pieces, its kinks and where it is real.
+    /// g over r, examined like every profile: its pieces, its kinks and the range where it is real.
     pub equivalent: Profile,
-    /// What must hold.
+    /// The conditions under which f is valid.
     pub conditions: Vec<Condition>,
     pub(crate) chains: Vec<InverseChain>,
 }
 
-/// The pieces of g between breakpoints, with the shares of f that they give.
+/// The pieces of g between breakpoints, with their contributions to f.
 pub(crate) struct InverseChain {
     pub(crate) breakpoints: Vec<Expr>,
     pub(crate) intervals: Vec<InverseInterval>,
@@ -46,11 +46,11 @@ pub(crate) struct InverseChain {
 pub(crate) struct InverseInterval {
     pub(crate) segment: Segment,
     closed: Vec<Share>,
-    /// The part of g on this interval that no rule explains.
+    /// The part of g on this interval that no rule inverts.
     pub(crate) open: Expr,
 }
 
-/// The share of f that some terms of g give.
+/// The contribution of some terms of g to f.
 struct Share {
     id: &'static str,
     reference: Vec<&'static str>,
@@ -104,7 +104,7 @@ fn over_radius(g: &Formula) -> Formula {
     }
 }
 
-/// Splits a chain into terms; what every piece has in common acts on the whole axis and becomes a chain of its own.
+/// Splits a chain into terms; terms common to all pieces act on the whole axis and form a separate chain.
 fn solve_chain(chain: &Chain, read: Reader, conditions: &mut Vec<Condition>) -> Vec<InverseChain> {
     let radius = Symbol::new("r");
     let mut parts: Vec<Option<Vec<NormalTerm>>> = chain.pieces.iter().map(|piece| normal::normal_terms(piece, &radius).ok()).collect();
@@ -120,7 +120,7 @@ fn solve_chain(chain: &Chain, read: Reader, conditions: &mut Vec<Condition>) -> 
     if !common.is_empty() {
         let mut own = whole(common.clone(), read, conditions);
         if let ([only], true) = (chain.pieces.as_slice(), own.closed.is_empty()) {
-            // As it was typed, because the recognition form may cancel next to its zeros.
+            // Use the typed form, because the recognition form may cancel near its zeros.
             own.open = only.clone();
         }
         chains.push(InverseChain { breakpoints: Vec::new(), intervals: vec![own] });
@@ -128,7 +128,7 @@ fn solve_chain(chain: &Chain, read: Reader, conditions: &mut Vec<Condition>) -> 
     if parts.iter().all(|list| list.as_ref().is_some_and(Vec::is_empty)) {
         return chains;
     }
-    // A worn shape: nothing up to the only breakpoint.
+    // A worn shape: zero up to the only breakpoint.
     let worn = match (parts.as_slice(), chain.breakpoints.as_slice()) {
         ([Some(first), Some(_)], [breakpoint]) if first.is_empty() && !kinks::is_approximate(breakpoint) => Some(breakpoint),
         _ => None,
@@ -168,7 +168,7 @@ fn whole(mut terms: Vec<NormalTerm>, read: Reader, conditions: &mut Vec<Conditio
     terms.retain(|term| {
         let finite = matches!(sign(&term.exponent), Sign::Positive | Sign::Zero);
         if term.kernel.is_one() && finite {
-            // Statements may have left a second share of the same power.
+            // Statements may leave a further term with the same power.
             match powers.iter_mut().find(|(n, _)| *n == term.exponent) {
                 Some((_, own)) => *own = &*own + &term.coefficient,
                 None => powers.push((term.exponent.clone(), term.coefficient.clone())),
@@ -185,7 +185,7 @@ fn whole(mut terms: Vec<NormalTerm>, read: Reader, conditions: &mut Vec<Conditio
     by_rules(term::split(terms, &segment), segment, closed, conditions)
 }
 
-/// Asks the rules for terms of f′ that look like these terms of g: x ∫ f′/√(x²−r²) dr is then (π/2) r f(r).
+/// Applies the forward rules to terms of f′ with the form of these terms of g: x ∫ f′/√(x²−r²) dr is then (π/2) r f(r).
 fn by_rules(terms: Vec<Term>, segment: Segment, mut closed: Vec<Share>, conditions: &mut Vec<Condition>) -> InverseInterval {
     let mut open = Vec::new();
     for term in terms {
@@ -230,7 +230,7 @@ impl Inverse {
         Derived { formula, status, compared: None, split: false, rules, reference }
     }
 
-    /// f(0) = g(0), which a contact does not see.
+    /// f(0) = g(0), which does not affect a contact.
     pub fn at_axis(&self) -> &Expr {
         &self.equivalent.shift
     }
@@ -241,7 +241,7 @@ impl Inverse {
 }
 
 impl InverseChain {
-    /// The closed shares of f where r lies in the given interval.
+    /// The closed contributions to f for r in the given interval.
     pub(crate) fn closed(&self, interval: usize, pick: impl Fn(&Pair) -> &Expr) -> Expr {
         let shares = self.intervals.iter().enumerate().take(interval + 1);
         Expr::sum(shares.flat_map(|(index, own)| {

@@ -1,4 +1,4 @@
-//! A profile from a wanted pressure: q(x) = 2 ∫_x^a r p/√(r²−x²) dr, and g = d − q/E*.
+//! A profile from a prescribed pressure: q(x) = 2 ∫_x^a r p/√(r²−x²) dr, and g = d − q/E*.
 
 use crate::derive::rules::reading;
 use crate::expr::normal;
@@ -7,7 +7,7 @@ use crate::integrate::error::TransformError;
 use crate::print;
 use std::collections::BTreeMap;
 
-/// What a wanted pressure p(r) in a contact of radius a demands.
+/// The equivalent profile, depth and force of a prescribed pressure p(r) in a contact of radius a.
 #[derive(Clone, Debug)]
 pub struct FromPressure {
     /// g(x), with g(0) = 0.
@@ -69,7 +69,7 @@ pub fn equivalent_of_pressure(pressure: &Expr) -> Result<FromPressure, Transform
         let coefficient = tidy(&Expr::sum(list)) / Expr::symbol("E");
         depth.push(tidy(&(&coefficient * square.pow(&s))));
         let own = coefficient * inside.pow(&s);
-        // Whole powers are expanded, so that what belongs to the depth goes; roots stay as they are.
+        // Expand whole powers, so that their constant terms cancel with the depth; leave roots unchanged.
         load.push(if s.as_integer().is_some() { tidy(&own) } else { own });
     }
     let depth = Expr::sum(depth);

@@ -1,4 +1,4 @@
-//! Statements that are read from g to f: the inverse table, and the statement of every rule from right to left.
+//! Statements that are read from g to f: the inverse table, and the reversed statement of every rule.
 
 use super::table::TABLE;
 use super::unify;
@@ -11,7 +11,7 @@ use crate::num::work;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-/// How the text of a statement becomes a formula; this room reads no text itself.
+/// Parses the text of a statement into a formula; this module does not parse text itself.
 pub type Reader = fn(&str) -> Option<Formula>;
 
 /// A statement as expressions over r: g with its terms, and f.
@@ -19,14 +19,14 @@ struct Statement {
     id: &'static str,
     reference: &'static [&'static str],
     parameters: Vec<Symbol>,
-    /// The parameter at which both begin, for a worn shape.
+    /// For a worn shape, the parameter at which both g and f begin.
     breakpoint: Option<Symbol>,
     g: Expr,
     terms: Vec<NormalTerm>,
     f: Expr,
 }
 
-/// f of some terms of g, with the rule that said so.
+/// f of some terms of g, with the rule that was applied.
 pub(super) struct Found {
     pub(super) id: &'static str,
     pub(super) reference: &'static [&'static str],
@@ -34,14 +34,14 @@ pub(super) struct Found {
     pub(super) conditions: Vec<Condition>,
 }
 
-/// A statement that was read, with the functions that only it and its like contain, and its terms once they are asked for.
+/// A parsed statement with its non-elementary functions; its terms are computed when first needed.
 struct Entry {
     id: &'static str,
     reference: &'static [&'static str],
     g: Formula,
     f: Formula,
     parameters: Vec<Symbol>,
-    /// True where f may start at another height, which the transform does not see.
+    /// True if f may have a different height at the axis, which does not affect the transform.
     shifted: bool,
     functions: BTreeSet<&'static str>,
     statement: OnceLock<Option<Statement>>,
@@ -53,9 +53,9 @@ impl Entry {
     }
 }
 
-/// Every statement that can be read, the inverse table first because its results are the shorter ones.
+/// Every parsed statement, the inverse table first because its results are shorter.
 ///
-/// They are read once, when a kernel first asks for them: there is one grammar, so that one reader stands for all.
+/// The statements are parsed once, when a kernel first needs them, so all callers must pass equivalent readers.
 fn entries(read: Reader) -> &'static [Entry] {
     static READ: OnceLock<Vec<Entry>> = OnceLock::new();
     let all = || {
@@ -80,7 +80,7 @@ fn entry((id, reference, g, f, parameters, shifted): Stated, read: Reader) -> Op
     Some(Entry { id, reference, g, f, parameters, shifted, functions, statement: OnceLock::new() })
 }
 
-/// The functions beyond the elementary ones, which no recognition form turns into others.
+/// The non-elementary functions, which the recognition form does not transform into other functions.
 fn collect(expr: &Expr, found: &mut BTreeSet<&'static str>) {
     if let Node::Function(function, _) = expr.node()
         && function.row().complex.is_none()
@@ -92,16 +92,16 @@ fn collect(expr: &Expr, found: &mut BTreeSet<&'static str>) {
     }
 }
 
-/// Takes terms out of g that some statement explains, as long as there are any.
+/// Removes terms from g that a statement inverts, until no statement applies.
 ///
-/// With a breakpoint the terms are those from there outward, and only worn shapes are looked for.
+/// With a breakpoint, the terms begin there, and only worn shapes are considered.
 pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Expr>, read: Reader) -> Vec<Found> {
     let mut found = Vec::new();
     let open = |list: &[NormalTerm]| list.iter().filter(|term| !term.kernel.is_one()).count();
     while open(terms) > 0 {
         let mut present = BTreeSet::new();
         terms.iter().for_each(|term| collect(&term.kernel, &mut present));
-        // What has a function that g lacks cannot explain any of its terms.
+        // A statement with a function that g lacks does not apply.
         let possible = entries(read).iter().filter(|entry| entry.functions.is_subset(&present)).filter_map(Entry::statement);
         let possible: Vec<&Statement> = possible.filter(|own| own.breakpoint.is_some() == breakpoint.is_some()).collect();
         let targets = terms.iter().filter(|term| !term.kernel.is_one());
@@ -109,7 +109,7 @@ pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Ex
             let terms: &[NormalTerm] = terms;
             possible.iter().filter_map(move |statement| statement.explains(target, terms, breakpoint))
         });
-        // The one that explains most; of equals the first.
+        // Choose the statement that removes most terms, or the first of several.
         let best = candidates.reduce(|best, other| if open(&other.1) < open(&best.1) { other } else { best });
         let Some((own, rest)) = best else { break };
         found.push(own);
@@ -136,14 +136,14 @@ impl Statement {
         let g = over_radius.apply(g);
         let mut terms = normal::normal_terms(&g, &radius).ok()?;
         terms.retain(|term| !term.kernel.is_one());
-        // The term that says most comes first.
+        // The most specific term comes first.
         terms.sort_by_key(|term| std::cmp::Reverse(term.kernel.size_up_to(1000)));
         let begins = !entry.shifted || breakpoint.is_some();
         let shift = if begins { Expr::zero() } else { domain::value_at_axis(f, &mut Vec::new()).ok()? };
         Some(Self { id: entry.id, reference: entry.reference, parameters: entry.parameters.clone(), breakpoint, g, terms, f: f - shift })
     }
 
-    /// f and what is left of the terms, where this statement explains the target with all of its own terms.
+    /// f and the remaining terms, if all terms of this statement match, including the target.
     fn explains(&self, target: &NormalTerm, terms: &[NormalTerm], breakpoint: Option<&Expr>) -> Option<(Found, Vec<NormalTerm>)> {
         let known: Bindings = self.breakpoint.iter().zip(breakpoint).map(|(own, place)| (own.name(), place.clone())).collect();
         self.terms.iter().find_map(|pattern| {
@@ -152,7 +152,7 @@ impl Statement {
         })
     }
 
-    /// The same with values for the amplitudes, whose place the ratio of the coefficients takes: all of them, or one alone.
+    /// Matches with all amplitudes set to 1, or one to 1 and the others to 0; the ratio of the coefficients replaces their values.
     fn taken_out(&self, values: Bindings, target: &NormalTerm, terms: &[NormalTerm]) -> Option<(Found, Vec<NormalTerm>)> {
         let amplitudes: Vec<&Symbol> = self.parameters.iter().filter(|own| values.get(own).is_none()).collect();
         let with = |only: Option<&Symbol>| {
@@ -186,7 +186,7 @@ impl Statement {
             if normal::is_proven_zero(&left, &radius) {
                 continue;
             }
-            // Whole powers that are left are solved by themselves; anything else must vanish.
+            // Remaining powers are solved separately; all other terms must cancel.
             let plain = term.kernel.is_one() && matches!(sign(&term.exponent), Sign::Positive | Sign::Zero);
             if !plain || self.breakpoint.is_some() {
                 return None;

@@ -1,12 +1,12 @@
-//! The inverse table: f(r) = (2/π) ∫₀^{π/2} g(r sin t) dt in closed form, for profiles that no rule's own g covers.
+//! The inverse table: f(r) = (2/π) ∫₀^{π/2} g(r sin t) dt in closed form, for equivalent profiles that are not the g of any rule.
 
 use crate::derive::rule::Parameter;
 
-/// An exact pair of g(x) and f(r) that is found from g; the statement is all there is to it.
+/// An exact pair of g(x) and f(r), given by its statement alone.
 pub struct InverseRule {
     /// Short name, as reports cite it.
     pub id: &'static str,
-    /// What it solves, in words.
+    /// A description of the profiles.
     pub title: &'static str,
     /// g(x).
     pub pattern: &'static str,
@@ -14,13 +14,13 @@ pub struct InverseRule {
     pub result: &'static str,
     /// The pattern's parameters with the intervals that tests sample.
     pub parameters: &'static [Parameter],
-    /// Under which conditions it holds, as the documentation says it.
+    /// The conditions of validity, for the documentation.
     pub guard: &'static str,
-    /// Where it comes from.
+    /// References.
     pub reference: &'static [&'static str],
 }
 
-/// Where all of them come from.
+/// The common reference.
 const REFERENCE: &[&str] = &["inverse Abel transform"];
 
 const K: &[Parameter] = &[Parameter { name: "k", lowest: 0.5, highest: 3.0 }];
@@ -38,7 +38,7 @@ const fn rule(
     InverseRule { id, title, pattern, result, parameters, guard, reference: REFERENCE }
 }
 
-/// Every entry; an entry says all that is known of it, there is no code behind it.
+/// Every entry; the entries are pure data.
 pub static TABLE: &[InverseRule] = &[
     rule("inverse-sine", "Sine", "sin(k*x)", "struveh(0,k*r)", K, "k > 0"),
     rule("inverse-cosine", "Cosine", "1-cos(k*x)", "1-besselj(0,k*r)", K, "k > 0"),

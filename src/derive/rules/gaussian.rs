@@ -53,7 +53,7 @@ pub(super) static SEGMENT: Rule = Rule {
     apply: segment,
 };
 
-/// κ and whether the exponent falls, for exp(∓κ²r²).
+/// κ and whether the exponential decays, for exp(∓κ²r²).
 pub(super) fn scale(kernel: &Expr) -> Option<(Expr, bool)> {
     let [argument] = reading::call(kernel, "exp")? else { return None };
     let (square, falling) = moments::argument(argument, 2)?;
@@ -86,8 +86,8 @@ pub(super) fn even_moment(m: i64, decay: bool) -> Combination {
     own
 }
 
-/// The same for odd m over [`odd_members`]. On a segment from β the last function stands for
-/// √(y²−β²) e^(∓β²), and one more for each further power β^p.
+/// The same for odd m over [`odd_members`]. On a segment from β, the last function is √(y²−β²) e^(∓β²), followed by one function
+/// for each further power β^p.
 fn odd_moment(m: i64, decay: bool, segment: bool) -> Combination {
     let sign = if decay { 1 } else { -1 };
     let (mut before, mut own) = (Combination::default(), Combination::single(0, 1, 1, 0));
@@ -108,7 +108,7 @@ fn step(p: i64, sign: i64, before: &Combination, own: &Combination) -> Combinati
     own.times(&Laurent::term(sign * (p + 1), 2, 0).plus(&Laurent::term(1, 1, 2))).minus(&before.scaled(sign * p, 2, 2))
 }
 
-/// (π/2) e^(∓z) I_0(z) and (π/2) e^(∓z) I_1(z) at z = y²/2, without overflow where they fall.
+/// (π/2) e^(∓z) I_0(z) and (π/2) e^(∓z) I_1(z) at z = y²/2, without overflow for the decaying exponential.
 pub(super) fn even_members(y: &Expr, decay: bool) -> Vec<Member> {
     if !decay {
         return even_shown(y, decay);

@@ -1,4 +1,4 @@
-//! The list of exact solutions: one line per family, one file per line.
+//! The list of exact solutions, with one line and one file per family.
 
 pub(crate) mod abel;
 mod bessel;
@@ -33,7 +33,7 @@ use crate::derive::rule::{Answer, Rule};
 use crate::derive::term::Term;
 use crate::num::work;
 
-/// Every rule; the order never matters, because rules are disjoint or say which one they specialise.
+/// Every rule; the order is irrelevant, because rules are disjoint or name the rule that they specialise.
 pub static RULES: &[&Rule] = &[
     &power::RULE,
     &polynomial_segment::RULE,
@@ -105,17 +105,17 @@ pub static RULES: &[&Rule] = &[
     GENERAL,
 ];
 
-/// The rule of last resort: it is asked where no other one answers, and agrees with every other one where both would.
+/// The fallback rule, used if no other rule applies; it agrees with every other rule that applies to the same term.
 pub static GENERAL: &Rule = &hypergeometric::RULE;
 
-/// Steps of work after which a rule is given up.
+/// Steps of work after which a rule is abandoned.
 const LONGEST: u64 = 50_000_000;
-/// The largest formula of g for a term, and for all terms of an interval together, in nodes of its tree; longer ones are left as integrals.
+/// Largest formula of g, in nodes, for a term and for all terms of an interval together; larger ones remain integrals.
 ///
 /// With the 8340 nodes of `(1+r/b)^(61/2)`, g has 29 000 characters.
 pub(super) const LARGEST: usize = 6_000;
 
-/// The rule that answers a term, with its answer; a rule whose answer takes too much work, or is too long to be read, does not answer.
+/// The rule for a term, with its result; rules that exceed the work limit or the size limit are skipped.
 pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
     let is_short = |own: &Answer| own.slope.within.shown.size_up_to(LARGEST) < LARGEST;
     let apply = |rule: &'static Rule| {

@@ -1,4 +1,4 @@
-//! The answer of every kernel whose moments ∫₀^x r^m k(r)/√(x²−r²) dr close for whole m.
+//! Solutions for kernels whose moments ∫₀^x r^m k(r)/√(x²−r²) dr have closed forms for whole m.
 
 use super::laurent::{Combination, Member};
 use super::reading;
@@ -7,7 +7,7 @@ use crate::derive::term::Term;
 use crate::expr::normal::NormalTerm;
 use crate::expr::{Expr, Sign, sign};
 
-/// Exponents up to this one are answered; formulas beyond it fill pages.
+/// Largest exponent; the formulas for larger exponents are too long.
 pub(super) const HIGHEST: i64 = 40;
 
 /// A kernel of y = scale·r with the moments scale^(−m)·Σ Λ_i(y) B_i(y).
@@ -18,9 +18,9 @@ pub(super) struct Moments<'a> {
     pub(super) moment: &'a dyn Fn(i64) -> Combination,
     /// The functions B_i at y, for the moment of order m.
     pub(super) members: &'a dyn Fn(i64, &Expr) -> Vec<Member>,
-    /// The same as a reader sees them, with what they have in common in their factors.
+    /// The displayed functions, with common factors moved into the factors of the members.
     pub(super) shown: &'a dyn Fn(i64, &Expr) -> Vec<Member>,
-    /// True where what stands alone is written power by power, because another term takes it away.
+    /// True if separate terms are written power by power, because they cancel with another term.
     pub(super) apart: bool,
 }
 
@@ -33,7 +33,7 @@ pub(super) fn whole(term: &Term) -> Option<(&NormalTerm, i64)> {
     Some((part, exponent(part)?))
 }
 
-/// The exponent of r, where it is whole and in 0 … [`HIGHEST`].
+/// The exponent of r, if it is whole and in 0 … [`HIGHEST`].
 pub(super) fn exponent(part: &NormalTerm) -> Option<i64> {
     part.exponent.as_integer().filter(|m| (0..=HIGHEST).contains(m))
 }
@@ -44,7 +44,7 @@ pub(super) fn argument(u: &Expr, power: i64) -> Option<(Expr, bool)> {
     Some((k, negative?))
 }
 
-/// The same for an argument k·r of a function whose moments are analytic in k: where nothing is proven k stays as it is.
+/// As [`argument`], for an argument k·r of a function whose moments are analytic in k: k is unchanged if its sign is unknown.
 pub(super) fn wavenumber(u: &Expr) -> Option<(Expr, bool)> {
     let (k, negative) = signed(u, 1)?;
     Some((k, negative.unwrap_or(false)))
@@ -63,7 +63,7 @@ fn signed(u: &Expr, power: i64) -> Option<(Expr, Option<bool>)> {
 /// g(x) = c x M_m(x) and F(a)/(2E*) = c M_(m+2)(a) for f′ = c·r^m·k(r).
 pub(super) fn answer(coefficient: &Expr, m: i64, moments: &Moments) -> Answer {
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
-    // A factor q − k beside the scale k − q is minus that.
+    // Rewrite a factor q − k as minus the scale k − q.
     let opposite = -&moments.scale;
     let turned = |own: Expr| if own == opposite { vec![Expr::integer(-1), moments.scale.clone()] } else { vec![own] };
     let coefficients: Vec<Expr> = coefficient.factors().into_iter().flat_map(turned).collect();

@@ -1,7 +1,7 @@
 //! The displacement outside a contact, term by term: u(r) = (2/π) ∫₀^a g′(x) asin(x/r) dx in closed form.
 //!
-//! It is keyed on terms, as rules are, but stands beside them: many terms whose g closes have no closed u, and some whose
-//! pressure does not close have one.
+//! These solutions apply to terms, like rules, but are separate from them: many terms with a closed g have no closed u, and some
+//! terms without a closed pressure have one.
 
 use super::reading;
 use crate::derive::kinks;
@@ -9,7 +9,7 @@ use crate::derive::rule::{Branches, Pair};
 use crate::derive::term::Term;
 use crate::expr::{Expr, Sign, sign};
 
-/// The contribution of a term to u(r) for r > a under a smooth edge, over the symbols r and a; `None` where none is known.
+/// The contribution of a term to u(r) for r > a under a smooth edge, over the symbols r and a; `None` if no closed form is known.
 ///
 /// Powers (cone and paraboloid among them), sphere, ellipsoid and hyperboloid, and pieces whose f′ is c₀ + c₁ r: truncated
 /// cones, worn and capped paraboloids.

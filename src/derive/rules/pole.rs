@@ -1,4 +1,4 @@
-//! Integrals of powers of w ± r over √(x²−r²), which the linear families share.
+//! Integrals of powers of w ± r over √(x²−r²), shared by the linear families.
 
 use super::combination::{Combination, Form};
 use crate::expr::{Condition, Expr, Sign, sign};
@@ -29,12 +29,12 @@ struct Moment {
     lifted: bool,
 }
 
-/// Which integral a basis stands for.
+/// The kind of integral that a basis represents.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Reach {
     /// From an end e to x.
     ToRim,
-    /// An antiderivative of which only differences over ends below x are meant.
+    /// An antiderivative, used only for differences between ends below x.
     Between,
 }
 
@@ -44,7 +44,7 @@ const GENTLE: i64 = 4;
 const LENGTH: usize = 4;
 
 impl Pole {
-    /// The pole of α + βr as the segment sees it, with what must hold; `None` where that is not known.
+    /// The pole of α + βr relative to the segment, with its conditions; `None` if its position is not known.
     pub(super) fn new(alpha: &Expr, beta: &Expr, half: bool, segment: &Segment) -> Option<(Self, Vec<Condition>)> {
         let offset = alpha / beta;
         let mut conditions = Vec::new();
@@ -90,8 +90,8 @@ impl Pole {
     /// L_κ = ∫ u^(−κ)/√(x²−r²) dr with u = w ± r, for the levels κ of n = lowest … highest.
     ///
     /// (κ−1) L_(κ−1) − (2κ−1) w L_κ − κ (x²−w²) L_(κ+1) = ∓√(x²−e²) u_e^(−κ), by parts; the basis is √(x²−e²) (times √u_e
-    /// for half-odd κ), the integral of level 0 or what it needs besides that of level 1, and the latter.
-    /// Lifted ones are numerators over (x²−w²)^(n−1).
+    /// for half-odd κ), the integral of level 0 or its part independent of level 1, and the integral of level 1.
+    /// Lifted levels are numerators over (x²−w²)^(n−1).
     fn levels(&self, lowest: i64, highest: i64, e: &Expr, x: &Expr, reach: Reach, lifted: bool) -> Vec<(i64, Combination)> {
         let unit = |i| Combination::unit(i, LENGTH);
         let (one, two, w, orientation, end) = (Expr::one(), Expr::integer(2), &self.w, self.orientation(), self.at(e));
@@ -132,7 +132,7 @@ impl Pole {
 
     /// ∫ r^m u^(−κ)/√(x²−r²) dr with κ of level n, over [`Self::basis`].
     pub(super) fn moment(&self, m: i64, n: i64, e: &Expr, x: &Expr, reach: Reach, form: Form) -> Combination {
-        // Without a common denominator the recurrence is gentler, but every level doubles what is written.
+        // Without a common denominator the recurrence is more stable, but every level doubles the length of the formula.
         let lifted = n > 1 && (form == Form::Shown || n > GENTLE);
         let moment = Moment { m, n, end: e.clone(), x: x.clone(), reach, lifted };
         if let Some((_, found)) = self.known.borrow().iter().find(|(known, _)| *known == moment) {
@@ -185,7 +185,7 @@ impl Pole {
         [root, form.arc(x, e), self.elementary(e, x, reach, form), second]
     }
 
-    /// ∫_e 1/(w ± r)/√(x²−r²) dr by Carlson's R_C, or −∫^e where only differences are meant.
+    /// ∫_e 1/(w ± r)/√(x²−r²) dr by Carlson's R_C, or −∫^e if only differences are used.
     fn elementary(&self, e: &Expr, x: &Expr, reach: Reach, form: Form) -> Expr {
         let (w, two) = (&self.w, Expr::integer(2));
         let carlson = |one: Expr, other: Expr| Expr::call("elliprc", [one, other]);
@@ -206,7 +206,7 @@ impl Pole {
         }
     }
 
-    /// D and F: ∫ 1/√(w ± r) = F and what is left of ∫ √(w ± r), by Carlson's R_F and R_D.
+    /// D and F: F = ∫ 1/√(w ± r), and D is the part of ∫ √(w ± r) independent of F, by Carlson's R_F and R_D.
     fn elliptic(&self, e: &Expr, x: &Expr, reach: Reach) -> (Expr, Expr) {
         let (w, two) = (&self.w, Expr::integer(2));
         let (near, far) = if self.above && reach == Reach::Between { (x + e, x - e) } else { (x - e, x + e) };

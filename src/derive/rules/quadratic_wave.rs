@@ -49,7 +49,7 @@ pub(super) static SEGMENT: Rule = Rule {
     apply: segment,
 };
 
-/// c, √k and whether it is a sine, of c·r^m·cos(kr²) or c·r^m·sin(kr²).
+/// c, √k and whether the function is a sine, for c·r^m·cos(kr²) or c·r^m·sin(kr²).
 fn read(part: &NormalTerm) -> Option<(Expr, Expr, bool)> {
     let (argument, sine) = match (reading::call(&part.kernel, "cos"), reading::call(&part.kernel, "sin")) {
         (Some([u]), _) => (u, false),
@@ -97,7 +97,7 @@ fn segment(term: &Term) -> Option<Answer> {
 
 /// Real or imaginary part of J_m = ∫ u^m e^(iu²)/√(y²−u²) du, from J_0 and J_2 or J_1 by
 /// 2i J_(p+3) = (2i y² − p − 1) J_(p+1) + p y² J_(p−1) + β^p √(y²−β²) e^(iβ²) with the lower end β, which is 0 or,
-/// on a segment, stands in the functions.
+/// on a segment, is part of the functions.
 fn moment(m: i64, imaginary: bool, segment: bool) -> Combination {
     let single = Combination::single;
     let pair = |position| (single(position, 1, 1, 0), single(position + 1, 1, 1, 0));

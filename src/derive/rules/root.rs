@@ -90,7 +90,7 @@ fn smooth(term: &Term, branch: Sign) -> Option<Answer> {
     Some(Answer { slope: pair(slope), force: pair(force), pressure: Some(pair(Expr::call(pressure, [r, a, radius.clone()]))), conditions })
 }
 
-/// g and F/(2E*) of f′ = r/√(R² ± r²) from the axis on, as they are computed without cancellation.
+/// g and F/(2E*) of f′ = r/√(R² ± r²) from the axis on, in forms without cancellation.
 pub(super) fn computed(branch: Sign, radius: &Expr) -> (Expr, Expr) {
     let (x, a) = (Expr::symbol("x"), Expr::symbol("a"));
     if branch == Sign::Negative {

@@ -1,4 +1,4 @@
-//! Powers of r on a segment that are no polynomial: negative whole exponents and real ones.
+//! Powers of r on a segment with negative integer or real exponents.
 
 use super::combination::{Combination, Form};
 use super::power;
@@ -47,7 +47,7 @@ pub(super) static REAL: Rule = Rule {
     apply: real,
 };
 
-/// Exponents below this one fill pages.
+/// Smallest exponent; the formulas for smaller exponents are too long.
 const LOWEST: i64 = -40;
 
 fn negative(term: &Term) -> Option<Answer> {

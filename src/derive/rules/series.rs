@@ -8,20 +8,20 @@ use num_integer::Integer;
 /// factor · r^offset · Σ Π (upper)_k/Π (lower)_k (z r^step)^k, k! among the lower parameters as 1.
 #[derive(Clone)]
 pub(super) struct Series {
-    /// In front, free of r.
+    /// The factor, free of r.
     pub(super) factor: Expr,
-    /// The power of r in front.
+    /// The power of r of the first term.
     pub(super) offset: Expr,
     upper: Vec<Expr>,
     lower: Vec<Expr>,
     z: Expr,
     /// (p, q) of the rational p/q.
     step: (i64, i64),
-    /// What must hold.
+    /// The conditions of validity.
     pub(super) conditions: Vec<Condition>,
 }
 
-/// Steps are split into at most so many series.
+/// Largest number of series into which a series is split.
 const MOST_PARTS: i64 = 4;
 /// The highest power of r as a step.
 const HIGHEST_STEP: i64 = 24;
@@ -35,7 +35,7 @@ fn positive(expr: &Expr) -> Option<&Expr> {
 }
 
 impl Series {
-    /// The series of a kernel that is one function or one power; `None` where there is none in the table.
+    /// The series of a kernel that is one function or one power; `None` if it is not in the table.
     pub(super) fn of(kernel: &Expr) -> Option<Self> {
         match kernel.node() {
             Node::Function(function, arguments) if function.name() == "ln" => Self::logarithm(arguments.first()?),
@@ -60,7 +60,7 @@ impl Series {
         let conditions = reading::positive(&constant.coefficient)?;
         let z = -(&other.coefficient / &constant.coefficient);
         let mut series = Self::new(vec![-p], vec![], &z, &other.exponent)?;
-        // Exponents written out, so that R^(4(p−1)) and what stands before it become one power.
+        // Expand exponents, so that R^(4(p−1)) and the factor before it combine into one power.
         let (root, power) = constant.coefficient.split_power();
         series.factor = root.pow(&tidy(&(power * p)));
         series.conditions = conditions;
@@ -99,7 +99,7 @@ impl Series {
         let plain = || (k.clone(), alpha.clone());
         let (gauss, quarter) = (Expr::integer(2) / Expr::pi().sqrt(), Expr::pi() / Expr::integer(2));
         let fresnel = -Expr::pi().power(2) / Expr::integer(16);
-        // Upper and lower parameters, argument with its step, what stands in front, and the power of u there.
+        // Upper and lower parameters, argument with its step, the leading factor, and the leading power of u.
         let (upper, lower, (z, step), front, leading) = match (name, orders) {
             ("exp", []) => (vec![], vec![], plain(), one(), Expr::zero()),
             ("sin", []) => (vec![], vec![ratio(3, 2)], square(ratio(-1, 4)), one(), one()),
@@ -139,10 +139,10 @@ impl Series {
         Some(series)
     }
 
-    /// The same as a sum of series whose steps are even whole numbers; `None` where that is not allowed.
+    /// The same as a sum of series whose steps are even integers; `None` if that is not allowed.
     ///
     /// k = s i + j, j = 0 … s−1, with (A)_(si+j) = (A)_j s^(si) Π_t ((A+j+t)/s)_i. With as many upper as lower parameters the
-    /// parts have singularities where z^s r^(s·step) is 1, which only for z > 0 are those of the kernel.
+    /// parts have singularities where z^s r^(s·step) is 1, which coincide with the singularities of the kernel only for z > 0.
     pub(super) fn with_even_step(&self) -> Option<Vec<Self>> {
         let (p, q) = self.step;
         let parts = (2 * q) / (2 * q).gcd(&p);
@@ -174,7 +174,8 @@ impl Series {
         Some((0..parts).map(part).filter(|part| !part.factor.is_zero()).collect())
     }
 
-    /// The series with every r^(n−1+step·k) replaced by its integral over that of r^(n−1): (n/2)_(step k/2)/(n/2+1/2)_(step k/2).
+    /// The series with every r^(n−1+step·k) replaced by its integral relative to the integral of r^(n−1), which is
+    /// (n/2)_(step k/2)/(n/2+1/2)_(step k/2).
     pub(super) fn transformed(&self, n: &Expr, x: &Expr) -> Expr {
         let mu = self.step.0 / 2;
         let spread = |first: Expr| (0..mu).map(|j| (&first + Expr::integer(j)) / Expr::integer(mu)).collect::<Vec<_>>();
@@ -198,7 +199,7 @@ impl Series {
     }
 }
 
-/// pFq by the shortest name it has.
+/// pFq by its shortest name.
 fn named(upper: &[Expr], lower: &[Expr], z: Expr) -> Expr {
     match (upper, lower) {
         ([], []) => Expr::call("exp", [z]),

@@ -1,4 +1,4 @@
-//! One draw of the parameters, and the comparison of a term with quadrature there.
+//! One random set of parameters, and the comparison of a term with quadrature for these parameters.
 
 use super::Verdict;
 use crate::derive::chain::Chain;
@@ -14,11 +14,11 @@ use crate::num::stable::leg;
 use crate::num::{Bound, Bounded, Estimate};
 use std::sync::LazyLock;
 
-/// Agreement within this share of ∫|integrand| is agreement: two independent computations do not share nine digits by chance.
+/// Required agreement relative to ∫|integrand|: two independent computations do not agree to nine digits by chance.
 const ENOUGH: f64 = 1e-9;
-/// Bounds beyond this share prove nothing.
+/// Larger relative bounds are inconclusive.
 const TELLING: f64 = 1e-6;
-/// What the proven quadrature is asked for.
+/// The tolerance of the quadrature with proven bounds.
 const TOLERANCE: f64 = 1e-10;
 
 /// Numbers for the parameters at which terms are compared.
@@ -27,7 +27,7 @@ pub(super) struct Place {
     names: Vec<Symbol>,
     values: Vec<f64>,
     limit: f64,
-    /// True for the first draw: the radius far out is dear, and is compared once.
+    /// True for the first draw: the comparison at a large radius is expensive and made only once.
     first: bool,
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Place {
 enum Part {
     Within,
     Beyond,
-    /// Within, but so far out that a term need not be known there: only a contradiction counts.
+    /// Within, but at a radius so large that an inconclusive comparison is acceptable: only a contradiction counts.
     Far,
 }
 
@@ -53,12 +53,12 @@ struct Radii {
     lower: f64,
     upper: Option<f64>,
     all: Vec<(f64, Part)>,
-    /// Further radii within the segment, for terms that cancel at the others, such as (r − b)²⁰ next to b and r³⁰ sinh r next to the axis.
+    /// Further radii within the segment, for terms that cancel at the others, such as (r − b)²⁰ near b and r³⁰ sinh r near 0.
     spare: Vec<f64>,
 }
 
 impl Place {
-    /// Seeded admissible values; `None` where none were found.
+    /// Seeded admissible values; `None` if none were found.
     pub(super) fn draw(names: Vec<Symbol>, limits: &[Expr], conditions: &[Condition], draw: u64) -> Option<Self> {
         let bindings = Sampler::new(0x6a7e + draw).admissible(&names, conditions)?;
         let number = |expr: &Expr| constant_value(expr, &bindings).map(|own| own.value).ok();
@@ -68,7 +68,7 @@ impl Place {
         Some(Self { bindings, names, values, limit, first: draw == 0 })
     }
 
-    /// Whether conditions on the parameters hold here; those on radii are not looked at.
+    /// Whether conditions on the parameters hold here; conditions on radii are ignored.
     pub(super) fn admits(&self, conditions: &[Condition]) -> bool {
         conditions.iter().all(|own| admissible(&own.substitute(&self.bindings)))
     }
@@ -82,7 +82,8 @@ impl Place {
         tape.run_all(&mut BoundedAlgebra, &inputs, &mut Vec::new())
     }
 
-    /// Radii within a segment and, where it ends, beyond it; where nothing ends it, one far out, where other methods of functions answer.
+    /// Radii within a segment and, if it ends, beyond it; if it is unbounded, also a large radius, where functions use other
+    /// methods of evaluation.
     fn radii(&self, segment: &Segment) -> Option<Radii> {
         let lower = self.number(&segment.lower)?;
         let upper = match &segment.upper {
@@ -106,7 +107,7 @@ impl Place {
         Some(Radii { lower, upper, all, spare })
     }
 
-    /// True unless the terms are proven not to add up to f′ as it was typed.
+    /// False if the terms are proven not to add up to the typed f′.
     pub(super) fn recognition_holds(&self, chain: &Chain, slopes: &[Expr], solved: &[SolvedChain]) -> bool {
         let of = |interval: usize| {
             let own = |chain: &SolvedChain| {
@@ -124,12 +125,12 @@ impl Place {
             let mut outputs = vec![slope.clone()];
             outputs.extend(terms);
             let Some(tape) = compile(&outputs, &["r"], &self.names) else { return true };
-            // Beyond the upper end this piece is not f.
+            // This piece equals f only below its upper end.
             radii.all.first().is_none_or(|(r, _)| {
                 let Some(values) = self.bounded(&tape, &[*r]) else { return true };
                 let Some((typed, parts)) = values.split_first() else { return true };
                 let sum = parts.iter().fold(Bounded::exact(0.0), |sum, part| sum + *part);
-                // Written so that a NaN proves nothing.
+                // The comparison is written so that NaN is inconclusive.
                 let apart = (typed.value - sum.value).abs() > typed.error + sum.error;
                 !apart
             })
@@ -210,7 +211,7 @@ impl Place {
                     let part = slope * factor;
                     *sum += part;
                     *size += part.abs();
-                    // Written so that a NaN ends the loop.
+                    // The comparison is written so that NaN ends the loop.
                     grows |= part.abs() > f64::EPSILON * *size;
                 }
                 negligible = if grows { 0 } else { negligible + 1 };
@@ -222,12 +223,12 @@ impl Place {
         found
     }
 
-    /// Returns true if f′ of the term is accurate at this radius; if its terms cancel, plain quadrature of f′ decides nothing.
+    /// Returns true if f′ of the term is accurate at this radius; if its terms cancel, plain quadrature of f′ is inconclusive.
     fn has_digits(&self, tape: &Tape, r: f64) -> bool {
         self.bounded(tape, &[r]).is_some_and(|own| own.iter().all(|own| own.error <= ENOUGH * own.value.abs()))
     }
 
-    /// g or F/(2E*) of a term by quadrature whose bound is proven.
+    /// g or F/(2E*) of a term by quadrature with a proven bound.
     fn proven(&self, subject: &Subject<'_>, quantity: usize, x: f64) -> Option<Bounded> {
         self.proven_by(
             subject,
@@ -238,7 +239,7 @@ impl Place {
         )
     }
 
-    /// A proven number of a term up to x; beyond an upper end as the difference of two terms without end.
+    /// A value of a term up to x with a proven bound; beyond an upper end, the difference of two unbounded terms.
     fn proven_by(&self, subject: &Subject<'_>, x: f64, number: impl Fn(&NumericProfile) -> Option<Estimate>) -> Option<Bounded> {
         let from = |lower: &Expr| {
             let endless = Segment { lower: lower.clone(), upper: None };
@@ -260,7 +261,7 @@ impl Place {
         let within = &subject.within;
         let (end, _) = *radii.all.first()?;
         let begin = radii.lower + 0.7 * (end - radii.lower);
-        // P vanishes where the contact or the segment begins.
+        // P vanishes at the edge of the contact and at the beginning of the segment.
         let mut verdict = Verdict::Agrees;
         for r in [0.57 * begin, 0.11 * begin] {
             let start = self.bounded(within.pressure.as_ref()?, &[r, r.max(radii.lower) * (1.0 + 1e-12)])?;
@@ -271,7 +272,7 @@ impl Place {
             let beyond = subject.beyond.as_ref()?;
             let (below, above) = (upper * (1.0 - 1e-12), upper * (1.0 + 1e-12));
             let r = 0.57 * begin;
-            // P is continuous at the end of the segment but for a jump of g.
+            // P is continuous at the end of the segment except for a jump of g.
             let jump = (self.plain(&beyond.slope, above)? - self.plain(&within.slope, below)?) / leg(upper, r);
             let before = self.bounded(within.pressure.as_ref()?, &[r, below])?;
             let after = self.bounded(beyond.pressure.as_ref()?, &[r, above])?;
@@ -281,7 +282,7 @@ impl Place {
         Some(verdict)
     }
 
-    /// Compares P(r; a₂) − P(r; a₁) with the integral from a₁ to a₂, by parts over g, and what P starts from with what it should.
+    /// Compares P(r; a₂) − P(r; a₁) with the integral from a₁ to a₂, by parts over g, and checks the initial value of P.
     fn pressure_at(
         &self,
         r: f64,
@@ -305,7 +306,7 @@ impl Place {
             let size = far.value.abs().max(near.value.abs()).max(rise.abs());
             let error = far.error + near.error;
             let is_telling = error + first.error <= TELLING * size;
-            // The part from the beginning on is of the order of the root of the distance.
+            // The integral from the beginning is of the order of the root of the distance.
             let agrees = (far.value - near.value - rise).abs() <= ENOUGH * size + error
                 && (first.value - expected).abs() <= 1e-3 * size + first.error;
             if is_telling && agrees {
@@ -322,7 +323,7 @@ impl Place {
         Some(verdict)
     }
 
-    /// An expression over one variable in plain doubles; `None` where it is not finite.
+    /// An expression over one variable in plain doubles; `None` if it is not finite.
     fn plain(&self, tape: &Tape, x: f64) -> Option<f64> {
         let inputs: Vec<f64> = std::iter::once(x).chain(self.values.iter().copied()).collect();
         tape.run(&mut FloatAlgebra, &inputs, &mut Vec::new()).filter(|own| own.is_finite())
@@ -344,12 +345,12 @@ struct Side {
     slope_and_force: Tape,
     /// g as evaluated, over x.
     slope: Tape,
-    /// p·π/E* as evaluated, then as shown, over r and a; `None` where it is left as an integral.
+    /// p·π/E* as evaluated, then as shown, over r and a; `None` if it remains an integral.
     pressure: Option<Tape>,
 }
 
 impl<'a> Subject<'a> {
-    /// Compiles f′ and the answer of a term; `None` where a symbol is no parameter of the profile.
+    /// Compiles f′ and the solution of a term; `None` if a symbol is not a parameter of the profile.
     pub(super) fn new(term: &'a Term, answer: &Answer, names: &[Symbol]) -> Option<Self> {
         let side = |slope: &Pair, force: &Pair, pressure: Option<&Pair>| {
             let both = [&slope.evaluated, &force.evaluated, &slope.shown, &force.shown].map(Expr::clone);
@@ -383,11 +384,11 @@ fn compile(expressions: &[Expr], variables: &[&str], names: &[Symbol]) -> Option
     Tape::compile(expressions, &inputs).ok()
 }
 
-/// So many negligible nodes in a row end one half of the double exponential rule.
+/// Number of consecutive negligible nodes after which one half of the double exponential rule ends.
 const ENDED: usize = 3;
 
-/// Nodes in (0, 1) and weights of the double exponential rule, from the middle to 0 and from the middle to 1; the nodes next to 0 go
-/// down to 1e-300, because f′ may be a power just above −1 there.
+/// Nodes in (0, 1) and weights of the double exponential rule, from the middle to 0 and from the middle to 1; the nodes extend
+/// down to 1e-300, because f′ may be a power just above −1 at 0.
 static RULE: LazyLock<[Vec<(f64, f64)>; 2]> = LazyLock::new(|| {
     const STEP: f64 = 0.13;
     let half_pi = std::f64::consts::FRAC_PI_2;

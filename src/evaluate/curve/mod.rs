@@ -60,11 +60,7 @@ impl<'a> Curve<'a> {
     /// [`TransformError::CurveTooRough`] with the error that was reached.
     pub fn new(profile: &'a NumericProfile, reach: f64, tolerance: f64) -> Result<Self, TransformError> {
         if !(reach > 0.0 && reach.is_finite()) {
-            return Err(TransformError::OutOfDomain {
-                symbol: "reach",
-                at: reach,
-                limit: "; a positive length would be accepted".to_owned(),
-            });
+            return Err(TransformError::OutOfDomain { symbol: "reach", at: reach, limit: "; expected a positive length".to_owned() });
         }
         let mut budget = Budget::default();
         let (mut pieces, mut breakpoints, mut smears) = (Vec::new(), Vec::new(), Vec::new());
@@ -230,7 +226,7 @@ impl<'a> Curve<'a> {
             }
         }
         if places.len() != out.len() {
-            let limit = "; slices of one length would be accepted".to_owned();
+            let limit = "; expected slices of equal length".to_owned();
             return Err(TransformError::OutOfDomain { symbol: "length", at: out.len() as f64, limit });
         }
         table.fill(places, out);

@@ -55,7 +55,7 @@ impl Operation {
         }
     }
 
-    /// Whether it is a function other than the elementary ones.
+    /// Whether it is a non-elementary function.
     fn is_special(&self) -> bool {
         matches!(self, Self::Call(function, ..) if function.row().slice.is_none())
     }
@@ -65,7 +65,7 @@ impl Tape {
     /// Records the expressions over the given inputs.
     ///
     /// # Errors
-    /// [`EvalError::Unbound`] for a symbol that is no input.
+    /// [`EvalError::Unbound`] for a symbol that is not an input.
     pub fn compile(expressions: &[Expr], inputs: &[Symbol]) -> Result<Self, EvalError> {
         Self::compile_with(expressions, inputs, false)
     }
@@ -74,7 +74,7 @@ impl Tape {
     /// argument that occurs once is enclosed without loss.
     ///
     /// # Errors
-    /// [`EvalError::Unbound`] for a symbol that is no input.
+    /// [`EvalError::Unbound`] for a symbol that is not an input.
     pub fn for_enclosures(expressions: &[Expr], inputs: &[Symbol]) -> Result<Self, EvalError> {
         Self::compile_with(expressions, inputs, true)
     }
@@ -101,7 +101,7 @@ impl Tape {
             let slot = record(expr, &mut recorder, inputs, &mut seen)?;
             outputs.push(slot);
         }
-        // An expression that was built after the budget was used up means nothing.
+        // An expression that was built after the budget was exhausted is meaningless.
         work::check()?;
         recorder.tape.outputs = outputs;
         recorder.tape.kept.weight = recorder.tape.operations.iter().map(Operation::weight).sum();
@@ -161,7 +161,7 @@ impl Tape {
         for operation in &self.operations {
             let value = match operation {
                 Operation::Input(_) => None,
-                // What reads an input has an operand without a value.
+                // An operation that reads an input has an operand without a value.
                 _ => self.step(operation, algebra, &[], &|slot| values.get(*slot as usize).copied().flatten(), &mut gathered),
             };
             values.push(value);
@@ -232,7 +232,7 @@ impl Tape {
         Some(slots.iter().map(|slot| *slot as usize).collect())
     }
 
-    /// The tape as it runs over blocks, made ready at the first call.
+    /// The program for runs over blocks, prepared at the first call.
     pub(super) fn program(&self) -> Option<&Program> {
         self.program.get_or_init(|| Program::new(self)).as_ref()
     }

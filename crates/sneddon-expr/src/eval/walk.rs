@@ -1,4 +1,4 @@
-//! The walk over the tree: which operations stand for a node, in which order.
+//! The walk over the tree: the operations for every node, and their order.
 
 use super::{Algebra, BoundedAlgebra, EvalError, PreciseAlgebra, WideAlgebra};
 use crate::expr::function::Accuracy;
@@ -40,12 +40,12 @@ pub fn constant_value(expr: &Expr, bindings: &Bindings) -> Result<Bounded, EvalE
     if own.is_finite() && own.error <= own.value.abs() {
         return Ok(own);
     }
-    // What leaves the range of doubles on its way, as e^1000/(1 + e^1000) does, may be a number all the same.
+    // Intermediate results may overflow although the value is finite, as in e^1000/(1 + e^1000).
     let wide = walk(&bound, &mut WideAlgebra, &mut |_| None)?.precise().bounded();
     Ok(if wide.is_finite() && (wide.error < own.error || own.error.is_nan()) { wide } else { own })
 }
 
-/// The same with 30 digits.
+/// As [`constant_value`], with 30 digits.
 ///
 /// # Errors
 /// As [`walk`].
@@ -59,14 +59,14 @@ pub fn precise_value(expr: &Expr, bindings: &Bindings) -> Result<Precise, EvalEr
     Ok(if wide.is_finite() && (wide.error < own.error || own.error.is_nan()) { wide } else { own })
 }
 
-/// The smallest double that is not below the value of a constant, as far as 30 digits tell: r ≥ b means that r is this one or larger.
+/// The smallest double that is not below the value of a constant, to within 30 digits: r ≥ b is equivalent to r ≥ this double.
 ///
 /// # Errors
 /// As [`precise_value`].
 ///
 /// ```
 /// use sneddon_expr::{eval::first_double_from, expr::{Bindings, Expr}};
-/// // The double next to 1/3 is below it, that next to 1/10 is above.
+/// // The double nearest to 1/3 is below it, the double nearest to 1/10 is above.
 /// assert_eq!(first_double_from(&Expr::ratio(1, 3), &Bindings::default()).unwrap(), (1.0 / 3.0_f64).next_up());
 /// assert_eq!(first_double_from(&Expr::ratio(1, 10), &Bindings::default()).unwrap(), 0.1);
 /// ```
@@ -78,7 +78,7 @@ pub fn first_double_from(expr: &Expr, bindings: &Bindings) -> Result<f64, EvalEr
     Ok(if value.lo > error { value.hi.next_up() } else { value.hi })
 }
 
-/// The walk with a hook that may know a subtree's value already.
+/// The walk with a hook that may supply the value of a subtree.
 pub(super) fn walk_with<A: Algebra>(
     expr: &Expr,
     algebra: &mut A,
@@ -115,7 +115,7 @@ pub(super) fn walk_with<A: Algebra>(
                 return Ok(algebra.multiply(difference, sum));
             }
             let mut total = None;
-            // Positive terms first: the differences come last, with the largest partial sums behind them.
+            // Add the positive terms first and subtract afterwards.
             let (positive, negative): (Vec<&Expr>, Vec<&Expr>) = terms.iter().partition(|t| !t.split_coefficient().0.is_negative());
             for term in positive {
                 let value = walk_with(term, algebra, known)?;
@@ -169,7 +169,7 @@ fn constant<A: Algebra>(number: &Number, algebra: &mut A) -> A::Value {
 const PI: Precise = Precise { value: precise::PI, error: 3.0e-33 };
 const E: Precise = Precise { value: precise::E, error: 2.2e-33 };
 
-/// A number that is one constant of the tape, to 30 digits.
+/// A number that fits into one constant of the tape, to 30 digits.
 fn number(expr: &Expr) -> Option<DoubleDouble> {
     match expr.node() {
         Node::Number(number) if is_literal(number) => Some(literal(number).value),
@@ -254,7 +254,7 @@ fn split_number<A: Algebra>(number: &Number, algebra: &mut A, factors: &mut Vec<
     divisors.push(constant(&denominator, algebra));
 }
 
-/// Powers beyond this one would show the rounding of 1 + u so many times.
+/// Larger powers would amplify the rounding error of 1 + u by at least this factor.
 const LARGE: i64 = 32;
 
 /// Pushes the factors that make base^power, `power` > 0.
@@ -281,7 +281,7 @@ fn raise<A: Algebra>(
             into.push(algebra.square_root(value));
         }
         _ => {
-            // The exponent's own rounding would count ln(base) times.
+            // The rounding error of the exponent would be amplified by ln(base).
             let nearest = power.to_f64();
             let rest = Number::from_f64(nearest).map(|nearest| power - &nearest).filter(|rest| !rest.is_zero());
             into.push(match rest {

@@ -2,8 +2,9 @@
 
 use super::{Expr, Node, Sign, Symbol, sign};
 
-/// An equal expression in which what grows like e^u above a fraction line has gone into the denominator, where that grows as well:
-/// e^u/(1 + e^u)² is 1/(4 cosh²(u/2)), and sinh u/cosh² u is tanh u/cosh u. Where a denominator overflows then, the quotient is 0.
+/// An equal expression in which exponential growth e^u of a numerator is moved into a denominator that grows as well:
+/// e^u/(1 + e^u)² becomes 1/(4 cosh²(u/2)), and sinh u/cosh² u becomes tanh u/cosh u. If a denominator then overflows, the
+/// quotient is 0.
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, balanced};
@@ -24,7 +25,7 @@ pub fn balanced(expr: &Expr) -> Expr {
     }
 }
 
-/// True where something that grows exponentially stands in a denominator.
+/// True if a denominator grows exponentially.
 fn divides_by_growth(expr: &Expr) -> bool {
     let own = match expr.node() {
         Node::Power(base, exponent) => exponent.as_number().is_some_and(|own| own.is_negative()) && grows(base),
@@ -41,7 +42,7 @@ fn grows(expr: &Expr) -> bool {
     }
 }
 
-/// The product with its exponentials in the denominators that grow with them.
+/// The product with its exponentials moved into the denominators that grow with them.
 fn quotient(factors: Vec<Expr>) -> Expr {
     let mut factors = hyperbolic(factors);
     let growing = factors.iter().position(|factor| argument(factor, "exp").is_some_and(|own| own.contains(&Symbol::new("r"))));

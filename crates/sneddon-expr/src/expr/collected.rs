@@ -1,11 +1,11 @@
-//! Sums as an author writes them: one coefficient before each root or function, what is common in front.
+//! Sums in the form of a textbook: one coefficient for each root or function, common factors in front.
 
 use super::{Expr, Node, Number, Symbol};
 use num_bigint::BigInt;
 use num_traits::One;
 use std::collections::BTreeMap;
 
-/// Larger sums are left as they are.
+/// Larger sums are left unchanged.
 const TERMS: usize = 120;
 /// Larger denominators are not multiplied out.
 const LONGEST: u32 = 1000;
@@ -32,11 +32,11 @@ pub fn collected(expr: &Expr) -> Expr {
     if let Some(other) = over_one_root(&terms).map(|terms| grouped(&terms)).filter(|other| size(other) < size(&result)) {
         result = other;
     }
-    // A little shorter is no reason to change what the rules say.
+    // Keep the form stated by the rule unless the result is shorter by at least a sixth.
     if 6 * size(&result) <= 5 * size(expr) { result } else { expr.clone() }
 }
 
-/// The expression with what the numbers of a sum share in front of it where that is shorter, and with what its powers share out of roots.
+/// Moves common numeric factors of sums to the front where the result is shorter, and common powers out of roots.
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, in_lowest_terms};
@@ -56,14 +56,14 @@ pub fn in_lowest_terms(expr: &Expr) -> Expr {
             let product = Expr::product(factors.iter().map(in_lowest_terms));
             let number = Expr::number(product.split_coefficient().0);
             let sums = product.factors().into_iter().filter(|own| matches!(own.node(), Node::Sum(_)));
-            // Halves and thirds stay apart, with the number in front of the sum inside, unless that is longer.
+            // Keep halves and thirds apart, with the number in front multiplied into the sum, unless the result is longer.
             let others = sums.flat_map(|sum| {
                 let rest = &product / &sum;
                 let inside = Expr::sum(sum.terms().iter().map(|term| term * &number));
                 [&rest / &number * in_front(&inside), rest * shared_in_front(&sum)]
             });
             let shortest = others.min_by_key(digits).filter(|other| digits(other) < digits(&product));
-            // Sums may have met in a longer one.
+            // The result may contain new sums with common factors.
             shortest.map_or(product, |other| in_lowest_terms(&other))
         }
     }
@@ -98,7 +98,7 @@ fn digits(expr: &Expr) -> usize {
     }
 }
 
-/// The number of which all are whole multiples, negative where all are.
+/// The largest number of which all are integer multiples; negative if all of them are negative.
 fn shared_number(numbers: &[Number]) -> Number {
     let [first, others @ ..] = numbers else { return Number::integer(1) };
     // Decimals are shown as they were typed, and long fractions come from them.
@@ -110,7 +110,7 @@ fn shared_number(numbers: &[Number]) -> Number {
     if numbers.iter().all(Number::is_negative) { -&shared } else { shared }
 }
 
-/// One coefficient before each product of kernels, and the common factor of all in front.
+/// Collects one coefficient for each product of kernels and takes the common factor out of the sum.
 fn grouped(terms: &[Expr]) -> Expr {
     let mut groups: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
     for term in terms {
@@ -168,10 +168,10 @@ pub fn multiplied_out(expr: &Expr) -> Expr {
     products(expr, &|_| true).map_or_else(|| expr.clone(), Expr::sum)
 }
 
-/// The sum in which powers of one symbol are joined where they would be infinite apart: a factor is distributed that is a sum with
-/// roots or poles of the symbol.
+/// Joins powers of one symbol that would be infinite separately: factors that are sums with roots or poles of the symbol are
+/// distributed.
 ///
-/// Polynomials stay factors, since r − b outside the brackets has digits next to b that the difference of two products has not.
+/// Polynomials remain factors: a factor r − b keeps its digits near b, whereas the difference of two products cancels there.
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, Symbol, joined_powers};
@@ -189,7 +189,7 @@ pub fn joined_powers(expr: &Expr, symbol: &Symbol) -> Expr {
     products(expr, &|sum| sum.terms().iter().any(|term| term.factors().iter().any(singular))).map_or_else(|| expr.clone(), Expr::sum)
 }
 
-/// Roots, functions, and what stands in a denominator: all that is not a plain monomial.
+/// True for roots, functions and sums, including those in denominators; false for plain monomials.
 fn is_kernel(factor: &Expr) -> bool {
     match factor.node() {
         Node::Function(..) | Node::Sum(_) => true,
@@ -260,7 +260,7 @@ fn number_in_front(numbers: &[Number]) -> Number {
     if alike { shared_number(numbers) } else { Number::integer(one) }
 }
 
-/// The power nearer to zero where both have the same sign, or the one that both are.
+/// The exponent nearer to zero if both have the same sign, or the common exponent if they are equal.
 fn lower(one: Expr, two: &Expr) -> Option<Expr> {
     if one == *two {
         return Some(one);

@@ -1,4 +1,4 @@
-//! What can go wrong while an expression is rewritten.
+//! Errors that occur while an expression is rewritten.
 
 use crate::num::Exhausted;
 use thiserror::Error;
@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum ExprError {
     /// Expanding would produce more terms than the limit.
-    #[error("expanding this expression needs more than {limit} terms; a lower power or fewer terms would be accepted")]
+    #[error("expanding this expression needs more than {limit} terms; expected a lower power or fewer terms")]
     TooLarge {
         /// The largest number of terms.
         limit: usize,

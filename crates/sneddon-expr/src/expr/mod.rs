@@ -1,7 +1,7 @@
 //! Symbolic expressions: exact numbers, canonical trees, the function table, differentiation and the recognition form.
 //!
 //! Constructors are local and cheap: they flatten, sort by content, collect and fold, and never expand.
-//! Every symbol stands for a positive real number; [`sign`] proves what follows from that and says `Unknown` otherwise.
+//! Every symbol represents a positive real number; [`sign`] returns the signs that follow from this assumption, else `Unknown`.
 
 mod balanced;
 mod build;

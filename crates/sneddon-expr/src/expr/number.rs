@@ -1,4 +1,4 @@
-//! Exact rational numbers that remember whether they were typed as decimals.
+//! Exact rational numbers with a flag for numbers typed as decimals.
 
 use super::divisor::common_divisor;
 use crate::num::work;
@@ -10,10 +10,10 @@ use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// An exact rational number; `decimal` is a wish of the printer and no part of its identity.
+/// An exact rational number; the flag `decimal` affects printing only and is ignored in comparisons.
 ///
 /// `0.7` is 7/10 in every computation and prints as `0.7` because it was typed that way.
-/// Sums and products with a decimal are decimals again, as long as the decimal expansion ends; else they print as quotients.
+/// Sums and products with a decimal are decimals again if the decimal expansion terminates; otherwise they print as quotients.
 ///
 /// ```
 /// use sneddon_expr::expr::Number;
@@ -46,7 +46,7 @@ impl Number {
 
     /// Reads digits with an optional point and an optional exponent, exactly.
     ///
-    /// `None` when the text is no such number or its exponent lies beyond ±10 000.
+    /// `None` if the text is not such a number or its exponent lies beyond ±10 000.
     pub fn parse_decimal(text: &str) -> Option<Self> {
         let (mantissa, exponent) = match text.find(['e', 'E']) {
             Some(at) => (&text[..at], text[at + 1..].parse::<i64>().ok()?),
@@ -64,7 +64,7 @@ impl Number {
         let power = BigInt::from(10).pow(u32::try_from(scale.unsigned_abs()).ok()?);
         let integer: BigInt = digits.parse().ok()?;
         let value = if scale >= 0 { BigRational::from_integer(integer * power) } else { BigRational::new(integer, power) };
-        // A whole number in powers of ten, as in 1.6e15, is no decimal: it may be the denominator of a fraction.
+        // A whole number with an exponent, as in 1.6e15, does not count as a decimal: it may be the denominator of a fraction.
         let decimal = !value.is_integer() || (mantissa.contains('.') && exponent == 0);
         Some(Self { value, decimal })
     }
@@ -108,7 +108,7 @@ impl Number {
         (part(p), part(q))
     }
 
-    /// True for decimals and for what was computed from them, such as 0.7/3, whether or not its expansion ends.
+    /// True for decimals and for numbers computed from them, such as 0.7/3, even if the decimal expansion does not terminate.
     pub fn has_decimals(&self) -> bool {
         self.decimal
     }
@@ -204,7 +204,7 @@ impl Number {
         exact.then(|| Self::keep(BigRational::new(p, q), self.decimal))
     }
 
-    /// The largest positive rational of which both are whole multiples; the magnitude of the other where one is 0.
+    /// The largest positive rational of which both numbers are integer multiples; the magnitude of the other if one is 0.
     pub fn common_factor(&self, other: &Self) -> Self {
         let (p, q) = (self.value.numer().gcd(other.value.numer()), self.value.denom().lcm(other.value.denom()));
         Self::keep(BigRational::new(p, q), self.decimal || other.decimal)
@@ -261,7 +261,7 @@ fn factors_of_ten(number: &BigInt) -> (u64, u64, BigInt) {
     (twos, fives, rest)
 }
 
-/// By what numerator and denominator of a quotient of decimals are divided.
+/// The common divisor of numerator and denominator in a printed quotient of decimals.
 fn decimal_scale(p: &BigInt, q: &BigInt) -> BigInt {
     let hundred = BigInt::from(100);
     let fives = fives(p) * fives(q);

@@ -1,9 +1,9 @@
-//! The form that a reader sees: functions that exist for stable evaluation give way to what they equal.
+//! The displayed form: functions that exist only for stable evaluation are replaced by equivalent standard expressions.
 
 use super::{Expr, Node, Row};
 use crate::num::work;
 
-/// The expression that is printed for `expr`; parts without such functions are kept as they are.
+/// The expression that is printed for `expr`; parts without such functions are unchanged.
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, shown};
@@ -14,7 +14,7 @@ pub fn shown(expr: &Expr) -> Expr {
     replaced(expr, &|row, a| row.shown.map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
 }
 
-/// The expression that mathematics shows: functions that have a sign of their own there are kept.
+/// The expression for mathematical notation, where functions with a symbol are kept.
 pub fn shown_as_mathematics(expr: &Expr) -> Expr {
     replaced(expr, &|row, a| row.shown.filter(|_| !row.has_sign).map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
 }
@@ -40,8 +40,8 @@ pub fn shown_with_logarithms(expr: &Expr) -> Expr {
     replaced(expr, &form).unwrap_or_else(|| expr.clone())
 }
 
-/// The expression that is evaluated with 30 digits: functions that have no value of that kind give way to what they equal,
-/// where that has.
+/// The expression that is evaluated with 30 digits: functions without a 30-digit value are replaced by equivalent expressions,
+/// if these have 30-digit values.
 pub fn shown_to_30_digits(expr: &Expr) -> Expr {
     let form = |row: &Row, a: &[Expr]| {
         let rule = row.shown.filter(|_| row.precise.is_none())?;
@@ -60,10 +60,10 @@ pub fn has_30_digits(expr: &Expr) -> bool {
     }
 }
 
-/// What stands in the place of a function at these arguments, where anything does.
+/// The replacement of a function at the given arguments, if any.
 type Form<'a> = &'a dyn Fn(&Row, &[Expr]) -> Option<Expr>;
 
-/// The replacement, where anything changes.
+/// The rewritten expression; `None` if nothing changes.
 fn replaced(expr: &Expr, form: Form<'_>) -> Option<Expr> {
     if work::is_stopped() {
         return None;

@@ -55,7 +55,7 @@ pub(super) fn greek(letter: char) -> Option<&'static str> {
     })
 }
 
-/// The character that a superscript stands for.
+/// The plain character of a superscript.
 pub(super) fn raised(character: char) -> Option<char> {
     Some(match character {
         '⁰' => '0',

@@ -1,10 +1,10 @@
-//! What can go wrong while text is read: the place, the reason, and what would be accepted.
+//! Parse errors: the place, the reason, and what was expected.
 
 use super::limits;
 use std::ops::Range;
 use thiserror::Error;
 
-/// Why a text is no expression.
+/// Why a text is not a valid expression.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Reason {
@@ -23,7 +23,7 @@ pub enum Reason {
     /// A number has too many digits.
     #[error("this number has {digits} digits, the limit is {}", limits::DIGITS)]
     TooManyDigits {
-        /// How many it has.
+        /// The number of digits.
         digits: usize,
     },
     /// The exponent of a decimal number is too large.
@@ -35,29 +35,29 @@ pub enum Reason {
     /// Folding gives a number with too many digits.
     #[error("the numbers here grow beyond {} digits", limits::DIGITS)]
     NumberTooLarge,
-    /// All numbers together take too long to compute with.
-    #[error("the numbers of this expression are too long, all together")]
+    /// The numbers together take too long to compute with.
+    #[error("the numbers of this expression have too many digits in total")]
     NumberWork,
     /// Too many breakpoints.
     #[error("the expression has more than {} breakpoints", limits::BREAKPOINTS)]
     TooManyBreakpoints,
     /// A character that belongs to no token.
-    #[error("the character {character} is not known here")]
+    #[error("the character {character} is not allowed here")]
     Character {
         /// The character as it can be shown, with its code point.
         character: String,
     },
-    /// A number that is written wrongly.
-    #[error("this is no number")]
+    /// A malformed number.
+    #[error("invalid number")]
     Number,
-    /// The text ends too soon.
-    #[error("the expression ends too soon")]
+    /// The text ends where more input is expected.
+    #[error("unexpected end of expression")]
     End,
     /// The text is empty.
-    #[error("there is no expression")]
+    #[error("the expression is empty")]
     Empty,
-    /// A token where something else must stand.
-    #[error("{found} cannot stand here")]
+    /// A token where another kind of token is expected.
+    #[error("unexpected {found}")]
     Unexpected {
         /// The token.
         found: String,
@@ -74,12 +74,12 @@ pub enum Reason {
         /// `(` or `[`.
         bracket: char,
     },
-    /// A name with a meaning of its own, used as a parameter.
+    /// A reserved name used as a parameter.
     #[error("{name} is a reserved name: {meaning}")]
     Reserved {
         /// The name.
         name: String,
-        /// What it stands for.
+        /// What the reserved name means.
         meaning: &'static str,
     },
     /// A function's name without its arguments.
@@ -88,24 +88,24 @@ pub enum Reason {
         /// The function.
         name: String,
     },
-    /// A name before a parenthesis that is no function.
-    #[error("there is no function {name}")]
+    /// A name before a parenthesis that is not a function.
+    #[error("unknown function {name}")]
     UnknownFunction {
         /// The name.
         name: String,
     },
     /// The wrong number of arguments.
-    #[error("{name} takes {expected}, here it has {found}")]
+    #[error("{name} takes {expected}, got {found}")]
     Arguments {
         /// The function.
         name: String,
-        /// How many it takes, in words.
+        /// The expected number of arguments, in words.
         expected: String,
-        /// How many it has.
+        /// The number of arguments found.
         found: usize,
     },
-    /// A name where only a constant may stand.
-    #[error("{name} is no constant")]
+    /// A name where a constant is expected.
+    #[error("{name} is not a constant")]
     NotConstant {
         /// The name.
         name: String,
@@ -124,10 +124,10 @@ pub enum Reason {
     /// 0 to a negative power.
     #[error("0 to a negative power has no value")]
     ZeroToNegative,
-    /// A root or broken power of something negative.
+    /// A root or fractional power of a negative quantity.
     #[error("the base is negative, and its {power} is not real")]
     NegativeBase {
-        /// `square root` or `broken power`.
+        /// `square root` or `fractional power`.
         power: &'static str,
     },
     /// An argument outside the domain of its function.
@@ -136,10 +136,10 @@ pub enum Reason {
         /// The function.
         name: String,
     },
-    /// A condition of `piecewise` that is none.
-    #[error("this is no condition of piecewise")]
+    /// An invalid condition of `piecewise`.
+    #[error("this is not a condition of piecewise")]
     Condition,
-    /// A condition that compares downwards.
+    /// A condition that bounds its variable from below.
     #[error("conditions of piecewise bound their variable from above")]
     LowerBound,
     /// Conditions on different variables.
@@ -159,8 +159,8 @@ pub enum Reason {
     /// A breakpoint that is zero or negative.
     #[error("this breakpoint is not positive")]
     BreakpointNotPositive,
-    /// Breakpoints that do not rise.
-    #[error("the breakpoints do not rise: this one is not above the one before")]
+    /// Breakpoints that do not increase.
+    #[error("the breakpoints do not increase: this breakpoint is not above the previous one")]
     BreakpointsNotRising,
     /// Breakpoints of two piecewise expressions whose order is not known.
     #[error("two piecewise expressions meet here, and the order of their breakpoints {left} and {right} is not known")]
@@ -174,11 +174,11 @@ pub enum Reason {
     #[error("piecewise expressions in different variables meet here")]
     MixedPieces,
     /// An integral inside a function, a power or another integral's factor.
-    #[error("an integral cannot stand here")]
+    #[error("an integral is not allowed here")]
     IntegralInside,
 }
 
-/// A text that could not be read: where, why, and what would be accepted.
+/// A parse error: the place, the reason, and what was expected.
 ///
 /// ```
 /// use sneddon_expr::parse::{self, Reason};
@@ -205,7 +205,7 @@ impl ParseError {
         Self(Box::new(Details { span, reason, accepted: accepted.into(), repair: None }))
     }
 
-    /// The same with the edit of the text that it calls for.
+    /// Adds the edit that repairs the text.
     pub(super) fn with_repair(mut self, repair: Repair) -> Self {
         self.0.repair = Some(repair);
         self
@@ -215,7 +215,7 @@ impl ParseError {
         self.0.repair
     }
 
-    /// The same with other advice.
+    /// Replaces the advice.
     pub(super) fn advising(mut self, accepted: String) -> Self {
         self.0.accepted = accepted;
         self
@@ -226,12 +226,12 @@ impl ParseError {
         self.0.span.clone()
     }
 
-    /// Why the text is no expression.
+    /// Why the text is not a valid expression.
     pub fn reason(&self) -> &Reason {
         &self.0.reason
     }
 
-    /// What would be accepted instead, as a clause such as `write 2*r`.
+    /// What was expected, as a clause such as `write 2*r`.
     pub fn accepted(&self) -> &str {
         &self.0.accepted
     }

@@ -39,18 +39,18 @@ impl Token {
 pub(super) struct Lexer<'t> {
     text: &'t str,
     at: usize,
-    /// Tokens that one sign stands for, last one first, at its place.
+    /// The pending tokens of a character that expands to several, in reverse order, with the span of the character.
     pending: Vec<(Token, Range<usize>)>,
     number_work: u64,
 }
 
 impl<'t> Lexer<'t> {
-    /// The tokens from a place of the text on.
+    /// Starts reading tokens at a byte offset of the text.
     pub(super) fn from(text: &'t str, at: usize) -> Result<Self, ParseError> {
         if text.len() > limits::TEXT_BYTES {
             let end = text.char_indices().map(|(at, _)| at).find(|at| *at >= limits::TEXT_BYTES).unwrap_or(text.len());
             let reason = Reason::TextTooLong { bytes: text.len() };
-            return Err(ParseError::new(end..text.len(), reason, "a shorter expression is accepted"));
+            return Err(ParseError::new(end..text.len(), reason, "expected a shorter expression"));
         }
         Ok(Self { text, at, pending: Vec::new(), number_work: 0 })
     }
@@ -112,7 +112,7 @@ impl<'t> Lexer<'t> {
         ParseError::new(span, Reason::Character { character }, accepted)
     }
 
-    /// `²` for `^2`, `⁻¹` for `^-1`: a caret, and what it raises to.
+    /// `²` for `^2`, `⁻¹` for `^-1`: a caret followed by the exponent.
     fn raised(&mut self, start: usize) -> Result<(Token, Range<usize>), ParseError> {
         let rest = self.slice(start..self.text.len());
         let length = rest.find(|c| raised(c).is_none()).unwrap_or(rest.len());
@@ -137,7 +137,7 @@ impl<'t> Lexer<'t> {
 
     /// `√(…)`, or `√2` and `√R` where nothing behind could belong under the root as well.
     fn root(&mut self, start: usize) -> Result<(Token, Range<usize>), ParseError> {
-        const WRITE: &str = "write what stands under the root in parentheses, as in sqrt(r)";
+        const WRITE: &str = "write the argument of the root in parentheses, as in sqrt(r)";
         let sign = start..self.at;
         let call = Token::Name("sqrt".to_owned());
         if self.slice(self.at..self.text.len()).trim_start().starts_with('(') {
@@ -206,7 +206,7 @@ impl<'t> Lexer<'t> {
         self.at = end;
         let span = start..end;
         if digits > limits::DIGITS {
-            let accepted = "a number with fewer digits, or one with an exponent such as 1e-6, is accepted";
+            let accepted = "expected a number with fewer digits, or an exponent as in 1e-6";
             return Err(ParseError::new(span, Reason::TooManyDigits { digits }, accepted));
         }
         let magnitude = match self.slice(exponent.clone()).parse::<i64>() {
@@ -215,16 +215,16 @@ impl<'t> Lexer<'t> {
             Err(_) => i64::MAX,
         };
         if magnitude > limits::DECIMAL_EXPONENT {
-            return Err(ParseError::new(span, Reason::DecimalExponent, "a smaller exponent, as in 1e-6, is accepted"));
+            return Err(ParseError::new(span, Reason::DecimalExponent, "expected a smaller exponent, as in 1e-6"));
         }
         let words = (digits as u64 + magnitude.unsigned_abs()) / 19 + 1;
         self.number_work += words * words;
         if self.number_work > limits::NUMBER_WORK {
-            return Err(ParseError::new(span, Reason::NumberWork, "fewer or shorter numbers are accepted"));
+            return Err(ParseError::new(span, Reason::NumberWork, "expected fewer or shorter numbers"));
         }
         match Number::parse_decimal(self.slice(span.clone())) {
             Some(number) => Ok((Token::Number(number), span)),
-            None => Err(ParseError::new(span, Reason::Number, "a number such as 3, 0.3 or 1e-6 is accepted")),
+            None => Err(ParseError::new(span, Reason::Number, "expected a number such as 3, 0.3 or 1e-6")),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Text to formulas: lexer, operator precedence over byte spans, and the meaning of what was typed as canonical expressions.
 //!
-//! The entries share one grammar and differ in the names that they accept: [`profile`], [`equivalent`] and [`pressure`] for what a
-//! user types, [`formula`] for everything that the program prints, [`constant`] for values of parameters.
-//! Every limit is a typed error that names the place; no input exhausts the stack or computes for long.
+//! The entry points share one grammar and differ in the names that they accept: [`profile`], [`equivalent`] and [`pressure`] read
+//! user input, [`formula`] reads everything that the program prints, and [`constant`] reads values of parameters.
+//! Exceeding a limit is a typed error that names the place; no input exhausts the stack or takes long to process.
 
 mod alphabet;
 mod error;
@@ -20,12 +20,13 @@ use crate::expr::{Expr, Formula, Symbol};
 use lower::{Lowering, Names};
 use parser::Left;
 
-/// The parameters that a profile or an equivalent profile names, also those that cancel in what it means, in the order in which they
-/// come; none for a text that does not read.
+/// The parameters of a profile or an equivalent profile, including those that cancel, in order of appearance.
+///
+/// Empty for an invalid text.
 ///
 /// ```
 /// use sneddon_expr::{expr::Symbol, parse};
-/// // f is r², whatever h is.
+/// // f = r² for every h.
 /// assert_eq!(parse::parameters("h*(r^2/h)"), [Symbol::new("h")]);
 /// ```
 pub fn parameters(text: &str) -> Vec<Symbol> {
@@ -44,7 +45,7 @@ pub fn parameters(text: &str) -> Vec<Symbol> {
     found
 }
 
-/// The limits of the grammar; each is a typed error.
+/// The limits of the grammar; exceeding one is a typed error.
 pub mod limits {
     /// Longest text, in bytes.
     pub const TEXT_BYTES: usize = 1 << 20;
@@ -58,7 +59,7 @@ pub mod limits {
     pub const EXPONENT: i64 = 1_000_000;
     /// Most breakpoints of all `piecewise` of one text.
     pub const BREAKPOINTS: usize = 1000;
-    /// Most characters counted once per level of nesting that they stand in.
+    /// Most characters, each counted once per level of nesting that encloses it.
     pub(super) const NESTED_BYTES: usize = 1 << 24;
     /// Most work on long numbers: the sum of squared lengths, in words of 64 bits.
     pub(super) const NUMBER_WORK: u64 = 1 << 22;
@@ -67,7 +68,7 @@ pub mod limits {
 /// Reads the shape f(r) of an indenter: `r` is the radius, other names are positive parameters.
 ///
 /// # Errors
-/// [`ParseError`] with the place, the reason and what would be accepted; also for the names `x`, `a`, `d`, `E`, which are reserved.
+/// [`ParseError`] with the place, the reason and what was expected; also for the names `x`, `a`, `d`, `E`, which are reserved.
 ///
 /// ```
 /// use sneddon_expr::expr::Expr;
@@ -80,7 +81,7 @@ pub fn profile(text: &str) -> Result<Formula, ParseError> {
     read_profile(text, Names::Profile)
 }
 
-/// Reads the shape of a punch with a rim: `a`, the radius of the rim, may stand in f and is a constant.
+/// Reads the shape of a punch with a rim: `a`, the radius of the rim, may occur in f as a constant.
 ///
 /// # Errors
 /// As [`profile`], with `a` among the names that f may have.
@@ -142,7 +143,7 @@ pub fn formula(text: &str) -> Result<Formula, ParseError> {
 /// Reads a closed constant, as the value of a parameter: `0.3`, `3/2`, `1e-6`, `-1`, `pi/6`, `sqrt(2)`.
 ///
 /// # Errors
-/// As [`profile`]; also for every name that is no constant.
+/// As [`profile`]; also for every name that is not a constant.
 ///
 /// ```
 /// use sneddon_expr::{expr::Expr, parse};

@@ -9,12 +9,12 @@ use std::ops::Range;
 
 /// Reads a whole text as one expression.
 ///
-/// A left side such as `f(r) =` may stand in front, as the program prints it.
+/// The text may begin with a left-hand side such as `f(r) =`, as the program prints it.
 pub(super) fn parse(text: &str, left: Option<Left>) -> Result<Vec<Item>, ParseError> {
     let mut lexer = Lexer::from(text, left.map_or(0, |left| left.length(text)))?;
     let (token, span) = lexer.next()?;
     if token == Token::End {
-        return Err(ParseError::new(0..text.len(), Reason::Empty, "an expression such as r^2/(2*R) is accepted"));
+        return Err(ParseError::new(0..text.len(), Reason::Empty, "expected an expression such as r^2/(2*R)"));
     }
     let mut parser = Parser { lexer, token, span, last: 0..0, open: Vec::new(), depth: 0, nested_bytes: 0, items: Vec::new() };
     loop {
@@ -25,12 +25,12 @@ pub(super) fn parse(text: &str, left: Option<Left>) -> Result<Vec<Item>, ParseEr
     }
 }
 
-/// The left side of an equation that may stand before an expression: a function's name and its variable.
+/// The optional left-hand side of an equation: a function's name and its variable.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Left(pub(super) &'static str, pub(super) &'static str);
 
 impl Left {
-    /// The bytes of `f(r) =` or `f =` at the beginning of a text; 0 where neither stands there.
+    /// The length in bytes of `f(r) =` or `f =` at the beginning of a text; 0 if the text begins with neither.
     fn length(self, text: &str) -> usize {
         let Some(rest) = text.trim_start().strip_prefix(self.0) else { return 0 };
         let rest = rest.trim_start();
@@ -40,7 +40,7 @@ impl Left {
     }
 }
 
-/// Something begun that waits for its last operand.
+/// An incomplete construct that waits for its last operand.
 struct Frame {
     kind: Waiting,
     start: usize,
@@ -50,7 +50,7 @@ enum Waiting {
     Sum(Vec<bool>),
     Product(Vec<bool>),
     Power,
-    /// A sign; a tight one stands inside a product or power and takes no product itself: 2/-r*3 is (2/(−r))·3.
+    /// A sign; a tight sign is an operand of a product or power and does not extend over a product: 2/-r*3 is (2/(−r))·3.
     Sign {
         negative: bool,
         tight: bool,
@@ -80,7 +80,7 @@ enum Binding {
     Product,
 }
 
-const OPERAND: &str = "a number, a name, a function or ( is accepted";
+const OPERAND: &str = "expected a number, a name, a function or (";
 
 struct Parser<'t> {
     lexer: Lexer<'t>,
@@ -109,7 +109,7 @@ impl Parser<'_> {
     fn deepen(&mut self, kind: Waiting, start: usize, at: Range<usize>) -> Result<(), ParseError> {
         self.depth += 1;
         if self.depth > limits::DEPTH {
-            return Err(ParseError::new(at, Reason::TooDeep, "fewer parentheses, calls, powers or signs inside each other are accepted"));
+            return Err(ParseError::new(at, Reason::TooDeep, "expected fewer nested parentheses, calls, powers or signs"));
         }
         self.open.push(Frame { kind, start });
         Ok(())
@@ -118,10 +118,10 @@ impl Parser<'_> {
     /// Ends a level of nesting.
     fn rise(&mut self, kind: Kind, span: Range<usize>) -> Result<(), ParseError> {
         self.depth -= 1;
-        // What follows costs time in proportion to this sum: every level works on everything inside it.
+        // Later stages take time proportional to this sum, because every level processes everything inside it.
         self.nested_bytes += span.len();
         if self.nested_bytes > limits::NESTED_BYTES {
-            return Err(ParseError::new(span, Reason::TooIntricate, "a shorter or a flatter expression is accepted"));
+            return Err(ParseError::new(span, Reason::TooIntricate, "expected a shorter or less nested expression"));
         }
         self.emit(kind, span);
         Ok(())
@@ -301,15 +301,17 @@ impl Parser<'_> {
             Token::End => return ParseError::new(self.span.clone(), Reason::End, OPERAND),
             Token::Close | Token::CloseList if self.open.is_empty() => "remove it, or open it first",
             Token::Comma => "write decimals with a point, as in 0.3; commas separate the arguments of a function",
-            Token::Below | Token::Above => "conditions such as r<b stand between the values of piecewise(v0, r<b, v1), one comparison each",
-            Token::OpenList => "lists stand only in hyper([a], [b], z)",
+            Token::Below | Token::Above => {
+                "conditions such as r<b are allowed only between the values of piecewise(v0, r<b, v1), one comparison each"
+            }
+            Token::OpenList => "lists are allowed only in hyper([a], [b], z)",
             _ => OPERAND,
         };
         let found = format!("{:?}", self.lexer.slice(self.span.clone()));
         ParseError::new(self.span.clone(), Reason::Unexpected { found }, accepted)
     }
 
-    /// Two operands side by side: what was meant is written out, so that the help can be followed literally.
+    /// Two operands side by side: the advice spells out the corrected text, so that it can be followed literally.
     fn missing_operator(&self) -> ParseError {
         let (first, second) = (self.lexer.slice(self.last.clone()), self.lexer.slice(self.span.clone()));
         let reason = Reason::MissingOperator { found: format!("{second:?}") };
@@ -337,7 +339,7 @@ impl Parser<'_> {
                 let above = self.lexer.slice(begun..start).trim_end().trim_end_matches('/').trim_end();
                 let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
                 let apart = self.last.end < at;
-                // 1/2 r^2 is a half of r^2: a fraction of numbers stands before what it multiplies.
+                // 1/2 r^2 means (1/2)·r^2: a fraction of numbers multiplies the factor after it.
                 if is_number(above) && is_number(first) && (apart || second == "r" || second == "x") {
                     return error(Repair::Insert { at });
                 }

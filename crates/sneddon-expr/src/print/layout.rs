@@ -1,17 +1,17 @@
-//! A product as it is laid out: its sign, a fraction, and what stands behind the fraction.
+//! The layout of a product: its sign, a fraction, and the factors after the fraction.
 
 use super::order::{self, Rank};
 use super::roots;
 use crate::expr::{Expr, Node, Number, Sign, sign};
 
-/// A base and its exponent, 1 for a plain factor; never negative in what is laid out.
+/// A base and its exponent, which is 1 for a plain factor and never negative in a layout.
 #[derive(Clone, PartialEq, Eq)]
 pub(super) struct Factor {
     pub(super) base: Expr,
     pub(super) exponent: Expr,
 }
 
-/// −? upper/lower · behind; without `lower` everything stands in `upper`.
+/// −? upper/lower · behind; if `lower` is empty, all factors are in `upper`.
 pub(super) struct Layout {
     pub(super) negative: bool,
     pub(super) upper: Vec<Factor>,
@@ -41,7 +41,7 @@ impl Factor {
     }
 }
 
-/// How a product, or anything that is taken as a product of one factor, is laid out.
+/// The layout of a product; any other expression is treated as a product of one factor.
 pub(super) fn layout(expr: &Expr) -> Layout {
     let factors = expr.factors();
     let (mut upper, mut lower) = (Vec::new(), Vec::new());
@@ -73,7 +73,7 @@ pub(super) fn layout(expr: &Expr) -> Layout {
     Layout { negative, upper, lower, behind }
 }
 
-/// Decides what stands above the line and what behind: π/2 x tan θ, x/R √(…), r²/(2R), sin(kr)/r.
+/// Decides which factors go into the numerator and which after the fraction: π/2 x tan θ, x/R √(…), r²/(2R), sin(kr)/r.
 fn divide(mut upper: Vec<Factor>, lower: &[Factor]) -> (Vec<Factor>, Vec<Factor>) {
     let numeric = |factor: &Factor| Rank::of(factor) <= Rank::Constant;
     if lower.iter().any(|factor| Rank::of(factor) == Rank::Function) {
@@ -90,7 +90,7 @@ fn divide(mut upper: Vec<Factor>, lower: &[Factor]) -> (Vec<Factor>, Vec<Factor>
     (upper, Vec::new())
 }
 
-/// Joins roots, √2 √R to √(2R), where they read back as the same factors: at most one number, at most one base of unknown sign.
+/// Joins roots, √2 √R to √(2R), if parsing restores the same factors: at most one number and at most one base of unknown sign.
 fn under_one_root(factors: Vec<Factor>) -> Vec<Factor> {
     let mut joined: Vec<Factor> = Vec::with_capacity(factors.len());
     for factor in factors {

@@ -118,7 +118,7 @@ pub fn typst(formula: &Formula) -> String {
     typst::write(&laid_out(formula))
 }
 
-/// The formula as a `math` element of MathML Core, on a line of its own.
+/// The formula as a displayed `math` element of MathML Core.
 ///
 /// ```
 /// use sneddon_expr::{expr::Expr, print};

@@ -5,7 +5,7 @@ use crate::expr::{Expr, Function, Node};
 use crate::print::notations::latex_symbol;
 use std::cmp::{Ordering, Reverse};
 
-/// The kinds of factor in the order in which they stand.
+/// The kinds of factor in the order in which they are printed.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Rank {
     Number,
@@ -35,7 +35,7 @@ impl Rank {
             Node::Function(function, _) if function.name() == "exp" => Self::Exponential,
             Node::Function(..) => Self::Function,
             Node::Sum(_) if factor.whole().is_some() => Self::Sum,
-            // √(2R) stands where R stands.
+            // √(2R) is sorted like R.
             Node::Product(inner) if factor.root().is_some() => {
                 let ranks = inner.iter().map(|base| Self::of(&Factor { base: base.clone(), exponent: Expr::one() }));
                 ranks.max().filter(|rank| *rank <= Self::Variable).unwrap_or(Self::Root)
@@ -45,7 +45,7 @@ impl Rank {
     }
 }
 
-/// The order of factors: by kind, symbols by name, functions by name; whatever is left by content.
+/// The order of factors: by kind, symbols and functions by name, all others by content.
 pub(super) fn factors(left: &Factor, right: &Factor) -> Ordering {
     let by_rank = Rank::of(left).cmp(&Rank::of(right));
     let by_name = || name(&left.base).cmp(&name(&right.base));
@@ -64,7 +64,7 @@ fn name(base: &Expr) -> (bool, String, &str) {
     (latex_symbol::is_greek(letter), name.to_lowercase(), name)
 }
 
-/// The arguments of a function as they read: |r − b| and not |b − r|, cos(kr − φ) and not cos(φ − kr).
+/// The arguments of a function in their customary order: |r − b| instead of |b − r|, cos(kr − φ) instead of cos(φ − kr).
 pub(super) fn arguments(function: Function, arguments: &[Expr]) -> Vec<Expr> {
     match arguments {
         [argument] if EVEN.contains(&function.name()) && natural(argument).first().is_some_and(is_negative) => vec![-argument],
@@ -72,7 +72,7 @@ pub(super) fn arguments(function: Function, arguments: &[Expr]) -> Vec<Expr> {
     }
 }
 
-/// Functions of which a negated argument reads back as the same.
+/// Even functions, whose argument may be negated.
 const EVEN: [&str; 3] = ["abs", "cos", "cosh"];
 
 fn is_negative(term: &Expr) -> bool {
@@ -81,8 +81,8 @@ fn is_negative(term: &Expr) -> bool {
 
 /// The terms of a sum in the order of reading.
 ///
-/// Polynomial terms by falling powers of the variables, then terms with functions or roots of them;
-/// a positive term is moved to the front, where there is one.
+/// Polynomial terms by decreasing powers of the variables, then terms with functions or roots of them;
+/// a positive term, if any, is moved to the front.
 pub(super) fn terms(expr: &Expr) -> Vec<Expr> {
     let mut terms = natural(expr);
     if let [first, last] = terms.as_slice()
@@ -98,7 +98,7 @@ pub(super) fn terms(expr: &Expr) -> Vec<Expr> {
     terms
 }
 
-/// The terms by their keys alone.
+/// The terms sorted by their keys.
 fn natural(expr: &Expr) -> Vec<Expr> {
     let mut terms: Vec<(Key, Expr)> = expr.terms().into_iter().map(|term| (Key::of(&term), term)).collect();
     terms.sort_by(|(left, _), (right, _)| left.cmp(right));
@@ -114,7 +114,7 @@ fn leads_after_number(term: &Expr) -> bool {
         && layout.behind.iter().all(simple))
 }
 
-/// Where a term stands in its sum.
+/// The sort key of a term in a sum.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 struct Key {
     depends_through_function: bool,

@@ -1,4 +1,4 @@
-//! Sentences with formulas in them, which every notation writes in its own way.
+//! Sentences with embedded formulas, written in any of the notations.
 
 use super::{Notation, Presentation};
 use crate::expr::{Condition, Formula};
@@ -26,17 +26,17 @@ enum Span {
 pub struct Prose(Vec<Span>);
 
 impl Prose {
-    /// A sentence in which names stand between dollar signs.
+    /// A sentence in which names are enclosed in dollar signs.
     pub fn read(sentence: &str) -> Self {
         Self::default().then(sentence)
     }
 
-    /// Words as they are; nothing in them is a formula.
+    /// Literal text without formulas.
     pub fn words(words: &str) -> Self {
         Self(vec![Span::Words(words.to_owned())])
     }
 
-    /// The sentence with more words, in which names stand between dollar signs.
+    /// Appends text in which names are enclosed in dollar signs.
     #[must_use]
     pub fn then(mut self, sentence: &str) -> Self {
         for (place, part) in sentence.split('$').enumerate().filter(|(_, part)| !part.is_empty()) {
@@ -45,33 +45,33 @@ impl Prose {
         self
     }
 
-    /// The sentence with a formula behind it.
+    /// Appends a formula.
     #[must_use]
     pub fn formula(mut self, formula: impl Into<Formula>) -> Self {
         self.0.push(Span::Formula(formula.into()));
         self
     }
 
-    /// The sentence with a condition behind it.
+    /// Appends a condition.
     #[must_use]
     pub fn condition(mut self, condition: Condition) -> Self {
         self.0.push(Span::Condition(condition));
         self
     }
 
-    /// The sentence with another one behind it.
+    /// Appends another sentence.
     #[must_use]
     pub fn followed_by(mut self, other: &Self) -> Self {
         self.0.extend(other.0.iter().cloned());
         self
     }
 
-    /// True where nothing is said.
+    /// True for an empty sentence.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The same with formulas and names as they are presented.
+    /// Replaces formulas and names by their presentation.
     #[must_use]
     pub fn presented(&self, presentation: &Presentation) -> Self {
         let presented = |span: &Span| match span {
@@ -83,12 +83,14 @@ impl Prose {
         Self(self.0.iter().map(presented).collect())
     }
 
-    /// The sentence in a notation; in LaTeX and Typst formulas stand between dollar signs, in MathML in `math` elements, and words are escaped.
+    /// The sentence in a notation, with words escaped.
+    ///
+    /// Formulas are enclosed in dollar signs in LaTeX and Typst, and in `math` elements in MathML.
     pub fn written(&self, notation: Notation) -> String {
         self.written_with(notation, |words| escaped(words, notation))
     }
 
-    /// The same with words written by `escape`.
+    /// As [`Self::written`], with words written by `escape`.
     pub fn written_with(&self, notation: Notation, escape: impl Fn(&str) -> String) -> String {
         let span = |span: &Span| {
             let math = match span {
@@ -107,7 +109,7 @@ impl Prose {
     }
 }
 
-/// Words with the characters escaped that mean something in the notation.
+/// Words with the special characters of the notation escaped.
 fn escaped(words: &str, notation: Notation) -> String {
     match notation {
         Notation::Text | Notation::Unicode => words.to_owned(),
@@ -129,7 +131,7 @@ fn escaped(words: &str, notation: Notation) -> String {
     }
 }
 
-/// Words as LaTeX sets them in a text.
+/// Words escaped for LaTeX text mode.
 pub(super) fn latex_words(words: &str) -> String {
     let words = words.replace(">=", "≥").replace("<=", "≤");
     let mut text = String::with_capacity(words.len());

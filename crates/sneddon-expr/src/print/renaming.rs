@@ -1,13 +1,13 @@
-//! Other names for the symbols of an answer, as a journal or a thesis wants them.
+//! Renaming of the symbols of an answer, as the notation of a journal or a thesis may require.
 
 use crate::expr::{Bindings, Condition, Expr, Formula, Symbol};
 
-/// Names with the names that stand for them in what is shown.
+/// Symbol names and their displayed replacements.
 #[derive(Clone, Debug, Default)]
 pub struct Renaming(Vec<(String, String)>);
 
 impl Renaming {
-    /// The pairs of a name and the one that is shown in its place.
+    /// Creates a renaming from pairs of a name and its displayed replacement.
     ///
     /// ```
     /// use sneddon_expr::{expr::Expr, print::{self, Renaming}};

@@ -2,11 +2,11 @@
 
 use super::{Bounded, LEAST_INVERSE, TINY, half_ulp, widen};
 
-/// How often the step towards the edge of a domain is halved before its limit is believed.
+/// Number of halvings of the step towards the edge of a domain before its limit is used.
 const HALVINGS: u32 = 32;
-/// Within this part of its argument, and of 1, a function goes one way.
+/// Functions are assumed monotonic within this fraction of the argument, and of 1.
 const CLOSE: f64 = 1e-3;
-/// Most arguments that `apply_many` keeps without asking for memory.
+/// Most arguments that `apply_many` keeps without allocating memory.
 const FEW: usize = 8;
 
 impl Bounded {
@@ -87,12 +87,12 @@ impl Bounded {
         Self::checked(value, widen((scale + own) * shift.exp_m1() * (1.0 + f64::EPSILON) + own))
     }
 
-    /// A function of one number: `f` errs by at most `own_ulps` units in the last place of its
-    /// result. The argument's error is propagated by evaluating `f` at both of its ends, and between them
-    /// where they are far apart, and doubling the largest change; an exact argument costs no extra evaluation.
+    /// A function of one number: the error of `f` is at most `own_ulps` units in the last place of its
+    /// result. The argument's error is propagated by evaluating `f` at both ends of its interval, and between them
+    /// if they are far apart, and doubling the largest change; an exact argument needs no extra evaluation.
     ///
-    /// Domain: `f` must be free of poles within the argument's error. Where one end leaves the domain (NaN or an infinity), the edge is searched by bisection; an edge at
-    /// which `f` still grows like a logarithm or a pole gives an infinite error.
+    /// Domain: `f` must be free of poles within the argument's error. If one end lies outside the domain (NaN or an infinity),
+    /// the edge is located by bisection; an edge at which `f` grows like a logarithm or a pole gives an infinite error.
     ///
     /// ```
     /// use sneddon_num::Bounded;
@@ -118,9 +118,9 @@ impl Bounded {
         Self::checked(value, widen(own + spread(f, self, value, own)))
     }
 
-    /// The function of a number where either overflows.
+    /// The function of a number if its argument or its value overflows.
     fn apply_beyond(self, f: impl Fn(f64) -> f64, value: f64, own_ulps: f64) -> Self {
-        // A function that no longer changes has reached its limit, as tanh has; one that is infinite all around has no pole here.
+        // A function that is constant here has reached its limit, like tanh; one that is infinite on both sides has no pole here.
         let around = if self.is_beyond() {
             [1.0, 1e-10, 1e-20].map(|factor| f((factor / LEAST_INVERSE).copysign(self.value)))
         } else {
@@ -134,7 +134,7 @@ impl Bounded {
         }
     }
 
-    /// base^n where that, or the base, overflows.
+    /// base^n if the power or the base overflows.
     fn power_beyond(self, n: f64, value: f64) -> Self {
         let inverse = self.most_inverse().powf(n.abs()) * (1.0 + 4.0 * f64::EPSILON) + TINY;
         match self.value > 0.0 || n.fract() == 0.0 {
@@ -145,7 +145,7 @@ impl Bounded {
     }
 
     /// A function of several numbers: like [`Bounded::apply`], moving one inexact argument at a time.
-    /// Exact arguments cost nothing. The arguments as they stand must lie in the domain.
+    /// Exact arguments need no extra evaluation. The values of the arguments must lie in the domain.
     ///
     /// ```
     /// use sneddon_num::Bounded;
@@ -191,9 +191,9 @@ fn ulps(value: f64, count: f64) -> f64 {
     if count == 0.0 { 0.0 } else { count * (value.abs() * f64::EPSILON).max(TINY) }
 }
 
-/// How far `f` moves while its argument runs over value ± error, doubled for safety.
+/// The change of `f` while its argument runs over value ± error, doubled for safety.
 fn spread(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64, own: f64) -> f64 {
-    // An overflow on the way says nothing of the argument: exp(−∞) = 0 would look exact.
+    // An overflowing argument carries no information: exp(−∞) = 0 would look exact.
     if !(x.value.is_finite() && x.error.is_finite()) {
         return f64::INFINITY;
     }
@@ -204,7 +204,7 @@ fn spread(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64, own: f64) -> f6
     let ends = match (up.is_finite(), down.is_finite()) {
         (true, true) => {
             let change = (up - value).abs().max((down - value).abs());
-            // The difference of two computed values hides up to two of their own errors.
+            // The difference of two computed values contains the errors of both.
             (2.0 * change + 2.0 * own) * (x.error / step)
         }
         (true, false) => one_sided(&mut f, x.value, -step, value, (up - value).abs(), own),
@@ -214,18 +214,18 @@ fn spread(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64, own: f64) -> f6
     if is_far(x.value, x.error) { ends.max(2.0 * reach_between(f, x, value) + 2.0 * own) } else { ends }
 }
 
-/// Whether a function may turn within value ± error, so that its ends do not tell how far it moves:
-/// functions change over lengths of their argument, or of 1.
+/// Whether a function may have an extremum within value ± error, so that the values at the ends do not bound its change:
+/// functions vary over lengths of the size of their argument, or of 1.
 pub fn is_far(value: f64, error: f64) -> bool {
     error > close(value)
 }
 
-/// How far from its argument a function goes one way; around 0 itself that is a part of 1.
+/// The distance over which a function is assumed monotonic; around 0 it is a fraction of 1.
 fn close(value: f64) -> f64 {
     CLOSE * if value == 0.0 { 1.0 } else { value.abs().min(1.0) }
 }
 
-/// The largest change of `f` on the way from value ± error back to the value, by quarters; infinite for an infinite error.
+/// The largest change of `f` between value ± error and the value, sampled at quarters; infinite for an infinite error.
 pub fn reach_between(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64) -> f64 {
     let nearest = close(x.value);
     let (mut step, mut reach) = (x.error, 0.0_f64);
@@ -234,7 +234,7 @@ pub fn reach_between(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64) -> f
     }
     while step > nearest {
         for moved in [f(x.value + step), f(x.value - step)] {
-            // Beyond the domain's edge there is nothing to reach.
+            // Points beyond the edge of the domain do not contribute.
             if moved.is_finite() {
                 reach = reach.max((moved - value).abs());
             }
@@ -244,11 +244,11 @@ pub fn reach_between(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64) -> f
     reach
 }
 
-/// The change towards an edge of the domain, where x + step is no longer inside.
+/// The change towards an edge of the domain if x + step lies outside.
 fn one_sided(f: &mut impl FnMut(f64) -> f64, x: f64, step: f64, value: f64, inward: f64, own: f64) -> f64 {
     let (halfway, edge) = edge_values(f, x, step, value);
     let (first, last) = ((halfway - value).abs(), (edge - value).abs());
-    // A logarithm doubles from 16 to 32 halvings, a pole more; a power settles.
+    // From 16 to 32 halvings, the change of a logarithm doubles and near a pole grows faster; for a power it converges.
     if last > 1.6 * first + 4.0 * own {
         return f64::INFINITY;
     }
@@ -276,10 +276,10 @@ fn edge_values(f: &mut impl FnMut(f64) -> f64, inside: f64, step: f64, at_inside
     (halfway, value)
 }
 
-/// The argument itself lies outside, but not the whole of its error interval: the value at the
-/// edge, with the whole reachable part of the interval as its error.
+/// The value at the edge of the domain if the argument lies outside but its error interval reaches inside; the error covers the
+/// part of the interval inside the domain.
 fn beyond_the_edge(f: &impl Fn(f64) -> f64, x: Bounded, own_ulps: f64) -> Bounded {
-    // Next to the edge the numbers are as coarse as the error may be; over a few of them the change shows.
+    // Near the edge the spacing of doubles may be as large as the error; measure the change over a few spacings.
     let reach = x.error.max(4.0 * x.value.abs() * f64::EPSILON);
     for step in [reach, -reach] {
         let inside = x.value + step;

@@ -1,4 +1,4 @@
-//! The bound holds against exact rational arithmetic, and is not wasteful.
+//! Tests of the bounds against exact rational arithmetic: they are valid and not excessively wide.
 
 #![allow(clippy::unwrap_used)]
 

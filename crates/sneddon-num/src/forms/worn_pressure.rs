@@ -1,4 +1,4 @@
-//! Elliptic moments: what an even or a negative power worn flat to radius b contributes to the pressure at radius s.
+//! Elliptic moments: the contribution to the pressure at radius s of an even or negative power worn flat to radius b.
 
 use crate::special::{rd, rf};
 use crate::stable::{exponent, ldexp};
@@ -65,10 +65,10 @@ pub fn elliptic_moment(k: i32, b: f64, s: f64, a: f64) -> f64 {
     if k == 0 {
         return ldexp(moment_0, -e);
     }
-    // D_k = E_k - M^2 E_(k-1) > 0 carries the recurrence: D_1 is a Carlson integral of its own, and
+    // The recurrence is applied to D_k = E_k - M^2 E_(k-1) > 0: D_1 is a Carlson integral, and
     // (2k-1) D_k = a^(2k-3) sqrt((a^2-M^2)(a^2-m^2)) + (2k-3) m^2 D_(k-1) - (M^2-m^2) E_(k-1)
-    // takes away little wherever D_k matters beside M^2 E_(k-1). The three-term recurrence of E_k itself would let
-    // errors grow with k when s, b and a are close.
+    // cancels little wherever D_k is significant relative to M^2 E_(k-1). In the three-term recurrence of E_k, errors
+    // would grow with k when s, b and a are close.
     let inner = inner_gap * (large + small);
     // For M << a, inner and the cosine underflow together; there D_1 = a to all digits.
     let vanishing = cosine < 1e-290;

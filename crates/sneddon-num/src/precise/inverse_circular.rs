@@ -4,7 +4,7 @@ use super::circular::sin_cos;
 use super::{finite, frexp, ldexp};
 use crate::double_double::DoubleDouble;
 
-/// The angle of the point (x, y), in (−π, π], with its relative error everywhere.
+/// The angle of the point (x, y), in (−π, π], with a uniform relative error.
 ///
 /// ```
 /// use sneddon_num::precise::{PI, atan2};
@@ -18,14 +18,14 @@ pub fn atan2(y: DoubleDouble, x: DoubleDouble) -> DoubleDouble {
     }
     let (_, size) = frexp(if x.hi.abs() > y.hi.abs() { x } else { y });
     if x.hi > 0.0 && y.hi.abs() < x.hi * 2.0_f64.powi(-60) {
-        // The cube of the quotient does not count.
+        // The cube of the quotient is negligible.
         let ((up, shift), along) = (frexp(y), ldexp(x, -size));
         return finite(ldexp(up.div(along), shift - size));
     }
     let (x, y) = (ldexp(x, -size), ldexp(y, -size));
     let start = DoubleDouble::from(y.hi.atan2(x.hi));
     let (sine, cosine) = sin_cos(start);
-    // The tangent of what is left of the angle; its cube does not count.
+    // The tangent of the remaining angle; its cube is negligible.
     start.add(y.mul(cosine).sub(x.mul(sine)).div(x.mul(cosine).add(y.mul(sine))))
 }
 
@@ -39,7 +39,7 @@ pub fn asin(x: DoubleDouble) -> DoubleDouble {
     atan2(x, leg(x))
 }
 
-/// The inverse of cos for |x| <= 1, with its relative error next to 1 too.
+/// The inverse of cos for |x| <= 1, with a small relative error also near 1.
 pub fn acos(x: DoubleDouble) -> DoubleDouble {
     atan2(leg(x), x)
 }

@@ -1,6 +1,6 @@
-//! Elementary functions and constants with about 30 digits, for sums that lose most of a double's 16.
+//! Elementary functions and constants with about 30 digits, for sums that cancel most of a double's 16 digits.
 //!
-//! Every function takes its argument as exact. The measured errors, in units of 2^-104 of the result, stand in
+//! Every function treats its argument as exact. The measured errors, in units of 2^-104 of the result, are listed in
 //! `tests/symbols/precise.rs`; outside its domain a function is NaN.
 
 mod circular;
@@ -34,7 +34,7 @@ pub fn ldexp(value: DoubleDouble, exponent: i32) -> DoubleDouble {
     if (-1000..=1000).contains(&exponent) {
         return finite(value.scale(2.0_f64.powi(exponent)));
     }
-    // The first step cannot leave the normal range where the whole does not.
+    // The first step stays in the normal range if the result does.
     let first = exponent.clamp(-1000, 1000);
     let second = (exponent - first).clamp(-1000, 1000);
     finite(value.scale(2.0_f64.powi(first)).scale(2.0_f64.powi(second)))

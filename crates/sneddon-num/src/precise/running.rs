@@ -20,7 +20,7 @@ const LARGE: f64 = 1e130;
 
 #[allow(clippy::should_implement_trait)]
 impl Precise {
-    /// A number that is meant exactly as it stands.
+    /// An exact number.
     #[must_use]
     pub fn exact(value: f64) -> Self {
         Self { value: value.into(), error: 0.0 }
@@ -37,7 +37,7 @@ impl Precise {
         Self { value, error: if unknown { f64::INFINITY } else { error * (1.0 + 32.0 * f64::EPSILON) } }
     }
 
-    /// The nearest double, with what it leaves out as part of the error.
+    /// The nearest double; the remainder is added to the error.
     ///
     /// ```
     /// use sneddon_num::Precise;
@@ -134,20 +134,20 @@ impl Precise {
         Self::checked(value, carried + rounding)
     }
 
-    /// base^exponent; the domain and what counts as inside it are those of [`Bounded::powf`].
+    /// base^exponent; the domain is the same as for [`Bounded::powf`].
     #[must_use]
     pub fn pow(self, exponent: Self) -> Self {
         let whole = exponent.error == 0.0 && exponent.value.lo == 0.0 && exponent.value.hi.fract() == 0.0;
         if self.error == 0.0 && exponent.error == 0.0 {
             let own = pow(self.value, exponent.value);
-            // A power that underflows is no exact 0.
+            // A power that underflows is an inexact 0.
             let lost = if own.value.hi == 0.0 && self.value.hi != 0.0 { UNDERFLOW } else { 0.0 };
             return Self::checked(own.value, own.error + lost);
         }
         let size = self.size();
         let least = size * (1.0 - 2.0 * f64::EPSILON) - self.error;
         if least <= 0.0 || (self.value.hi < 0.0 && !whole) {
-            // The base may be 0: the value lies between 0 and what the far end gives.
+            // The base may be 0: the value lies between 0 and the value at the far end.
             let most = Bounded { value: 0.0, error: size + self.error };
             let reach = most.powf(exponent.bounded());
             let inside = least <= 0.0 && reach.is_finite() && exponent.value.hi > 0.0;
@@ -191,7 +191,7 @@ fn usual(z: DoubleDouble) -> bool {
     (SMALL..LARGE).contains(&z.hi.abs())
 }
 
-/// Zeros and what is no number follow the rules of doubles.
+/// Zeros, infinities and NaN follow the rules of doubles.
 fn special(z: DoubleDouble) -> bool {
     z.hi == 0.0 || !z.hi.is_finite()
 }

@@ -1,4 +1,4 @@
-//! Global adaptive Gauss–Kronrod quadrature with an honest error: the worst piece is refined first.
+//! Global adaptive Gauss–Kronrod quadrature with an error bound: the piece with the largest error is refined first.
 
 use super::super::bounded::Bounded;
 use super::super::error::NumError;
@@ -8,10 +8,10 @@ use super::sample::{Order, Place};
 use super::transform::Map;
 use super::{Integrand, Panel, Point};
 
-/// What is asked of [`integrate`].
+/// Options of [`integrate`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Accepted error relative to |value|; 0 to ask by `abs_tol` alone.
+    /// Accepted error relative to |value|; 0 to use `abs_tol` alone.
     pub rel_tol: f64,
     /// Accepted absolute error; the larger of the two tolerances counts.
     pub abs_tol: f64,
@@ -21,7 +21,7 @@ pub struct Options {
     /// only for integrands that use the distances alone, or carry the rounding of x in their own
     /// bound ([`Point::bounded_x`]).
     pub charge_x: bool,
-    /// Which rule is applied to every piece.
+    /// The rule applied to every piece.
     pub rule: Rule,
 }
 
@@ -45,7 +45,7 @@ impl Rule {
     /// The named rules, smallest first.
     pub const NAMED: [Self; 4] = [Self::Kronrod15, Self::Kronrod21, Self::Kronrod31, Self::Kronrod61];
 
-    /// The number of points, 0 where it is chosen by the tolerance.
+    /// The number of points; 0 if it is chosen by the tolerance.
     #[must_use]
     pub const fn points(self) -> u64 {
         match self {
@@ -71,7 +71,7 @@ impl Options {
         }
     }
 
-    /// The absolute error that is accepted beside this value.
+    /// The absolute tolerance for this value.
     pub(super) fn target(&self, value: f64) -> f64 {
         self.abs_tol.max(self.rel_tol * value.abs())
     }
@@ -90,15 +90,15 @@ impl Default for Options {
 /// points only. Panels are summed up; they need not touch. Break the range at every kink, and
 /// declare algebraic and logarithmic ends as [`EndBehaviour::Singular`](super::EndBehaviour).
 ///
-/// Accuracy: `error` = what the rules leave out (judged from the decay of the integrand's
-/// coefficients on the nodes) + the integrand's own error bounds + rounding of nodes, weights and
-/// sums. It rests on samples: what lies between two nodes and shows at none of them, a narrow spike
-/// or a kink just inside the end of a piece, is not noticed; hence tell kinks by panels. A panel
-/// of zeros is not believed before it has been searched eight times as finely.
+/// Accuracy: `error` is the sum of the truncation error of the rules (estimated from the decay of the
+/// integrand's coefficients on the nodes), the integrand's error bounds, and the rounding of nodes,
+/// weights and sums. It is based on samples: a feature that affects no node, such as a narrow spike
+/// or a kink just inside the end of a piece, is not detected; hence place panel ends at kinks. A panel
+/// of zeros is searched with eight times as many points first.
 ///
 /// # Errors
-/// * [`NumError::ToleranceNotReached`]: only rounding noise is left, or no refinement helps; carries
-///   the best value and its honest error.
+/// * [`NumError::ToleranceNotReached`]: only rounding noise remains, or no refinement helps; carries
+///   the best value and its error bound.
 /// * [`NumError::EvaluationLimit`]: the same after `max_evaluations` (overrun by one panel at most);
 ///   the error is infinite if some panel has not been looked at.
 /// * [`NumError::NotFinite`]: the integrand returned an infinity or NaN.
@@ -125,7 +125,7 @@ pub fn integrate(integrand: &mut impl FnMut(Point) -> Bounded, panels: &[Panel],
     integrate_blocks(&mut block, panels, options)
 }
 
-/// The same for an integrand that fills in its values for a block of points, all those of one rule at a time.
+/// As [`integrate`], for an integrand that fills in its values for a block of points, all points of a rule at a time.
 ///
 /// # Errors
 /// As [`integrate`].
@@ -161,7 +161,7 @@ fn over_panels(integrand: &mut Integrand<'_>, panels: &[Panel], options: &Option
         let (cut, used) = map.cut_tails(integrand)?;
         work.count(cut, used);
         if !map.is_smooth() {
-            // The substituted integrand is a bell that no single rule resolves.
+            // The substituted integrand is bell-shaped and not resolved by a single rule.
             for index in 0..BELL_PIECES {
                 let place = Place { index, level: BELL_PIECES.ilog2() };
                 let piece = work.measure(order, map, place, 0, options, integrand)?;
@@ -172,7 +172,7 @@ fn over_panels(integrand: &mut Integrand<'_>, panels: &[Panel], options: &Option
         let whole = Place { index: 0, level: 0 };
         let piece = work.measure(order, map, whole, 0, options, integrand)?;
         if panels.len() == 1 {
-            // The common case: one rule, done, nothing allocated.
+            // The common case: a single rule suffices, and nothing is allocated.
             let found = work.alone(&piece, options);
             if found.error <= options.target(found.value) {
                 return Ok(found);

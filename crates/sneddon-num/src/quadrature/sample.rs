@@ -42,12 +42,12 @@ pub(super) struct Place {
     pub(super) level: u32,
 }
 
-/// What one application of a rule found.
+/// The result of applying a rule.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     /// The Kronrod value.
     pub(super) value: f64,
-    /// Bound on what the rule leaves out.
+    /// Bound on the truncation error.
     pub(super) quadrature: f64,
     /// Bound on the effect of rounding in the integrand, the nodes and the sum.
     pub(super) noise: f64,
@@ -99,7 +99,7 @@ fn apply<const H: usize>(
             return Err(NumError::NotFinite { at: points[index].x });
         }
         let carried = weight * slope * height.error;
-        // An unknown error is an unbounded one.
+        // Treat an unknown error as unbounded.
         noise += if carried.is_nan() { f64::INFINITY } else { carried };
         Ok(height.value * slope)
     };
@@ -149,18 +149,18 @@ fn apply<const H: usize>(
     }
 }
 
-/// However fast the coefficients fall, no more is made of it: next to r⁵ the step of erf(r/w) with a narrow w shows in the
-/// last coefficients only, and those fall slowly from there on.
+/// Smallest rate of decay to assume: next to r⁵ the step of erf(r/w) with a narrow w affects only the last coefficients, and
+/// the following coefficients decrease slowly.
 const LEAST_FALL: f64 = 0.1;
 
-/// What the Kronrod rule leaves out, from the last three pairs of coefficients and the difference to
+/// The truncation error of the Kronrod rule, from the last three pairs of coefficients and the difference to
 /// the Gauss rule; and the rate at which the coefficients decay over two degrees.
 ///
-/// The difference says how wrong the *Gauss* rule is. That the Kronrod rule, exact to 1.6 times the
-/// degree, is much better follows only if the coefficients are still falling, so they must fall at
-/// every step that the points can see. The bound is ten times what is seen, and less by the rate of
-/// one such step, where a geometric decay has five ahead and an algebraic one (a kink in some
-/// derivative) more than three: what is left over pays for a slower part hidden under a fast one.
+/// The difference estimates the error of the *Gauss* rule. The Kronrod rule, exact to 1.6 times the
+/// degree, is much more accurate only if the coefficients continue to decrease, so they must decrease at
+/// every step that the points can resolve. The bound is ten times the difference, reduced by the rate of
+/// one such step. A geometric decay gains five steps and an algebraic decay (a kink in some derivative)
+/// more than three; this margin covers a slowly decaying part hidden under a fast one.
 fn truncation(levels: [f64; 3], gap: f64, floor: f64) -> (f64, f64) {
     let [first, second, third] = levels;
     let fall = |now: f64, before: f64| {
@@ -169,11 +169,11 @@ fn truncation(levels: [f64; 3], gap: f64, floor: f64) -> (f64, f64) {
     let rate = fall(second, first).max(fall(third, second));
     let seen = gap.max(third);
     let left_out = 10.0 * seen * rate.clamp(LEAST_FALL, 1.0);
-    // Coefficients in the rounding noise cannot fall further.
+    // Coefficients at the level of rounding noise cannot decrease further.
     (if seen <= floor { left_out.min(seen) } else { left_out }, rate)
 }
 
-/// Σ a·b in four lanes: shorter chains of roundings, and of waiting.
+/// Σ a·b in four lanes, which shortens the chains of roundings and of dependent operations.
 fn dot<const H: usize>(a: &[f64; H], b: &[f64; H]) -> f64 {
     let mut lanes = [0.0; 4];
     for (i, (x, y)) in a.iter().zip(b).enumerate() {

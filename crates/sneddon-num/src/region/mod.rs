@@ -1,4 +1,4 @@
-//! Rectangles of complex numbers: where the values of an analytic function on a rectangle lie.
+//! Rectangular complex intervals, which enclose the values of an analytic function on a rectangle.
 
 mod functions;
 mod interval;
@@ -7,16 +7,15 @@ mod special;
 use interval::Interval;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// All z with Re z and Im z between bounds; unknown where an operation is, or may be, not analytic on what it is given.
+/// All z with Re z and Im z between bounds; unknown if an operation may not be analytic on its argument.
 ///
-/// Every operation returns a rectangle that holds all of its values, rounding included, and is unknown where it meets a pole or
-/// the cut of the principal branch. What is computed so from an expression is therefore bounded *and* analytic on the rectangle
-/// that was put in.
+/// Every operation returns a rectangle that contains all of its values, rounding included, and is unknown if it meets a pole or
+/// the cut of the principal branch. An expression with a known result is therefore bounded *and* analytic on the input rectangle.
 ///
 /// ```
 /// use sneddon_num::Region;
 /// let z = Region::new((-1.0, 1.0), (-0.5, 0.5));
-/// // |z²| stays below 1.25, and 1 + z² keeps away from 0; 1/z does not exist.
+/// // |z²| is below 1.25, and 1 + z² is bounded away from 0; 1/z is unbounded.
 /// assert!(z.powi(2).largest() < 1.5 && (Region::real(1.0) + z.powi(2)).recip().largest() < 2.0);
 /// assert!(z.recip().largest().is_infinite());
 /// ```
@@ -24,18 +23,18 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Region {
     re: Interval,
     im: Interval,
-    /// No |z| is less: more than the rectangle tells where the argument may be anything. 0 where nothing is known.
+    /// A lower bound on |z|, which may be sharper than the rectangle; 0 if unknown.
     least: f64,
-    /// No |z| is more, where that is a number.
+    /// An upper bound on |z|, if it is a number.
     most: f64,
-    /// Bounds on ln|z| where |z| itself leaves the range of doubles; NaN where the magnitudes tell, or nothing is known.
+    /// Bounds on ln|z| if |z| leaves the range of doubles; NaN if the magnitudes suffice or nothing is known.
     logarithm: Interval,
 }
 
-/// Magnitudes between these may be multiplied without a thought of the range of doubles.
+/// Magnitudes between these bounds may be multiplied without overflow or underflow.
 const LARGE: f64 = 1e150;
 const SMALL: f64 = 1e-150;
-/// e^(ln|z|) is right to this many units: the argument of up to 745 is rounded.
+/// e^(ln|z|) is accurate to this many units, because the argument of up to 745 is rounded.
 const LOG_UNITS: f64 = 1024.0;
 
 impl Region {
@@ -54,7 +53,7 @@ impl Region {
         Self::new((low, high), (0.0, 0.0))
     }
 
-    /// What of it is real, of a function that is real where it is asked; nothing where it is unknown.
+    /// Restricts the region to real numbers, for a function with real values; unknown regions remain unknown.
     #[must_use]
     pub fn on_the_axis(self) -> Self {
         if self.is_known() { Self { im: Interval::point(0.0), ..self } } else { Self::unknown() }
@@ -65,12 +64,12 @@ impl Region {
         self.is_known().then_some((self.re.low, self.re.high))
     }
 
-    /// Everything, or what is not analytic.
+    /// All complex numbers: no bound is known, or the function is not analytic.
     pub fn unknown() -> Self {
         Self::rectangle(Interval::UNKNOWN, Interval::UNKNOWN)
     }
 
-    /// Numbers of which nothing is known but the rectangle.
+    /// A rectangle without sharper bounds on the magnitude.
     #[inline]
     fn rectangle(re: Interval, im: Interval) -> Self {
         Self { re, im, least: 0.0, most: f64::INFINITY, logarithm: Interval::UNKNOWN }
@@ -78,7 +77,7 @@ impl Region {
 
     /// Every z with |z| ≤ `radius`, and more.
     fn within(radius: f64) -> Self {
-        // Not a number is no bound.
+        // NaN gives no bound.
         if radius.is_nan() || radius > f64::MAX {
             return Self::unknown();
         }
@@ -86,14 +85,14 @@ impl Region {
         Self { re: own, im: own, most: radius, ..Self::rectangle(own, own) }
     }
 
-    /// The largest |z|; infinite where it is not known.
+    /// The largest |z|; infinite if unknown.
     #[inline]
     pub fn largest(self) -> f64 {
         let size = magnitude(self.re.largest(), self.im.largest());
         if size.is_nan() { f64::INFINITY } else { (size * (1.0 + 2.0 * f64::EPSILON)).next_up().min(self.most) }
     }
 
-    /// What lies in both rectangles, of which each has all values of one function.
+    /// The intersection of two rectangles that both enclose all values of the same function.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         if self.is_known() && other.is_known() {
@@ -109,7 +108,7 @@ impl Region {
         }
     }
 
-    /// The numbers of it that are not negative, where it is real.
+    /// The nonnegative part of a real region.
     #[must_use]
     pub fn above_zero(self) -> Self {
         if self.im.is(0.0) && self.re.low < 0.0 && self.re.high >= 0.0 {
@@ -128,12 +127,12 @@ impl Region {
         (self.is_known() && self.re.low > 0.0).then_some(own)
     }
 
-    /// Whether it is a part of the real axis.
+    /// Whether the region is part of the real axis.
     fn is_on_the_axis(self) -> bool {
         self.im.is(0.0) && self.re.low <= self.re.high
     }
 
-    /// Numbers of which the magnitude alone is known.
+    /// Numbers with known bounds on the magnitude only.
     fn sized(least: f64, most: f64) -> Self {
         let (least, most) = rounded(least, most);
         let own = Interval::new(-most, most);
@@ -145,7 +144,7 @@ impl Region {
     #[inline]
     fn result(re: Interval, im: Interval, magnitude: (f64, f64), is_extreme: bool, logarithm: impl FnOnce() -> Interval) -> Self {
         let (least, most) = rounded(magnitude.0, magnitude.1);
-        // Built in each branch, so that the usual result is written where the caller wants it and not copied.
+        // Built in each branch, so that the usual result is written in place instead of copied.
         if is_extreme || leaves_the_range(most) {
             Self { re, im, least, most, logarithm: Interval::UNKNOWN }.or_by_logarithm(logarithm())
         } else {
@@ -160,13 +159,13 @@ impl Region {
         Self { logarithm, ..sized }
     }
 
-    /// Whether |z| itself tells less than its logarithm.
+    /// Whether ln|z| has sharper bounds than |z|.
     #[inline]
     fn is_extreme(self) -> bool {
         !self.logarithm.high.is_nan()
     }
 
-    /// Bounds on ln|z|, infinite where there are none.
+    /// Bounds on ln|z|, infinite if unknown.
     fn logarithm(self) -> Interval {
         let Interval { low, high } = self.logarithm;
         let or = |own: f64, other: f64| if own.is_nan() { other } else { own };
@@ -189,7 +188,7 @@ impl Region {
         if size > 0.0 { (size * (1.0 - 4.0 * f64::EPSILON)).max(self.least) } else { self.least }
     }
 
-    /// The real number that this is.
+    /// The single real number of the region, if it contains only one.
     pub fn as_real(self) -> Option<f64> {
         (self.im.is(0.0) && self.re.is(self.re.low)).then_some(self.re.low)
     }
@@ -202,7 +201,7 @@ impl Region {
         Self::result(re, im, (least * least, largest * largest), self.is_extreme(), || self.logarithm().scaled(2.0))
     }
 
-    /// With bounds on ln|z| that tell more of what overflows, or is a product of what overflows and what underflows.
+    /// The product with bounds on ln|z|, which remain finite after overflow, or for a product of overflow and underflow.
     #[cold]
     fn or_by_logarithm(self, logarithm: Interval) -> Self {
         let sized = Self::sized_by_logarithm(logarithm);
@@ -258,7 +257,7 @@ impl Add for Region {
         let magnitude = (least - 2.0 * f64::EPSILON * (low + other_low), high + other_high);
         Self::result(re, im, magnitude, false, || {
             let (a, b) = (self.logarithm(), other.logarithm());
-            // |z + w| is at most twice the larger, and at least more than half of it where that is e times the other.
+            // |z + w| is at most twice the larger magnitude, and more than half of it if it is e times the other.
             let (large, small) = if a.low >= b.low { (a, b) } else { (b, a) };
             let low = if large.low > small.high + 1.0 { large.low - 0.5 } else { f64::NEG_INFINITY };
             Interval::loose(low, a.high.max(b.high) + std::f64::consts::LN_2)
@@ -300,7 +299,7 @@ impl Div for Region {
 /// Bounds on a magnitude, moved outwards by more than a few roundings.
 #[inline]
 fn rounded(least: f64, most: f64) -> (f64, f64) {
-    // What is not a number bounds nothing.
+    // NaN gives no bound.
     let least = if least > 0.0 { (least * (1.0 - 4.0 * f64::EPSILON)).min(f64::MAX) } else { 0.0 };
     let most = if most < f64::MAX { most * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE } else { f64::INFINITY };
     (least, most)

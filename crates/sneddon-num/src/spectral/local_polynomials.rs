@@ -1,33 +1,33 @@
-//! A function as short polynomials over parts of octaves, each made from 30 digits when it is first needed.
+//! A function as low-degree polynomials over parts of octaves, each computed from 30-digit values when it is first needed.
 
 use super::super::double_double::{DoubleDouble, Precise};
 use super::super::work;
 use super::local::{LOCAL, Local, local_nodes};
 use std::sync::OnceLock;
 
-/// An octave has 2^BITS parts of one length, and so has each part that is divided again.
+/// An octave has 2^BITS parts of equal length, and so has each part that is divided again.
 const BITS: u32 = 4;
 const PARTS: usize = 1 << BITS;
 /// How often a range is divided.
 const DEEPEST: u32 = 3;
-/// Bits of a double's mantissa, and what they count.
+/// Bits of a double's mantissa, and the number of their values.
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 const EXPONENTS: usize = 2048;
 const BELOW_ONE: u64 = (1 << MANTISSA) - 1;
 const ONE: u64 = 1.0_f64.to_bits();
-/// What polynomials may leave out, as a share of the value: an eighth of the rounding of a double.
+/// Truncation error allowed for polynomials, relative to the value: an eighth of the rounding error of a double.
 const LEFT_OUT: f64 = f64::EPSILON / 16.0;
-/// What is not known of the values themselves.
+/// Uncertainty of the values.
 const KNOWN: f64 = f64::EPSILON / 64.0;
-/// A value changes by no more than this share of itself from the middle of its part to the ends; what is added to the middle
-/// value is rounded in its own last place.
+/// Largest relative change of a value from the middle of its part to the ends; the correction added to the middle value is
+/// rounded in its last place.
 const CHANGE: f64 = 0.125;
-/// Where a polynomial is tried between its nodes.
+/// Points between the nodes at which a polynomial is tested.
 const TRIED: [f64; 2] = [-0.8125, 0.375];
 
 /// Sixteenths of octaves that positive doubles have.
 const KEYS: usize = EXPONENTS * PARTS;
-/// Points that are looked at together.
+/// Points processed together.
 const LANES: usize = 8;
 
 /// The sixteenth of an octave in which a number lies; beyond [`KEYS`] for a negative one.
@@ -36,15 +36,15 @@ fn key(x: f64) -> usize {
     (x.to_bits() >> (MANTISSA - BITS)) as usize
 }
 
-/// What the polynomials are made from.
+/// The function from which the polynomials are computed.
 pub trait Exact {
-    /// The value, and how well it is known.
+    /// The value with its uncertainty.
     fn exact(&self, x: f64) -> Precise;
-    /// False where a kink or an end lies in the range.
+    /// False if a kink or an end lies in the range.
     fn is_smooth(&self, from: f64, to: f64) -> bool;
 }
 
-/// The parts of every octave that was asked for: 2 kB for an octave that is dense, half a megabyte where all of it is divided twice.
+/// The parts of every requested octave: 2 kB for a dense octave, half a megabyte if all of it is divided twice.
 pub struct Dense {
     octaves: Vec<OnceLock<Box<Divided>>>,
 }
@@ -54,22 +54,22 @@ type Divided = [OnceLock<Part>; PARTS];
 enum Part {
     Short(Box<Short>),
     Divided(Box<Divided>),
-    /// No polynomial has all digits here.
+    /// No polynomial is accurate enough here.
     Other,
 }
 
-/// The value in the middle, and a polynomial for what is added to it.
+/// The value in the middle, and a polynomial for the correction added to it.
 #[derive(Clone, Copy)]
 struct Short {
     middle: f64,
     change: Local,
 }
 
-/// Where a slice is dense: the parts that it needs, and their polynomials.
+/// The parts where a slice is dense, and their polynomials.
 pub struct Plan {
-    /// By the sixteenth of an octave: [`SPARSE`], the place of a polynomial, or from [`DIVIDED`] on a place among the divided parts.
+    /// For each sixteenth of an octave: [`SPARSE`], the index of a polynomial, or [`DIVIDED`] plus an index of a divided part.
     codes: Vec<u32>,
-    /// The same for the parts of each divided part.
+    /// The same codes for the parts of each divided part.
     divided: Vec<[u32; PARTS]>,
     polynomials: Vec<Short>,
 }
@@ -78,14 +78,14 @@ const SPARSE: u32 = u32::MAX;
 const DIVIDED: u32 = 1 << 31;
 
 impl Default for Dense {
-    /// A form of which no part has been expanded yet.
+    /// Creates a form without expanded parts.
     fn default() -> Self {
         Self { octaves: std::iter::repeat_with(OnceLock::new).take(EXPONENTS).collect() }
     }
 }
 
 impl Dense {
-    /// Makes what is missing for a slice, wherever a part has `least` of its points; `None` where none has.
+    /// Computes the missing parts for a slice wherever a part contains at least `least` of its points; `None` if no part does.
     pub fn plan(&self, source: &impl Exact, points: &[f64], least: u32) -> Option<Plan> {
         let mut codes = vec![0u32; KEYS];
         for x in points {
@@ -96,7 +96,7 @@ impl Dense {
         let mut plan = Plan { codes: Vec::new(), divided: Vec::new(), polynomials: Vec::new() };
         let mut fresh = Vec::new();
         for (own, code) in codes.iter_mut().enumerate() {
-            // Neither next to nothing, nor infinite.
+            // Exclude tiny and infinite values.
             let is_number = (1..EXPONENTS - 1).contains(&(own / PARTS));
             let part = (*code >= least && is_number).then(|| self.first(source, own)).flatten();
             *code = plan.code(part, &mut fresh);
@@ -111,7 +111,7 @@ impl Dense {
         (!plan.polynomials.is_empty()).then_some(plan)
     }
 
-    /// Counts the points in the parts of those that were divided last, `fresh`, and makes those that have enough.
+    /// Counts the points in the parts of the most recently divided parts, `fresh`, and computes the parts with enough points.
     fn divide<'d>(&'d self, source: &impl Exact, plan: &mut Plan, fresh: &mut Vec<&'d Divided>, depth: u32, points: &[f64], least: u32) {
         let first = plan.divided.len() - fresh.len();
         let mut prefixes = vec![0; fresh.len()];
@@ -147,7 +147,7 @@ impl Dense {
 }
 
 impl Plan {
-    /// What stands for a part.
+    /// The code of a part.
     fn code<'d>(&mut self, part: Option<&'d Part>, fresh: &mut Vec<&'d Divided>) -> u32 {
         match part {
             Some(Part::Short(short)) => {
@@ -163,7 +163,7 @@ impl Plan {
         }
     }
 
-    /// The place of the part, divided for the `depth`th time, in which a number lies.
+    /// The index of the part at division level `depth` that contains `x`.
     fn divided_at(&self, x: f64, depth: u32) -> Option<usize> {
         let mut code = *self.codes.get(key(x))?;
         for depth in 2..depth {
@@ -173,9 +173,9 @@ impl Plan {
         (code != SPARSE).then(|| code.checked_sub(DIVIDED)).flatten().map(|place| place as usize)
     }
 
-    /// The values at the points of dense parts; the places of the others are added to `others`.
+    /// The values at the points of dense parts; the indices of the other points are added to `others`.
     ///
-    /// Values are right to 0.75 units in the last place, measured: one rounding, and that of what is added to the value in the middle.
+    /// Values are accurate to 0.75 units in the last place, measured: one rounding, and the rounding of the correction.
     pub fn fill(&self, points: &[f64], out: &mut [f64], others: &mut Vec<usize>) {
         let (whole, rest) = points.as_chunks::<LANES>();
         let (filled, last) = out.as_chunks_mut::<LANES>();
@@ -213,7 +213,7 @@ impl Plan {
         self.polynomials.get(*self.codes.get(own)? as usize)
     }
 
-    /// The value where a sixteenth of an octave is divided.
+    /// The value in a divided sixteenth of an octave.
     #[inline(never)]
     fn deeper(&self, x: f64) -> Option<f64> {
         let (mut code, mut depth) = (*self.codes.get(key(x))?, 1);
@@ -243,16 +243,16 @@ impl Part {
     }
 }
 
-/// What became of a part.
+/// The result of expanding a part.
 enum Found {
     Short(Short),
     /// Shorter parts may help.
     Rough,
-    /// They will not: the values are not known well enough.
+    /// Shorter parts will not help: the values are not accurate enough.
     Unknown,
 }
 
-/// Where a number lies in its part, in [−1, 1): without rounding, from its bits.
+/// The position of a number in its part, in [−1, 1), computed exactly from its bits.
 #[inline(always)]
 fn place(x: f64, depth: u32) -> f64 {
     2.0 * f64::from_bits(((x.to_bits() << (depth * BITS)) & BELOW_ONE) | ONE) - 3.0

@@ -1,7 +1,8 @@
 //! Writes `docs/accuracy.md`: `cargo run --release -p sneddon-runs --bin accuracy -- [STATEMENTS.csv] [PROFILES.txt] [ESTIMATES.txt] > docs/accuracy.md`.
 //!
-//! STATEMENTS.csv is what `tests/oracle/statements.py` wrote, with as many places per rule as one likes (the committed
-//! table unless told); PROFILES.txt is the output of `cargo run --release -p sneddon-runs --bin random_profiles`, ESTIMATES.txt that of `random_estimates`.
+//! STATEMENTS.csv is the output of `tests/oracle/statements.py`, with any number of points per rule (default: the committed
+//! table); PROFILES.txt and ESTIMATES.txt are the outputs of `cargo run --release -p sneddon-runs --bin random_profiles` and
+//! `--bin random_estimates`.
 
 use sneddon::expr::{Function, function::Accuracy};
 use sneddon_checks::accuracy::{measure, tally};
@@ -53,11 +54,11 @@ fn rules(text: &str) {
     let places: usize = figures.values().map(|own| own.count).sum();
     println!("## Rules\n");
     println!("{places} random places: ordinary ones, radii from 1e-8 up to sixty, radii within 1e-6 of a breakpoint.");
-    println!("References have 30 digits: the rule's stated formula at 50 and at 75 digits, after it was held against its definition.");
+    println!("References have 30 digits: the rule's stated formula at 50 and at 75 digits, after it was checked against its definition.");
     println!("*Largest* and *mean* are errors in ulps over the condition number of the place, where that exceeds 1;");
-    println!("*as it stands* is the largest error in ulps itself; *estimate* is the largest error over the program's own estimate;");
-    println!("*integrated* counts places where the closed form lost too many digits and quadrature answered.\n");
-    println!("| rule | quantity | places | largest | mean | as it stands | estimate | integrated |\n|---|---|---|---|---|---|---|---|");
+    println!("*unscaled* is the largest error in ulps; *estimate* is the largest ratio of the error to its estimate;");
+    println!("*integrated* counts places where the closed form lost too many digits and quadrature was used.\n");
+    println!("| rule | quantity | places | largest | mean | unscaled | estimate | integrated |\n|---|---|---|---|---|---|---|---|");
     for ((rule, quantity), own) in &figures {
         println!(
             "| {rule} | {quantity} | {} | {:.2} | {:.2} | {:.1} | {:.2} | {} |",
@@ -73,11 +74,9 @@ fn functions() -> Result<(), Box<dyn Error>> {
     let figures = measured_functions(texts.iter().map(String::as_str))?;
     println!("\n## Functions\n");
     println!("Doubles against references of 30 digits or more, extremes of the domain included.\n");
+    println!("The last column gives the ground of the bound: *measured* is twice the largest error found, which this table records;");
     println!(
-        "The ground of a bound is the program's own: *measured* is twice the largest error that was ever found, which this table records;"
-    );
-    println!(
-        "*bounded* is a value with 30 digits whose bound contains everything that cancels, rounded, and refused where it exceeds that.\n"
+        "*bounded* is a rounded 30-digit value with a bound that includes cancellation, refused if it exceeds the bound in the table.\n"
     );
     println!("| function | places | largest error, ulp | mean error, ulp | bound, ulp | ground |\n|---|---|---|---|---|---|");
     for (name, own) in figures {

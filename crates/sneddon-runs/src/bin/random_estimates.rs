@@ -1,7 +1,7 @@
 //! The long run over estimates: `cargo run --release -p sneddon-runs --bin random_estimates -- [COUNT] [FIRST SEED]`.
 //!
-//! Numbers by quadrature at random tolerances, of random profiles at random places, are compared with closed forms; what
-//! is further from the truth than it claims is printed, and the run fails. The figures stand in `docs/accuracy.md`.
+//! Numbers by quadrature at random tolerances, of random profiles at random points, are compared with closed forms; errors larger
+//! than their estimates are printed and make the run fail. `docs/accuracy.md` contains the figures.
 
 use sneddon_checks::estimates::{Honesty, examine};
 use sneddon_checks::profiles::sample;

@@ -1,7 +1,7 @@
 //! The long run over random profiles: `cargo run --release -p sneddon-runs --bin random_profiles -- [COUNT] [FIRST SEED]`.
 //!
-//! Every formula with a closed part is compared with quadrature of the profile as typed; what disagrees is printed, and
-//! the run fails. The figures of a run over 10⁵ profiles stand in `docs/accuracy.md`.
+//! Every formula with a closed part is compared with quadrature of the profile as typed; disagreements are printed and
+//! make the run fail. `docs/accuracy.md` contains the figures of a run over 10⁵ profiles.
 
 use sneddon_checks::profiles::{Outcome, compare, sample};
 use sneddon_checks::random::Stream;

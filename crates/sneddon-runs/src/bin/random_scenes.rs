@@ -1,6 +1,6 @@
 //! The long run over random scenes: `cargo run --release -p sneddon-runs --bin random_scenes -- [COUNT] [FIRST SEED]`.
 //!
-//! What breaks a law is printed, and the run fails; the figures of a long run stand in `docs/stability.md`.
+//! Violations of a law are printed and make the run fail; `docs/stability.md` contains the figures of a long run.
 
 use sneddon_checks::laws::{LAWS, Tally, examine};
 use sneddon_checks::seeds::{asked, over_seeds};

@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("\n## Random scenes\n");
         println!("Scenes are drawn with a seed: named shapes and formulas, materials, loads, cylinders, units.");
         println!(
-            "Every answer is held to laws of its own: dF/dd = 2E*a, F = 2π∫p r dr, the transform and its inverse, scaling of lengths and moduli, superposition, and the spring foundation.\n"
+            "Every result must satisfy the laws of contact: dF/dd = 2E*a, F = 2π∫p r dr, the transform and its inverse, scaling of lengths and moduli, superposition, and the spring foundation.\n"
         );
         println!("```text\n{}\n```\n", fs::read_to_string(path)?.trim_end());
         println!("The command is `cargo run --release -p sneddon-runs --bin random_scenes -- 100000`; a sample runs with the tests.");

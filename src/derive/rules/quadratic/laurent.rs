@@ -3,12 +3,12 @@
 use crate::expr::{Expr, Number};
 use std::collections::BTreeMap;
 
-/// The variables of a coefficient, by their place among the exponents.
+/// The variables of a coefficient, by their position among the exponents.
 ///
-/// s² = ρ² + σx² and Q(e) = ρ² + σe² stand for themselves until [`Laurent::to_expr`] expands their positive powers.
+/// s² = ρ² + σx² and Q(e) = ρ² + σe² are independent variables until [`Laurent::to_expr`] expands their positive powers.
 #[derive(Clone, Copy)]
 pub(super) enum Variable {
-    /// x, the place where g or F is wanted.
+    /// x, the argument of g or F.
     X,
     /// ρ, the length in Q = ρ² + σr².
     Length,
@@ -26,7 +26,7 @@ type Exponents = [i32; 5];
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Laurent(BTreeMap<Exponents, Number>);
 
-/// What the variables stand for when a coefficient becomes an expression.
+/// The values of the variables when a coefficient is converted to an expression.
 pub(super) struct Values {
     /// x.
     pub(super) x: Expr,
@@ -74,12 +74,12 @@ impl Laurent {
         result
     }
 
-    /// p/q times the same.
+    /// The product with p/q.
     pub(super) fn scaled(&self, p: i64, q: i64) -> Self {
         self.times_number(&Number::ratio(p, q))
     }
 
-    /// The same times a power of one variable.
+    /// The product with a power of one variable.
     pub(super) fn times(&self, variable: Variable, power: i32) -> Self {
         let shift = |exponents: &Exponents| {
             let mut next = *exponents;
@@ -91,7 +91,7 @@ impl Laurent {
         Self(self.0.iter().map(|(e, n)| (shift(e), n.clone())).collect())
     }
 
-    /// The same at e = 0, where Q(e) is ρ².
+    /// The value at e = 0, where Q(e) is ρ².
     pub(super) fn at_axis(&self) -> Self {
         let mut result = Self::default();
         for ([x, length, square, end, at_end], number) in &self.0 {
@@ -102,7 +102,7 @@ impl Laurent {
         result
     }
 
-    /// Its terms as powers of s² alone where x occurs as x² = σ(s² − ρ²); `None` for odd or negative powers of x.
+    /// Its terms as powers of s² alone, by x² = σ(s² − ρ²); `None` for odd or negative powers of x.
     pub(super) fn in_square(&self, sigma: i64) -> Option<BTreeMap<i32, Self>> {
         let mut rest = self.clone();
         while let Some((exponents, number)) = rest.0.iter().next_back().map(|(e, n)| (*e, n.clone())).filter(|(e, _)| e[0] > 0) {
@@ -140,7 +140,7 @@ impl Laurent {
         self.0.iter().map(|([_, length, ..], number)| (*length, number))
     }
 
-    /// The same times a number.
+    /// The product with a number.
     pub(super) fn times_number(&self, factor: &Number) -> Self {
         Self(self.0.iter().map(|(e, n)| (*e, n * factor)).filter(|(_, n)| !n.is_zero()).collect())
     }
@@ -180,7 +180,7 @@ impl Laurent {
         Expr::number(content) * monomial(&least) * quadratic(&values.x).power(i64::from(square)) * at_end * polynomial
     }
 
-    /// Takes the largest whole power of `quadratic` = ρ² + σ·place² out, expanding what is left.
+    /// Factors out the largest integer power of `quadratic` = ρ² + σ·place² and expands the remaining factor.
     fn collected(self, quadratic: Variable, place: Variable, sigma: i64) -> (Self, i32) {
         let (index, inner) = (quadratic as usize, place as usize);
         let power = |e: &Exponents, i: usize| e.get(i).copied().unwrap_or(0);
@@ -199,7 +199,7 @@ impl Laurent {
         (rest, lowest)
     }
 
-    /// The same over ρ² + σ·place², where that divides it.
+    /// The quotient by ρ² + σ·place², if it is exact.
     fn divided(&self, place: usize, sigma: i64) -> Option<Self> {
         let (mut rest, mut quotient) = (self.clone(), Self::default());
         let power = |e: &Exponents| e.get(place).copied().unwrap_or(0);

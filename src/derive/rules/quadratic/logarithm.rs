@@ -72,7 +72,7 @@ fn apply(term: &Term, sigma: i64, extent: Extent) -> Option<Answer> {
     kernel(term, Kernel::Logarithm, extent, |own| {
         let [argument] = reading::call(own, "ln")? else { return None };
         let (field, magnitude, conditions) = super::field(argument)?;
-        // The argument is 1 at the axis, so that its size is that of the length alone.
+        // The argument must be 1 at the axis: 1 ± r²/ρ².
         let plain = (&field.square_length * magnitude).is_one() && conditions.is_empty();
         (plain && field.sigma == sigma).then_some((Expr::one(), field))
     })

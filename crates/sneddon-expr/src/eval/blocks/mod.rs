@@ -9,10 +9,10 @@ pub(crate) use program::Program;
 use super::Tape;
 use crate::num::work;
 
-/// Points that run through the whole tape together: what they need stays in the first-level cache.
+/// Points that run through the whole tape together, few enough for their registers to fit into the first-level cache.
 const BLOCK: usize = 256;
 
-/// What every block of a thread shares; nothing is allocated after the first call of the largest tape.
+/// Scratch memory shared by all blocks of a thread; nothing is allocated after the first call of the largest tape.
 #[derive(Clone, Debug, Default)]
 pub struct BlockScratch {
     registers: Vec<Place>,
@@ -20,7 +20,7 @@ pub struct BlockScratch {
     zeros: Vec<f64>,
 }
 
-/// Where a register is, but while it is written.
+/// A register; empty while it is being written.
 type Place = Option<Box<Register>>;
 
 /// Intermediate values of one block and their errors.
@@ -40,7 +40,7 @@ pub struct BlockInput<'a> {
 }
 
 impl<'a> BlockInput<'a> {
-    /// Values that are meant exactly as they stand.
+    /// Exact values.
     pub fn exact(values: &'a [f64]) -> Self {
         Self { values, errors: &[] }
     }
@@ -60,8 +60,8 @@ impl BlockScratch {
 impl Tape {
     /// The first output at every point of a block, bit for bit the values of [`Tape::run`] with plain numbers.
     ///
-    /// `None` where the number of inputs, or the length of one, is wrong.
-    /// Accuracy: that of the tape; NaN outside a domain.
+    /// `None` if the number of inputs, or the length of an input, is wrong.
+    /// The accuracy is the same as for [`Tape::run`]; values outside a domain are NaN.
     ///
     /// ```
     /// use sneddon_expr::{eval::{BlockScratch, Tape}, expr::{Expr, Symbol}};

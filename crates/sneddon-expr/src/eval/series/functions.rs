@@ -64,7 +64,7 @@ impl Frame {
         Ok(self.product(&above, &self.power(&below, -1.0, true)?))
     }
 
-    /// u^p; `exact` tells that p is no rounded number.
+    /// u^p; `exact` means that p carries no rounding error.
     pub(super) fn power(&self, u: &Series, p: f64, exact: bool) -> Result<Series, SeriesError> {
         if !exact {
             return self.general_power(u, Bounded::rounded(p));
@@ -83,7 +83,7 @@ impl Frame {
         Ok(Series { shift, ..analytic })
     }
 
-    /// u^p with an exponent that carries an error: only where no power of r stands in front.
+    /// u^p with an inexact exponent, which requires u(0) ≠ 0: no power of r may be factored out.
     pub(super) fn general_power(&self, u: &Series, p: Bounded) -> Result<Series, SeriesError> {
         let u = self.normalised(u)?;
         if u.shift != 0.0 {

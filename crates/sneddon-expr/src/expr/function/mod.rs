@@ -1,4 +1,4 @@
-//! The function table: one row per function, and everything that is known of it in that row.
+//! The function table: one row per function with all of its properties.
 
 mod elementary;
 mod elliptic;
@@ -29,15 +29,15 @@ pub struct Row {
     pub spellings: &'static [&'static str],
     /// Smallest and largest number of arguments.
     pub arity: (usize, usize),
-    /// How mathematics sets it.
+    /// How it is typeset.
     pub typeset: Typeset,
     /// The value; NaN outside the domain.
     pub value: fn(&[f64]) -> f64,
-    /// Error bound of the value, and its ground.
+    /// Error bound of the value, and its justification.
     pub accuracy: Accuracy,
-    /// The value with about 30 digits, at exact arguments; what has none is evaluated in double precision only.
+    /// The value with about 30 digits, at exact arguments; `None` if only double precision is available.
     pub precise: Option<fn(&[DoubleDouble]) -> Precise>,
-    /// Bound on how far the value moves while every argument moves by at most its distance; what has none is probed.
+    /// Bound on the change of the value while every argument moves by at most its distance; differences are used if `None`.
     pub spread: Option<Spread>,
     /// Values and errors over slices, for elementary functions of one number.
     pub slice: Option<SliceLaw>,
@@ -57,9 +57,9 @@ pub struct Row {
     pub sign: Option<fn(&[Expr]) -> Sign>,
     /// Expressions that must be positive for the function to be real and finite.
     pub domain: Option<DomainLaw>,
-    /// The expression that a reader sees in place of a function which exists only for stable evaluation.
+    /// The expression shown to the reader instead of a function that exists only for stable evaluation.
     pub shown: Option<fn(&[Expr]) -> Expr>,
-    /// True where mathematics has a sign for the function itself, so that only text shows what it equals.
+    /// True if the function has a mathematical symbol, so that it is replaced by its definition only in plain text.
     pub has_sign: bool,
 }
 
@@ -72,46 +72,46 @@ impl Row {
         }
     }
 
-    /// Returns `true` if the value is always that with 30 digits, rounded: then both take about the same time.
+    /// Returns `true` if the value is always the rounded 30-digit value, so that both take about the same time.
     pub(crate) fn is_rounded(&self) -> bool {
         self.accuracy == Accuracy::ROUNDED
     }
 }
 
-/// Error bound of a function value in units in the last place, and the ground on which it stands.
+/// Error bound of a function value in units in the last place, and its justification.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Accuracy {
     /// The value is an argument or its size; nothing is rounded.
     Exact,
-    /// The value is computed to 30 digits with a bound that contains everything that cancels, and rounded.
+    /// The value is computed to 30 digits with a bound that includes all cancellation, and rounded.
     ///
-    /// Values with a larger bound are refused, so that the number of units is a theorem.
+    /// Values with a larger bound are refused, so that the number of units is rigorous.
     Bounded(f64),
     /// Twice the largest error that was measured against 30 digits; the record is the table of functions in `docs/accuracy.md`.
     Measured(f64),
-    /// The bound is part of the definition: the argument itself is known no better.
+    /// The bound is part of the definition: the argument has the same uncertainty.
     Defined(f64),
 }
 
 impl Accuracy {
-    /// A value with 30 digits that is rounded: half a unit and a hair, twice.
+    /// A rounded 30-digit value: twice a little more than half a unit.
     pub(super) const ROUNDED: Self = Self::Bounded(1.1);
-    /// A value that is refused where its own bound exceeds two units; half a unit is for rounding, and as much for headroom.
+    /// A value that is refused if its computed bound exceeds two units; rounding adds half a unit, and another half is headroom.
     pub(super) const OWN_BOUND: Self = Self::Bounded(3.0);
 }
 
-/// Values of f while the argument at a place runs over a slice; the other ones stand in the list.
+/// Values of f while the argument at one position runs over a slice; the list contains the other arguments.
 pub type Sweep = fn(&mut [f64], usize, &[f64], &mut [f64]);
-/// How far f(arguments) moves while every argument moves by at most its distance.
+/// Bounds the change of f(arguments) while every argument moves by at most its distance.
 pub type Spread = fn(&[DoubleDouble], &[f64]) -> f64;
 /// The derivative of f(arguments) with respect to the argument at a position.
 pub type DerivativeLaw = fn(&[Expr], usize) -> Option<Expr>;
 /// A shorter form of f(arguments).
 pub type FoldLaw = fn(&[Expr]) -> Option<Expr>;
-/// What must be positive for f(arguments) to be real.
+/// Expressions that must be positive for f(arguments) to be real.
 pub type DomainLaw = fn(&[Expr]) -> Vec<Expr>;
 
-/// What a plain row leaves open; rows are written as changes of this one.
+/// Default values of a row; rows override some of them.
 pub(super) const PLAIN: Row = Row {
     name: "",
     spellings: &[],

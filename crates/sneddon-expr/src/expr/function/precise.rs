@@ -1,11 +1,11 @@
-//! What the rows know beyond double precision: 30-digit values, and how errors of arguments grow.
+//! Properties of functions beyond double precision: 30-digit values, and the propagation of errors of arguments.
 
 use crate::num::{DoubleDouble, Precise, forms, precise};
 
 /// Twice the measured maximum error of `num::precise`, rounded up, in units of 2^-104; see `tests/symbols/precise.rs`.
 const UNITS: f64 = 4.0;
 
-/// The value of a function of one number, with its own error.
+/// The value of a function of one number, with a fixed error bound.
 pub(super) fn unary(a: &[DoubleDouble], f: fn(DoubleDouble) -> DoubleDouble) -> Precise {
     match a {
         [z] => Precise::relative(f(*z), UNITS),
@@ -13,7 +13,7 @@ pub(super) fn unary(a: &[DoubleDouble], f: fn(DoubleDouble) -> DoubleDouble) -> 
     }
 }
 
-/// The value of a function of one number that knows its own error.
+/// The value of a function of one number that computes its error bound.
 pub(super) fn single(a: &[DoubleDouble], f: fn(DoubleDouble) -> Precise) -> Precise {
     match a {
         [z] => f(*z),
@@ -21,7 +21,7 @@ pub(super) fn single(a: &[DoubleDouble], f: fn(DoubleDouble) -> Precise) -> Prec
     }
 }
 
-/// The same of two numbers.
+/// The same for functions of two numbers.
 pub(super) fn pair(a: &[DoubleDouble], f: fn(DoubleDouble, DoubleDouble) -> Precise) -> Precise {
     match a {
         [n, z] => f(*n, *z),
@@ -66,7 +66,7 @@ pub(super) fn extreme(a: &[DoubleDouble], smaller: bool) -> Precise {
     }
 }
 
-/// The bound for a function of one number, from the number and its distance; the margin covers what doubles lose of it.
+/// The bound for a function of one number, from the number and its distance; the margin covers rounding errors.
 pub(super) fn one(a: &[DoubleDouble], by: &[f64], bound: fn(DoubleDouble, f64) -> f64) -> f64 {
     match (a, by) {
         ([z], [distance]) => bound(*z, *distance) * 1.001,
@@ -74,12 +74,12 @@ pub(super) fn one(a: &[DoubleDouble], by: &[f64], bound: fn(DoubleDouble, f64) -
     }
 }
 
-/// No more than the arguments move.
+/// The value moves by no more than the arguments.
 pub(super) fn largest(_: &[DoubleDouble], by: &[f64]) -> f64 {
     by.iter().copied().fold(0.0, f64::max)
 }
 
-/// No more than the one that wins moves, or either where both may win.
+/// The value moves by no more than the selected argument, or the larger movement if either may be selected.
 pub(super) fn winner(a: &[DoubleDouble], by: &[f64], smaller: bool) -> f64 {
     let ([u, v], [along_u, along_v]) = (a, by) else { return f64::INFINITY };
     let lead = if smaller { v.sub(*u).hi } else { u.sub(*v).hi };
@@ -91,7 +91,7 @@ pub(super) fn winner(a: &[DoubleDouble], by: &[f64], smaller: bool) -> f64 {
     }
 }
 
-/// change / √(room · factor), where room is what is left to the edge of the domain.
+/// change / √(room · factor), where room is the remaining distance to the edge of the domain.
 pub(super) fn to_edge(change: f64, room: f64, factor: f64) -> f64 {
     if room > 0.0 { change / (room * factor).sqrt() } else { f64::INFINITY }
 }
@@ -133,9 +133,9 @@ pub(super) fn segment(a: &[DoubleDouble], f: Segment) -> Precise {
     order(k.hi).map_or(Precise::nan(), |k| f(k, *b, c, *x))
 }
 
-/// How far such an integral T moves: T_b = −k T of order k − 1, T_c from the integrand, T_x because T is homogeneous.
+/// The change of such an integral T: T_b = −k T of order k − 1, T_c from the integrand, T_x because T is homogeneous.
 ///
-/// Nothing is promised where the ends come as near to each other as their distances.
+/// Returns infinity if the distance between the ends is as small as the changes of the ends.
 pub(super) fn segment_spread(a: &[DoubleDouble], by: &[f64], force: bool) -> f64 {
     let (k, b, c, x, by_b, by_c, by_x) = match (a, by) {
         ([k, b, x], [_, by_b, by_x]) => (k.hi, *b, None, *x, *by_b, 0.0, *by_x),

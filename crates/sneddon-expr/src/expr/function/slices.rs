@@ -5,7 +5,7 @@
 pub struct SliceLaw {
     /// The values, bit for bit those of the row.
     pub values: fn(&[f64], &mut [f64]),
-    /// From arguments, their distances and the values: how far each value may move; infinite where a cheap bound does not know.
+    /// Bounds the change of each value from the arguments, their distances and the values; infinite where no cheap bound exists.
     pub growth: Growth,
 }
 
@@ -23,7 +23,7 @@ pub(super) fn sweep(arguments: &mut [f64], place: usize, values: &[f64], out: &m
     }
 }
 
-/// What doubles lose in computing a bound.
+/// Relative margin for the rounding errors of computing a bound.
 const MARGIN: f64 = 1.001;
 /// Below this the bounds of functions that grow exponentially are short.
 const SMALL: f64 = 0.5;
@@ -52,7 +52,7 @@ pub(super) const EXP: SliceLaw = SliceLaw {
     growth: |z, by, v, out| growth(z, by, v, out, |_, by, v| known(by <= SMALL, v * by * (1.0 + by))),
 };
 
-/// ln z: δ over what is left to the pole.
+/// ln z: δ over the remaining distance to the pole.
 pub(super) const LN: SliceLaw = SliceLaw {
     values: |z, out| values(z, out, f64::ln),
     growth: |z, by, v, out| growth(z, by, v, out, |z, by, _| known(by <= 0.5 * z, by / (z - by))),
@@ -157,7 +157,7 @@ pub(super) const ATANH: SliceLaw = SliceLaw {
     },
 };
 
-/// No more than the argument moves.
+/// The value moves by no more than the argument.
 pub(super) const ABS: SliceLaw =
     SliceLaw { values: |z, out| values(z, out, f64::abs), growth: |z, by, v, out| growth(z, by, v, out, |_, by, _| by) };
 

@@ -178,7 +178,7 @@ fn positive_order_and_argument(a: &[Expr]) -> Sign {
     }
 }
 
-/// J_0′ = −J_1, J_n′ = (J_(n−1) − J_(n+1))/2 and the same with + for I; of an order that is no number n/z·J_n ∓ J_(n+1).
+/// J_0′ = −J_1, J_n′ = (J_(n−1) − J_(n+1))/2, and the same with + for I; n/z·J_n ∓ J_(n+1) for a symbolic order.
 fn bessel_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_next: i64) -> Option<Expr> {
     let [n, z] = a else { return None };
     if position != 1 {
@@ -209,7 +209,7 @@ fn bessel_fold(name: &'static str, a: &[Expr], sign_of_odd: i64) -> Option<Expr>
     }
 }
 
-/// f_n(−z) = ±f_n(z), where the argument is the one of the two that is not kept.
+/// f_n(−z) = ±f_n(z), if −z is the canonical form of the argument.
 fn mirrored(name: &'static str, n: &Expr, z: &Expr, even: bool) -> Option<Expr> {
     let kept = match z.as_number() {
         Some(number) if number.is_negative() => -z,
@@ -220,8 +220,8 @@ fn mirrored(name: &'static str, n: &Expr, z: &Expr, even: bool) -> Option<Expr> 
     Some(if even { value } else { -value })
 }
 
-/// H_0′ = 2/π − H_1, L_0′ = 2/π + L_1; else H_n′ = H_(n−1) − (n/z) H_n, and the same for L; of H_(−1) = 2/π − H_1 and
-/// L_(−1) = 2/π + L_1 without the order −2.
+/// H_0′ = 2/π − H_1, L_0′ = 2/π + L_1, and H_n′ = H_(n−1) − (n/z) H_n for n ≥ 1, likewise for L. The derivatives of H_(−1) and
+/// L_(−1) follow from H_(−1) = 2/π − H_1 and L_(−1) = 2/π + L_1, which avoids the order −2.
 fn struve_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_next: i64) -> Option<Expr> {
     let [n, z] = a else { return None };
     if position != 1 {
@@ -239,7 +239,7 @@ fn struve_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_ne
     Some(Expr::call(name, [Expr::integer(order - 1), z.clone()]) - n / z * Expr::call(name, a.to_vec()))
 }
 
-/// The parity of n + 1; 2/π at 0 for the order −1, and 0 for every order from 0.
+/// Uses the parity of n + 1; the value at z = 0 is 2/π for the order −1, and 0 for nonnegative orders.
 fn struve_fold(name: &'static str, a: &[Expr]) -> Option<Expr> {
     match a {
         [n, z] if z.is_zero() && matches!(sign(n), Sign::Positive | Sign::Zero) => Some(Expr::zero()),
@@ -249,8 +249,8 @@ fn struve_fold(name: &'static str, a: &[Expr]) -> Option<Expr> {
     }
 }
 
-/// How far J or H of order 0 or 1 moves with its argument, whose slope is bounded: |J₀′| = |J₁|, |J₁′| ≤ 1/2, |H₀′| = |2/π − H₁|
-/// and |H₁′| = |H₀ − H₁/z| stay below 1, and J₀′ and H₁′ below z/2 next to 0. Other orders are probed.
+/// The change of J or H of order 0 or 1 with its argument, from bounds of the slope: |J₀′| = |J₁|, |J₁′| ≤ 1/2,
+/// |H₀′| = |2/π − H₁| and |H₁′| = |H₀ − H₁/z| are below 1, and J₀′ and H₁′ below z/2 near 0. Other orders use differences.
 fn wave_spread(arguments: &[DoubleDouble], by: &[f64], wave: fn(f64, f64) -> f64) -> f64 {
     let ([order, z], [moved, by]) = (arguments, by) else { return f64::INFINITY };
     let far = z.hi.abs() + by;
@@ -265,7 +265,7 @@ fn wave_spread(arguments: &[DoubleDouble], by: &[f64], wave: fn(f64, f64) -> f64
     }
 }
 
-/// Twice the larger change, as where nothing is known of a slope.
+/// Twice the larger change, the estimate for functions without a bound of the slope.
 fn probed(order: f64, z: f64, moved: f64, by: f64, wave: fn(f64, f64) -> f64) -> f64 {
     let here = wave(order, z);
     let (far, wide) = (by.max(z.abs() * f64::EPSILON), moved.max(order.abs() * f64::EPSILON));

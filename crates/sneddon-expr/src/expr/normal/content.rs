@@ -1,11 +1,11 @@
-//! Common factors taken out of sums and lists, so that they stand once.
+//! Common factors of sums and lists.
 
 use super::polynomial::{Monomial, Polynomial};
 use super::{is_sum, sparse};
 use crate::expr::{Expr, ExprError, Node, Number};
 use std::collections::BTreeMap;
 
-/// The common factor of the expressions, and what is left of each; a zero stays zero.
+/// The common factor of the expressions, and the cofactor of each; the cofactor of zero is zero.
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, normal::common_content};
@@ -46,7 +46,7 @@ pub(super) fn factored(expr: &Expr) -> Expr {
     }
 }
 
-/// Numerator and denominators of a sum of fractions: the sum times the denominators, and these.
+/// Numerator and denominators of a sum of fractions: the sum times the denominators, and the denominators.
 pub(super) fn over_one_denominator(sum: &Polynomial) -> Result<(Polynomial, Monomial), ExprError> {
     let mut denominators: BTreeMap<Expr, Expr> = BTreeMap::new();
     for (monomial, _) in sum.terms() {

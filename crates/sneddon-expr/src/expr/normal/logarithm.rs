@@ -1,4 +1,4 @@
-//! Logarithms split into those of their factors, each with constant term 1.
+//! Logarithms of products split into logarithms of factors, each with constant term 1.
 
 use super::polynomial::{Frame, Monomial, Polynomial};
 use super::{factor, is_sum, power};
@@ -6,7 +6,7 @@ use crate::expr::{Expr, ExprError, Number, Sign, sign};
 
 /// ln `u` as a sum of logarithms of single factors.
 ///
-/// A factor is split off only where it is proven positive; at most one is not, and is positive because the product is.
+/// A factor is split off only if it is proven positive. At most one factor is unproven; it is positive because the product is.
 pub(super) fn of(u: &Polynomial) -> Result<Polynomial, ExprError> {
     let frame = u.frame();
     let whole = || Polynomial::atom(Expr::call("ln", [u.to_expr()]), Expr::one(), frame);
@@ -49,14 +49,14 @@ pub(super) fn of(u: &Polynomial) -> Result<Polynomial, ExprError> {
     }
 }
 
-/// ln of an atom that is positive.
+/// ln of a positive atom.
 fn of_positive(atom: &Expr, frame: &Frame) -> Result<Polynomial, ExprError> {
     if *atom == Expr::euler() {
         return Ok(Polynomial::constant(Number::integer(1), frame));
     }
     if is_sum(atom) {
         let expanded = Polynomial::expand(atom, frame)?;
-        // A root's radicand is positive where the root is, whatever is proven of it.
+        // The radicand is positive wherever the root is, even if its sign is not proven.
         return if sign(atom) == Sign::Positive { of(&expanded) } else { normalised(&expanded) };
     }
     match atom.as_number() {
@@ -65,7 +65,7 @@ fn of_positive(atom: &Expr, frame: &Frame) -> Result<Polynomial, ExprError> {
     }
 }
 
-/// Denominators and common roots of `u`, and what is left.
+/// Splits `u` into its denominators and common roots, and the remaining factor.
 fn without_denominators(u: &Polynomial) -> Result<(Monomial, Polynomial), ExprError> {
     let frame = u.frame();
     let mut outside = Monomial::new();
@@ -96,7 +96,7 @@ fn normalised(q: &Polynomial) -> Result<Polynomial, ExprError> {
     let radius = Expr::from(frame.variable().clone());
     let plain = |q: &Polynomial| Ok(Polynomial::atom(Expr::call("ln", [q.to_expr()]), Expr::one(), frame));
     let (dependent, mut constant) = q.split(|monomial| super::calls::depends(monomial, frame));
-    // Only polynomials in the variable have a value at the axis that is read off.
+    // The value at the axis is available only for polynomials in the variable.
     let polynomial = dependent.terms().all(|(m, _)| {
         m.iter().all(|(a, p)| if *a == radius { p.as_integer().is_some_and(|k| k > 0) } else { !a.contains(frame.variable()) })
     });
@@ -138,7 +138,7 @@ fn number_logarithm(number: &Number, frame: &Frame) -> Result<Polynomial, ExprEr
     Ok(result)
 }
 
-/// The small prime factors of a positive rational number with their powers, and what is left of both its parts.
+/// The small prime factors of a positive rational number with their powers, and the cofactors of numerator and denominator.
 pub(super) fn primes(number: &Number) -> Vec<(Number, i64)> {
     let whole = |n: &num_bigint::BigInt| Number::from(num_rational::BigRational::from_integer(n.clone()));
     let mut found = Vec::new();

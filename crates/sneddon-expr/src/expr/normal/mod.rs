@@ -1,6 +1,6 @@
-//! The recognition form: an expression as a sum of coefficient · r^m · kernel(r), whichever way it was typed.
+//! The recognition form: an expression as a sum of coefficient · r^m · kernel(r), independent of how it was typed.
 //!
-//! It serves recognition and proofs of equality only; answers are shown in the form that their rule states.
+//! It is used for recognition and proofs of equality only; results are shown in the form stated by their rule.
 
 mod calls;
 mod content;
@@ -34,12 +34,12 @@ pub struct NormalTerm {
     pub coefficient: Expr,
     /// The exponent of the variable itself, free of the variable.
     pub exponent: Expr,
-    /// The product of all other factors that depend on the variable; 1 where there is none.
+    /// The product of all other factors that depend on the variable; 1 if there are none.
     pub kernel: Expr,
 }
 
 impl NormalTerm {
-    /// The term as an expression again.
+    /// The term as an expression.
     pub fn to_expr(&self, variable: &Symbol) -> Expr {
         Expr::product([self.coefficient.clone(), Expr::from(variable.clone()).pow(&self.exponent), self.kernel.clone()])
     }
@@ -109,12 +109,12 @@ pub fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
         || Polynomial::canonical(expr, variable).is_ok_and(|p| p.is_zero())
 }
 
-/// The coefficients c_k of a polynomial in the variable, by rising k; `None` where it is none.
+/// The coefficients c_k of a polynomial in the variable, by increasing k; `None` if the expression is not a polynomial.
 pub fn polynomial_coefficients(expr: &Expr, variable: &Symbol) -> Option<Vec<Expr>> {
     coefficients(&normal_terms(expr, variable).ok()?)
 }
 
-/// The coefficients of a recognition form by rising power; `None` where it is not a polynomial.
+/// The coefficients of a recognition form by increasing power; `None` if it is not a polynomial.
 pub fn coefficients(terms: &[NormalTerm]) -> Option<Vec<Expr>> {
     const HIGHEST: u32 = 400;
     let mut coefficients: Vec<Expr> = Vec::new();

@@ -16,7 +16,7 @@ pub(super) fn raise(base: &Polynomial, exponent: &Expr) -> Result<Polynomial, Ex
     if base.is_zero() {
         return Ok(if sign(exponent) == Sign::Positive { base.clone() } else { Polynomial::atom(Expr::zero(), exponent.clone(), &frame) });
     }
-    // The power of one term is one term, whose number stays a power where it would be too long.
+    // The power of one term is one term; its number remains an unevaluated power if it would be too long.
     if let Some(n) = exponent.as_integer().and_then(|n| u32::try_from(n).ok()).filter(|n| base.len() > 1 || *n <= FEW) {
         return base.whole_power(n);
     }
@@ -114,7 +114,7 @@ pub(super) fn raise_monomial(monomial: &Monomial, number: &Number, exponent: &Ex
     Ok(result)
 }
 
-/// Content · number · primitive: the common powers of positive atoms, the common rational factor, the rest.
+/// Content · number · primitive: the common powers of positive atoms, the common rational factor, and the remaining sum.
 ///
 /// The number is positive unless `whole`; then the primitive's first term is positive.
 pub(super) fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number, Polynomial) {
@@ -166,7 +166,7 @@ pub(super) fn split_content(base: &Polynomial, whole: bool) -> (Monomial, Number
     (content, number, primitive)
 }
 
-/// True where the primitive sum is the negated one: R² − r² is kept, which is positive at the axis, not r² − R².
+/// True if the primitive sum should be negated: R² − r², which is positive at the axis, is canonical, and r² − R² is not.
 fn is_reversed(base: &Polynomial) -> bool {
     let frame = base.frame();
     if frame.is_canonical() {
@@ -192,7 +192,7 @@ fn smaller(a: &Expr, b: &Expr) -> Option<Expr> {
     }
 }
 
-/// A sum without content to a power that is no natural number.
+/// Raises a primitive sum to a power that is not a natural number.
 fn raise_primitive(primitive: &Polynomial, exponent: &Expr) -> Result<Polynomial, ExprError> {
     let frame = primitive.frame().clone();
     if let Some((monomial, number)) = primitive.only() {
@@ -321,7 +321,7 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
         let natural = if exponent.is_integer() {
             exponent.to_i64().filter(|n| *n > 0)
         } else if depends && exponent.value().denom() == &num_bigint::BigInt::from(2) && exponent.is_positive() {
-            // Beyond this the polynomial says less than the power.
+            // Keep larger powers unexpanded.
             (exponent + &Number::ratio(1, 2)).to_i64().filter(|n| *n <= MOST_HALVES)
         } else {
             None
@@ -340,7 +340,7 @@ pub(super) fn settle(mut monomial: Monomial, number: &Number, result: &mut Polyn
     }
     if let Some((left, right)) = twins(&monomial, &frame) {
         let (first, second) = (monomial.remove(&left).unwrap_or_else(Expr::zero), monomial.remove(&right).unwrap_or_else(Expr::zero));
-        // What the exponents differ by stays with its own base, a whole power.
+        // The difference of the exponents remains as an integer power of its base.
         monomial.multiply(right.clone(), &second - &first);
         let exponent = first;
         let product = Polynomial::expand(&left, &frame)?.times(&Polynomial::expand(&right, &frame)?)?;

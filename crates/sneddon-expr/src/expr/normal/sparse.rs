@@ -17,7 +17,7 @@ pub(super) struct Sparse {
 }
 
 impl Sparse {
-    /// Two polynomials over the same atoms; `None` where an exponent is no multiple of 1/60.
+    /// Two polynomials over the same atoms; `None` if an exponent is not a multiple of 1/60.
     pub(super) fn pair(first: &Polynomial, second: &Polynomial) -> Option<(Self, Self)> {
         let mut atoms: Vec<Expr> = first.terms().chain(second.terms()).flat_map(|(m, _)| m.keys().cloned()).collect();
         atoms.sort();
@@ -35,7 +35,7 @@ impl Sparse {
         Some(Self { atoms: atoms.to_vec(), terms })
     }
 
-    /// Back among the polynomials of the given one's frame.
+    /// Converts back to a polynomial in the frame of the given polynomial.
     pub(super) fn to_polynomial(&self, like: &Polynomial) -> Polynomial {
         let mut result = Polynomial::zero(like.frame());
         for (exponents, number) in &self.terms {
@@ -134,7 +134,7 @@ pub(super) fn quotient(dividend: &Polynomial, divisor: &Polynomial) -> Option<Po
     Some(upper.divided_by(&lower)?.to_polynomial(dividend))
 }
 
-/// The polynomial whose square it is.
+/// The exact square root of a polynomial.
 pub(super) fn square_root(polynomial: &Polynomial) -> Option<Polynomial> {
     let (own, _) = Sparse::pair(polynomial, polynomial)?;
     Some(own.square_root()?.to_polynomial(polynomial))

@@ -1,9 +1,9 @@
-//! Products of sines, cosines, their hyperbolic kin and Bessel functions, reduced to sums.
+//! Products of sines, cosines, hyperbolic functions and Bessel functions, reduced to sums.
 
 use super::polynomial::{Frame, Monomial, Polynomial};
 use crate::expr::{Expr, ExprError, Node, Number};
 
-/// The highest power of one function that is expanded; beyond it the power is an atom of its own.
+/// The highest power of one function that is expanded; higher powers are atoms.
 const HIGHEST: i64 = 64;
 
 /// A function of the variable with its whole power inside a product.
@@ -14,7 +14,7 @@ struct Wave<'a> {
     power: i64,
 }
 
-/// A product with one step of the reduction done; `None` where nothing is to be done.
+/// Applies one step of the reduction to a product; `None` if no step applies.
 ///
 /// Products and positive powers of sin and cos become sums of sin and cos; those of sinh and cosh become exponentials,
 /// and so do they beside an exponential;
@@ -82,7 +82,7 @@ fn exponentials(wave: &Wave<'_>, frame: &Frame) -> Result<Polynomial, ExprError>
     Ok(result.scaled(&Number::ratio(1, 2)))
 }
 
-/// sin u sin v = (cos(u−v) − cos(u+v))/2 and its kin.
+/// sin u sin v = (cos(u−v) − cos(u+v))/2 and the other product-to-sum identities.
 fn product_to_sum(first: &Wave<'_>, second: &Wave<'_>, frame: &Frame) -> Result<Polynomial, ExprError> {
     let (u, v) = (argument(first), argument(second));
     let (name, minus, plus) = match (first.name, second.name) {
@@ -165,7 +165,7 @@ fn bessel(monomial: &Monomial, wave: &Wave<'_>, frame: &Frame) -> Result<Option<
     if k.contains(frame.variable()) || wave.power != 1 {
         return Ok(None);
     }
-    // The power of r and the new order go into the product before it is looked at again.
+    // Multiply by the power of r and the new order before the next step.
     let part = |factor: Expr, shift: i64, n: i64| {
         let mut rest = monomial.clone();
         rest.remove(wave.atom);

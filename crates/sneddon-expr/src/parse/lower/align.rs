@@ -10,7 +10,7 @@ use std::ops::Range;
 pub(super) struct Breakpoints(Vec<(Expr, String)>);
 
 impl Breakpoints {
-    /// Remembers one; the number of all so far.
+    /// Records a breakpoint and returns the number of breakpoints so far.
     pub(super) fn record(&mut self, breakpoint: &Expr, typed: &str) -> usize {
         self.0.push((breakpoint.clone(), typed.to_owned()));
         self.0.len()
@@ -38,7 +38,7 @@ pub(super) fn align(operands: Vec<Formula>, known: &Breakpoints, span: &Range<us
     let mut variables = operands.iter().filter_map(|cases| cases.variable.clone());
     let variable = variables.next();
     if variables.any(|other| Some(&other) != variable.as_ref()) {
-        return Err(ParseError::new(span.clone(), Reason::MixedPieces, "pieces in one variable are accepted"));
+        return Err(ParseError::new(span.clone(), Reason::MixedPieces, "expected pieces in one variable"));
     }
     let breaks = merge(&operands, known, span)?;
     let mut cells = Vec::with_capacity(breaks.len() + 1);
@@ -103,7 +103,7 @@ fn merge(lists: &[Cases], known: &Breakpoints, span: &Range<usize>) -> Result<Ve
     let mut rests: Vec<&[Expr]> = lists.iter().map(|cases| cases.breaks.as_slice()).filter(|breaks| !breaks.is_empty()).collect();
     let mut merged = Vec::new();
     while let Some(first) = rests.first().and_then(|rest| rest.first()) {
-        // `least` may be beaten by a later head; it must then be above it, or their order is unknown.
+        // A later head may replace `least`; it must then be smaller, or the order of the two is unknown.
         let mut least = first;
         for head in rests.iter().filter_map(|rest| rest.first()) {
             if head == least || comes_before(least, head, &rests) {

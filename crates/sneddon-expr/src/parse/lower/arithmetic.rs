@@ -1,11 +1,11 @@
-//! Sums, products and powers with their limits: no number grows without bound, no undefined power is built.
+//! Sums, products and powers with their limits: numbers cannot grow without bound, and undefined powers are refused.
 
 use super::super::{ParseError, Reason, limits};
 use super::known::known_sign;
 use crate::expr::{Expr, Node, Number, Sign};
 use std::ops::Range;
 
-/// The constructors of the expression layer behind checks, and the work that long numbers have cost.
+/// Checked constructors of expressions, and the work spent on long numbers so far.
 #[derive(Default)]
 pub(super) struct Arithmetic {
     number_work: u64,
@@ -32,7 +32,7 @@ impl Arithmetic {
     /// 1/`divisor`.
     pub(super) fn reciprocal(&mut self, divisor: &Expr, span: &Range<usize>) -> Result<Expr, ParseError> {
         if divisor.is_zero() {
-            return Err(ParseError::new(span.clone(), Reason::DivisionByZero, "a divisor that is not 0 is accepted"));
+            return Err(ParseError::new(span.clone(), Reason::DivisionByZero, "expected a nonzero divisor"));
         }
         checked(divisor.recip(), span)
     }
@@ -47,7 +47,7 @@ impl Arithmetic {
         let span = base_span.start..exponent_span.end;
         let magnitude = exponent.as_number().map_or(0.0, |number| number.to_f64().abs());
         if magnitude > limits::EXPONENT as f64 {
-            return Err(ParseError::new(exponent_span.clone(), Reason::Exponent, "a smaller exponent is accepted"));
+            return Err(ParseError::new(exponent_span.clone(), Reason::Exponent, "expected a smaller exponent"));
         }
         let (coefficient, _) = base.split_coefficient();
         let unit = coefficient.is_zero() || coefficient.abs().is_one();
@@ -55,11 +55,11 @@ impl Arithmetic {
             return Err(too_large(&span));
         }
         if base.is_zero() && known_sign(exponent) == Sign::Negative {
-            return Err(ParseError::new(span, Reason::ZeroToNegative, "a positive exponent is accepted"));
+            return Err(ParseError::new(span, Reason::ZeroToNegative, "expected a positive exponent"));
         }
         if exponent.as_number().is_some_and(|number| !number.is_integer()) && known_sign(base) == Sign::Negative {
-            let power = if exponent.as_number() == Some(&Number::ratio(1, 2)) { "square root" } else { "broken power" };
-            let accepted = "a base that is not negative is accepted; -r^2 means -(r^2)";
+            let power = if exponent.as_number() == Some(&Number::ratio(1, 2)) { "square root" } else { "fractional power" };
+            let accepted = "expected a nonnegative base; -r^2 means -(r^2)";
             return Err(ParseError::new(base_span.clone(), Reason::NegativeBase { power }, accepted));
         }
         checked(base.pow(exponent), &span)
@@ -77,7 +77,7 @@ impl Arithmetic {
         if let [_, _] = parts {
             self.number_work += (bits / 64 + 1).pow(2);
             if self.number_work > limits::NUMBER_WORK {
-                return Err(ParseError::new(span.clone(), Reason::NumberWork, "fewer or shorter numbers are accepted"));
+                return Err(ParseError::new(span.clone(), Reason::NumberWork, "expected fewer or shorter numbers"));
             }
             return checked(build(parts), span);
         }
@@ -101,13 +101,13 @@ fn checked(expr: Expr, span: &Range<usize>) -> Result<Expr, ParseError> {
         _ => (false, too_high(&expr)),
     };
     if high {
-        return Err(ParseError::new(span.clone(), Reason::Exponent, "a smaller exponent is accepted"));
+        return Err(ParseError::new(span.clone(), Reason::Exponent, "expected a smaller exponent"));
     }
     if long { Err(too_large(span)) } else { Ok(expr) }
 }
 
 fn too_large(span: &Range<usize>) -> ParseError {
-    ParseError::new(span.clone(), Reason::NumberTooLarge, "smaller numbers or exponents are accepted")
+    ParseError::new(span.clone(), Reason::NumberTooLarge, "expected smaller numbers or exponents")
 }
 
 /// The bits of the longest numeric factor of a term.

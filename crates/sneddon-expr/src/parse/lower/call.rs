@@ -1,4 +1,4 @@
-//! Calls: functions of the table by name, other spellings, and the forms that are no plain functions.
+//! Calls: functions of the table by name, alternative spellings, and special forms such as `piecewise` and `integral`.
 
 use super::super::{ParseError, Reason};
 use super::known::known_sign;
@@ -19,7 +19,7 @@ impl Lowering<'_> {
             ("integral", _) if self.names == Names::Formula => self.integral(arguments, span),
             ("integral", _) => {
                 let reason = Reason::NotHere { what: "an integral", place: "a profile or constant" };
-                Err(ParseError::new(name_span.clone(), reason, "an expression in r without integrals is accepted"))
+                Err(ParseError::new(name_span.clone(), reason, "expected an expression in r without integrals"))
             }
             ("sqrt", 1) => self.square_root(arguments),
             ("sqrt", found) => Err(wrong_count(name, "1 argument".to_owned(), found, span)),
@@ -48,7 +48,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// The function of numbers that were not typed as arguments, and of the arguments.
+    /// Builds a call from numbers that were not typed as arguments, followed by the typed arguments.
     fn applied(
         &mut self,
         function: Function,
@@ -69,7 +69,7 @@ impl Lowering<'_> {
                 return Ok(Expr::function(function, values.to_vec()));
             }
             let reason = Reason::Domain { name: function.name().to_owned() };
-            Err(ParseError::new(place.clone(), reason, "an argument inside the domain of the function is accepted"))
+            Err(ParseError::new(place.clone(), reason, "expected an argument inside the domain of the function"))
         })
     }
 
@@ -83,7 +83,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// `J0(z)` for `besselj(0, z)`, and its kin.
+    /// `J0(z)` for `besselj(0, z)`, and similarly `J1`, `I0` and `I1`.
     fn bessel(
         &mut self,
         name: &str,

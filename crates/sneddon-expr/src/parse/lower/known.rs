@@ -2,7 +2,7 @@
 
 use crate::expr::{Constant, Expr, Node, Sign, sign};
 
-/// The sign of an expression, also where only its value tells, as for 1 − π.
+/// The sign of an expression, from its numeric value if necessary, as for 1 − π.
 pub(super) fn known_sign(expr: &Expr) -> Sign {
     match sign(expr) {
         Sign::Unknown => match value(expr) {

@@ -1,4 +1,4 @@
-//! What was typed to formulas: names get their meaning, operators the canonical constructors.
+//! From the parsed text to formulas: names are resolved, and operators call the canonical constructors.
 
 mod align;
 mod arithmetic;
@@ -16,7 +16,7 @@ use align::Breakpoints;
 use arithmetic::Arithmetic;
 use std::ops::Range;
 
-/// One pass over what was typed, with what it has spent and seen.
+/// One pass over the parsed text, with the work spent and the breakpoints found so far.
 pub(super) struct Lowering<'t> {
     text: &'t str,
     names: Names,
@@ -24,7 +24,7 @@ pub(super) struct Lowering<'t> {
     breakpoints: Breakpoints,
 }
 
-/// An operand that waits for its operator, and its place.
+/// An operand that waits for its operator, and its span.
 struct Operand {
     value: Value,
     span: Range<usize>,
@@ -41,8 +41,10 @@ impl Operand {
     fn formula(self) -> Result<Formula, ParseError> {
         let (what, accepted) = match self.value {
             Value::Formula(formula) => return Ok(formula),
-            Value::Comparison(_) => ("a comparison", "conditions such as r<b stand between the values of piecewise(v0, r<b, v1)"),
-            Value::List(_) => ("a list", "lists stand only in hyper([a], [b], z)"),
+            Value::Comparison(_) => {
+                ("a comparison", "conditions such as r<b are allowed only between the values of piecewise(v0, r<b, v1)")
+            }
+            Value::List(_) => ("a list", "lists are allowed only in hyper([a], [b], z)"),
         };
         Err(ParseError::new(self.span, Reason::NotHere { what, place: "an expression" }, accepted))
     }
@@ -54,7 +56,7 @@ impl Operand {
             Formula::Closed(expr) => Ok(expr),
             other => {
                 let what = if other.has_integral() { "an integral" } else { "piecewise" };
-                Err(ParseError::new(span, Reason::NotHere { what, place }, "a plain expression is accepted"))
+                Err(ParseError::new(span, Reason::NotHere { what, place }, "expected a plain expression"))
             }
         }
     }
@@ -65,7 +67,7 @@ impl<'t> Lowering<'t> {
         Self { text, names, arithmetic: Arithmetic::default(), breakpoints: Breakpoints::default() }
     }
 
-    /// The closed expression of a whole text, which is meant as `what`.
+    /// The closed expression of a whole text; `what` names its role in errors.
     pub(super) fn closed(self, items: Vec<Item>, what: &'static str) -> Result<Expr, ParseError> {
         let span = 0..self.text.len();
         Operand { value: Value::Formula(self.formula(items)?), span }.closed(what)

@@ -21,16 +21,16 @@ pub(in crate::parse) enum Names {
     None,
 }
 
-/// Functions of the grammar that are no rows of the table.
+/// Functions of the grammar that have no row in the function table.
 const BUILT_IN: [&str; 7] = ["sqrt", "piecewise", "integral", "J0", "J1", "I0", "I1"];
 
 /// Function names that are Greek letters too; without parentheses they are parameters.
 const GREEK: [&str; 4] = ["beta", "zeta", "kappa", "chi"];
 
-const CONSTANTS: &str = "a closed constant such as 0.3, 3/2, 1e-6, -1, pi/6 or sqrt(2) is accepted";
+const CONSTANTS: &str = "expected a constant such as 0.3, 3/2, 1e-6, -1, pi/6 or sqrt(2)";
 
 impl Names {
-    /// The expression that a name without parentheses stands for.
+    /// The expression that a name without parentheses denotes.
     pub(in crate::parse) fn resolve(self, name: &str, span: &Range<usize>) -> Result<Expr, ParseError> {
         let error = |reason, accepted: String| Err(ParseError::new(span.clone(), reason, accepted));
         match name {
@@ -74,7 +74,7 @@ impl Names {
         }
     }
 
-    /// What would be accepted in place of a function that does not exist.
+    /// The advice for an unknown function name.
     pub(super) fn nearest(self, name: &str) -> String {
         let rows = Function::all().filter(|function| function.row().shown.is_none());
         let names = rows.flat_map(|f| std::iter::once(f.name()).chain(f.row().spellings.iter().copied()));
@@ -85,9 +85,9 @@ impl Names {
         let near: Vec<&str> = near.into_iter().filter(|(d, known)| *d < known.len()).take(3).map(|(_, known)| known).collect();
         match near.as_slice() {
             [] if name.chars().count() <= 2 => format!("write {name}*(…) for a product"),
-            [] => "functions such as sqrt, exp, ln, sin, cos, tan, atan, sinh, abs, erf, min, max or piecewise are accepted".to_owned(),
-            [only] => format!("{only} is accepted, or {name}*(…) for a product"),
-            [names @ .., last] => format!("{} or {last} is accepted", names.join(", ")),
+            [] => "expected a function such as sqrt, exp, ln, sin, cos, tan, atan, sinh, abs, erf, min, max or piecewise".to_owned(),
+            [only] => format!("expected {only}, or {name}*(…) for a product"),
+            [names @ .., last] => format!("expected {} or {last}", names.join(", ")),
         }
     }
 }

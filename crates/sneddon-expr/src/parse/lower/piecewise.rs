@@ -28,12 +28,12 @@ impl Lowering<'_> {
                 && expected != own
             {
                 let reason = Reason::OtherVariable { expected: expected.to_string(), found: own.to_string() };
-                return Err(ParseError::new(place, reason, "conditions on one variable are accepted"));
+                return Err(ParseError::new(place, reason, "expected conditions on one variable"));
             }
             let falls = |before: &Expr| *before == breakpoint || below(&breakpoint, before);
             let last_number = breaks.iter().rev().find(|before| before.as_number().is_some());
             if breaks.last().is_some_and(falls) || last_number.is_some_and(falls) {
-                return Err(ParseError::new(place, Reason::BreakpointsNotRising, "breakpoints in rising order are accepted"));
+                return Err(ParseError::new(place, Reason::BreakpointsNotRising, "expected breakpoints in increasing order"));
             }
             breaks.push(breakpoint);
         }
@@ -61,14 +61,14 @@ impl Lowering<'_> {
         let at = |reason, accepted: &str| Err(ParseError::new(span.clone(), reason, accepted));
         if breakpoint.contains(&variable) {
             let reason = Reason::BreakpointContainsVariable { variable: variable.to_string() };
-            return at(reason, "a breakpoint made of numbers and parameters is accepted");
+            return at(reason, "expected a breakpoint made of numbers and parameters");
         }
         if matches!(known_sign(&breakpoint), Sign::Negative | Sign::Zero) {
-            return at(Reason::BreakpointNotPositive, "a positive breakpoint is accepted");
+            return at(Reason::BreakpointNotPositive, "expected a positive breakpoint");
         }
         let typed = self.text.get(span.clone()).unwrap_or("");
         if self.breakpoints.record(&breakpoint, typed) > limits::BREAKPOINTS {
-            return at(Reason::TooManyBreakpoints, "fewer breakpoints are accepted");
+            return at(Reason::TooManyBreakpoints, "expected fewer breakpoints");
         }
         Ok((variable, breakpoint))
     }

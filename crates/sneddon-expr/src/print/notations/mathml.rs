@@ -12,12 +12,12 @@ const APPLY: &str = "<mo>&#x2061;</mo>";
 /// A narrow space before the differential of an integral.
 const THIN: &str = "<mspace width=\"0.1667em\"/>";
 
-/// Writes an equation as a `math` element on a line of its own; its left side is a name, or a name with an argument, as in `g(x)`.
+/// Writes an equation as a displayed `math` element; its left side is a name, or a name with an argument, as in `g(x)`.
 pub(in crate::print) fn equation(left: &str, right: &Math) -> String {
     document(&row(&[symbol(left), operator("="), write(right)]))
 }
 
-/// Writes a formula as a `math` element on a line of its own.
+/// Writes a formula as a displayed `math` element.
 pub(in crate::print) fn formula(math: &Math) -> String {
     document(&write(math))
 }
@@ -109,7 +109,7 @@ fn fenced(open: &str, inner: &str, close: &str) -> String {
     format!("<mrow><mo form=\"prefix\">{open}</mo>{inner}<mo form=\"postfix\">{close}</mo></mrow>")
 }
 
-/// The text with the characters escaped that mean something in XML.
+/// The text with the special characters of XML escaped.
 pub(in crate::print) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
@@ -165,7 +165,7 @@ fn cases(variable: &str, pieces: &[(Math, Math)], last: &Math) -> String {
 
 fn letters(letters: Letters) -> String {
     let name = match (letters.text, letters.font) {
-        // MathML Core has no bold variant of its own: these are the bold letters of Unicode.
+        // MathML Core has no attribute for bold letters; use the bold letters of Unicode.
         ("H", Font::Bold) => "<mi>𝐇</mi>".to_owned(),
         ("L", Font::Bold) => "<mi>𝐋</mi>".to_owned(),
         (text, Font::Italic) => format!("<mi>{text}</mi>"),

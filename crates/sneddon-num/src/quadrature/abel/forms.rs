@@ -4,10 +4,10 @@ use super::super::even::{Middles, Nodes};
 use super::Radii;
 use crate::stable::{halves, leg};
 
-/// Most places that are asked together.
+/// Most radii evaluated together.
 pub const CHUNK: usize = 16;
 
-/// Where the piece lies.
+/// The extent of a piece.
 #[derive(Clone, Copy)]
 pub struct Extent {
     /// The upper end, where the integrand's singularity is.
@@ -58,7 +58,7 @@ pub enum Form {
         /// The range of the variable.
         reach: f64,
     },
-    /// The same in τ itself.
+    /// Next to a limit, as [`Self::NearSine`] but in τ.
     NearAngle {
         /// ε, as an angle.
         small: f64,
@@ -92,12 +92,12 @@ impl Form {
         }
     }
 
-    /// Up to here an odd f′ that ends at the limit has a variable of its own nowhere.
+    /// The largest x for which an odd f′ that ends at the limit needs no special variable.
     pub fn plain_below(limit: f64) -> f64 {
         limit / NEAR.hypot(1.0)
     }
 
-    /// What the mean of the integrand is to be multiplied by.
+    /// The factor between the mean of the integrand and the integral.
     pub fn scale(self, extent: &Extent) -> f64 {
         match self {
             Self::AxisSine => 1.0,
@@ -147,7 +147,7 @@ impl Form {
         }
     }
 
-    /// What a relative rounding of every r by one unit does to the mean: ∫ |r df′/dr| dτ.
+    /// The change of the mean when every r is rounded by one relative unit: ∫ |r df′/dr| dτ.
     #[inline(always)]
     pub fn displacement(self, extent: &Extent, middles: Middles<'_>, values: &[f64]) -> f64 {
         let (cotangents, by) = match self {

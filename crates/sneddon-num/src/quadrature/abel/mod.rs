@@ -1,4 +1,4 @@
-//! g(x) and F(a) of an f′ that is given as a closure over blocks of radii.
+//! g(x) and F(a) of an f′ given as a closure over blocks of radii.
 
 mod forms;
 mod pieces;
@@ -13,7 +13,7 @@ use super::super::bounded::UNIT;
 use super::super::error::NumError;
 use super::super::estimate::Estimate;
 
-/// A block of places at which f′ is asked, with distances that no subtraction has rounded.
+/// A block of radii at which f′ is evaluated, with distances free of cancellation.
 #[derive(Clone, Copy, Debug)]
 pub struct Radii<'a> {
     /// r.
@@ -26,26 +26,26 @@ pub struct Radii<'a> {
     pub below_limit: &'a [f64],
 }
 
-/// What the caller knows of f′ at the lower end of every piece.
+/// The behaviour of f′ at the lower end of every piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Start {
-    /// f′ continues to an odd function of r, as that of a profile which is a smooth function of r².
+    /// f′ continues to an odd function of r, which is the case if the profile is a smooth function of r².
     ///
-    /// Only speed depends on it, unless a [`Strip`] is stated: where it does not hold the rules find out, and more points are spent.
+    /// This affects only the speed unless a [`Strip`] is given: the rules detect a wrong declaration and use more points.
     Odd,
     /// f′ is smooth up to the end.
     #[default]
     Smooth,
-    /// f′ is like a fractional power or a logarithm of the distance to the end: rⁿ⁻¹ under a profile rⁿ.
+    /// f′ behaves like a fractional power or a logarithm of the distance to the end, such as rⁿ⁻¹ for a profile rⁿ.
     Algebraic,
 }
 
 /// Where f′ is analytic around the contact, and how large it is there.
 ///
-/// f′ continues to all complex r with |Im r| ≤ `height` and |Re r| ≤ √(x² + `height`²), and |f′(r)| ≤ `largest` there. What is
-/// left out by a rule of Gauss's is bounded by that, so that the fewest nodes suffice, and nothing is judged from values.
-/// Of an f′ with breakpoints it is the piece that ends at x that continues.
-/// The bound must hold, and so must [`Start::Odd`] where that is stated too: nothing can be found out about them.
+/// f′ continues to all complex r with |Im r| ≤ `height` and |Re r| ≤ √(x² + `height`²), and |f′(r)| ≤ `largest` there. This
+/// bounds the truncation error of Gauss rules, which gives the smallest sufficient number of nodes without estimates from values.
+/// For an f′ with breakpoints, the bound applies to the piece that ends at x.
+/// The bound must hold, and [`Start::Odd`] must be true if it is declared as well: neither is checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strip {
     /// A length.
@@ -54,7 +54,7 @@ pub struct Strip {
     pub largest: f64,
 }
 
-/// What is asked of [`abel`] and [`abel_force`], and what is known of f′.
+/// Options of [`abel`] and [`abel_force`], and known properties of f′.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AbelOptions<'a> {
     /// Accepted error relative to |value|.
@@ -65,20 +65,20 @@ pub struct AbelOptions<'a> {
     pub max_evaluations: u64,
     /// Behaviour at the lower end.
     pub start: Start,
-    /// f′ is 0 below this radius, and not asked there.
+    /// f′ is 0 below this radius and is not evaluated there.
     pub from: f64,
-    /// Kinks above `from`, rising.
+    /// Kinks above `from`, in increasing order.
     pub breakpoints: &'a [f64],
     /// Where f′ ends, perhaps like 1/√(limit − r); the equator of a sphere.
     pub limit: Option<f64>,
     /// Bound on the relative error of the values of f′, in units of 2⁻⁵³.
     pub roundings: f64,
-    /// What is known of f′ off the real axis. Not used together with [`Self::limit`] or [`Start::Algebraic`].
+    /// A bound on f′ off the real axis. Not used together with [`Self::limit`] or [`Start::Algebraic`].
     pub strip: Option<Strip>,
 }
 
 impl Default for AbelOptions<'_> {
-    /// Relative tolerance 1e−12, smooth, no kinks, no limit, 200 000 evaluations, values right to 8 units, nothing known off the axis.
+    /// Relative tolerance 1e−12, smooth, no kinks, no limit, 200 000 evaluations, values accurate to 8 units, no strip.
     fn default() -> Self {
         Self {
             rel_tol: 1e-12,
@@ -94,15 +94,16 @@ impl Default for AbelOptions<'_> {
     }
 }
 
-/// g(x) = x ∫₀ˣ f′(r)/√(x² − r²) dr, f′ being asked for blocks of radii.
+/// g(x) = x ∫₀ˣ f′(r)/√(x² − r²) dr, with f′ evaluated for blocks of radii.
 ///
 /// Units: x and r are lengths, f′ is a number, g a length. Domain: x ≥ 0, below the limit.
 /// The integral is taken over the angle, r = x cos τ, or over its sine where f′ is odd: in both the integrand is even, and
-/// half of the points of a rule suffice. Patterson's nested rules of 15 to 511 points climb until the tolerance is met; where
-/// they do not help, as at a kink that was not told, the range is bisected.
+/// half of the points of a rule suffice. Patterson's nested rules of 15 to 511 points are applied until the tolerance is met; if
+/// they do not converge, as at an undeclared kink, the range is bisected.
 ///
-/// Accuracy: as [`integrate`](super::integrate): the error is judged from the coefficients on the nodes, so what shows at none of them is not
-/// seen; next to the lower end of a piece, where steep powers hide narrow features, values are asked for this purpose alone.
+/// Accuracy: as [`integrate`](super::integrate): the error is estimated from the coefficients on the nodes, so a feature that
+/// affects no node is not detected; near the lower end of a piece, where steep powers hide narrow features, additional values
+/// are evaluated for this purpose.
 ///
 /// # Errors
 /// * [`NumError::ToleranceNotReached`], [`NumError::EvaluationLimit`]: with the best value and its error.
@@ -148,7 +149,7 @@ fn integral<const FORCE: bool>(
     with_unit::<FORCE>(x, found)
 }
 
-/// The options whose absolute tolerance is that of the integral without a unit.
+/// The options with the absolute tolerance of the dimensionless integral.
 fn without_unit<'a, const FORCE: bool>(x: f64, options: &AbelOptions<'a>) -> AbelOptions<'a> {
     let per = |value: f64| if value > 0.0 && x > 0.0 { (value / x).min(f64::MAX) } else { value };
     let abs_tol = per(options.abs_tol);
@@ -159,7 +160,7 @@ fn without_unit<'a, const FORCE: bool>(x: f64, options: &AbelOptions<'a>) -> Abe
 fn times(found: Result<Estimate, NumError>, x: f64) -> Result<Estimate, NumError> {
     let by = |value: f64, error: f64| {
         let product = value * x;
-        // The last digit of the product, and what an underflow loses.
+        // The rounding error of the product, and the error of an underflow.
         let rounding = UNIT * product.abs() + f64::from_bits(1);
         let none = value == 0.0 && error == 0.0;
         (product, if none { 0.0 } else { (error * x + rounding) * (1.0 + f64::EPSILON) })
@@ -183,7 +184,7 @@ fn times(found: Result<Estimate, NumError>, x: f64) -> Result<Estimate, NumError
     }
 }
 
-/// The same after evaluations that were spent before.
+/// Adds evaluations that were spent before.
 fn counted(found: Result<Estimate, NumError>, spent: u64) -> Result<Estimate, NumError> {
     match found {
         Ok(found) => Ok(Estimate { evaluations: found.evaluations + spent, ..found }),
@@ -197,7 +198,7 @@ fn counted(found: Result<Estimate, NumError>, spent: u64) -> Result<Estimate, Nu
     }
 }
 
-/// The options with what is left of the evaluations.
+/// The options with the remaining number of evaluations.
 fn without_spent<'a>(options: &AbelOptions<'a>, spent: u64) -> AbelOptions<'a> {
     AbelOptions { max_evaluations: options.max_evaluations.saturating_sub(spent), ..*options }
 }

@@ -1,4 +1,4 @@
-//! Algebraic behaviour at the axis: the double-exponential rule in the angle, of which half suffices.
+//! Algebraic behaviour at the axis: one half of the double-exponential rule in the angle.
 
 use super::Radii;
 use super::forms::Extent;
@@ -7,20 +7,20 @@ use crate::{Estimate, NumError};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
-/// Nodes of the finest rule up to the deepest, at a distance of 10⁻²⁷⁰ of the axis.
+/// Nodes of the finest rule; the last one lies at a relative distance of 10⁻²⁷⁰ from the axis.
 const NODES: usize = 96;
-/// Steps per unit of the double-exponential variable, the finest.
+/// Steps of the finest rule per unit of the double-exponential variable.
 const FINEST: usize = 16;
-/// Nodes of the finest rule that are never left out, down to v = 2.
+/// Nodes of the finest rule that are always used, up to v = 2.
 const LEAST_NODES: usize = 2 * FINEST + 1;
-/// Nodes that are asked at a time.
+/// Nodes evaluated at a time.
 const CHUNK: usize = 8;
 
-/// Steps per unit of the coarsest rule, and of those that halve it.
+/// Strides of the rules among the nodes of the finest rule, coarsest first.
 const STEPS: [usize; 4] = [8, 4, 2, 1];
 
-/// The nodes that one rule adds, from x down to the axis: number k of the finest rule, sin of the angle from the axis, 1 − cos
-/// of that from x, and dτ/dv there, halved at x.
+/// The nodes that one rule adds, from x down to the axis: index k in the finest rule, sin of the angle from the axis, 1 − cos
+/// of the angle from x, and dτ/dv, halved at x.
 #[derive(Default)]
 struct Rung {
     index: Vec<usize>,
@@ -31,7 +31,7 @@ struct Rung {
 
 struct Ladder {
     rungs: [Rung; STEPS.len()],
-    /// Of every node of the finest rule: tan of its angle from the axis, and its weight.
+    /// For every node of the finest rule, tan of its angle from the axis and its weight.
     tangent: Vec<f64>,
     weight: Vec<f64>,
 }
@@ -46,14 +46,14 @@ static LADDER: LazyLock<Ladder> = LazyLock::new(|| {
     for k in 0..NODES {
         let v = k as f64 / FINEST as f64;
         let q = (-PI * v.sinh()).exp();
-        // The angle from the axis, and that from x.
+        // The angles from the axis and from x.
         let (t, tau) = (PI * q / (1.0 + q), 0.5 * PI * (1.0 - q) / (1.0 + q));
         let half = (0.5 * tau).sin();
         let whole = PI * PI * v.cosh() * q / ((1.0 + q) * (1.0 + q));
         let weight = if k == 0 { 0.5 * whole } else { whole };
         ladder.tangent.push(t.tan().min(1e3));
         ladder.weight.push(weight);
-        // The coarsest rule that has the node.
+        // The coarsest rule that contains the node.
         let Some(rung) = STEPS.iter().position(|step| k % step == 0).and_then(|level| ladder.rungs.get_mut(level)) else { continue };
         rung.index.push(k);
         rung.sine.push(t.sin());
@@ -63,19 +63,19 @@ static LADDER: LazyLock<Ladder> = LazyLock::new(|| {
     ladder
 });
 
-/// The first rule that may be accepted: it needs two before it.
+/// The first rule that may be accepted; it requires two earlier rules.
 const EARLIEST: usize = 2;
 
-/// What the rule is asked for.
+/// The accuracy required of the rule.
 pub struct Wish<F> {
-    /// The error that is accepted beside a value.
+    /// The absolute tolerance as a function of the value.
     pub accepted: F,
-    /// Whether the rounding of r is to be charged, from differences between nodes.
+    /// Whether to include the rounding of r, estimated from differences between nodes.
     pub charge_r: bool,
 }
 
-/// ∫ f′ dτ from the axis to x, f′ asked in blocks for values and error bounds; `None` where the finest rule does not reach
-/// what is accepted, with the evaluations spent.
+/// ∫ f′ dτ from the axis to x, with f′ evaluated in blocks with error bounds, and the number of evaluations; `None` if the
+/// finest rule does not reach the tolerance.
 pub fn from_the_axis(
     ask: &mut impl FnMut(Radii<'_>, &mut [f64], &mut [f64]),
     extent: &Extent,
@@ -85,7 +85,7 @@ pub fn from_the_axis(
     let mut work = Trapezium { sum: 0.0, size: 0.0, noise: 0.0, tail: 0.0, evaluations: 0, values: [0.0; NODES], deepest: NODES };
     let mut before = [f64::INFINITY; 2];
     for (level, (step, rung)) in STEPS.into_iter().zip(&ladder.rungs).enumerate() {
-        // At first every node of the coarsest rule from x down to where nothing is left, then those between.
+        // Add every node of the coarsest rule from x until the terms are negligible, then the nodes between.
         work.add(ask, extent, rung, level == 0)?;
         let h = step as f64 / FINEST as f64;
         let (value, size) = (h * work.sum, h * work.size);
@@ -101,7 +101,7 @@ pub fn from_the_axis(
         let left_out = seen.max(10.0 * size * last.powf(2.5));
         let accepted = (wish.accepted)(value);
         let seems_enough = left_out + noise <= accepted;
-        // Rules may agree by chance, as on an oscillation that none of them resolves.
+        // Rules may agree by chance, for example on an unresolved oscillation.
         let left_out = if seems_enough { left_out.max(10.0 * size * work.unresolved(ladder, step, h / size)) } else { left_out };
         if seems_enough && left_out + noise <= accepted {
             let least = if left_out > noise { 0.999 * accepted } else { 0.0 };
@@ -123,10 +123,10 @@ pub fn growth_below_normal(x: f64, share: f64) -> f64 {
     if x * share < f64::MIN_POSITIVE { (f64::MIN_POSITIVE / x / share).min(f64::MAX) } else { 0.0 }
 }
 
-/// By how much a rule is better than the one of twice its step, from the last two relative differences between rules.
+/// The ratio of the errors of a rule and of the rule with twice its step, from the last two relative differences between rules.
 ///
-/// The error of half the step is the square of that of the step. Where that is seen to happen the root of the difference is
-/// counted, and no more than 1e−4.
+/// Halving the step squares the relative error. If the differences confirm this, the ratio is the root of the difference, at
+/// least 1e−4.
 fn squared(gap: f64, last: f64) -> f64 {
     if !last.is_finite() {
         return 1.0;
@@ -143,12 +143,12 @@ struct Trapezium {
     tail: f64,
     evaluations: u64,
     values: [f64; NODES],
-    /// The node beyond which nothing is left.
+    /// The node beyond which terms are negligible.
     deepest: usize,
 }
 
 impl Trapezium {
-    /// Adds the nodes of one rung; the first one finds where nothing is left.
+    /// Adds the nodes of one rung; the first rung determines where terms become negligible.
     #[inline(always)]
     fn add(
         &mut self,
@@ -159,7 +159,7 @@ impl Trapezium {
     ) -> Result<(), NumError> {
         let chunks = rung.index.chunks(CHUNK).zip(rung.sine.chunks(CHUNK)).zip(rung.versine.chunks(CHUNK)).zip(rung.weight.chunks(CHUNK));
         for (((index, sine), versine), weight) in chunks {
-            // What lies beyond the deepest node has no weight.
+            // Nodes beyond the deepest node have negligible weight.
             let count = index.iter().take_while(|k| **k < self.deepest).count();
             if count == 0 {
                 break;
@@ -198,17 +198,17 @@ impl Trapezium {
             }
             self.sum += sum;
             self.size += size;
-            // An unknown error is an unbounded one.
+            // Treat an unknown error as unbounded.
             self.noise += if noise.is_nan() { f64::INFINITY } else { noise };
             if first {
-                // Terms fall ever faster: two small ones end the sum, and those beyond them are small too.
+                // Terms decrease at an increasing rate: after two small terms all further terms are small too.
                 let nothing = 1e-18 * self.size;
                 let size = |place: usize| weight[place] * out[place].abs();
                 let mut small = count;
                 while small > 0 && size(small - 1) <= nothing {
                     small -= 1;
                 }
-                // What is zero everywhere is looked for to the end, and all else down to 3e-5 of x.
+                // A sum of zeros is continued to the end, and any other sum at least down to 3e-5 of x.
                 if count == CHUNK && small + 2 <= count && self.size > 0.0 {
                     self.tail = 16.0 * (size(small) + size(small + 1));
                     self.deepest = (index[small] + 1).max(LEAST_NODES);

@@ -1,4 +1,4 @@
-//! g(x) and F(a) of one closure at many places: what f′ has shown serves them all.
+//! g(x) and F(a) of one closure at many points, which share an expansion of f′.
 
 use super::super::even::{Expansion, Known};
 use super::forms::{Extent, Form};
@@ -8,15 +8,15 @@ use crate::{Estimate, NumError};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// The transform of one f′, for values at many places.
+/// The transform of one f′, for values at many points.
 ///
-/// Where f′ is stated to be odd ([`Start::Odd`]), it is expanded once over each power of two below `up_to`, in powers of r²: some 80 evaluations
-/// show at which degree the coefficients end in rounding noise. From then on the fewest nodes are known that suffice, 2 to 24 of them as a
-/// rule, where [`abel`] must find out anew at every place and asks for 12 to 36. What is not stated to be odd, has no such expansion, lies
-/// beyond a kink or next to a limit is answered as by [`abel`].
+/// If f′ is declared odd ([`Start::Odd`]), it is expanded once over each octave below `up_to`, in powers of r²: about 80
+/// evaluations show at which degree the coefficients reach rounding noise. The expansion gives the smallest sufficient number of
+/// nodes, usually 2 to 24, whereas [`abel`] determines it at every point and uses 12 to 36. [`abel`] is used if f′ is not
+/// declared odd or has no such expansion, and for points beyond a kink or near a limit.
 ///
-/// f′ is believed to be its expansion where that has ended in noise and agrees with f′ at 16 more places, down to 1e−9 of the range.
-/// It must be the same function at every call.
+/// The expansion is used if its coefficients have reached noise and it agrees with f′ at 16 further radii, down to 1e−9 of the
+/// range. The closure must return the same values at every call.
 ///
 /// ```
 /// use sneddon_num::quadrature::{AbelOptions, AbelTransform, Radii, Start};
@@ -33,36 +33,36 @@ use std::collections::btree_map::Entry;
 pub struct AbelTransform<'a, F> {
     slope: F,
     options: AbelOptions<'a>,
-    /// f′ is asked up to here.
+    /// f′ is evaluated up to this radius.
     up_to: f64,
-    /// Expansions end here, below the first kink and where a limit does not show.
+    /// Expansions end at this radius, below the first kink and sufficiently far from a limit.
     smooth: f64,
     octaves: BTreeMap<u64, Octave>,
 }
 
-/// Between one power of two and the next.
+/// The range between a power of two and the next.
 struct Octave {
-    /// x f′(r)/r from the axis to the upper end, where it has an expansion.
+    /// The expansion of x f′(r)/r from the axis to the upper end, if it converges.
     expansion: Option<Expansion>,
     /// The rules of each sixteenth, for g and for F.
     rules: [[Option<Chosen>; SIXTEENTHS]; 2],
 }
 
-/// What was found out for one sixteenth: the rule that suffices at its upper end, or that there is none. Where it does not meet the
-/// tolerance, as where f′ is so steep that its integral is much smaller at the lower end, the place is answered by itself.
+/// The rule for a sixteenth of an octave that suffices at its upper end, if any. A point where this rule misses the tolerance, as
+/// for an f′ so steep that its integral is much smaller at the lower end, is computed separately.
 type Chosen = Option<Known>;
 
 const SIXTEENTHS: usize = 16;
-/// Bits of a double below those that say which sixteenth of its octave it is in.
+/// Bits of a double below those that select the sixteenth of its octave.
 const BELOW: u32 = 48;
-/// An expansion may leave out this share of the tolerance; the rest is for places of the same sixteenth where the integral is smaller.
+/// Share of the tolerance for truncating an expansion; the rest allows for points of the same sixteenth with a smaller integral.
 const SHARE: f64 = 0.3;
 
 impl<'a, F: FnMut(Radii<'_>, &mut [f64])> AbelTransform<'a, F> {
-    /// The transform of f′ for places up to `up_to`, a length; f′ is asked nowhere beyond.
+    /// The transform of f′ for points up to `up_to`, a length; f′ is not evaluated beyond it.
     ///
     /// # Errors
-    /// [`NumError::OutOfDomain`] where `up_to` is negative, not finite, or at the limit or beyond.
+    /// [`NumError::OutOfDomain`] if `up_to` is negative, not finite, or not below the limit.
     pub fn new(slope: F, up_to: f64, options: AbelOptions<'a>) -> Result<Self, NumError> {
         let limit = options.limit.unwrap_or(f64::INFINITY);
         if !(up_to >= 0.0 && up_to.is_finite() && up_to < limit) {
@@ -113,7 +113,7 @@ impl<'a, F: FnMut(Radii<'_>, &mut [f64])> AbelTransform<'a, F> {
         self.anew::<FORCE>(x, spent)
     }
 
-    /// The value as by itself, after what was spent in vain.
+    /// Computes the value separately, after `spent` evaluations.
     #[inline(never)]
     fn anew<const FORCE: bool>(&mut self, x: f64, spent: u64) -> Result<Estimate, NumError> {
         if x > self.up_to {
@@ -125,7 +125,7 @@ impl<'a, F: FnMut(Radii<'_>, &mut [f64])> AbelTransform<'a, F> {
         counted(found, spent)
     }
 
-    /// The rule for a sixteenth of an octave, and what was spent on finding it.
+    /// The rule for a sixteenth of an octave, and the evaluations spent on finding it.
     #[inline]
     fn chosen<const FORCE: bool>(&mut self, place: u64) -> (Chosen, u64) {
         let (octave, sixteenth) = (place / SIXTEENTHS as u64, place as usize % SIXTEENTHS);

@@ -1,4 +1,4 @@
-//! An even function that its values have shown to be a polynomial: how few nodes suffice for it, there and on every shorter range.
+//! Chebyshev expansions of even functions, and the smallest sufficient number of nodes on the full range and on shorter ranges.
 
 use super::super::super::bounded::UNIT;
 use super::super::super::chebyshev;
@@ -7,33 +7,34 @@ use super::nodes::Lists;
 use super::{EvenIntegrand, Nodes};
 use std::sync::LazyLock;
 
-/// Values that are tried, in this order.
+/// Numbers of values to try, in this order.
 const COUNTS: [usize; 2] = [64, 128];
-/// Coefficients from this share of their number on must be noise.
+/// Coefficients beyond this fraction of their number must be noise.
 const SEEN: f64 = 0.75;
-/// Noise in the coefficients, as a share of the bound on that of the values: some sixty errors of both signs are averaged.
+/// Noise in the coefficients relative to the error bound of the values; about sixty errors of both signs are averaged.
 const AVERAGED: f64 = 0.25;
-/// Places between the last node and the end z = 1, as shares of √(1 − z²) there: what is narrow about the end shows nowhere else.
+/// Test points between the last node and the end z = 1, as fractions of √(1 − z²) at the last node; they detect features that are
+/// confined to the end.
 const NEXT_TO_THE_END: [f64; 7] = [0.5, 0.2, 0.07, 0.02, 1e-3, 1e-5, 1e-7];
-/// Places that belong to no grid: whole turns by the golden section.
+/// Number of test points off the grid: multiples of the golden ratio modulo 1.
 const AMONG_NODES: usize = 9;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// f(z) = Σ c_m T_2m(z).
 pub(crate) struct Expansion {
     coefficients: Vec<f64>,
-    /// The sum of the coefficients that are noise; what follows them is believed to be no more.
+    /// The sum of the magnitudes of the noise coefficients, which estimates the truncation error.
     beyond: f64,
 }
 
-/// Nodes of a series, and places at which it is tested.
+/// Nodes of a series, and its test points.
 struct Grid {
     nodes: Lists,
     tests: Lists,
     cosines: Vec<f64>,
 }
 
-/// Cosines for as many values where the series is known.
+/// Chebyshev cosines for resampling a known series, by the number of values.
 static PARTS: [(usize, LazyLock<Vec<f64>>); 4] = [
     (16, LazyLock::new(|| chebyshev::cosines(16))),
     (32, LazyLock::new(|| chebyshev::cosines(32))),
@@ -60,8 +61,8 @@ impl Grid {
 }
 
 impl Expansion {
-    /// The series of an integrand, and the evaluations spent, no more than `most`; none where coefficients do not fall to rounding noise,
-    /// where the function is something else between the nodes, or not finite.
+    /// The series of an integrand, and the evaluations spent, at most `most`. `None` if the coefficients do not decrease to
+    /// rounding noise, the series disagrees with the function at the test points, or the function is not finite.
     pub(crate) fn of<I: EvenIntegrand>(integrand: &mut I, most: u64) -> (Option<Self>, u64) {
         let mut evaluations = 0;
         for grid in &GRIDS {
@@ -77,7 +78,7 @@ impl Expansion {
             let mut coefficients = vec![0.0; values.len()];
             chebyshev::coefficients(&values, &grid.cosines, &mut coefficients);
             let last = coefficients.iter().skip((SEEN * values.len() as f64) as usize);
-            // Not a number is no noise.
+            // The comparisons also reject NaN.
             if !(largest > 0.0 && largest.is_finite() && last.clone().all(|c| c.abs() <= AVERAGED * noise)) {
                 continue;
             }
@@ -85,7 +86,7 @@ impl Expansion {
             let own = Self::cut(coefficients, 2.0 * floor);
             let seen = asked(integrand, tests);
             evaluations += seen.len() as u64;
-            // Noise of values and of the sum.
+            // Rounding noise of the values and of the sum.
             let doubt = 2.0 * noise + own.beyond + 16.0 * UNIT * own.coefficients.iter().map(|c| c.abs()).sum::<f64>();
             let agree = seen.iter().zip(tests.cosine).all(|(v, cosine)| (v - own.at(cosine * cosine)).abs() <= doubt);
             return (agree.then_some(own), evaluations);
@@ -101,15 +102,16 @@ impl Expansion {
         Self { coefficients, beyond }
     }
 
-    /// The value where 1 − z² is `share`.
+    /// The value at 1 − z² = `share`.
     fn at(&self, share: f64) -> f64 {
         chebyshev::sum(&self.coefficients, 1.0 - 2.0 * share)
     }
 
-    /// `share` times the function on the range of √(1 − z²) up to `share` instead of 1, times the new 1 − z² where it is weighted:
-    /// of x f′(r)/r that with x·share for x.
+    /// `share` times the function restricted to √(1 − z²) ≤ `share`, and times the new 1 − z² if `weighted`: for x f′(r)/r, the
+    /// same function with x·share for x.
     ///
-    /// What a rule of N nodes leaves out of it is a sum over the same polynomials: those below degree 2N stay below it.
+    /// Restriction preserves polynomials below degree 2N, which a rule of N nodes integrates exactly, so its truncation error is
+    /// a sum over the same coefficients.
     pub(crate) fn part(&self, share: f64, weighted: bool) -> Self {
         let needed = self.coefficients.len() + usize::from(weighted);
         let (count, cosines) = PARTS.iter().find(|(count, _)| *count >= needed).unwrap_or(&PARTS[PARTS.len() - 1]);
@@ -117,7 +119,7 @@ impl Expansion {
         let values: Vec<f64> = own.map(|own| self.at(share * share * own) * if weighted { share * own } else { share }).collect();
         let mut coefficients = vec![0.0; needed.min(*count)];
         chebyshev::coefficients(&values, cosines, &mut coefficients);
-        // The rounding of the sums is averaged, as that of values is.
+        // The rounding errors of the sums are averaged, like those of the values.
         let rounding = 16.0 * AVERAGED * UNIT * self.coefficients.iter().map(|c| c.abs()).sum::<f64>();
         Self { coefficients, beyond: self.beyond + rounding }
     }
@@ -128,10 +130,11 @@ impl Expansion {
         self.coefficients.iter().enumerate().map(term).sum()
     }
 
-    /// The smallest rule that leaves out no more than `wanted`, here and on ranges that are shorter by up to a sixteenth; `None` where there is none.
+    /// The smallest rule with a truncation error of at most `wanted`, on this range and on ranges shorter by up to a sixteenth;
+    /// `None` if there is none.
     ///
-    /// The rule's mean of T_2m is at most 1, and its own at most 1/(4m² − 1): twice the sum is enough, also on ranges that are shorter by a
-    /// sixteenth, where what is weighted may grow by as much.
+    /// The rule's mean of T_2m is at most 1 and the exact mean at most 1/(4m² − 1) in magnitude, so twice the sum of the
+    /// coefficients is a bound, with a margin for ranges shorter by a sixteenth, where the weight may grow by as much.
     pub(crate) fn fewest(&self, wanted: f64) -> Option<Known> {
         Known::smallest(|half| {
             let from = self.coefficients.get(2 * half..).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The mean of an even function over [−1, 1] by nested rules: each keeps the values of the one before.
+//! The mean of an even function over [−1, 1] by nested rules: each rule reuses the values of the previous one.
 
 mod expansion;
 mod gauss;
@@ -21,7 +21,7 @@ const MOST: usize = 256;
 const FEWEST: usize = 8;
 /// Nodes in the half of the third rule.
 const FEW: usize = 32;
-/// The rules from 15 points on; the first is compared with that of 7 points.
+/// The rules from 15 points on; the first is compared with the rule of 7 points.
 static LEVELS: [Rule; 6] = [
     patterson::PATTERSON_15.plain(),
     patterson::PATTERSON_31.plain(),
@@ -30,27 +30,27 @@ static LEVELS: [Rule; 6] = [
     patterson::PATTERSON_255.plain(),
     patterson::PATTERSON_511.plain(),
 ];
-/// Rules that are tried whatever the ones before have shown.
+/// Number of rules that are always tried.
 const ALWAYS: usize = 3;
-/// However fast coefficients fall, [`truncation`] makes no less than this of the difference between two rules.
+/// Smallest factor by which [`truncation`] multiplies the difference between two rules, however fast the coefficients decrease.
 const LEAST: f64 = 1e-4;
-/// Nor less than this of that of the first one, or where the integrand is steep.
+/// The smallest factor for the first rule, or if the integrand is steep.
 const LEAST_FIRST: f64 = 1e-2;
-/// A function that is zero everywhere is believed from this rule on.
+/// First rule from which zeros at all nodes imply a zero function.
 const BLANK_LEVEL: usize = 4;
-/// Coefficients of this share of the size have not begun to fall: an oscillation that more points resolve.
+/// Coefficients above this fraction of the size have not begun to decrease: an oscillation that needs more points.
 const UNRESOLVED: f64 = 3e-3;
 
-/// A function that is even in z, asked at nodes z in [0, 1).
+/// A function that is even in z, evaluated at nodes z in [0, 1).
 pub trait EvenIntegrand {
-    /// Whether [`Self::fill`] gives bounds of its own on the errors of values.
+    /// Whether [`Self::fill`] returns error bounds of the values.
     const BOUNDED: bool;
     /// Most nodes that [`Self::fill`] is given; a power of two from 8 on.
     const BLOCK: usize;
-    /// Whether a block costs more than its values: then the first rule asks for its guards together with its nodes.
+    /// Whether the overhead of a block dominates its cost; if so, the first rule evaluates its guards together with its nodes.
     const TOGETHER: bool;
 
-    /// Values, and bounds on their errors beside [`Self::relative`] and [`Self::displacement`].
+    /// Values, and bounds on their errors in addition to [`Self::relative`] and [`Self::displacement`].
     fn fill(&mut self, nodes: Nodes<'_>, values: &mut [f64], errors: &mut [f64]);
 
     /// A bound on the relative error of every value.
@@ -63,31 +63,31 @@ pub trait EvenIntegrand {
         None
     }
 
-    /// What the rounding of the nodes does to the mean, from the values at all nodes in rising order.
+    /// The effect of the rounding of the nodes on the mean, from the values at all nodes in increasing order.
     fn displacement(&self, _middles: Middles<'_>, _values: &[f64]) -> f64 {
         0.0
     }
 }
 
-/// What the rules found.
+/// The result of the rules.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Mean {
     /// The mean.
     pub value: f64,
-    /// Bound on what the rule leaves out.
+    /// Bound on the truncation error.
     pub left_out: f64,
     /// Bound on the effect of rounding.
     pub noise: f64,
-    /// Values of the integrand that were asked.
+    /// Number of evaluations of the integrand.
     pub evaluations: u64,
-    /// Whether the accepted error was reached.
+    /// Whether the tolerance was met.
     pub reached: bool,
 }
 
-/// Climbs the rules until `accepted`(value) is met or no rule is likely to meet it.
+/// Applies successive rules until the tolerance `accepted`(value) is met or no rule is likely to meet it.
 ///
 /// # Errors
-/// [`NumError::NotFinite`] where the integrand is not; its place is z.
+/// [`NumError::NotFinite`] if the integrand is not finite, with the node z.
 #[inline]
 pub fn mean<I: EvenIntegrand>(integrand: &mut I, most: u64, accepted: impl Fn(f64) -> f64) -> Result<Mean, NumError> {
     let (mut values, mut errors) = ([0.0; FEWEST + GUARDS], [0.0; FEWEST + GUARDS]);
@@ -112,7 +112,7 @@ fn climb<I: EvenIntegrand>(integrand: &mut I, mut few: State<FEW>, most: u64, ac
     Ok(many.mean)
 }
 
-/// The first rule: what it found, and the difference to the rule within it where the next rules may help.
+/// The first rule: its result, and the difference to the embedded rule if the next rules may help.
 #[inline(always)]
 fn begin<I: EvenIntegrand>(
     integrand: &mut I,
@@ -144,7 +144,7 @@ fn begin<I: EvenIntegrand>(
     let [value, a, b, c, predicted @ ..] = all;
     let [one, two, three, four] = first.seven;
     let seven = (one * values[0] + two * values[2]) + (three * values[4] + four * values[6]);
-    // Where the verdict may be good the guards are asked before it: the processor need not wait.
+    // If the verdict is likely to be good, evaluate the guards first so that the processor need not wait.
     let at_once = I::TOGETHER || LEAST_FIRST * (value - seven).abs() <= accepted(value);
     if at_once && !I::TOGETHER {
         integrand.fill(first.guards.all(), &mut values[FEWEST..], &mut errors[FEWEST..]);
@@ -170,7 +170,7 @@ fn begin<I: EvenIntegrand>(
 }
 
 impl Mean {
-    /// Whether the accepted error is reached.
+    /// Whether the tolerance is met.
     #[inline(always)]
     fn meets(&mut self, accepted: &impl Fn(f64) -> f64) -> bool {
         self.reached = self.left_out + self.noise <= accepted(self.value);
@@ -187,16 +187,17 @@ struct State<const N: usize> {
     gap: f64,
 }
 
-/// A line falls to π/2 of the distance of the last node to the end; what grows a few times more at the other end is no line.
+/// Steepness limit for the value at the last node relative to its distance to the end. The ratio is π/2 for a linear function and
+/// above the limit if the other end is a few times larger; smaller ratios indicate a steeper decrease.
 const STEEP: f64 = 0.3;
 
-/// What one rule has shown.
+/// The conclusion from one rule.
 enum Verdict {
-    /// The tolerance is met, but for what the guards say.
+    /// The tolerance is met, subject to the guards.
     Enough,
     /// The next rule may help.
     Climb,
-    /// It will not.
+    /// The next rule will not help.
     Stop,
 }
 
@@ -206,7 +207,7 @@ impl<const N: usize> State<N> {
         Self { values: [0.0; N], errors: [0.0; N], mean, gap }
     }
 
-    /// The same with room for more.
+    /// Copies the state into one with room for more values.
     fn after<const FEWER: usize>(few: &State<FEWER>) -> Self {
         let mut own = Self::new(few.mean, few.gap);
         own.values[..FEWER].copy_from_slice(&few.values);
@@ -233,7 +234,7 @@ impl<const N: usize> State<N> {
             if level + 1 < ALWAYS && self.mean.evaluations + (count + GUARDS) as u64 <= most {
                 let value = dot(rule.weights, &self.values[..count]);
                 let gap = (value - self.mean.value).abs();
-                // Whatever its coefficients say, this rule is too far from the one before.
+                // The difference to the previous rule is too large for any decay of the coefficients.
                 if LEAST * gap > accepted(value) && gap.is_finite() {
                     (self.mean.value, self.gap) = (value, gap);
                     continue;
@@ -268,7 +269,7 @@ impl<const N: usize> State<N> {
         Ok(false)
     }
 
-    /// Fills in the values at the nodes that the rule before does not have.
+    /// Fills in the values at the nodes that the previous rule does not have.
     fn ask<I: EvenIntegrand>(&mut self, integrand: &mut I, stage: &nodes::Stage, count: usize) {
         let fresh = stage.fresh.all();
         let half = count / 2;
@@ -294,7 +295,7 @@ impl<const N: usize> State<N> {
     }
 }
 
-/// Judges the sums over the values at the nodes of a rule, after what the rule before has found and its own difference to that before it.
+/// Judges the sums over the values of a rule, given the result of the previous rule and its difference to the one before it.
 #[inline(always)]
 fn judge<I: EvenIntegrand>(
     integrand: &I,
@@ -311,7 +312,7 @@ fn judge<I: EvenIntegrand>(
     }
     let relative = 8.0 * UNIT + integrand.relative();
     let floor = sums.noise + relative * sums.size + integrand.displacement(middles, values);
-    // An unknown error is an unbounded one.
+    // Treat an unknown error as unbounded.
     let floor = if floor.is_nan() { f64::INFINITY } else { floor };
     let least = if level == 0 || is_steep(values, sums.largest) { LEAST_FIRST } else { LEAST };
     let gap = (sums.value - before.value).abs();
@@ -332,23 +333,23 @@ fn judge<I: EvenIntegrand>(
     Ok((if predicted <= target { Verdict::Climb } else { Verdict::Stop }, mean))
 }
 
-/// Whether the integrand falls towards the end by more than its distance to it: what is narrow, or oscillates, where it is small
-/// shows in coefficients only that are smaller than the last one of this rule.
+/// Whether the integrand decreases faster than linearly towards the end: a narrow or oscillating feature where the integrand is
+/// small affects only coefficients smaller than the last one of this rule.
 #[inline(always)]
 fn is_steep(values: &[f64], largest: f64) -> bool {
     let distance = 1.0 - patterson::NODES[(values.len() - 1) * (MOST / values.len())];
     values.last().is_some_and(|last| last.abs() < STEEP * distance * largest)
 }
 
-/// What the guards of a rule have shown.
+/// The values at the guards of a rule.
 struct Seen<'a> {
     nodes: Nodes<'a>,
     values: &'a [f64],
     errors: &'a [f64],
 }
 
-/// The height of a narrow feature between the last node and the end: the values there against the polynomial through all nodes,
-/// whose own values are right to `doubt`.
+/// The height of a narrow feature between the last node and the end: the deviation of the values there from the polynomial
+/// through all nodes, whose values are accurate to `doubt`.
 #[inline(always)]
 fn beyond_the_last_node<I: EvenIntegrand>(
     integrand: &I,
@@ -361,7 +362,7 @@ fn beyond_the_last_node<I: EvenIntegrand>(
     let mut worst = 0.0f64;
     for (((seen, error), predicted), gain) in seen.values.iter().zip(seen.errors).zip(predicted).zip(gain) {
         let off = (seen - predicted).abs() - error - relative * seen.abs() - gain * doubt;
-        // Not a number is no number.
+        // Treat NaN as an infinite deviation.
         worst = if off <= worst {
             worst
         } else if off.is_nan() {
@@ -377,9 +378,9 @@ fn beyond_the_last_node<I: EvenIntegrand>(
     worst + hidden
 }
 
-/// What may be hidden between the last two guards, where a function that is smooth at the axis is a whole power of r.
+/// The height of a feature hidden between the last two guards, where a function smooth at the axis is an integer power of r.
 ///
-/// Below a narrow step rᵏ becomes another power: the exponents on both sides of the middle guard differ.
+/// Across a narrow step the exponent changes, so the exponents on both sides of the middle guard differ.
 #[inline]
 fn hidden(radii: &[f64; 3], seen: &[f64], errors: &[f64], relative: f64) -> f64 {
     let ([.., before, middle, last], [.., doubt, last_doubt]) = (seen, errors) else { return 0.0 };

@@ -1,4 +1,4 @@
-//! The places at which even integrands are asked, with what of them does not depend on the integrand.
+//! The nodes at which even integrands are evaluated, with precomputed functions of the nodes.
 
 use super::super::super::stable::halves;
 use super::patterson::{COSINE_RESTS, COSINES, NODES};
@@ -21,7 +21,7 @@ pub struct Nodes<'a> {
     pub quarter: &'a [f64],
     /// 1 − cos(πz/2), without cancellation.
     pub versine: &'a [f64],
-    /// √(1 − z²) to 26 binary digits, and what is left of it; empty where the double alone is kept.
+    /// √(1 − z²) to 26 binary digits, and the remainder; empty if only the double is kept.
     pub split: (&'a [f64], &'a [f64]),
 }
 
@@ -60,7 +60,7 @@ impl Lists {
         }
     }
 
-    /// The same with what the double leaves of the cosine.
+    /// As above, with the remainder of the cosine beyond its double.
     pub(super) fn push_precise(&mut self, z: f64, cosine: f64, rest: f64) {
         self.push(z, cosine);
         let (high, low) = halves(cosine);
@@ -77,7 +77,7 @@ impl Lists {
     }
 }
 
-/// As many nodes as the compiler knows of: loops over them have no counter.
+/// A number of nodes known at compile time, so that loops over them can be unrolled.
 pub(super) struct Block<const N: usize>([[f64; N]; 6]);
 
 impl<const N: usize> Block<N> {
@@ -92,7 +92,7 @@ impl<const N: usize> Block<N> {
     }
 }
 
-/// Functions of the places midway between neighbouring nodes.
+/// Functions of the midpoints between neighbouring nodes.
 #[derive(Clone, Copy)]
 pub struct Middles<'a> {
     /// (1 − z²)/z.
@@ -103,30 +103,30 @@ pub struct Middles<'a> {
     pub reciprocals: &'a [f64],
 }
 
-/// Beyond its last node a rule is tested at this many places.
+/// Number of test points of a rule beyond its last node.
 pub(super) const GUARDS: usize = 4;
-/// Where they are: angles from the end z = 1 in units of that of the last node.
+/// The positions of the test points: angles from the end z = 1 in units of the angle of the last node.
 const GUARD_PLACES: [f64; GUARDS] = [0.55, 0.2, 0.07, 1e-6];
 
-/// By how much a feature may be larger than the guards have seen.
+/// Factor by which a feature may exceed the deviation found at the guards.
 const BEYOND: f64 = 24.0;
 
-/// What belongs to one rule of the ladder.
+/// The data of one rule of the ladder.
 pub(super) struct Stage {
-    /// The nodes that the rule before does not have.
+    /// The nodes that the previous rule does not have.
     pub(super) fresh: Lists,
     /// Places between the last node and the end.
     pub(super) guards: Block<GUARDS>,
-    /// The value there of the polynomial through all nodes, as weights of the values.
+    /// The values of the interpolating polynomial at the guards, as weights of the values at the nodes.
     pub(super) predict: [Vec<f64>; GUARDS],
     /// The sum of the magnitudes of these weights.
     pub(super) gain: [f64; GUARDS],
-    /// 1 − z at the last node, some 50 times: what a feature about there can make of its height, of which the guards see a part.
+    /// About 50 times 1 − z at the last node: the integral of a feature near the end per unit of the height found at the guards.
     pub(super) beyond: f64,
     middles: [Vec<f64>; 3],
 }
 
-/// Each is made when it is first needed.
+/// Each stage is computed when it is first needed.
 pub(super) static STAGES: [LazyLock<Stage>; LEVELS.len()] = [
     LazyLock::new(|| Stage::new(0)),
     LazyLock::new(|| Stage::new(1)),
@@ -165,14 +165,14 @@ impl Stage {
     }
 }
 
-/// Sums over the values of the first rule: its own, the three coefficients, and what the polynomial through all nodes has at the guards.
+/// Sums over the values of the first rule: the rule, the three coefficients, and the interpolating polynomial at the guards.
 pub(super) const SUMS: usize = 4 + GUARDS;
 
-/// The first rule, whose nodes and sums the compiler may count.
+/// The first rule, with a number of nodes and sums known at compile time.
 pub(super) struct First {
     pub(super) nodes: Block<FEWEST>,
     pub(super) guards: Block<GUARDS>,
-    /// Nodes and guards, for those who ask them in one block.
+    /// Nodes and guards, for integrands that evaluate both in one block.
     pub(super) together: Block<{ FEWEST + GUARDS }>,
     /// The weights of one value in every sum.
     pub(super) shares: [[f64; SUMS]; FEWEST],
@@ -232,11 +232,11 @@ pub(super) fn between(nodes: impl Iterator<Item = f64> + Clone) -> [Vec<f64>; 3]
 
 /// Weights of the values for the polynomial in z² through all nodes, at the place with the given √(1 − z²).
 fn prediction(all: &[(f64, f64)], cosine: f64) -> Vec<f64> {
-    // Lagrange's products in y = 1 − z²: exact to the last digits next to the end.
+    // Lagrange's products in y = 1 − z², which are accurate near the end.
     let weight = |i: usize| {
         let own = all[i];
         all.iter().enumerate().filter(|(j, _)| *j != i).fold(1.0, |product, (_, other)| {
-            // y_i − y_j = (z_j − z_i)(z_j + z_i), or by the cosines where those are the smaller ones.
+            // y_i − y_j = (z_j − z_i)(z_j + z_i), or by the cosines if these are smaller.
             let gap =
                 if own.1 < 0.7 && other.1 < 0.7 { (own.1 - other.1) * (own.1 + other.1) } else { (other.0 - own.0) * (other.0 + own.0) };
             product * ((cosine - other.1) * (cosine + other.1) / gap)

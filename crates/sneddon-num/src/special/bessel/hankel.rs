@@ -11,7 +11,7 @@ const ENDLESS: f64 = 1e40;
 
 /// J_n(z) and Y_n(z) for large z, any real n.
 ///
-/// Source: DLMF 10.17.3, 10.17.4; the error is that of the first term left out, which holds for k > n/2 (10.17(iii)).
+/// Source: DLMF 10.17.3, 10.17.4; the error is bounded by the first neglected term, which holds for k > n/2 (10.17(iii)).
 pub(crate) fn oscillating(n: DoubleDouble, z: DoubleDouble) -> (Precise, Precise) {
     let (p, q) = if z.hi > ENDLESS { (exact(DoubleDouble::ONE), exact(0.0)) } else { pieces(n, z) };
     let (sine, cosine) = phase(n, z);
@@ -23,7 +23,7 @@ pub(crate) fn oscillating(n: DoubleDouble, z: DoubleDouble) -> (Precise, Precise
 
 /// e^shift I_n(z) for large z; shift = −z gives the scaled function.
 ///
-/// Source: DLMF 10.40.1; e^(−2z), which is left out, is below 10^-34.
+/// Source: DLMF 10.40.1; the neglected e^(−2z) is below 10^-34.
 pub(crate) fn growing(n: DoubleDouble, z: DoubleDouble, scaled: bool) -> Precise {
     let sum = if z.hi > ENDLESS { exact(DoubleDouble::ONE) } else { alternating(n, z) };
     let factor = times(sum, times(amplitude(z), exact(0.5)));
@@ -39,7 +39,7 @@ fn amplitude(z: DoubleDouble) -> Precise {
     Precise { value: size.value.scale(back), error: size.error * back + TINY }
 }
 
-/// a_k(n)/z^k for k = 1, 2, … until they no longer count; then the size of the first that is left out.
+/// a_k(n)/z^k for k = 1, 2, … until they are negligible, and the size of the first neglected term.
 fn terms(n: DoubleDouble, z: DoubleDouble, mut take: impl FnMut(u32, DoubleDouble, f64)) -> f64 {
     let four = n.mul(n).scale(4.0);
     let (mut term, mut size) = (DoubleDouble::ONE, 1.0_f64);

@@ -8,7 +8,7 @@ use crate::{DoubleDouble, Precise};
 
 /// `psi^(m)(x) = d^m psi / dx^m = (-1)^(m+1) m! Σ_k (x + k)^(-m-1)`, and `psi` itself for `m = 0`.
 ///
-/// Domain: whole `m` from 0 to 170, `x > 0`; NaN elsewhere and where the value is no double.
+/// Domain: whole `m` from 0 to 170, `x > 0`; NaN elsewhere and if the value is outside the range of doubles.
 /// Method: the sum up to 32 + 2m, then Euler and Maclaurin, in double-double; all terms have one sign.
 /// Accuracy: measured at most 0.51 ulp for `m >= 1` and `x` from 1e-90 to 1e90, 3 ulp beyond; `m = 0` is [`digamma`].
 ///
@@ -31,7 +31,7 @@ pub fn polygamma(m: f64, x: f64) -> f64 {
     if precise.is_finite() {
         return precise;
     }
-    // Next to 0 and far out one power is all there is.
+    // Near 0 and for very large x a single power is exact to working precision.
     let (from, power) = if x < 1.0 { (order, m + 1.0) } else { (order - 1, m) };
     let factorial: f64 = (1..=from).map(f64::from).product();
     let value = factorial * x.powf(-power);

@@ -9,10 +9,10 @@ use crate::{DoubleDouble, Precise};
 
 /// Kummer's `1F1(a; b; z) = Σ (a)_k / (b)_k z^k / k!`.
 ///
-/// Domain: real `a`, `b`, `z`, `b` no whole number <= 0 (unless the polynomial ends before); NaN elsewhere and where
-/// the value is no double.
+/// Domain: real `a`, `b`, `z`; `b` must not be a whole number <= 0 (unless the polynomial ends before). NaN elsewhere and if
+/// the value is outside the range of doubles.
 ///
-/// Accuracy: the value is within 2.5 ulp wherever it is not NaN, by its own bound; measured at most 0.51 ulp.
+/// Accuracy: the value is within 2.5 ulp wherever it is not NaN, by its computed bound; measured at most 0.51 ulp.
 ///
 /// Source: as [`hyp1f1_precise`].
 ///

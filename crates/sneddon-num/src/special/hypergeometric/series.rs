@@ -1,12 +1,12 @@
-//! The hypergeometric series in balls: what cancels and what is left out is measured.
+//! The hypergeometric series in ball arithmetic, with bounds for cancellation and truncation.
 
 use crate::special::ball::{Ball, UNIT};
 use crate::special::gamma::{is_pole, is_whole};
 use crate::work;
 
-/// `Σ Π (upper)_k / Π (lower)_k z^k / k!` summed as it stands; nothing is known where it does not settle.
+/// Direct summation of `Σ Π (upper)_k / Π (lower)_k z^k / k!`; the result is unknown if the series does not converge in time.
 ///
-/// The bound has the rounding of every term, the doubt of the parameters, and the tail as a geometric series.
+/// The bound includes the rounding of every term, the uncertainty of the parameters, and a geometric bound of the tail.
 pub(crate) fn series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
     let polynomial = upper.iter().any(|p| is_pole(*p));
     if z.hi() == 0.0 && z.error == 0.0 {
@@ -16,7 +16,7 @@ pub(crate) fn series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
     if !polynomial && growing {
         return Ball::NONE;
     }
-    // A whole number is meant where a difference comes out as one.
+    // Treat a computed difference that is a whole number as exact.
     let doubt_of = |p: &Ball| if is_whole(*p) { 0.0 } else { p.error };
     let doubtful = upper.iter().chain(lower).any(|p| doubt_of(p) > 0.0);
     let operations = (2 * upper.len() + 2 * lower.len() + 4) as f64 * UNIT * 0.5 + z.error / z.hi().abs();

@@ -1,14 +1,14 @@
-//! Profiles as compiled Rust closures, with what their author would state of them.
+//! Profiles as compiled Rust closures, with the properties that their author would declare.
 
 use super::{Place, TOLERANCE, median_ns, show};
 use sneddon::num::quadrature::{AbelOptions, AbelTransform, Radii, Start, Strip, abel};
 
-/// Places that are asked of one transform.
+/// Number of points evaluated with one transform.
 const MANY: usize = 1000;
-/// The share of x on which they lie.
+/// The width of the range of points, relative to x.
 const WIDTH: f64 = 0.1;
 
-/// Next to the equator of the sphere, and over as many waves, there is no expansion.
+/// Beyond these limits f′ has no expansion: close to the equator of the sphere, and over many waves of the cosine.
 const NEAR: f64 = 1.95;
 const FAR: f64 = 50.0;
 
@@ -41,25 +41,25 @@ pub(crate) fn pointwise(place: &Place) {
     }
 }
 
-/// As it is, and told how large f′ is in a strip around the real axis: 0.88 cosh 4.4 < 36, tan 1.4 < 5.8, and for all real u
-/// 0.8/1.69 (|u| + 3) e^((9 − u²)/1.69) < 350.
+/// Measures without and with a bound on f′ in a strip around the real axis: 0.88 cosh 4.4 < 36, tan 1.4 < 5.8, and
+/// 0.8/1.69 (|u| + 3) e^((9 − u²)/1.69) < 350 for all real u.
 fn twice(place: &Place, options: &AbelOptions<'_>, strip: Strip, slope: impl Fn(Radii<'_>, &mut [f64])) {
     smooth(place, options, &slope);
     measure_as("told", place, &AbelOptions { strip: Some(strip), ..*options }, &slope);
 }
 
-/// Values at many places next to the one in question, and one alone of which nothing is known.
+/// Measures values at many points close to the given one, and a single value without a known strip.
 fn smooth(place: &Place, options: &AbelOptions<'_>, slope: impl Fn(Radii<'_>, &mut [f64])) {
     measure_as("alone", place, options, &slope);
     let near: Vec<f64> = (0..MANY).map(|i| place.x * (1.0 - WIDTH * i as f64 / MANY as f64)).collect();
     let transform = || AbelTransform::new(&slope, place.x, *options);
     let call = || {
-        // What f′ is expanded for is counted too.
+        // The evaluations for the expansion of f′ are counted too.
         let mut transform = transform().ok()?;
         near.iter().map(|x| transform.g(*x).map(|found| found.value)).sum::<Result<f64, _>>().ok()
     };
     let Ok(mut known) = transform() else { return };
-    // The second one is the first that costs no more than its own evaluations.
+    // The second value is the first one without the cost of the expansion.
     let (Ok(_), Ok(found)) = (known.g(place.x), known.g(place.x)) else { return };
     show(place, "closure", median_ns(call) / MANY as f64, found.value, found.evaluations);
 }

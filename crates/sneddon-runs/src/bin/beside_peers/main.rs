@@ -1,6 +1,8 @@
-//! This crate at the places of the peers: one line `work,who,form,ns per point,relative error,evaluations` per measurement.
+//! Benchmarks this crate at the points used for other libraries; prints one line
+//! `work,who,form,ns per point,relative error,evaluations` per measurement.
 //!
-//! `benches/peers/run` calls it beside the peers; alone it is `cargo run --release -p sneddon-runs --bin beside_peers benches/peers/points.csv`.
+//! `benches/peers/run` calls it together with the other libraries; to run it alone, use
+//! `cargo run --release -p sneddon-runs --bin beside_peers benches/peers/points.csv`.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::print_stdout)]
 
 mod closures;
@@ -65,7 +67,7 @@ fn main() {
     }
 }
 
-/// The profiles as a user types them, with the doubles that stand for their numbers.
+/// The profiles as a user types them, with parameters for their numbers and the values as doubles.
 fn typed(profile: &str) -> (&'static str, &'static [(&'static str, f64)]) {
     match profile {
         "paraboloid" => ("r^2/(2*R)", &[("R", 2.0)]),
@@ -93,7 +95,7 @@ fn evaluator(solution: &Solution, method: Method) -> Evaluator<'_> {
     Evaluator::new(solution, &Bindings::default(), method, TOLERANCE).expect("numbers")
 }
 
-/// One value by quadrature of the profile as typed; for pressures also many of them.
+/// One value by quadrature of the profile as typed; many values for pressures.
 fn pointwise(place: &Place, evaluator: &Evaluator<'_>) {
     let x = place.x;
     match place.work.split('@').next() {
@@ -115,7 +117,7 @@ fn show(place: &Place, form: &str, ns: f64, value: f64, evaluations: u64) {
     line(&place.work, form, ns, place.error(value), evaluations);
 }
 
-/// The pressure curve of one contact, its set-up included.
+/// The pressure curve of one contact, including the set-up time.
 fn pressures(place: &Place, evaluator: &Evaluator<'_>) {
     let typed = evaluator.typed().expect("f′");
     let sum = |from: usize| -> Option<f64> {
@@ -131,7 +133,7 @@ fn pressures(place: &Place, evaluator: &Evaluator<'_>) {
     line("pressure 100 points", "typed", median_ns(|| sum(0)) / MANY as f64, place.error(single.value), 0);
 }
 
-/// The whole curve of ln cosh over 10⁵ places, built beforehand as the peer's plan is.
+/// The whole curve of ln cosh at 10⁵ points, built beforehand like the plan of the other library.
 fn curve(places: &[Place]) {
     const POINTS: usize = 100_000;
     let solution = solution("ln_cosh");
@@ -158,21 +160,21 @@ fn closed(work: &str, profile: &str, low: f64, high: f64) {
     }
 }
 
-/// Nanoseconds of processor time of this process, all threads: what other programs do does not count.
+/// Processor time of this process in nanoseconds, over all threads, so that other programs do not count.
 #[cfg(unix)]
 fn now() -> f64 {
     let time = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
     time.tv_sec as f64 * 1e9 + time.tv_nsec as f64
 }
 
-/// Nanoseconds on the wall, where there is no such clock.
+/// Wall-clock time in nanoseconds, on systems without a clock of processor time.
 #[cfg(not(unix))]
 fn now() -> f64 {
     static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
     START.get_or_init(std::time::Instant::now).elapsed().as_secs_f64() * 1e9
 }
 
-/// The median time of a call over 15 batches of a millisecond, or of one call where that takes longer.
+/// The median time of a call over 15 batches of a millisecond, or of one call each if a call takes longer.
 fn median_ns<T>(mut call: impl FnMut() -> T) -> f64 {
     const BATCHES: usize = 15;
     let start = now();
