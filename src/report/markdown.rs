@@ -19,7 +19,7 @@ pub fn rules(statements: &[Statement], out: &mut dyn Write) -> io::Result<()> {
     )?;
     writeln!(
         out,
-        "The formula of a family is an example of it: powers of $r$ in front of it, other parameters and, where it says so, segments are answered too.\n"
+        "Each formula is an example of its family: the rule also covers products with powers of $r$, other parameters and, where it says so, segments.\n"
     )?;
     writeln!(out, "| rule | solves | $f(r)$ |\n|---|---|---|")?;
     for statement in statements {

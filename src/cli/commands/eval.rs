@@ -276,7 +276,7 @@ fn warn_of_invalid_contact(quantity: Quantity, readings: &[Measured]) {
     let telling = matches!(quantity, Quantity::Equivalent | Quantity::Depth | Quantity::Force | Quantity::Pressure | Quantity::Integral);
     let negative = readings.iter().flatten().any(|reading| reading.estimate.value < -reading.estimate.error);
     if telling && negative {
-        warn(&format!("{} is negative at some points: no valid contact; the formula is answered all the same", quantity.key()));
+        warn(&format!("{} is negative at some points: no valid contact; the values of the formula follow", quantity.key()));
     }
 }
 
