@@ -126,8 +126,8 @@ impl Cells {
         self.doubling(r, phi).map_or(0.0, |own| hidden_slope(below(own), r))
     }
 
-    /// Returns true if `other` agrees with the slopes of all cells between the powers of two around r, within both bounds; false if the
-    /// budget of work ends. The first answer is kept, so `other` must be the same function in every call.
+    /// Returns true if `other` agrees with the slopes of all cells between the powers of two around r, within both bounds; false
+    /// if the budget of work ends. The first answer is kept, so `other` must be the same function in every call.
     pub(super) fn agree(&self, r: f64, phi: &impl Fn(f64) -> Bounded, other: &impl Fn(f64) -> Option<Bounded>) -> bool {
         let same = |cell: &Cell| {
             let (own, other) = (cell.derivative(1, cell.middle), other(cell.middle));
@@ -207,7 +207,8 @@ impl Cells {
     }
 }
 
-/// Returns the ends of short runs of cells with noise. Such a run may contain a step of φ, which lies between the nodes of a wide panel.
+/// Returns the ends of short runs of cells with noise. Such a run may contain a step of φ, which lies between the nodes of a wide
+/// panel.
 fn ends_of_noise(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
     /// Maximum number of cells in a run.
     const FEW: usize = 4;
@@ -306,8 +307,8 @@ impl Cell {
         }
     }
 
-    /// Returns false if a narrow part of the cell is free of noise although φ changes there by more than the noise. The cell then contains
-    /// many kinks or waves, which look like noise as well.
+    /// Returns false if a narrow part of the cell is free of noise although φ changes there by more than the noise. The cell then
+    /// contains many kinks or waves, which look like noise as well.
     fn is_noisy_within(&self, phi: &impl Fn(f64) -> Bounded) -> bool {
         /// Smaller noise, relative to φ, is taken for rounding without a comparison.
         const LOUD: f64 = 1e-6;
@@ -329,8 +330,8 @@ impl Cell {
         if last > LOW * self.size { last } else { 0.0 }
     }
 
-    /// Returns true if the last coefficients fell with the width of the cell until rounding hid them, as they do at a jump of φ′, or with
-    /// its square, as at a jump of φ″.
+    /// Returns true if the last coefficients fell with the width of the cell until rounding hid them, as they do at a jump of φ′,
+    /// or with its square, as at a jump of φ″.
     fn is_kinked(&self, wider: &[f64; WIDER]) -> bool {
         const FALL: f64 = 8.0;
         const SLOW: f64 = 5000.0;
@@ -365,7 +366,8 @@ impl Cell {
         self.orders[0].iter().rev().take(count).fold(0.0, |most: f64, c| if c.is_nan() { f64::INFINITY } else { most.max(c.abs()) })
     }
 
-    /// Returns the apparent rounding error of φ: the largest of the last `count` coefficients, but at least half an ulp of the largest value.
+    /// Returns the apparent rounding error of φ: the largest of the last `count` coefficients, but at least half an ulp of the
+    /// largest value.
     pub(super) fn rounding(&self, count: usize) -> f64 {
         self.last(count).max(0.5 * f64::EPSILON * self.size)
     }

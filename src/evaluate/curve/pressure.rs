@@ -14,8 +14,8 @@ use crate::num::{Bounded, Estimate};
 
 /// p(r)·π/E* = ∫_r^a g′/√(x² − r²) dx of one contact with a smooth edge, for many radii r.
 ///
-/// g′ without the contribution of jumps is a half-order integral of (r f′)′; its Legendre expansion over pieces of x² gives p term
-/// by term. The jumps δ of f′ at b add b δ K(b, r), with K by Carlson's R_F.
+/// g′ without the contribution of jumps is a half-order integral of (r f′)′; its Legendre expansion over pieces of x² gives p
+/// term by term. The jumps δ of f′ at b add b δ K(b, r), with K by Carlson's R_F.
 ///
 /// ```
 /// use sneddon::{expr::{Bindings, Expr}, parse, transform::{Curve, Evaluator, Method, Profile, derive}};

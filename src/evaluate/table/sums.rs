@@ -141,7 +141,8 @@ fn near(piece: &Cubic, x: f64, kernel: Kernel, sum: &mut Sum) {
     sum.error += NEAR_ROUNDINGS * f64::EPSILON * factor * size + half_ulp(sum.value);
 }
 
-/// The kernel of u(R) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt, r = a sin t, as in the quadrature of profiles; `root` is √(a² − r²).
+/// The kernel of u(R) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt, r = a sin t, as in the quadrature of profiles; `root` is √(a² −
+/// r²).
 fn outside(r: f64, root: f64, a: f64, at: f64) -> f64 {
     let ratio = a / leg(at, a);
     let (q, s) = (root / a, r / a);
