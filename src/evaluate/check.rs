@@ -1,4 +1,4 @@
-//! The program's own check: closed forms against quadrature of the profile as typed, at up to 64 points.
+//! Checks closed forms against quadrature of the profile as typed, at up to 64 points.
 
 use crate::derive::engine::Solution;
 use crate::derive::sample::Sampler;
@@ -12,13 +12,13 @@ use crate::num::work;
 /// The outcome of a check.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Check {
-    /// Points at which something closed was compared.
+    /// Points at which a closed form was compared.
     pub points: u32,
-    /// The largest |closed − quadrature| relative to the size of the quantity, over what was compared.
+    /// The largest |closed − quadrature| relative to the size of the quantity, over all comparisons.
     pub max_relative_difference: f64,
-    /// How it ended.
+    /// The verdict.
     pub verdict: Verdict,
-    /// Why nothing was compared, where that is so.
+    /// Why nothing was compared, if so.
     pub why: Option<&'static str>,
     /// Whether closed forms of g, F and p, in this order, were compared.
     pub compared: [bool; 3],
@@ -26,18 +26,18 @@ pub struct Check {
 
 /// Points of a check.
 const POINTS: u32 = 64;
-/// Draws of the parameters among which the points are shared.
+/// Random sets of parameters over which the points are distributed.
 const DRAWS: u32 = 8;
-/// More terms than this make a profile long.
+/// Profiles with more terms than this count as long.
 const MANY_TERMS: usize = 40;
-/// The relative tolerance that the quadratures of a check are asked for.
+/// The relative tolerance of the quadratures of a check.
 const TOLERANCE: f64 = 1e-12;
-/// Steps of work after which no new point is started: 64 points of an expensive profile prove no more than some of them.
+/// Steps of work after which no new point is started; for an expensive profile, fewer points suffice.
 const ENOUGH: u64 = 60_000_000;
 
 /// Compares g at up to 64 points, F and p at up to 16 of them, at the set values or at seeded random admissible ones.
 ///
-/// A point counts where something closed meets a quadrature whose bound is small enough to contradict it.
+/// A point counts if a closed form is compared with a quadrature whose bound is small enough to contradict it.
 ///
 /// ```
 /// use sneddon::{parse, transform::{Profile, Verdict, check, derive}};
@@ -60,13 +60,13 @@ fn compared(solution: &Solution) -> Result<Check, TransformError> {
     }
     let mut sampler = Sampler::new(0x0c4e_c4ed);
     let draws = if solution.profile.parameters().is_empty() { 1 } else { DRAWS };
-    // A long profile is as well tested by fewer of the dear pressures.
+    // For a long profile, fewer of the expensive pressures suffice.
     let every = if solution.terms().count() > MANY_TERMS { 32 } else { 4 };
     let (mut tally, mut visited, mut trouble) = (Tally::default(), 0, None);
     let mut seen = [false; 3];
     let before = work::left();
     let is_enough = || before - work::left() > ENOUGH;
-    // Some draws may fail: there are twice as many as are needed.
+    // Some draws may fail, so there are twice as many as needed.
     for _ in 0..2 * draws {
         let Some(bindings) = sampler.parameters(solution) else {
             return Ok(tally.outcome(NOT_ADMISSIBLE));
@@ -88,7 +88,7 @@ fn compared(solution: &Solution) -> Result<Check, TransformError> {
 pub(crate) const NOTHING_CLOSED: &str = "no part of the answer is closed, and quadrature is not compared with itself";
 pub(crate) const FLAT: &str = "f is constant, and there is nothing to compare";
 pub(crate) const NOT_ADMISSIBLE: &str = "no values of the parameters were found that meet the conditions";
-/// Why nothing was compared although something is closed.
+/// Why nothing was compared although there are closed forms.
 pub const NO_REFERENCE: &str = "no point has both a closed form and a quadrature with digits enough to contradict it";
 
 fn compare(
@@ -100,25 +100,25 @@ fn compare(
     sampler: &mut Sampler,
     (tally, seen): (&mut Tally, &mut [bool; 3]),
 ) -> Result<(), TransformError> {
-    // Where only some terms have a closed form, `Auto` compares these together with the integrals of the others.
+    // If only some terms have a closed form, `Auto` compares them together with the integrals of the others.
     let strict = Evaluator::new(solution, bindings, Method::Exact, TOLERANCE)?;
     let closed = Evaluator::new(solution, bindings, Method::Auto, TOLERANCE)?;
     let plain = Evaluator::new(solution, bindings, Method::Quadrature, TOLERANCE)?;
     let typed = plain.typed()?;
     let closed_pressure = solution.terms().any(|term| !term.has_open_pressure());
-    // Where integrals stand beside closed terms of the pressure, both sides are dear.
+    // If the pressure has open terms, both sides of the comparison are expensive.
     let every_pressure = if solution.terms().any(|term| term.has_open_pressure()) { 4 * every } else { every };
     for (index, x) in sampler.points(reach(&closed), points).into_iter().enumerate() {
         let share = sampler.fraction();
         if is_enough() {
             break;
         }
-        // A quadrature that cannot see what lies next to the axis refutes nothing.
+        // A quadrature that does not resolve the profile near the axis is inconclusive.
         if !typed.is_seen(x) {
             continue;
         }
         let before = tally.compared;
-        // A value that one side refuses is not compared; where it should exist, other points show it.
+        // Skip values that one side refuses.
         let [slope_seen, force_seen, pressure_seen] = &mut *seen;
         let mut take = |seen: &mut bool, own: Result<Reading, TransformError>, other: &dyn Fn() -> Result<Reading, TransformError>| {
             if let Ok(own) = own
@@ -150,7 +150,7 @@ fn compare(
 }
 
 impl Tally {
-    /// The outcome; `why` tells why nothing was compared, if so.
+    /// The outcome; `why` gives the reason if nothing was compared.
     pub(crate) fn outcome(&self, why: &'static str) -> Check {
         match self.verdict() {
             Verdict::NotCompared => Check::not_compared(why),
@@ -165,7 +165,7 @@ impl Check {
         Self { points: 0, max_relative_difference: f64::NAN, verdict: Verdict::NotCompared, why: Some(why), compared: [false; 3] }
     }
 
-    /// True where something closed was compared and agrees.
+    /// True if closed forms were compared and agree.
     pub fn passed(&self) -> bool {
         self.verdict == Verdict::Passed
     }

@@ -1,4 +1,4 @@
-//! Numbers from a solution: closed forms where they exist, quadrature for the rest, and the error of both.
+//! Numbers from a solution: closed forms if they exist, quadrature for the remaining terms, and the error of both.
 
 use crate::derive::closed_form::{ClosedForm, DOUBLES, THIRTY_DIGITS, for_second_pass, good_enough, precise_total, refined, total};
 use crate::derive::domain::barrier::Barrier;
@@ -19,7 +19,7 @@ use crate::integrate::segment::Segment;
 use crate::num::{Bounded, Estimate, Precise, work};
 use std::sync::OnceLock;
 
-/// Ends of the profile that are as close as this, relatively, are one.
+/// Ends of the profile with a smaller relative distance are identified.
 const SAME: f64 = 64.0 * f64::EPSILON;
 
 /// How a number may be computed.
@@ -35,12 +35,12 @@ pub enum Method {
     Only(&'static Way),
 }
 
-/// A number with its error and the way it was found.
+/// A number with its error and its method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// Value, error bound and evaluations of f′.
     pub estimate: Estimate,
-    /// `exact`, `quadrature`, or `mixed` where closed terms stand beside integrals.
+    /// `exact`, `quadrature`, or `mixed` for a sum of closed terms and integrals.
     pub method: &'static str,
 }
 
@@ -73,7 +73,7 @@ pub struct Evaluator<'a> {
     pub(crate) method: Method,
 }
 
-/// f as it was typed, less its value at the axis: per chain its breakpoints and pieces.
+/// The typed f minus its value at the axis: the breakpoints and pieces of each chain.
 pub(crate) struct Heights {
     pub(crate) chains: Vec<(Vec<f64>, Vec<ClosedForm>)>,
 }
@@ -86,14 +86,14 @@ pub(crate) struct NumericChain {
     outside: OnceLock<Part>,
 }
 
-/// The closed expressions of one quantity, one per interval of the contact, and what is left to integrate.
+/// The closed expressions of one quantity, one per interval of the contact, and the part that remains to be integrated.
 pub(crate) struct Part {
     pub(crate) closed: Vec<Option<ClosedForm>>,
     pub(crate) open: NumericProfile,
 }
 
 impl<'a> Evaluator<'a> {
-    /// Binds the parameters to numbers; nothing else is computed before it is asked for.
+    /// Binds the parameters to numbers; everything else is computed when needed.
     ///
     /// ```
     /// use sneddon::{expr::{Bindings, Expr}, parse, transform::{Evaluator, Method, Profile, derive}};
@@ -105,7 +105,7 @@ impl<'a> Evaluator<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value; [`TransformError::Statement`] for a tolerance outside (0, 1).
+    /// [`TransformError::Evaluation`] if a parameter has no value; [`TransformError::Statement`] for a tolerance outside (0, 1).
     pub fn new(solution: &'a Solution, bindings: &Bindings, method: Method, tolerance: f64) -> Result<Self, TransformError> {
         tolerance_in_range(tolerance)?;
         let number = |expr: &Expr| constant_value(expr, bindings).map(|b| b.value);
@@ -169,19 +169,19 @@ impl<'a> Evaluator<'a> {
         *self.end.get_or_init(|| work::finished(|| self.with_ends(Barrier::first_end)))
     }
 
-    /// The same, and where the profile is found to end at a place up to `at`, that place.
+    /// The smallest upper limit, or an end of the profile found numerically below `at`, if that is smaller.
     pub(crate) fn limit_up_to(&self, at: f64) -> f64 {
         if self.barriers.is_empty() { self.limit() } else { self.with_ends(|own| own.end_up_to(at)).min(self.limit()) }
     }
 
-    /// The smallest limit or end; an end that rounding alone puts below a limit is that limit.
+    /// The smallest limit or end; an end that lies below a limit only by rounding is replaced by the limit.
     fn with_ends(&self, end: impl Fn(&Barrier) -> Option<f64>) -> f64 {
         let limit = self.limits.iter().copied().fold(f64::INFINITY, f64::min);
         let found = self.barriers.iter().filter_map(end).fold(limit, f64::min);
         if found > limit * (1.0 - SAME) { limit } else { found }
     }
 
-    /// Every breakpoint below `end`, rising.
+    /// Every breakpoint below `end`, in increasing order.
     pub fn breakpoints_below(&self, end: f64) -> Vec<f64> {
         let mut list: Vec<f64> =
             self.chains.iter().flat_map(|c| c.breakpoints.iter().map(|b| b.value)).filter(|b| *b > 0.0 && *b < end).collect();
@@ -193,7 +193,7 @@ impl<'a> Evaluator<'a> {
     /// g(x).
     ///
     /// # Errors
-    /// [`TransformError`]: outside the domain, no closed form where one is demanded, or no digits.
+    /// [`TransformError`]: outside the domain, without a required closed form, or without a reliable digit.
     pub fn slope(&self, x: f64) -> Result<Reading, TransformError> {
         self.number("x", Superposed::Equivalent, Ask::Equivalent(x))
     }
@@ -218,7 +218,7 @@ impl<'a> Evaluator<'a> {
         found.and_then(|reading| finite(reading, symbol, at))
     }
 
-    /// g or F/(2E*) by quadrature alone: at once where f′ as typed has the digits, which is nearly always.
+    /// g or F/(2E*) by quadrature alone, directly if the typed f′ is accurate, which is almost always the case.
     #[inline]
     fn integral_of(&self, symbol: &'static str, ask: Ask) -> Result<Reading, TransformError> {
         let typed = self.typed().and_then(|own| own.answer(ask, self.tolerance));
@@ -236,7 +236,7 @@ impl<'a> Evaluator<'a> {
         }
         let radius = [Symbol::new("r")];
         let mut chains = Vec::new();
-        // f(0) is taken away in the expression, where it may cancel before any rounding.
+        // Subtract f(0) symbolically, so that it may cancel before any rounding.
         let mut shift = -self.bindings.apply(&self.solution.profile.shift);
         for chain in &self.solution.profile.chains {
             let number = |b: &Expr| first_double_from(b, &self.bindings);
@@ -249,7 +249,7 @@ impl<'a> Evaluator<'a> {
         Ok(self.heights.get_or_init(|| Heights { chains }))
     }
 
-    /// f(r) − f(0): the typed expression where it keeps its digits, else ∫₀^r f′ dr.
+    /// f(r) − f(0): the typed expression if it is accurate, else ∫₀^r f′ dr.
     ///
     /// # Errors
     /// As [`Self::slope`].
@@ -263,7 +263,7 @@ impl<'a> Evaluator<'a> {
         let typed = || by_quadrature(self.typed()?.height(r, self.tolerance).map(Some));
         let found = match self.method {
             Method::Exact => own,
-            // Even where its values are the answer, f′ is asked.
+            // f′ is checked even if its values are not needed for the result.
             Method::Quadrature => Best::of(0.0, own).or(typed).answer(),
             _ => Best::of(self.tolerance, own).or(typed).or(|| self.by_series(Ask::Height(r))).answer(),
         };
@@ -279,7 +279,7 @@ impl<'a> Evaluator<'a> {
         forms.collect()
     }
 
-    /// G(a) = ∫₀^a g dx: from the closed forms where that keeps its digits, else as one integral of its own.
+    /// G(a) = ∫₀^a g dx: from the closed forms if that is accurate, else as a single integral.
     ///
     /// # Errors
     /// As [`Self::slope`].
@@ -295,11 +295,11 @@ impl<'a> Evaluator<'a> {
         finite(found?, "a", a)
     }
 
-    /// a g(a) − F/(2E*), each in its own way, and with 30 digits where that cancels and nothing is left to integrate.
+    /// a g(a) − F/(2E*), with 30 digits if the difference cancels and both terms are closed.
     pub(crate) fn integral_of_parts(&self, a: f64) -> Result<Reading, TransformError> {
         let (slope, force) = (self.slope(a)?, self.force(a)?);
         let closed = Bounded::exact(a) * slope.estimate.bounded() - force.estimate.bounded();
-        // What the two were found from.
+        // The methods of both terms.
         let both = slope.estimate + force.estimate;
         let precise = || self.precise_integral(a).unwrap_or((Precise::nan(), THIRTY_DIGITS));
         let closed = refined(closed, closed.value, good_enough(self.tolerance), precise);
@@ -308,7 +308,7 @@ impl<'a> Evaluator<'a> {
         Ok(Reading { estimate, method: slope.method })
     }
 
-    /// a g(a) − F/(2E*) with 30 digits, where nothing is left to integrate.
+    /// a g(a) − F/(2E*) with 30 digits, if both terms are closed.
     fn precise_integral(&self, a: f64) -> Result<(Precise, &'static str), TransformError> {
         let forms = |quantity| self.closed_forms(quantity, a);
         let (Some(slope), Some(force)) = (forms(Superposed::Equivalent)?, forms(Superposed::Force)?) else {
@@ -318,16 +318,16 @@ impl<'a> Evaluator<'a> {
         Ok((Precise::exact(a).mul(slope).sub(force), way))
     }
 
-    /// The closed form with 30 digits: g(x) at `[x]`, F/(2E*) at `[a]`, p π/E* at `[r, a]`, r < a; `None` where something is left to integrate.
+    /// The closed form with 30 digits: g(x) at `[x]`, F/(2E*) at `[a]`, p π/E* at `[r, a]`, r < a; `None` if an integral remains.
     ///
     /// # Errors
-    /// [`TransformError`] where an answer cannot be compiled.
+    /// [`TransformError`] if a closed form cannot be compiled.
     pub fn with_30_digits(&self, quantity: Superposed, inputs: &[f64]) -> Result<Option<Precise>, TransformError> {
         let forms = self.closed_forms(quantity, inputs.last().copied().unwrap_or(0.0))?;
         Ok(forms.map(|forms| precise_total(&forms, inputs).0))
     }
 
-    /// The closed forms of every chain for a contact that ends at a radius; `None` where something is left to integrate.
+    /// The closed forms of every chain for a contact that ends at a radius; `None` if an integral remains.
     pub(crate) fn closed_forms(&self, quantity: Superposed, contact: f64) -> Result<Option<Vec<&ClosedForm>>, TransformError> {
         let mut forms = Vec::new();
         for index in 0..self.chains.len() {
@@ -358,7 +358,7 @@ impl<'a> Evaluator<'a> {
     /// ∫₀^a g′(x) x(x²+3z²)/(x²+z²)² dx, which is −σ_zz(z)·π/E* on the axis under a smooth edge; always by quadrature.
     ///
     /// # Errors
-    /// As [`Self::slope`]; [`TransformError::NoClosedForm`] where a closed form is demanded.
+    /// As [`Self::slope`]; [`TransformError::NoClosedForm`] if a closed form is required.
     pub fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
         work::bounded(|| self.stress_on_axis(z, a))
     }
@@ -381,11 +381,11 @@ impl<'a> Evaluator<'a> {
         finite(found?, "z", z)
     }
 
-    /// Refuses a place that is no length, or that the profile does not reach.
+    /// Refuses a coordinate that is not a length or lies outside the profile.
     ///
     /// # Errors
-    /// [`TransformError::Statement`] for a place that is negative, infinite or NaN, [`TransformError::OutOfDomain`] at the limit of r and
-    /// beyond it.
+    /// [`TransformError::Statement`] for a coordinate that is negative, infinite or NaN, [`TransformError::OutOfDomain`] at and
+    /// beyond the limit of r.
     pub fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
         finite_and_not_negative(symbol, at)?;
         let limit = self.limit_up_to(at);
@@ -395,8 +395,8 @@ impl<'a> Evaluator<'a> {
         Ok(())
     }
 
-    /// The number of breakpoints of the chain below the contact's end; one that may be below it counts, because the
-    /// formula beyond it carries the doubt in its error.
+    /// The number of breakpoints of the chain below the contact's end. A breakpoint that may lie below it counts, because the
+    /// error of the formula beyond it includes the uncertainty of the breakpoint.
     pub(crate) fn interval(&self, chain: usize, contact: f64) -> usize {
         self.chains.get(chain).map_or(0, |c| c.breakpoints.iter().filter(|b| is_below(**b, contact)).count())
     }
@@ -429,17 +429,17 @@ impl<'a> Evaluator<'a> {
         }
         let open = chain.remainder(|term| quantity.is_open(term));
         let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
-        // What was compiled after the budget was used up means nothing.
+        // Expressions that were compiled after the budget was exhausted are meaningless.
         work::check()?;
         Ok(cell.get_or_init(|| part))
     }
 }
 
-/// A value that theory makes infinite, or that left the domain, is an error where a number is needed.
+/// Returns an error for a value that is theoretically infinite or outside the domain.
 fn finite(reading: Option<Reading>, symbol: &'static str, at: f64) -> Result<Reading, TransformError> {
     match reading {
         Some(reading) if reading.estimate.value.is_finite() && reading.estimate.error.is_finite() => Ok(reading),
-        // A number without any bound is no answer.
+        // A value without a finite error bound is refused.
         Some(reading) if reading.estimate.value.is_finite() => Err(TransformError::NotComputable { at }),
         Some(reading) if reading.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol, at }),
         _ => Err(TransformError::OutOfDomain { symbol, at, limit: String::new() }),

@@ -1,4 +1,4 @@
-//! Numbers of an inverse: closed shares with their error bounds, quadrature for the rest, and the check of one by the other.
+//! Numbers of an inverse: closed forms with error bounds, quadrature for the remaining terms, and comparisons of the two.
 
 use crate::derive::closed_form::{ClosedForm, for_second_pass, good_enough, total};
 use crate::derive::engine::Solution;
@@ -16,10 +16,10 @@ use crate::integrate::integral::NumericProfile;
 use crate::integrate::segment::Segment;
 use crate::num::{Bounded, Estimate, work};
 
-/// Points of a check, and draws of the parameters that they are spread over.
+/// Points of a check, and the random sets of parameters over which they are distributed.
 const POINTS: u32 = 64;
 const DRAWS: u32 = 4;
-/// What the quadrature of a check is asked for.
+/// The tolerance of the quadrature of a check.
 const TOLERANCE: f64 = 1e-12;
 
 /// An inverse with numbers for its parameters.
@@ -42,7 +42,7 @@ impl InverseNumbers {
     /// Binds the parameters to numbers.
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value.
+    /// [`TransformError::Evaluation`] if a parameter has no value.
     pub fn new(inverse: &Inverse, bindings: &Bindings, method: Method, tolerance: f64) -> Result<Self, TransformError> {
         let radius = [Symbol::new("r")];
         let mut chains = Vec::new();
@@ -67,10 +67,10 @@ impl InverseNumbers {
         Ok(Self { chains, whole: NumericProfile::new(&pieces, bindings)?, at_axis, limit, method, tolerance })
     }
 
-    /// f(r), by its formula where that keeps its digits, else by quadrature of g as typed.
+    /// f(r), by its formula if that is accurate, else by quadrature of g as typed.
     ///
     /// # Errors
-    /// [`TransformError`] outside the domain, without a closed form where one is demanded, or without digits.
+    /// [`TransformError`] outside the domain, without a required closed form, or without a reliable digit.
     pub fn value(&self, r: f64) -> Result<Reading, TransformError> {
         if r >= self.limit {
             return Err(TransformError::OutOfDomain { symbol: "r", at: r, limit: format!(", which ends at r = {}", self.limit) });
@@ -85,20 +85,20 @@ impl InverseNumbers {
         let (mut open, mut any_open) = (Estimate::exact(0.0), false);
         let mut forms = Vec::new();
         for chain in &self.chains {
-            // A breakpoint that may lie below r counts, because the formula beyond it carries the doubt in its error.
+            // A breakpoint that may lie below r counts, because the error of the formula beyond it includes its uncertainty.
             let interval = chain.breakpoints.iter().filter(|b| b.value - b.error < r).count();
             forms.extend(chain.closed.get(interval).and_then(Option::as_ref));
             if !chain.open.is_empty() {
                 if self.method == Method::Exact {
                     return Err(TransformError::NoClosedForm { quantity: "f" });
                 }
-                // The recognition form of what is left may cancel where g as typed does not.
+                // The recognition form of the open part may cancel where the typed g does not.
                 let Ok(found) = transformed(&chain.open, r, self.tolerance) else { return whole() };
                 open = open + found;
                 any_open = true;
             }
         }
-        // A special function may need many thousand terms here; quadrature is asked before it has them all.
+        // A special function may need thousands of terms here; switch to quadrature before that.
         let special = self.method == Method::Auto && forms.iter().any(|form| form.tape().is_special());
         let sum = || total(&forms, &[r], good_enough(self.tolerance));
         let in_time = if special { work::share(DEAR, sum) } else { Some(sum()) };
@@ -129,7 +129,7 @@ impl InverseNumbers {
         }
     }
 
-    /// How far out a check goes.
+    /// The largest radius of a check.
     fn reach(&self) -> f64 {
         if self.limit.is_finite() {
             return 0.98 * self.limit;
@@ -139,7 +139,7 @@ impl InverseNumbers {
     }
 }
 
-/// Steps of work after which a closed form with special functions is given up where quadrature may answer.
+/// Steps of work after which a closed form with special functions is abandoned in favour of quadrature.
 const DEAR: u64 = 500_000;
 
 /// (2/π) ∫₀^{π/2} g(r sin t) dt.
@@ -152,7 +152,7 @@ fn transformed(g: &NumericProfile, r: f64, tolerance: f64) -> Result<Estimate, T
 /// Compares the closed form with quadrature of g as typed, at the set values or at seeded random admissible ones.
 ///
 /// # Errors
-/// [`TransformError`] where g cannot be evaluated at any admissible value of its parameters.
+/// [`TransformError`] if g cannot be evaluated at any admissible values of its parameters.
 pub fn check_inverse(inverse: &Inverse) -> Result<Check, TransformError> {
     let mut sampler = Sampler::new(0x0c4e_c4ed);
     let solution = Solution {

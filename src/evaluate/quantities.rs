@@ -1,4 +1,4 @@
-//! What a contact asks of a profile, whatever the profile is made of: a formula, a closure or a table.
+//! The interface between a contact and its profile, which may be a formula, a closure or a table.
 
 use crate::evaluate::evaluator::{Evaluator, Reading};
 use crate::integrate::error::TransformError;
@@ -6,12 +6,12 @@ use crate::num::Bounded;
 
 /// The quantities of a contact with a smooth edge as numbers with errors, in units in which E* = 1.
 ///
-/// [`Evaluator`] answers them from formulas; closures and tables have their own; a contact takes any of them.
+/// Implemented by [`Evaluator`] for formulas, and by closures and tables; a contact works with any implementation.
 pub trait Quantities: Send + Sync {
     /// g(x) = x ∫₀^x f′/√(x²−r²) dr.
     ///
     /// # Errors
-    /// [`TransformError`] outside the domain, or where no digits can be promised.
+    /// [`TransformError`] outside the domain, or if no digit is reliable.
     fn slope(&self, x: f64) -> Result<Reading, TransformError>;
 
     /// F(a)/(2E*) = ∫₀^a r² f′/√(a²−r²) dr.
@@ -26,7 +26,7 @@ pub trait Quantities: Send + Sync {
     /// As [`Self::slope`].
     fn integral(&self, a: f64) -> Result<Reading, TransformError>;
 
-    /// p(r)·π/E* = ∫_r^a g′(x)/√(x²−r²) dx; `None` where it is infinite by theory.
+    /// p(r)·π/E* = ∫_r^a g′(x)/√(x²−r²) dx; `None` if it is theoretically infinite.
     ///
     /// # Errors
     /// As [`Self::slope`].
@@ -53,13 +53,13 @@ pub trait Quantities: Send + Sync {
     /// As [`Self::slope`].
     fn height(&self, r: f64) -> Result<Reading, TransformError>;
 
-    /// The upper limit of r; infinite where there is none.
+    /// The upper limit of r; infinite if there is none.
     fn limit(&self) -> f64;
 
-    /// The places below `end` where g is not smooth, rising.
+    /// The radii below `end` where g is not smooth, in increasing order.
     fn breakpoints_below(&self, end: f64) -> Vec<f64>;
 
-    /// Refuses a place that the profile does not reach.
+    /// Refuses a coordinate outside the profile.
     ///
     /// # Errors
     /// [`TransformError::OutOfDomain`].
@@ -79,7 +79,7 @@ pub trait Quantities: Send + Sync {
         Ok(flat)
     }
 
-    /// ∫₀^a (d − g)² dx, for profiles that have a better way than quadrature between their breakpoints.
+    /// ∫₀^a (d − g)² dx, for profiles with a better method than quadrature between their breakpoints.
     fn squared_gap(&self, _a: f64, _depth: Bounded) -> Option<Result<Reading, TransformError>> {
         None
     }

@@ -1,7 +1,7 @@
-//! The series way (Popov & Heß, Problem 8): f as a power series at r = 0, mapped term by term, with a bound of what is left out.
+//! The series way (Popov & Heß, Problem 8): f as a power series at r = 0, mapped term by term, with a truncation error bound.
 //!
-//! Σ A_n r^(n+s) gives g = Σ A_n κ_{n+s} x^(n+s). The rest is bounded by Cauchy's estimate: with Σ |A_n| ρ^n ≤ M beyond the last
-//! term, each term beyond is at most M κ (x/ρ)^n, at the best of many radii ρ.
+//! Σ A_n r^(n+s) gives g = Σ A_n κ_{n+s} x^(n+s). Cauchy's estimate bounds the remainder: if Σ |A_n| ρ^n ≤ M beyond the last
+//! term, each further term is at most M κ (x/ρ)^n; the best of many radii ρ is used.
 
 use crate::derive::profile::Profile;
 use crate::eval::{Series, SeriesError, constant_value, power_series};
@@ -14,11 +14,11 @@ use thiserror::Error;
 
 /// The highest order.
 pub const HIGHEST_ORDER: usize = 1000;
-/// Radii ρ of the first round: from the point outward by a quarter of an octave, …
+/// Number of radii ρ of the first round, from the point outward by steps of a quarter of an octave.
 const FIRST_ROUND: u32 = 48;
-/// … and of the second one, between the best of the first round and its neighbours.
+/// Number of radii ρ of the second round, between the best radius of the first round and its neighbours.
 const SECOND_ROUND: u32 = 24;
-/// What the bound's own rounding may amount to, relatively.
+/// Relative margin for rounding errors of the bound.
 const MARGIN: f64 = 1e-11;
 
 /// Why the series way has no answer.
@@ -51,19 +51,19 @@ pub enum SeriesFailure {
         /// The quantity.
         quantity: &'static str,
     },
-    /// The profile itself has no answer.
+    /// An error of the profile.
     #[error(transparent)]
     Transform(#[from] TransformError),
 }
 
-/// A profile whose series at r = 0 is asked for; every parameter has a number.
+/// A profile with its series at r = 0; every parameter has a number.
 pub struct SeriesEvaluator {
     expr: Expr,
     end: f64,
     order: usize,
 }
 
-/// What stands before A_n x^(n+s).
+/// The factor of A_n x^(n+s).
 #[derive(Clone, Copy, PartialEq)]
 enum Weight {
     /// 1: f.
@@ -79,12 +79,12 @@ enum Weight {
 }
 
 impl SeriesEvaluator {
-    /// The highest power of r that is kept where nobody asks for another one …
+    /// The default highest power of r.
     pub const ORDER: usize = 24;
-    /// … and for the pressure, which has nothing else next to the axis.
+    /// The highest power of r for the pressure, for which the series is the only method near the axis.
     pub const PRESSURE_ORDER: usize = 64;
 
-    /// Takes the first piece of every chain of the profile.
+    /// Creates the series from the first piece of every chain of the profile.
     ///
     /// ```
     /// use sneddon::{parse, transform::{Profile, SeriesEvaluator}};
@@ -95,12 +95,12 @@ impl SeriesEvaluator {
     /// ```
     ///
     /// # Errors
-    /// [`SeriesFailure`] where a parameter has no value.
+    /// [`SeriesFailure`] if a parameter has no value.
     pub fn new(profile: &Profile, order: usize) -> Result<Self, SeriesFailure> {
         Self::with(profile, &Bindings::default(), order)
     }
 
-    /// The same with numbers for parameters that have none yet.
+    /// As [`Self::new`], with numbers for parameters without a value.
     pub(crate) fn with(profile: &Profile, bindings: &Bindings, order: usize) -> Result<Self, SeriesFailure> {
         let (mut first, mut end) = (Vec::new(), f64::INFINITY);
         for chain in &profile.chains {
@@ -116,7 +116,7 @@ impl SeriesEvaluator {
     /// f(r) − f(0).
     ///
     /// # Errors
-    /// [`SeriesFailure`] where the series is not known, or not proven to converge.
+    /// [`SeriesFailure`] if the series is not known, or not proven to converge.
     pub fn height(&self, r: f64) -> Result<Reading, SeriesFailure> {
         self.value("r", r, Weight::Height)
     }
@@ -167,7 +167,7 @@ impl SeriesEvaluator {
         for (index, group) in groups.iter().enumerate() {
             total = total + self.partial(group, x, weight)?;
             let (best, at) = self.remainder(group, &radii, x, weight);
-            // Between its neighbours the best radius is found more closely; below the first one lies the point itself.
+            // Refine the best radius between its neighbours; the lower neighbour of the first radius is the point itself.
             let (low, high) = (if at == 0 { x } else { radii.get(at - 1).copied().unwrap_or(x) }, radii.get(at + 1).copied().unwrap_or(x));
             let closer: Vec<f64> =
                 (1..SECOND_ROUND).map(|k| low + (high - low) * f64::from(k) / f64::from(SECOND_ROUND)).filter(|rho| *rho > x).collect();
@@ -193,7 +193,7 @@ impl SeriesEvaluator {
         for (n, coefficient) in group.coefficients.iter().enumerate().take(self.kept(group)) {
             let power = group.shift + n as f64;
             let vanishes = coefficient.value == 0.0 && coefficient.error == 0.0;
-            // The constant is f(0), which is taken off.
+            // Subtract the constant f(0).
             if vanishes || power == 0.0 {
                 continue;
             }
@@ -218,7 +218,7 @@ impl SeriesEvaluator {
         Ok(Bounded::sum(terms))
     }
 
-    /// A bound of everything beyond the kept terms, and the index of the radius that gives it.
+    /// A bound of the remainder, and the index of the radius that gives it.
     fn remainder(&self, group: &Series, radii: &[f64], x: f64, weight: Weight) -> (f64, usize) {
         let kept = self.kept(group);
         let mut best = (f64::INFINITY, 0);
@@ -226,7 +226,7 @@ impl SeriesEvaluator {
             if !rest.is_finite() {
                 continue;
             }
-            // Σ_{n ≥ kept} |A_n| ρ^n: all of it without the terms that are known to be there.
+            // Σ_{n ≥ kept} |A_n| ρ^n: the total minus the known terms.
             let mut known = 0.0;
             for (n, c) in group.coefficients.iter().enumerate().take(kept).skip(1) {
                 known += (c.value.abs() - c.error).max(0.0) * rho.powi(i32::try_from(n).unwrap_or(i32::MAX));
@@ -242,7 +242,7 @@ impl SeriesEvaluator {
     }
 }
 
-/// The largest of W(n + s) q^n over n ≥ first, W being a bound of what stands before A_n x^(n+s).
+/// The largest of W(n + s) q^n over n ≥ first, where W bounds the factor of A_n x^(n+s).
 ///
 /// κ_ν ≤ √(π(ν+1)/2), and S_{ν−1}(r, a) ≤ a^(ν−1) for ν ≥ 2; ln(W q^n) is concave, so the largest is the first or at its peak.
 fn largest(first: usize, shift: f64, q: f64, weight: Weight) -> f64 {
@@ -253,7 +253,7 @@ fn largest(first: usize, shift: f64, q: f64, weight: Weight) -> f64 {
             Weight::Height => 1.0,
             Weight::Slope | Weight::Force => kappa,
             Weight::Integral => kappa / (nu + 1.0),
-            // Below ν = 2 the pressure has no such bound.
+            // The pressure has no such bound below ν = 2.
             Weight::Pressure(_) if nu < 2.0 => f64::INFINITY,
             Weight::Pressure(_) => kappa * nu,
         };
@@ -270,7 +270,7 @@ fn largest(first: usize, shift: f64, q: f64, weight: Weight) -> f64 {
     if n < peak { f64::INFINITY } else { most * (1.0 + MARGIN) }
 }
 
-/// The power of x that a weight has beside x^ν.
+/// The power of x in a weight, in addition to x^ν.
 fn scale(x: f64, weight: Weight) -> f64 {
     match weight {
         Weight::Height | Weight::Slope => 1.0,

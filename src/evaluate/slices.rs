@@ -1,4 +1,4 @@
-//! Closed forms over slices: blocks of points on every core, and the scalar way for the points that need another one.
+//! Closed forms over slices: blocks of points on every core, with scalar evaluation for the points that need another method.
 
 use crate::derive::closed_form::{ClosedForm, DOUBLES, good_enough};
 use crate::derive::kinks::is_below;
@@ -13,30 +13,30 @@ use crate::num::{Bound, Bounded, Estimate};
 
 /// The caller's buffers for the numbers of a slice, each as long as the slice.
 ///
-/// Values alone are the way for speed: no point is looked at twice and nothing is told of errors. Where a closed form takes more than
-/// some nanoseconds, and so many points of the slice lie within a sixteenth of an octave that it pays, it is expanded there in short
-/// polynomials from its values with 30 digits, which are kept: right to 0.75 units in the last place, the largest error measured,
-/// whatever the form loses by cancellation. Close to kinks, ends and changes of sign the form in doubles stays.
+/// Values alone are fastest: every point is evaluated once and without error bounds. If a closed form takes more than a few
+/// nanoseconds and enough points of the slice lie within a sixteenth of an octave, it is expanded there in low-degree polynomials
+/// from 30-digit values, which are cached. They are accurate to 0.75 units in the last place, the largest error measured,
+/// regardless of cancellation in the form. Near kinks, ends and changes of sign, the form in doubles is used.
 #[derive(Debug)]
 pub struct Slice<'a> {
     /// The values.
     pub values: &'a mut [f64],
-    /// Bounds of their errors, if they are wanted.
+    /// Bounds of their errors, if requested.
     pub errors: Option<&'a mut [f64]>,
-    /// How each value was found, if that is wanted.
+    /// The origin of each value, if requested.
     pub origins: Option<&'a mut [Origin]>,
 }
 
-/// How a value was found.
+/// The origin of a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Origin {
     /// As in [`Reading`].
     pub method: &'static str,
     /// The key of the way, as in [`Estimate`].
     pub way: &'static str,
-    /// Evaluations of f′ that the value cost; 0 for a closed form.
+    /// Evaluations of f′ for the value; 0 for a closed form.
     pub evaluations: u64,
-    /// What the error rests on.
+    /// The kind of error bound.
     pub bound: Bound,
 }
 
@@ -51,7 +51,7 @@ impl<'a> Slice<'a> {
         Self { values, errors: None, origins: None }
     }
 
-    /// Whether nothing but values is wanted.
+    /// Whether only values are requested.
     fn is_plain(&self) -> bool {
         self.errors.is_none() && self.origins.is_none()
     }
@@ -62,9 +62,9 @@ impl<'a> Slice<'a> {
     }
 }
 
-/// Points that are looked at together: whether all lie in one interval, whether all are inside the domain.
+/// Points checked together for lying in one interval and inside the domain.
 const CHUNK: usize = 1024;
-/// Points of one task; measured, a task of the cheapest closed form then takes ten times as long as handing it to a thread.
+/// Points of one task; with this size, a task of the cheapest closed form takes ten times as long as starting it on a thread.
 #[cfg(feature = "parallel")]
 const TASK: usize = 16 * CHUNK;
 
@@ -78,12 +78,12 @@ enum Wanted {
 /// The forms of one chain, one per interval, and the breakpoints between them.
 struct Forms<'e> {
     breakpoints: Vec<Bounded>,
-    /// True where a breakpoint belongs to the interval beyond it.
+    /// True if a breakpoint belongs to the interval beyond it.
     closed_below: bool,
     forms: Vec<Option<&'e ClosedForm>>,
 }
 
-/// What one thread needs.
+/// The scratch memory of one thread.
 #[derive(Default)]
 struct Scratch {
     block: BlockScratch,
@@ -95,10 +95,10 @@ struct Scratch {
 }
 
 impl Evaluator<'_> {
-    /// g at every x, as [`Evaluator::slope`] has it.
+    /// g at every x, as by [`Evaluator::slope`].
     ///
-    /// With bounds, values are those of the scalar way, and bounds may differ in their last digits; values alone are those of the form
-    /// in doubles or, in dense parts of the slice, of polynomials (see [`Slice`]). They depend on the slice, not on those before it.
+    /// With bounds, values equal the scalar results, and bounds may differ in their last digits. Values alone are computed by the
+    /// form in doubles or, in dense parts of the slice, by polynomials (see [`Slice`]); they do not depend on earlier slices.
     /// Long slices run on every core with the feature `parallel`; no result depends on the number of threads.
     ///
     /// ```
@@ -111,12 +111,12 @@ impl Evaluator<'_> {
     /// ```
     ///
     /// # Errors
-    /// [`TransformError::Buffer`] for a buffer of another length, else that of the first point that has one.
+    /// [`TransformError::Buffer`] for a buffer of another length, else the error of the first failing point.
     pub fn slopes(&self, x: &[f64], out: Slice<'_>) -> Result<(), TransformError> {
         self.fill(Wanted::Superposed(Superposed::Equivalent, None), x, out, &|x| self.slope(x).map(Some))
     }
 
-    /// F/(2E*) at every contact radius a, as [`Evaluator::force`] has it; see [`Evaluator::slopes`].
+    /// F/(2E*) at every contact radius a, as by [`Evaluator::force`]; see [`Evaluator::slopes`].
     ///
     /// # Errors
     /// As [`Evaluator::slopes`].
@@ -124,9 +124,9 @@ impl Evaluator<'_> {
         self.fill(Wanted::Superposed(Superposed::Force, None), a, out, &|a| self.force(a).map(Some))
     }
 
-    /// p·π/E* at every r under a contact of radius a, as [`Evaluator::pressure`] has it; see [`Evaluator::slopes`].
+    /// p·π/E* at every r under a contact of radius a, as by [`Evaluator::pressure`]; see [`Evaluator::slopes`].
     ///
-    /// Where theory makes the pressure infinite the value and its error are infinite, and the method is `infinite`.
+    /// If the pressure is theoretically infinite, the value and its error are infinite, and the method is `infinite`.
     ///
     /// # Errors
     /// As [`Evaluator::slopes`].
@@ -134,7 +134,7 @@ impl Evaluator<'_> {
         self.fill(Wanted::Superposed(Superposed::Pressure, Some(a)), r, out, &|r| self.pressure(r, a))
     }
 
-    /// f(r) − f(0) at every r, as [`Evaluator::height`] has it; see [`Evaluator::slopes`].
+    /// f(r) − f(0) at every r, as by [`Evaluator::height`]; see [`Evaluator::slopes`].
     ///
     /// # Errors
     /// As [`Evaluator::slopes`].
@@ -168,7 +168,7 @@ impl Evaluator<'_> {
         in_tasks(points, out, &run)
     }
 
-    /// Polynomials where the slice is local_polynomials, and the forms for the other points.
+    /// Polynomials where the slice is dense, and the forms for the other points.
     fn planned(
         &self,
         plan: &Plan,
@@ -179,7 +179,7 @@ impl Evaluator<'_> {
         scalar: &impl Fn(f64) -> Result<Option<Reading>, TransformError>,
     ) -> Result<(), TransformError> {
         let (mut places, mut gathered, mut found) = (Vec::new(), Vec::new(), Vec::new());
-        // What is left is gathered by the chunks of the slice, which no number of threads moves.
+        // Gather the remaining points by chunks of the slice, which do not depend on the number of threads.
         for (points, values) in points.chunks(CHUNK).zip(values.chunks_mut(CHUNK)) {
             places.clear();
             plan.fill(points, values, &mut places);
@@ -200,7 +200,7 @@ impl Evaluator<'_> {
         Ok(())
     }
 
-    /// The closed forms, where they alone are the answer; `None` where every point goes the scalar way.
+    /// The closed forms, if they alone give the result; `None` if every point needs scalar evaluation.
     fn forms(&self, wanted: Wanted) -> Result<Option<Vec<Forms<'_>>>, TransformError> {
         if matches!(self.method, Method::Quadrature | Method::Only(_)) {
             return Ok(None);
@@ -235,7 +235,7 @@ impl Evaluator<'_> {
         scalar: &impl Fn(f64) -> Result<Option<Reading>, TransformError>,
     ) -> Result<(), TransformError> {
         let mut scratch = Scratch::default();
-        // A tolerance sharper than what a good closed form promises is for the scalar way to judge.
+        // Use scalar evaluation for tolerances below the guaranteed accuracy of a good closed form.
         let good = if self.method == Method::Exact { good_enough(self.tolerance) } else { good_enough(self.tolerance).min(self.tolerance) };
         for (index, points) in points.chunks(CHUNK).enumerate() {
             work::check()?;
@@ -277,7 +277,7 @@ impl Evaluator<'_> {
         Ok(())
     }
 
-    /// The sum of the closed forms at every point of a chunk; `None` where some point is outside the domain.
+    /// The sum of the closed forms at every point of a chunk; `None` if a point is outside the domain.
     fn closed(
         &self,
         forms: &[Forms<'_>],
@@ -287,7 +287,7 @@ impl Evaluator<'_> {
         mut errors: Option<&mut [f64]>,
         scratch: &mut Scratch,
     ) -> Option<()> {
-        // Only breakpoints ask for the lowest point too.
+        // The lowest point is needed only if there are breakpoints.
         let (lowest, highest) =
             if forms.iter().all(|form| form.breakpoints.is_empty()) { (f64::NAN, highest(points)) } else { ends(points) };
         let radius = match wanted {
@@ -371,14 +371,14 @@ impl Evaluator<'_> {
 }
 
 impl Forms<'_> {
-    /// The interval in which the contact ends, or the point lies.
+    /// The interval that contains the end of the contact, or the point.
     fn interval(&self, at: f64) -> usize {
         let below = |b: &&Bounded| if self.closed_below { b.value <= at } else { is_below(**b, at) };
         self.breakpoints.iter().filter(below).count()
     }
 }
 
-/// The smallest and the largest point; NaN where the first one is. Eight lanes, for the compiler to join.
+/// The smallest and the largest point; NaN if the first point is. Eight lanes, for vectorization.
 fn ends(points: &[f64]) -> (f64, f64) {
     const LANES: usize = 8;
     let first = points.first().copied().unwrap_or(f64::NAN);
@@ -397,7 +397,7 @@ fn ends(points: &[f64]) -> (f64, f64) {
     (low.into_iter().fold(first, f64::min), high.into_iter().fold(first, f64::max))
 }
 
-/// The largest point alone; NaN where the first one is.
+/// The largest point; NaN if the first point is.
 fn highest(points: &[f64]) -> f64 {
     const LANES: usize = 8;
     let first = points.first().copied().unwrap_or(f64::NAN);
@@ -407,9 +407,9 @@ fn highest(points: &[f64]) -> f64 {
     high.into_iter().chain(rest.iter().copied()).fold(first, f64::max)
 }
 
-/// Whether no point of a chunk needs a second look.
+/// Whether no point of a chunk needs scalar evaluation.
 fn all_enough(values: &[f64], errors: Option<&[f64]>, good: f64) -> bool {
-    // Without a branch, so that the compiler takes several points at once.
+    // Branch-free, for vectorization.
     match errors {
         Some(errors) => {
             let mut enough = true;
@@ -417,7 +417,7 @@ fn all_enough(values: &[f64], errors: Option<&[f64]>, good: f64) -> bool {
             enough
         }
         None => {
-            // Zero times a number is zero; times what is none it is none, and stays so in a sum.
+            // Zero times a finite number is zero; times an infinity or NaN it is NaN, which propagates through the sum.
             let (whole, rest) = values.as_chunks::<8>();
             let mut sums = [0.0; 8];
             whole.iter().for_each(|part| (0..8).for_each(|i| sums[i] += 0.0 * part[i]));
@@ -464,7 +464,7 @@ fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), Transfo
 #[cfg(feature = "parallel")]
 fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), TransformError> {
     use rayon::iter::{IntoParallelIterator, ParallelIterator};
-    // With one thread the caller does the work itself: its points are in the memory next to it.
+    // With one thread, run the work on the caller's thread, whose cache contains the points.
     if points.len() <= 2 * TASK || rayon::current_num_threads() == 1 {
         return run(points, out);
     }
@@ -478,8 +478,8 @@ fn in_tasks(points: &[f64], out: Slice<'_>, run: &Run<'_>) -> Result<(), Transfo
             (points, Slice { values, errors, origins })
         })
         .collect();
-    // The first error by place, whichever thread is faster.
-    // Threads count on their own; together they may take what this one has left.
+    // Return the error of the first failing point, independent of thread timing.
+    // Threads count their steps separately; together they may use the remaining steps of this thread.
     let (most, stop) = (work::left(), work::stop_flag());
     let counted = |(points, out)| work::stoppable(stop, || work::apart(most, || run(points, out)));
     let ends: Vec<(Result<(), TransformError>, u64, bool)> = tasks.into_par_iter().map(counted).collect();

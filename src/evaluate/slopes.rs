@@ -1,4 +1,4 @@
-//! Slope and bend of a profile in plain sight: what a verdict looks at before it asks for transforms.
+//! The slope f′ and the bend (r f′)′ of a profile, which a verdict examines before computing transforms.
 
 use crate::evaluate::closure::ClosureProfile;
 use crate::evaluate::table::TableProfile;
@@ -6,28 +6,28 @@ use crate::integrate::integral::NumericProfile;
 use crate::integrate::integral::NumericSegment;
 use crate::num::Bounded;
 
-/// f′ and (r f′)′ at any radius, and where f′ jumps.
+/// f′ and (r f′)′ at any radius, and the jumps of f′.
 pub trait Slopes: Send + Sync {
-    /// f′(r), beyond a kink where r is one.
+    /// f′(r); the right-hand limit at a kink.
     fn first(&self, r: f64) -> Bounded;
 
-    /// (r f′)′ at r; NaN where it is not known.
+    /// (r f′)′ at r; NaN if unknown.
     fn bend(&self, r: f64) -> Bounded;
 
-    /// The places where f′ jumps beyond doubt, rising, and by how much.
+    /// The radii of certain jumps of f′, in increasing order, and their heights.
     fn kinks(&self) -> Vec<(f64, f64)>;
 
-    /// True where f is 0 throughout.
+    /// True if f is identically 0.
     fn is_flat(&self) -> bool;
 
-    /// Bounds on f′ and on (r f′)′ between two radii without a kink between them; `None` where there are none.
+    /// Bounds on f′ and on (r f′)′ between two radii without a kink between them; `None` if unknown.
     fn over(&self, lower: f64, upper: f64) -> Option<Over> {
         let _ = (lower, upper);
         None
     }
 }
 
-/// The lowest and the highest value between two radii, or more.
+/// Enclosures of the values between two radii.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Over {
     /// Of f′.
@@ -56,7 +56,7 @@ impl Slopes for TableProfile {
         self.pieces().iter().all(|piece| piece.coefficients.iter().skip(1).all(|c| *c == 0.0))
     }
 
-    /// Both are quadratic on a piece: their extremes are at its ends and at one place within.
+    /// Both are quadratic on a piece, so their extrema are at its ends and at one interior point.
     fn over(&self, lower: f64, upper: f64) -> Option<Over> {
         let first = self.pieces().partition_point(|piece| piece.upper <= lower);
         let own = self.pieces().get(first..)?.iter().take_while(|piece| piece.lower < upper);
@@ -141,7 +141,7 @@ impl Slopes for NumericProfile {
 }
 
 impl NumericProfile {
-    /// The segment that has r, the later one where two meet, and how far r lies into it; sources stand in the order of their ends.
+    /// The segment that contains r, the outer one where two meet, and the distance of r from its lower end.
     fn segment(&self, r: f64) -> Option<(&NumericSegment, f64)> {
         let index = self.segments.partition_point(|own| own.lower.value <= r).checked_sub(1)?;
         let own = self.segments.get(index)?;

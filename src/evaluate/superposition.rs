@@ -1,4 +1,4 @@
-//! Profiles that add up: formulas, tables and closures side by side at one contact radius.
+//! Superposition of profiles: formulas, tables and closures at the same contact radius.
 
 use crate::evaluate::evaluator::Reading;
 use crate::evaluate::quantities::Quantities;
@@ -7,7 +7,7 @@ use crate::num::legendre::rule_of;
 use crate::num::{Bounded, Estimate};
 use std::sync::Arc;
 
-/// The sum of several profiles; at the same contact radius all their quantities but the energy add up (Popov & Heß (3.25)–(3.26)).
+/// The sum of several profiles; at the same contact radius all quantities except the energy add up (Popov & Heß (3.25)–(3.26)).
 ///
 /// ```
 /// use sneddon::transform::{Interpolation, Profile, Quantities, Superposition};
@@ -25,18 +25,18 @@ pub struct Superposition<'a> {
     end: f64,
 }
 
-/// Nodes between two breakpoints for the energy; fewer judge them.
+/// Nodes between two breakpoints for the energy; a rule with fewer nodes gives the error estimate.
 const ENERGY_NODES: usize = 8;
 const FEWER_NODES: usize = 6;
 const FEW_BREAKPOINTS: usize = 8;
 
 impl<'a> Superposition<'a> {
-    /// The sum of these profiles; without any it is flat.
+    /// The sum of these profiles; an empty sum is flat.
     pub fn new(parts: Vec<Arc<dyn Quantities + 'a>>) -> Self {
         Self { parts, end: f64::INFINITY }
     }
 
-    /// The same sum, which ends at a radius at the latest: where a body ends whose shape is no part of it by itself.
+    /// Limits the sum to a radius, the end of a body that is not one of the summed profiles.
     #[must_use]
     pub fn ending_at(self, end: f64) -> Self {
         Self { end: self.end.min(end), ..self }
@@ -50,7 +50,7 @@ impl<'a> Superposition<'a> {
         }
     }
 
-    /// A part alone answers as it stands.
+    /// The sum over all parts; a single part is read directly.
     fn added(&self, read: impl Fn(&dyn Quantities) -> Result<Reading, TransformError>) -> Result<Reading, TransformError> {
         match self.parts.as_slice() {
             [only] => read(only.as_ref()),
@@ -133,12 +133,12 @@ impl Quantities for Superposition<'_> {
         self.parts.iter().try_fold(f64::INFINITY, |least, part| Ok(part.flat_radius()?.min(least)))
     }
 
-    /// A Gauss rule between every two breakpoints, in √(x − b), in which g is smooth up to the roots of the breakpoints before.
+    /// A Gauss rule between consecutive breakpoints, in √(x − b), in which g is smooth except for roots at earlier breakpoints.
     fn squared_gap(&self, a: f64, depth: Bounded) -> Option<Result<Reading, TransformError>> {
         if let [only] = self.parts.as_slice() {
             return only.squared_gap(a, depth);
         }
-        // Where breakpoints are few quadrature knows better.
+        // Quadrature is more accurate for few breakpoints.
         (self.breakpoints_below(a).len() > FEW_BREAKPOINTS).then(|| self.squared_gap_by_pieces(a, depth))
     }
 }

@@ -1,23 +1,23 @@
-//! What comparisons of closed forms with quadrature found so far.
+//! The accumulated results of comparing closed forms with quadrature.
 
 use crate::num::Estimate;
 
-/// Where the two bounds add up to more than this share of the value, agreement proves nothing.
+/// If the sum of both bounds exceeds this fraction of the value, a comparison is inconclusive.
 const TELLING: f64 = 1e-6;
 
-/// How a check ended.
+/// The verdict of a check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// Closed forms were compared, and every difference stays within the sum of both error bounds.
+    /// Closed forms were compared, and every difference is within the sum of both error bounds.
     Passed,
     /// A difference exceeds the sum of both error bounds.
     Failed,
-    /// Nothing closed could be compared with an independent value that has digits.
+    /// No closed form could be compared with an accurate independent value.
     NotCompared,
 }
 
 impl Verdict {
-    /// True or false; `None` where nothing was compared.
+    /// True or false; `None` if nothing was compared.
     pub fn passed(self) -> Option<bool> {
         match self {
             Self::Passed => Some(true),
@@ -26,7 +26,7 @@ impl Verdict {
         }
     }
 
-    /// The words that reports use.
+    /// The text for reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Passed => "passed",
@@ -36,10 +36,10 @@ impl Verdict {
     }
 }
 
-/// What was compared so far.
+/// The comparisons so far.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
-    /// Number of points at which something was compared; the caller counts them.
+    /// Number of points with a comparison, counted by the caller.
     pub points: u32,
     /// Number of comparisons.
     pub compared: u32,
@@ -56,7 +56,7 @@ impl Tally {
         let difference = (own.value - other.value).abs();
         let size = own.value.abs().max(other.value.abs());
         let bound = own.error + other.error;
-        // Written so that a bound that is no number is not telling.
+        // The comparison is written so that a NaN bound is inconclusive.
         let telling = bound <= TELLING * size;
         if !telling {
             return;
@@ -65,12 +65,12 @@ impl Tally {
         if size > 0.0 && (self.at.is_none() || difference / size > self.largest) {
             (self.largest, self.at) = (difference / size, Some(at));
         }
-        // Written so that a NaN fails.
+        // The comparison is written so that NaN fails.
         let within = difference <= bound;
         self.failed |= !within;
     }
 
-    /// Passed where every difference stays within the sum of both bounds; not compared where only zeros met.
+    /// Passed if every difference is within the sum of both bounds; not compared if all values were zero.
     pub fn verdict(&self) -> Verdict {
         match self {
             Self { at: None, .. } => Verdict::NotCompared,

@@ -1,4 +1,4 @@
-//! The fallback: every quantity as one integral straight from f′, by quadrature.
+//! The fallback: every quantity as one integral over f′, by quadrature.
 
 use crate::eval::{Tape, constant_value};
 use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
@@ -26,14 +26,14 @@ pub struct NumericProfile {
 
 /// One interval [lower, upper) with f′(lower + δ).
 pub struct NumericSegment {
-    /// Where it begins.
+    /// The lower end.
     pub lower: Bounded,
     pub(crate) upper: Option<Bounded>,
-    /// Both ends with all digits that are known.
+    /// Both ends with all known digits.
     pub(crate) ends: (Endpoint, Option<Endpoint>),
     /// f′ over δ.
     pub(crate) slope: Numbers,
-    /// f′ and its interval's lower end as expressions in r, for what is compiled only on demand.
+    /// f′ and its interval's lower end as expressions in r, for tapes that are compiled on demand.
     pub(crate) source: Option<(Expr, Expr)>,
     /// f′ over δ for enclosures, compiled when they are first needed.
     pub(crate) enclosing: OnceLock<Option<Tape>>,
@@ -43,26 +43,26 @@ pub struct NumericSegment {
     pub(crate) bend: OnceLock<Option<Numbers>>,
     /// The upper end as an expression.
     pub(crate) end: Option<Expr>,
-    /// (r f′)′ over the distance to the upper end, where it has no finite value there.
+    /// (r f′)′ over the distance to the upper end, if it is infinite there.
     pub(crate) falling: OnceLock<Option<Numbers>>,
     pub(crate) bend_enclosing: OnceLock<Option<Tape>>,
     /// As `power` for (r f′)′.
     pub(crate) bend_power: OnceLock<Option<LeadingPower>>,
-    /// True where f′ behaves like a fractional power of δ at the lower end.
+    /// True if f′ behaves like a fractional power of δ at the lower end.
     pub(crate) singular: bool,
-    /// True where f′ continues to an odd function of r.
+    /// True if f′ continues to an odd function of r.
     pub(crate) odd: bool,
-    /// Where f′ ends, if that is known.
+    /// The end of f′, if known.
     pub(crate) limit: Option<Limit>,
-    /// How many nodes suffice.
+    /// The sufficient number of nodes.
     pub(crate) continued: AnalyticBound,
-    /// True where f′ begins at the axis and its expression is 0/0 there.
+    /// True if f′ begins at the axis and its expression is 0/0 there.
     pub(crate) ragged: bool,
-    /// What has the digits there.
+    /// The series that is accurate near the axis.
     pub(crate) near: Option<AxisSeries>,
 }
 
-/// What multiplies f′ under the integral over t, r = x sin t.
+/// The factor of f′ in the integral over t, r = x sin t.
 #[derive(Clone, Copy, Debug)]
 pub enum Weight {
     /// 1: g(x) = x ∫ f′ dt.
@@ -79,7 +79,7 @@ impl NumericProfile {
     /// Compiles f′ on the given intervals, parameters replaced by the bindings.
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value.
+    /// [`TransformError::Evaluation`] if a parameter has no value.
     pub fn new(pieces: &[(Segment, Expr)], bindings: &Bindings) -> Result<Self, TransformError> {
         let mut segments = Vec::new();
         for (segment, slope) in pieces {
@@ -92,7 +92,7 @@ impl NumericProfile {
             let slope_expr = prepared(slope, bindings);
             let tape = compile_shifted(&slope_expr, &lower_expr)?;
             let slope = Numbers::Tape(tape);
-            // Cancellation in a polynomial of high degree is not a singularity.
+            // Cancellation in a polynomial of high degree must not count as a singularity.
             let singular = !is_typed_polynomial(&slope_expr, &Symbol::new("r")) && is_singular(&slope, lower.value, upper.map(|u| u.value));
             let scale = upper.map_or(1.0, |upper| upper.value);
             let ragged = lower_expr.is_zero() && matches!(&slope, Numbers::Tape(tape) if is_ragged(&slope_expr, tape, singular, scale));
@@ -125,10 +125,10 @@ impl NumericProfile {
         Ok(Self { segments })
     }
 
-    /// The same profile, told where it ends: next to that place f′ is taken from the distance to it.
+    /// Sets the end of the profile: near the end, f′ is computed from the distance to it.
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value.
+    /// [`TransformError::Evaluation`] if a parameter has no value.
     pub fn ending_at(mut self, limit: &Expr, bindings: &Bindings) -> Result<Self, TransformError> {
         let limit = bindings.apply(limit);
         let value = constant_value(&limit, &Bindings::default())?;
@@ -140,17 +140,18 @@ impl NumericProfile {
         Ok(self)
     }
 
-    /// True where nothing is left to integrate.
+    /// True if the profile has no terms to integrate.
     pub fn is_empty(&self) -> bool {
         self.segments.is_empty()
     }
 
     /// Returns true if quadrature of f′ up to x can serve as a reference.
     ///
-    /// It cannot where more than 1e-9 of ∫ f′ dr may lie next to a lower end below the smallest doubles, because f′ is a power just above −1.
+    /// It cannot if more than 1e-9 of ∫ f′ dr may lie below the smallest doubles at a lower end, because f′ is a power just above
+    /// −1.
     pub fn is_seen(&self, x: f64) -> bool {
         const UNSEEN: f64 = 1e-9;
-        // The second where f′ as typed has left the range of doubles at the first.
+        // Use the second radius if f′ as typed is out of range at the first.
         const TINY: [f64; 2] = [1e-290, 1e-100];
         let share = |segment: &NumericSegment| {
             let reach = segment.upper.map_or(x, |upper| upper.value.min(x)) - segment.lower.value;
@@ -164,54 +165,55 @@ impl NumericProfile {
         self.segments.iter().map(share).fold(0.0, f64::max) <= UNSEEN
     }
 
-    /// True where a piece that is not flat lies below the contact's end, so that no integral is exactly 0 but by underflow.
+    /// True if a piece that is not flat lies below the contact's end, so that an integral is 0 only by underflow.
     pub(crate) fn reaches(&self, contact: f64) -> bool {
         self.segments.iter().any(|segment| segment.lower.value < contact)
     }
 }
 
-/// Next to the end of f′ the rules are asked for this share of the tolerance, within these limits …
+/// Near the end of f′, the rules use this fraction of the tolerance, within these limits.
 const SHARPER: f64 = 1e-3;
 const SHARP: (f64, f64) = (1e-14, 1e-12);
-/// … and elsewhere for this one, where that is looser than the limit: what is barely resolved is misjudged most easily.
+/// Elsewhere, the rules use this fraction if it is looser than the limit, because the error of barely resolved features is the
+/// hardest to estimate.
 const STRICTER: f64 = 1e-2;
 const STRICT: f64 = 1e-8;
 
-/// Where the range is cut, what hides between nodes may do so in every part: this share of the tolerance is asked for.
+/// If the range is split, features may hide between nodes in every part, so the rules use this fraction of the tolerance.
 const CUT: f64 = 0.1;
 
-/// What the rules are asked for away from ends, that more may be kept than is promised.
+/// The tolerance of the rules away from ends, stricter than the reported one.
 pub(crate) fn stricter(tolerance: f64) -> f64 {
     tolerance.min((STRICTER * tolerance).max(STRICT))
 }
 
-/// Where f′ is not analytic far enough around the contact, or grows too fast there, something narrow is in it: this share of the tolerance
-/// is asked for, down to a limit.
+/// If f′ is not analytic sufficiently far around the contact, or grows too fast there, it has a narrow feature: the rules use
+/// this fraction of the tolerance, down to a limit.
 const INTRICATE: f64 = 1e-2;
 const FINEST: f64 = 1e-13;
 
-/// What the rules are asked for there.
+/// The tolerance of the rules for an f′ with a narrow feature.
 pub(crate) fn intricate(tolerance: f64) -> f64 {
     stricter(tolerance).min((INTRICATE * tolerance).max(FINEST))
 }
 
-/// No more is promised than was asked for where the rules leave out more than rounding noise, which is where the error is of the size of
-/// the tolerance that they had.
+/// Reports at least the requested tolerance as the error if the truncation error exceeds the rounding noise, that is, if the
+/// error is of the size of the tolerance of the rules.
 pub(crate) fn modest(found: Estimate, own: f64, asked: f64) -> Estimate {
     let least = if found.error >= 0.5 * own { 0.95 * asked } else { 0.0 };
     Estimate { error: found.error.max(least), ..found }
 }
 
-/// Where the range is cut before any bisection, as shares of it: what the nested rules met and could not resolve may be a core at the lower
-/// end that is narrower than the first node of a rule over the whole range can see.
-/// Ends of parts lie close, so that a tail which begins at one of them is seen from the next.
+/// Points at which the range is split before any bisection, as fractions of the range: the feature that the nested rules did not
+/// resolve may be a core at the lower end, narrower than the distance to the first node of a rule over the whole range.
+/// The points are close enough for a tail that begins at one of them to be detected from the next.
 pub(crate) const GRADES: &[f64] = &[1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 
 /// Most points of a rule.
 pub(crate) const MOST: usize = 61;
 
 impl NumericSegment {
-    /// The part of the integral on this interval; 0 where it begins beyond x.
+    /// The part of the integral on this interval; 0 if it begins beyond x.
     pub(crate) fn over_angle(&self, x: f64, weight: Weight, tolerance: f64, by: By) -> Result<Estimate, TransformError> {
         let smear = self.smear(x);
         if self.lower.value >= x {
@@ -227,13 +229,13 @@ impl NumericSegment {
 
     /// The error of the integral up to x from the error of its lower end, if that is more than a thousandth of the distance to x.
     fn shifted(&self, found: &Estimate, x: f64) -> f64 {
-        /// Farther out the change at the ends is enough.
+        /// Beyond this distance, the change at the ends suffices.
         const FAR: f64 = 1e3;
         let (error, reach) = (self.lower.error, x - self.lower.value);
         if error == 0.0 || reach > FAR * error {
             return 0.0;
         }
-        // f′ ~ δ^m gives g ~ δ^(m + 1/2), F alike and G ~ δ^(m + 3/2).
+        // f′ ~ δ^m gives g ~ δ^(m + 1/2), F ~ δ^(m + 1/2) and G ~ δ^(m + 3/2).
         let size = |delta: f64| self.slope_at(delta).value.abs();
         let power = (size(reach) / size(0.5 * reach)).log2();
         if power.is_nan() {
@@ -242,7 +244,7 @@ impl NumericSegment {
         found.value.abs() * ((1.0 + error / reach).powf(power.max(0.0) + 1.5) - 1.0)
     }
 
-    /// The estimate, unless every sample of a formula vanished and no enclosure says that the formula does.
+    /// The estimate, unless every sample of a formula vanished and no enclosure proves that the formula vanishes.
     fn seen(&self, found: Estimate, at: f64) -> Result<Estimate, TransformError> {
         let nothing = found.value == 0.0 && found.bound == Bound::Estimated && found.evaluations > 0 && self.source.is_some();
         if nothing { Err(TransformError::NoDigits { at, value: 0.0, error: found.error }) } else { Ok(found) }
@@ -261,11 +263,11 @@ impl NumericSegment {
         self.by_bisection(x, weight, tolerance, None, &cuts)
     }
 
-    /// In the way of a key; `None` where it has no answer.
+    /// The integral by the way with the given key; `None` if the way does not apply.
     fn in_the_way(&self, key: &'static str, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let found = match key {
             BISECTION => self.by_bisection(x, weight, tolerance, None, &self.places_to_cut(x, weight, tolerance)).map(Some),
-            // Where f′ itself is known in parts only, every rule would reach over their ends.
+            // A rule over the whole range would extend across the ends of the parts of f′.
             _ if !self.places_to_cut(x, weight, tolerance).is_empty() => Ok(None),
             GAUSS => self.by_known_rule(x, weight, tolerance),
             PIECES => self.by_pieces(x, weight, tolerance),
@@ -275,8 +277,8 @@ impl NumericSegment {
         by(key, found)
     }
 
-    /// Places within the interval below x, counted from the lower end, at which f′ is cut into parts, or resolved for an integral that no
-    /// enclosure proves.
+    /// Points within the interval below x, measured from the lower end, at which f′ is split into parts, or into resolved pieces
+    /// for an integral without a proven bound.
     fn places_to_cut(&self, x: f64, weight: Weight, tolerance: f64) -> Vec<f64> {
         if matches!(weight, Weight::Outside(_)) && self.slope.is_expression() {
             return self.features(x, tolerance);
@@ -284,7 +286,7 @@ impl NumericSegment {
         self.slope.cuts(self.upper.map_or(x, |upper| upper.value.min(x)) - self.lower.value)
     }
 
-    /// By adaptive quadrature over the angle, with the default rule where no other is named.
+    /// By adaptive quadrature over the angle, with the default rule unless another is named.
     fn by_bisection(&self, x: f64, weight: Weight, tolerance: f64, rule: Option<Rule>, cuts: &[f64]) -> Result<Estimate, TransformError> {
         let lower = self.lower.value;
         let end = self.upper.map_or(f64::INFINITY, |u| u.value);
@@ -292,7 +294,7 @@ impl NumericSegment {
         let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };
         let mut scratch = Scratch::take();
         let grades = if rule.is_none() && !self.singular && end >= x { GRADES } else { &[] };
-        // The angle from the lower end on, and that to the upper end: points count from the ends of their panels.
+        // The angles from the lower end and to the upper end; points are measured from the ends of their panels.
         let mut ends: Vec<f64> = grades.iter().map(|share| share * width).collect();
         ends.extend(cuts.iter().map(|cut| forms::angle_between(lower, lower + cut, x)).filter(|angle| *angle > 0.0 && *angle < width));
         ends.sort_by(f64::total_cmp);
@@ -320,7 +322,7 @@ impl NumericSegment {
                         slope * cosine * cosine
                     }
                     Weight::Outside(r) => {
-                        // Root by root: the product may leave the range of doubles.
+                        // Multiply the roots separately: the product under one root may leave the range of doubles.
                         let ratio = x / (r - x).sqrt() / (r + x).sqrt();
                         let (q, s) = (rest.sin(), (lower + distance) / x);
                         let short = s * s / (1.0 + q);
@@ -333,7 +335,7 @@ impl NumericSegment {
         let singular = |from: f64, to: f64| if self.singular { Panel::singular(from, to) } else { Panel::smooth(from, to) };
         let from = std::iter::once(0.0).chain(ends.iter().copied());
         let panels: Vec<Panel> = from.zip(ends.iter().copied()).map(|(from, to)| singular(from, to)).collect();
-        // Just below the end of f′ a pole or a root is narrower than nodes far apart can judge.
+        // Just below the end of f′, a pole or a root is too narrow for widely spaced nodes.
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.7 * limit.value.value);
         let rel_tol = if near_the_end {
             (SHARPER * tolerance).clamp(SHARP.0, SHARP.1).min(tolerance)
@@ -354,8 +356,9 @@ impl NumericSegment {
         Ok(found.by(BISECTION))
     }
 
-    /// By pieces with a proof, or by nested rules. Next to the end of f′ these have a variable made for it: they come first where nothing
-    /// narrow can hide, and are believed elsewhere where they have more digits and the proof does not exclude them.
+    /// By pieces with a proven bound, or by nested rules, which have a special variable near the end of f′. Nested rules come
+    /// first if no narrow feature is possible; otherwise they are used if they are more accurate and consistent with the proven
+    /// bound.
     fn by_pieces_or_nested(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let nested = || by(NESTED, self.by_nested_rules(x, weight, tolerance));
         let end = self.limit.as_ref().filter(|limit| x > NEAR_THE_LIMIT * limit.value.value);
@@ -377,10 +380,10 @@ impl NumericSegment {
         })
     }
 
-    /// What the integral may change by while the ends of the interval are known to their errors only.
+    /// The change of the integral due to the uncertainty of the ends of the interval.
     pub(crate) fn smear(&self, x: f64) -> f64 {
         let arc = |end: Bounded| {
-            // Half a unit is lost when it is added to the end itself.
+            // Adding it to the end causes an error of half a unit.
             let (from, to) = ((end.value - end.error).next_down().max(0.0), (end.value + end.error).next_up());
             if end.error == 0.0 || from >= x { 0.0 } else { forms::angle_between(from, if to < x { to } else { f64::INFINITY }, x) }
         };
@@ -391,7 +394,7 @@ impl NumericSegment {
         let end = self.upper.map_or(x, |u| u.value.min(x));
         let size = |delta: f64| self.slope_at(delta).value.abs();
         let at_lower = if lower == 0.0 { 0.0 } else { self.mean_size(2.0 * self.lower.error) };
-        // Twice: f′ is taken at the ends, and the weights stay below 2.
+        // Doubled, because f′ is evaluated at the ends and the weights are below 2.
         2.0 * (lower * at_lower + upper * size((end - self.lower.value).max(f64::MIN_POSITIVE)))
     }
 
@@ -430,8 +433,8 @@ impl NumericSegment {
     pub(crate) fn bend_source(&self) -> Option<Expr> {
         let (_, lower) = self.source.as_ref()?;
         let bend = self.bend_expression()?;
-        // From the axis on, powers of r that would overflow apart are joined: r·r^(−3/2) = r^(−1/2). Nothing is divided:
-        // r¹⁷/(R² − r²) as a polynomial and a rest would cancel.
+        // On a segment from the axis, join powers of r that would overflow separately: r·r^(−3/2) = r^(−1/2). Do not divide:
+        // r¹⁷/(R² − r²) as a polynomial plus a remainder would cancel.
         Some(if lower.is_zero() { joined_powers(&bend, &Symbol::new("r")) } else { bend })
     }
 
@@ -440,7 +443,7 @@ impl NumericSegment {
         derivative(&(Expr::symbol("r") * slope), &Symbol::new("r")).ok().map(|bend| balanced(&bend))
     }
 
-    /// (r f′)′ over the distance to the upper end, where it is infinite there, as that of |r − b|^(3/2) is at b.
+    /// (r f′)′ over the distance to the upper end, if it is infinite there, as for |r − b|^(3/2) at b.
     pub(crate) fn falling_bend(&self) -> Option<&Numbers> {
         let derive = || {
             let (upper, end, bend) = (self.upper?, self.end.as_ref()?, self.bend().ok()?);
@@ -467,7 +470,7 @@ pub(crate) fn prepared(slope: &Expr, bindings: &Bindings) -> Expr {
     centred(&balanced(&bindings.apply(slope)))
 }
 
-/// The expression with lower + δ for r; polynomials that vanish at the lower end lose their constant term before any
+/// Substitutes lower + δ for r; the constant term of polynomials that vanish at the lower end is removed before any
 /// rounding, so that neither r − b nor 3r² − 3b² cancels.
 pub(crate) fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
     const HIGHEST: usize = 6;
@@ -497,7 +500,7 @@ pub(crate) fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
     }
 }
 
-/// True for sums, products and whole powers of the variable and of what is free of it: a look that takes no expansion.
+/// True for polynomials in the variable, checked without expansion: sums, products and integer powers of it and of constants.
 pub(crate) fn is_typed_polynomial(expr: &Expr, variable: &Symbol) -> bool {
     match expr.node() {
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => true,
@@ -507,14 +510,14 @@ pub(crate) fn is_typed_polynomial(expr: &Expr, variable: &Symbol) -> bool {
     }
 }
 
-/// True where f′ behaves like a fractional or negative power of δ near 0.
+/// True if f′ behaves like a fractional or negative power of δ near 0.
 pub(crate) fn is_singular(slope: &Numbers, lower: f64, upper: Option<f64>) -> bool {
     let scale = match upper {
         Some(upper) => upper - lower,
         None if lower > 0.0 => lower,
         None => 1.0,
     };
-    // Below the smallest normal number f′ has too few digits to tell.
+    // Below the smallest normal number f′ is not accurate enough.
     let near = (1e-12 * scale).max(f64::MIN_POSITIVE);
     if near > 1e-6 * scale {
         return true;
@@ -531,19 +534,19 @@ pub(crate) fn is_singular(slope: &Numbers, lower: f64, upper: Option<f64>) -> bo
     exponent < -0.01 || (exponent - exponent.round()).abs() > 0.004
 }
 
-/// A value with a bound of that many ulps.
+/// A value with a bound of the given number of ulps.
 pub(crate) fn with_ulps(value: f64, ulps: f64) -> Bounded {
     Bounded { value, error: ulps * 0.5 * f64::EPSILON * value.abs() }
 }
 
-/// A quadrature that stopped early still has a value and an honest error; poles and infinite errors are failures.
+/// A quadrature that stopped early still has a value and an error bound; poles and infinite errors are failures.
 ///
-/// `scale` is the size of ∫|integrand|: an error beyond even that is no answer.
+/// `scale` is the size of ∫|integrand|: a larger error is a failure.
 pub(crate) fn settle(result: Result<Estimate, NumError>, at: f64, scale: impl FnOnce() -> f64) -> Result<Estimate, TransformError> {
     settled(reached(result, at)?, at, scale)
 }
 
-/// What the quadrature reached, whatever its error is.
+/// The result of a quadrature, even if it missed the tolerance.
 pub(crate) fn reached(result: Result<Estimate, NumError>, at: f64) -> Result<Estimate, TransformError> {
     match result {
         Ok(found) => Ok(found),
@@ -555,17 +558,17 @@ pub(crate) fn reached(result: Result<Estimate, NumError>, at: f64) -> Result<Est
     }
 }
 
-/// The estimate, unless its error leaves no digit.
+/// The estimate, or an error if no digit is reliable.
 pub(crate) fn settled(found: Estimate, at: f64, scale: impl FnOnce() -> f64) -> Result<Estimate, TransformError> {
     let Estimate { value, error, .. } = found;
     let lost = !(value.is_finite() && error.is_finite()) || (error > LOST * value.abs() && error > BEYOND * scale().max(value.abs()));
     if lost { Err(TransformError::NoDigits { at, value, error }) } else { Ok(found) }
 }
 
-/// An error of this share of the value leaves no digit worth the name, and …
+/// Relative error above which no digit of a value is reliable.
 const LOST: f64 = 0.01;
-/// … one of this share of the integral of the magnitude, or of the value where samples see less, is no rounding noise but a pole or an
-/// unseen feature.
+/// An error above this fraction of the integral of the magnitude, or of the value if the samples are smaller, indicates a pole or
+/// an unresolved feature instead of rounding noise.
 const BEYOND: f64 = 0.5;
 
 /// The integral of |f| over (0, width) by its values at 32 midpoints.

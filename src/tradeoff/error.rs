@@ -6,7 +6,7 @@ use thiserror::Error;
 /// Errors of a study.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TradeoffError {
-    /// The profile itself has no answer.
+    /// An error of the profile.
     #[error(transparent)]
     Transform(#[from] TransformError),
     /// The methods are not compared for this quantity.
@@ -15,10 +15,10 @@ pub enum TradeoffError {
         /// The key of the quantity.
         key: &'static str,
     },
-    /// No point has a value that errors could be measured against.
+    /// No point has a reference value.
     #[error("no reference value was found in time at any point ({reason}); use other points or a larger budget")]
     NoReference {
-        /// What the last point said.
+        /// The error at the last point.
         reason: String,
     },
 }

@@ -152,7 +152,7 @@ impl Statement {
         })
     }
 
-    /// Matches with all amplitudes set to 1, or one to 1 and the others to 0; the ratio of the coefficients replaces their values.
+    /// Matches with all amplitudes set to 1, or one to 1 and the others to 0; the ratio of coefficients replaces their values.
     fn taken_out(&self, values: Bindings, target: &NormalTerm, terms: &[NormalTerm]) -> Option<(Found, Vec<NormalTerm>)> {
         let amplitudes: Vec<&Symbol> = self.parameters.iter().filter(|own| values.get(own).is_none()).collect();
         let with = |only: Option<&Symbol>| {

@@ -254,8 +254,8 @@ impl Place {
         }
     }
 
-    /// Compares p·π/E* of a term, within its segment and beyond it, with ∫ g′/√(x²−r²) dx over its closed g, which has been compared
-    /// before; only a proven quadrature of f′ contradicts.
+    /// Compares p·π/E* of a term, within its segment and beyond it, with ∫ g′/√(x²−r²) dx over its closed g, which has been
+    /// compared before; only a proven quadrature of f′ contradicts.
     pub(super) fn compare_pressure(&self, subject: &Subject<'_>) -> Option<Verdict> {
         let radii = self.radii(subject.segment)?;
         let within = &subject.within;

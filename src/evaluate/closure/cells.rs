@@ -1,15 +1,15 @@
-//! Derivatives of a function that is known by its values: Chebyshev interpolation on cells, doubled outward, halved where needed.
+//! Derivatives of a function given by its values: Chebyshev interpolation on cells that double outward, halved where needed.
 
 use crate::num::{Bounded, chebyshev, work};
 use std::sync::OnceLock;
 
 /// Nodes of a cell.
 const NODES: usize = 20;
-/// Halvings of a cell before it is given up: towards an end with a root that leaves nothing of it.
+/// Halvings of a cell before it is abandoned, sufficient near an end with a root.
 const DEEPEST: i32 = 50;
 /// Halvings that a function without a kink may take inside its segment.
 const SMOOTH: i32 = 34;
-/// Number of the last coefficients that tell noise from φ.
+/// Number of the last coefficients used to distinguish noise from φ.
 pub(super) const LAST: usize = 6;
 /// Number of halvings over which the last coefficients of a cell are compared.
 const WIDER: usize = 5;
@@ -32,15 +32,15 @@ const EXPONENTS: usize = 2100;
 
 /// The interpolant of one function φ on part of a segment.
 ///
-/// It is fitted to an interval that exceeds what it answers for, since derivatives are worst at the ends of a fit.
+/// The interval of the fit exceeds the interval of use, because derivatives are least accurate at the ends of a fit.
 pub(super) struct Cell {
-    /// It answers below this radius.
+    /// The upper end of the interval of use.
     to: f64,
     middle: f64,
     half: f64,
-    /// Chebyshev coefficients of φ, φ′ and φ″ over the fit; those of the derivatives in units of the half width.
+    /// Chebyshev coefficients of φ, φ′ and φ″ over the fit; the derivatives are in units of the half width.
     orders: [[f64; NODES]; 3],
-    /// What the interpolant leaves out, and the error of the values it was made of.
+    /// The truncation error of the interpolant, and the error of its values.
     doubt: f64,
     resolved: bool,
     /// The largest |φ|.
@@ -51,7 +51,7 @@ pub(super) struct Cell {
     accepted: f64,
 }
 
-/// The interpolants of one function on one segment, made where they are asked for.
+/// The interpolants of one function on one segment, computed when needed.
 pub struct Cells {
     lower: f64,
     upper: f64,
@@ -65,7 +65,7 @@ struct Doubling {
     seam: Option<f64>,
     /// Places at which quadrature splits its panels; see [`cuts`].
     cuts: Vec<f64>,
-    /// Where runs of adjacent cells with noise begin, and how large it is: isolated noise may be a step of φ.
+    /// The beginnings of runs of adjacent cells with noise, and the size of the noise; isolated noise may be a step of φ.
     steps: Vec<(f64, f64)>,
     /// True if the fit that begins at the axis agrees with the slopes of the cells.
     agrees: OnceLock<bool>,
@@ -87,7 +87,7 @@ pub(super) fn places<T>() -> Box<[OnceLock<T>]> {
     (0..EXPONENTS).map(|_| OnceLock::new()).collect()
 }
 
-/// Returns what is kept, which is built first where nothing is; `None` if the budget of work ends, and what was cut short is not kept.
+/// Returns the cached value, computing it first if necessary; `None` if the work budget ends, in which case nothing is cached.
 pub(super) fn kept<T>(place: &OnceLock<T>, build: impl FnOnce() -> T) -> Option<&T> {
     if place.get().is_none() {
         let built = build();
@@ -110,12 +110,12 @@ pub(super) fn place_of(exponent: i32) -> Option<usize> {
 }
 
 impl Cells {
-    /// For a segment; nothing is interpolated yet.
+    /// Creates the interpolants of a segment without computing any.
     pub fn new(lower: f64, upper: f64) -> Self {
         Self { lower, upper, doublings: places() }
     }
 
-    /// The derivative of φ of order 1 or 2 at r with the bound of its error; NaN where φ is not smooth enough.
+    /// The derivative of φ of order 1 or 2 at r with a bound of its error; NaN if φ is not smooth enough.
     pub fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Bounded {
         self.doubling(r, phi).and_then(|own| own.cell(r)).map_or(NOTHING, |cell| cell.derivative(order, r))
     }
@@ -126,8 +126,8 @@ impl Cells {
         self.doubling(r, phi).map_or(0.0, |own| hidden_slope(below(own), r))
     }
 
-    /// Returns true if `other` agrees with the slopes of all cells between the powers of two around r, within both bounds; false if the
-    /// budget of work ends. The first answer is kept, so `other` must be the same function in every call.
+    /// Returns true if `other` agrees with the slopes of all cells between the powers of two around r, within both bounds; false
+    /// if the budget of work ends. The first answer is kept, so `other` must be the same function in every call.
     pub(super) fn agree(&self, r: f64, phi: &impl Fn(f64) -> Bounded, other: &impl Fn(f64) -> Option<Bounded>) -> bool {
         let same = |cell: &Cell| {
             let (own, other) = (cell.derivative(1, cell.middle), other(cell.middle));
@@ -136,14 +136,14 @@ impl Cells {
         self.doubling(r, phi).and_then(|own| kept(&own.agrees, || own.cells.iter().all(same))).copied().unwrap_or(false)
     }
 
-    /// A place not far below r at which φ is not smooth, if there is one: derivatives do not show what happens there.
+    /// A radius slightly below r at which φ is not smooth, if any; the derivatives do not resolve such a point.
     pub fn seam(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<f64> {
-        // What lies beyond r, as the end of a sphere that is not told, does not matter to it.
+        // Points beyond r, such as the undeclared end of a sphere, do not affect it.
         let own = self.doubling(r, phi)?.seam.filter(|seam| *seam <= r);
         own.or_else(|| if libm::scalbn(1.0, exponent_of(r)?) > self.lower { self.doubling(0.5 * r, phi)?.seam } else { None })
     }
 
-    /// About the largest |φ′| around r; 0 where nothing is known.
+    /// An estimate of the largest |φ′| around r; 0 if unknown.
     pub(super) fn steepness(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> f64 {
         self.doubling(r, phi).and_then(|own| own.cell(r)).map_or(0.0, |cell| cell.steepest)
     }
@@ -166,7 +166,7 @@ impl Cells {
             let margin = 0.25 * libm::scalbn(scale, -depth);
             let ends = ((from - margin).max(self.lower), (to + margin).min(self.upper));
             let mut cell = Cell::fit(ends, to, phi);
-            // A root at an end of the segment falls slowly as well.
+            // The coefficients of a root at an end of the segment also decrease slowly.
             if from > self.lower && to < self.upper {
                 cell.accept_noise(&wider, phi);
             }
@@ -174,8 +174,8 @@ impl Cells {
             let is_full = cells.len() + waiting.len() >= MOST;
             let can_halve = depth < DEEPEST && !is_full && middle > from && middle < to;
             if cell.resolved || !can_halve {
-                // Roots at the ends of the segment itself are followed by cells as wide as they are far from them. A kink inside
-                // it looks resolved only where it has sunk below the rounding of r or of φ.
+                // Cells near a root at an end of the segment are as wide as their distance to the end. A kink inside the segment
+                // appears resolved only when it is below the rounding of r or φ.
                 let apart = (from - self.lower).min(self.upper - to) > 1e3 * (to - from);
                 let is_seam = !cell.resolved || depth > SMOOTH || (depth > FOLLOWED && cell.is_kinked(&wider));
                 if (apart && is_seam) || (is_full && !cell.resolved) {
@@ -207,7 +207,8 @@ impl Cells {
     }
 }
 
-/// Returns the ends of short runs of cells with noise. Such a run may contain a step of φ, which lies between the nodes of a wide panel.
+/// Returns the ends of short runs of cells with noise. Such a run may contain a step of φ, which lies between the nodes of a wide
+/// panel.
 fn ends_of_noise(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
     /// Maximum number of cells in a run.
     const FEW: usize = 4;
@@ -225,9 +226,9 @@ fn ends_of_noise(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
     found
 }
 
-/// Returns the ends of the cells that were halved more often than their neighbours, and of the cells beside them, one of which may hold the
-/// kink and have taken it for noise; those of the smallest cells first, as far as [`MOST_CUTS`] reaches, because noise halves cells as well.
-/// The ends of isolated noise are added to them.
+/// Returns the ends of the cells that were halved more often than their neighbours and of the adjacent cells, one of which may
+/// contain the kink and have treated it as noise. The smallest cells come first, up to [`MOST_CUTS`], because noise also halves
+/// cells. The ends of isolated noise are added.
 fn cuts(cells: &[Cell], sizes: &[(f64, f64, i32)]) -> Vec<f64> {
     let mut runs = Vec::new();
     let mut begin = 0;
@@ -264,7 +265,7 @@ fn cosines() -> &'static [f64] {
     TABLE.get_or_init(|| chebyshev::cosines(NODES))
 }
 
-/// The nodes, falling.
+/// The nodes, in decreasing order.
 fn nodes() -> [f64; NODES] {
     let table = cosines();
     std::array::from_fn(|j| table.get(2 * j + 1).copied().unwrap_or(f64::NAN))
@@ -276,7 +277,7 @@ impl Cell {
         let (middle, half) = (from + 0.5 * (end - from), 0.5 * (end - from));
         let samples: [Bounded; NODES] = nodes().map(|x| phi(middle + half * x));
         let size = samples.iter().fold(0.0, |size: f64, s| size.max(s.value.abs()));
-        // A node is off by the rounding of r: half an ulp of the largest radius, times what φ changes per unit of r.
+        // The rounding of r displaces a node by half an ulp of the largest radius, which changes φ by its slope times this.
         let noise = samples.iter().fold(0.0, |noise: f64, s| noise.max(s.error)) + f64::EPSILON * size;
         let mut values = [0.0; NODES];
         chebyshev::coefficients(&samples.map(|s| s.value), cosines(), &mut values);
@@ -286,15 +287,15 @@ impl Cell {
         let steepest = nodes().iter().map(|x| chebyshev::sum(&slopes, *x).abs()).fold(0.0, f64::max);
         let moved = 0.5 * f64::EPSILON * end * steepest;
         let finite = samples.iter().all(|s| s.value.is_finite());
-        // Sums of many roundings at random stay well below their number.
+        // Sums of many random rounding errors remain well below their number.
         let resolved = finite && tail <= (noise + moved).max(4.0 * f64::EPSILON * size);
         Self { to, middle, half, orders: [values, slopes, bends], doubt: tail + noise + moved, resolved, size, steepest, accepted: 0.0 }
     }
 
-    /// Coefficients that neither fall nor grow when a cell is halved several times are noise beyond what was stated, as of ln(cosh(r)) near
-    /// the axis.
+    /// Coefficients that neither decrease nor grow over several halvings of a cell are noise beyond the declared error, as for
+    /// ln(cosh(r)) near the axis.
     fn accept_noise(&mut self, wider: &[f64; WIDER], phi: &impl Fn(f64) -> Bounded) {
-        // At a kink they fall by 8 in three halvings, next to a pole they grow by 8; next to rounding one halving tells.
+        // In three halvings they decrease by 8 at a kink and grow by 8 near a pole; near rounding level one halving suffices.
         const STILL: f64 = 0.5;
         const GROWING: f64 = 4.0;
         let (last, low) = (self.last(LAST), self.noise() == 0.0);
@@ -306,12 +307,12 @@ impl Cell {
         }
     }
 
-    /// Returns false if a narrow part of the cell is free of noise although φ changes there by more than the noise. The cell then contains
-    /// many kinks or waves, which look like noise as well.
+    /// Returns false if a narrow part of the cell is free of noise although φ changes there by more than the noise. The cell then
+    /// contains many kinks or waves, which look like noise as well.
     fn is_noisy_within(&self, phi: &impl Fn(f64) -> Bounded) -> bool {
         /// Smaller noise, relative to φ, is taken for rounding without a comparison.
         const LOUD: f64 = 1e-6;
-        /// Where narrow parts begin, and their widths, as shares of the cell.
+        /// The beginnings and widths of narrow parts, as fractions of the cell.
         const BEGIN: f64 = 0.37;
         const WIDTHS: [f64; 3] = [1e-1, 1e-2, 1e-3];
         /// Maximum noise of a part that counts as free of noise, relative to the noise of the cell.
@@ -329,8 +330,8 @@ impl Cell {
         if last > LOW * self.size { last } else { 0.0 }
     }
 
-    /// Returns true if the last coefficients fell with the width of the cell until rounding hid them, as they do at a jump of φ′, or with
-    /// its square, as at a jump of φ″.
+    /// Returns true if the last coefficients fell with the width of the cell until rounding hid them, as they do at a jump of φ′,
+    /// or with its square, as at a jump of φ″.
     fn is_kinked(&self, wider: &[f64; WIDER]) -> bool {
         const FALL: f64 = 8.0;
         const SLOW: f64 = 5000.0;
@@ -365,7 +366,8 @@ impl Cell {
         self.orders[0].iter().rev().take(count).fold(0.0, |most: f64, c| if c.is_nan() { f64::INFINITY } else { most.max(c.abs()) })
     }
 
-    /// Returns the apparent rounding error of φ: the largest of the last `count` coefficients, but at least half an ulp of the largest value.
+    /// Returns the apparent rounding error of φ: the largest of the last `count` coefficients, but at least half an ulp of the
+    /// largest value.
     pub(super) fn rounding(&self, count: usize) -> f64 {
         self.last(count).max(0.5 * f64::EPSILON * self.size)
     }

@@ -1,4 +1,4 @@
-//! Profiles given as Rust closures: what is stated about them, and their quantities by quadrature.
+//! Profiles given as Rust closures: their declared properties, and their quantities by quadrature.
 
 pub(crate) mod cells;
 mod profile;
@@ -21,7 +21,7 @@ pub enum Parity {
     Odd,
 }
 
-/// A profile f(r) as Rust code with what is known about it; [`Closure::profile`] makes a profile of it.
+/// A profile f(r) as Rust code with declared properties; [`Closure::profile`] converts it to a profile.
 ///
 /// | constructor | f′ | f″, for the pressure |
 /// |---|---|---|
@@ -30,8 +30,8 @@ pub enum Parity {
 /// | [`with_slope`](Self::with_slope) | given | interpolation of f′, as above |
 /// | [`real`](Self::real) | interpolation of f: two to four digits are lost | interpolation: five to seven digits are lost |
 ///
-/// What interpolation loses is measured from its coefficients and stands in the error of every answer.
-/// A closure that panics does so in the caller's thread.
+/// The loss by interpolation is estimated from the coefficients and included in the error of every result.
+/// A panic of the closure occurs in the caller's thread.
 #[derive(Clone)]
 pub struct Closure {
     function: Function,
@@ -44,7 +44,7 @@ pub struct Closure {
 }
 
 impl Profile {
-    /// f as a function of a complex radius, analytic along r > 0: f′ is found by a complex step and loses nothing.
+    /// f as a function of a complex radius, analytic along r > 0: f′ is computed by a complex step without loss of digits.
     ///
     /// ```
     /// use sneddon::contact::Contact;
@@ -56,7 +56,7 @@ impl Profile {
     /// assert!((d.value - 0.830_719_5).abs() < 1e-7 && d.error < 1e-12);
     /// ```
     ///
-    /// [`Closure`] has the other constructors and what may be stated.
+    /// [`Closure`] has the other constructors and the properties that may be declared.
     pub fn from_fn(f: impl Fn(Complex64) -> Complex64 + Send + Sync + 'static) -> Closure {
         Closure::complex(f)
     }
@@ -70,7 +70,7 @@ impl Closure {
     /// f as a function of a complex radius.
     ///
     /// f must be analytic along r > 0, piece by piece. `asin`, `acos` and `atan` of `num-complex` lose a small imaginary
-    /// part, as `abs` does; [`Self::profile`] notices and says so.
+    /// part, as `abs` does; [`Self::profile`] detects this and returns an error.
     pub fn complex(f: impl Fn(Complex64) -> Complex64 + Send + Sync + 'static) -> Self {
         Self::new(Function::Complex(Arc::new(f)))
     }
@@ -102,29 +102,29 @@ impl Closure {
         Self::new(Function::Real(Arc::new(f)))
     }
 
-    /// The radii at which f has a kink or any other seam, rising. Kinks that are not told cost accuracy.
+    /// The radii at which f is not smooth, in increasing order. Undeclared kinks reduce the accuracy.
     #[must_use]
     pub fn breakpoints(mut self, radii: impl IntoIterator<Item = f64>) -> Self {
         self.breakpoints = radii.into_iter().collect();
         self
     }
 
-    /// The radius R at which the profile ends; f need not have a value from there on.
+    /// The radius R at which the profile ends; f need not be defined at and beyond R.
     #[must_use]
     pub fn limit(mut self, limit: f64) -> Self {
         self.limit = limit;
         self
     }
 
-    /// n of f ~ C rⁿ at the axis. Unless stated, whether n is a whole number is judged from samples of f′.
+    /// n of f ~ C rⁿ at the axis. By default, whether n is a whole number is determined from samples of f′.
     #[must_use]
     pub fn leading_exponent(mut self, n: f64) -> Self {
         self.exponent = Some(n);
         self
     }
 
-    /// States that f is even or odd, for closures that have no value at r < 0 or near the axis: an even f is smooth there
-    /// and starts as r², an odd one as r, unless a leading exponent is stated too. Fewer values of an even f suffice.
+    /// Declares f even or odd, for closures without a value at r < 0 or near the axis: an even f is smooth there
+    /// and starts as r², an odd f as r, unless a leading exponent is given too. An even f needs fewer values.
     #[must_use]
     pub fn parity(mut self, parity: Parity) -> Self {
         let lowest = match parity {
@@ -136,26 +136,26 @@ impl Closure {
         self
     }
 
-    /// How far the closure's values are from the truth, in units in the last place; 8 unless stated.
+    /// The error of the closure's values in units in the last place; 8 by default.
     #[must_use]
     pub fn ulps(mut self, ulps: f64) -> Self {
         self.ulps = ulps;
         self
     }
 
-    /// The relative tolerance of the quadratures; 1e-12 unless stated.
+    /// The relative tolerance of the quadratures; 1e-12 by default.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// Checks the statements, and f at a few places, and makes a profile of it.
+    /// Checks the declared properties, and f at a few radii, and returns the profile.
     ///
     /// # Errors
-    /// [`TransformError::Statement`] for breakpoints that do not rise between 0 and the limit, and other numbers out of
-    /// range; [`TransformError::Undefined`] where f is NaN or infinite; [`TransformError::Jump`] where f jumps at a breakpoint;
-    /// [`TransformError::NotAnalytic`] where the complex step of f is not its slope.
+    /// [`TransformError::Statement`] for breakpoints that do not increase between 0 and the limit, and other numbers out of
+    /// range; [`TransformError::Undefined`] if f is NaN or infinite; [`TransformError::Jump`] if f jumps at a breakpoint;
+    /// [`TransformError::NotAnalytic`] if the complex step of f is not its slope.
     pub fn profile(self) -> Result<ClosureProfile, TransformError> {
         let refuse = |what, got, accepted| Err(TransformError::Statement { what, got, accepted });
         if self.limit.is_nan() || self.limit <= 0.0 {
@@ -164,7 +164,7 @@ impl Closure {
         let mut last = 0.0;
         for b in &self.breakpoints {
             if b.is_nan() || *b <= last || *b >= self.limit {
-                return refuse("a breakpoint", *b, "breakpoints that rise between 0 and the limit");
+                return refuse("a breakpoint", *b, "increasing breakpoints between 0 and the limit");
             }
             last = *b;
         }

@@ -1,27 +1,27 @@
-//! Pieces of f′: as long as 64 coefficients allow, halved in r² where they do not.
+//! Chebyshev pieces of f′: each as long as 64 coefficients allow, otherwise halved in r².
 
 use super::piece::Piece;
 use super::source::{Parity, Source};
 use crate::integrate::error::TransformError;
 use crate::num::spectral::{chop, rule};
 
-/// Degrees that are tried, rising.
+/// Degrees to try, in increasing order.
 const COUNTS: [usize; 3] = [16, 32, 64];
-/// A piece is halved at most this often.
+/// Maximum number of halvings of a piece.
 const DEEPEST: u32 = 56;
-/// A profile that needs more pieces has no curve.
+/// Maximum number of pieces of a curve.
 const MOST_PIECES: usize = 600;
-/// Halves of a parity split may have this error relative to the whole: e^r against e^(−r) has more on a long piece, …
+/// Error allowed for the halves of a parity split, relative to the whole; e^r and e^(−r) exceed it on a long piece.
 const CANCELLING: f64 = 2e-14;
-/// … but what cancels on a short piece too is not worth further halving.
+/// The larger error allowed on a short piece, where further halving does not reduce the cancellation.
 const SHORT: u32 = 8;
-/// Coefficients below so many ulps of the function count as rounding.
+/// Coefficients below this many ulps of the function count as rounding.
 const PLATEAU: f64 = 2.0 * f64::EPSILON;
 
-/// The pieces of one source over [0, end], by rising radius.
+/// The pieces of one source over [0, end], by increasing radius.
 ///
 /// # Errors
-/// [`TransformError::NotComputable`] where f′ is not finite or not smooth enough.
+/// [`TransformError::NotComputable`] if f′ is not finite or not smooth enough.
 pub(super) fn pieces(source: &Source<'_>, end: f64, budget: &mut Budget) -> Result<Vec<Piece>, TransformError> {
     let upper = source.upper.map_or(end, |u| u.min(end));
     let mut list = Vec::new();
@@ -105,13 +105,13 @@ impl Work<'_, '_> {
             let (mut values, mut noise, mut scale) = (Vec::with_capacity(count), 0.0_f64, 0.0_f64);
             for node in rule.nodes() {
                 let u = length * node.unit;
-                // Above the source's own lower end u counts from there.
+                // Above the lower end of the source, u is measured from that end.
                 let offset = (lower - self.source.lower) * (lower + self.source.lower);
                 let own = self.source.psi(offset + u, exponent, parity);
                 if !own.value.is_finite() {
                     return Err(TransformError::NotComputable { at: upper });
                 }
-                // An odd half has its error next to the axis, where it weighs nothing.
+                // The error of an odd half is largest near the axis, where its weight vanishes.
                 let weight = if parity == Parity::Odd { node.unit.sqrt() } else { 1.0 };
                 noise = noise.max(own.error * weight);
                 scale = scale.max(own.value.abs());
@@ -119,7 +119,7 @@ impl Work<'_, '_> {
             }
             self.budget.evaluations += count as u64;
             let mut coefficients = rule.coefficients(&values);
-            // Rounding of values that are no better than their bounds counts as plateau too.
+            // The plateau includes the error bounds of the values.
             let plateau = PLATEAU.max(if scale > 0.0 { noise / scale } else { 0.0 });
             if scale == 0.0 {
                 return Ok(Expansion { coefficients: vec![0.0], noise, scale, converged: true });

@@ -1,4 +1,4 @@
-//! The pressure curve of one contact: g′ as Legendre pieces in x², whose right-sided half-order integral is p.
+//! The pressure curve of one contact: p as the right-sided half-order integral of Legendre expansions of g′ in x².
 
 use super::build::{self, Budget};
 use super::piece::{Integral, Piece, Place, Share};
@@ -12,10 +12,10 @@ use crate::num::spectral::{above, chop, right_sided, rule};
 use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate};
 
-/// p(r)·π/E* = ∫_r^a g′/√(x² − r²) dx of one contact with a smooth edge, for many places r.
+/// p(r)·π/E* = ∫_r^a g′/√(x² − r²) dx of one contact with a smooth edge, for many radii r.
 ///
-/// g′ without its jumps' share is a half-order integral of (r f′)′; over pieces of x² its Legendre expansion gives p term by term.
-/// The jumps δ of f′ at b add b δ K(b, r), K by Carlson's R_F.
+/// g′ without the contribution of jumps is a half-order integral of (r f′)′; its Legendre expansion over pieces of x² gives p
+/// term by term. The jumps δ of f′ at b add b δ K(b, r), with K by Carlson's R_F.
 ///
 /// ```
 /// use sneddon::{expr::{Bindings, Expr}, parse, transform::{Curve, Evaluator, Method, Profile, derive}};
@@ -29,13 +29,13 @@ use crate::num::{Bounded, Estimate};
 pub struct PressureCurve<'a> {
     profile: &'a NumericProfile,
     a: f64,
-    /// Rising.
+    /// In increasing order.
     parts: Vec<Part>,
     jumps: Vec<Jump>,
     steep: bool,
     evaluations: u64,
     doubt: f64,
-    /// The error relative to 2√(a² − r²) at places given by √(1 − r²/a²), falling; empty where parts have their own.
+    /// The error relative to 2√(a² − r²) at radii given by √(1 − r²/a²), in decreasing order; empty if every part has an error.
     relative: Vec<(f64, f64)>,
 }
 
@@ -48,25 +48,25 @@ struct Part {
     divided: Vec<f64>,
     /// A bound on the error of the sum.
     noise: f64,
-    /// False where the piece ends the refinement next to a breakpoint: places inside have no curve.
+    /// False if the piece is an unresolved one next to a breakpoint, where the curve is not defined.
     fine: bool,
 }
 
-/// Pieces next to a breakpoint are halved at most this often.
+/// Maximum number of halvings of pieces next to a breakpoint.
 const DEEPEST: u32 = 52;
 const COUNTS: [usize; 3] = [16, 32, 64];
-/// The tolerance of the quadrature that takes over next to breakpoints, and of the check.
+/// The tolerance of the quadrature used near breakpoints, and of the check.
 const CHECK: f64 = 1e-13;
 
-/// Where the error of a single expansion is looked at: it grows towards the edge.
+/// Points at which the error of a single expansion is evaluated; it grows towards the edge.
 const SINES: [f64; 8] = [1.0, 0.5, 0.25, 0.12, 0.06, 0.03, 0.01, 1e-3];
 
 impl<'a> PressureCurve<'a> {
-    /// The pressure under a contact of radius a, by the terms of f′ where one odd f′ without a kink reaches up to a, else by pieces.
+    /// The pressure under a contact of radius a: a single expansion if f′ is odd and without a kink up to a, else pieces.
     ///
     /// # Errors
-    /// [`TransformError::NotComputable`] where f′ is not finite or too wild below a,
-    /// [`TransformError::NoClosedForm`] where (r f′)′ is not known.
+    /// [`TransformError::NotComputable`] if f′ is not finite or too irregular below a,
+    /// [`TransformError::NoClosedForm`] if (r f′)′ is not known.
     pub fn new(profile: &'a NumericProfile, a: f64) -> Result<Self, TransformError> {
         match profile.pressure_terms(a) {
             Some(expansion) => Ok(Self::whole(profile, a, &expansion)),
@@ -120,7 +120,7 @@ impl<'a> PressureCurve<'a> {
         Ok(curve)
     }
 
-    /// How much errors must grow so that the quadrature at a random place agrees.
+    /// The factor by which errors must grow to agree with the quadrature at a random radius.
     fn check(&self) -> f64 {
         let s = self.a * Stream::new(self.a.to_bits()).uniform();
         let (Ok(Some(own)), Ok(Some(exact))) = (self.at(s), self.profile.pressure(s, self.a, CHECK)) else { return 1.0 };
@@ -128,12 +128,12 @@ impl<'a> PressureCurve<'a> {
         if own.error > 0.0 && beyond > own.error { 3.0 * beyond / own.error } else { 1.0 }
     }
 
-    /// p(r)·π/E*; `None` where it is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
+    /// p(r)·π/E*; `None` if it is theoretically infinite: at a kink, and at the axis under a tip with f′(0) ≠ 0.
     ///
-    /// Next to a breakpoint, and next to the axis where f′ is not smooth there, one quadrature answers.
+    /// Quadrature is used near a breakpoint, and near the axis if f′ is not smooth there.
     ///
     /// # Errors
-    /// [`TransformError`] where that quadrature has no digits.
+    /// [`TransformError`] if that quadrature has no reliable digit.
     pub fn at(&self, r: f64) -> Result<Option<Estimate>, TransformError> {
         if r >= self.a {
             return Ok(Some(Estimate::exact(0.0)));
@@ -152,7 +152,7 @@ impl<'a> PressureCurve<'a> {
         }
         if !self.relative.is_empty() {
             let root = leg(self.a, r);
-            // Errors rise towards the edge: between two places that of the outer one counts.
+            // Errors increase towards the edge, so the error of the next tabulated radius outward is a bound.
             let outer = self.relative.iter().find(|(sine, _)| sine * self.a <= root).or(self.relative.last());
             error = 2.0 * root * outer.map_or(f64::INFINITY, |(_, relative)| 1.5 * relative);
         }
@@ -167,14 +167,14 @@ impl<'a> PressureCurve<'a> {
         self.a
     }
 
-    /// Evaluations of (r f′)′ that the curve cost.
+    /// Evaluations of (r f′)′ used to build the curve.
     pub fn evaluations(&self) -> u64 {
         self.evaluations
     }
 }
 
 impl Part {
-    /// The share of p at r and its error; `None` where the piece lies below r.
+    /// The contribution to p at r and its error; `None` if the piece lies below r.
     fn share(&self, r: f64) -> Option<(f64, f64)> {
         let to_upper = (self.upper - r) * (self.upper + r);
         if to_upper <= 0.0 {
@@ -208,7 +208,7 @@ impl Work<'_> {
                 let place = Place::new(self.anchor, below + length * node.unit);
                 let sum = self.pieces.iter().fold(Share::default(), |sum, piece| sum + piece.share(Integral::Root, place, 0.0));
                 let over = 0.5 / place.x;
-                // Toward the lower end every node has a smaller share of the integral.
+                // Towards the lower end, the contribution of every node to the integral decreases.
                 noise = noise.max(over * (sum.noise + 4.0 * f64::EPSILON * sum.size) * node.unit.sqrt());
                 scale = scale.max(over * sum.value.abs());
                 values.push(over * sum.value);

@@ -1,4 +1,4 @@
-//! Where a whole curve takes f′ from: one segment, or one class of powers of it, with its behaviour at the lower end.
+//! Sources of f′ for a whole curve: one segment, or one class of its powers, with its behaviour at the lower end.
 
 use crate::eval::{BoundedAlgebra, Tape};
 use crate::expr::{Expr, Number, Symbol, derivative, normal};
@@ -6,14 +6,14 @@ use crate::integrate::integral::{NumericSegment, with_ulps};
 use crate::integrate::source::slope::Numbers;
 use crate::num::Bounded;
 
-/// f′ or (r f′)′ on one segment as u^B ψ with u = r² − b²: what stands before ψ, and where values come from.
+/// f′ or (r f′)′ on one segment as u^B ψ with u = r² − b²: the exponent of the factor before ψ, and the source of its values.
 pub(super) struct Source<'a> {
     pub(super) lower: f64,
     pub(super) upper: Option<f64>,
     /// B: f′/(2r) = (r² − b²)^B ψ, with ψ analytic at the lower end.
     pub(super) exponent: f64,
     values: Values<'a>,
-    /// ψ(−r), where the expression says so; only on segments that begin at the axis.
+    /// ψ(−r), if the expression defines it; only on segments that begin at the axis.
     mirrored: Option<Tape>,
 }
 
@@ -26,7 +26,7 @@ enum Values<'a> {
 /// The two halves of a function by their parity in r.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Parity {
-    /// The function as it stands.
+    /// The function itself.
     Whole,
     /// (ψ(r) + ψ(−r))/2.
     Even,
@@ -35,12 +35,12 @@ pub(super) enum Parity {
 }
 
 impl<'a> Source<'a> {
-    /// The sources of f′ on a segment: one, or one per class of fractional powers at the axis.
+    /// The sources of f′ on a segment: a single source, or one for each class of fractional powers at the axis.
     pub(super) fn of_slope(segment: &'a NumericSegment) -> Vec<Self> {
         Self::of(segment, Values::Slope(segment), || segment.source.as_ref().map(|(slope, _)| slope.clone()))
     }
 
-    /// The sources of (r f′)′, in the place of f′; none where it is not known.
+    /// The sources of (r f′)′ instead of f′; empty if it is not known.
     pub(super) fn of_bend(segment: &'a NumericSegment) -> Vec<Self> {
         let Ok(bend) = segment.bend() else { return Vec::new() };
         let derived = || {
@@ -78,18 +78,18 @@ impl<'a> Source<'a> {
         Some(Self { lower: 0.0, upper, exponent, values: Values::Own(Box::new(values)), mirrored: class.mirrored() })
     }
 
-    /// True where the two halves by parity can be had.
+    /// True if the two halves by parity are available.
     pub(super) fn has_mirror(&self) -> bool {
         self.mirrored.is_some()
     }
 
-    /// ψ at u = r² − b² above the lower end, with the given exponent before it.
+    /// ψ at u = r² − b² above the lower end, for the given exponent B.
     pub(super) fn psi(&self, u: f64, exponent: f64, parity: Parity) -> Bounded {
         let r = (self.lower * self.lower + u).sqrt();
         let delta = with_ulps(u / (self.lower + r), 4.0);
         let slope = self.values.at(delta);
         let half = Bounded::exact(0.5);
-        // Both halves are made of the same ψ.
+        // Both halves use the same ψ.
         let exponent = if parity == Parity::Whole { exponent } else { self.exponent };
         let whole = if self.lower == 0.0 {
             // f′/(2r) over r^(2B) is f′/2 over r^(2B+1).
@@ -148,7 +148,7 @@ fn scale(lower: f64, upper: Option<f64>) -> f64 {
     }
 }
 
-/// The power of δ with which a function begins.
+/// The leading power of δ of a function.
 fn order_at(f: impl Fn(f64) -> f64, scale: f64) -> f64 {
     let (near, nearer) = (f(1e-9 * scale), f(1e-12 * scale));
     let order = (near / nearer).abs().log10() / 3.0;
@@ -160,7 +160,7 @@ fn near_integer(order: f64) -> Option<f64> {
     ((order - whole).abs() < 0.004 && whole >= 0.0).then_some(whole)
 }
 
-/// Beside a breakpoint whole and half orders count.
+/// Near a breakpoint, integer and half-integer orders are considered.
 fn halves(order: f64) -> Option<f64> {
     let twice = near_integer(2.0 * order)?;
     Some(0.5 * twice)
@@ -184,10 +184,10 @@ impl Class {
     }
 }
 
-/// A term of f′: its power of r, what stands beside that, and the whole.
+/// A term of f′: its power of r, the other factor, and the whole term.
 type Member = (f64, Expr, Expr);
 
-/// Groups the terms of f′ by the fractional part of their powers; `None` where a power is no number.
+/// Groups the terms of f′ by the fractional part of their powers; `None` if a power is not a number.
 fn classes(slope: &Expr) -> Option<Vec<Class>> {
     let r = Symbol::new("r");
     let mut found: Vec<(f64, Vec<Member>)> = Vec::new();

@@ -1,4 +1,4 @@
-//! The second stage: g, F or G as short polynomials between breakpoints, for values by the million.
+//! The second stage: g, F or G as low-degree polynomials between breakpoints, for large numbers of values.
 
 use super::piece::{Integral, Piece, Place, Share};
 use super::source::power;
@@ -18,15 +18,15 @@ struct Span {
     to: f64,
     /// 1/w at the end.
     scale: f64,
-    /// True where the function is analytic in w, false where only in √w.
+    /// True if the function is analytic in w, false if only in √w.
     square: bool,
     front: Front,
-    /// Where to look for the leaf of a place; none where the quantity vanishes.
+    /// The index of leaves by position; empty if the quantity vanishes.
     cells: Vec<u32>,
     leaves: Vec<Leaf>,
 }
 
-/// What stands before the polynomial.
+/// The factor before the polynomial.
 #[derive(Clone, Copy, Debug)]
 struct Front {
     /// True for a factor x.
@@ -36,7 +36,7 @@ struct Front {
 }
 
 struct Leaf {
-    /// The end of the leaf, as a share of the span.
+    /// The end of the leaf, as a fraction of the span.
     to: f64,
     middle: f64,
     scale: f64,
@@ -44,20 +44,20 @@ struct Leaf {
     error: f64,
 }
 
-/// Leaves are halved at most this often.
+/// Maximum number of halvings of a leaf.
 const DEEPEST: u32 = 44;
-/// Cells of the table of places, as a power of 2.
+/// Cells of the position index, as a power of 2.
 const CELLS: u32 = 9;
-/// A curve with more leaves is no curve.
+/// Maximum number of leaves of a curve.
 const MOST_LEAVES: usize = 20_000;
-/// Polynomials that are compared with another computation.
+/// Number of polynomials compared with another computation.
 const MOST_COMPARED: usize = 256;
-/// Places that are worked on together.
+/// Number of points processed together.
 const CHUNK: usize = 128;
 
 impl Table {
     /// # Errors
-    /// [`TransformError::NotComputable`] where the quantity is too wild for polynomials.
+    /// [`TransformError::NotComputable`] if the quantity is too irregular for polynomials.
     pub(super) fn new(pieces: &[Piece], kind: Integral, breakpoints: &[f64], reach: f64) -> Result<Self, TransformError> {
         let mut spans = Vec::new();
         let mut ends: Vec<f64> = breakpoints.to_vec();
@@ -95,7 +95,7 @@ impl Table {
     pub(super) fn fill(&self, places: &[f64], out: &mut [f64]) {
         for (places, out) in places.chunks(CHUNK).zip(out.chunks_mut(CHUNK)) {
             let mut from = 0;
-            // Runs of places in one span go through tight loops; sorted places make long runs.
+            // Runs of points in one span are processed in tight loops; sorted points form long runs.
             while let Some(first) = places.get(from) {
                 let Some(span) = self.spans.iter().find(|span| *first <= span.to) else { break };
                 let inside = |x: &f64| *x <= span.to && (*x > span.anchor || span.anchor == 0.0 || x == first);
@@ -127,10 +127,10 @@ impl Table {
         (value, error)
     }
 
-    /// Compares every polynomial with another computation at a random place of it, the first one after a breakpoint also
-    /// close to that; where they disagree, the errors there and beside grow until they cover it three times.
+    /// Compares every polynomial with another computation at a random point, and the first polynomial after a breakpoint also
+    /// close to the breakpoint. If they disagree, the errors of this and adjacent polynomials grow to three times the difference.
     ///
-    /// Of very many polynomials an even selection is compared, and the largest growth counts for all.
+    /// Of very many polynomials an evenly spaced selection is compared, and the largest growth applies to all.
     pub(super) fn examine(&mut self, stream: &mut Stream, exact: impl Fn(f64) -> Result<Estimate, TransformError>) {
         let stride = self.len().div_ceil(MOST_COMPARED).max(1);
         for span in &mut self.spans {
@@ -201,7 +201,7 @@ impl Span {
         self.cover(sum, middle, to, depth + 1)
     }
 
-    /// By how much the error of each polynomial must grow, 1 where it agrees or is not compared.
+    /// The factor by which the error of each polynomial must grow, 1 if it agrees or is not compared.
     fn growths(&self, stride: usize, stream: &mut Stream, exact: &impl Fn(f64) -> Result<Estimate, TransformError>) -> Vec<f64> {
         let (mut growths, mut from) = (Vec::with_capacity(self.leaves.len()), 0.0);
         for (index, leaf) in self.leaves.iter().enumerate() {
@@ -212,7 +212,7 @@ impl Span {
                 let w = if self.square { share } else { share * share } / self.scale;
                 let x = Place::new(self.anchor, w).x.min(self.to);
                 let w = (x - self.anchor) * (x + self.anchor);
-                // Where the other has no value there is nothing to compare with.
+                // Skip points where the other computation has no value.
                 let (true, Some((own, u)), Ok(other)) = (index % stride == 0, self.locate(w), exact(x)) else { continue };
                 let front = self.front.at(x, w);
                 let value = own.local.at(u) * front;
@@ -240,7 +240,7 @@ impl Span {
         }
     }
 
-    /// The leaf of a place and the coordinate in it.
+    /// The leaf that contains a point, and the coordinate in the leaf.
     #[inline]
     fn locate(&self, w: f64) -> Option<(&Leaf, f64)> {
         let share = (w * self.scale).clamp(0.0, 1.0);

@@ -1,20 +1,21 @@
-//! g, F, G and u of a table: clusters from afar, pieces by a Gauss rule in √(x − r) where they are near.
+//! g, F, G and u of a table: distant pieces by clusters, near pieces by a Gauss rule in √(x − r).
 
 use super::Cubic;
 use super::tree::{Cluster, Moments, OPENING, TERMS, Tree, decay, masses, rule};
 use crate::num::Bounded;
 use crate::num::stable::leg;
 
-/// Roundings of a near piece and of a cluster, in units of ε ∫|…|: measured at most a fifth of it.
+/// Rounding errors of a near piece and of a cluster, in units of ε ∫|…|; the measured errors are at most a fifth.
 const NEAR_ROUNDINGS: f64 = 6.0;
 const FAR_ROUNDINGS: f64 = 8.0;
-/// Nodes of the rule for near pieces; with the root substituted away its error is below 3.3⁻³².
+/// Nodes of the rule for near pieces; after substitution of the root, its error is below 3.3⁻³².
 const NEAR_NODES: usize = 16;
-/// Nodes that stand for a cluster where no series does, and how near it may be: 0.2²⁴ is below a rounding.
+/// Number of point masses that replace a cluster without a series, and the largest relative size of such a cluster: 0.2²⁴ is
+/// below a rounding error.
 pub(super) const MASSES: usize = 24;
 pub(super) const NARROW: f64 = 0.2;
 
-/// What multiplies f′ dr/√(x²−r²) under the integral.
+/// The factor of f′ dr/√(x²−r²) in the integral.
 #[derive(Clone, Copy)]
 pub(super) enum Kernel {
     /// 1: g(x)/x.
@@ -23,11 +24,11 @@ pub(super) enum Kernel {
     Force,
     /// x² − r²: G.
     Integral,
-    /// What the displacement at this radius outside has; see [`outside`].
+    /// The factor for the displacement at this radius outside; see [`outside`].
     Outside(f64),
 }
 
-/// A sum with the size of what was added, of which the rounding is a share.
+/// A sum with the sum of magnitudes, to which the rounding error is proportional.
 #[derive(Default)]
 struct Sum {
     value: f64,
@@ -38,7 +39,7 @@ struct Sum {
 pub(super) fn transformed(pieces: &[Cubic], tree: &Tree, moments: &[Moments], x: f64, kernel: Kernel) -> Bounded {
     let mut sum = Sum::default();
     gather(pieces, tree, moments, 0, x, kernel, &mut sum);
-    // The clusters are added one after the other: as many roundings as there are, each half an ε of the sum so far.
+    // The clusters are added one after the other, each with a rounding error of half an ε of the partial sum.
     Bounded::checked(sum.value, sum.error)
 }
 
@@ -83,7 +84,7 @@ fn far(own: &Cluster, moment: &Moments, x: f64, (ratio, h): (f64, f64), kernel: 
             size = size.max(height);
         }
         sum.value += value;
-        // The interpolation's rest is of the order h²⁴ of the largest value, and the masses add up to a few times the size.
+        // The interpolation error is of the order of h²⁴ times the largest value; the masses add up to a few times the size.
         sum.error +=
             (8.0 * FAR_ROUNDINGS * f64::EPSILON + 8.0 * h.powi(MASSES as i32) / (1.0 - h)) * size * moment.size + half_ulp(sum.value);
         return;
@@ -101,7 +102,7 @@ fn far(own: &Cluster, moment: &Moments, x: f64, (ratio, h): (f64, f64), kernel: 
     sum.error += front * largest * moment.size * rest / (1.0 - h) + half_ulp(sum.value);
 }
 
-/// Terms after which hⁿ is below a rounding.
+/// Terms after which hⁿ is below a rounding error.
 fn terms(h: f64) -> usize {
     ((-38.0 / h.ln()).ceil() as usize).clamp(2, TERMS)
 }
@@ -111,7 +112,7 @@ fn half_ulp(value: f64) -> f64 {
     0.5 * f64::EPSILON * value.abs()
 }
 
-/// One piece below x, or the part of it: r = x − (x−b)τ² takes the root away, whatever the distance.
+/// One piece below x, or its part below x: the substitution r = x − (x−b)τ² removes the root at any distance.
 fn near(piece: &Cubic, x: f64, kernel: Kernel, sum: &mut Sum) {
     let (b, c) = (piece.lower, piece.upper.min(x));
     let (from_b, from_c) = (x - b, x - c);
@@ -140,7 +141,8 @@ fn near(piece: &Cubic, x: f64, kernel: Kernel, sum: &mut Sum) {
     sum.error += NEAR_ROUNDINGS * f64::EPSILON * factor * size + half_ulp(sum.value);
 }
 
-/// The kernel of u(R) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt, r = a sin t, as in the quadrature of profiles; `root` is √(a² − r²).
+/// The kernel of u(R) = (2a/π) ∫ f′ [(α − A) + (1 − cos t) A] dt, r = a sin t, as in the quadrature of profiles; `root` is √(a² −
+/// r²).
 fn outside(r: f64, root: f64, a: f64, at: f64) -> f64 {
     let ratio = a / leg(at, a);
     let (q, s) = (root / a, r / a);

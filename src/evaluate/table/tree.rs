@@ -1,7 +1,7 @@
-//! Sums over many pieces at once: clusters of pieces with Legendre moments over s = r², which replace the pieces from afar.
+//! Sums over many pieces at once: clusters of pieces with Legendre moments over s = r², which replace distant pieces.
 //!
 //! With t running linearly over a cluster's s, x² − s = ½L²(X − t), and 1/√(X − t) = √(2h) Σ hᵏ P_k(t), h = X − √(X²−1), is the
-//! generating function of the Legendre polynomials: no smoothness of f′ is needed, and what is left out after n terms
+//! generating function of the Legendre polynomials. f′ need not be smooth, and the truncation error after n terms
 //! is below √(2h) hⁿ/(1 − h) ∫|f′|.
 
 use super::Cubic;
@@ -10,11 +10,11 @@ use crate::num::stable::Total;
 use crate::num::{Exhausted, work};
 use std::sync::OnceLock;
 
-/// Moments that a cluster has; 0.31³³ is below a rounding.
+/// Number of moments of a cluster; 0.31³³ is below a rounding error.
 pub(super) const TERMS: usize = 33;
-/// A cluster answers as a whole where h is at most this.
+/// A cluster replaces its pieces if h is at most this.
 pub(super) const OPENING: f64 = 0.31;
-/// Pieces of a cluster that is not divided further.
+/// Clusters with at most this many pieces are not divided further.
 const LEAF: usize = 4;
 
 /// Consecutive pieces.
@@ -31,7 +31,7 @@ pub(super) struct Cluster {
 pub(super) struct Moments {
     /// k = 0, 1, …
     pub(super) plain: [f64; TERMS],
-    /// The same with t φ in the place of φ.
+    /// The moments of t φ.
     pub(super) first: [f64; TERMS],
     /// ∫ |φ| dr.
     pub(super) size: f64,
@@ -52,7 +52,7 @@ impl Tree {
     /// The moments of a density, given per piece and δ, and of masses at the lower ends of pieces.
     ///
     /// # Errors
-    /// [`Exhausted`] where the work was stopped, since this takes seconds for hundreds of thousands of pieces.
+    /// [`Exhausted`] if the work was stopped; this takes seconds for hundreds of thousands of pieces.
     pub(super) fn moments(
         &self,
         pieces: &[Cubic],
@@ -93,7 +93,7 @@ pub(super) fn rule(nodes: usize) -> &'static [Node] {
     RULES.get(nodes).map_or(&[], |rule| rule.get_or_init(|| rule_of(nodes)))
 }
 
-/// Enough nodes for a quadratic times P_k over a piece that takes this part of the cluster, its weight hᵏ counted.
+/// Sufficient number of nodes for a quadratic times P_k over a piece that spans this part of the cluster, given its weight hᵏ.
 ///
 /// P_k grows like exp(k√(2wρ)) on the piece's Bernstein ellipse ρ, w the part; with hᵏ that stays bounded while wρ < 0.68.
 fn nodes_for(part: f64) -> usize {
@@ -171,7 +171,7 @@ fn add(sums: &mut [f64; TERMS + 1], weight: f64, t: f64) {
     }
 }
 
-/// Point masses at the nodes of a Gauss rule, in t, with the same moments: what any smooth kernel takes the cluster for.
+/// Point masses at the nodes of a Gauss rule, in t, with the same moments; they replace the cluster for smooth kernels.
 pub(super) fn masses(own: &Cluster, moments: &Moments, count: usize) -> Vec<(f64, f64)> {
     let (b, c) = (own.lower, own.upper);
     rule(count)

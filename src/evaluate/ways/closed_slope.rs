@@ -12,14 +12,14 @@ use crate::num::quadrature::{EndBehaviour, Options, Panel, Point, integrate};
 use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, work};
 
-/// Values of g′ that the smallest rule asks for.
+/// Number of values of g′ in the smallest rule.
 const FEWEST: u64 = 21;
 
 impl Evaluator<'_> {
     /// p(r) π/E* = ∫_r^a g′(x)/√(x²−r²) dx = ∫₀^U g′(r cosh u) du, cosh U = a/r, with the derivative of the closed g.
     ///
-    /// f′ itself may cancel here: the jump that it makes at a kink at b ≪ r is b/r times smaller in g′.
-    /// `None` where a breakpoint lies beyond r, where no g is closed, where the integral does not settle, and where `most` steps of work do not
+    /// Near a kink at b ≪ r, quadrature of f′ may cancel, whereas the effect of its jump is smaller by b/r in g′.
+    /// `None` if a breakpoint lies beyond r, g is not closed, the integral does not converge, or `most` steps of work do not
     /// suffice for a first rule.
     pub(crate) fn pressure_by_closed_slope(&self, r: f64, a: f64, most: u64) -> Option<Estimate> {
         let kinks = self.chains.iter().flat_map(|chain| &chain.breakpoints).filter(|b| is_below(**b, a));
@@ -29,17 +29,17 @@ impl Evaluator<'_> {
         }
         let forms = self.rising(a)?;
         let forms: Vec<&ClosedForm> = forms.iter().collect();
-        // Values of special functions are too dear for a search.
+        // Values of special functions are too expensive for a search.
         let most = if forms.iter().any(|form| form.tape().is_special()) { most.min(MORE_DIGITS) } else { most };
         let mut slope = |point: Point| {
             let x = r * point.x.cosh();
-            // x is right to a few roundings, and g′ changes over the distance to the last kink.
+            // x is accurate to a few rounding errors, and g′ varies on the scale of the distance to the last kink.
             let moved = 4.0 * f64::EPSILON * (1.0 + point.x) * (r / (r - last));
             let own = total(&forms, &[x], good_enough(self.tolerance)).bounded();
             Bounded { error: own.error + moved * own.value.abs(), ..own }
         };
         let reach = (leg(a, r) / r).asinh();
-        // More digits are no use if not even the first rule can be afforded.
+        // Give up if the budget does not cover the first rule.
         let (_, each, _) = work::apart(most, || slope(Point { x: 0.5 * reach, from_lower: 0.5 * reach, from_upper: 0.5 * reach }));
         work::spend(each);
         if each.saturating_mul(FEWEST) > most {
@@ -48,13 +48,13 @@ impl Evaluator<'_> {
         let panel = Panel { lower: 0.0, upper: reach, kind: EndBehaviour::Smooth };
         let options = Options { rel_tol: self.tolerance, charge_x: false, max_evaluations: 20_000, ..Options::default() };
         let found = reached(integrate(&mut slope, &[panel], &options), a).ok()?;
-        // U is right to a few roundings.
+        // U is accurate to a few rounding errors.
         let end = slope(Point { x: reach, from_lower: reach, from_upper: f64::MIN_POSITIVE });
         let error = found.error + 8.0 * f64::EPSILON * reach * end.value.abs();
         Some(Estimate { error, ..found.by(CLOSED_SLOPE) })
     }
 
-    /// g′ of every chain where the contact ends at a; `None` where something is left to integrate.
+    /// g′ of every chain for a contact that ends at a; `None` if an integral remains.
     fn rising(&self, a: f64) -> Option<Vec<ClosedForm>> {
         let x = Symbol::new("x");
         let chains = self.solution.chains.iter().enumerate();

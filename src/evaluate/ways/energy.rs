@@ -1,4 +1,4 @@
-//! ∫₀^a (d − g)² dx, of which the strain energy is E* times, with a bound that enclosures of f′ prove.
+//! ∫₀^a (d − g)² dx, the strain energy divided by E*, with a bound proven by enclosures of f′.
 
 use crate::evaluate::evaluator::{Evaluator, Reading};
 use crate::integrate::abel::pieces::{Piece, Place, Range, proven_sum};
@@ -10,15 +10,15 @@ use crate::num::{Bound, Bounded, Estimate, Region, work};
 use std::cell::Cell;
 use std::f64::consts::FRAC_PI_2;
 
-/// Steps of work after which the proof is given up: nested rules answer then.
+/// Steps of work after which the proof is abandoned and nested rules are used.
 const LONGEST: u64 = 60_000_000;
 /// Below this fraction of a range that begins at the axis, a bound on |g| is tried first.
 const NEXT_TO_THE_AXIS: f64 = 1e-2;
-/// The relative tolerance that the rules are asked for.
+/// The relative tolerance of the rules.
 const TOLERANCE: f64 = 1e-13;
 
 impl Evaluator<'_> {
-    /// ∫₀^a (d − g)² dx for a profile of few pieces; `None` where f′ has no enclosure from which the error of a rule follows.
+    /// ∫₀^a (d − g)² dx for a profile of few pieces; `None` if f′ has no enclosure that bounds the error of a rule.
     pub(crate) fn proven_squared_gap(&self, a: f64, depth: Bounded) -> Option<Result<Reading, TransformError>> {
         if let Err(error) = self.check_domain("a", a) {
             return Some(Err(error));
@@ -39,7 +39,7 @@ impl Evaluator<'_> {
             Err(_) => Bounded::exact(f64::NAN),
         };
         let pairs = ends.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.last()?)));
-        // Where a breakpoint is known to a rounding, so is where g begins to rise.
+        // The point where g begins to increase has the rounding error of the breakpoint.
         let places = || typed.segments.iter().flat_map(|own| std::iter::once(own.lower).chain(own.upper));
         let clear = |at: f64| 32.0 * places().filter(|own| own.value == at).map(|own| own.error).fold(0.0, f64::max);
         let mut skipped = 0.0;
@@ -54,7 +54,7 @@ impl Evaluator<'_> {
             skipped += (after - lower) + (upper - before);
             ranges.push(Gap { typed, slope: &slope, lower: after, upper: before, depth, slots: Vec::new() });
         }
-        // (d − g)² between the samples on both sides of what is left out, to which a rounding of g is nothing.
+        // Bound (d − g)² in the skipped ranges by the samples at their ends; rounding errors of g are negligible here.
         let size = |own: Bounded| own.value.abs() + own.error;
         let largest = ends.iter().map(|at| size(depth - slope(*at))).fold(0.0, f64::max);
         let more = Bounded { value: 0.0, error: 4.0 * skipped * largest * largest };
@@ -80,7 +80,7 @@ impl<F: Fn(f64) -> Bounded> Gap<'_, F> {
         x.clamp(self.lower, self.upper)
     }
 
-    /// Returns d − g(x); next to the axis, where g is expensive, from a bound on |g| if that is negligible compared with d.
+    /// Returns d − g(x); near the axis, where g is expensive, from a bound on |g| if that is negligible compared with d.
     fn gap(&self, place: Place, slots: &mut Vec<Region>) -> Bounded {
         let x = self.place(place);
         if x < NEXT_TO_THE_AXIS * self.upper && self.lower == 0.0 {
@@ -93,7 +93,7 @@ impl<F: Fn(f64) -> Bounded> Gap<'_, F> {
         self.depth - (self.slope)(x)
     }
 
-    /// A bound on |g| in a rectangle; infinite where none is known.
+    /// A bound on |g| in a rectangle; infinite if unknown.
     fn largest_equivalent(&self, around: &Around, slots: &mut Vec<Region>) -> f64 {
         self.typed.segments.iter().map(|segment| around.largest_part(segment, self.upper, slots)).sum()
     }
@@ -106,11 +106,11 @@ impl<F: Fn(f64) -> Bounded> Gap<'_, F> {
     }
 }
 
-/// The rectangle around the ellipse around a piece of a range.
+/// The rectangle that encloses the Bernstein ellipse of a piece of a range.
 struct Around {
     /// The lower end of the range.
     lower: f64,
-    /// The real parts, counted from that end.
+    /// The real parts, measured from that end.
     low: f64,
     high: f64,
     /// The largest imaginary part.
@@ -118,7 +118,7 @@ struct Around {
 }
 
 impl Around {
-    /// The real parts counted from another place, at most the lower end of the range.
+    /// The real parts measured from another point, at most the lower end of the range.
     fn from(&self, place: f64) -> (f64, f64) {
         let distance = self.lower - place;
         // The difference of two near numbers is exact.
@@ -126,14 +126,14 @@ impl Around {
         (distance + self.low - hair, distance + self.high + hair)
     }
 
-    /// The region of x counted from a place that is known to a doubt.
+    /// The region of x measured from a point with an uncertainty.
     fn region(&self, place: f64, doubt: f64) -> Region {
         let (low, high) = self.from(place);
         Region::new((low - doubt, high + doubt), (-self.short, self.short))
     }
 
-    /// A bound on |x ∫ f′/√(x²−r²) dr| over a segment, r between its lower end and x or its upper end, for every x in the rectangle, in which
-    /// it is analytic; infinite where none is known.
+    /// A bound on |x ∫ f′/√(x²−r²) dr| over a segment, r between its lower end and x or its upper end, for every x in the
+    /// rectangle, in which it is analytic; infinite if unknown.
     fn largest_part(&self, segment: &NumericSegment, upper: f64, slots: &mut Vec<Region>) -> f64 {
         let (begin, doubt) = (segment.lower.value, segment.lower.error);
         if begin >= upper {
@@ -148,7 +148,7 @@ impl Around {
             None => from_begin.with_zero(),
         };
         let power = segment.power_for(upper);
-        // Where the ellipse reaches the lower end, f′ must be analytic there; right of it only between both.
+        // If the ellipse contains the lower end, f′ must be analytic there; otherwise only between the two.
         let is_right = ended.map_or(low > doubt, |end| self.from(end.value).0 > end.error);
         if !(self.short == 0.0 || is_right || (ended.is_none() && begin == 0.0 && power.is_none())) {
             return f64::INFINITY;
@@ -164,7 +164,7 @@ impl Around {
             // r = x sin t, and sin t ≥ 2t/π.
             return largest * size.powf(1.0 + exponent) * FRAC_PI_2 / (1.0 + steep);
         }
-        // r on the straight line from b to the end: |x − r| is no less than the rest of it, |x + r| no less than Re x + b, and
+        // For r on the straight line from b to the end, |x − r| is at least the remaining length, |x + r| at least Re x + b, and
         // ∫₀¹ s^p/√(1 − s) ds ≤ 2 for p ≥ 0.
         let length = path.largest();
         let share = if steep < 0.0 { 1.42 / (1.0 + steep) + 2.83 } else { 2.0 };
@@ -200,7 +200,7 @@ impl<F: Fn(f64) -> Bounded> Range for Gap<'_, F> {
             variation += before.map_or(0.0, |before| (before - square.value).abs());
             before = Some(square.value);
         }
-        // Every node is rounded by no more than this, which moves the mean by the variation over the length.
+        // The rounding error of every node is at most this; it changes the mean by the variation over the length.
         let length = places.first().zip(places.last()).map_or(0.0, |(first, last)| (last.from_lower - first.from_lower).abs());
         let moved = 4.0 * UNIT * self.upper * variation / length;
         errors.iter_mut().for_each(|error| *error += moved);

@@ -1,7 +1,7 @@
-//! The pressure, and where theory makes it infinite: under a tip whose slope does not vanish at the axis, and where f′ jumps.
+//! The pressure, and its infinities: under a tip with nonzero slope at the axis, and where f′ jumps.
 //!
-//! p(0) is an integral of f′/r, and p(b) has the jump of f′ at b before a logarithm; both are decided from the expressions, never by
-//! the error of a computed value.
+//! p(0) is an integral of f′/r, and p(b) contains a logarithm times the jump of f′ at b; whether these are infinite is decided
+//! from the expressions, never from the error of a computed value.
 
 use crate::derive::chain::Chain;
 use crate::derive::domain;
@@ -16,20 +16,20 @@ use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Estimate, work};
 
-/// Steps of work that a few more digits of a pressure are worth: some twenty milliseconds …
+/// Steps of work for a few more digits of a pressure, about twenty milliseconds.
 pub(crate) const MORE_DIGITS: u64 = 2_000_000;
-/// … and the first ones.
+/// Steps of work for the first digits of a pressure.
 pub(crate) const FIRST_DIGITS: u64 = 50_000_000;
-/// A pressure as rough as this has not many digits yet.
+/// Relative error above which a pressure counts as rough.
 const ROUGH: f64 = 1e-7;
 
-/// The work that a better value than this one is worth.
+/// The work to spend on a better value than the given one.
 fn worth(found: Option<&Reading>) -> u64 {
     if found.is_some_and(|own| own.estimate.relative_error() <= ROUGH) { MORE_DIGITS } else { FIRST_DIGITS }
 }
 
 impl Evaluator<'_> {
-    /// p(r)·π/E* under a smooth edge of radius a; `None` where it is infinite by theory.
+    /// p(r)·π/E* under a smooth edge of radius a; `None` if it is theoretically infinite.
     ///
     /// # Errors
     /// As [`Self::slope`].
@@ -49,14 +49,14 @@ impl Evaluator<'_> {
         }
         let found = self.combine(Superposed::Pressure, Ask::Pressure { r, a });
         let most = worth(found.as_ref().ok().and_then(Option::as_ref));
-        // A closed form, or a proven number, is not worth the search.
+        // No search for a better value is needed after a closed form or a proven number.
         let enough = |own: &Reading| own.method == "exact" || is_trusted(own.estimate);
         let may_rise = self.method == Method::Auto && matches!(&found, Ok(Some(own)) if !enough(own));
         let by_closed_slope = || {
             let found = work::share(most, || self.pressure_by_closed_slope(r, a, most)).flatten();
             by_quadrature(found.map(Some).ok_or(TransformError::NotComputable { at: a }))
         };
-        // Parts that are infinite one by one may meet in a number without any digit, or in none.
+        // Infinite parts may combine to a value without a reliable digit, or to NaN.
         let found =
             if special && self.method != Method::Exact && found == Ok(None) { Err(TransformError::NotComputable { at: a }) } else { found };
         let best = Best::of(self.tolerance, found);
@@ -72,15 +72,15 @@ impl Evaluator<'_> {
         }
     }
 
-    /// True where r is the axis or a breakpoint, the only places at which the pressure below a smooth edge may be infinite.
+    /// True if r is the axis or a breakpoint, the only radii at which the pressure below a smooth edge may be infinite.
     pub(crate) fn may_be_infinite(&self, r: f64) -> bool {
         r == 0.0 || self.chains.iter().any(|chain| chain.breakpoints.iter().any(|b| b.value == r))
     }
 
-    /// True where the pressure is infinite by theory.
+    /// True if the pressure is theoretically infinite.
     ///
     /// # Errors
-    /// [`TransformError`] where f′ cannot be formed.
+    /// [`TransformError`] if f′ cannot be formed.
     pub(crate) fn is_infinite_at(&self, r: f64) -> Result<bool, TransformError> {
         if r == 0.0 {
             if let Some(ready) = self.steep.get() {
@@ -91,7 +91,7 @@ impl Evaluator<'_> {
                 first.extend(chain.slopes()?.into_iter().next());
             }
             let slope = self.bindings.apply(&Expr::sum(first));
-            // A limit that does not exist is that of a pole, or of a logarithm.
+            // The limit does not exist at a pole or a logarithm.
             let steep = limit(&slope).is_none_or(|own| !is_zero(&own));
             work::check()?;
             return Ok(*self.steep.get_or_init(|| steep));
@@ -109,10 +109,10 @@ impl Evaluator<'_> {
         Ok(!is_zero(&Expr::sum(jump)))
     }
 
-    /// p·π/E* by quadrature at a place where it is finite by theory, though some of its parts may not be.
+    /// p·π/E* by quadrature at a radius where it is theoretically finite, although some of its parts may not be.
     ///
     /// # Errors
-    /// [`TransformError`] where quadrature has no digits.
+    /// [`TransformError`] if the quadrature has no reliable digit.
     pub(crate) fn finite_pressure(&self, r: f64, a: f64) -> Answer {
         let lost = TransformError::NotComputable { at: a };
         if r > 0.0 {
@@ -131,7 +131,7 @@ impl Evaluator<'_> {
         .answer()
     }
 
-    /// The profile as typed, where the slopes of its chains at the axis add up to 0 and are not 0 one by one, less these slopes times r;
+    /// The profile as typed, minus the slopes of its chains at the axis times r, if these slopes add up to 0 but are not all 0;
     /// `None` for every other profile.
     fn typed_without_slopes(&self) -> Result<Option<NumericProfile>, TransformError> {
         let mut slopes = Vec::new();
@@ -146,7 +146,7 @@ impl Evaluator<'_> {
         self.typed_less(&slopes).map(Some)
     }
 
-    /// f′ beyond a breakpoint less f′ before it; `None` where one of them is infinite.
+    /// f′ beyond a breakpoint minus f′ before it; `None` if one of them is infinite.
     fn jump(&self, chain: &Chain, index: usize) -> Result<Option<Expr>, TransformError> {
         let (Some(place), slopes) = (chain.breakpoints.get(index), chain.slopes()?) else { return Ok(None) };
         let (Some(below), Some(beyond)) = (slopes.get(index), slopes.get(index + 1)) else { return Ok(None) };
@@ -157,7 +157,7 @@ impl Evaluator<'_> {
     }
 }
 
-/// True for a proven error that no estimate can better.
+/// True for a proven error that is at least as small as the best estimates.
 fn is_trusted(own: Estimate) -> bool {
     own.bound == Bound::Proven && own.relative_error() <= Estimate::TRUSTED
 }
@@ -166,7 +166,7 @@ fn limit(slope: &Expr) -> Option<Expr> {
     domain::value_at_axis(slope, &mut Vec::new()).ok()
 }
 
-/// True for what is zero exactly, or within the error of its value where it is no rational number.
+/// True for a number that is exactly zero, and for other constants that are zero within their error.
 fn is_zero(value: &Expr) -> bool {
     if value.as_number().is_some() {
         return value.is_zero();

@@ -1,4 +1,4 @@
-//! The integral over the angle on the segment below x, by nested rules: f′ in blocks, and half of the points by symmetry.
+//! The integral over the angle on the segment below x by nested rules, with f′ in blocks and half of the points by symmetry.
 
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericSegment, Weight, intricate, modest, stricter};
@@ -9,21 +9,21 @@ use crate::num::quadrature::{CHUNK, EvenIntegrand, Extent, Form, Mean, Nodes, Ra
 
 /// Most evaluations before the range is bisected instead.
 const MOST: u64 = 400;
-/// Beyond this share of the way to its limit f′ is taken from the distance to the limit.
+/// Beyond this fraction of the limit, f′ is computed from the distance to the limit.
 pub(crate) const NEAR_THE_LIMIT: f64 = 0.7;
 
 impl NumericSegment {
-    /// The integral, where this segment reaches up to x and the rules meet the tolerance.
+    /// The integral, if this segment reaches up to x and the rules meet the tolerance.
     ///
     /// # Errors
-    /// [`TransformError::NotComputable`] where f′ is not finite.
+    /// [`TransformError::NotComputable`] if f′ is not finite.
     pub(crate) fn by_nested_rules(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let own = if self.is_intricate(x, weight) { intricate(tolerance) } else { stricter(tolerance) };
         self.nested(&self.slope, x, weight, (tolerance, own), 0.0)
     }
 
-    /// The same for f′ or (r f′)′, by rules that are asked for the second of the tolerances; errors are held against `scale` where that
-    /// exceeds the value.
+    /// The same for f′ or (r f′)′. The rules use the second of the tolerances, and errors are relative to the larger of `scale`
+    /// and the value.
     pub(crate) fn nested(
         &self,
         numbers: &Numbers,
@@ -48,10 +48,10 @@ impl NumericSegment {
             let (found, _) = from_the_axis(&mut ask, &extent, &wish).map_err(refused)?;
             return Ok(found.map(|found| with_rounding(modest(found, own * largest(found.value), tolerance * largest(found.value)))));
         }
-        // Weights are functions of x − r: those of g and F are none, and may have the distance to the limit instead.
+        // Weights are functions of x − r, except for g and F, which may use the distance to the limit instead.
         let by_limit = matches!(weight, Weight::Slope | Weight::Force);
         if !by_limit && limit.is_some_and(|limit| x > NEAR_THE_LIMIT * limit) {
-            // What happens within limit − x of the end is narrower than nodes can see.
+            // Features within limit − x of the end are too narrow for the nodes.
             return Ok(None);
         }
         if let (Some(end), Some(limit)) = (&self.limit, limit)
@@ -72,14 +72,14 @@ impl NumericSegment {
         }
         let value = scale_of * value;
         let (left_out, noise) = (scale_of * left_out, scale_of * noise);
-        // No more is promised than was asked for where the rules leave out more than rounding noise.
+        // If the truncation error exceeds the rounding noise, report at least the requested tolerance as the error.
         let least = if left_out > noise { 0.97 * tolerance * largest(value) } else { 0.0 };
         Ok(Some(with_rounding(Estimate::estimated(value, least.max(left_out + noise), evaluations))))
     }
 }
 
 impl NumericSegment {
-    /// f′ or (r f′)′ as an even integrand, from its lower end on, with such bounds on the errors of its values.
+    /// f′ or (r f′)′ as an even integrand from its lower end on, with the given kind of error bounds.
     #[inline]
     pub(crate) fn integrand<'a>(
         &self,
@@ -96,37 +96,37 @@ impl NumericSegment {
     }
 }
 
-/// Adds the rounding of the factor in front.
+/// Adds the rounding error of the leading factor.
 fn with_rounding(found: Estimate) -> Estimate {
     Estimate { error: found.error + 8.0 * UNIT * found.value.abs(), ..found }
 }
 
-/// The bounds that values come with.
+/// The kind of error bounds of the values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bounds {
-    /// 0.
+    /// Bounds of 0.
     None,
-    /// Of the errors at each place.
+    /// Bounds at each point.
     Running,
-    /// The same for all places near by.
+    /// The same bounds for all nearby points.
     NearBy,
 }
 
 /// f′ times the weight of a quantity.
 struct Source<'a> {
     numbers: &'a Numbers,
-    /// How well the lower end is known.
+    /// The uncertainty of the lower end.
     doubt: f64,
     weight: Weight,
     x: f64,
-    /// f′ over the distance to the limit, and how well the limit is known.
+    /// f′ over the distance to the limit, and the uncertainty of the limit.
     from_limit: Option<(&'a Numbers, f64)>,
     bounds: Bounds,
     scratch: Scratch,
 }
 
 impl Source<'_> {
-    /// Values and bounds at a few places, times the factor of the variable.
+    /// Values and bounds at a few points, times the factor of the variable.
     fn ask(&mut self, at: Radii<'_>, factor: Option<&[f64]>, values: &mut [f64], errors: &mut [f64]) {
         if self.bounds == Bounds::None {
             return self.ask_plainly(at, factor, values, errors);
@@ -139,9 +139,9 @@ impl Source<'_> {
             None => (self.numbers, own, at.past_start),
         };
         for ((distance, doubt), given) in distances.iter_mut().zip(&mut *doubts).zip(from) {
-            // Below the smallest normal number f′ has no digits; what is cut there is bounded from the last values.
+            // Below the smallest normal number f′ is not accurate; the omitted part is bounded from the last values.
             *distance = given.max(f64::MIN_POSITIVE);
-            // The distance counts from an end that is known to its error only; next to that end the caller has it.
+            // The distance is measured from an inexact end; near that end the caller accounts for its error.
             *doubt = 12.0 * UNIT * *distance + if *distance > 2.0 * end { end } else { 0.0 };
         }
         if self.bounds == Bounds::NearBy {
@@ -174,7 +174,7 @@ impl Source<'_> {
         }
     }
 
-    /// The same times the weight.
+    /// Multiplies by the weight.
     #[inline(never)]
     fn weigh(&self, at: Radii<'_>, values: &mut [f64], errors: &mut [f64]) {
         let x = self.x;
@@ -191,7 +191,7 @@ impl Source<'_> {
                     (share * (2.0 - share), 16.0 * UNIT)
                 }
                 Weight::Outside(outer) => {
-                    // Root by root: the product may leave the range of doubles.
+                    // Multiply the roots separately: the product under one root may leave the range of doubles.
                     let ratio = x / (outer - x).sqrt() / (outer + x).sqrt();
                     let share = below / x;
                     let (q, s) = ((share * (2.0 - share)).sqrt(), r / x);

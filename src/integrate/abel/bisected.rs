@@ -13,11 +13,11 @@ use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, Region, forms};
 
 impl NumericSegment {
-    /// The integral with a proven bound; `None` where f′ is no expression, where its enclosures do not become small in time, or where
-    /// they leave more open than the tolerance and the rounding.
+    /// The integral with a proven bound; `None` if f′ is not an expression, its enclosures do not become small in time, or the
+    /// bound exceeds the tolerance and the rounding error.
     ///
     /// # Errors
-    /// [`TransformError::NotComputable`] where f′ is not finite.
+    /// [`TransformError::NotComputable`] if f′ is not finite.
     pub(crate) fn by_pieces(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         if !self.slope.is_expression() || matches!(weight, Weight::Outside(_)) || !(x.is_normal() && self.lower.value < x) {
             return Ok(None);
@@ -26,24 +26,24 @@ impl NumericSegment {
         proven_sum(std::slice::from_mut(&mut range), Bounded::exact(0.0), tolerance, x)
     }
 
-    /// The range with what enclosures near its ends need; `None` where f′ is singular and no power of it is known.
+    /// The range with the data for enclosures near its ends; `None` if f′ has a singularity of unknown power.
     fn enclosed(&self, x: f64, weight: Weight) -> Option<Angles<'_>> {
         let power = self.power_for(x);
         if self.singular && power.is_none() {
             return None;
         }
-        // Next to the end of f′ its distance to that end has the digits.
+        // Near the end of f′, use the distance to that end, which is accurate.
         let limit = self.limit.as_ref().filter(|limit| x > NEAR_THE_LIMIT * limit.value.value && x < limit.value.value - limit.value.error);
         let limit = limit.and_then(|limit| Some((limit, limit.enclosing()?)));
         Some(Angles { power, limit, weight, ..Angles::over(self, x) })
     }
 
-    /// Distances from the lower end between which one rule resolves f′, found by enclosures; none where one rule resolves all of it, and
-    /// where enclosures show nothing.
+    /// Distances from the lower end between which one rule resolves f′, determined by enclosures; empty if one rule resolves the
+    /// whole range, or without enclosures.
     ///
-    /// They are for integrals without a proof of their own, which would miss what is narrow between their nodes.
+    /// They are used for integrals without a proven bound, which would otherwise miss narrow features between their nodes.
     pub(crate) fn features(&self, x: f64, tolerance: f64) -> Vec<f64> {
-        /// Both halves of a range are always apart.
+        /// The two halves of a range are always separated.
         const SMOOTH: usize = 4;
         if !(self.slope.is_expression() && x.is_normal() && self.lower.value < x) {
             return Vec::new();
@@ -63,22 +63,22 @@ pub(crate) struct Angles<'a> {
     pub(crate) segment: &'a NumericSegment,
     /// f′ = δ^s h(δ) at the lower end: s, and h for enclosures.
     power: Option<&'a LeadingPower>,
-    /// The end of f′, where x is near to it, and f′ over the distance to it for enclosures.
+    /// The end of f′, if x is near to it, and f′ over the distance to the end for enclosures.
     limit: Option<(&'a Limit, &'a Tape)>,
     pub(crate) x: f64,
     weight: Weight,
-    /// The angle between both ends, and that from the upper end to the one at which r = x.
+    /// The angle between both ends, and the angle from the upper end to the point r = x.
     pub(crate) width: f64,
     beyond: f64,
     pub(crate) slots: Vec<Region>,
 }
 
-/// Where r is while the angle is in a region: r, r − lower, and limit − r.
+/// The regions of r, r − lower, and limit − r for an angle in a region.
 pub(crate) struct Radii {
     pub(crate) r: Region,
     pub(crate) delta: Region,
     below: Option<Region>,
-    /// The angle to the place at which r = x, and its sine.
+    /// The angle to the point r = x, and its sine.
     pub(crate) phi: Region,
     pub(crate) sine: Region,
 }
@@ -92,7 +92,7 @@ impl<'a> Angles<'a> {
         Self { segment, power: None, limit: None, x, weight: Weight::Slope, width, beyond, slots: Vec::new() }
     }
 
-    /// r − lower and the angle to r = x, where the angles from both ends are these.
+    /// r − lower and the angle to r = x, from the angles to both ends.
     pub(crate) fn delta(&self, place: Place) -> (f64, f64) {
         let rest = self.beyond + place.from_upper;
         let delta = 2.0 * self.x * (0.5 * place.from_lower).sin() * (rest + 0.5 * place.from_lower).sin();
@@ -107,7 +107,7 @@ impl<'a> Angles<'a> {
         (below, 16.0 * UNIT * below + limit.value.error)
     }
 
-    /// The weight, and bounds on its error as a share and as a number.
+    /// The weight, and bounds on its relative and absolute error.
     fn factor(&self, delta: f64, rest: f64) -> (f64, f64, f64) {
         match self.weight {
             Weight::Force => {
@@ -130,7 +130,7 @@ impl<'a> Angles<'a> {
         let x = Region::real(self.x);
         let lower = self.segment.lower;
         let lower = Region::new((lower.value - lower.error, lower.value + lower.error), (0.0, 0.0));
-        // Both have all values of δ; the product keeps its digits next to the lower end, the cosine is narrow next to the upper one.
+        // Both enclose all values of δ; the product is accurate near the lower end, the cosine is sharper near the upper end.
         let doubt = Region::new((-self.segment.lower.error, self.segment.lower.error), (0.0, 0.0));
         let by_product = x * Region::real(2.0) * half_v.sin() * (beyond + width - half_v).sin() + doubt;
         let r = x * rest.cos();
@@ -178,7 +178,7 @@ impl Range for Angles<'_> {
         if largest.is_nan() { f64::INFINITY } else { largest }
     }
 
-    /// ∫₀^v |f′| dv ≤ C ∫₀^v δ^s dv, where δ/v falls: r is concave in v.
+    /// ∫₀^v |f′| dv ≤ C ∫₀^v δ^s dv, where δ/v decreases because r is concave in v.
     fn tail(&mut self, piece: Piece) -> f64 {
         let Some(own) = self.power else { return f64::INFINITY };
         if piece.from_above || self.segment.lower.error > 0.0 {
@@ -188,7 +188,7 @@ impl Range for Angles<'_> {
         let (rest, power) = (own.rest_over(radii.delta, &mut self.slots), own.exponent);
         let v = piece.to * (1.0 + 8.0 * UNIT);
         let slope = self.delta(Place { from_lower: v, from_upper: self.width - v, from_above: false }).0 / v;
-        // Where s > 0, δ ≤ x v.
+        // For s > 0, δ ≤ x v.
         let steepness = if power < 0.0 { (slope * (1.0 - 1e-9)).powf(power) } else { self.x.powf(power) };
         let bound = rest * steepness * v.powf(1.0 + power) / (1.0 + power) * self.weight(&radii) * (1.0 + 1e-9);
         if bound.is_nan() { f64::INFINITY } else { bound + f64::MIN_POSITIVE }
@@ -198,11 +198,11 @@ impl Range for Angles<'_> {
         let (mut arguments, mut doubts, mut factors) = ([0.0; MOST_NODES], [0.0; MOST_NODES], [(0.0, 0.0, 0.0); MOST_NODES]);
         let count = places.len();
         let end = self.segment.lower.error;
-        // All places of a piece count from the same end.
+        // All points of a piece are measured from the same end.
         let limit = self.limit.map(|(limit, _)| limit).filter(|_| places.first().is_some_and(|place| place.from_above));
         for (((place, argument), doubt), factor) in places.iter().zip(&mut arguments).zip(&mut doubts).zip(&mut factors) {
             let (delta, rest) = self.delta(*place);
-            // δ keeps its digits towards the lower end; the width is known to a rounding.
+            // δ is accurate towards the lower end; the width has a rounding error.
             (*argument, *doubt) = match limit {
                 Some(limit) => self.below(limit, rest),
                 None => (delta, 16.0 * UNIT * delta + if delta > 2.0 * end { end } else { 0.0 }),
@@ -213,7 +213,7 @@ impl Range for Angles<'_> {
         numbers.block(&arguments[..count], &doubts[..count], values, errors, scratch);
         let varies = self.segment.varies_next_to_lower();
         for (((value, error), (factor, share, flat)), argument) in values.iter_mut().zip(errors).zip(factors).zip(arguments) {
-            // `delta` is at least the smallest normal number, below which nothing is proven.
+            // `delta` is at least the smallest normal number, below which nothing can be proven.
             let unknown = if varies && argument <= f64::MIN_POSITIVE { f64::INFINITY } else { 0.0 };
             *error = *error * factor + value.abs() * (share * factor + flat) + unknown;
             *value *= factor;

@@ -1,4 +1,4 @@
-//! Integrals by pieces, each with a rule that an enclosure of the integrand around it proves to suffice: nothing narrow can hide.
+//! Integrals by pieces, each with a rule proven sufficient by an enclosure of the integrand, so that no narrow feature is missed.
 
 use crate::integrate::error::TransformError;
 use crate::integrate::source::slope::Scratch;
@@ -8,45 +8,45 @@ use crate::num::legendre::{Node, rule_of};
 use crate::num::{Bound, Bounded, Estimate, work};
 use std::sync::LazyLock;
 
-/// Nodes of the rules that pieces may have.
+/// Numbers of nodes of the rules for pieces.
 const COUNTS: [usize; 7] = [4, 6, 8, 12, 16, 24, 32];
 /// The most nodes of a rule.
 pub(crate) const MOST_NODES: usize = COUNTS[COUNTS.len() - 1];
 static RULES: LazyLock<[Vec<Node>; COUNTS.len()]> = LazyLock::new(|| COUNTS.map(rule_of));
 
-/// Ellipses that are tried around a piece, by σ: the half-axes are cosh σ and sinh σ times the half of the piece.
+/// Ellipses to try around a piece, by σ: the half-axes are cosh σ and sinh σ times half the length of the piece.
 const SIGMAS: [f64; 5] = [2.4, 1.7, 1.15, 0.75, 0.45];
 /// Maximum number of enclosures. Over 200 typed profiles, 24000 gave the same number of proven values.
 const MOST_ENCLOSURES: usize = 4_000;
-/// Most of them in the first trial: where samples saw only the tail of something narrow, more would be spent on digits that do not count.
+/// Maximum number of enclosures in the first trial, because the samples may have found only the tail of a narrow feature.
 const FIRST_ENCLOSURES: usize = 1_000;
 /// Most values of the integrand.
 const MOST_VALUES: u64 = 60_000;
-/// The share of the tolerance that rules may leave out altogether.
+/// The fraction of the tolerance for the total truncation error of the rules.
 const SHARE: f64 = 0.02;
-/// No less than this share of the integral of the magnitude is asked for: rounding makes more.
+/// Smallest truncation error to request, relative to the integral of the magnitude; rounding errors are larger.
 const LEAST: f64 = 0.02 * f64::EPSILON;
-/// Samples of less than this share of what the integrand can be may have seen a tail only.
+/// Samples below this fraction of the bound on the integrand may belong to the tail of a narrow feature.
 const TAIL: f64 = 1e-6;
-/// How often the measure of what may be left out is chosen anew.
+/// Number of times the scale of the truncation error is chosen anew.
 const TRIALS: u32 = 5;
-/// A measure below this share of the last one is no trial: the next sum is better for certain.
+/// A scale below this fraction of the last one does not count as a trial, because the next sum is certainly better.
 const FAR_BELOW: f64 = 1e-3;
-/// A proven error of this share is better than an estimated one.
+/// Largest relative error for which a proven bound is preferred to an estimate.
 const ROUGH: f64 = 1e-3;
-/// Samples of this share of the length see nothing.
+/// Samples below this fraction of the length count as zero.
 const FAINT: f64 = 1e-200;
-/// Places at which the size of the integrand is looked at first.
+/// Number of points for the first estimate of the size of the integrand.
 const PLACES: usize = 16;
-/// The least share of the target that a piece is given, however short it is.
+/// Smallest fraction of the target assigned to a piece, however short it is.
 const LEAST_SHARE: f64 = 1e-4;
 
-/// One piece of a range: from `from` to `to`, counted from one of its ends.
+/// One piece of a range: from `from` to `to`, measured from one of its ends.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
     pub(crate) from: f64,
     pub(crate) to: f64,
-    /// True where the variable counts from the upper end of the range.
+    /// True if the variable is measured from the upper end of the range.
     pub(crate) from_above: bool,
 }
 
@@ -55,8 +55,8 @@ impl Piece {
         0.5 * (self.to - self.from)
     }
 
-    /// The rectangle around the ellipse of σ: from, to, and the largest imaginary part, with the rounding of all of them; a piece that
-    /// begins at an end does so exactly where it is taken alone.
+    /// The rectangle around the ellipse of σ: from, to, and the largest imaginary part, with their rounding errors. For σ = 0, a
+    /// piece that begins at an end begins there exactly.
     pub(crate) fn around(self, sigma: f64) -> (f64, f64, f64) {
         let hair = 4.0 * UNIT * self.to;
         let (middle, half) = (0.5 * (self.from + self.to), self.half());
@@ -79,11 +79,11 @@ pub(crate) trait Range {
     /// The length of the range in the variable of integration.
     fn width(&self) -> f64;
 
-    /// The size of the integrand at a place, roughly.
+    /// The approximate size of the integrand at a point.
     fn size_at(&self, place: Place) -> f64;
 
-    /// A bound on the magnitude of the integrand on the rectangle around the ellipse of σ around a piece, in which it must be analytic;
-    /// for σ = 0 on the piece alone. Infinite where none is known.
+    /// A bound on the magnitude of the integrand on the rectangle around the ellipse of σ around a piece, in which it must be
+    /// analytic; for σ = 0 on the piece alone. Infinite if unknown.
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64;
 
     /// A bound on the integral of the magnitude over a piece that begins at an end, where the integrand may be infinite.
@@ -95,15 +95,15 @@ pub(crate) trait Range {
     fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch);
 }
 
-/// What was done for a piece.
+/// The proof for a piece.
 enum Proof {
-    /// The rule of this number leaves out no more than this.
+    /// The index of the rule, and a bound on its truncation error.
     Rule(usize, f64),
-    /// The whole piece is no more than this.
+    /// A bound on the integral over the whole piece, which is negligible.
     Nothing(f64),
 }
 
-/// What a set of pieces adds up to.
+/// The sum over a set of pieces.
 #[derive(Clone, Default)]
 struct Sum {
     value: DoubleDouble,
@@ -116,11 +116,11 @@ struct Sum {
     pieces: Vec<Piece>,
 }
 
-/// The sum of the integrals over all ranges and of `more`, with a proven bound; `None` where the enclosures do not become small in time, or
-/// where they leave more open than the tolerance and the rounding.
+/// The sum of the integrals over all ranges and of `more`, with a proven bound; `None` if the enclosures do not become small in
+/// time, or the bound exceeds the tolerance and the rounding error.
 ///
 /// # Errors
-/// [`TransformError::NotComputable`] where the integrand is not finite at a node.
+/// [`TransformError::NotComputable`] if the integrand is not finite at a node.
 pub(crate) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f64, at: f64) -> Result<Option<Estimate>, TransformError> {
     if !ranges.iter_mut().all(has_enclosures) {
         return Ok(None);
@@ -140,7 +140,7 @@ pub(crate) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f
             if best.is_some() || (widest.is_some() && scale == widest) {
                 break;
             }
-            // What samples see may be the tail of something narrow: then the largest value that the integrand can have is the measure.
+            // The samples may belong to the tail of a narrow feature; in that case use the bound on the integrand as the scale.
             let largest = match widest {
                 Some(_) => widest,
                 None => Some(ranges.iter_mut().map(upper).sum::<f64>()),
@@ -159,20 +159,20 @@ pub(crate) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f
             return Ok(Some(own));
         }
         best = Some(own);
-        // The integral is no larger than this, which may be far below the first measure: enclosures of what overflows are wide.
+        // This bound on the integral may be far below the first scale, because enclosures of overflowing terms are wide.
         let size = (own.value.abs() + found.left_out).max(LEAST * found.size);
         let Some(last) = scale else { break };
         trials += u32::from(size > FAR_BELOW * last);
         scale = Some(if size < 0.5 * last { size } else { 0.1 * last }).filter(|scale| scale.is_normal());
     }
-    // A value of 0 is accepted if only underflow remains in its bound: each piece may add the smallest normal number.
+    // Accept a value of 0 if its bound contains only underflow: each piece may add the smallest normal number.
     let nothing = MOST_ENCLOSURES as f64 * f64::MIN_POSITIVE;
     Ok(best.filter(|own| own.error <= ROUGH * own.value.abs() || (own.value == 0.0 && own.error < nothing)))
 }
 
-/// The ends of the pieces, each of which one rule resolves; none where the enclosures do not become small in time.
+/// The ends of the pieces, each of which one rule resolves; empty if the enclosures do not become small in time.
 ///
-/// Another integral over the same range, with a smooth weight, misses nothing narrow if it is cut there.
+/// Another integral over the same range with a smooth weight misses no narrow feature if it is split there.
 pub(crate) fn resolved<R: Range>(range: &mut R, tolerance: f64, at: f64) -> Vec<Place> {
     let (scale, width) = (size(range), range.width());
     if !has_enclosures(range) || scale <= FAINT * width {
@@ -187,14 +187,14 @@ pub(crate) fn resolved<R: Range>(range: &mut R, tolerance: f64, at: f64) -> Vec<
     pieces.iter().flat_map(|own| [place(own.from_above, own.from), place(own.from_above, own.to)]).collect()
 }
 
-/// False where the integrand has no enclosure even around single places, as where a function of it has none.
+/// False if the integrand has no enclosure even around single points, for example because of a function without enclosures.
 fn has_enclosures<R: Range>(range: &mut R) -> bool {
     const SHARES: [f64; 3] = [0.29, 0.53, 0.71];
     let width = range.width();
     SHARES.iter().any(|share| range.largest(Piece { from: share * width, to: share * width, from_above: false }, 0.0).is_finite())
 }
 
-/// About the integral of the magnitude, by samples.
+/// An estimate of the integral of the magnitude, from samples.
 fn size<R: Range>(range: &R) -> f64 {
     let width = range.width();
     let sizes = (0..PLACES).map(|i| {
@@ -204,7 +204,7 @@ fn size<R: Range>(range: &R) -> f64 {
     width / PLACES as f64 * sizes.filter(|size| size.is_finite()).sum::<f64>()
 }
 
-/// About the largest that the integral of the magnitude can be, from enclosures where these have a bound.
+/// An approximate upper bound on the integral of the magnitude, from finite enclosures.
 fn upper<R: Range>(range: &mut R) -> f64 {
     const CUTS: usize = 64;
     let width = range.width();
@@ -216,7 +216,7 @@ fn upper<R: Range>(range: &mut R) -> f64 {
         if size.is_finite() {
             total += size;
         } else if left > 0 {
-            // Where too much is enclosed at once, the halves may have a bound.
+            // If the enclosure of the whole is unbounded, the halves may have bounds.
             left -= 1;
             let cut = 0.5 * (piece.from + piece.to);
             open.extend([Piece { to: cut, ..piece }, Piece { from: cut, ..piece }]);
@@ -225,7 +225,7 @@ fn upper<R: Range>(range: &mut R) -> f64 {
     total
 }
 
-/// The sum over pieces that leave out no more than about `target`; `None` beyond so many enclosures or too many values.
+/// The sum over pieces with a total truncation error of about `target`; `None` if it needs too many enclosures or values.
 fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Result<Option<Sum>, TransformError> {
     let mut sum = Sum::default();
     let mut scratch = Scratch::take();
@@ -234,7 +234,7 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
         let width = range.width();
         let middle = 0.5 * width;
         let mut open = vec![Piece { from: 0.0, to: middle, from_above: true }, Piece { from: 0.0, to: middle, from_above: false }];
-        // Both halves meet up to the rounding of the width.
+        // The two halves meet to within the rounding of the width.
         let gap = 8.0 * UNIT * width;
         sum.left_out += gap * range.largest(Piece { from: middle - gap, to: middle + gap, from_above: false }, 0.0);
         while let Some(piece) = open.pop() {
@@ -263,7 +263,7 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
     Ok(Some(sum))
 }
 
-/// A rule for a piece, or that nothing is needed.
+/// A rule for a piece, or the proof that the piece is negligible.
 fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, enclosures: &mut usize) -> Option<Proof> {
     let half = piece.half();
     let share = target * (2.0 * half / range.width()).max(LEAST_SHARE);
@@ -274,7 +274,7 @@ fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, enclosures: &mut us
         if !largest.is_finite() {
             continue;
         }
-        // Trefethen, theorems 8.1 and 19.3: coefficients 2M e^(−kσ), each even one from 2N on wrong by at most 32/15.
+        // Trefethen, theorems 8.1 and 19.3: coefficients 2M e^(−kσ); the error per even coefficient from 2N on is at most 32/15.
         let front = half * 64.0 / 15.0 * largest / (1.0 - (-2.0 * sigma).exp()) * (1.0 + 1e-9);
         if half * 2.0 * largest <= 0.01 * share {
             return Some(Proof::Nothing(2.0 * half * largest * (1.0 + 1e-9)));
@@ -291,14 +291,14 @@ fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, enclosures: &mut us
         return Some(Proof::Rule(rule, left_out));
     }
     *enclosures += 1;
-    // NaN is not within the share either.
+    // NaN fails the comparison too.
     let within = |whole: &f64| *whole <= share;
     let whole = Some(2.0 * half * range.largest(piece, 0.0) * (1.0 + 1e-9)).filter(within);
     let tail = || Some(piece).filter(|piece| piece.from == 0.0).map(|piece| range.tail(piece)).filter(within);
     whole.or_else(tail).map(Proof::Nothing)
 }
 
-/// Adds a piece by its rule; `None` where a value is not finite.
+/// Adds a piece by its rule; `None` if a value is not finite.
 fn add<R: Range>(range: &R, piece: Piece, rule: usize, sum: &mut Sum, scratch: &mut Scratch) -> Option<()> {
     let nodes = RULES.get(rule)?;
     let count = nodes.len().min(MOST_NODES);
@@ -319,9 +319,9 @@ fn add<R: Range>(range: &R, piece: Piece, rule: usize, sum: &mut Sum, scratch: &
         size += node.weight * value.abs();
         noise += node.weight * error;
     }
-    // The sum of the rule, its weights, and the length of the piece, which is the difference of two rounded places.
+    // Rounding of the sum, of the weights, and of the length of the piece, which is the difference of two rounded numbers.
     let rounding = (count as f64 + 16.0) * UNIT * size;
-    // There may be ten thousand pieces: their sum is not rounded.
+    // There may be ten thousand pieces; sum them in double-double arithmetic.
     sum.value = sum.value.add((length * total).into());
     sum.size += length * size;
     sum.noise += length * (noise + rounding);

@@ -1,4 +1,4 @@
-//! The pressure by one integral straight from f′ and f″, with its logarithmic singularity and its kinks.
+//! The pressure by one integral over f′ and f″, with its logarithmic singularity and its kinks.
 
 use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::ask::{ELLIPTIC, LEGENDRE, LEGENDRE_SAMPLED, OVER_U, OVER_U_SAMPLED, PIECES, not_this_way};
@@ -10,13 +10,13 @@ use crate::num::quadrature::{Options, Panel, Point, integrate_blocks};
 use crate::num::{Bounded, Estimate, special};
 
 impl NumericProfile {
-    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by the terms of f′ or by values of g′ where one smooth
+    /// ∫_s^a g′(x)/√(x²−s²) dx, which is p(s)·π/E* under a smooth edge: by the terms of f′ or by values of g′ if one smooth
     /// piece reaches up to a, else by [`Self::stress_direct`].
     ///
-    /// `None` where the value is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
+    /// `None` if the value is theoretically infinite: at a kink, and at the axis under a tip with f′(0) ≠ 0.
     ///
     /// # Errors
-    /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
+    /// [`TransformError`] if (r f′)′ is not finite below a, or no digit is reliable.
     pub fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         finite_and_not_negative("r", s)?;
         finite_and_not_negative("a", a)?;
@@ -28,10 +28,10 @@ impl NumericProfile {
         }
     }
 
-    /// The same in the way of a key alone.
+    /// The same, only by the way with the given key.
     ///
     /// # Errors
-    /// As [`Self::pressure`], and [`TransformError::NotThisWay`] where the way has no answer.
+    /// As [`Self::pressure`], and [`TransformError::NotThisWay`] if the way does not apply.
     pub(crate) fn pressure_in_the_way(
         &self,
         key: &'static str,
@@ -45,7 +45,7 @@ impl NumericProfile {
         }
     }
 
-    /// In one of the ways for a pressure whose integrals have no kinks, or are cut there; `None` where it has no answer.
+    /// By one of the ways for integrals without kinks, or split at them; `None` if the way does not apply.
     fn pressure_of_smooth(&self, key: &'static str, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         let found = match key {
             LEGENDRE => self.pressure_by_proven_series(s, a, tolerance),
@@ -59,7 +59,7 @@ impl NumericProfile {
         found.map(|own| own.by(key))
     }
 
-    /// By values of g′ or by pieces, the better one where neither meets the tolerance.
+    /// By values of g′ or by pieces; the more accurate result if neither meets the tolerance.
     fn proven_pressure(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         let enough = |own: &Estimate| own.error <= tolerance * own.value.abs();
         let slopes = self.pressure_of_smooth(OVER_U, s, a, tolerance);
@@ -74,10 +74,10 @@ impl NumericProfile {
 
     /// The same as one integral, ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s), δ the jump of f′ at b; K by Carlson's R_F.
     ///
-    /// `None` where the value is infinite by theory: at a kink, and at the axis under a tip with f′(0) ≠ 0.
+    /// `None` if the value is theoretically infinite: at a kink, and at the axis under a tip with f′(0) ≠ 0.
     ///
     /// # Errors
-    /// [`TransformError`] where (r f′)′ is not finite below a, or no digits can be promised.
+    /// [`TransformError`] if (r f′)′ is not finite below a, or no digit is reliable.
     pub fn stress_direct(&self, s: f64, a: f64, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         finite_and_not_negative("r", s)?;
         finite_and_not_negative("a", a)?;
@@ -112,7 +112,7 @@ impl NumericProfile {
         Some(total)
     }
 
-    /// The jumps of f′ below a: where segments begin, end or meet; a jump within its own error is none.
+    /// The jumps of f′ below a, at the ends of segments; jumps smaller than their error are dropped.
     pub(crate) fn jumps(&self, a: f64) -> Vec<Jump> {
         let mut jumps: Vec<Jump> = Vec::new();
         let mut add = |at: Bounded, end: Endpoint, height: Bounded| match jumps.iter_mut().find(|own| own.at.value == at.value) {
@@ -140,7 +140,7 @@ impl NumericProfile {
         let Some(first) = self.segments.iter().find(|segment| segment.lower.value == 0.0) else { return false };
         let r = (1e-12 * a).max(1e3 * f64::MIN_POSITIVE);
         let (near, nearer) = (first.slope_at(r), first.slope_at(1e-3 * r));
-        // f′ ~ r^m with m > 0 falls by 10^(3m); everything slower is steep. Rounding next to the axis does not fall either.
+        // f′ ~ r^m with m > 0 decreases by 10^(3m); a slower decrease, or rounding noise, counts as steep.
         nearer.value.abs() > nearer.error && nearer.value.abs() > 0.99 * near.value.abs()
     }
 }
@@ -153,7 +153,7 @@ pub(crate) struct Jump {
     pub(crate) height: Bounded,
 }
 
-/// From this share of the radius on down, a − s is a length of its own.
+/// If a − s is below this fraction of the radius, it is treated as a separate length scale.
 const NARROW: f64 = 1e-5;
 
 impl NumericSegment {
@@ -163,7 +163,7 @@ impl NumericSegment {
 
     /// ∫ (r f′)′ K(r, s) dr over the interval below a, split at s.
     ///
-    /// A part may have no digits of its own, as next to the axis: what counts is the whole.
+    /// A part may have no reliable digit, as near the axis; only the error of the sum is checked.
     fn pressure(&self, s: f64, a: f64, tolerance: f64) -> Result<Vec<Estimate>, TransformError> {
         let (lower, place) = (self.ends.0, Endpoint::exact(s));
         let end = self.ends.1.filter(|own| own.at < a).unwrap_or(Endpoint::exact(a));
@@ -178,7 +178,7 @@ impl NumericSegment {
         }
         places.push(end);
         if s > lower.at && s < end.at && a - s < NARROW * (s - lower.at) {
-            // Next to the edge the kernel is a root down to the distance a − s, and only there a logarithm: no node far off sees that.
+            // Near the edge the kernel is a root down to the distance a − s and a logarithm below, too narrow for distant nodes.
             let mut step = 4.0 * (a - s);
             while step < 0.25 * (s - lower.at) {
                 places.push(Endpoint::exact(s - step));
@@ -210,13 +210,13 @@ impl NumericSegment {
             let (mut deltas, mut doubts, mut values, mut errors) = ([0.0; MOST], [0.0; MOST], [0.0; MOST], [0.0; MOST]);
             let count = points.len().min(MOST);
             for ((point, delta), doubt) in points.iter().zip(&mut deltas).zip(&mut doubts) {
-                // Every distance is a sum of parts of one sign.
+                // Every distance is a sum of terms of the same sign.
                 *delta = (lower.to(from) + point.from_lower).max(f64::MIN_POSITIVE);
                 *doubt = with_ulps(*delta, 8.0).error + if *delta > 2.0 * lower.doubt { lower.doubt } else { 0.0 };
             }
             bend.block(&deltas[..count], &doubts[..count], &mut values[..count], &mut errors[..count], &mut scratch);
             if let Some(falling) = falling {
-                // Next to the upper end only the distance to it has the digits.
+                // Near the upper end, only the distance to it is accurate.
                 let mut slots = Vec::new();
                 let near = points.iter().zip(values.iter_mut().zip(&mut errors)).filter(|(point, _)| point.from_upper < point.from_lower);
                 for (point, (value, error)) in near {
@@ -244,16 +244,16 @@ pub(crate) struct Distances {
     pub(crate) below_edge: f64,
 }
 
-/// K(b, s); where b is not known to 30 digits, its error moves the logarithm next to the kink, and the root next to the edge.
+/// K(b, s); the error of a b without 30 digits affects the logarithm near the kink, and the root near the edge.
 ///
-/// |∂K/∂b| ≤ 1/(|b−s|(b+s)) + K/b + K/(a−b): with u² = x² − M² for x, K is an integral over u whose integrand and end move.
+/// |∂K/∂b| ≤ 1/(|b−s|(b+s)) + K/b + K/(a−b): with u² = x² − M², K is an integral over u whose integrand and end depend on b.
 pub(crate) fn kernel_at(b: Endpoint, s: f64, a: f64) -> Bounded {
     let distances = Distances { difference: b.to(Endpoint::exact(s)).abs(), below_edge: b.to(Endpoint::exact(a)) };
     let kernel = kernel(b.at, s, a, &distances);
     if b.doubt == 0.0 {
         return kernel;
     }
-    // The least distances while b moves by its error.
+    // The smallest distances while b varies by its error.
     let (gap, rest, sum) = (distances.difference - b.doubt, distances.below_edge - b.doubt, (b.at - b.doubt) + s);
     if gap.min(rest).min(sum) <= 0.0 {
         return Bounded { error: f64::INFINITY, ..kernel };
@@ -267,7 +267,7 @@ pub(crate) fn kernel_at(b: Endpoint, s: f64, a: f64) -> Bounded {
 ///
 /// It is √((a−M)(a+M)) R_F(M²D, a²D, M²(a−m)(a+m)); in units of a, and with 1/M taken out of R_F, nothing underflows.
 pub(crate) fn kernel(r: f64, s: f64, a: f64, distances: &Distances) -> Bounded {
-    // The larger one is nearer to the edge; r itself is rounded.
+    // Use the distance of the larger radius to the edge, because r is rounded.
     let outside = if distances.below_edge == a - s { r > s } else { distances.below_edge < a - s };
     let (big, small) = if outside { (r / a, s / a) } else { (s / a, r / a) };
     let (edge, rest) = if outside { (distances.below_edge, a - s) } else { (a - s, distances.below_edge) };

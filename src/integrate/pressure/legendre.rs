@@ -9,31 +9,31 @@ use crate::num::spectral::{Basis, Rule, pressures, rise, rule};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-/// Nodes that are tried, fewest first.
+/// Numbers of nodes to try, in increasing order.
 const COUNTS: [usize; 5] = [12, 16, 24, 48, 96];
-/// Those of which samples can judge what is left out.
+/// Numbers of nodes for which samples can estimate the truncation error.
 const JUDGED: [usize; 3] = [COUNTS[2], COUNTS[3], COUNTS[4]];
 /// Most nodes and guards.
 const MOST: usize = COUNTS[4] + GUARDS;
-/// Below this f′ may have lost digits at the nodes next to the axis.
+/// Below this magnitude, f′ may have lost digits at the nodes near the axis.
 const DEEP: f64 = 1e-150;
-/// Values of f′ that are asked together.
+/// Number of values of f′ evaluated together.
 const BLOCK: usize = 16;
-/// Beyond this share of its way to its limit f′ is left to others.
+/// Beyond this fraction of the limit of f′, other methods are used.
 const NEAR_THE_LIMIT: f64 = 0.9;
-/// Places where the expansion is held against f′.
+/// Number of points at which the expansion is compared with f′.
 const GUARDS: usize = 6;
-/// Coefficients are looked at in groups of this many.
+/// Coefficients are examined in groups of this size.
 const GROUP: usize = 6;
-/// However fast they fall, no more than this is made of it.
+/// Smallest rate of decrease to assume, however fast the coefficients decrease.
 const LEAST_FALL: f64 = 0.1;
 
 impl NumericProfile {
-    /// ∫_s^a g′(x)/√(x² − s²) dx where one odd f′ without a kink reaches from the axis to a; `None` where it does not, or where the
+    /// ∫_s^a g′(x)/√(x² − s²) dx if one odd f′ without a kink reaches from the axis to a; `None` if it does not, or if the
     /// expansion does not meet the tolerance.
     ///
-    /// f′ = r Σ c_k P_k(2r²/a² − 1), and p is the sum of the known pressures of the terms. The truncation is judged by the fall of
-    /// c_k, and by f′ itself at places between nodes, next to the axis above all, where steep powers hide narrow features.
+    /// f′ = r Σ c_k P_k(2r²/a² − 1), and p is the sum of the known pressures of the terms. The truncation error is estimated from
+    /// the decrease of c_k and from values of f′ between nodes, mainly near the axis, where steep powers hide narrow features.
     pub(crate) fn pressure_by_series(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         if !(0.0..a).contains(&s) {
             return None;
@@ -49,7 +49,7 @@ impl NumericProfile {
                 return None;
             }
             if found.doubt + found.left_out <= 0.95 * tolerance * found.value.abs() {
-                // No more is promised than was asked for where more is left out than rounding noise.
+                // If the truncation error exceeds the rounding noise, report at least the requested tolerance as the error.
                 let least = if found.left_out > found.doubt { 0.97 * tolerance * found.value.abs() } else { 0.0 };
                 return Some(Estimate::estimated(found.value, least.max(found.doubt + found.left_out), evaluations));
             }
@@ -60,12 +60,12 @@ impl NumericProfile {
         None
     }
 
-    /// The same where the enclosure of f′ around [−a, a] proves how many terms suffice; `None` where it does not.
+    /// The same with a number of terms proven sufficient by an enclosure of f′ around [−a, a]; `None` without a proof.
     ///
-    /// h(u) = f′/r is analytic in the ellipse of ρ = e^(2σ) around u = 2r²/a² − 1 ∈ [−1, 1] where f′ is in that of σ around [−a, a].
-    /// Where |h| ≤ M there, |c_k| ≤ (2k + 1) M √(ρ² + ρ⁻²)/(ρ^(k+1) (1 − ρ⁻²)) (Wang and Xiang, Math. Comp. 81, 2012).
-    /// Gauss's rule adds to c_k what it makes of P_k c_j P_j, j ≥ 2N − k.
-    /// A term gives |Φ_k| ≤ 1 + π/2, because g = ± a x sin((2k+1)θ)/(2k+1), x = a sin θ.
+    /// h(u) = f′/r is analytic in the ellipse of ρ = e^(2σ) around u = 2r²/a² − 1 ∈ [−1, 1] if f′ is analytic in the ellipse of σ
+    /// around [−a, a]. If |h| ≤ M there, |c_k| ≤ (2k + 1) M √(ρ² + ρ⁻²)/(ρ^(k+1) (1 − ρ⁻²)) (Wang and Xiang, Math. Comp. 81,
+    /// 2012). Gauss's rule adds to c_k its values for P_k c_j P_j, j ≥ 2N − k. A term gives |Φ_k| ≤ 1 + π/2, because g = ± a x
+    /// sin((2k+1)θ)/(2k+1), x = a sin θ.
     pub(crate) fn pressure_by_proven_series(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         if !(s > 0.0 && s < a) {
             return None;
@@ -74,7 +74,7 @@ impl NumericProfile {
         let known = segment.series_rule(a, |low, high| segment.terms_that_suffice(low, high))?;
         let expansion = segment.expand(*COUNTS.get(known.rule)?, a, 0)?;
         let found = expansion.at(s);
-        // f′ and its coefficients may underflow next to the axis long before the pressure does.
+        // f′ and its coefficients may underflow near the axis long before the pressure does.
         if !(found.value.abs() > DEEP && expansion.scale > DEEP) {
             return None;
         }
@@ -84,9 +84,9 @@ impl NumericProfile {
         enough.then_some(Estimate { error, evaluations: expansion.evaluations, ..Estimate::exact(found.value) })
     }
 
-    /// The expansion for a whole contact of radius a, where one is good enough to leave out no more than rounding does.
+    /// The expansion for a whole contact of radius a, if its truncation error is at most the rounding error.
     pub(crate) fn pressure_terms(&self, a: f64) -> Option<Expansion> {
-        // The curve counts in squares of lengths.
+        // The curve uses squares of lengths.
         let segment = self.expandable(a).filter(|_| (a * a).is_normal())?;
         let mut evaluations = 0;
         for count in JUDGED {
@@ -100,7 +100,7 @@ impl NumericProfile {
         None
     }
 
-    /// The only segment, where it is odd and smooth from the axis to a.
+    /// The only segment, if it is odd and smooth from the axis to a.
     fn expandable(&self, a: f64) -> Option<&NumericSegment> {
         let [segment] = self.segments.as_slice() else { return None };
         let whole = segment.lower.value == 0.0 && segment.upper.is_none_or(|upper| upper.value - upper.error >= a);
@@ -118,17 +118,17 @@ pub(crate) struct Expansion {
     errors: Vec<f64>,
     /// The largest |f′/r| at a node.
     scale: f64,
-    /// What the sum may leave out: of the terms beyond the last, and between nodes.
+    /// The truncation error of the sum, from terms beyond the last and from values between nodes.
     missing: f64,
     pub(crate) evaluations: u64,
 }
 
-/// What one expansion says of p(s)·π/E*.
+/// p(s)·π/E* from one expansion.
 pub(crate) struct Found {
     pub(crate) value: f64,
     /// Bound on the effect of rounding.
     pub(crate) doubt: f64,
-    /// Bound on what the expansion leaves out.
+    /// Bound on the truncation error of the expansion.
     pub(crate) left_out: f64,
 }
 
@@ -136,7 +136,7 @@ impl Expansion {
     /// The pressure at s, with the weight of every value of f′ in it.
     pub(crate) fn at(&self, s: f64) -> Found {
         let a = self.a;
-        // Share by share: the product of two lengths may leave the range of doubles.
+        // Use dimensionless ratios: the product of two lengths may leave the range of doubles.
         let sine = (((a - s) / a) * ((a + s) / a)).sqrt();
         let own = pressures(self.coefficients.len(), s / a, sine);
         let value: f64 = self.coefficients.iter().zip(&own.values).map(|(c, p)| c * p).sum();
@@ -154,7 +154,7 @@ impl Expansion {
         rise(&self.coefficients)
     }
 
-    /// How the error of p(s) compares with 2√(a² − s²), at places given by √(1 − s²/a²).
+    /// The error of p(s) relative to 2√(a² − s²), at points given by √(1 − s²/a²).
     pub(crate) fn relative_doubt(&self, sine: f64) -> f64 {
         let found = self.at(self.a * ((1.0 - sine) * (1.0 + sine)).sqrt());
         (found.doubt + found.left_out) / (2.0 * self.a * sine)
@@ -162,11 +162,11 @@ impl Expansion {
 }
 
 impl NumericSegment {
-    /// The fewest terms that leave out next to nothing of f′/r for all radii of contact from `low` to `high`.
+    /// The smallest number of terms with a negligible truncation error of f′/r for all contact radii from `low` to `high`.
     fn terms_that_suffice(&self, low: f64, high: f64) -> Option<Known> {
         /// Half-widths of the ellipses.
         const SIGMAS: [f64; 8] = [3.2, 2.4, 1.8, 1.3, 0.95, 0.7, 0.5, 0.35];
-        /// A share of the largest value that rounding exceeds by far.
+        /// A fraction of the largest value far below the rounding error.
         const NOTHING: f64 = 0.05 * f64::EPSILON;
         if !self.slope.is_expression() {
             return None;
@@ -178,7 +178,7 @@ impl NumericSegment {
         let bounds: Vec<(f64, f64)> = SIGMAS
             .into_iter()
             .filter_map(|sigma| {
-                // The factor divides by |r|/a on the ellipse.
+                // The factor accounts for the division by |r|/a on the ellipse.
                 let (region, factor) = self.around(low, &extent, sigma, false)?;
                 let largest = self.largest_slope(region, &mut slots) * factor / low;
                 (largest * (1.0 + 1e-9) < f64::INFINITY).then_some((sigma, largest * (1.0 + 1e-9)))
@@ -190,7 +190,7 @@ impl NumericSegment {
         })
     }
 
-    /// The expansion by so many terms; `None` where f′ is not finite.
+    /// The expansion with the given number of terms; `None` if f′ is not finite.
     fn expand(&self, count: usize, a: f64, guarded: usize) -> Option<Expansion> {
         let rule = rule(count, 0.0);
         let lowest = rule.nodes().first()?.unit;
@@ -222,16 +222,16 @@ impl NumericSegment {
             return None;
         }
         let coefficients = rule.coefficients(values);
-        // Rounding of the values gives every coefficient about this much.
+        // The rounding error of every coefficient is about this.
         let plateau = 2.0 * doubts + 8.0 * UNIT * scale;
-        // Without guards another knows what is missing.
+        // Without guards, the caller provides the truncation error.
         let missing =
             if guarded == 0 { 0.0 } else { tail(&coefficients, plateau) + missed(&coefficients, &guards, seen, seen_errors, plateau) };
         Some(Expansion { a, rule, coefficients, errors: errors.to_vec(), scale, missing, evaluations: all as u64 })
     }
 }
 
-/// A bound on all that `count` terms leave out of the coefficients, and that the rule adds to them, for |f′/r| ≤ `largest` in the ellipse.
+/// A bound on the coefficients beyond `count` terms and on the errors of the rule, for |f′/r| ≤ `largest` in the ellipse.
 fn left_out(count: usize, sigma: f64, largest: f64) -> f64 {
     let rho = (2.0 * sigma).exp();
     let q = 1.0 / rho;
@@ -242,7 +242,7 @@ fn left_out(count: usize, sigma: f64, largest: f64) -> f64 {
     front * (from(count) + mixed) * (1.0 + 1e-9)
 }
 
-/// What the coefficients that were left out add up to, from the fall of the last ones.
+/// The estimated sum of the neglected coefficients, from the decrease of the last ones.
 fn tail(coefficients: &[f64], plateau: f64) -> f64 {
     let group = |back: usize| {
         let end = coefficients.len().saturating_sub(back * GROUP);
@@ -255,13 +255,13 @@ fn tail(coefficients: &[f64], plateau: f64) -> f64 {
     if rate >= 0.9 { f64::INFINITY } else { 10.0 * last / (1.0 - rate) * rate.max(last / last.max(plateau) * LEAST_FALL) }
 }
 
-/// r²/a² of the guards: next to the axis below the first node, and between nodes above.
+/// r²/a² of the guards: near the axis below the first node, and between nodes above.
 fn guards(lowest: f64) -> [f64; GUARDS] {
     let near = |part: f64| part * part * lowest;
     [near(0.55), near(0.2), near(0.07), near(1e-6), 0.618, 1.0 - 0.4 * lowest]
 }
 
-/// By how much the expansion misses f′/r at the guards.
+/// The deviation of the expansion from f′/r at the guards.
 fn missed(coefficients: &[f64], units: &[f64; GUARDS], seen: &[f64], errors: &[f64], plateau: f64) -> f64 {
     let basis = Basis::new(0.0, 0.0, coefficients.len());
     let mut worst = 0.0;

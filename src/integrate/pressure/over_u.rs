@@ -1,4 +1,4 @@
-//! The pressure as the integral of g′ over u, x = s cosh u, g′ itself by nested rules: no elliptic kernel.
+//! The pressure as the integral of g′ over u, x = s cosh u, with g′ by nested rules, which avoids the elliptic kernel.
 
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericProfile, NumericSegment, Weight, stricter};
@@ -9,14 +9,14 @@ use crate::num::stable::leg;
 use crate::num::{Estimate, Region};
 use std::f64::consts::FRAC_PI_2;
 
-/// Most values of g′ before the single integral is taken instead.
+/// Most values of g′ before the single integral is used instead.
 const MOST: u64 = 80;
-/// The share of the tolerance that every g′ gets.
+/// The fraction of the tolerance for each value of g′.
 const INNER: f64 = 0.3;
 
 impl NumericProfile {
-    /// ∫_s^a g′(x)/√(x²−s²) dx = ∫₀^U g′(s cosh u) du, cosh U = a/s, where one segment without a kink reaches from the axis to
-    /// a; `None` where it does not, or where the rules do not meet the tolerance.
+    /// ∫_s^a g′(x)/√(x²−s²) dx = ∫₀^U g′(s cosh u) du, cosh U = a/s, if one segment without a kink reaches from the axis to
+    /// a; `None` if it does not, or if the rules do not meet the tolerance.
     pub(crate) fn pressure_by_slopes(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         let [segment] = self.segments.as_slice() else { return None };
         let whole = segment.lower.value == 0.0 && segment.upper.is_none_or(|upper| upper.value - upper.error >= a);
@@ -29,7 +29,7 @@ impl NumericProfile {
         let accepted = |value: f64| 0.95 * tolerance * value.abs();
         let Mean { value, left_out, noise, reached, .. } = mean(&mut slopes, MOST, accepted).ok()?;
         let (value, left_out, noise) = (reach * value, reach * left_out, reach * noise);
-        // No more is promised than was asked for where the rules leave out more than rounding noise.
+        // If the truncation error exceeds the rounding noise, report at least the requested tolerance as the error.
         let least = if left_out > noise { 0.97 * tolerance * value.abs() } else { 0.0 };
         let error = least.max(left_out + noise) + 8.0 * UNIT * value.abs();
         reached.then_some(Estimate::estimated(value, error, slopes.evaluations))
@@ -37,12 +37,12 @@ impl NumericProfile {
 }
 
 impl NumericProfile {
-    /// The same with a proven bound, where the enclosure of (r f′)′ around the contact shows which rules suffice for g′ and for its
-    /// integral; `None` where it does not.
+    /// The same with a proven bound, if the enclosure of (r f′)′ around the contact proves that certain rules suffice for g′ and
+    /// for its integral; `None` otherwise.
     pub(crate) fn pressure_by_proven_slopes(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         /// The largest u: a/s = 10¹³.
         const FARTHEST: f64 = 30.0;
-        /// A share of the mean that rounding exceeds.
+        /// A fraction of the mean below the rounding error.
         const NOTHING: f64 = 0.25 * f64::EPSILON;
         /// Half-widths of the ellipses.
         const SIGMAS: [f64; 6] = [1.6, 1.1, 0.75, 0.5, 0.32, 0.2];
@@ -53,14 +53,14 @@ impl NumericProfile {
         let bend = segment.bend().ok()?;
         let slope_at = segment.bend_rule(bend, a)?;
         let reach = (leg(a, s) / s).asinh();
-        // x is wrong by as many roundings as u has whole units.
+        // The number of rounding errors of x grows like u.
         if reach > FARTHEST {
             return None;
         }
         let size = slope_at(a).ok()?.value.abs().max(slope_at(s).ok()?.value.abs());
         let (mut best, mut slots): (Option<(Known, f64)>, Vec<Region>) = (None, Vec::new());
         for sigma in SIGMAS {
-            // r lies between 0 and x = s cosh u, u in the ellipse, of which half is enough.
+            // r lies between 0 and x = s cosh u, with u in one half of the ellipse, which suffices by symmetry.
             let (wide, high) = (reach * sigma.cosh() * (1.0 + 1e-9), reach * sigma.sinh() * (1.0 + 1e-9));
             let x = Region::real(s) * Region::new((0.0, wide), (-high, high)).cosh();
             let largest = segment.largest_bend(x.with_zero(), &mut slots) * FRAC_PI_2;
@@ -71,7 +71,7 @@ impl NumericProfile {
             if best.is_some_and(|(own, _)| own.rule <= known.rule) {
                 break;
             }
-            // A node that is rounded by a share of u moves the value by the derivative, which Cauchy's formula bounds.
+            // The rounding of a node, relative to u, changes the value by the derivative, which Cauchy's formula bounds.
             best = Some((known, largest / (sigma.cosh() - 1.0)));
         }
         let (known, steepness) = best?;
@@ -109,7 +109,7 @@ impl<F: Fn(f64) -> Result<Estimate, TransformError>> EvenIntegrand for ProvenSlo
     }
 
     fn displacement(&self, _middles: Middles<'_>, _values: &[f64]) -> f64 {
-        // It is bounded for all nodes together.
+        // The bound applies to all nodes together.
         0.0
     }
 }
@@ -122,7 +122,7 @@ struct Slopes<'a> {
     a: f64,
     reach: f64,
     tolerance: f64,
-    /// The largest |g′| so far: next to a zero of g′ its own size is no measure.
+    /// The largest |g′| so far, used as the scale of errors because g′ may vanish.
     largest: f64,
     evaluations: u64,
 }
@@ -137,7 +137,7 @@ impl EvenIntegrand for Slopes<'_> {
             let x = (self.s * (self.reach * z).cosh()).min(self.a);
             let tolerance = INNER * self.tolerance;
             let found = self.segment.nested(self.bend, x, Weight::Slope, (tolerance, stricter(tolerance)), self.largest);
-            // Where there is no value the rules above give up.
+            // NaN makes the outer rules give up.
             let found = found.ok().flatten().unwrap_or(Estimate::estimated(f64::NAN, f64::NAN, 0));
             (*value, *error) = (found.value, found.error);
             self.largest = if found.value.abs() > self.largest { found.value.abs() } else { self.largest };
@@ -146,7 +146,7 @@ impl EvenIntegrand for Slopes<'_> {
     }
 
     fn displacement(&self, middles: Middles<'_>, values: &[f64]) -> f64 {
-        // x is right to a few roundings, those of u among them; dx/x = tanh u du, and coth u ≤ 1 + 1/u.
+        // x has a few rounding errors, including those of u; dx/x = tanh u du, and coth u ≤ 1 + 1/u.
         let roundings = (4.0 + 2.0 * self.reach) * UNIT;
         let steps = values.iter().zip(values.get(1..).unwrap_or_default()).zip(middles.reciprocals);
         steps.map(|((a, b), over)| (b - a).abs() * (1.0 + over / self.reach)).sum::<f64>() * roundings / self.reach

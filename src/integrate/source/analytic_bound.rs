@@ -1,4 +1,4 @@
-//! How many nodes suffice for an f′ that is analytic around the contact: known from its expression, before f′ is asked.
+//! The sufficient number of nodes for an f′ that is analytic around the contact, from its expression, before evaluating f′.
 
 use crate::integrate::abel::angle_substitution::{Bounds, NEAR_THE_LIMIT};
 use crate::integrate::error::TransformError;
@@ -10,18 +10,18 @@ use crate::num::{Estimate, Region, work};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Rules by the upper end x, one list for each weight: one per sixteenth of a power of two from 2⁻³² to 2³², found when they are first
-/// needed.
+/// Rules by the upper end x, one list for each weight: one rule per sixteenth of an octave from 2⁻³² to 2³², determined when
+/// first needed.
 #[derive(Default)]
 pub(crate) struct AnalyticBound([OnceLock<Box<[Octave]>>; LISTS]);
 
-/// Between one power of two and the next.
+/// The range between a power of two and the next.
 type Octave = OnceLock<Box<[Entry; SIXTEENTHS]>>;
 
-/// What is known for one sixteenth, as bits that are set once; whoever finds it finds the same.
+/// The data of one sixteenth, as bits that are set once; all threads compute the same values.
 #[derive(Default)]
 struct Entry {
-    /// The number of the rule and 1 in the low bits, what the rule leaves out in the others; 0 before it is found.
+    /// The index of the rule plus 1 in the low bits, its truncation error in the others; 0 before it is determined.
     rule: AtomicU64,
     /// [`Sufficient::noise`].
     noise: AtomicU64,
@@ -34,17 +34,17 @@ struct Entry {
 pub struct Sufficient {
     /// The rule.
     pub known: Known,
-    /// A bound on what rounding does to the mean of the integrand.
+    /// A bound on the rounding error of the mean of the integrand.
     pub noise: f64,
-    /// About the same as a share of the mean.
+    /// An estimate of this bound relative to the mean.
     share: f64,
 }
 
-/// What a rule found.
+/// The result of a rule.
 struct Found {
     estimate: Estimate,
     mean: f64,
-    /// What makes the integral of the mean.
+    /// The factor between the mean and the integral.
     scale: f64,
     left_out: f64,
     noise: f64,
@@ -65,36 +65,36 @@ const SIXTEENTHS: usize = 16;
 const OCTAVES: usize = 64;
 /// Bits of a double below the exponent and the first four of the mantissa.
 const BELOW: u32 = 48;
-/// These bits at the lowest x.
+/// The upper bits of the lowest x.
 const LOWEST: u64 = (1023 - 32) << 4;
 /// The bits of the rule.
 const RULE: u64 = 31;
 const _: () = assert!(Known::RULES < RULE as usize);
-/// There is no rule.
+/// No rule of a reasonable size suffices.
 const NONE: u64 = u64::MAX;
-/// The bounds of the integrand at both ends of a sixteenth, twice, stand for those within it …
+/// Factor by which the bounds at both ends of a sixteenth are multiplied to cover the whole sixteenth.
 const WITHIN: f64 = 2.0;
-/// … where they are at most this share of the tolerance: else every value has its own.
+/// Largest shared bound relative to the tolerance; otherwise the bound is computed for every value.
 const LITTLE: f64 = 0.05;
 
-/// Ellipses are tried from this σ on …
+/// Smallest σ of the ellipses to try.
 const FIRST: f64 = 0.1;
-/// … in these steps …
+/// Ratio of consecutive σ.
 const STEP: f64 = 1.3;
-/// … as often as this, …
+/// Number of steps in σ.
 const STEPS: usize = 18;
-/// … and as often as this between the last one that f′ is analytic in and the first one that it is not.
+/// Number of refinements between the last ellipse in which f′ is analytic and the first in which it is not.
 const REFINED: usize = 4;
-/// A rule may leave out this share of the mean of |f′|, half a rounding.
+/// Largest truncation error of a rule relative to the mean of |f′|: half a rounding error.
 const NOTHING: f64 = 0.25 * f64::EPSILON;
-/// Less than this share hardly counts.
+/// Smaller fractions are nearly negligible.
 const SMALL: f64 = 0.01;
 
 impl NumericSegment {
-    /// The integral by the one rule that is known to suffice, where this segment reaches up to x and f′ is analytic around it.
+    /// The integral by a single rule proven sufficient, if this segment reaches up to x and f′ is analytic around it.
     ///
     /// # Errors
-    /// [`TransformError::NotComputable`] where f′ is not finite.
+    /// [`TransformError::NotComputable`] if f′ is not finite.
     #[inline]
     pub(crate) fn by_known_rule(&self, x: f64, weight: Weight, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         if self.singular || matches!(weight, Weight::Outside(_)) || self.upper.is_some_and(|upper| upper.value < x) {
@@ -110,13 +110,13 @@ impl NumericSegment {
             }
         }
         let found = self.by(&self.slope, own.known, x, weight, Bounds::Running)?;
-        // Of rounding alone no other rule makes less.
+        // No other rule reduces the rounding error.
         let rounded = found.left_out <= SMALL * found.noise && found.estimate.error <= SMALL * found.estimate.value.abs();
         Ok((rounded || enough(&found.estimate)).then_some(found.estimate))
     }
 
-    /// ∫ (r f′)′ dτ up to x ≤ a by the one rule that suffices up to a, where this segment reaches from the axis to a and is analytic
-    /// around it; `None` where it does not.
+    /// ∫ (r f′)′ dτ up to x ≤ a by the single rule that suffices up to a, if this segment reaches from the axis to a and is
+    /// analytic around it; `None` otherwise.
     pub(crate) fn bend_rule(&self, bend: &Numbers, a: f64) -> Option<impl Fn(f64) -> Result<Estimate, TransformError>> {
         if self.singular || self.lower.value > 0.0 || self.upper.is_some_and(|upper| upper.value - upper.error < a) {
             return None;
@@ -132,13 +132,13 @@ impl NumericSegment {
             }
             rule => rule,
         };
-        // A smaller x asks for f′ within the same rectangle.
+        // A smaller x needs f′ within the same rectangle.
         let known = known_of(rule)?;
         Some(move |x: f64| Ok(self.by(bend, known, x, Weight::Slope, Bounds::Running)?.estimate))
     }
 
-    /// How many terms of the expansion of the pressure in Legendre polynomials suffice for a contact of radius a, and a bound on what they
-    /// leave out of f′/r; found by `find` for all radii of a sixteenth of an octave.
+    /// The sufficient number of terms of the Legendre expansion of the pressure for a contact of radius a, and a bound on their
+    /// truncation error of f′/r; determined by `find` for all radii of a sixteenth of an octave.
     pub(crate) fn series_rule(&self, a: f64, find: impl FnOnce(f64, f64) -> Option<Known>) -> Option<Known> {
         let (place, own) = self.cell(a, OF_THE_SERIES)?;
         let rule = match own.rule.load(Ordering::Acquire) {
@@ -180,7 +180,7 @@ impl NumericSegment {
         Some(Sufficient { known, noise, share })
     }
 
-    /// The number of the sixteenth in which x lies, and its entry.
+    /// The index of the sixteenth that contains x, and its entry.
     #[inline]
     fn cell(&self, x: f64, list: usize) -> Option<(u64, &Entry)> {
         let number = x.to_bits() >> BELOW;
@@ -189,13 +189,13 @@ impl NumericSegment {
         Some((number, list.get(place / SIXTEENTHS)?.get_or_init(Box::default).get(place % SIXTEENTHS)?))
     }
 
-    /// Whether an expression says that no rule of a reasonable size is known to suffice, away from the end of f′.
+    /// Whether no rule of a reasonable size is proven sufficient away from the end of f′, according to its expression.
     pub(crate) fn is_intricate(&self, x: f64, weight: Weight) -> bool {
         let near_the_end = self.limit.as_ref().is_some_and(|limit| x > 0.9 * NEAR_THE_LIMIT * limit.value.value);
         self.slope.is_expression() && !self.singular && !near_the_end && self.sufficient(x, weight).is_none()
     }
 
-    /// Finds the entry for all x between two neighbours in the list.
+    /// Determines the entry for all x between two neighbours in the list.
     #[cold]
     fn entry(&self, place: u64, weight: Weight, own: &Entry) -> u64 {
         let (low, high) = (f64::from_bits(place << BELOW), f64::from_bits((place + 1) << BELOW));
@@ -210,9 +210,9 @@ impl NumericSegment {
         store(own, Some(known))
     }
 
-    /// What rounding does to the mean between two places, and the same as a share of it; infinite where that is not known.
+    /// The absolute and relative rounding error of the mean for x between two values; infinite if unknown.
     fn noise(&self, known: Known, (low, high): (f64, f64), weight: Weight) -> (f64, f64) {
-        // At its lower end a piece is no range.
+        // The range is empty if x is the lower end of the piece.
         let ends = if low > self.lower.value { [low, high] } else { [f64::NAN; 2] };
         let found = ends.map(|x| self.noise_at(known, x, weight).unwrap_or((f64::NAN, f64::NAN)));
         let [(one, small), (other, large)] = found;
@@ -221,10 +221,10 @@ impl NumericSegment {
         if one + other + share < f64::INFINITY { (noise, share) } else { (f64::INFINITY, f64::INFINITY) }
     }
 
-    /// What rounding does to the mean for one x, by bounds that hold near by as well, and the magnitude of the mean.
+    /// The rounding error of the mean for one x, by bounds that are valid in a neighbourhood, and the magnitude of the mean.
     ///
     /// # Errors
-    /// [`TransformError::NotComputable`] where f′ is not finite.
+    /// [`TransformError::NotComputable`] if f′ is not finite.
     pub fn noise_at(&self, known: Known, x: f64, weight: Weight) -> Result<(f64, f64), TransformError> {
         let found = self.by(&self.slope, known, x, weight, Bounds::NearBy)?;
         Ok((found.noise, found.mean.abs()))
@@ -250,7 +250,7 @@ impl NumericSegment {
         for _ in 0..STEPS + REFINED {
             match bound(sigma) {
                 Some(largest) => match (best, Known::fewest(sigma, largest, NOTHING * size)) {
-                    // Further out the bound grows faster than the ellipse helps.
+                    // On larger ellipses, the growth of the bound outweighs the faster convergence.
                     (Some(best), Some(own)) if own.rule > best.rule => break,
                     (Some(_), None) => break,
                     (None, None) => {}
@@ -272,7 +272,7 @@ impl NumericSegment {
         best
     }
 
-    /// The mean of |f′| over the angle, roughly.
+    /// An approximate mean of |f′| over the angle.
     fn size(&self, numbers: &Numbers, x: f64) -> Option<f64> {
         const PLACES: usize = 8;
         let extent = Extent::new(self.lower.value, x, None);
@@ -286,10 +286,10 @@ impl NumericSegment {
         (size.is_normal()).then_some(size)
     }
 
-    /// Where r − lower is while the variable z is on the ellipse of σ, for every x from `low` to the end of the extent; and by how much the
-    /// integrand with its weight may exceed |f′|.
+    /// The region of r − lower for z on the ellipse of σ and every x from `low` to the end of the extent, and a bound on the
+    /// ratio of the weighted integrand to |f′|.
     ///
-    /// Half or a quarter of it is enough: f′ is real on the axis, and odd where that is said.
+    /// Half or a quarter of the region suffices: f′ is real on the axis, and may be odd.
     pub(crate) fn around(&self, low: f64, extent: &Extent, sigma: f64, weighted: bool) -> Option<(Region, f64)> {
         let x = extent.x;
         let widen = 1.0 + 1e-9;
@@ -301,7 +301,7 @@ impl NumericSegment {
         } else {
             let cosine = turn.min(std::f64::consts::PI).cos();
             let least = if cosine > 0.0 { low * cosine } else { wide * cosine };
-            // More than the rounding of the angle.
+            // A margin above the rounding error of the angle.
             least - 1e-9 * wide
         };
         let lower = Region::new((self.lower.value - self.lower.error, self.lower.value + self.lower.error), (0.0, 0.0));
@@ -313,15 +313,15 @@ impl NumericSegment {
     }
 }
 
-/// Keeps the rule, or that there is none, and returns what is kept.
+/// Stores the rule, or the fact that there is none, and returns the stored bits.
 fn store(entry: &Entry, known: Option<Known>) -> u64 {
-    // Rounded up to what is left of the bits.
+    // The bound is rounded up to the remaining bits.
     let rule = known.map_or(NONE, |known| ((known.left_out.to_bits() & !RULE) + RULE + 1) | (known.rule as u64 + 1));
     entry.rule.store(rule, Ordering::Release);
     rule
 }
 
-/// The rule that is kept so.
+/// Decodes the stored rule.
 #[inline]
 fn known_of(rule: u64) -> Option<Known> {
     (rule != NONE).then(|| Known { rule: (rule & RULE) as usize - 1, left_out: f64::from_bits(rule & !RULE) })

@@ -7,7 +7,7 @@ use crate::integrate::source::leading_power::LeadingPower;
 use crate::integrate::source::slope::Numbers;
 use crate::num::{Region, work};
 
-/// The share of a range that is looked at.
+/// The fraction of a range that is examined.
 const NEXT_TO_THE_END: f64 = 1e-3;
 
 impl NumericSegment {
@@ -28,7 +28,7 @@ impl NumericSegment {
         }
     }
 
-    /// f′ over δ for enclosures; `None` where f′ is no expression.
+    /// f′ over δ for enclosures; `None` if f′ is not an expression.
     fn enclosing(&self) -> Option<&Tape> {
         let tape = self.enclosing.get_or_init(|| {
             work::unbroken(|| {
@@ -39,7 +39,7 @@ impl NumericSegment {
         tape.as_ref()
     }
 
-    /// What f′ begins with, where its enclosures next to the lower end of a range up to x have no bound.
+    /// The leading power of f′, if its enclosures near the lower end of a range up to x are unbounded.
     pub(crate) fn power_for(&self, x: f64) -> Option<&LeadingPower> {
         let unbounded = || !self.largest_slope(Region::interval(0.0, NEXT_TO_THE_END * x), &mut Vec::new()).is_finite();
         if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power() } else { None }
@@ -51,7 +51,7 @@ impl NumericSegment {
         if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power_of_bend() } else { None }
     }
 
-    /// The power −1 < s that f′ has at its lower end, and h = f′/δ^s for enclosures; `None` where that is not known.
+    /// The leading power s > −1 of f′ at its lower end, and h = f′/δ^s for enclosures; `None` if unknown.
     pub(crate) fn leading_power(&self) -> Option<&LeadingPower> {
         let power = self.power.get_or_init(|| {
             work::unbroken(|| {

@@ -1,7 +1,7 @@
-//! f′ next to the axis where its expression is 0/0 there: from the power series of f, with a bound of what is left out.
+//! f′ near the axis if its expression is 0/0 there: from the power series of f, with a bound of the truncation error.
 //!
-//! (1 − e^(−r))/r has a slope whose expression takes 1/r² from itself, and no double is left of it at small r. f itself has a power
-//! series with proven remainder; its derivative is f′ without cancellation. Away from the axis the expression has its digits.
+//! The slope of (1 − e^(−r))/r is an expression in which terms 1/r² cancel, so that all digits are lost at small r. f has a power
+//! series with a proven remainder, whose derivative is f′ without cancellation. Away from the axis the expression is accurate.
 
 use crate::integrate::integral::{NumericProfile, NumericSegment, compile_shifted, is_singular};
 use crate::integrate::source::slope::{Numbers, Scratch, rescue_block, rescued};
@@ -10,24 +10,24 @@ use crate::eval::{BlockInput, BoundedAlgebra, FloatAlgebra, RegionAlgebra, Round
 use crate::expr::{Expr, Node, Number, Sign, Symbol, leading_term, multiplied_out, sign};
 use crate::num::{Bounded, Region, work};
 
-/// Coefficients that are kept.
+/// Number of coefficients.
 const LENGTH: usize = 48;
-/// Number of coefficients that an enclosure sums as regions; the others, which cancel little where the series serves, are summed as
-/// magnitudes.
+/// Number of coefficients that an enclosure sums as regions; the others, which cancel little where the series is used, are summed
+/// as magnitudes.
 const HEAD: usize = 12;
 /// Steps of work of such a sum.
 const HEAD_STEPS: u64 = 150;
-/// Radii ρ that are tried first: powers of 16 between these, …
+/// Exponents of the radii ρ to try first, as powers of 16.
 const SCALES: std::ops::RangeInclusive<i32> = -25..=25;
-/// … and as many between the best one and the next.
+/// Number of steps between the best radius and the next.
 const BETWEEN: i32 = 16;
-/// Shares of ρ up to which the series may serve; below 1/2 the bound of the rest falls with the order.
+/// Fractions of ρ up to which the series may be used; below 1/2 the bound of the remainder decreases with the order.
 const SHARES: [f64; 5] = [0.45, 0.37, 0.3, 0.2, 0.1];
-/// What may be left out, as a share of f′ where the series ends.
+/// Largest truncation error, relative to f′ at the upper end of the series.
 const LEFT_OUT: f64 = 0.03 * f64::EPSILON;
-/// Radii at which the expression must have digits, in units of the length of the segment; powers far below 1 find what underflows.
+/// Radii at which the expression must be accurate, in units of the length of the segment; powers far below 1 detect underflow.
 const TRIALS: [f64; 4] = [1e-3, 1e-6, 1e-12, 1e-160];
-/// Fewer digits than this are none.
+/// Relative error above which a value counts as inaccurate.
 const POOR: f64 = 1e-11;
 
 /// f′, or (r f′)′, from its expression beyond a radius and from its series below.
@@ -46,20 +46,20 @@ pub(crate) struct AxisSeries {
 #[derive(Clone, Debug)]
 struct Group {
     power: f64,
-    /// What the power is beyond that: a fraction that no double holds.
+    /// The remainder of the power, a fraction that is not representable as a double.
     fraction: Number,
     coefficients: Vec<Bounded>,
-    /// What is left out is at most this times r^(power + number of coefficients).
+    /// The truncation error is at most this times r^(power + number of coefficients).
     rest: f64,
 }
 
-/// True where an expression divides by something that may vanish at the axis, and loses its digits or its enclosure there.
+/// True if an expression divides by a term that may vanish at the axis, and is inaccurate or has no enclosure there.
 pub(crate) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -> bool {
     let radius = Symbol::new("r");
     if !divides(slope, &radius, &|_| true) {
         return false;
     }
-    // What is regular there though its parts are not has no enclosure.
+    // An expression that is regular at the axis although its parts are not has no enclosure.
     let around = Region::new((-TRIALS[0] * scale, TRIALS[0] * scale), (0.0, 0.0));
     if !singular
         && divides(slope, &radius, &|base| may_vanish(base, &radius))
@@ -70,13 +70,13 @@ pub(crate) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -
     let mut slots = Vec::new();
     TRIALS.iter().any(|share| {
         let own = tape.run(&mut BoundedAlgebra, &[Bounded::exact(share * scale)], &mut slots).unwrap_or(Bounded::exact(f64::NAN));
-        // Underflow is no loss of digits; a NaN is one.
+        // Underflow does not count as inaccurate, but NaN does.
         let poor = own.error > (POOR * own.value.abs()).max(1e-290);
         poor || !own.value.is_finite() || own.error.is_nan()
     })
 }
 
-/// Returns true if r stands in a base that `is_meant` accepts, under a power that is or may be negative.
+/// Returns true if r occurs in a base that satisfies `is_meant`, with an exponent that is or may be negative.
 fn divides(expr: &Expr, radius: &Symbol, is_meant: &impl Fn(&Expr) -> bool) -> bool {
     let own = match expr.node() {
         Node::Power(base, exponent) => sign(exponent) != Sign::Positive && base.contains(radius) && is_meant(base),
@@ -87,7 +87,8 @@ fn divides(expr: &Expr, radius: &Symbol, is_meant: &impl Fn(&Expr) -> bool) -> b
 
 /// Returns false if the value at r = 0 is finite and differs from 0 by more than its error.
 ///
-/// Where there is no value, as for r ln r, the value next to the axis decides: it must not be small beside one further away.
+/// If the value does not exist, as for r ln r, the value near the axis decides: it must not be small relative to one further
+/// away.
 fn may_vanish(expr: &Expr, radius: &Symbol) -> bool {
     const NEAR: f64 = 1e-30;
     let Ok(tape) = Tape::compile(std::slice::from_ref(expr), std::slice::from_ref(radius)) else { return true };
@@ -101,9 +102,9 @@ fn may_vanish(expr: &Expr, radius: &Symbol) -> bool {
 }
 
 impl AxisSeries {
-    /// f′ of an f in r alone that is finite at the axis; `None` where f has no series that arithmetic finds.
+    /// f′ of an f in r alone that is finite at the axis; `None` if no series of f is found.
     pub(crate) fn of(piece: &Expr) -> Option<Self> {
-        // Powers that differ by a fraction may not stand in one sum within a product.
+        // Sums within a product must not contain powers that differ by a fraction.
         Self::of_sum(piece).or_else(|| Self::of_sum(&multiplied_out(piece)))
     }
 
@@ -119,7 +120,7 @@ impl AxisSeries {
         Some(finer.filter(|own| own.until > first.until).unwrap_or(first))
     }
 
-    /// The derivative of the series, by the bound at one of the radii, where that leaves out little enough.
+    /// The derivative of the series, with the bound at one of the radii, if its truncation error is small enough.
     fn at(groups: &[(Number, Series)], index: usize, rho: f64) -> Option<Self> {
         let derive = |(fraction, group): &(Number, Series)| Group::derived(fraction, group, *group.rest.get(index)?, rho);
         let derived = groups.iter().map(derive).collect::<Option<Vec<_>>>()?;
@@ -131,7 +132,7 @@ impl AxisSeries {
         })
     }
 
-    /// True where a power of r is fractional, so that f′ is not analytic at the axis.
+    /// True if a power of r is fractional, so that f′ is not analytic at the axis.
     pub(crate) fn has_fractions(&self) -> bool {
         self.groups.iter().any(|group| group.whole_power().fract() != 0.0)
     }
@@ -149,7 +150,7 @@ impl AxisSeries {
         let groups = self.groups.iter().map(|group| {
             let factor = |n: usize| exponent(&group.fraction, group.power + 1.0 + n as f64);
             let coefficients = group.coefficients.iter().enumerate().map(|(n, own)| *own * factor(n)).collect();
-            // Beyond the kept terms the factor grows more slowly than the powers of 1/2 fall.
+            // Beyond the included terms, the factor grows more slowly than the powers of 1/2 decrease.
             Group { coefficients, rest: group.rest * 2.0 * factor(LENGTH).value, ..group.clone() }
         });
         Self { groups: groups.collect(), until: self.until }
@@ -183,12 +184,12 @@ impl AxisSeries {
             let most = (sum.largest() + beyond).next_up();
             total += most * r.power(Region::real(group.whole_power())).largest() + group.left_out(size);
         }
-        // The magnitudes are rounded at most 50 times.
+        // The magnitudes have at most 50 rounding errors.
         Some(total * (1.0 + 1e-13))
     }
 }
 
-/// The series of the terms, by the fractions that powers of r have in them and no double holds.
+/// The series of the terms, grouped by the fractional parts of powers of r that are not representable as doubles.
 fn series(piece: &Expr, radii: &[f64]) -> Option<Vec<(Number, Series)>> {
     let mut parts: Vec<(Number, Vec<Expr>)> = Vec::new();
     for term in piece.terms() {
@@ -203,7 +204,7 @@ fn series(piece: &Expr, radii: &[f64]) -> Option<Vec<(Number, Series)>> {
         let whole = Expr::sum(list);
         let mut groups = power_series(&whole, LENGTH, radii).ok()?;
         if let ([only], Some(order)) = (groups.as_mut_slice(), leading_term(&whole).map(|term| term.exponent.to_f64())) {
-            // What vanishes exactly, though the numbers that cancel in it are rounded.
+            // The coefficient vanishes exactly, although the numbers that cancel are rounded.
             let below = only
                 .coefficients
                 .iter_mut()
@@ -216,7 +217,7 @@ fn series(piece: &Expr, radii: &[f64]) -> Option<Vec<(Number, Series)>> {
     Some(all)
 }
 
-/// The fractional part of a power of r that is a factor, and the term without it; 0 for what a double holds.
+/// The fractional part of a power of r that is a factor, and the term without it; 0 for powers representable as doubles.
 fn split_fraction(term: &Expr) -> (Number, Expr) {
     let radius = Symbol::new("r");
     let (mut fraction, mut rest) = (Number::integer(0), Vec::new());
@@ -228,7 +229,7 @@ fn split_fraction(term: &Expr) -> (Number, Expr) {
                 fraction = &fraction + &(own - &whole);
                 rest.push(base.pow(&Expr::number(whole)));
             }
-            // (1 − cos r)^(3/5) is r^(6/5) times a power of what does not vanish at the axis.
+            // (1 − cos r)^(3/5) is r^(6/5) times a power of a function that is nonzero at the axis.
             Some(own) if base.contains(&radius) && !own.is_exact_f64() => match leading_term(&base).map(|term| term.exponent) {
                 Some(order) if !order.is_zero() => {
                     let power = &order * own;
@@ -261,7 +262,7 @@ impl Group {
         for (n, coefficient) in own.coefficients.iter().enumerate().take(LENGTH) {
             let nu = exponent(fraction, own.shift + n as f64);
             let power = nu.value;
-            // f is finite at the axis: what stands before a pole is 0, and is seen to be.
+            // f is finite at the axis, so the coefficient of a pole is 0, which must be recognized.
             let vanishes = power <= 0.0;
             if power < 0.0 && coefficient.value.abs() > coefficient.error {
                 return None;
@@ -274,7 +275,7 @@ impl Group {
         }
         // |A_n| ≤ most/ρⁿ, and Σ (n + s) q^n |A_n| ρ^n ≤ most · max (n + s) q^n, which is the first for q ≤ 1/2.
         let rest = most * (order + own.shift + 1.0) * rho.powf(-order) * (1.0 + 1e-9);
-        // The leading zeros go into the power, so that nothing underflows.
+        // Move the leading zeros into the power to avoid underflow.
         let zeros = coefficients.iter().take_while(|own| own.value == 0.0 && own.error == 0.0).count().min(LENGTH - 1);
         coefficients.drain(..zeros);
         (rest.is_finite()).then_some(Self { power: own.shift - 1.0 + zeros as f64, fraction: fraction.clone(), coefficients, rest })
@@ -284,7 +285,7 @@ impl Group {
         self.power + self.fraction.to_f64()
     }
 
-    /// r to the power in front.
+    /// The leading power of r.
     fn factor(&self, r: Bounded) -> Bounded {
         let whole = if self.power == 0.0 { Bounded::exact(1.0) } else { r.powf(Bounded::exact(self.power)) };
         if self.fraction.is_zero() { whole } else { whole * r.powf(Bounded::rounded(self.fraction.to_f64())) }
@@ -321,7 +322,7 @@ impl Removable {
         if !self.is_near(r.value) {
             return self.tape.run(&mut RoundingAlgebra, &[r], slots);
         }
-        // Every operation of the scheme is charged, whether it rounds here or not.
+        // Every operation of the scheme is counted, even if it is exact here.
         let size: f64 = self.near.groups.iter().map(|group| group.size(r.value)).sum();
         let own = self.near.value(r);
         Some(Bounded { error: own.error + 4.0 * f64::EPSILON * size, ..own })
@@ -335,7 +336,7 @@ impl Removable {
         Some(rescued(&self.tape, Bounded::exact(r), Bounded::exact(own)).value)
     }
 
-    /// Values with their bounds at many places.
+    /// Values with their bounds at many points.
     pub(crate) fn block(&self, radii: &[f64], doubts: &[f64], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) -> Option<()> {
         self.tape.run_block_bounded(&[BlockInput { values: radii, errors: doubts }], values, errors, scratch.room())?;
         for (((value, error), r), doubt) in
@@ -365,18 +366,18 @@ impl Group {
 }
 
 impl NumericProfile {
-    /// True where an expression is 0/0 at the axis and nothing else has its digits there.
+    /// True if an expression is 0/0 at the axis and has no series there.
     pub(crate) fn is_ragged(&self) -> bool {
         self.segments.iter().any(|segment| segment.ragged && segment.near.is_none())
     }
 
-    /// True where a series has the digits next to the axis that an expression has not.
+    /// True if a series replaces an inaccurate expression near the axis.
     pub(crate) fn is_mended(&self) -> bool {
         self.segments.iter().any(|segment| segment.near.is_some())
     }
 
-    /// The same profile with a series next to the axis, where its expressions are 0/0 there; `whole` finds f, in r alone, from
-    /// its slope.
+    /// Adds a series near the axis if the expressions are 0/0 there; `whole` returns f, in r alone, for a given
+    /// slope.
     pub(crate) fn mended(mut self, whole: impl Fn(&Expr) -> Option<Expr>) -> Self {
         let begins = |own: &NumericSegment| own.lower.value == 0.0;
         for segment in self.segments.iter_mut().filter(|own| own.ragged && begins(own)) {
@@ -385,14 +386,14 @@ impl NumericProfile {
             let Ok(tape) = compile_shifted(slope, lower) else { continue };
             segment.slope = Numbers::Removable(Box::new(Removable::slope(tape, &near)));
             segment.singular = near.has_fractions() || is_singular(&segment.slope, 0.0, segment.upper.map(|upper| upper.value));
-            // The parity of the expression is not known where a root in it vanishes at the axis.
+            // The parity of the expression is unknown if it contains a root that vanishes at the axis.
             segment.odd = near.is_odd();
             segment.near = Some(near);
         }
         self
     }
 
-    /// True where a series has the digits next to the axis, but is not analytic there.
+    /// True if a series is used near the axis but is not analytic there.
     pub(crate) fn is_fractional(&self) -> bool {
         self.segments.iter().any(|segment| segment.near.as_ref().is_some_and(AxisSeries::has_fractions))
     }

@@ -1,4 +1,4 @@
-//! Pointwise quadrature by one Gauss–Kronrod rule and bisection, as general programs do it.
+//! Pointwise quadrature by one Gauss–Kronrod rule and bisection, as in general-purpose libraries.
 
 use crate::contact::Quantity;
 use crate::num::Estimate;
@@ -13,7 +13,7 @@ const TOLERANCES: [f64; 3] = [1e-4, 1e-8, 1e-12];
 pub(in crate::tradeoff) fn ladder<'a>(problem: &'a Problem<'a>, evaluator: &'a Evaluator<'a>) -> Ladder<'a> {
     let refused = |why: String| Refused { method: METHOD, why };
     if problem.quantity == Quantity::Pressure {
-        return Err(refused("the logarithm of the pressure needs special rules".to_owned()));
+        return Err(refused("the pressure requires special rules for its logarithmic singularity".to_owned()));
     }
     let typed = evaluator.typed().map_err(|error| refused(error.to_string()))?;
     let value = move |at: f64, tolerance: f64, rule: Rule| -> Result<Estimate, String> {

@@ -1,4 +1,5 @@
-//! Writes `docs/accuracy.md`: `cargo run --release -p sneddon-runs --bin accuracy -- [STATEMENTS.csv] [PROFILES.txt] [ESTIMATES.txt] > docs/accuracy.md`.
+//! Writes `docs/accuracy.md`: `cargo run --release -p sneddon-runs --bin accuracy -- [STATEMENTS.csv] [PROFILES.txt]
+//! [ESTIMATES.txt] > docs/accuracy.md`.
 //!
 //! STATEMENTS.csv is the output of `tests/oracle/statements.py`, with any number of points per rule (default: the committed
 //! table); PROFILES.txt and ESTIMATES.txt are the outputs of `cargo run --release -p sneddon-runs --bin random_profiles` and

@@ -192,7 +192,8 @@ fn bessel_derivative(name: &'static str, a: &[Expr], position: usize, sign_of_ne
     }
 }
 
-/// J_(−n) = (−1)^n J_n and I_(−n) = I_n for whole n, which have the parity of n; J_0(0) = I_0(0) = 1, and 0 for every positive order.
+/// J_(−n) = (−1)^n J_n and I_(−n) = I_n for whole n, which have the parity of n; J_0(0) = I_0(0) = 1, and 0 for every positive
+/// order.
 fn bessel_fold(name: &'static str, a: &[Expr], sign_of_odd: i64) -> Option<Expr> {
     match a {
         [n, z] if z.is_zero() && n.is_zero() => Some(Expr::one()),
