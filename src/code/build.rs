@@ -26,9 +26,7 @@ pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
 /// The unit, in words.
 fn unit(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force | Quantity::ForceOfDepth => {
-            "Units: lengths in one unit, E a pressure; F in the unit of E times length squared."
-        }
+        Quantity::Force | Quantity::ForceOfDepth => "Units: lengths in one unit, E a pressure; F in the unit of E times length squared.",
         Quantity::Pressure => "Units: lengths in one unit, E a pressure; p in the unit of E.",
         _ => "Units: all lengths and the result in the same unit.",
     }

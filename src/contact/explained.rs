@@ -8,7 +8,7 @@ use crate::transform::{Evaluator, Method, Solution, TransformError, WAYS, Way};
 /// Steps of work that one way may take for one point, about a tenth of a second.
 const MOST_STEPS: u64 = 10_000_000;
 
-/// What one way answered.
+/// The result of one way.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Asked {
     /// The key of the way.
@@ -19,7 +19,7 @@ pub struct Asked {
     pub steps: u64,
 }
 
-/// A contact whose numbers are asked for in each of [`WAYS`] alone.
+/// A contact whose numbers are computed by each of [`WAYS`] separately.
 pub struct Explained<'a> {
     contacts: Vec<(&'static Way, Contact<'a>)>,
 }
@@ -58,7 +58,7 @@ impl<'a> Explained<'a> {
     }
 }
 
-/// What one way answers; `None` if the quantity is not found in ways such as this one.
+/// The result of one way; `None` if the way does not apply to the quantity.
 fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, radius: f64) -> Option<Asked> {
     let (answer, steps, whole) = work::apart(MOST_STEPS.min(work::left()), || quantity.number(contact, at, radius));
     work::spend(steps);

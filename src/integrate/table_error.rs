@@ -50,7 +50,9 @@ pub enum TableError {
         before: f64,
     },
     /// The same radius twice.
-    #[error("points {before} and {index} of the table have the same radius {radius:?}; expected distinct radii: keep one point, or take the mean")]
+    #[error(
+        "points {before} and {index} of the table have the same radius {radius:?}; expected distinct radii: keep one point, or take the mean"
+    )]
     Duplicate {
         /// The later point.
         index: usize,
@@ -70,9 +72,7 @@ pub enum TableError {
         accepted: &'static str,
     },
     /// Pieces that do not join, or whose coefficients are not finite.
-    #[error(
-        "piece {index} of the table does not join the previous piece, is empty, or is not finite; expected contiguous pieces"
-    )]
+    #[error("piece {index} of the table does not join the previous piece, is empty, or is not finite; expected contiguous pieces")]
     Piece {
         /// Which piece.
         index: usize,

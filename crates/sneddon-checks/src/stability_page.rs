@@ -10,17 +10,16 @@ const QUANTITIES: [&str; 8] = ["g", "F", "G", "p", "u", "U", "a(d)", "F(d)"];
 /// The whole document.
 pub fn page(cells: &[Cell]) -> String {
     let mut text = String::from("# Stability\n\n");
-    text.push_str("This document is written by `cargo run --release -p sneddon-runs --bin stability`; a test checks that it is up to date.\n\n");
+    text.push_str(
+        "This document is written by `cargo run --release -p sneddon-runs --bin stability`; a test checks that it is up to date.\n\n",
+    );
     text.push_str("Every rule is tested at the limits of its domain: radii from 1e-300 of its length up to one step below its limit, breakpoints that vanish or meet, exponents from 1e-300 to 10 000, wave numbers from tiny to large, lengths of 1e-200 and 1e200.\n");
     text.push_str("The references are the rules' stated formulas at sufficiently many digits (`tests/oracle/extremes.py`, which derives the limits from the data of the rules); g, F and G at radius x or a, p and u at (r, a), U the strain energy.\n");
     text.push_str("Named shapes are pressed to depths down to 1e-300 of their length, with vanishing flat ends and angles: a(d) and F(d), for which a state has no estimate.\n\n");
     text.push_str("The condition number κ is the sum of |v ∂ ln|value|/∂v| over all arguments v: the change of the true value in ulps when every argument changes by one ulp.\n");
     let faults: Vec<String> = cells.iter().filter_map(Cell::fault).collect();
     let except = if faults.is_empty() { String::new() } else { format!(", but for the {} listed below the table", faults.len()) };
-    let _ = writeln!(
-        text,
-        "The error of every number is at most {LARGEST}·max(1, κ) ulp, and at most its estimate{except}.\n"
-    );
+    let _ = writeln!(text, "The error of every number is at most {LARGEST}·max(1, κ) ulp, and at most its estimate{except}.\n");
     summary(cells, &mut text);
     if !faults.is_empty() {
         text.push_str("\nBeyond the limit:\n\n");

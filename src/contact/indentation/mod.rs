@@ -364,10 +364,7 @@ impl<'a> Indentation<'a> {
 
     fn at_force(&self, force: f64) -> Result<Indented, ContactError> {
         if force.is_nan() || force < 0.0 {
-            return Err(ContactError::Missing {
-                quantity: "a negative force",
-                needs: "adhesion, which is not modelled; expected F >= 0",
-            });
+            return Err(ContactError::Missing { quantity: "a negative force", needs: "adhesion, which is not modelled; expected F >= 0" });
         }
         if force == 0.0 {
             return self.at_depth(self.landscape.lowest);
@@ -406,10 +403,7 @@ impl<'a> Indentation<'a> {
 
     fn at_radius(&self, radius: f64) -> Result<Indented, ContactError> {
         if radius.is_nan() || radius < 0.0 {
-            return Err(ContactError::Missing {
-                quantity: "the contact radius",
-                needs: "to be nonnegative; expected a >= 0",
-            });
+            return Err(ContactError::Missing { quantity: "the contact radius", needs: "to be nonnegative; expected a >= 0" });
         }
         if let Some(rim) = self.at_rim {
             if radius == rim.radius {

@@ -60,11 +60,7 @@ impl<'a> Curve<'a> {
     /// [`TransformError::CurveTooRough`] with the error that was reached.
     pub fn new(profile: &'a NumericProfile, reach: f64, tolerance: f64) -> Result<Self, TransformError> {
         if !(reach > 0.0 && reach.is_finite()) {
-            return Err(TransformError::OutOfDomain {
-                symbol: "reach",
-                at: reach,
-                limit: "; expected a positive length".to_owned(),
-            });
+            return Err(TransformError::OutOfDomain { symbol: "reach", at: reach, limit: "; expected a positive length".to_owned() });
         }
         let mut budget = Budget::default();
         let (mut pieces, mut breakpoints, mut smears) = (Vec::new(), Vec::new(), Vec::new());
@@ -238,7 +234,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// What an integral may change by while a breakpoint moves by its error; `smeared` is the breakpoint, its error and the jump of f′.
+/// The change of an integral when a breakpoint moves by its error; `smeared` is the breakpoint, its error and the jump of f′.
 fn smear(smeared: [f64; 3], x: f64, kind: Integral) -> f64 {
     let [b, error, jump] = smeared;
     if x < b - error {

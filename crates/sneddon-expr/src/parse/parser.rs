@@ -301,7 +301,9 @@ impl Parser<'_> {
             Token::End => return ParseError::new(self.span.clone(), Reason::End, OPERAND),
             Token::Close | Token::CloseList if self.open.is_empty() => "remove it, or open it first",
             Token::Comma => "write decimals with a point, as in 0.3; commas separate the arguments of a function",
-            Token::Below | Token::Above => "conditions such as r<b are allowed only between the values of piecewise(v0, r<b, v1), one comparison each",
+            Token::Below | Token::Above => {
+                "conditions such as r<b are allowed only between the values of piecewise(v0, r<b, v1), one comparison each"
+            }
             Token::OpenList => "lists are allowed only in hyper([a], [b], z)",
             _ => OPERAND,
         };

@@ -75,9 +75,7 @@ fn functions() -> Result<(), Box<dyn Error>> {
     let figures = measured_functions(texts.iter().map(String::as_str))?;
     println!("\n## Functions\n");
     println!("Doubles against references of 30 digits or more, extremes of the domain included.\n");
-    println!(
-        "The last column gives the ground of the bound: *measured* is twice the largest error found, which this table records;"
-    );
+    println!("The last column gives the ground of the bound: *measured* is twice the largest error found, which this table records;");
     println!(
         "*bounded* is a rounded 30-digit value with a bound that includes cancellation, refused if it exceeds the bound in the table.\n"
     );

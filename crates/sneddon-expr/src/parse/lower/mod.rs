@@ -41,7 +41,9 @@ impl Operand {
     fn formula(self) -> Result<Formula, ParseError> {
         let (what, accepted) = match self.value {
             Value::Formula(formula) => return Ok(formula),
-            Value::Comparison(_) => ("a comparison", "conditions such as r<b are allowed only between the values of piecewise(v0, r<b, v1)"),
+            Value::Comparison(_) => {
+                ("a comparison", "conditions such as r<b are allowed only between the values of piecewise(v0, r<b, v1)")
+            }
             Value::List(_) => ("a list", "lists are allowed only in hyper([a], [b], z)"),
         };
         Err(ParseError::new(self.span, Reason::NotHere { what, place: "an expression" }, accepted))
