@@ -4,8 +4,8 @@ use super::tree::{Comparison, LENGTH, NAN, Operator, Routine, Statement, Test, V
 use crate::expr::Function;
 use crate::num::Bounded;
 
-/// Assumed errors of elementary functions in units in the last place: the largest known errors of the GNU C library in double precision
-/// (`sysdeps/x86_64/fpu/libm-test-ulps`).
+/// Assumed errors of elementary functions in units in the last place: the largest known errors of the GNU C library in double
+/// precision (`sysdeps/x86_64/fpu/libm-test-ulps`).
 const ELEMENTARY_ULPS: f64 = 1.0;
 /// Assumed errors of hyperbolic functions and their inverses, from the same table.
 const HYPERBOLIC_ULPS: f64 = 2.0;
@@ -21,7 +21,7 @@ pub(super) const ELEMENTARY: [&str; 24] = [
     "abs", "max", "min", "pow", "floor", NAN, "inf",
 ];
 
-/// Runs routines; `ulps` tells what is assumed of a function of the language's library.
+/// Runs routines; `ulps` is the assumed accuracy of functions of the language's library.
 pub(super) struct Machine<'a> {
     pub(super) routines: &'a [Routine],
     pub(super) library: &'a dyn Fn(&str) -> Option<f64>,

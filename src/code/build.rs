@@ -13,7 +13,7 @@ use crate::expr::{Bindings, Condition, Expr, Node, Relation};
 use crate::print;
 use crate::transform::{Derived, EvaluatedChain, Solution, Superposed};
 
-/// The quantities that code can be written for.
+/// The quantities for which code can be generated.
 pub const QUANTITIES: [Quantity; 6] =
     [Quantity::Equivalent, Quantity::Force, Quantity::Pressure, Quantity::Depth, Quantity::Radius, Quantity::ForceOfDepth];
 
@@ -26,11 +26,9 @@ pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
 /// The unit, in words.
 fn unit(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::Force | Quantity::ForceOfDepth => {
-            "Units: lengths in one unit, E a pressure; F in the unit of E times that of length squared."
-        }
+        Quantity::Force | Quantity::ForceOfDepth => "Units: lengths in one unit, E a pressure; F in the unit of E times length squared.",
         Quantity::Pressure => "Units: lengths in one unit, E a pressure; p in the unit of E.",
-        _ => "Units: lengths in one unit, which is that of the result.",
+        _ => "Units: all lengths and the result in the same unit.",
     }
 }
 
@@ -46,7 +44,7 @@ fn unit(quantity: Quantity) -> &'static str {
 /// ```
 ///
 /// # Errors
-/// [`CodeError`] where a quantity is not closed, or where a function cannot be written in the language.
+/// [`CodeError`] if a quantity is not closed, or if a function cannot be written in the language.
 pub fn program(solution: &Solution, quantities: &[Quantity], language: Language, profile: &str) -> Result<Program, CodeError> {
     let symbols = solution.profile.parameters();
     let forms = read::routines(FORMS).ok_or(CodeError::Forms)?;
@@ -75,7 +73,7 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         Ok::<Program, CodeError>(claim::claimed(program, solution))
     };
     let closed = build(&[])?;
-    // A series next to the axis costs code and time: only where it keeps digits.
+    // Use a series near the axis only where it improves the accuracy, because it costs code and time.
     let mut in_series: Vec<Quantity> = closed.poor().into_iter().flat_map(series_of).copied().collect();
     in_series.sort_by_key(|own| own.key());
     in_series.dedup();
@@ -91,7 +89,7 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     }
 }
 
-/// Parameters of which a sine, cosine or tangent is taken.
+/// Parameters that occur in a sine, cosine or tangent.
 fn angles(solution: &Solution, parameters: &[(String, String)]) -> Vec<String> {
     fn is_angle(expr: &Expr, name: &str) -> bool {
         match expr.node() {
@@ -115,12 +113,12 @@ pub(super) struct Builder<'a> {
     pub(super) routines: Vec<Routine>,
     forms: Vec<Routine>,
     language: Language,
-    /// The quantities that are a series next to the axis.
+    /// The quantities that are computed by a series near the axis.
     in_series: Vec<Quantity>,
 }
 
 impl Builder<'_> {
-    /// Adds the routine of a quantity and what it calls.
+    /// Adds the routine of a quantity and the routines that it calls.
     fn quantity(&mut self, quantity: Quantity) -> Result<(), CodeError> {
         if self.routines.iter().any(|own| own.name == routine_name(quantity)) {
             return Ok(());
@@ -202,8 +200,8 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// The body of F(d): the formula where it is a product, in which nothing cancels, else F(a) + 2 E* a (d − g(a)) at the
-    /// radius a(d): because F′ = 2 E* a g′, an error of a counts in second order only.
+    /// The body of F(d): the formula if it is a product, which does not cancel, else F(a) + 2 E* a (d − g(a)) at the radius
+    /// a(d): because F′ = 2 E* a g′, the result depends on an error of a only in second order.
     fn force_of_depth(&mut self, domain: &mut (Vec<Test>, Vec<String>)) -> Result<Vec<Statement>, CodeError> {
         if let Some(found) = explicit(self.solution).filter(|own| !has_sum(&own.force)) {
             self.conditions(&found.conditions, "d", &mut domain.0, &mut domain.1)?;
@@ -228,7 +226,7 @@ impl Builder<'_> {
         Ok(self.numbered(routine.body))
     }
 
-    /// The formula with its sources; `None` where the contact radius is not explicit.
+    /// The formula with its sources; `None` if the contact radius is not explicit.
     fn derived(&self, quantity: Quantity) -> Result<Option<Derived>, CodeError> {
         let found = match quantity {
             Quantity::Equivalent => Some(self.solution.equivalent_profile()),
@@ -263,7 +261,7 @@ impl Builder<'_> {
         all
     }
 
-    /// What must hold, as tests and in words.
+    /// The conditions of validity, as tests and in words.
     fn domain(&mut self, quantity: Quantity) -> Result<(Vec<Test>, Vec<String>), CodeError> {
         let (mut tests, mut words) = (Vec::new(), Vec::new());
         let largest = |name: &str| Test::Compare(Comparison::LessOrEqual, Value::name(name), Value::Number(f64::MAX, true));
@@ -301,7 +299,7 @@ impl Builder<'_> {
             let comparison = match own.relation {
                 Relation::Less => Comparison::Less,
                 Relation::LessOrEqual => Comparison::LessOrEqual,
-                // Doubles are seldom equal; the words say it.
+                // Do not test equality of doubles; state the condition in words only.
                 _ => continue,
             };
             let ((before, left), (more, right)) = (self.lowered(&own.left)?, self.lowered(&own.right)?);
@@ -323,7 +321,7 @@ impl Builder<'_> {
         Ok(lowered(expr, &self.names, &mut self.counter)?)
     }
 
-    /// The sum of the chains; one with breakpoints beside others is a routine of its own.
+    /// The sum of the chains; if there are several, each chain with breakpoints becomes a separate routine.
     fn chains(&mut self, quantity: Quantity, chains: &[EvaluatedChain], factor: &Expr) -> Result<Vec<Statement>, CodeError> {
         self.counter = 0;
         if let [only] = chains {
@@ -359,7 +357,7 @@ impl Builder<'_> {
         Ok(body)
     }
 
-    /// The pieces of a chain, each where the contact ends in it.
+    /// The pieces of a chain, selected by the interval that contains the end of the contact.
     fn pieces(&mut self, quantity: Quantity, chain: &EvaluatedChain, factor: &Expr) -> Result<Vec<Statement>, CodeError> {
         let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
         let mut body = Vec::new();
@@ -385,7 +383,7 @@ impl Builder<'_> {
         Ok(value)
     }
 
-    /// Renames the variables of a body to t1, t2, …, which no parameter is called.
+    /// Renames the variables of a body to t1, t2, …, which are not names of parameters.
     pub(super) fn numbered(&mut self, body: Vec<Statement>) -> Vec<Statement> {
         let routine = Routine { name: String::new(), parameters: Vec::new(), body, comment: Vec::new() };
         let mut renaming = Names::new();
@@ -398,7 +396,7 @@ impl Builder<'_> {
         routine.body.iter().map(|own| own.renamed(&renaming)).collect()
     }
 
-    /// Adds the stable forms that a routine calls, those first that they call themselves.
+    /// Adds the stable forms that a routine calls, after their dependencies.
     pub(super) fn needed(&mut self, routine: &Routine, quantity: Quantity) -> Result<(), CodeError> {
         for name in routine.calls() {
             if ELEMENTARY.contains(&name.as_str()) || self.routines.iter().any(|own| own.name == name) {
@@ -416,7 +414,7 @@ impl Builder<'_> {
         Ok(())
     }
 
-    /// The functions of the language's library that are called.
+    /// The called functions of the language's library.
     fn library(&self) -> Vec<String> {
         let mut all: Vec<String> = self.routines.iter().flat_map(Routine::calls).collect();
         all.sort();
@@ -439,14 +437,14 @@ pub(super) fn when(test: Test, value: Value) -> Statement {
 }
 
 impl Program {
-    /// What is claimed of each quantity; `None` where no point with a bound was found.
+    /// The accuracy claim for each quantity; `None` if no point with a bound was found.
     pub fn claims(&self) -> &[(Quantity, Option<Claim>)] {
         &self.claims
     }
 }
 
 impl Program {
-    /// Whether the quantity is computed from a radius that solves g(a) = d, whose errors running bounds do not follow.
+    /// Whether the quantity is computed from a radius that solves g(a) = d, through which running bounds do not propagate.
     pub(super) fn is_solved(&self, quantity: Quantity) -> bool {
         let calls = |own: &Routine| own.calls().iter().any(|name| *name == routine_name(Quantity::Equivalent));
         is_of_depth(quantity) && self.routines.iter().any(|own| own.name == routine_name(quantity) && calls(own))
@@ -454,7 +452,7 @@ impl Program {
 }
 
 impl Program {
-    /// Whether a routine is one that was asked for.
+    /// Whether a routine was requested by the caller.
     pub(super) fn is_public(&self, routine: &Routine) -> bool {
         self.quantities.iter().any(|own| routine_name(*own) == routine.name)
     }

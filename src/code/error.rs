@@ -1,20 +1,20 @@
-//! Why no code can be written.
+//! Errors of code generation.
 
 use crate::contact::ContactError;
 use crate::eval::EvalError;
 use crate::transform::TransformError;
 
-/// Why no code can be written for a quantity.
+/// Why no code can be generated for a quantity.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CodeError {
-    /// The formula holds an integral.
+    /// The formula contains an integral.
     #[error("the formula of {quantity} holds an integral, and code is written for closed forms only")]
     NotClosed {
         /// The symbol of the quantity.
         quantity: &'static str,
     },
-    /// The language has no such function, and the program cannot write it.
+    /// The language has no such function, and no substitute is available.
     #[error("{quantity} calls the function {function}, which cannot be written in {language}")]
     Function {
         /// The symbol of the quantity.
@@ -24,14 +24,14 @@ pub enum CodeError {
         /// The language.
         language: &'static str,
     },
-    /// The function would lose its digits.
+    /// The generated function would be inaccurate.
     #[error("{quantity} at {coordinate} = {at:.1e} would be off by up to {ulps:.0e} units in the last place times its condition number")]
     Inaccurate {
         /// The symbol of the quantity.
         quantity: &'static str,
         /// The symbol of its coordinate.
         coordinate: &'static str,
-        /// Where.
+        /// The value of the coordinate.
         at: f64,
         /// The bound.
         ulps: f64,
@@ -51,7 +51,7 @@ pub enum CodeError {
 }
 
 impl CodeError {
-    /// What can be done.
+    /// Advice on how to proceed.
     pub fn accepted(&self) -> &'static str {
         match self {
             Self::NotClosed { .. } => "choose quantities that derive shows without an integral, or compute with eval",

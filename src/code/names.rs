@@ -1,4 +1,4 @@
-//! Identifiers: the names of parameters as a language accepts them, so that nothing but a name can come out.
+//! Identifiers: converts names of parameters to valid names in a language.
 
 use super::lower::Names;
 use crate::expr::Symbol;
@@ -9,8 +9,8 @@ const LONGEST: usize = 48;
 
 /// An identifier for every symbol: its name where that is free, else with `_` behind it.
 ///
-/// `reserved` knows the words of the language; `taken` are names that the program itself uses. A language that ignores case
-/// compares in lower case.
+/// `reserved` recognizes the reserved words of the language; `taken` are names that the program itself uses. A language that
+/// ignores case compares in lower case.
 pub fn identifiers(symbols: &[Symbol], ignores_case: bool, reserved: &dyn Fn(&str) -> bool, taken: &[String]) -> Names {
     let key = |name: &str| if ignores_case { name.to_lowercase() } else { name.to_owned() };
     let mut used: BTreeSet<String> = taken.iter().map(|own| key(own)).collect();

@@ -7,9 +7,9 @@ use crate::contact::{Dimension, Quantity};
 #[derive(Clone, Debug)]
 pub struct Program {
     pub(super) language: Language,
-    /// Every routine; what a routine calls stands before it.
+    /// Every routine, after the routines that it calls.
     pub(super) routines: Vec<Routine>,
-    /// The quantities that were asked for.
+    /// The requested quantities.
     pub(super) quantities: Vec<Quantity>,
     /// The parameters with their identifiers.
     pub(super) parameters: Vec<(String, String)>,

@@ -148,7 +148,7 @@ impl Reader {
         Some(read)
     }
 
-    /// Comparisons joined by && or by ||, never by both; `!` stands before one in parentheses.
+    /// Comparisons joined by && or by ||, never by both; `!` precedes a comparison in parentheses.
     fn test(&mut self) -> Option<Test> {
         let first = self.comparison()?;
         let (mut all, sign) = (vec![first], if self.is("||") { "||" } else { "&&" });

@@ -8,7 +8,7 @@ use crate::eval::{Series, power_series};
 use crate::expr::{Bindings, Expr, Node, Number, Symbol, derivative, leading_term};
 use crate::num::kappa::kappa;
 
-/// The text of a routine in the language of the stable forms, and the constants that stand before it.
+/// The text of a routine in the language of the stable forms, and the constants that precede it.
 pub(super) struct SeriesText {
     /// Names of constants with their expressions, in the order in which they are needed.
     pub(super) constants: Vec<(String, Expr)>,
@@ -27,9 +27,9 @@ const CANCELLING: f64 = 32.0;
 /// Terms may grow by this factor beyond the first one.
 const GROWING: f64 = 16.0;
 
-/// The series of the first pieces of a profile at `coordinate`; `None` where this arithmetic knows no recurrence.
+/// The series of the first pieces of a profile at `coordinate`; `None` if no recurrence is known.
 ///
-/// `is_force` asks for F/(2E*), else for g; `sample` has numbers for the parameters, from which the gaps between powers are read.
+/// `is_force` selects F/(2E*) instead of g; `sample` has numbers for the parameters, from which the gaps between powers are read.
 pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, sample: &Bindings) -> Option<SeriesText> {
     let gap = gap(&sample.apply(profile))?;
     let mut writer = Writer::new(coordinate);
@@ -72,8 +72,8 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, sample: &Bi
     Some(SeriesText { constants: writer.constants, body })
 }
 
-/// The largest distance between powers of r with a coefficient, in the profile or in a part of it: where the terms of one part are
-/// negligible, those of another, which come less often, may not be.
+/// The largest distance between powers of r with a coefficient, in the profile or in a part of it: where the terms of one part
+/// are negligible, those of another, which come less often, may not be.
 fn gap(profile: &Expr) -> Option<usize> {
     let groups = power_series(profile, SEEN, &[]).ok()?;
     let widest = |own: &Series| {
@@ -308,7 +308,7 @@ impl Writer {
         self.defined(&first, next)
     }
 
-    /// Whether a series begins with a number, as far as symbols tell.
+    /// Succeeds if a series has a constant term that is symbolically nonzero.
     fn begins_beyond_zero(&self, expr: &Expr) -> Option<()> {
         (leading_term(expr)?.exponent == Number::integer(0)).then_some(())
     }

@@ -1,4 +1,4 @@
-//! Functions that are sums at run time: power series next to the axis, and Gaussian terms at every radius.
+//! Functions computed as sums at run time: power series near the axis, and Gaussian terms at every radius.
 
 use super::build::{Builder, coordinates, when};
 use super::lower::Names;
@@ -9,7 +9,7 @@ use crate::contact::Quantity;
 use crate::expr::Expr;
 use crate::transform::Sampler;
 
-/// The sum of a series; no parameter has this name, which is that of a variable.
+/// The variable of the sum of a series; this name is reserved, so no parameter has it.
 const SUM: &str = "t1000";
 
 impl Builder<'_> {
@@ -45,7 +45,7 @@ impl Builder<'_> {
         let call = Value::Call(routine.name.clone(), parameters.iter().map(|own| Value::name(own)).collect());
         self.routines.push(routine);
         self.counter = 0;
-        // The first pieces only.
+        // Use the first pieces only.
         let mut tests = Vec::new();
         let mut statements = Vec::new();
         for chain in &self.solution.profile.chains {
@@ -66,8 +66,8 @@ impl Builder<'_> {
         Ok(statements)
     }
 
-    /// Returns the statements that sum Gaussian terms, if the profile has no other ones; `None` for g without powers of r, whose closed
-    /// form keeps its digits.
+    /// Returns the statements that sum Gaussian terms, if the profile has no other terms; `None` for g without powers of r, whose
+    /// closed form is accurate.
     pub(super) fn sum_of_gaussians(&mut self, quantity: Quantity, factor: &Expr) -> Result<Option<Vec<Statement>>, CodeError> {
         let [chain] = self.solution.profile.chains.as_slice() else { return Ok(None) };
         let ([profile], []) = (chain.pieces.as_slice(), chain.breakpoints.as_slice()) else { return Ok(None) };

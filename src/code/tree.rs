@@ -63,14 +63,14 @@ pub(super) struct Routine {
     pub(super) name: String,
     pub(super) parameters: Vec<String>,
     pub(super) body: Vec<Statement>,
-    /// What it is, one line each.
+    /// The description, one entry per line.
     pub(super) comment: Vec<String>,
 }
 
 /// How many elements an array has.
 pub(super) const LENGTH: usize = 110;
 
-/// What a call is that the program has no routine for.
+/// The name of the constant NaN in value trees.
 pub(super) const NAN: &str = "nan";
 
 impl Value {

@@ -1,4 +1,4 @@
-//! The program's own values beside those of its code: errors in ulps, and condition numbers.
+//! Reference values for the generated code: errors in ulps, and condition numbers.
 
 use super::program::{Program, needs_modulus};
 use crate::contact::{Contact, Quantity};
@@ -8,16 +8,16 @@ use crate::transform::{Evaluator, Method, Solution};
 
 /// The step of relative differences.
 pub(super) const STEP: f64 = 1e-6;
-/// Those of condition numbers, of which the largest counts: far out, waves are shorter than the first one.
+/// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step.
 const STEPS: [f64; 3] = [STEP, 1e-9, 1e-12];
-/// Steps of work after which a value is given up.
+/// Steps of work after which a value is abandoned.
 const LONGEST: u64 = 200_000;
-/// The tolerance of the values that are compared.
+/// The tolerance of the reference values.
 const TOLERANCE: f64 = 1e-13;
-/// Values nearer to 0, and their inverses, are not compared.
+/// Values nearer to 0, and values above the reciprocal, are not compared.
 const LEAST: f64 = 1e-280;
 
-/// The values of a quantity as the program computes them, for one set of parameters.
+/// The reference values of a quantity, for one set of parameters.
 pub(super) struct Truth<'a> {
     pub(super) quantity: Quantity,
     solution: &'a Solution,
@@ -26,7 +26,7 @@ pub(super) struct Truth<'a> {
     /// The parameters in the order of the arguments.
     pub(super) values: Vec<f64>,
     names: Vec<String>,
-    /// Contacts with one parameter more, and less; made where they are needed.
+    /// Contacts with one parameter increased and decreased, created when needed.
     moved: Option<Vec<Vec<Moved<'a>>>>,
 }
 
@@ -43,7 +43,7 @@ impl<'a> Truth<'a> {
         Some(Self { quantity, solution, bindings: bindings.clone(), contact, values, names, moved: None })
     }
 
-    /// The value at coordinates that belong to a radius next to `place`.
+    /// The value at coordinates that correspond to a radius near `place`.
     fn value(&self, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
         work::share(LONGEST, || self.value_of(self.quantity, contact, coordinates, place)).flatten()
     }
@@ -62,7 +62,7 @@ impl<'a> Truth<'a> {
                 return Some(Bounded::checked(value, force.error + 2.0 * place * (depth.error + STEP * step.abs()) + spacing(value)));
             }
             (Quantity::Radius, [d]) => {
-                // A step of Newton's method, which the nearness of the place makes right to second order.
+                // One step of Newton's method, which is accurate to second order because `place` is near the root.
                 let rise = (g(place * (1.0 + STEP))?.value - g(place * (1.0 - STEP))?.value) / (2.0 * STEP * place);
                 let depth = g(place)?;
                 let step = (d - depth.value) / rise;
@@ -73,16 +73,16 @@ impl<'a> Truth<'a> {
         Some(reading.bounded())
     }
 
-    /// How far a value of g or F at a radius lies beyond the bound of that of the program; `None` where that has no value.
+    /// The deviation of a value of g or F from the reference value beyond its error; `None` without a reference value.
     pub(super) fn difference(&self, quantity: Quantity, own: Bounded, a: f64) -> Option<f64> {
         let exact = work::share(LONGEST, || self.value_of(quantity, &self.contact, &[a], a)).flatten();
         exact.map(|exact| ((own.value - exact.value).abs() - exact.error).max(0.0))
     }
 
-    /// The error of a value of the code in ulps; `None` where nothing can be said.
+    /// The error of a value of the code in ulps; `None` if unknown.
     pub(super) fn ulps(&self, own: Bounded, coordinates: &[f64], place: f64) -> Option<f64> {
         let exact = self.value(&self.contact, coordinates, place)?;
-        // Numbers next to the ends of the range of doubles have digits that are counted otherwise.
+        // Skip numbers near the ends of the range of doubles, where ulps differ.
         if !(exact.value.abs() > LEAST && exact.value.abs() < 1.0 / LEAST) || exact.error > 1e-6 * exact.value.abs() {
             return None;
         }
@@ -93,11 +93,11 @@ impl<'a> Truth<'a> {
         Some(own.error.max(difference) / spacing(exact.value))
     }
 
-    /// 1 + Σ |v ∂f/∂v|/|f| over the coordinates, E and the parameters; `None` where a value next to the point is not known.
+    /// 1 + Σ |v ∂f/∂v|/|f| over the coordinates, E and the parameters; `None` if a neighbouring value is unknown.
     pub(super) fn condition(&mut self, coordinates: &[f64], place: f64) -> Option<f64> {
         let mut total = if needs_modulus(self.quantity) { 2.0 } else { 1.0 };
         let Bounded { value, .. } = self.value(&self.contact, coordinates, place)?;
-        // The larger change on either side: at the crest of a short wave both have one sign.
+        // Use the larger change of both sides, which have the same sign at the crest of a short wave.
         let share = |step: f64, pair: [Option<Bounded>; 2]| {
             let changes = pair.into_iter().flatten().map(|own| (own.value - value).abs() / (step * value.abs()));
             changes.filter(|own| own.is_finite()).reduce(f64::max)

@@ -23,18 +23,18 @@ pub struct Comparison {
     pub why: Option<Cow<'static, str>>,
 }
 
-/// What is compared, and how.
+/// Options of a comparison.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Setting {
     /// The contact radius; random ones without it.
     pub radius: Option<f64>,
     /// The depth of a punch with a rim.
     pub depth: Option<f64>,
-    /// The largest relative difference that may stand; only the error estimates judge without it.
+    /// Largest relative difference to accept; `None` to use the error estimates alone.
     pub tolerance: Option<f64>,
 }
 
-/// What was compared.
+/// The result of a comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparisons {
     /// One comparison per quantity.
@@ -49,11 +49,12 @@ const POINTS: u32 = 64;
 const DRAWS: u32 = 8;
 /// Steps of work after which no new point is started: 64 points of an expensive profile prove no more than some of them.
 const ENOUGH: u64 = 150_000_000;
-/// The range of the tolerance that the quadratures are asked for.
+/// The range of the tolerance of the quadratures.
 const TIGHTEST: f64 = 1e-14;
 const LOOSEST: f64 = 1e-12;
 
-/// Compares g, d, F, p and G, and a(d) and F(d) where they are explicit, at up to 64 points each, at the set values or at seeded random admissible ones.
+/// Compares g, d, F, p and G, and a(d) and F(d) where they are explicit, at up to 64 points each, at the set values or at seeded
+/// random admissible ones.
 ///
 /// A point counts where both values have digits enough to contradict each other; expensive profiles are compared at fewer points.
 ///
@@ -101,7 +102,7 @@ fn compared(solution: &Solution, setting: &Setting) -> Result<Vec<Subject>, Cont
 /// A quantity that is compared.
 struct Subject {
     quantity: Quantity,
-    /// What was found; `None` where no closed form is known.
+    /// The result; `None` if no closed form is known.
     tally: Option<Tally>,
     /// The first value that could not be had.
     trouble: Option<ContactError>,
@@ -147,7 +148,7 @@ fn started(solution: &Solution, explicit: bool) -> Vec<Subject> {
         .collect()
 }
 
-/// What one call compares.
+/// The data of one call.
 struct Run<'a> {
     solution: &'a Solution,
     inverse: Option<Explicit>,

@@ -22,7 +22,7 @@ pub enum ContactError {
     Missing {
         /// The quantity.
         quantity: &'static str,
-        /// What is missing, and how to give it.
+        /// The missing input, and how to specify it.
         needs: &'static str,
     },
     /// No contact radius belongs to the load.
@@ -44,7 +44,7 @@ pub enum ContactError {
     /// The number of springs is out of range.
     #[error("a spring foundation cannot have {springs} springs; expected 1 to {limit}")]
     Springs {
-        /// The number asked for.
+        /// The requested number.
         springs: usize,
         /// The largest number.
         limit: usize,

@@ -21,7 +21,7 @@ pub struct Asked {
     pub steps: u64,
 }
 
-/// A contact whose numbers are asked for in each of [`WAYS`] alone.
+/// A contact whose numbers are computed by each of [`WAYS`] separately.
 pub struct Explained<'a> {
     contacts: Vec<(&'static Way, Contact<'a>)>,
 }
@@ -60,7 +60,7 @@ impl<'a> Explained<'a> {
     }
 }
 
-/// The result of one way; `None` if the way does not compute the quantity.
+/// The result of one way; `None` if the way does not apply to the quantity.
 fn asked(way: &'static Way, contact: &Contact<'_>, quantity: Quantity, at: f64, radius: f64) -> Option<Asked> {
     let share = MOST_STEPS.min(work::left().saturating_sub(RESERVE));
     if share == 0 {

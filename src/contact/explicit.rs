@@ -7,14 +7,14 @@ use crate::expr::{Bindings, Condition, Expr, Sign, Symbol, sign};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{ClosedForm, Reading, Solution, Term};
 
-/// a(d) and F(d) of a smooth-edged contact, with what must hold.
+/// a(d) and F(d) of a smooth-edged contact, with their conditions.
 #[derive(Clone, Debug)]
 pub struct Explicit {
     /// The contact radius over d.
     pub contact_radius: Expr,
     /// The force over d and E.
     pub force: Expr,
-    /// What kind of equation g(a) = d is, and how it was solved.
+    /// The kind of the equation g(a) = d, and the method of its solution.
     pub equation: &'static str,
     /// The equations of the source.
     pub reference: Vec<&'static str>,

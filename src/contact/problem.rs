@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// A contact with numbers for everything: the evaluator of its profile, E*, and the depth of a rim if there is one.
 ///
-/// The profile may be a formula, a closure or a table: whatever answers [`Quantities`].
+/// The profile may be a formula, a closure, a table, or any other type that implements [`Quantities`].
 pub struct Contact<'a, P: Quantities + ?Sized = Evaluator<'a>> {
     evaluator: Arc<P>,
     formula: PhantomData<&'a ()>,
@@ -30,17 +30,17 @@ enum Inverse {
     Root,
     /// The closed form; with `only`, also where its error exceeds the tolerance.
     Explicit { explicit: Arc<Explicit>, only: bool },
-    /// A closed form is demanded, and there is none.
+    /// A closed form is required but not available.
     Missing,
 }
 
-/// The largest number of values of g that one energy may take.
+/// The largest number of values of g for one energy.
 const MOST_NESTED: u64 = 5_000;
 
 /// Smallest radius at which g is evaluated for the energy, relative to the contact radius.
 const NEAREST: f64 = 1e-30;
 
-/// A value, or the reason why theory has none.
+/// A value, or the reason why it is infinite or undefined in theory.
 pub type Measured = Result<Reading, Reason>;
 
 /// Returns the reading, or an error if its value or its bound is not a finite double.
@@ -57,7 +57,7 @@ pub(super) fn representable(own: Reading, symbol: &'static str, at: f64) -> Resu
     }
 }
 
-/// Distances from a singularity, relative to the contact radius, between which its logarithm decides.
+/// Distances from a singularity, relative to the contact radius, at which the sign of its logarithm is determined.
 const NEAR: [f64; 2] = [1e-8, 1e-12];
 
 /// Why a quantity has no finite value at a point.
@@ -69,20 +69,20 @@ pub enum Reason {
     Kink,
     /// The pressure is minus infinity at a concave apex.
     ConcaveApex,
-    /// The pressure is minus infinity where f′ falls by a jump.
+    /// The pressure is minus infinity at a negative jump of f′.
     ConcaveKink,
     /// The pressure diverges at the rim of a punch.
     Rim,
     /// A mean over a contact without area.
     NoArea,
-    /// The budget of work was used up before the point was reached.
+    /// The work budget was exhausted before the point was reached.
     Unfinished,
     /// An error at this point alone, such as a point outside the domain or an overflow.
     Refused(String),
 }
 
 impl Reason {
-    /// The sentence that reports give.
+    /// The sentence for reports.
     pub fn text(&self) -> &str {
         match self {
             Self::Refused(why) => why,
@@ -103,7 +103,7 @@ impl Reason {
         })
     }
 
-    /// The infinity that the pressure is by theory; `None` for the other reasons.
+    /// The infinite value of the pressure in theory; `None` for the other reasons.
     pub fn infinite_pressure(&self) -> Option<f64> {
         match self {
             Self::Apex | Self::Kink | Self::Rim => Some(f64::INFINITY),
@@ -112,7 +112,7 @@ impl Reason {
         }
     }
 
-    /// The reason at the place r of a contact of radius a from the pressures next to it, whose logarithm rises or falls towards r.
+    /// The reason at radius r of a contact of radius a, from nearby pressures, which increase or decrease towards r.
     pub(crate) fn at_singularity(r: f64, a: f64, pressure: impl Fn(f64) -> Option<f64>) -> Self {
         let near = |gap: f64| if r + gap * a < a { pressure(r + gap * a) } else { pressure(r - gap * a) };
         let falls = NEAR.windows(2).any(|gaps| match gaps {
@@ -175,7 +175,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         Self { inverse, ..self }
     }
 
-    /// The same contact at another depth of its rim, or with a smooth edge; what the evaluator has compiled is shared.
+    /// The same contact at another depth of its rim, or with a smooth edge; the evaluator is shared.
     #[must_use]
     pub fn with_depth(&self, depth: Option<f64>) -> Self {
         Self {
@@ -209,7 +209,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         self.depth.is_some()
     }
 
-    /// The depth that a rim leaves free.
+    /// The given depth of a punch with a rim.
     pub(super) fn depth_of_rim(&self) -> Option<f64> {
         self.depth
     }
@@ -241,7 +241,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         representable(self.any_force(a)?, "a", a)
     }
 
-    /// Like [`Self::force`], but infinite where the force is too large for a double.
+    /// Like [`Self::force`], but infinite if the force is too large for a double.
     pub(super) fn any_force(&self, a: f64) -> Result<Reading, ContactError> {
         let smooth = self.evaluator.force(a)?;
         let twice = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus);
@@ -266,7 +266,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         Ok(Reading { estimate: Estimate::from_bounded(value, 0), method: "exact" })
     }
 
-    /// F/(π a²); a contact without area has none.
+    /// F/(π a²); undefined for a contact without area.
     ///
     /// # Errors
     /// As the evaluator.
@@ -328,7 +328,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         let factor = Bounded::exact(self.effective_modulus) / Bounded::rounded(std::f64::consts::PI);
         let mut total = smooth.estimate;
         if self.depth.is_some() {
-            // Two roots: the product of both lengths may leave the range of doubles.
+            // Multiply two roots, because the product of both lengths may leave the range of doubles.
             let (gap, sum) = (Bounded::exact(a) - Bounded::exact(r), Bounded::exact(a) + Bounded::exact(r));
             total = total + excess.times(Bounded::exact(1.0) / gap.sqrt() / sum.sqrt());
         }
@@ -403,7 +403,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         places.extend(self.evaluator.breakpoints_below(a));
         places.push(a);
         let panels: Vec<Panel> = places.windows(2).filter_map(|p| Some(Panel::singular(*p.first()?, *p.last()?))).collect();
-        // Every evaluation may be a quadrature of its own.
+        // Limit the evaluations, because each may be a quadrature.
         let options = Options { rel_tol: self.tolerance, max_evaluations: MOST_NESTED, ..Options::default() };
         let found = match integrate(&mut integrand, &panels, &options) {
             Ok(found) => found,
@@ -483,7 +483,7 @@ pub(super) fn over_area(force: Estimate, a: Bounded) -> Estimate {
     force.times(reciprocal(a)).times(reciprocal(Bounded::rounded(PI) * a))
 }
 
-/// Evaluates a quantity at a radius with an error; the change of the quantity within that error is added to its own error.
+/// Evaluates a quantity at a radius with an error; the change of the quantity within that error is added to the error.
 fn through(radius: Reading, quantity: impl Fn(f64) -> Result<Reading, ContactError>) -> Result<Reading, ContactError> {
     let Estimate { value: a, error, bound, .. } = radius.estimate;
     let own = quantity(a)?;
@@ -495,7 +495,7 @@ fn through(radius: Reading, quantity: impl Fn(f64) -> Result<Reading, ContactErr
         let change = |found: Reading| (found.estimate.value - own.estimate.value).abs() + found.estimate.error + own.estimate.error;
         quantity(place).map(|found| share * change(found))
     };
-    // Next to the end of the profile there may be one side only.
+    // Near the end of the profile, only one side may be available.
     let below = moved((a - step).max(0.0))?;
     let above = moved(a + step).unwrap_or(2.0 * below);
     let estimate = Estimate { error: (own.estimate.error + below.max(above)) * (1.0 + 8.0 * f64::EPSILON), ..own.estimate };

@@ -61,7 +61,7 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
         return Err(ContactError::Unreachable { depth, reason: "the depth is negative; expected d >= 0" });
     }
     let evaluator = contact.evaluator();
-    // The flat part of a worn tip carries no depth: the root lies beyond it.
+    // g vanishes on the flat part of a worn tip, so the root lies beyond it.
     let (start, limit) = (evaluator.flat_radius()?, evaluator.limit());
     if depth == 0.0 {
         return Ok(Reading { estimate: Estimate::exact(start), method: "exact" });
@@ -112,19 +112,19 @@ pub(super) fn root(
     Ok(certain(&mut gap, a, start, limit)?.map(|certain| (a, certain)).ok_or("no rise through it can be told from the errors"))
 }
 
-/// How far from a root the sign of a rising function is certain.
+/// The neighbourhood of a root beyond which the sign of an increasing function is certain.
 pub(super) struct Certain {
     /// The distance from the root.
     pub(super) reach: f64,
-    /// The largest |value| with its error within that distance, where the function was asked.
+    /// The largest |value| with its error at the evaluated points within that distance.
     pub(super) spread: f64,
     /// Whether the signs are proven.
     pub(super) bound: Bound,
 }
 
-/// The smallest distance from a root `a` at which the sign of a function that rises there is certain on both sides; `None` if there is none.
+/// The smallest distance from a root `a` of an increasing function at which its sign is certain on both sides, if any.
 ///
-/// The function is not asked at `start`, below which it is negative, nor at `limit`, where it ends.
+/// The function is evaluated neither at `start`, below which it is negative, nor at `limit`, where it ends.
 pub(super) fn certain(
     gap: &mut dyn FnMut(f64) -> Result<Estimate, ContactError>,
     a: f64,
@@ -301,7 +301,7 @@ impl Look<'_> {
 
     /// Continues at the next radius with an accurate g that makes all samples so far negligible; returns false if there is none.
     ///
-    /// Rounding turns a function such as exp(r)-1-r into a line next to the axis, and into noise up to a larger radius.
+    /// Rounding turns a function such as exp(r)-1-r into a line near the axis, and into noise up to a larger radius.
     fn leap(&mut self, seen: &mut Seen) -> bool {
         let rest: Vec<f64> = self.places.iter().skip(seen.next).take(LEAP).copied().collect();
         let found = rest.into_iter().position(|a| self.value(a).is_ok_and(|g| g > seen.largest / NOTHING));
@@ -312,7 +312,8 @@ impl Look<'_> {
 
     /// Bisects an interval recursively wherever g deviates from a power law.
     ///
-    /// Intervals with more than `doubted` bisections left are always bisected, because an oscillation may match the power law at one point.
+    /// Intervals with more than `doubted` bisections left are always bisected, because an oscillation may match the power law at
+    /// one point.
     fn between(&mut self, one: (f64, f64), two: (f64, f64), (halvings, doubted): (u32, u32), places: &mut Vec<(f64, f64)>) {
         let middle = self.start + ((one.0 - self.start) * (two.0 - self.start)).sqrt();
         if halvings == 0 || middle <= one.0 || middle >= two.0 || work::is_exhausted() {

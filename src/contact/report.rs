@@ -35,12 +35,13 @@ pub struct Relations {
     pub contact_radius_of_depth: Option<Derived>,
     /// F(d), where it is explicit.
     pub force_of_depth: Option<Derived>,
-    /// What must hold, the edge among it.
+    /// The conditions of validity, including those of the edge.
     pub conditions: Vec<Prose>,
 }
 
 impl Relations {
-    /// Marks formulas as compared if the check passed and compared them, where the comparison during the derivation was inconclusive.
+    /// Marks formulas as compared if the check passed and compared them, where the comparison during the derivation was
+    /// inconclusive.
     pub fn confirm(&mut self, check: &Check) {
         let [slope, force, pressure] = check.compared.map(|own| own && check.passed());
         let confirm = |own: &mut Derived, compared: bool| {
@@ -159,7 +160,7 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
     })
 }
 
-/// What a complete contact up to the rim demands: no gap there, d ≥ g(a), and no tension inside.
+/// The conditions of a complete contact up to the rim: no gap at the rim, d ≥ g(a), and no tension inside.
 ///
 /// Under a rising g the first is enough. A concave parabola −h r²/c² is in tension first at the centre, which gives
 /// d ≥ 2h a²/c² (3.63); elsewhere the place is not known beforehand and the demand is stated as it is.

@@ -288,7 +288,7 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
             // The argument's domain ends here, or it overflows on both sides of a difference.
             break;
         }
-        // Without a sign beyond doubt nothing is known at this place.
+        // The result is unknown here unless the sign is certain.
         if own.value.abs() <= own.error {
             continue;
         }

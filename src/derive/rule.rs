@@ -11,7 +11,7 @@ use crate::integrate::segment::Segment;
 pub struct Rule {
     /// Short name, as reports cite it.
     pub id: &'static str,
-    /// What it solves, in words.
+    /// A description of the profiles.
     pub title: &'static str,
     /// f(r).
     pub pattern: &'static str,
@@ -52,7 +52,7 @@ pub struct Answer {
     pub force: Branches,
     /// ∫_r^a g′(x)/√(x²−r²) dx, which is p(r)·π/E*, over the symbols r and a.
     pub pressure: Option<Branches>,
-    /// What must hold.
+    /// The conditions of validity.
     pub conditions: Vec<Condition>,
 }
 

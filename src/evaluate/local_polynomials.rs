@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 const VALUES: f64 = 16.0;
 /// Nanoseconds of a point by a polynomial.
 const POINT: f64 = 8.0;
-/// What it is worth at least, because it has every digit.
+/// Minimum gain, in steps per point, that justifies a polynomial.
 const WORTH: f64 = 2.0;
 /// Polynomials are for forms that take more nanoseconds than this.
 const CHEAP: f64 = 6.0;
@@ -51,7 +51,7 @@ struct Closed<'e> {
     radius: Option<f64>,
 }
 
-/// The polynomials for a slice of closed forms; `None` where no part of it has so many points that making them pays at once.
+/// The polynomials for a slice of closed forms; `None` if no part has enough points to justify computing them.
 ///
 /// Which points they answer depends on the slice alone, not on those before it.
 pub(crate) fn plan<'t>(
@@ -61,7 +61,7 @@ pub(crate) fn plan<'t>(
     tapes: impl Iterator<Item = &'t Tape>,
     points: &[f64],
 ) -> Option<Plan> {
-    // The dearest interval of the dearest chain; chains are few.
+    // Use the most expensive interval of the most expensive chain; there are few chains.
     let (cost, exact) = tapes.map(Tape::cost).fold((0.0_f64, 0.0_f64), |(a, b), (c, d)| (a.max(c), b.max(d)));
     if cost <= CHEAP || radius.is_some_and(|a| a >= evaluator.limit_up_to(a)) {
         return None;

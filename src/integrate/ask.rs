@@ -1,4 +1,4 @@
-//! What is asked of a profile, and in which way the integrals may be found.
+//! Requests for quantities of a profile, and the ways to compute their integrals.
 
 use crate::integrate::error::TransformError;
 use crate::num::Estimate;

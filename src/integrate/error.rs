@@ -12,7 +12,7 @@ pub enum TransformError {
     /// f has no finite limit at r = 0.
     #[error("the profile has no finite value at r = 0 ({detail}); expected a shape with finite height, such as C*r^n with n > 0")]
     SingularAtAxis {
-        /// What was found there.
+        /// The behaviour found at the axis.
         detail: String,
     },
     /// The value of f jumps at a breakpoint.
@@ -67,7 +67,7 @@ pub enum TransformError {
     /// A value below the smallest normal number, too small to compute a further quantity from it.
     #[error("{quantity} at {symbol} = {at:?} is too small for a 64-bit float; expected a larger {symbol}, or other units")]
     Underflow {
-        /// What is too small.
+        /// The quantity that is too small.
         quantity: &'static str,
         /// Name of the coordinate.
         symbol: &'static str,

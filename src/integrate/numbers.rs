@@ -1,4 +1,5 @@
-//! The quantities of a profile of which f′ is known: each is an integral over its intervals, in the cheapest way or in a given one.
+//! The quantities of a profile of which f′ is known: each is an integral over its intervals, in the cheapest way or in a given
+//! one.
 
 use crate::integrate::admit::{beyond_the_edge, finite_and_not_negative};
 use crate::integrate::ask::{Ask, BISECTION, By, not_this_way};
@@ -69,7 +70,7 @@ impl NumericProfile {
         Ok(found.times(factor))
     }
 
-    /// The number that is asked for; `None` where it is infinite by theory.
+    /// The requested number; `None` if it is theoretically infinite.
     ///
     /// # Errors
     /// As [`Self::slope`].

@@ -1,17 +1,17 @@
-//! The Pareto front, and what to take for a wanted accuracy.
+//! The Pareto front, and the recommended method for a required accuracy.
 
 use super::Row;
 
-/// The accuracies for which advice is given where none is asked for.
+/// The default accuracies for which advice is given.
 pub const WANTED: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-12, 1e-15];
 
-/// A set-up counts as a reason to take another way where a single value costs so many times more.
+/// Ratio of the costs of a single value above which the set-up is a reason to use another method.
 const WORTH_TELLING: f64 = 1.5;
 
 /// Errors below half a unit in the last place are one and the same to a double.
 const FLOOR: f64 = 0.5 * f64::EPSILON;
 
-/// What to take for a wanted accuracy.
+/// The recommended method for an accuracy.
 #[derive(Clone, Debug)]
 pub struct Advice {
     /// The wanted relative error.

@@ -7,7 +7,7 @@ use crate::num::Estimate;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// What was measured for one method at one setting.
+/// The measurement of one method at one setting.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The method.
@@ -56,7 +56,7 @@ pub struct Skipped {
     pub why: String,
 }
 
-/// What one batch should last.
+/// The target duration of one batch.
 const BATCH: f64 = 1e6;
 /// Times that a set-up is run.
 const SET_UPS: usize = 3;
@@ -72,7 +72,7 @@ struct Measured<'a> {
     times: Vec<f64>,
 }
 
-/// Errors and times of every candidate; those that fail, or for which no time is left, are told apart.
+/// Errors and times of every candidate; failed candidates and candidates without remaining time are listed separately.
 pub(super) fn measure<'a>(
     problem: &Problem<'_>,
     truths: &[Truth],

@@ -59,7 +59,7 @@ impl<'a> Problem<'a> {
         Ok(Self { profile, solution, quantity, radius, points })
     }
 
-    /// What the transform computes for it.
+    /// The corresponding quantity of the transform.
     pub(super) fn superposed(&self) -> Superposed {
         match self.quantity {
             Quantity::Equivalent => Superposed::Equivalent,
@@ -68,7 +68,7 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// What the transform's value is multiplied with: 1, 2 for F/(2E*), 1/π for p π/E*.
+    /// The factor of the transform's value: 1, 2 for F/(2E*), 1/π for p π/E*.
     pub fn factor(&self) -> f64 {
         match self.quantity {
             Quantity::Equivalent => 1.0,

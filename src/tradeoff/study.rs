@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 /// The tolerance of the evaluator that methods start from.
 const SHARP: f64 = 1e-14;
 
-/// What a study may cost and what it is asked.
+/// The options of a study.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The time that the measurement may take, by the clock on the wall; a single slow value may run beyond it.
@@ -22,9 +22,9 @@ pub struct Options {
     pub wanted: Vec<f64>,
 }
 
-/// What was found.
+/// The results of a study.
 pub struct Study<'a> {
-    /// What was computed.
+    /// The problem.
     pub problem: Problem<'a>,
     /// The reference at every point.
     pub truths: Vec<Truth>,
@@ -32,9 +32,9 @@ pub struct Study<'a> {
     pub clock: &'static str,
     /// One row per method and setting.
     pub rows: Vec<Row>,
-    /// What has no result, and why.
+    /// Methods without a result, and the reasons.
     pub skipped: Vec<Skipped>,
-    /// What to take, one per wanted accuracy.
+    /// Recommendations, one per accuracy.
     pub advice: Vec<Advice>,
 }
 

@@ -365,8 +365,7 @@ fn compared(profile: &str) -> (String, [bool; 4]) {
     (verdict, ["g", "d", "F", "p"].map(|key| derived[key]["compared"].as_bool().unwrap()))
 }
 
-/// Class "a comparison without digits passes": the quadrature of a power just above 0 has none, as the check of `derive` says
-/// too.
+/// Class "a comparison without digits passes": the quadrature of a power just above 0 has none, as the check of `derive` says too.
 #[test]
 fn a_comparison_without_digits_does_not_pass() {
     for profile in ["r^0.001", "r^0.005", "r^0.01", "r^0.03", "r^(1/200)"] {
@@ -377,8 +376,7 @@ fn a_comparison_without_digits_does_not_pass() {
     }
 }
 
-/// Class "a closed form that cancels next to the axis is not compared": farther out it has digits, for `derive` and `compare`
-/// alike.
+/// Class "a closed form that cancels next to the axis is not compared": farther out it has digits, for `derive` and `compare` alike.
 #[test]
 fn a_form_that_cancels_next_to_the_axis_is_compared_farther_out() {
     for profile in ["r^30*sinh(r)", "r^31*sinh(r)", "h*r^40*(cosh(r/w)-1)", "r^20*besselj(0,r)"].into_iter().step_by(cases(2, 1)) {
@@ -433,8 +431,7 @@ fn a_comparison_says_why_there_is_none() {
     assert!(answer["F"]["points"] == 0 && answer["F"]["why"].as_str().unwrap().contains("too large"), "{answer}");
 }
 
-/// Class "an expensive profile is not compared": fewer points of it are, by `derive` and `compare` alike, and a smaller budget
-/// says that it cut them.
+/// Class "an expensive profile is not compared": fewer points of it are, by `derive` and `compare` alike, and a smaller budget says that it cut them.
 #[test]
 fn expensive_profiles_are_compared_at_fewer_points() {
     for profile in ["(1-r/b)^88", "(1-r/b)^76", "(1-r/b)^70"].into_iter().step_by(cases(3, 1)) {

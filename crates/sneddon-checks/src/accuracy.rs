@@ -29,7 +29,7 @@ pub struct Tally {
     /// Largest and mean error in ulps, each divided by the condition number where that exceeds 1.
     pub largest: f64,
     pub mean: f64,
-    /// Largest error in ulps as it stands.
+    /// Largest unscaled error in ulps.
     pub plain: f64,
     /// Largest error over estimate.
     pub honesty: f64,

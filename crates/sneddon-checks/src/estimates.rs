@@ -6,19 +6,19 @@ use crate::random::Stream;
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Reading, TransformError, derive};
 
-/// What became of the numbers.
+/// The results of all comparisons.
 #[derive(Clone, Debug, Default)]
 pub struct Honesty {
     /// Numbers whose true value is known ten times as well as they claim to know it.
     pub numbers: usize,
-    /// Of these, the ones whose estimate is within the tolerance that was asked for.
+    /// Numbers whose estimate is within the requested tolerance.
     pub met: usize,
     /// Typed refusals, and numbers that closed forms cannot judge.
     pub refused: usize,
     pub undecided: usize,
     /// The largest ratio of the true error to its estimate.
     pub largest: f64,
-    /// What was further from the truth than it claimed.
+    /// Numbers whose error exceeds their estimate.
     pub faults: Vec<String>,
 }
 
@@ -33,7 +33,7 @@ impl Honesty {
     }
 }
 
-/// A number of the profile at a random place by a random quantity, asked for with a random tolerance.
+/// A random quantity of the profile at a random point, with a random tolerance.
 pub fn examine(sample: &Sample, stream: &mut Stream) -> Honesty {
     let mut found = Honesty::default();
     let Ok(formula) = parse::profile(&sample.text) else { return found };

@@ -22,7 +22,7 @@ pub const LAWS: [(&str, f64); 8] = [
     ("springs", 5e-3),
 ];
 
-/// What came of the scenes.
+/// The results of all scenes.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     pub scenes: usize,
@@ -186,7 +186,8 @@ fn panels(edges: &[f64], end: f64, value: impl Fn(Point) -> f64) -> Option<f64> 
     }
 }
 
-/// Lengths a thousand times as long and moduli eight times as large: a force 8·10⁶ times as large, to the rounding of the numbers.
+/// Lengths a thousand times as long and moduli eight times as large: a force 8·10⁶ times as large, to the rounding of the
+/// numbers.
 fn scaled(drawn: &Drawn, first: &Scene, state: &State, tally: &mut Tally, said: &impl Fn() -> String) {
     let Ok(own) = scene(&drawn.file_of_longer()) else {
         tally.faults.push(format!("longer lengths are refused in {}", said()));

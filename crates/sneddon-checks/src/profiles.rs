@@ -15,7 +15,7 @@ pub struct Sample {
     pub values: Vec<(&'static str, f64)>,
 }
 
-/// What became of the profiles.
+/// The results of all profiles.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
     pub profiles: usize,
@@ -30,7 +30,7 @@ pub struct Outcome {
     pub sharp: usize,
     /// Printed formulas that were read back and compared with the number.
     pub printed: usize,
-    /// What disagreed.
+    /// Disagreements.
     pub faults: Vec<String>,
 }
 
@@ -317,7 +317,7 @@ fn pair(name: &str, own: &Evaluator<'_>, plain: &Evaluator<'_>, r: f64, a: f64) 
     (one.method != "quadrature" && two.estimate.value.is_finite() && one.estimate.error.is_finite()).then_some((one, two))
 }
 
-/// What is printed reads back, and is the number; the walk's own bound says how far it can be trusted.
+/// Checks that the printed formula parses and evaluates to the number, within the error bound of the evaluation.
 fn read_back(derived: &Derived, values: &[(&str, f64)], name: &str, at: (f64, f64), two: &Reading, place: &str, outcome: &mut Outcome) {
     if derived.status != Status::Exact {
         return;

@@ -12,7 +12,8 @@ pub fn takes(number: usize, every: usize) -> bool {
     number.is_multiple_of(cases(every, 1))
 }
 
-/// Returns the items that this run examines: all under `just long`, otherwise one in `every`, starting at an offset given by `first`.
+/// Returns the items that this run examines: all under `just long`, otherwise one in `every`, starting at an offset given by
+/// `first`.
 pub fn sample<T>(list: impl IntoIterator<Item = T>, first: usize, every: usize) -> impl Iterator<Item = T> {
     list.into_iter().enumerate().filter(move |(index, _)| takes(first + index, every)).map(|own| own.1)
 }
@@ -23,7 +24,7 @@ pub fn asked(count: u64) -> (u64, u64) {
     (numbers.next().and_then(Result::ok).unwrap_or(count), numbers.next().and_then(Result::ok).unwrap_or(0))
 }
 
-/// What `examine` finds for `count` seeds from `first` on, added up.
+/// The sum of the results of `examine` for `count` seeds from `first` on.
 pub fn over_seeds<T: Default + Send>((count, first): (u64, u64), examine: impl Fn(u64) -> T + Sync, add: fn(&mut T, T)) -> T {
     let (next, threads) = (AtomicU64::new(first), std::thread::available_parallelism().map_or(1, usize::from));
     let run = || {

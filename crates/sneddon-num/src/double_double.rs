@@ -16,7 +16,7 @@
 pub struct DoubleDouble {
     /// The nearest double.
     pub hi: f64,
-    /// What the nearest double leaves out.
+    /// The remainder beyond the nearest double.
     pub lo: f64,
 }
 

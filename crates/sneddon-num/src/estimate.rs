@@ -2,7 +2,7 @@
 
 use super::bounded::Bounded;
 
-/// What the error of a number rests on.
+/// The kind of error bound of a number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Bound {
     /// It follows from IEEE arithmetic and the stated bounds of the functions that were computed.
@@ -13,7 +13,7 @@ pub enum Bound {
 }
 
 impl Bound {
-    /// What a number rests on that was computed from two others.
+    /// The kind of bound of a number computed from two others.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         self.max(other)

@@ -6,7 +6,7 @@ mod tests;
 use super::error::NumError;
 use super::work;
 
-/// What is asked of [`bracketed`].
+/// Options of [`bracketed`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RootOptions {
     /// Accepted width of the final bracket relative to the root; 0 for neighbouring numbers.

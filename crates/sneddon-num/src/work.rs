@@ -170,7 +170,7 @@ pub fn allow(steps: u64) {
 
 /// Counts steps.
 ///
-/// This never fails, so that constructors can call it: whoever runs long asks [`check`] or [`is_exhausted`].
+/// This never fails, so that constructors can call it; long computations must call [`check`] or [`is_exhausted`].
 #[inline]
 pub fn spend(steps: u64) {
     METER.with(|meter| meter.left.set(meter.left.get().saturating_sub(steps)));

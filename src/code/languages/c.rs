@@ -7,7 +7,7 @@ use crate::code::tree::LENGTH;
 
 pub(super) struct C;
 
-/// Functions of the GNU Scientific Library with what is assumed of them.
+/// Functions of the GNU Scientific Library with their assumed accuracy.
 const GSL: [(&str, &str, f64); 4] =
     [("erf", "erf", 2.0), ("gamma", "tgamma", 12.0), ("besselj", "gsl_sf_bessel_Jn", 32.0), ("besseli", "gsl_sf_bessel_In", 32.0)];
 

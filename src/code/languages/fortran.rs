@@ -7,7 +7,7 @@ use crate::code::tree::LENGTH;
 
 pub(super) struct Fortran;
 
-/// Intrinsic functions beyond the elementary ones with what is assumed of them.
+/// Non-elementary intrinsic functions with their assumed accuracy.
 const LIBRARY: [(&str, &str, f64); 3] = [("erf", "erf", 2.0), ("gamma", "gamma", 12.0), ("besselj", "bessel_jn", 64.0)];
 
 const RESERVED: &str = " dp sneddon if then else end endif do while enddo return function result module contains implicit none use \

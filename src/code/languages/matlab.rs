@@ -7,7 +7,7 @@ use crate::code::tree::{LENGTH, Routine};
 
 pub(super) struct Matlab;
 
-/// Functions beyond the elementary ones with what is assumed of them.
+/// Non-elementary functions with their assumed accuracy.
 const LIBRARY: [(&str, &str, f64); 4] =
     [("erf", "erf", 4.0), ("gamma", "gamma", 12.0), ("besselj", "besselj", 64.0), ("besseli", "besseli", 64.0)];
 

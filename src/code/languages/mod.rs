@@ -1,4 +1,4 @@
-//! The languages: one walk over a program that writes it, and what every language says in its own words.
+//! The languages: a common walk that writes a program, and the syntax of every language.
 
 mod c;
 mod fortran;
@@ -42,7 +42,7 @@ pub fn write(program: &Program) -> String {
     }
 }
 
-/// The words around tests and blocks.
+/// The syntax of tests and blocks.
 pub(super) struct Words {
     pub(super) comment: &'static str,
     pub(super) when: (&'static str, &'static str),
@@ -57,7 +57,7 @@ pub(super) struct Words {
 
 /// A language.
 pub(super) trait Target: Sync {
-    /// Its words.
+    /// Its syntax.
     fn words(&self) -> Words;
     /// A literal.
     fn number(&self, value: f64) -> String;
@@ -70,12 +70,12 @@ pub(super) trait Target: Sync {
     fn ignores_case(&self) -> bool {
         false
     }
-    /// What the library calls a function of the table, and how accurate it is in ulps.
+    /// The name of a function of the table in the library, and its accuracy in ulps.
     fn library(&self, _name: &str) -> Option<(&'static str, f64)> {
         None
     }
     fn declare(&self, name: &str, value: &str, changes: bool) -> String;
-    /// A new array of zeros; nothing where arrays are declared at the beginning.
+    /// A new array of zeros; empty if arrays are declared at the beginning.
     fn array(&self, name: &str) -> String;
     fn element(&self, name: &str, index: &str) -> String;
     fn assign(&self, name: &str, value: &str) -> String;
@@ -87,10 +87,10 @@ pub(super) trait Target: Sync {
 
 /// Spaces of one level.
 const INDENT: &str = "    ";
-/// Comments are broken here.
+/// Maximum width of comments.
 const WIDTH: usize = 110;
 
-/// A value in the words of a language.
+/// A value in the syntax of a language.
 pub(super) fn value(own: &Value, target: &dyn Target) -> String {
     match own {
         Value::Number(number, _) => target.number(*number),
@@ -111,7 +111,8 @@ pub(super) fn value(own: &Value, target: &dyn Target) -> String {
                 Operator::Multiply => "*",
                 Operator::Divide => "/",
             };
-            // The left one of equal rank needs no parentheses, the right one does: the order of operations is part of the promise.
+            // A left operand of equal rank needs no parentheses; a right one does, because the order of operations affects the
+            // accuracy.
             let left = if rank(left) > 0 && (rank(left) == 2 || !product) { value(left, target) } else { operand(left, target) };
             let right = if !product && matches!(**right, Value::Binary(Operator::Multiply | Operator::Divide, ..)) {
                 value(right, target)
@@ -123,7 +124,7 @@ pub(super) fn value(own: &Value, target: &dyn Target) -> String {
     }
 }
 
-/// 2 for a product, 1 for a sum, 0 for a negative and what needs parentheses everywhere; an atom is 2 as well.
+/// 2 for products and atoms, 1 for sums, 0 for negatives and other values that always need parentheses.
 fn rank(own: &Value) -> u8 {
     match own {
         Value::Binary(Operator::Subtract, left, _) if **left == Value::Number(0.0, true) => 0,
@@ -215,14 +216,14 @@ pub(super) fn block(list: &[Statement], level: usize, changed: &[String], target
     text
 }
 
-/// Lines that are indented already.
+/// Lines that are already indented.
 fn line_block(line: &mut impl FnMut(&str), inner: &str, space: &str) {
     for own in inner.lines() {
         line(own.strip_prefix(space).unwrap_or(own));
     }
 }
 
-/// Comment lines, broken at spaces; nothing in them can end the comment.
+/// Comment lines, wrapped at spaces; their text cannot end the comment.
 pub(super) fn comment(lines: &[String], mark: &str) -> String {
     let mut text = String::new();
     for own in lines {
@@ -244,12 +245,12 @@ pub(super) fn comment(lines: &[String], mark: &str) -> String {
     text
 }
 
-/// Marks that turn the direction of what is shown, and separators of lines that are no controls.
+/// Bidirectional formatting characters, and line separators that are not control characters.
 fn is_turning(c: char) -> bool {
     matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// The lines at the head of a file.
+/// The header of a file.
 pub(super) fn head(program: &Program) -> Vec<String> {
     let mut lines = vec![
         format!("Contact of a rigid axisymmetric indenter with the shape f(r) = {}.", program.profile),

@@ -1,4 +1,4 @@
-//! Python 3 with its own math module, and SciPy where that is not enough.
+//! Python 3 with its math module, and SciPy for other functions.
 
 use super::{Target, Words, comment, decimal, head, parts, whole};
 use crate::code::accuracy::ELEMENTARY;
@@ -7,7 +7,7 @@ use crate::code::tree::LENGTH;
 
 pub(super) struct Python;
 
-/// Functions beyond the elementary ones with what is assumed of them.
+/// Non-elementary functions with their assumed accuracy.
 const LIBRARY: [(&str, &str, f64); 10] = [
     ("erf", "math.erf", 2.0),
     ("gamma", "math.gamma", 12.0),
@@ -50,7 +50,7 @@ impl Target for Python {
             "nan" => "math.nan".to_owned(),
             "inf" => "math.inf".to_owned(),
             "abs" | "max" | "min" => format!("{name}({list})"),
-            // math.floor gives an integer, which would change the kind of what follows.
+            // math.floor returns an int, which would change the type of subsequent results.
             "floor" => format!("float(math.floor({list}))"),
             _ => match self.library(name) {
                 Some((written, _)) if written.starts_with("scipy") => format!("float({written}({list}))"),
@@ -61,7 +61,7 @@ impl Target for Python {
         }
     }
 
-    /// A leading underscore, which no parameter has.
+    /// A leading underscore, which no parameter name has.
     fn spelled(&self, routine: &str) -> String {
         format!("_{}", routine.strip_prefix("sneddon_").unwrap_or(routine))
     }
@@ -125,7 +125,7 @@ pub(super) fn imports(program: &Program) -> String {
     format!("import math\n{}", if scipy { "\nimport scipy.special\n" } else { "" })
 }
 
-/// Every routine under its inner name; NaN outside the domain.
+/// Every routine under its internal name; NaN outside the domain.
 pub(super) fn routines(program: &Program) -> String {
     let mut text = String::new();
     for routine in &program.routines {
@@ -145,5 +145,5 @@ def _checked(function, *arguments):
         value = math.nan
     if math.isfinite(value):
         return value
-    raise ValueError(\"there is no finite value at \" + repr(arguments))
+    raise ValueError(\"no finite value at \" + repr(arguments))
 ";

@@ -1,12 +1,12 @@
-//! Explicit inversions of profiles with one kernel: g(a) = d solved for a, and F by d without the detour over a.
+//! Explicit inversions of profiles with one kernel: g(a) = d solved for a, and F in terms of d without computing a.
 
 use super::{Explicit, positive};
 use crate::expr::{Condition, Expr, Node, Sign, Symbol, normal, sign};
 use crate::transform::Term;
 use crate::transform::rules::reading;
 
-/// Where they come from.
-/// How g(a) = d was solved.
+/// References.
+/// The method of solving g(a) = d.
 const EQUATION: &str = "Monotone in the contact radius, and inverted by an elementary function";
 const REFERENCE: [&str; 1] = ["g(a) = d solved for a"];
 
@@ -45,7 +45,7 @@ pub(super) fn single_kernel(term: &Term) -> Option<Explicit> {
 
 /// f = C arctan(r/w), g = (π/2) C x/√(w² + x²): with s = 2d/(πC), a = w s/√(1 − s²), F = π C E w s²/(1 + √(1 − s²)).
 ///
-/// With `side` = −1 the same for artanh(r/R), where 1 + s² stands in the place of 1 − s².
+/// With `side` = −1 the same for artanh(r/R), with 1 + s² instead of 1 − s².
 fn arctangent(coefficient: &Expr, alpha: &Expr, beta: &Expr, side: i64) -> Option<Explicit> {
     let scale = coefficient / (alpha * beta).sqrt();
     let width = (alpha / beta).sqrt();

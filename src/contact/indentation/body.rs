@@ -1,4 +1,4 @@
-//! The bodies of a contact, each on its own: where one is too steep or ends, the sum of their shapes may not tell.
+//! The separate bodies of a contact: the sum of their shapes may not show where one of them is too steep or ends.
 
 use super::curvature::Curvature;
 use super::landscape::first_steep;
@@ -11,13 +11,13 @@ use std::sync::Arc;
 pub struct Body<'a> {
     name: &'static str,
     curvature: Curvature<'a>,
-    /// Its shape is defined below this radius; infinite where there is no end.
+    /// The shape is defined below this radius; infinite if unbounded.
     end: f64,
 }
 
-/// Towards the outside, a body without a stated end is looked at as far as this …
+/// Largest radius at which a body without a declared end is examined.
 const FARTHEST: f64 = 1e12;
-/// … and from this radius on, in steps of this factor.
+/// Smallest radius at which a body is examined, and the ratio of consecutive radii.
 const NEAREST: f64 = 1e-12;
 const STEP: f64 = 1.2;
 
@@ -25,7 +25,7 @@ impl<'a> Body<'a> {
     /// A body whose shape is a formula with numbers for its parameters.
     ///
     /// # Errors
-    /// [`TransformError`] where a piece has no derivative or a parameter is left.
+    /// [`TransformError`] if a piece has no derivative or a parameter has no value.
     pub fn formula(name: &'static str, profile: &Profile) -> Result<Self, TransformError> {
         let curvature = Curvature::of(Vec::new()).with(profile)?;
         let limits = profile.limits().filter_map(|limit| constant_value(limit, &Bindings::default()).ok());
@@ -34,23 +34,23 @@ impl<'a> Body<'a> {
         Ok(Self { name, curvature, end })
     }
 
-    /// A body whose shape is no formula; it ends where the contact's own profile does.
+    /// A body whose shape is not a formula; it ends where the profile of the contact ends.
     pub fn other(name: &'static str, shape: Arc<dyn Slopes + 'a>) -> Self {
         Self { name, curvature: Curvature::of(vec![shape]), end: f64::INFINITY }
     }
 
-    /// Where the shape ends.
+    /// The radius at which the shape ends.
     pub(super) fn end(&self) -> f64 {
         self.end
     }
 
-    /// Its name, and the first of these radii from which on it is too steep for a half-space.
+    /// The name of the body, and the first of these radii at which it is too steep for a half-space.
     pub(super) fn steep(&self, places: &[f64]) -> Option<(&'static str, f64)> {
         Some((self.name, first_steep(&self.curvature, 0.0, places)?))
     }
 }
 
-/// The first radius at which f′ is not real, where that is in sight; infinite else.
+/// The first examined radius at which f′ is not real; infinite if there is none.
 fn undefined_from(curvature: &Curvature<'_>) -> f64 {
     let places: Vec<f64> = std::iter::successors(Some(NEAREST), |r| Some(r * STEP)).take_while(|r| *r < FARTHEST).collect();
     super::landscape::first(|r| curvature.slope(r).value.is_nan(), 0.0, &places).unwrap_or(f64::INFINITY)

@@ -1,4 +1,4 @@
-//! The bend (r f′)′ of a profile enclosed from the axis outward: nothing narrow hides between the radii that are looked at.
+//! Enclosures of the bend (r f′)′ of a profile from the axis outward, which miss no narrow feature between radii.
 
 use super::curvature::{Curvature, Kink};
 use crate::num::stable::leg;
@@ -6,7 +6,7 @@ use crate::num::work;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::OnceLock;
 
-/// Radii from `lower` to `upper`, between which (r f′)′ lies between `low` and `high`; infinite where that is not known.
+/// Radii from `lower` to `upper`, between which (r f′)′ lies between `low` and `high`; infinite if unknown.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell {
     pub(super) lower: f64,
@@ -19,29 +19,29 @@ pub(super) struct Cell {
 pub(super) struct Cells {
     list: Vec<Cell>,
     kinks: Vec<Kink>,
-    /// A bound from below on g′ in every cell, found when it is first asked for.
+    /// A lower bound on g′ in every cell, computed when first needed.
     rises: OnceLock<Vec<f64>>,
 }
 
-/// Most enclosures that look for the sign of the bend …
+/// Maximum number of enclosures for the sign of the bend.
 const MOST_LOOKS: usize = 3000;
-/// … and the most cells of a profile that bends down somewhere.
+/// Maximum number of cells of a profile whose bend is negative somewhere.
 const MOST_CELLS: usize = 768;
-/// A doubt of this share of the slope hardly moves g′.
+/// An uncertainty below this fraction of the slope hardly affects g′.
 const KNOWN: f64 = 1e-8;
-/// Bounds on g′ are found for so many cells from the axis outward.
+/// Number of cells from the axis outward for which bounds on g′ are computed.
 const MOST_RISES: usize = 2048;
-/// A cell in which the sign stays open is not halved below this share of its radius in the first pass.
+/// Smallest width of a cell with undecided sign in the first pass, relative to its radius.
 const NARROW: f64 = 1e-6;
-/// What is unknown is halved as far as this share.
+/// Smallest width of a cell without an enclosure, relative to its radius.
 const NARROWEST: f64 = 1e-9;
-/// So near to the end of a profile one value decides.
+/// Relative distance to the end of a profile below which one value decides.
 const LAST: f64 = 1e-8;
-/// A negative bend of this share of the slope is rounding.
+/// A negative bend below this fraction of the slope counts as rounding.
 const ROUNDING: f64 = 1e-12;
 
 impl Cells {
-    /// Encloses the bend from the axis to `far`; finely up to `fine` where it has no sign. `None` where there are no enclosures.
+    /// Encloses the bend from the axis to `far`, finely up to `fine` where its sign is undecided. `None` without enclosures.
     pub(super) fn new(curvature: &Curvature<'_>, kinks: &[Kink], floor: f64, fine: f64, far: f64) -> Option<Self> {
         let mut ends = vec![0.0, floor];
         ends.extend(curvature.breakpoints().into_iter().chain(kinks.iter().map(|kink| kink.at)).filter(|b| *b > floor && *b < far));
@@ -57,13 +57,13 @@ impl Cells {
             while let Some((lower, upper)) = open.pop() {
                 looks += 1;
                 let mut cell = enclosed(curvature, lower, upper);
-                // The last digits of the end of a profile do not tell whether a root is real there.
+                // The end of a profile is not accurate enough to decide whether a root is real there.
                 if upper == far && upper - lower <= LAST * upper && cell.low < 0.0 && presses(curvature, lower) {
                     cell.low = 0.0;
                 }
                 known |= cell.high < f64::INFINITY;
                 let least = if cell.low.is_finite() { NARROW } else { NARROWEST };
-                // Where g falls, g′/x must not change much within a cell.
+                // Where g decreases, g′/x must not change much within a cell.
                 let settled = cell.low >= 0.0 || (cell.high < 0.0 && upper <= 2.0 * lower) || lower == 0.0;
                 match halved(lower, upper)
                     .filter(|_| !settled && upper - lower > least * upper && looks < MOST_LOOKS && !work::is_exhausted())
@@ -72,7 +72,7 @@ impl Cells {
                     _ => list.push(cell),
                 }
             }
-            // Without an enclosure anywhere there is no use in looking on.
+            // Give up if none of many cells has an enclosure.
             if !known && looks > 200 {
                 return None;
             }
@@ -84,12 +84,12 @@ impl Cells {
         Some(own)
     }
 
-    /// True where (r f′)′ ≥ 0 is proven everywhere, and every kink presses: then g rises.
+    /// True if (r f′)′ ≥ 0 is proven everywhere, and every jump of f′ is positive, so that g increases.
     pub(super) fn bends_up(&self) -> bool {
         self.list.iter().all(|cell| cell.low >= 0.0) && self.kinks.iter().all(|kink| kink.jump > 0.0)
     }
 
-    /// Halves the cells in which the bend is least known, as a share of the slope so far.
+    /// Halves the cells with the largest uncertainty of the bend, relative to the slope so far.
     fn refine(&mut self, curvature: &Curvature<'_>, fine: f64) {
         let mut steepest = f64::MIN_POSITIVE;
         let mut ranked = Vec::new();
@@ -103,7 +103,7 @@ impl Cells {
             .collect();
         let mut done: Vec<Cell> = self.list.iter().copied().filter(|cell| cell.lower >= fine).collect();
         for _ in 0..2 * MOST_CELLS {
-            // Where the least known cell is known well enough, all are.
+            // Stop if the cell with the largest uncertainty is accurate enough.
             if heap.len() >= MOST_CELLS || work::is_exhausted() || heap.peek().is_none_or(|own| own.doubt <= KNOWN) {
                 break;
             }
@@ -114,7 +114,7 @@ impl Cells {
             };
             for (lower, upper) in [(cell.lower, middle), (middle, cell.upper)] {
                 let half = enclosed(curvature, lower, upper);
-                // What holds for the whole holds for a half.
+                // Bounds on a cell are valid for its halves.
                 let mut half = Cell { low: half.low.max(cell.low), high: half.high.min(cell.high), ..half };
                 if is_rounding(curvature, &half) {
                     half.low = 0.0;
@@ -127,7 +127,7 @@ impl Cells {
         self.list = done;
     }
 
-    /// The cells with a bound from below on g′ in each: g′(x) = ∫₀^{π/2} (r f′)′|_{r = x sin t} dt and what kinks add to it.
+    /// The cells with a lower bound on g′ in each: g′(x) = ∫₀^{π/2} (r f′)′|_{r = x sin t} dt plus the contributions of kinks.
     pub(super) fn rises(&self) -> impl DoubleEndedIterator<Item = (Cell, f64)> + ExactSizeIterator + '_ {
         let rises = self.rises.get_or_init(|| {
             let least = |index| if index < MOST_RISES { self.least_rise(index) } else { f64::NEG_INFINITY };
@@ -136,7 +136,7 @@ impl Cells {
         self.list.iter().copied().zip(rises.iter().copied())
     }
 
-    /// The longest ranges in which g is proven to rise, in order.
+    /// The longest ranges in which g is proven to increase, in order.
     pub(super) fn rising_ranges(&self) -> Vec<(f64, f64)> {
         let mut ranges: Vec<(f64, f64)> = Vec::new();
         for (cell, _) in self.rises().filter(|(_, rise)| *rise >= 0.0) {
@@ -148,7 +148,7 @@ impl Cells {
         ranges
     }
 
-    /// Radii in and around the runs of cells where the bend is negative beyond doubt, and in which fewer than three of `places` lie.
+    /// Radii in and around the runs of cells where the bend is certainly negative and which contain fewer than three of `places`.
     pub(super) fn dents(&self, places: &[f64], most: usize) -> Vec<f64> {
         let mut found = Vec::new();
         let mut run: Option<(f64, f64)> = None;
@@ -175,14 +175,14 @@ impl Cells {
         found
     }
 
-    /// A bound from below on g′ within a cell; −∞ where none is known.
+    /// A lower bound on g′ within a cell; −∞ if unknown.
     fn least_rise(&self, index: usize) -> f64 {
         let Some(own) = self.list.get(index) else { return f64::NEG_INFINITY };
         let (from, to) = (own.lower, own.upper);
         if own.lower == 0.0 {
             return if own.low.is_finite() { FRAC_PI_2 * own.low } else { own.low };
         }
-        // ∫ B dθ with θ = asin(s/x), by parts: θ falls with x, so that every step of B meets one of two angles.
+        // ∫ B dθ with θ = asin(s/x), by parts: θ decreases with x, so that every step of B occurs at one of two angles.
         let angle = |s: f64, x: f64| (s / x).min(1.0).asin();
         let mut sum = FRAC_PI_2 * own.low;
         let mut size = sum.abs();
@@ -214,7 +214,7 @@ impl Cells {
     }
 }
 
-/// Where a range is cut: by its logarithm where it is wide.
+/// The point at which a range is split: the logarithmic middle of a wide range.
 fn halved(lower: f64, upper: f64) -> Option<f64> {
     let middle = if lower > 0.0 && upper > 4.0 * lower { (lower.ln() * 0.5 + upper.ln() * 0.5).exp() } else { 0.5 * (lower + upper) };
     (middle > lower && middle < upper).then_some(middle)
@@ -223,7 +223,7 @@ fn halved(lower: f64, upper: f64) -> Option<f64> {
 fn enclosed(curvature: &Curvature<'_>, lower: f64, upper: f64) -> Cell {
     let (low, high) = curvature.bend_over(lower, upper).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let mut cell = Cell { lower, upper, low, high };
-    // So near to the axis a few values decide, and where values overflow the bodies are far apart.
+    // Near the axis a few values decide; where values overflow, the bodies are far apart.
     let at_the_axis = lower == 0.0 && [1.0, 1e-1, 1e-3, 1e-6].iter().all(|share| presses(curvature, share * upper));
     let overflows = |r: f64| !curvature.bend(r).value.is_finite();
     let too_far = overflows(upper) && (overflows(lower) || upper - lower <= LAST * upper);
@@ -233,13 +233,13 @@ fn enclosed(curvature: &Curvature<'_>, lower: f64, upper: f64) -> Cell {
     cell
 }
 
-/// Whether the bend at a radius is not negative.
+/// Whether the bend at a radius is certainly nonnegative.
 fn presses(curvature: &Curvature<'_>, r: f64) -> bool {
     let bend = curvature.bend(r);
     bend.value >= bend.error
 }
 
-/// Whether the bend is negative by no more than rounding.
+/// Whether a negative bend is within rounding error.
 fn is_rounding(curvature: &Curvature<'_>, cell: &Cell) -> bool {
     cell.low < 0.0 && cell.low.is_finite() && {
         let slope = curvature.slope(cell.upper);
@@ -247,7 +247,7 @@ fn is_rounding(curvature: &Curvature<'_>, cell: &Cell) -> bool {
     }
 }
 
-/// How much what is not known of the bend may matter to g′.
+/// The effect of the uncertainty of the bend on g′, relative to the slope.
 fn doubt(cell: &Cell, steepest: f64) -> f64 {
     (cell.high - cell.low) * (cell.upper - cell.lower) / (cell.upper * steepest)
 }

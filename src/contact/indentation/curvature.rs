@@ -6,9 +6,9 @@ use crate::num::Bounded;
 use crate::transform::{ClosedForm, Over, Profile, Slopes, TransformError};
 use std::sync::{Arc, OnceLock};
 
-/// f′ and (r f′)′ of a profile whose parameters are all numbers, and of what is no formula beside it.
+/// f′ and (r f′)′ of a profile with numbers for all parameters, and of additional profiles that are not formulas.
 ///
-/// A bend that is nowhere negative makes g rise, since g′(x) = ∫₀^{π/2} (r f′)′|_{r = x sin t} dt; and a rising g presses everywhere.
+/// If the bend is nowhere negative, g increases, since g′(x) = ∫₀^{π/2} (r f′)′|_{r = x sin t} dt, and the pressure is positive.
 pub(super) struct Curvature<'a> {
     chains: Vec<Pieces>,
     others: Vec<Arc<dyn Slopes + 'a>>,
@@ -19,17 +19,17 @@ struct Pieces {
     heights: Vec<ClosedForm>,
     slopes: Vec<ClosedForm>,
     bends: Vec<ClosedForm>,
-    /// (r f′)″, compiled where the sign of (r f′)′ needs it.
+    /// (r f′)″, compiled when needed for the sign of (r f′)′.
     turns: Vec<Turn>,
 }
 
-/// An expression that may be needed.
+/// An expression that is compiled when needed.
 struct Turn {
     bend: Expr,
     compiled: OnceLock<Option<ClosedForm>>,
 }
 
-/// A place where f′ jumps.
+/// A jump of f′.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Kink {
     pub(super) at: f64,
@@ -38,7 +38,7 @@ pub(super) struct Kink {
 }
 
 impl<'a> Curvature<'a> {
-    /// That of profiles that are no formulas.
+    /// Creates the curvature of profiles that are not formulas.
     pub(super) fn of(others: Vec<Arc<dyn Slopes + 'a>>) -> Self {
         Self { chains: Vec::new(), others }
     }
@@ -46,7 +46,7 @@ impl<'a> Curvature<'a> {
     /// Compiles both derivatives of every piece of a formula, and adds it.
     ///
     /// # Errors
-    /// [`TransformError`] where a piece has no derivative or a parameter is left.
+    /// [`TransformError`] if a piece has no derivative or a parameter has no value.
     pub(super) fn with(mut self, profile: &Profile) -> Result<Self, TransformError> {
         let radius = Symbol::new("r");
         let compile = |expr: &Expr| ClosedForm::new(expr, std::slice::from_ref(&radius));
@@ -69,7 +69,7 @@ impl<'a> Curvature<'a> {
         Ok(self)
     }
 
-    /// f′(r), beyond a breakpoint where r is one.
+    /// f′(r); the right-hand limit at a breakpoint.
     pub(super) fn slope(&self, r: f64) -> Bounded {
         self.total(r, |pieces| &pieces.slopes, |other| other.first(r))
     }
@@ -79,7 +79,7 @@ impl<'a> Curvature<'a> {
         self.total(r, |pieces| &pieces.bends, |other| other.bend(r))
     }
 
-    /// The places where the pieces of a formula meet, rising.
+    /// The radii where the pieces of a formula meet, in increasing order.
     pub(super) fn breakpoints(&self) -> Vec<f64> {
         let mut list: Vec<f64> = self.chains.iter().flat_map(|pieces| pieces.breakpoints.iter().copied()).collect();
         list.sort_by(f64::total_cmp);
@@ -87,26 +87,26 @@ impl<'a> Curvature<'a> {
         list
     }
 
-    /// Bounds on f − f(0) between two radii without a breakpoint between them; `None` where there are none.
+    /// Bounds on f − f(0) between two radii without a breakpoint between them; `None` if unknown.
     pub(super) fn height_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
         if self.others.is_empty() { self.total_over(lower, upper, |pieces| &pieces.heights, |_| None) } else { None }
     }
 
-    /// The same of f′.
+    /// Bounds on f′ between two radii.
     pub(super) fn slope_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
         self.total_over(lower, upper, |pieces| &pieces.slopes, |own| Some(own.slope))
     }
 
-    /// The same of (r f′)′.
+    /// Bounds on (r f′)′ between two radii.
     pub(super) fn bend_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
         let (low, high) = self.total_over(lower, upper, |pieces| &pieces.bends, |own| Some(own.bend))?;
-        // Where the sign is open, terms that cancel may do so in the value at the middle: what is then open is their change.
+        // If the sign is undecided, use the value at the middle, in which terms cancel exactly, and enclose only its change.
         let narrow = lower > 0.0 && upper < 2.0 * lower && low < 0.0 && high > 0.0;
         let near = if narrow { self.bend_around(lower, upper) } else { None };
         Some(near.map_or((low, high), |near| (low.max(near.0), high.min(near.1))))
     }
 
-    /// The same by the value at the middle and the enclosed change from there.
+    /// Bounds on (r f′)′ by the value at the middle and an enclosure of the change from there.
     fn bend_around(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
         if !self.others.is_empty() {
             return None;
@@ -145,7 +145,7 @@ impl<'a> Curvature<'a> {
         formulas.chain(others).try_fold((0.0, 0.0), |(low, high): (f64, f64), own| {
             let own = own?;
             let sum = (low + own.0, high + own.1);
-            // One part alone is not rounded.
+            // A single part needs no outward rounding.
             Some(if low == 0.0 && high == 0.0 { own } else { (sum.0.next_down(), sum.1.next_up()) })
         })
     }
@@ -158,7 +158,7 @@ impl<'a> Curvature<'a> {
         Bounded::sum(formulas.chain(self.others.iter().map(|other| ask(other.as_ref()))))
     }
 
-    /// Every place where f′ jumps beyond doubt, rising.
+    /// Every certain jump of f′, in increasing order.
     pub(super) fn kinks(&self) -> Vec<Kink> {
         let mut found: Vec<Kink> = Vec::new();
         for pieces in &self.chains {
@@ -166,7 +166,7 @@ impl<'a> Curvature<'a> {
                 let [before, beyond] = pair else { continue };
                 let (before, beyond) = (before.value(&[*at]), beyond.value(&[*at]));
                 let jump = beyond - before;
-                // The breakpoint itself is rounded: a slope that is merely continuous may seem to jump by as much as it changes there.
+                // Because the breakpoint is rounded, a continuous slope may appear to jump by its change over the rounding error.
                 let doubt = jump.error + 16.0 * f64::EPSILON * (before.value.abs() + beyond.value.abs());
                 if jump.value.abs() > doubt {
                     found.push(Kink { at: *at, jump: jump.value });

@@ -60,7 +60,7 @@ const NEAR: u64 = 80_000_000;
 const FAR: u64 = 30_000_000;
 /// Every sixteenth place near the largest load is always evaluated.
 const COARSE: usize = 16;
-/// Most radii next to places where the bend is negative beyond doubt.
+/// Maximum number of radii near ranges where the bend is certainly negative.
 const MOST_DENTS: usize = 200;
 
 impl<'a> Landscape<'a> {
@@ -126,7 +126,7 @@ impl<'a> Landscape<'a> {
         Ok(own)
     }
 
-    /// g at the places that tell where it rises, and the troughs of f between all.
+    /// g at the radii that determine where it increases, and the minima of f between them.
     fn sample(&mut self, evaluator: &Superposition<'_>, places: &[f64], telling: &Telling<'_>) -> Result<(), TransformError> {
         let mut seen = Vec::new();
         // Skips places where g cannot be evaluated.
@@ -189,7 +189,8 @@ impl<'a> Landscape<'a> {
 
     /// Returns the brackets in which g rises through `depth`, from the axis outward.
     ///
-    /// Brackets beyond the first sample above `depth` are left out, since they hold no contact radius; see [`Landscape::exceeds`].
+    /// Brackets beyond the first sample above `depth` are left out, since they hold no contact radius; see
+    /// [`Landscape::exceeds`].
     pub(super) fn rises_through(&self, depth: f64) -> Vec<(f64, f64)> {
         let mut found = Vec::new();
         let mut before = (self.flat, 0.0);
@@ -216,8 +217,8 @@ impl<'a> Landscape<'a> {
 
     /// Returns true if g exceeds `depth` at a sample below `radius`.
     ///
-    /// Such a radius is not a contact radius of that depth: d − g(x) = (2/E*) ∫_x^a r p/√(r²−x²) dr is negative only if the pressure p is
-    /// negative somewhere.
+    /// Such a radius is not a contact radius of that depth: d − g(x) = (2/E*) ∫_x^a r p/√(r²−x²) dr is negative only if the
+    /// pressure p is negative somewhere.
     pub(super) fn exceeds(&self, depth: f64, radius: f64) -> bool {
         self.samples.iter().take_while(|(x, _)| *x < radius).any(|(_, g)| surely_above(*g, depth))
     }
@@ -303,7 +304,8 @@ pub(super) fn first(is_so: impl Fn(f64) -> bool, mut from: f64, places: &[f64]) 
     Some(rounded(to, 7))
 }
 
-/// Rising radii: evenly spaced ones about the largest load, geometric ones towards the axis and outward, breakpoints from both sides.
+/// Rising radii: evenly spaced ones about the largest load, geometric ones towards the axis and outward, breakpoints from both
+/// sides.
 fn places(evaluator: &Superposition<'_>, flat: f64, scale: f64, reach: f64) -> Vec<f64> {
     let ratio = 10f64.powf(1.0 / f64::from(PER_DECADE));
     let mut list: Vec<f64> = (-INWARD * PER_DECADE..=OUTWARD * PER_DECADE).map(|step| scale * ratio.powi(step)).collect();
@@ -334,7 +336,7 @@ pub(super) fn affordable<T>(most: u32, value: impl Fn() -> T) -> u32 {
     (LOOKING / cost).clamp(FEWEST_LOOKS, u64::from(most)) as u32
 }
 
-/// A radius rounded to so many digits after the first.
+/// A radius rounded to the given number of digits after the first.
 pub(super) fn rounded(radius: f64, digits: usize) -> f64 {
     format!("{radius:.digits$e}").parse().unwrap_or(radius)
 }

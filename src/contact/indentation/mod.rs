@@ -1,4 +1,5 @@
-//! An indentation: from the depth, the force or the contact radius to the other two, with the verdict whether the answer holds.
+//! An indentation: from the depth, the force or the contact radius to the other two, with a verdict on the validity of the
+//! solution.
 
 mod body;
 mod cells;
@@ -36,7 +37,7 @@ pub enum Load {
     Radius(f64),
 }
 
-/// How the contact ends.
+/// The edge of the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Boundary {
     /// The bodies do not touch.
@@ -56,39 +57,39 @@ pub struct State {
     pub force: f64,
     /// The contact radius.
     pub radius: f64,
-    /// How the contact ends.
+    /// The edge of the contact.
     pub boundary: Boundary,
 }
 
-/// A state with everything that speaks against it, or nothing but the reason why there is none.
+/// A state with all findings about it, or the reason why a state does not exist.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Indented {
-    /// The state; `None` where no contact belongs to the load.
+    /// The state; `None` if the load has no contact.
     pub state: Option<State>,
-    /// What is wrong, or worth knowing.
+    /// Errors and warnings.
     pub findings: Vec<Finding>,
-    /// Where no proof was found that pressure and gap are nowhere negative: at how many radii they, or what decides on them,
-    /// were looked at. `None` where the verdict is proven.
+    /// The number of radii at which pressure and gap, or quantities that determine their signs, were evaluated without a proof
+    /// that they are nowhere negative. `None` if the verdict is proven.
     pub radii: Option<u64>,
 }
 
 impl Indented {
-    /// True where the state is the solution: no finding is an error.
+    /// True if the state is the solution, that is, if no finding is an error.
     pub fn is_valid(&self) -> bool {
         self.state.is_some() && self.findings.iter().all(|finding| finding.severity != Severity::Error)
     }
 }
 
-/// What is indented: a profile with numbers for its parameters, an effective modulus and, for a cylinder, its radius.
+/// The setup of an indentation: the effective modulus, the radius of the rim of a cylinder, and the numerical method.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
     /// E* in units of pressure.
     pub effective_modulus: f64,
-    /// The radius of a vertical side; without it the profile goes on.
+    /// The radius of a vertical side; `None` for a profile without a rim.
     pub rim: Option<f64>,
     /// The relative tolerance of quadratures.
     pub tolerance: f64,
-    /// How numbers may be computed.
+    /// The numerical method.
     pub method: Method,
 }
 
@@ -114,11 +115,11 @@ pub struct Indentation<'a> {
     known: Known,
     at_rim: Option<AtRim>,
     naming: Naming,
-    /// What is too steep for a half-space, and from where on.
+    /// The body that is too steep for a half-space, and the first such radius.
     steep: Option<(&'static str, f64)>,
 }
 
-/// A profile that is no formula, with its transforms and its derivatives.
+/// A profile that is not a formula, with its transforms and its derivatives.
 #[derive(Clone)]
 pub struct Part<'a> {
     quantities: Arc<dyn Quantities + 'a>,
@@ -132,7 +133,7 @@ impl<'a> Part<'a> {
     }
 }
 
-/// What never changes at the rim.
+/// Quantities at the rim that do not depend on the load.
 #[derive(Clone, Copy, Debug)]
 struct AtRim {
     radius: f64,
@@ -143,15 +144,15 @@ struct AtRim {
 }
 
 impl<'a> Indentation<'a> {
-    /// Looks at the profile once; `largest` is the largest of the loads that will be asked for, as far as it is known.
+    /// Examines the profile; `largest` is the largest expected load.
     ///
     /// # Errors
-    /// [`ContactError`] where the profile cannot be evaluated, or needs a rim and has none.
+    /// [`ContactError`] if the profile cannot be evaluated, or requires a rim.
     pub fn new(solution: &'a Solution, setup: Setup, largest: Load) -> Result<Self, ContactError> {
         Self::beside(Some(solution), Vec::new(), setup, largest)
     }
 
-    /// A profile that is no formula: a table of points, a closure, or whatever answers both traits.
+    /// A profile that is not a formula: a table of points, a closure, or any type that implements both traits.
     ///
     /// ```
     /// use sneddon::contact::{Indentation, Load, Setup};
@@ -172,7 +173,7 @@ impl<'a> Indentation<'a> {
         Self::beside(None, vec![Part::new(Arc::new(shape))], setup, largest)
     }
 
-    /// A formula, if there is one, and what is added to it.
+    /// An optional formula, and the profiles added to it.
     ///
     /// # Errors
     /// As [`Indentation::new`].
@@ -180,7 +181,8 @@ impl<'a> Indentation<'a> {
         Self::between(&[], solution, others, setup, largest)
     }
 
-    /// The same where the profile is the sum of several bodies: the slope and the end of each count, which may cancel in the sum.
+    /// The same for a profile that is the sum of several bodies, whose separate slopes and ends are checked because they may cancel
+    /// in the sum.
     ///
     /// # Errors
     /// As [`Indentation::new`].
@@ -201,7 +203,7 @@ impl<'a> Indentation<'a> {
         setup: Setup,
         largest: Load,
     ) -> Result<Self, ContactError> {
-        // A flat formula adds nothing to a table, not even a limit.
+        // A flat formula does not contribute to a table.
         let formula = solution.filter(|own| others.is_empty() || !own.profile.is_flat());
         let is_flat = formula.is_none_or(|own| own.profile.is_flat()) && others.iter().all(|part| part.slopes.is_flat());
         let (mut parts, slopes): (Vec<_>, Vec<_>) = others.into_iter().map(|part| (part.quantities, part.slopes)).unzip();
@@ -261,7 +263,7 @@ impl<'a> Indentation<'a> {
         })
     }
 
-    /// The same indentation, whose findings name lengths and forces in these units.
+    /// Sets the units of lengths and forces in findings.
     #[must_use]
     pub fn naming(self, naming: Naming) -> Self {
         Self { naming, ..self }
@@ -270,7 +272,7 @@ impl<'a> Indentation<'a> {
     /// Solves one load.
     ///
     /// # Errors
-    /// [`ContactError`] for a negative force or radius, or where numbers fail; a load that cannot be reached is a finding.
+    /// [`ContactError`] for a negative force or radius, or if a number cannot be computed; an unreachable load is a finding.
     pub fn solve(&self, load: Load) -> Result<Indented, ContactError> {
         work::bounded(|| match load {
             Load::Depth(depth) => self.at_depth(depth),
@@ -281,7 +283,8 @@ impl<'a> Indentation<'a> {
 
     /// The contact of a state, for pressure, displacement and energy.
     pub fn contact(&self, state: &State) -> Contact<'a, Superposition<'a>> {
-        // Next to the flat part of a worn tip the rounding of a changes g(a) by more than d's own; the edge term undoes that to first order.
+        // Near the flat part of a worn tip, the rounding of a changes g(a) by more than the rounding of d; the edge term compensates
+        // this to first order.
         let flat = self.landscape.flat;
         let fixed = state.boundary == Boundary::Rim || (flat > 0.0 && state.radius - flat < 1e-6 * flat);
         self.contact.with_depth(fixed.then_some(state.depth))
@@ -297,7 +300,7 @@ impl<'a> Indentation<'a> {
         self.landscape.lowest
     }
 
-    /// The places where f′ jumps, with the jumps, rising.
+    /// The radii and heights of the jumps of f′, in increasing order.
     pub fn kinks(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         self.landscape.kinks.iter().map(|kink| (kink.at, kink.jump))
     }
@@ -313,7 +316,7 @@ impl<'a> Indentation<'a> {
 
     fn at_depth(&self, depth: f64) -> Result<Indented, ContactError> {
         let touch = self.landscape.lowest;
-        // A concave shape that only just touches carries nothing yet.
+        // A concave shape at first contact carries no force.
         if depth.is_nan() || depth < touch || (depth == touch && touch < 0.0) {
             return Ok(Self::no_contact(depth));
         }
@@ -331,7 +334,7 @@ impl<'a> Indentation<'a> {
         {
             let excess = depth - rim.slope;
             let force = rim.force + 2.0 * self.setup.effective_modulus * rim.radius * excess;
-            // At d = g(c) itself the edge is still smooth.
+            // At d = g(c) the edge is still smooth.
             let boundary = if excess == 0.0 && rim.slope > 0.0 { Boundary::Smooth } else { Boundary::Rim };
             let state = State { depth, force, radius: rim.radius, boundary };
             if self.landscape.rising {
@@ -400,7 +403,7 @@ impl<'a> Indentation<'a> {
 
     fn at_radius(&self, radius: f64) -> Result<Indented, ContactError> {
         if radius.is_nan() || radius < 0.0 {
-            return Err(ContactError::Missing { quantity: "a negative contact radius", needs: "a nonnegative radius; expected a >= 0" });
+            return Err(ContactError::Missing { quantity: "the contact radius", needs: "to be nonnegative; expected a >= 0" });
         }
         if let Some(rim) = self.at_rim {
             if radius == rim.radius {
@@ -433,7 +436,7 @@ impl<'a> Indentation<'a> {
         Ok(self.judged(State { depth, force, radius, boundary: Boundary::Smooth }))
     }
 
-    /// The first candidate that is proven, else the first that stands the test, else the first one with what speaks against it.
+    /// The first proven candidate, else the first valid one, else the first one with its findings.
     fn chosen(&self, candidates: &[State]) -> Indented {
         let (mut first, mut looked_at) = (None, None);
         for (index, state) in candidates.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Units in which findings name lengths and forces: what is computed stays free of them.
 
-/// The factor from computed numbers to named ones, and the name; without a name the numbers stand alone.
+/// The factor from computed numbers to named ones, and the name; without a name the numbers have no unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Naming {
     /// That of lengths.

@@ -1,4 +1,4 @@
-//! Proofs that a pressure or a gap is nowhere negative, by enclosures; where they fail, the places to look at.
+//! Proofs that a pressure or a gap is nowhere negative, by enclosures; if they fail, the radii to examine.
 
 use super::Indentation;
 use super::cells::{Cell, Cells};
@@ -8,7 +8,7 @@ use crate::num::{Bound, Estimate, work};
 use crate::transform::Quantities;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-/// What enclosures say of a sign.
+/// The sign of a quantity from enclosures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Sign {
     /// Nowhere negative.
@@ -17,22 +17,23 @@ pub(super) enum Sign {
     Negative(f64),
     /// Negative at this radius, and undecided below it.
     NegativeAt(f64),
-    /// Undecided after a look at so many radii.
+    /// Undecided after evaluating this number of radii.
     Open(u64),
 }
 
-/// Most ranges that are looked at for one load.
+/// Maximum number of ranges examined for one load.
 const MOST_RANGES: u64 = 1500;
 /// Maximum number of radii at which a value is computed for one load.
 const MOST_VALUES: u64 = 300;
 /// Maximum number of steps for these values.
 const PROVING: u64 = 100_000_000;
-/// A range is not halved below this share of its radius …
+/// Smallest width of a range, relative to its radius.
 const NARROWEST: f64 = 1e-12;
-/// … nor below this one where its end is negative: values closer to the change of sign cost more and tell no more.
+/// Smallest relative width of a range with a negative end, where values closer to the change of sign are more expensive.
 const PLACED: f64 = 1e-9;
 
-/// Halves ranges, the last of which is the first along the radius, until each is proven to be nowhere negative or a negative place is found.
+/// Halves ranges until each is proven nowhere negative or a negative radius is found; the last range in the list has the smallest
+/// radii.
 fn sign_over(
     mut open: Vec<(f64, f64)>,
     proven: impl Fn(f64, f64) -> bool,
@@ -58,7 +59,7 @@ fn sign_over(
         }
         values += 1;
         if negative(middle) {
-            // What lies beyond does not matter any more.
+            // Larger radii are irrelevant from here on.
             found = Some(middle);
             open.clear();
         } else {
@@ -69,7 +70,7 @@ fn sign_over(
     found.map_or(Sign::Proven, |at| Sign::Negative(rounded(at, 8)))
 }
 
-/// Where a function that is not negative at `from` becomes so before `to`.
+/// The point between `from` and `to` at which a function that is nonnegative at `from` becomes negative.
 fn bisected(negative: impl Fn(f64) -> bool, mut from: f64, mut to: f64) -> f64 {
     let near = PLACED * to;
     while to - from > near {
@@ -80,16 +81,16 @@ fn bisected(negative: impl Fn(f64) -> bool, mut from: f64, mut to: f64) -> f64 {
 }
 
 impl Cells {
-    /// A bound from below on ∫_r^a g′/√(x² − r²) dx, which is π p/E*, for every r between two radii; −∞ where none is known.
+    /// A lower bound on ∫_r^a g′/√(x² − r²) dx, which is π p/E*, for every r between two radii; −∞ if unknown.
     pub(super) fn least_pressure(&self, (from, to): (f64, f64), a: f64) -> f64 {
         // With x² = r² + y² it is ∫ (g′/x) dy.
         let root = |x: f64, r: f64| if x > r { leg(x, r) } else { 0.0 };
         let (mut sum, mut size) = (0.0, 0.0);
-        // Cells that r may lie in or beyond: together they weigh no more than the last of them reaches.
+        // Cells that may contain r or lie below it: their total weight is bounded by the upper end of the last one.
         let mut within: Option<(f64, f64)> = None;
         for (cell, rise) in self.rises().filter(|(cell, _)| cell.upper > from && cell.lower < a) {
             let (low, high) = (cell.lower, cell.upper.min(a));
-            // Around the axis g′/x is that of the next cell: a trillionth of the contact does not tell.
+            // At the axis, use g′/x at the upper end: the first cell is only a trillionth of the contact.
             let share = rise / if rise < 0.0 && low > 0.0 { low } else { high };
             if low < to {
                 within = Some((within.map_or(share, |own| own.0.min(share)), high));
@@ -109,13 +110,13 @@ impl Cells {
         if low.is_nan() { f64::NEG_INFINITY } else { low }
     }
 
-    /// The end of the cells from `from` on in which g is proven to rise.
+    /// The end of the cells from `from` on in which g is proven to increase.
     fn rises_from(&self, from: f64) -> f64 {
         let beyond = self.rises().filter(|(cell, _)| cell.upper > from);
         beyond.take_while(|(_, rise)| *rise >= 0.0).last().map_or(from, |(cell, _)| cell.upper)
     }
 
-    /// The cells beyond a contact radius: their ends, with a bound from below on g − d within each.
+    /// The cells beyond a contact radius: their ends, with a lower bound on g − d within each.
     fn climb(&self, a: f64) -> Vec<(f64, f64, f64)> {
         let mut height = 0.0;
         let beyond = self.rises().filter(|(cell, _)| cell.upper > a);
@@ -136,20 +137,20 @@ impl Cells {
         cells.into_iter().find(|cell: &Cell| cell.upper >= r).map_or(0.0, |cell| cell.upper - cell.lower)
     }
 
-    /// The end of the part around the axis in which g is proven to rise.
+    /// The end of the part around the axis in which g is proven to increase.
     pub(super) fn risen(&self) -> f64 {
         self.rises_from(0.0)
     }
 }
 
 impl Indentation<'_> {
-    /// Whether π p/E* of a smooth contact plus what a rim adds, `excess`/√(a² − r²), is nowhere below −`noise` inside.
+    /// Whether π p/E* of a smooth contact plus the contribution of a rim, `excess`/√(a² − r²), is nowhere below −`noise` inside.
     pub(super) fn pressure_sign(&self, cells: &Cells, a: f64, excess: f64, noise: f64) -> Sign {
         let shape = self.contact.evaluator();
         let edge = |r: f64| leg(a, r.min(a));
         let proven = |from: f64, to: f64| {
             let least = cells.least_pressure((from, to), a);
-            // Times the root, which is positive inside.
+            // Multiplied by the root, which is positive inside.
             let least = if least >= 0.0 { excess + least * edge(to) } else { excess + least * edge(from) };
             least >= -noise * if excess == 0.0 { edge(to) } else { 1.0 }
         };
@@ -161,9 +162,9 @@ impl Indentation<'_> {
         sign_over(vec![(0.0, a)], proven, negative, narrow)
     }
 
-    /// Whether the gap outside a contact whose pressure is nowhere negative is nowhere below −`noise`, as far as the profile is looked at.
+    /// Whether the gap outside a contact with nonnegative pressure is nowhere below −`noise`, within the examined range.
     ///
-    /// It is (2/π)∫_a^r (g − d)/√(r² − x²) dx, which the cells bound; and f − d + u, where u is no less than F/(π E* r).
+    /// The gap equals (2/π)∫_a^r (g − d)/√(r² − x²) dx, which the cells bound, and f − d + u, where u ≥ F/(π E* r).
     pub(super) fn gap_sign(&self, cells: &Cells, a: f64, depth: f64, noise: f64) -> Sign {
         let (shape, reach) = (self.contact.evaluator(), self.landscape.reach);
         let start = cells.rises_from(a);
@@ -187,7 +188,7 @@ impl Indentation<'_> {
         sign_over(open, proven, negative, |from, to| to - from <= NARROWEST * to)
     }
 
-    /// A bound from below on f between two radii; −∞ where none is known.
+    /// A lower bound on f between two radii; −∞ if unknown.
     fn lowest_between(&self, from: f64, to: f64) -> f64 {
         let (curvature, shape) = (&self.landscape.curvature, self.contact.evaluator());
         let plain = curvature.height_over(from, to).map_or(f64::NEG_INFINITY, |own| own.0);
@@ -210,7 +211,7 @@ struct Lift {
     depth: f64,
     /// F/(π E*).
     force: f64,
-    /// Radii inside with d − g there from below and from above; d − g falls between them.
+    /// Radii inside the contact with lower and upper bounds on d − g, which decreases between them.
     steps: Vec<(f64, f64, f64)>,
 }
 
@@ -228,11 +229,11 @@ impl Lift {
             let g = proven(shape.slope(x).ok()?.estimate)?;
             Some((x, (depth - g.value - g.error).max(0.0), depth - g.value + g.error))
         };
-        // A radius at which g is not proven widens the step that it would have ended.
+        // Skip radii at which g has no proven bound, which widens the step.
         Self { a, depth, force: force.max(0.0), steps: places.filter_map(gap).collect() }
     }
 
-    /// (2/π)∫₀^a (d − g)/√(r² − x²) dx from below.
+    /// A lower bound on (2/π)∫₀^a (d − g)/√(r² − x²) dx.
     fn least(&self, r: f64) -> f64 {
         let (mut sum, mut before) = (0.0, 0.0);
         for (x, gap, _) in &self.steps {
@@ -243,7 +244,7 @@ impl Lift {
         (self.force / r).max(FRAC_2_PI * sum) * (1.0 - 1e-13)
     }
 
-    /// The same from above; infinite where it is not known.
+    /// An upper bound on the same integral; infinite if unknown.
     fn most(&self, r: f64) -> f64 {
         let (mut sum, mut before, mut gap) = (0.0, 0.0, self.depth);
         for (x, _, next) in &self.steps {
@@ -256,7 +257,7 @@ impl Lift {
     }
 }
 
-/// A bound from below on the gap between two radii beyond the edge, from bounds on g − d in cells.
+/// A lower bound on the gap between two radii beyond the edge, from bounds on g − d in cells.
 fn least_gap(climb: &[(f64, f64, f64)], (from, to): (f64, f64)) -> f64 {
     let angle = |x: f64, r: f64| (x / r).min(1.0).asin();
     let mut sum = 0.0;
@@ -267,6 +268,6 @@ fn least_gap(climb: &[(f64, f64, f64)], (from, to): (f64, f64)) -> f64 {
             least * (angle(*upper, from) - angle(*lower, to))
         };
     }
-    // Beyond the last cell nothing is known.
+    // Beyond the last cell the gap is unbounded from below.
     if climb.last().is_some_and(|own| own.1 >= to) { sum } else { f64::NEG_INFINITY }
 }

@@ -58,7 +58,7 @@ impl Last {
     }
 }
 
-/// A root, the place next to it at which the function was asked, and its value there.
+/// A root, the nearest evaluated point, and the value at this point.
 #[derive(Clone, Copy)]
 struct Root {
     radius: f64,
@@ -66,7 +66,7 @@ struct Root {
     value: f64,
 }
 
-/// Most steps of the secant before bisection is asked.
+/// Maximum number of secant steps before bisection.
 const STEPS: u32 = 12;
 /// So near to the root its square is below rounding.
 const CLOSE: f64 = 3e-9;
@@ -77,7 +77,8 @@ const NEAREST: f64 = 1e-290;
 /// The shortest relative distance to a place without a value that is halved.
 const CLOSEST: f64 = 1e-12;
 
-/// g is not evaluated at radii where this many times the largest f so far is still below the load, because it costs far more than f.
+/// g is not evaluated at radii where this many times the largest f so far is still below the load, because it costs far more than
+/// f.
 const BELOW: f64 = 100.0;
 /// Maximum number of steps of the search once g falls or has no value.
 const SEARCHING: u64 = 30_000_000;
@@ -148,9 +149,9 @@ const LOOKS: u32 = 32;
 /// Four steps between the even radii of the landscape, as a part of the radius.
 const WINDOW: f64 = 1.0 / 64.0;
 
-/// Whether the even radii of a landscape up to twice this radius are close enough for the waves of f, two to a wave:
-/// the second differences of f′ over four of them change sign less than four times. Waves that leave (r f′)′ positive need not be:
-/// g rises all the same.
+/// Whether the even radii of a landscape up to twice this radius are close enough for the waves of f, two to a wave: the second
+/// differences of f′ over four of them change sign less than four times. Waves that leave (r f′)′ positive need not be: g rises
+/// all the same.
 fn is_followed(curvature: &Curvature<'_>, a: f64) -> bool {
     let radii = (0..=LOOKS).map(|i| a * (1.0 - WINDOW * f64::from(i) / f64::from(LOOKS)));
     if radii.clone().all(|r| curvature.bend(r).value > 0.0) {
@@ -219,7 +220,7 @@ impl Indentation<'_> {
         Ok(states)
     }
 
-    /// F at the places where g was sampled; computed when the first force is asked for.
+    /// F at the radii where g was sampled; computed with the first given force.
     fn carried(&self) -> &[(f64, f64)] {
         // Kept for later loads, whose budgets are their own.
         let all = || {

@@ -1,4 +1,4 @@
-//! Whether a state is the solution: pressure inside, no overlap outside, and d ≥ g(a); Signorini's problem has only one.
+//! Checks whether a state is the unique solution of Signorini's problem: p ≥ 0 inside, no overlap outside, and d ≥ g(a).
 
 use super::landscape::{STEEP, affordable, rounded};
 use super::proof::Sign;
@@ -8,17 +8,17 @@ use crate::num::{Estimate, work};
 use crate::transform::{Quantities, Reading};
 use std::cell::{Cell, OnceCell};
 
-/// How much a finding weighs.
+/// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Worth knowing; the answer stands.
+    /// A warning; the state is valid.
     Warning,
-    /// The answer is not the solution of the contact problem.
+    /// The state is not the solution of the contact problem.
     Error,
 }
 
 impl Severity {
-    /// The word that reports use.
+    /// The word for reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Warning => "warning",
@@ -27,31 +27,31 @@ impl Severity {
     }
 }
 
-/// One thing that is wrong with a state, or worth knowing about it.
+/// An error or a warning about a state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// A short name: `outside_gap`, `tension_inside`, `edge_gap`, `unreachable`, `steep_slope`, `kink`, `not_computable`.
     pub rule: &'static str,
-    /// How much it weighs.
+    /// The severity.
     pub severity: Severity,
-    /// A sentence.
+    /// The message.
     pub message: String,
     /// The first offending radius.
     pub at: Option<f64>,
 }
 
-/// What earlier states have shown.
+/// Results of earlier states.
 pub(super) struct Known {
-    /// Contacts with a smooth edge up to here close no gap outside: proven, and looked at, with the number of radii.
+    /// Contacts with a smooth edge up to these radii have no overlap outside: proven, and checked, with the number of radii.
     proven_to: Cell<f64>,
     valid_to: Cell<(f64, u64)>,
-    /// From here on they do.
+    /// From this contact radius on, there is an overlap outside.
     invalid_from: Cell<Option<f64>>,
-    /// Radii with F there, for profiles whose g falls somewhere.
+    /// Contact radii with their forces, for profiles whose g decreases somewhere.
     pub(super) forces: OnceCell<Vec<(f64, f64)>>,
-    /// The smallest depth of a complete contact, where its pressure vanishes first, and at how many radii was looked.
+    /// The smallest depth of a complete contact, the radius where its pressure vanishes first, and the number of radii checked.
     complete: OnceCell<(f64, f64, u32)>,
-    /// From this depth on a complete contact is proven to press everywhere.
+    /// From this depth on, the pressure of a complete contact is proven to be nowhere negative.
     complete_from: Cell<f64>,
 }
 
@@ -69,7 +69,7 @@ impl Default for Known {
 }
 
 impl Known {
-    /// Whether a larger contact that closes no gap is known: `Some(None)` where that is proven, else with the number of radii.
+    /// Whether a larger contact is known to have no overlap outside: `Some(None)` if proven, else with the number of radii.
     fn vouched_for(&self, a: f64) -> Option<Option<u64>> {
         if a <= self.proven_to.get() {
             return Some(None);
@@ -87,7 +87,7 @@ impl Known {
     }
 }
 
-/// What was found about one state so far.
+/// The findings about one state so far.
 #[derive(Default)]
 struct Inspection {
     findings: Vec<Finding>,
@@ -95,7 +95,7 @@ struct Inspection {
 }
 
 impl Inspection {
-    /// Values at this many radii are all that is known.
+    /// Records that the verdict is based on values at this many radii.
     fn looked_at(&mut self, radii: u64) {
         self.counts(Some(radii));
     }
@@ -117,11 +117,11 @@ impl Inspection {
 const LOOKS: u32 = 96;
 /// Fraction of the radius at which the cost of a value is measured.
 const TYPICAL: f64 = 0.37;
-/// Where a sign changes is found to this share of the radius: nearer to it a value costs more and tells no more.
+/// Relative accuracy of the radius of a change of sign; closer values are more expensive.
 const PLACED: f64 = 1e-9;
 /// Steps of the golden section.
 const REFINEMENTS: u32 = 48;
-/// A pressure or gap is negative where it is so by more than this, relative to the mean pressure or the depth.
+/// Tolerance for a negative pressure or gap, relative to the mean pressure or the depth.
 const NOISE: f64 = 1e-11;
 
 impl Indentation<'_> {
@@ -145,7 +145,7 @@ impl Indentation<'_> {
         Indented { state: Some(state), findings, radii: verdict.radii }
     }
 
-    /// p ≥ 0 for all r < c, which is a limit of the depth: p rises with d as 1/√(c² − r²).
+    /// p ≥ 0 for all r < c, which is a lower limit of the depth: p increases with d in proportion to 1/√(c² − r²).
     fn tension_of_complete_contact(&self, state: &State, verdict: &mut Inspection) {
         let Some(rim) = self.at_rim else { return };
         let (least, at, places) = *self.known.complete.get_or_init(|| work::unbroken(|| self.least_depth(rim.radius, rim.slope)));
@@ -170,7 +170,7 @@ impl Indentation<'_> {
         verdict.findings.push(Finding { rule: "tension_inside", severity: Severity::Error, message, at: Some(at) });
     }
 
-    /// max over r < c of g(c) − √(c² − r²) π p_smooth/E*, its place, and the number of places that were looked at.
+    /// The maximum over r < c of g(c) − √(c² − r²) π p_smooth/E*, its radius, and the number of radii checked.
     fn least_depth(&self, c: f64, slope: f64) -> (f64, f64, u32) {
         let shape = self.contact.evaluator();
         if self.pull_on_axis(c) == Some(true) {
@@ -178,7 +178,7 @@ impl Indentation<'_> {
         }
         let needed = |r: f64| match shape.pressure(r, c) {
             Ok(Some(p)) => p.estimate.value * leg(c, r) - slope,
-            // A concave kink pulls without limit, a convex one presses.
+            // The pressure is −∞ at a concave kink and +∞ at a convex one.
             Ok(None) => f64::INFINITY,
             Err(_) => f64::NAN,
         };
@@ -245,7 +245,7 @@ impl Indentation<'_> {
             }
             Sign::Open(looks) => {
                 let mut places = looks_between(0.0, a, affordable(LOOKS, || pressure(TYPICAL * a)));
-                // The pressure is least where g begins to fall.
+                // The pressure is smallest where g begins to decrease.
                 places.extend(self.landscape.falls().filter(|r| *r < a).take(LOOKS as usize));
                 places.sort_by(f64::total_cmp);
                 places.dedup();
@@ -265,7 +265,8 @@ impl Indentation<'_> {
 
     /// f − d + u ≥ 0 for every r > a within the profile.
     ///
-    /// The gap is (2/π)∫_a^r (g − d)/√(r² − x²) dx. While g rises up to a, a larger contact that closes no gap vouches for a smaller one.
+    /// The gap is (2/π)∫_a^r (g − d)/√(r² − x²) dx. If g increases up to a, a contact without overlap implies the same for all
+    /// smaller contacts.
     fn overlap_outside(&self, state: &State, verdict: &mut Inspection) {
         let a = state.radius;
         let ordered = a < self.landscape.first_fall;
@@ -275,17 +276,17 @@ impl Indentation<'_> {
             return;
         }
         if ordered && known.invalid_from.get().is_none_or(|from| a < from) {
-            // A larger contact first: what it shows holds for the loads to come.
+            // Check a larger contact first, whose result applies to later loads.
             let end = known.invalid_from.get().unwrap_or(self.landscape.first_fall).min(self.landscape.reach);
             let ahead = a + 0.5 * (end - a);
             if ahead > a && ahead < self.landscape.first_fall {
                 let found = self.first_overlap(ahead);
-                // What was cut short is no verdict, and none is kept.
+                // Do not store an incomplete result.
                 if work::is_exhausted() {
                     return;
                 }
                 match found {
-                    // A proof for this load may still be had where there is none for the larger one.
+                    // There may be a proof for this load even without a proof for the larger contact.
                     (None, None) => {
                         known.vouch(ahead, None);
                         return;
@@ -309,7 +310,7 @@ impl Indentation<'_> {
         verdict.findings.push(Finding { rule: "outside_gap", severity: Severity::Error, message, at: Some(at) });
     }
 
-    /// The first radius beyond a at which the bodies overlap, and at how many radii was looked where nothing is proven.
+    /// The first radius beyond a at which the bodies overlap, and the number of radii checked without a proof.
     fn first_overlap(&self, a: f64) -> (Option<f64>, Option<u64>) {
         let (contact, reach) = (&self.contact, self.landscape.reach);
         let Ok(Reading { estimate: Estimate { value: depth, .. }, .. }) = contact.evaluator().slope(a) else { return (None, Some(0)) };
@@ -359,7 +360,7 @@ impl Indentation<'_> {
         (first_negative(&gap, &places, f64::INFINITY), Some(looks + places.len() as u64))
     }
 
-    /// The slope of the profile inside the contact, where it is too large for a half-space.
+    /// A warning if the slope of the profile inside the contact is too large for a half-space.
     fn steep_slope(&self, state: &State) -> Option<Finding> {
         let (what, at) = self.steep.filter(|(_, at)| *at < state.radius)?;
         let message = format!(
@@ -370,7 +371,7 @@ impl Indentation<'_> {
     }
 }
 
-/// The value where its sign is beyond doubt, else 0.
+/// The value if its sign is certain, else 0.
 fn surely(estimate: Estimate, noise: f64) -> f64 {
     if estimate.value.abs() <= estimate.error.max(noise) { 0.0 } else { estimate.value }
 }
@@ -385,7 +386,7 @@ fn looks_between(lower: f64, upper: f64, count: u32) -> Vec<f64> {
         .collect()
 }
 
-/// The first place of a sign change to negative values, or the bottom of a dip that goes below 0.
+/// The first change of sign to negative values, or the minimum of a dip below 0.
 fn first_negative(function: &impl Fn(f64) -> f64, places: &[f64], shallow: f64) -> Option<f64> {
     let mut seen: Vec<(f64, f64)> = Vec::new();
     for place in places {
@@ -394,7 +395,7 @@ fn first_negative(function: &impl Fn(f64) -> f64, places: &[f64], shallow: f64) 
             continue;
         }
         let (mut at, mut low) = (*place, value);
-        // A dip between the looks: three values of which the middle one is the smallest.
+        // A dip between samples: three values of which the middle one is the smallest.
         if value >= 0.0
             && let [.., (first, before), (middle, bottom)] = seen.as_slice()
             && *bottom <= *before
@@ -416,7 +417,7 @@ fn first_negative(function: &impl Fn(f64) -> f64, places: &[f64], shallow: f64) 
     None
 }
 
-/// Where a function that is not negative at `from` becomes so before `to`, as nearly as [`PLACED`].
+/// The point between `from` and `to` at which a function that is nonnegative at `from` becomes negative, to within [`PLACED`].
 fn sign_change(function: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
     let near = PLACED * to;
     while to - from > near {
@@ -429,7 +430,7 @@ fn sign_change(function: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f6
     rounded(to, 8)
 }
 
-/// The place of the smallest value, refined.
+/// The refined position of the smallest value.
 fn lowest(function: &impl Fn(f64) -> f64, places: &[f64]) -> (f64, f64) {
     let mut all: Vec<(f64, f64)> = vec![(0.0, function(0.0))];
     all.extend(places.iter().map(|r| (*r, function(*r))));
@@ -449,7 +450,7 @@ fn lowest(function: &impl Fn(f64) -> f64, places: &[f64]) -> (f64, f64) {
     best
 }
 
-/// Golden section for a minimum between two places, with one in between that is lower than both.
+/// Golden-section search for a minimum between two points, given a lower point between them.
 fn golden(function: &impl Fn(f64) -> f64, mut lower: f64, mut middle: f64, mut upper: f64) -> (f64, f64) {
     const SHARE: f64 = 0.381_966_011_250_105_1;
     let mut bottom = function(middle);

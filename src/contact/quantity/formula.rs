@@ -5,7 +5,7 @@ use crate::expr::{Bindings, Expr, Formula, Symbol, derivative, shown};
 use crate::transform::{Derived, Profile};
 use std::borrow::Cow;
 
-/// What the formulas of a contact are made from.
+/// The inputs of the formulas of a contact.
 #[derive(Clone, Copy)]
 pub struct Formulas<'a> {
     /// The derived relations.

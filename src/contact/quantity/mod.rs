@@ -15,7 +15,7 @@ use crate::transform::{Derived, Quantities};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
-/// What a quantity is a function of.
+/// The arguments of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A place in the profile, without a load.
@@ -28,7 +28,7 @@ pub enum Kind {
     Field,
 }
 
-/// What is known about a quantity.
+/// The properties of a quantity.
 struct Record {
     /// The key in commands, scene files and JSON.
     key: &'static str,
@@ -218,7 +218,7 @@ quantities! {
 }
 
 impl Quantity {
-    /// What `derive` states by default.
+    /// The quantities that `derive` prints by default.
     pub const USUAL: [Self; 7] =
         [Self::Equivalent, Self::Depth, Self::Force, Self::Pressure, Self::Stiffness, Self::Radius, Self::ForceOfDepth];
 

@@ -6,7 +6,7 @@ use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Symbol};
 use crate::print::Prose;
 use crate::transform::{Answer, Rule, Segment, Solution, SolvedTerm, TransformError, rules};
 
-/// From this number of terms on they are not shown one by one.
+/// Profiles with at least this many terms are not shown term by term.
 const MANY: usize = 12;
 
 pub(super) fn steps(typed: &Formula, solution: &Solution, relations: &Relations) -> Result<Vec<Step>, TransformError> {
@@ -114,7 +114,7 @@ fn by_rule(rule: &Rule, answer: &Answer) -> Prose {
     reason
 }
 
-/// κ_n, where the rule is that of a power.
+/// κ_n, if the rule is `heß-power`.
 fn constant(solved: &SolvedTerm, rule: &Rule) -> Option<Step> {
     if rule.id != "heß-power" {
         return None;
@@ -190,7 +190,7 @@ fn x_times(formula: Formula) -> Formula {
     formula.scaled(&Expr::symbol("x"))
 }
 
-/// A name for the angle that no parameter has.
+/// A name for the angle that is not a parameter.
 fn bound_name(solution: &Solution) -> &'static str {
     let taken = solution.profile.parameters();
     ["t", "tau", "varphi", "t_0", "t_1"].into_iter().find(|name| !taken.iter().any(|own| own.name() == *name)).unwrap_or("t_bound")

@@ -12,7 +12,7 @@ const ORDERS: usize = 6;
 /// Larger derivatives are not followed.
 const SIZE: usize = 2_000;
 
-/// What d and F are next to the axis, where f is not that power itself.
+/// The limits of d and F near the axis, if f is not a power itself.
 pub(super) fn step(solution: &Solution, edge: &Edge) -> Option<Step> {
     let [chain] = solution.profile.chains.as_slice() else { return None };
     if *edge != Edge::Smooth || !chain.breakpoints.is_empty() {

@@ -17,7 +17,7 @@ use crate::transform::{Solution, TransformError};
 /// One step of a derivation.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// What is done.
+    /// The title of the step.
     pub title: String,
     /// The left side of its equation, a name such as g(x); `None` where the step states no equation.
     pub left: Option<String>,

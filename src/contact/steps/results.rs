@@ -1,4 +1,4 @@
-//! From g to depth, force, pressure, stiffness and the relations that are solved for the depth.
+//! From g to depth, force, pressure, stiffness, and the relations in terms of the depth.
 
 use super::Step;
 use crate::contact::{Edge, Relations, explicit};
@@ -11,9 +11,9 @@ pub(super) fn steps(solution: &Solution, edge: &Edge, relations: &Relations) -> 
     list.push(pressure(edge, relations));
     let why = match edge {
         Edge::Smooth => {
-            "A flat punch of radius $a$ is what an increment of depth presses: the shape has no part in it, and d$F$/d$a$ = 2$E$ $a$ d$d$/d$a$"
+            "An increment of depth acts as a flat punch of radius $a$, whatever the shape, so that d$F$/d$a$ = 2$E$ $a$ d$d$/d$a$"
         }
-        Edge::Rim(_) => "The contact radius stays that of the rim while the depth changes",
+        Edge::Rim(_) => "The contact radius equals the radius of the rim at every depth",
     };
     list.push(Step::new("Stiffness", "k(a)", relations.stiffness.formula.clone(), Prose::read(why)).from(&relations.stiffness.reference));
     if *edge == Edge::Smooth {
@@ -23,7 +23,7 @@ pub(super) fn steps(solution: &Solution, edge: &Edge, relations: &Relations) -> 
     list
 }
 
-/// What must hold.
+/// The conditions of validity.
 pub(super) fn validity(relations: &Relations) -> Step {
     let mut conditions = Prose::words("Conditions: ");
     for (place, own) in relations.conditions.iter().enumerate() {
@@ -73,7 +73,7 @@ pub(super) fn force_definition(edge: &Edge) -> Formula {
     compressed.scaled(&(Expr::integer(2) * Expr::symbol("E")))
 }
 
-/// Why p(r) may have no formula.
+/// The reason why p(r) may have no formula.
 pub(super) const NO_PRESSURE: &str = "$g$ may jump where $f'$ is infinite: $p(r)$ has no formula here";
 
 fn pressure(edge: &Edge, relations: &Relations) -> Step {
@@ -83,14 +83,14 @@ fn pressure(edge: &Edge, relations: &Relations) -> Step {
     }
     match &relations.pressure {
         Some(found) => steps.push(
-            Step::new("Result", "p(r)", found.formula.clone(), Prose::read("For $r$ < $a$; there is no pressure outside"))
+            Step::new("Result", "p(r)", found.formula.clone(), Prose::read("For $r$ < $a$; the pressure vanishes outside"))
                 .from(&found.reference),
         ),
         None => steps.push(Step::remark("Result", Prose::read(NO_PRESSURE))),
     }
     let why = match edge {
         Edge::Smooth => "The line load of the foundation is transformed back; its end vanishes under a smooth edge",
-        Edge::Rim(_) => "The line load of the foundation is transformed back; the last term is that of its step at the rim",
+        Edge::Rim(_) => "The line load of the foundation is transformed back; the last term is due to its step at the rim",
     };
     Step::new("Pressure", "p(r)", pressure_definition(edge), Prose::words(why)).from(&["Popov & Heß (3.37)"]).with(steps)
 }
@@ -108,7 +108,7 @@ pub(super) fn pressure_definition(edge: &Edge) -> Formula {
     Formula::sum([smooth, Formula::Closed(factor * excess / (a.power(2) - r.power(2)).sqrt())])
 }
 
-/// a(d) and F(d), where g(a) = d can be solved.
+/// a(d) and F(d), if g(a) = d can be solved.
 fn solved(solution: &Solution, relations: &Relations) -> Vec<Step> {
     let (Some(radius), Some(force)) = (&relations.contact_radius_of_depth, &relations.force_of_depth) else {
         return vec![unsolved()];
@@ -121,14 +121,14 @@ fn solved(solution: &Solution, relations: &Relations) -> Vec<Step> {
     ]
 }
 
-/// Where no a(d) is known.
+/// The remark if no closed form of a(d) is known.
 pub(super) fn unsolved() -> Step {
     let why =
         Prose::read("$d$ = $g(a)$ has no solution for $a$ in closed form that is known here; numbers come from a bracketed root of it");
     Step::remark("Contact radius at a depth", why)
 }
 
-/// How g(a) = d is solved for a, as a sentence.
+/// A sentence on the solution of g(a) = d for a.
 pub(super) fn equation(solution: &Solution) -> &'static str {
     explicit(solution).map_or("", |found| found.equation)
 }

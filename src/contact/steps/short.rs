@@ -6,7 +6,8 @@ use crate::expr::{Bindings, Expr, Formula};
 use crate::print::Prose;
 use crate::transform::{Derived, Solution, Status, TransformError};
 
-/// The short derivation from f, as typed, to f′, g, d, F, p, k, a(d) and F(d): the results of [`steps`](super::steps) without steps within them.
+/// The short derivation from f, as typed, to f′, g, d, F, p, k, a(d) and F(d): the results of [`steps`](super::steps) without
+/// substeps.
 ///
 /// The equation of a step is its result, and the reason states the definition, such as g(x) = x ∫₀^x f′(r)/√(x² − r²) dr.
 ///
@@ -21,7 +22,7 @@ use crate::transform::{Derived, Solution, Status, TransformError};
 /// ```
 ///
 /// # Errors
-/// [`TransformError`] where f has no derivative.
+/// [`TransformError`] if f has no derivative.
 pub fn short_steps(typed: &Formula, solution: &Solution, edge: &Edge, relations: &Relations) -> Result<Vec<Step>, TransformError> {
     let mut list = vec![
         equivalent::shape(typed, solution),
@@ -48,7 +49,7 @@ fn result(title: &str, left: &str, found: &Derived, reason: Prose) -> Step {
     Step::new(title, left, found.formula.clone(), reason).from(&found.reference)
 }
 
-/// The reason, and how much of the integral in it is closed by which rules.
+/// The reason, with the rules that close its integral, fully or in part.
 fn closed_by(reason: Prose, found: &Derived) -> Prose {
     let rules = match found.rules.as_slice() {
         [] => String::new(),
@@ -86,7 +87,7 @@ fn equivalent_profile(solution: &Solution, relations: &Relations) -> Step {
 
 fn depth(edge: &Edge, relations: &Relations) -> Step {
     let step = results::depth(edge, relations);
-    // d = d would state nothing.
+    // Omit the trivial d = d.
     if *edge == Edge::Rim(Expr::symbol("d")) { Step { left: None, right: None, ..step } } else { step }
 }
 
@@ -109,12 +110,12 @@ fn pressure(edge: &Edge, relations: &Relations) -> Step {
 fn stiffness(edge: &Edge, relations: &Relations) -> Step {
     let why = Prose::read("By definition $k$ = d$F$/d$d$").then(match edge {
         Edge::Smooth => "; an increment of depth acts as a flat punch of radius $a$, whatever the shape",
-        Edge::Rim(_) => "; the contact radius is that of the rim at every depth",
+        Edge::Rim(_) => "; the contact radius equals the radius of the rim at every depth",
     });
     result("Stiffness", "k(a)", &relations.stiffness, why)
 }
 
-/// a(d) and F(d), where they are known.
+/// a(d) and F(d), if known.
 fn at_depth(solution: &Solution, edge: &Edge, relations: &Relations) -> Vec<Step> {
     match (edge, &relations.contact_radius_of_depth, &relations.force_of_depth) {
         (Edge::Smooth, Some(radius), Some(force)) => {

@@ -85,7 +85,7 @@ enum Outcome {
     Open,
 }
 
-/// What is proven of a demand.
+/// The proof status of a demand.
 fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
     let Demand { expr, lower, upper, .. } = demand;
     let radius = Symbol::new("r");

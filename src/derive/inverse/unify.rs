@@ -1,6 +1,7 @@
 //! Unification of a rule's kernel with a term's: which values of the rule's parameters make one the other.
 //!
-//! It only proposes values; whoever uses them compares the two recognition forms afterwards, so that a wrong proposal does no harm.
+//! It only proposes values; whoever uses them compares the two recognition forms afterwards, so that a wrong proposal does no
+//! harm.
 
 use crate::expr::{Bindings, Expr, Node, Sign, Symbol, normal, sign};
 
@@ -131,7 +132,7 @@ impl Unifier<'_> {
         self.bound.apply(pattern)
     }
 
-    /// The unknown's value where it stands once, under sums, products and powers.
+    /// The value of an unknown that occurs once, under sums, products and powers.
     fn solved(&self, pattern: &Expr, target: Expr, unknown: &Symbol) -> Option<Expr> {
         let split = |list: &[Expr]| -> Option<(Expr, Vec<Expr>)> {
             let (with, without): (Vec<&Expr>, Vec<&Expr>) = list.iter().partition(|e| e.contains(unknown));

@@ -6,11 +6,11 @@ use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, sign};
 /// Maximum number of nodes of a g′ that is split.
 const LONGEST: usize = 500;
 
-/// What closes of ∫ g′(x)/√(x²−r²) dx from `lower` to `upper`, and the terms of g′ that stay.
+/// The closed part of ∫ g′(x)/√(x²−r²) dx from `lower` to `upper`, and the remaining terms of g′.
 pub(crate) struct Split {
     /// The sum of the integrals that close, over r.
     pub(crate) closed: Expr,
-    /// What is left of g′, over x.
+    /// The remaining part of g′, over x.
     pub(crate) rest: Expr,
 }
 
@@ -30,12 +30,12 @@ enum Known<'a> {
 
 /// Splits ∫ `slope`/√(x²−r²) dx into a closed part and a remaining integral.
 ///
-/// Returns `None` if no term of `slope` has a closed integral, if the remaining terms are longer than `slope`, or if one of them contains a
-/// special function. Its derivative contains powers that cancel with it, so they are kept in one integral.
+/// Returns `None` if no term of `slope` has a closed integral, if the remaining terms are longer than `slope`, or if one of them
+/// contains a special function. Its derivative contains powers that cancel with it, so they are kept in one integral.
 ///
-/// The limits are max(`lower`, r), or r where there is none, and max(`upper`, r). Roots √(x²−b²) are read for the places b in `kinks`.
-/// Powers are those of (3.37) under a power (Popov & Heß 3.20–3.24), x^(2k)/√(x²−b²) leads to incomplete elliptic integrals, and
-/// x exp(κx²) with t² = x² − r² to the error function.
+/// The limits are max(`lower`, r), or r where there is none, and max(`upper`, r). Roots √(x²−b²) are read for the places b in
+/// `kinks`. Powers are those of (3.37) under a power (Popov & Heß 3.20–3.24), x^(2k)/√(x²−b²) leads to incomplete elliptic
+/// integrals, and x exp(κx²) with t² = x² − r² to the error function.
 pub(crate) fn split(slope: &Expr, kinks: &[Expr], lower: Option<&Expr>, upper: &Expr) -> Option<Split> {
     if slope.size_up_to(LONGEST) >= LONGEST || !may_close(slope) {
         return None;

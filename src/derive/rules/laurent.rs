@@ -120,7 +120,7 @@ impl Combination {
             _ => Expr::one(),
         };
         let sum = Expr::sum(present.iter().map(|(part, member)| {
-            // What a polynomial has in common stands before it, its sign too.
+            // Move the common factor and the sign of a polynomial to the front.
             let own = common_number(&part.0.values().collect::<Vec<_>>()).unwrap_or_else(BigRational::one);
             let first = part.0.keys().next().unwrap_or(low);
             let polynomial = Expr::sum(part.0.iter().map(|(j, c)| number(c / &own) * y.power(j - first)));

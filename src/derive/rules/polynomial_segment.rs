@@ -190,7 +190,7 @@ fn worn_pressure(coefficients: &[Expr], b: &Expr) -> Option<Pair> {
     Some(Pair { shown: first * moment(0) + second * moment(1) + root * edge, evaluated: Expr::sum(evaluated) })
 }
 
-/// Expanded, with what all terms have in common in front.
+/// The expanded form, with the common factor of all terms in front.
 fn factored(expr: &Expr) -> Expr {
     let expanded = normal::expanded(expr, &Symbol::new("r")).unwrap_or_else(|_| expr.clone());
     let (content, reduced) = normal::common_content(&expanded.terms());

@@ -120,7 +120,7 @@ fn whole_exponent(factor: &Expr, m: i64, k: i64, x: &Expr) -> Pair {
     Pair { shown: Expr::sum(terms), evaluated: factor * bell(k, &arguments) }
 }
 
-/// What multiplies x under the logarithm: λ₁(m) is ln of it and a rational.
+/// The factor of x in the logarithm: λ₁(m) is its logarithm plus a rational number.
 fn doubled(m: i64) -> Expr {
     if m % 2 == 0 { Expr::ratio(1, 2) } else { Expr::integer(2) }
 }

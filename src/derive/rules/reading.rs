@@ -1,4 +1,5 @@
-//! What rules read from a term: monomials, linear and quadratic polynomials in r, powers of them, calls, and what must be positive.
+//! What rules read from a term: monomials, linear and quadratic polynomials in r, powers of them, calls, and what must be
+//! positive.
 
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Condition, Expr, Node, Sign, Symbol, sign};
@@ -13,7 +14,7 @@ thread_local! {
     static KNOWN: RefCell<Option<HashMap<Expr, Terms>>> = const { RefCell::new(None) };
 }
 
-/// Runs work within which each expression is brought to its recognition form once, although every rule asks for it.
+/// Runs work with a cache, so that each expression is brought to its recognition form only once for all rules.
 ///
 /// Nothing is kept longer, so that the steps of a call do not depend on earlier calls.
 pub(crate) fn remembered<T>(work: impl FnOnce() -> T) -> T {
@@ -88,12 +89,12 @@ pub fn exponential_pair(expr: &Expr) -> Option<(&Expr, &Expr)> {
     Some(if call(first, "exp").is_some() { (first, second) } else { (second, first) })
 }
 
-/// What must hold for an expression to be positive; `None` where it is not.
+/// The conditions for an expression to be positive; `None` if it is not positive.
 pub fn positive(expr: &Expr) -> Option<Vec<Condition>> {
     above(expr, 0)
 }
 
-/// What must hold for an expression to exceed a whole number; `None` where it does not.
+/// The conditions for an expression to exceed a whole number; `None` if it does not.
 pub fn above(expr: &Expr, bound: i64) -> Option<Vec<Condition>> {
     match sign(&(expr - Expr::integer(bound))) {
         Sign::Positive => Some(Vec::new()),

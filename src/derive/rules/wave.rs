@@ -75,7 +75,7 @@ enum Kernel {
     Decay,
 }
 
-/// What B_0 is for a kernel.
+/// The function B_0 of a kernel.
 #[derive(Clone, Copy, PartialEq)]
 enum Family {
     Bessel,

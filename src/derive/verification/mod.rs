@@ -10,10 +10,10 @@ use crate::expr::{Condition, Expr, Symbol};
 use crate::num::work;
 use place::{Place, Subject};
 
-/// What the gate found for the terms of a solution.
+/// The results of verifying the terms of a solution.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Verification {
-    /// Closed forms that were given up, because a proven quadrature contradicts them.
+    /// Closed forms that were rejected, because a quadrature with a proven bound contradicts them.
     pub demoted: Vec<Demotion>,
     /// Terms whose closed g and F agree with quadrature.
     pub compared: usize,
@@ -21,7 +21,7 @@ pub struct Verification {
     pub not_compared: usize,
 }
 
-/// A closed form that was given up.
+/// A rejected closed form.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Demotion {
     /// The rule that gave it, or `recognition` where the terms did not add up to f′.
@@ -31,7 +31,7 @@ pub struct Demotion {
 }
 
 impl Demotion {
-    /// What a reader must know.
+    /// The warning for the reader.
     pub fn text(&self) -> String {
         let Self { rule, quantity } = self;
         match *quantity {
@@ -71,7 +71,7 @@ impl Verdict {
 
 /// Draws of the parameters at which every term is compared.
 const DRAWS: u64 = 2;
-/// Steps of work after which a comparison of a term at one draw is given up: special functions far out may take seconds.
+/// Steps of work after which a comparison is abandoned, because special functions at large arguments may take seconds.
 const LONGEST: u64 = 2_500_000;
 
 /// The numbers for the parameters at which the terms of a profile are compared.

@@ -104,7 +104,7 @@ impl ClosureProfile {
 
 /// Finds the closure's value and slope at a few radii of a piece, and returns the length of the part in which they lie.
 ///
-/// A piece without an end may have one that is not told, as a sphere has: the part is halved until the closure has values there.
+/// An unbounded piece may have an undeclared end, like a sphere; the part is halved until the closure has values there.
 fn examine(function: &Function, lower: f64, upper: f64) -> Result<f64, TransformError> {
     let is_defined = |r: f64| function.height(r).is_finite() && function.slope(r).is_none_or(f64::is_finite);
     let mut scale = if upper.is_finite() { upper - lower } else { lower.max(1.0) };

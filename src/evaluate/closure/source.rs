@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// A real function that may be called from many threads.
 pub(super) type Real = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
 
-/// What is known of f.
+/// The declared properties of f.
 #[derive(Clone)]
 pub(super) enum Function {
     /// f of a complex radius.

@@ -1,4 +1,5 @@
-//! A function next to the axis: Chebyshev fits that begin at r = 0, where those between powers of two see the rounding of its values only.
+//! A function next to the axis: Chebyshev fits that begin at r = 0, where those between powers of two see the rounding of its
+//! values only.
 
 use super::cells::{Cell, LAST, exponent_of, hidden_slope, kept, place_of, places};
 use crate::num::{Bounded, work};
@@ -26,14 +27,14 @@ const AMPLITUDE: f64 = 16.0;
 const RECENT: usize = 4;
 /// Maximum ratio of rounding errors between one narrow fit and those next to it; a larger one is a kink.
 const GROWTH: f64 = 1e4;
-/// Widths of the narrower fits that tell rounding from waves, as shares of an octave.
+/// Widths of the narrower fits that distinguish rounding from waves, as fractions of an octave.
 const CLOSE_UPS: [f64; 3] = [1e-1, 1e-2, 1e-3];
 /// Minimum ratio of the change of φ within a narrower fit to the supposed rounding error, so that the fit shows the true one.
 const SEVERAL: f64 = 10.0;
 /// Beyond this share of its fit a radius is left to the fits between powers of two.
 const REACH: f64 = 0.75;
 
-/// What narrow fits see of φ.
+/// The results of narrow fits to φ.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Seen {
     Slopes,
@@ -45,11 +46,11 @@ pub(super) enum Seen {
 
 type Choice = Option<(i32, Seen)>;
 
-/// The fits of one function to 0 ≤ r ≤ 2^k, made where they are asked for.
+/// The fits of one function to 0 ≤ r ≤ 2^k, computed when needed.
 pub(super) struct Starts {
     upper: f64,
     fits: Box<[OnceLock<Box<Fit>>]>,
-    /// Fits between one power of two and the next, beside which the others must stand.
+    /// Fits between one power of two and the next, with which the others must agree.
     octaves: Box<[OnceLock<Box<Octave>>]>,
     /// Which fit serves radii between one power of two and the next, and what narrower fits see there.
     chosen: Box<[OnceLock<Choice>]>,
@@ -73,7 +74,7 @@ struct Fit {
     /// The size of the last coefficients, and the error of φ beyond the stated one that they show.
     level: f64,
     noise: f64,
-    /// What f changes by.
+    /// The change of f.
     spread: f64,
     /// True where it agrees with narrow fits below.
     stands: OnceLock<bool>,
@@ -87,8 +88,8 @@ impl Starts {
         Self { upper, fits: places(), octaves: places(), chosen: places(), mismatches: places(), first: OnceLock::new() }
     }
 
-    /// Returns the derivative of φ of order 1 or 2 at r with a bound on its error, and what narrower fits see there; `None` if φ is not
-    /// smooth from the axis to beyond r.
+    /// Returns the derivative of φ of order 1 or 2 at r with a bound on its error, and what narrower fits see there; `None` if φ
+    /// is not smooth from the axis to beyond r.
     pub(super) fn derivative(&self, order: usize, r: f64, phi: &impl Fn(f64) -> Bounded) -> Option<(Bounded, Seen)> {
         let (fit, seen) = self.at(r, phi)?;
         Some((fit.derivative(order, r), seen))
@@ -100,16 +101,18 @@ impl Starts {
         octave.map_or(0.0, |own| hidden_slope(own.cell.noise(), r))
     }
 
-    /// Returns an estimate of the change of g(r) = r ∫ φ′/√(r² − b²) db due to the differences between φ and its fits: rounding errors, and
-    /// steps that the fits smooth.
+    /// Returns an estimate of the change of g(r) = r ∫ φ′/√(r² − b²) db due to the differences between φ and its fits: rounding
+    /// errors, and steps that the fits smooth.
     ///
-    /// `serves` returns true for the radii at which the fits from the axis on are used; it must be the same function in every call.
+    /// `serves` returns true for the radii at which the fits from the axis on are used; it must be the same function in every
+    /// call.
     pub(super) fn mismatch(&self, r: f64, phi: &impl Fn(f64) -> Bounded, serves: &impl Fn(f64) -> bool) -> f64 {
         let own = exponent_of(r).and_then(|last| kept(self.mismatches.get(place_of(last)?)?, || self.computed_mismatch(last, phi, serves)));
         own.copied().unwrap_or(0.0)
     }
 
-    /// Integration by parts: a difference δ(b) changes g by δ at the axis, by about 4δ next to r, and by about 4δ(b/r)² in between.
+    /// Integration by parts: a difference δ(b) changes g by δ at the axis, by about 4δ next to r, and by about 4δ(b/r)² in
+    /// between.
     fn computed_mismatch(&self, last: i32, phi: &impl Fn(f64) -> Bounded, serves: &impl Fn(f64) -> bool) -> f64 {
         let mut most = 0.0_f64;
         let mut before = f64::NAN;
@@ -145,7 +148,8 @@ impl Starts {
         own.map(AsRef::as_ref)
     }
 
-    /// Returns true if φ is smooth from the axis to beyond r; the fit that shows it then serves smaller radii at which no other fit does.
+    /// Returns true if φ is smooth from the axis to beyond r; the fit that shows it then serves smaller radii at which no other
+    /// fit does.
     pub(super) fn begin(&self, r: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
         let found = exponent_of(r).and_then(|exponent| self.choose(exponent, phi));
         found.is_some_and(|(k, _)| *self.first.get_or_init(|| k) == k)
@@ -189,8 +193,8 @@ impl Starts {
 
     /// Returns true if the narrow fit at 2^exponent resolves only a remainder of φ.
     ///
-    /// Where a term of φ rounds to a constant, the other terms remain: exp(r) - 1 - r evaluates to -r for r < 1e-16. The slope of the narrow
-    /// fit then differs from that of fit k, while fit k agrees with the narrow fits at all larger radii.
+    /// Where a term of φ rounds to a constant, the other terms remain: exp(r) - 1 - r evaluates to -r for r < 1e-16. The slope of
+    /// the narrow fit then differs from that of fit k, while fit k agrees with the narrow fits at all larger radii.
     fn continues(&self, k: i32, exponent: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
         let (Some(wide), Some(narrow)) = (self.fit(k, phi), self.octave(exponent, phi)) else { return false };
         let r = narrow.cell.middle();
@@ -203,7 +207,7 @@ impl Starts {
         Some(kept(self.fits.get(place_of(k)?)?, || Fit::boxed(libm::scalbn(1.0, k).min(self.upper), phi))?.as_ref())
     }
 
-    /// Returns true if nothing but rounding is seen of φ, by this fit and by the narrow ones below.
+    /// Returns true if φ is rounding noise according to this fit and to the narrow fits below it.
     fn hides(&self, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
         self.fit(k, phi).is_some_and(|own| is_blind(&own.cell) && self.stands(own, k, phi))
     }
@@ -217,7 +221,8 @@ impl Starts {
         (serves && self.stands(own, k, phi)).then_some(own)
     }
 
-    /// Returns true if a fit agrees with narrow ones at radii far below its end: what it does not see there is noise, and no feature.
+    /// Returns true if a fit agrees with narrow ones at radii far below its end: what it does not see there is noise, and no
+    /// feature.
     fn stands(&self, own: &Fit, k: i32, phi: &impl Fn(f64) -> Bounded) -> bool {
         kept(&own.stands, || self.agrees(own, k, DEPTH, phi)).copied().unwrap_or(false)
     }
@@ -239,8 +244,8 @@ impl Starts {
             }
             let level = octave.last(LAST);
             let places = [0.1, 0.35, 0.6, 0.85].map(|share| from + share * (to - from));
-            // Below its rounding further out φ may look smooth again, as 1 - sin(r)/r does where sin(r)/r rounds to 1, or exp(r) - 1 - r,
-            // which is -r where exp(r) rounds to 1.
+            // Below its rounding further out φ may look smooth again, as 1 - sin(r)/r does where sin(r)/r rounds to 1, or exp(r)
+            // - 1 - r, which is -r where exp(r) rounds to 1.
             let blind = is_blind(octave) || (was_blind && octave.spread() <= AMPLITUDE * traces);
             was_blind = blind;
             // Rounding errors do not grow this much from one octave to the next.
@@ -254,7 +259,7 @@ impl Starts {
                 recent[0] = *rounding;
                 traces = recent.into_iter().filter(|own| own.is_finite()).fold(0.0, f64::max);
             }
-            // Where a narrow fit sees nothing but noise, it says little; elsewhere it sees slopes.
+            // A narrow fit that finds only noise is inconclusive; other narrow fits measure slopes.
             let (order, hidden) = if blind { (0, (HIDDEN * own.spread).min(TRACES * traces)) } else { (1, 0.0) };
             places.into_iter().all(|r| {
                 let (narrow, wide) = (octave.derivative_within(order, r, 10.0 * level), own.derivative(order, r));
@@ -264,7 +269,7 @@ impl Starts {
     }
 }
 
-/// Returns true if nothing but noise is seen of φ.
+/// Returns true if φ is only noise.
 fn is_blind(cell: &Cell) -> bool {
     cell.last(LAST) >= BLIND * cell.spread()
 }
@@ -304,8 +309,8 @@ impl Octave {
     fn boxed(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> Box<Self> {
         let cell = Cell::fit((from, to), to, phi);
         let rounding = cell.rounding(LAST);
-        // The last coefficients of a fit that has not resolved φ may be those of a wave or a kink. A much narrower fit has those of noise
-        // if φ changes by several times as much within it.
+        // The last coefficients of a fit that has not resolved φ may be those of a wave or a kink. A much narrower fit has those
+        // of noise if φ changes by several times as much within it.
         let near = || {
             let fits = CLOSE_UPS.into_iter().map(|share| Cell::fit((from, from + share * (to - from)), to, phi));
             fits.filter(|own| own.spread() > SEVERAL * rounding).fold(rounding, |least, own| least.min(own.rounding(LAST)))

@@ -234,7 +234,7 @@ impl<'a> Curve<'a> {
     }
 }
 
-/// What an integral may change by while a breakpoint moves by its error; `smeared` is the breakpoint, its error and the jump of f′.
+/// The change of an integral when a breakpoint moves by its error; `smeared` is the breakpoint, its error and the jump of f′.
 fn smear(smeared: [f64; 3], x: f64, kind: Integral) -> f64 {
     let [b, error, jump] = smeared;
     if x < b - error {

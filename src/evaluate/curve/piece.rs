@@ -20,7 +20,7 @@ pub(super) struct Piece {
     far: Option<Far>,
 }
 
-/// What the quantities beyond a piece need: the lower half by Gauss's rule where B ≠ 0, the rest as a Legendre expansion.
+/// Data for the quantities beyond a piece: the lower half by Gauss's rule if B ≠ 0, the rest as a Legendre expansion.
 struct Far {
     /// u and ∫-weight times φ of the nodes.
     nodes: Vec<[f64; 2]>,
@@ -162,7 +162,7 @@ impl Piece {
         (self.peak * away.powf(-0.5 * self.exponent.max(0.0) - 0.25)).max(1.0)
     }
 
-    /// What the kinds multiply φ with at most, beside the root.
+    /// The largest factor of φ for each kind, apart from the root.
     fn lever(&self, kind: Integral, x: f64, u: f64) -> f64 {
         match kind {
             Integral::Root => 1.0,

@@ -14,7 +14,8 @@ pub enum Interpolation {
     /// [0, 3 min(Δ₋, Δ₊)], Δ the rises on either side: the sufficient condition of Fritsch and Carlson (1980), with the
     /// better slopes of Hyman (1983). The error falls as the fourth power of the spacing, next to an extremum as the second.
     MonotoneCubic,
-    /// The same for an even f, f′(0) = 0: slopes near the axis know the mirror images of the points. For smooth tips, not for cones.
+    /// The same for an even f, f′(0) = 0: slopes near the axis know the mirror images of the points. For smooth tips, not for
+    /// cones.
     EvenMonotoneCubic,
     /// The natural cubic spline that minimises Σ (z − f)² + λ ∫ f″² dr (Reinsch 1967), for points with noise.
     SmoothingSpline(Penalty),
@@ -79,7 +80,7 @@ fn extend_to_axis(pieces: &mut Vec<Cubic>) {
     }
 }
 
-/// The mirror images of what stands beyond the axis, and the list itself.
+/// The mirror images beyond the axis, followed by the list itself.
 fn beyond_axis(list: &[f64], sign: f64, at_axis: bool) -> Vec<f64> {
     list.iter().skip(usize::from(at_axis)).rev().map(|v| sign * v).chain(list.iter().copied()).collect()
 }

@@ -7,7 +7,7 @@ use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Exhausted, NumError, special};
 use std::sync::OnceLock;
 
-/// What the pressure needs of a table: the jumps of f′, and the masses of every cluster, computed on first use.
+/// Data of a table for the pressure: the jumps of f′, and the masses of every cluster, computed on first use.
 pub(super) struct Bends {
     /// b times the jump of f′ at the lower end b of every piece; 0 where it is within rounding.
     pub(super) kinks: Vec<f64>,

@@ -1,10 +1,10 @@
-//! The better of several answers: ways are asked in turn until one meets the tolerance.
+//! The best of several results: ways are tried in turn until one meets the tolerance.
 
 use crate::evaluate::evaluator::Reading;
 use crate::integrate::error::TransformError;
 use crate::num::Estimate;
 
-/// What a way finds: a number; `None` where it is infinite by theory.
+/// The result of a way: a number; `None` if it is theoretically infinite.
 pub(crate) type Answer = Result<Option<Reading>, TransformError>;
 
 /// The best answer so far.
@@ -19,8 +19,8 @@ impl Best {
         Self { tolerance, found }
     }
 
-    /// Asks another way if the answer misses the tolerance, or if f′ has no digits or no value in the way before; keeps the better one, as
-    /// [`Estimate::is_better_than`] has it.
+    /// Asks another way if the answer misses the tolerance, or if f′ has no digits or no value in the way before; keeps the
+    /// better one, as [`Estimate::is_better_than`] has it.
     pub(crate) fn or(self, ask: impl FnOnce() -> Answer) -> Self {
         let is_open = match &self.found {
             Ok(Some(own)) => !own.estimate.meets(self.tolerance),

@@ -12,7 +12,7 @@ use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Bounded, Estimate, Precise, work};
 use std::cell::Cell;
 
-/// Where a quadrature has fewer digits than this relative error says, the series is asked too.
+/// Relative error of a quadrature above which the series is tried too.
 const SCANT: f64 = 1e-10;
 
 impl Evaluator<'_> {
@@ -20,8 +20,8 @@ impl Evaluator<'_> {
     ///
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
     ///
-    /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form is given about a millisecond
-    /// before quadrature is asked, and half a second where quadrature misses the tolerance.
+    /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form is given about a
+    /// millisecond before quadrature is asked, and half a second where quadrature misses the tolerance.
     pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Answer {
         let dear = Cell::new(false);
         let found = self.combined(quantity, ask, Some(&dear));
@@ -138,15 +138,15 @@ impl Evaluator<'_> {
         self.or_the_whole(own, ask)
     }
 
-    /// The better of a number whose closed form lost digits, or left its domain, and of the whole by quadrature or, next to the axis, by the
-    /// series.
+    /// The better of a number whose closed form lost digits, or left its domain, and of the whole by quadrature or, next to the
+    /// axis, by the series.
     pub(crate) fn or_the_whole(&self, own: Reading, ask: Ask) -> Answer {
         let typed = || self.quadrature(self.typed()?, ask);
         Best::of(self.tolerance, Ok(Some(own))).or(typed).or(|| self.by_recognition(ask)).or(|| self.by_series(ask)).answer()
     }
 
-    /// The whole by quadrature of f′ as typed, which is given, or of its recognition form where the typed one cancels or leaves the range of
-    /// doubles.
+    /// The whole by quadrature of f′ as typed, which is given, or of its recognition form where the typed one cancels or leaves
+    /// the range of doubles.
     #[cold]
     pub(crate) fn by_quadrature(&self, ask: Ask, typed: Result<Option<Estimate>, TransformError>) -> Answer {
         let typed = self.typed().and_then(|profile| by_quadrature(unless_underflown(profile, ask, typed)));

@@ -1,4 +1,4 @@
-//! f itself as the integral of f′, for what knows f′ alone and to check a formula by.
+//! f as the integral of f′, for profiles given by f′ alone and for checks of formulas.
 
 use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::ask::BISECTION;
@@ -8,7 +8,8 @@ use crate::num::bounded::UNIT;
 use crate::num::quadrature::{Options, Panel, Point, integrate};
 use crate::num::{Bounded, Estimate};
 
-/// Towards the end of f′ the range is cut where the distance to it has grown by this factor: a pole there is as narrow as that distance.
+/// Towards the end of f′ the range is cut where the distance to it has grown by this factor: a pole there is as narrow as that
+/// distance.
 const FACTOR: f64 = 8.0;
 
 impl NumericProfile {
@@ -30,7 +31,7 @@ impl NumericProfile {
 }
 
 impl NumericSegment {
-    /// What f rises by from the lower end of the segment over a length.
+    /// The increase of f from the lower end of the segment over a length.
     fn rise(&self, length: f64, r: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         let mut slots = Vec::new();
         let cuts = self.cuts(length);
@@ -57,7 +58,8 @@ impl NumericSegment {
         Ok(Estimate { error: found.error + smear + lost, ..found })
     }
 
-    /// Where the range is cut before any bisection, rising: what is narrow at an end shows at no node of a rule over the whole range.
+    /// Where the range is cut before any bisection, rising: what is narrow at an end shows at no node of a rule over the whole
+    /// range.
     fn cuts(&self, length: f64) -> Vec<f64> {
         let from_lower = if self.singular || !length.is_normal() { &[] } else { GRADES };
         // Every second one: the first node of a part is at 4e-3 of it.

@@ -1,7 +1,7 @@
 //! The ways to a number: one entry each, for `--method`, for the list of `--explain` and for the tests of their bounds.
 //!
-//! A way computes the number, or returns `None` where it cannot.
-//! Each other file extends the evaluator by one quantity; `combine` asks ways in the order of their cost and returns the most accurate result.
+//! A way computes the number, or returns `None` where it cannot. Each other file extends the evaluator by one quantity; `combine`
+//! tries the ways in order of their cost and returns the most accurate result.
 
 pub(crate) mod best;
 pub(crate) mod closed_slope;
@@ -33,7 +33,7 @@ pub(crate) const SERIES: &str = "series";
 pub struct Way {
     /// The key, as `--method` takes it.
     pub key: &'static str,
-    /// What is done.
+    /// A description of the method.
     pub title: &'static str,
     /// The keys of the quantities that it computes: f, g, G, F, p, u outside the contact, and the stress on the axis.
     pub quantities: &'static [&'static str],
@@ -114,7 +114,7 @@ impl Way {
         WAYS.iter().find(|own| own.key == key)
     }
 
-    /// The number that is asked for, found in this way alone; `None` where it is infinite by theory.
+    /// The requested number, computed by this way alone; `None` if it is theoretically infinite.
     ///
     /// # Errors
     /// [`TransformError::NoSuchWay`] for another quantity, [`TransformError::NotThisWay`] where the way has no answer, and what

@@ -11,8 +11,8 @@ use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, Region};
 
 impl NumericProfile {
-    /// ∫₀^a (r f′)′ arccos(r/a)/r dr + Σ δ arccos(b/a), which is p(0)·π/E*, with a proven bound; `None` if the enclosures of (r f′)′ do not
-    /// become small in time.
+    /// ∫₀^a (r f′)′ arccos(r/a)/r dr + Σ δ arccos(b/a), which is p(0)·π/E*, with a proven bound; `None` if the enclosures of (r
+    /// f′)′ do not become small in time.
     pub(crate) fn pressure_on_axis(&self, a: f64, tolerance: f64) -> Option<Estimate> {
         if !a.is_normal() || self.starts_steeply(a) {
             return None;
@@ -109,7 +109,7 @@ impl Range for Axis<'_> {
             let (r, phi) = self.angles.delta(*place);
             (*delta, *doubt) = (r, 16.0 * UNIT * r);
             let value = phi * self.angles.x * phi.sin() / r;
-            // Next to the edge the angle is counted from there, next to the axis from that one.
+            // The angle is measured from the nearer end: the edge or the axis.
             *weight = Bounded { value, error: 48.0 * UNIT * value };
         }
         self.bend.block(&deltas[..count], &doubts[..count], values, errors, scratch);

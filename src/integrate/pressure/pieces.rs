@@ -10,8 +10,8 @@ use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, Region};
 
 impl NumericProfile {
-    /// ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s) with a proven bound, as [`Self::stress_direct`]; `None` where the enclosures of (r f′)′ do not
-    /// become small in time, and at the axis, where K is infinite.
+    /// ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s) with a proven bound, as [`Self::stress_direct`]; `None` where the enclosures of (r
+    /// f′)′ do not become small in time, and at the axis, where K is infinite.
     pub(crate) fn pressure_by_pieces(&self, s: f64, a: f64, tolerance: f64) -> Option<Estimate> {
         if !(s > 0.0 && s < a && a.is_normal()) {
             return None;
@@ -21,8 +21,8 @@ impl NumericProfile {
     }
 }
 
-/// ∫ (r f′)′ K(r, s) dr over segments and `more`, with a proven bound; `None` as [`NumericProfile::pressure_by_pieces`], and where a segment
-/// begins at s = 0.
+/// ∫ (r f′)′ K(r, s) dr over segments and `more`, with a proven bound; `None` as [`NumericProfile::pressure_by_pieces`], and
+/// where a segment begins at s = 0.
 pub(crate) fn pressure_of_segments<'a>(
     segments: impl Iterator<Item = &'a NumericSegment>,
     s: f64,
@@ -79,7 +79,7 @@ fn place_of_s(s: f64, a: f64) -> (Region, Region) {
     (ratio(s), Region::new(((rest / a).next_down() * (1.0 - UNIT), (rest / a).next_up() * (1.0 + UNIT)), (0.0, 0.0)))
 }
 
-/// What the kernel is made of, in units of a.
+/// The terms of the kernel, in units of a.
 struct Lengths {
     r: Region,
     /// |r − s|.
@@ -104,7 +104,7 @@ impl Radii<'_> {
         (r, delta, Distances { difference, below_edge: self.to.to(edge) + down })
     }
 
-    /// What the ends of the segment may make of the integral while they are known to their errors only.
+    /// The change of the integral due to the uncertainty of the ends of the segment.
     fn smear(&self) -> f64 {
         let width = self.width();
         let at = |share: f64| {
@@ -162,7 +162,8 @@ impl Radii<'_> {
         self.segment.largest_bend(own.delta, &mut self.slots)
     }
 
-    /// ∫ |K| dr over a piece that begins at s, which has no unit: R_F(x, y, z) ≤ R_C(z, x) for x ≤ y, and R_C(z, x) ≤ ln(4z/x)/√(2z) for 2x ≤ z.
+    /// ∫ |K| dr over a piece that begins at s, which has no unit: R_F(x, y, z) ≤ R_C(z, x) for x ≤ y, and R_C(z, x) ≤
+    /// ln(4z/x)/√(2z) for 2x ≤ z.
     fn logarithm(&self, piece: Piece, own: &Lengths) -> f64 {
         let one = Region::real(1.0);
         let (s, rest) = self.place_of_s;

@@ -14,7 +14,8 @@ pub(crate) struct Nodes {
 }
 
 impl NumericSegment {
-    /// Returns f′ at nodes beyond the radius `from`. Each angle is given twice: counted from the angle of `from`, and as the rest up to π/2.
+    /// Returns f′ at nodes beyond the radius `from`. Each angle is given twice: measured from the angle of `from`, and as the
+    /// remainder to π/2.
     pub(crate) fn slopes_over_angle(
         &self,
         from: f64,

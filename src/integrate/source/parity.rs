@@ -4,7 +4,7 @@ use crate::eval::{RegionAlgebra, Tape};
 use crate::expr::{Expr, Node, Symbol};
 use crate::num::Region;
 
-/// What becomes of a function when r changes its sign.
+/// The behaviour of a function when r changes its sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Parity {
     /// Nothing.
@@ -67,7 +67,8 @@ pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
     }
 }
 
-/// Returns true if an enclosure shows that an expression in r alone is analytic around r = 0, where a function may have a branch point.
+/// Returns true if an enclosure shows that an expression in r alone is analytic around r = 0, where a function may have a branch
+/// point.
 fn is_analytic(expr: &Expr, radius: &Symbol) -> bool {
     const NEAR: f64 = 1e-30;
     let around = Region::new((-NEAR, NEAR), (-NEAR, NEAR));

@@ -185,7 +185,7 @@ impl Numbers {
     }
 }
 
-/// Room for the intermediate values of blocks: each thread keeps one, so that a short integral asks for no memory.
+/// Scratch memory for the intermediate values of blocks, kept by each thread to avoid allocations in short integrals.
 pub(crate) struct Scratch(BlockScratch);
 
 thread_local! {
@@ -220,7 +220,7 @@ impl NumericProfile {
         Self { segments }
     }
 
-    /// States that f ~ C rⁿ at the axis, instead of what samples tell.
+    /// Sets the leading behaviour f ~ C rⁿ at the axis, which is otherwise estimated from samples.
     pub(crate) fn state_exponent(&mut self, n: f64) {
         for segment in self.segments.iter_mut().filter(|segment| segment.lower.value == 0.0) {
             segment.singular = n.fract() != 0.0;
@@ -274,5 +274,5 @@ impl NumericSegment {
     }
 }
 
-/// What is missing where a source knows no second derivative.
+/// The error if a source has no second derivative.
 pub(crate) const NO_BEND: TransformError = TransformError::NoClosedForm { quantity: "the derivative (r f′)′" };

@@ -39,7 +39,7 @@ pub(in crate::tradeoff) fn ladder<'a>(problem: &'a Problem<'a>, _: &'a Evaluator
                 Some(ready) => ready,
                 None => foundation.insert(own()?),
             };
-            // 2E* with E* = 1 stands before the transform's value.
+            // The value of the transform is multiplied by 2E* with E* = 1.
             Ok(Estimate::estimated(0.5 * ready.indent(depth).force, f64::INFINITY, springs as u64))
         };
         steps.push(Candidate {

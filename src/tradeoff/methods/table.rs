@@ -1,4 +1,4 @@
-//! A table of points in the place of the formula: monotone cubics through it, over the number of points.
+//! A table of points instead of the formula: monotone cubics, over the number of points.
 
 use crate::contact::Quantity;
 use crate::num::Estimate;
@@ -38,7 +38,7 @@ fn height(evaluator: &Evaluator<'_>, r: f64) -> Result<f64, TransformError> {
     Ok(evaluator.height(r)?.estimate.value)
 }
 
-/// What the table says; its own bounds hold for its cubics, not for the formula behind it, so none is stated.
+/// The value of the table, without its bounds, which apply to its cubics and not to the formula.
 fn read(problem: &Problem<'_>, table: &TableProfile, at: f64) -> Result<Estimate, String> {
     let found = match (problem.quantity, problem.radius) {
         (Quantity::Equivalent, _) => table.slope(at).map(Some),

@@ -59,7 +59,7 @@ pub trait Algebra {
 /// Per operation the value, where it does not depend on the inputs.
 pub type KeptValues<V> = OnceLock<Vec<Option<V>>>;
 
-/// What a tape computes once: constants such as κ(3/2) cost as much as all the rest of a run.
+/// The constants of a tape, which are computed once: a constant such as κ(3/2) takes as long as the rest of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Kept {
     pub(super) bounded: KeptValues<Bounded>,
@@ -155,8 +155,8 @@ impl Algebra for BoundedAlgebra {
     }
 }
 
-/// The value where all arguments but one are numbers and some of these were rounded: one evaluation with their 30 digits tells what that
-/// rounding does, and each of them need not be moved by itself. `None` where the value is not one of 30 digits itself.
+/// The value where all arguments but one are numbers and some of these were rounded: one evaluation with their 30 digits tells
+/// what that rounding does, and each of them need not be moved by itself. `None` where the value is not one of 30 digits itself.
 fn of_one(row: &Row, arguments: &[Bounded], numbers: &[Option<DoubleDouble>]) -> Option<Bounded> {
     let Accuracy::Bounded(ulps) = row.accuracy else { return None };
     let precise = row.precise?;
@@ -186,8 +186,8 @@ fn of_one(row: &Row, arguments: &[Bounded], numbers: &[Option<DoubleDouble>]) ->
     found.is_finite().then(|| Bounded::checked(value, error))
 }
 
-/// Bounds as those of [`BoundedAlgebra`] in which every operation is charged half a unit, whether it rounds at this point or not: near by
-/// they hold as well.
+/// Bounds as those of [`BoundedAlgebra`] in which every operation is charged half a unit, whether it rounds at this point or not:
+/// near by they hold as well.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RoundingAlgebra;
 
@@ -331,7 +331,8 @@ impl Algebra for RegionAlgebra {
     }
 }
 
-/// Intervals of real numbers that hold every value for arguments in intervals; unknown where the expression is, or may be, not analytic.
+/// Intervals of real numbers that hold every value for arguments in intervals; unknown where the expression is, or may be, not
+/// analytic.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct IntervalAlgebra;
 

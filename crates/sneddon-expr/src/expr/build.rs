@@ -4,7 +4,7 @@ use super::{Constant, Expr, Function, Node, Number, Sign, sign};
 use crate::num::work::is_exhausted;
 use std::collections::BTreeMap;
 
-/// What a constructor returns once the budget is used up.
+/// The result of a constructor after the budget is exhausted.
 ///
 /// Constructors have no error to return. The smallest expression ends every loop that builds a larger one from the last, and
 /// [`within`](crate::num::work::within) throws away what is made of it.
@@ -247,7 +247,7 @@ fn fold_root(base: &Number, exponent: &Expr) -> Option<Expr> {
     if let Some(root) = base.root(k) {
         return root.power(p).map(Expr::number);
     }
-    // Under one root stand p q^(k−1): beyond the range of doubles nothing is gained.
+    // The common radicand is p q^(k−1); do not combine the roots if it exceeds the range of doubles.
     if base.bits() * u64::from(k) > 512 {
         return None;
     }
@@ -292,7 +292,7 @@ fn extract_root(radicand: &Number, k: u32) -> (Number, Number) {
     (out, inner)
 }
 
-/// The function of the arguments, folded where its row knows a shorter form.
+/// The function of the arguments, folded if its row has a shorter form.
 pub(super) fn function(function: Function, arguments: Vec<Expr>) -> Expr {
     if let Some(folded) = function.row().fold.and_then(|fold| fold(&arguments)) {
         return folded;

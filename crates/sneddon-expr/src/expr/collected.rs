@@ -252,7 +252,7 @@ fn with_in_front(sum: &Expr, shared: fn(&[Number]) -> Number) -> Expr {
     &content * Expr::sum(terms.iter().map(|term| term / &content))
 }
 
-/// What the numeric factors share without making any of them longer: halves and thirds are not brought together.
+/// The common factor of the numeric factors that makes none of them longer: halves and thirds are kept apart.
 fn number_in_front(numbers: &[Number]) -> Number {
     let [first, others @ ..] = numbers else { return Number::integer(1) };
     let alike = others.iter().all(|own| own.value().denom() == first.value().denom());

@@ -26,7 +26,7 @@ impl Ord for Expr {
 
 /// Kinds in the order of [`Node`], then operands one by one; a shared tree equals itself without a look inside.
 ///
-/// What asks for the order is counted as work; what asks for equality is not, since a hash table asks by chance.
+/// Comparisons of order count as work; tests of equality do not, because their number in a hash table is random.
 /// One function and one frame per level, so that the deepest expression that is read compares on a small stack.
 fn compare<const COUNTED: bool>(left: &Expr, right: &Expr) -> Ordering {
     if left.address() == right.address() {

@@ -1,4 +1,4 @@
-//! Formulas: what stands above plain expressions, namely pieces, integrals and sums of them.
+//! Formulas: plain expressions, piecewise expressions, integrals, and sums of these.
 
 use super::{Bindings, Expr, Symbol, derivative::derivative, error::ExprError};
 
@@ -22,7 +22,7 @@ pub enum Formula {
     },
     /// ∫ from `lower` to `upper` of `integrand` over `variable`.
     Integral {
-        /// What is integrated.
+        /// The integrand.
         integrand: Box<Formula>,
         /// The bound variable.
         variable: Symbol,
@@ -254,7 +254,8 @@ impl Formula {
         }
     }
 
-    /// Replaces free symbols; a piecewise whose variable is bound to a number, or whose breakpoints leave no choice, is kept as pieces.
+    /// Replaces free symbols; a piecewise whose variable is bound to a number, or whose breakpoints leave no choice, is kept as
+    /// pieces.
     pub fn substitute(&self, bindings: &Bindings) -> Self {
         self.map(&|expr| bindings.apply(expr))
     }

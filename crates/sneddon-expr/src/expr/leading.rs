@@ -5,7 +5,7 @@
 
 use super::{Bindings, Expr, Node, Number, Sign, Symbol, derivative, normal, sign};
 
-/// The first power of r that an expression has at the axis, and what stands before it.
+/// The leading power of r of an expression at the axis, and its coefficient.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LeadingTerm {
     /// The coefficient, which is not zero for parameters in general position.

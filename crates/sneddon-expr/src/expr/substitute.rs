@@ -25,7 +25,7 @@ impl Bindings {
         Self::from_iter([(name, value)])
     }
 
-    /// What replaces the symbol, if anything.
+    /// The replacement of the symbol, if any.
     pub fn get(&self, symbol: &Symbol) -> Option<&Expr> {
         self.0.get(symbol)
     }

@@ -69,7 +69,7 @@ pub(super) fn raised(character: char) -> Option<char> {
     })
 }
 
-/// What to type instead of a character that is not accepted.
+/// Advice for a character that is not allowed.
 pub(super) fn instead_of(character: char) -> &'static str {
     match character {
         '₀'..='₉' => "write an index with _, as in c_1",

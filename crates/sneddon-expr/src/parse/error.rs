@@ -79,7 +79,7 @@ pub enum Reason {
     Reserved {
         /// The name.
         name: String,
-        /// What the reserved name means.
+        /// The meaning of the reserved name.
         meaning: &'static str,
     },
     /// A function's name without its arguments.

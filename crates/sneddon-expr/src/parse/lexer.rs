@@ -196,7 +196,7 @@ impl<'t> Lexer<'t> {
         let mut exponent = 0..0;
         if matches!(bytes.get(end), Some(b'e' | b'E')) {
             let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
-            // `2e` without digits is the number 2 before the constant e; the parser asks for an operator there.
+            // `2e` without digits is the number 2 before the constant e; the parser reports the missing operator.
             if is_digit(end + 1 + sign) {
                 let last = digits_from(end + 1 + sign);
                 exponent = end + 1..last;

@@ -31,6 +31,6 @@ pub(super) enum Kind {
     },
     /// Two sides; true where the first one is the larger.
     Comparison(bool),
-    /// A bracketed list of so many entries, an argument of `hyper`.
+    /// A bracketed list with its number of entries, an argument of `hyper`.
     List(usize),
 }

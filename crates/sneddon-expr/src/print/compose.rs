@@ -11,7 +11,7 @@ use crate::num::work;
 /// Functions whose name precedes a single symbol without parentheses.
 const BARE: [&str; 13] = ["ln", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"];
 
-/// What a formula is laid out for.
+/// The purpose of a layout.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Style {
     /// The program's grammar: the sign of an integrand stays with it, so that the formula reads back as it is.

@@ -4,7 +4,7 @@ use super::Renaming;
 use super::rounding::{MOST_DIGITS, Rounding, with_decimals};
 use crate::expr::{Condition, Expr, Formula, Number, shown_as_mathematics, shown_with_logarithms};
 
-/// What is changed in formulas just before they are printed; nothing by default.
+/// Changes applied to formulas before they are printed; empty by default.
 ///
 /// ```
 /// use sneddon_expr::{expr::Expr, print::{self, Presentation}};

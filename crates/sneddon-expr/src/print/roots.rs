@@ -5,7 +5,7 @@ use crate::expr::{Expr, Number, Sign, sign};
 
 /// Joins positive factors with the exponent 1/n, and those with 1/(2n) as roots, across the line.
 ///
-/// What is joined reads back as the same product, because positive factors leave a root.
+/// Parsing a joined root restores the product, because positive factors are moved out of roots.
 pub(super) fn gather(upper: &mut Vec<Factor>, lower: &mut Vec<Factor>) {
     let symbolic = |factor: &&Factor| factor.exponent.as_number().is_none() && is_reciprocal(&factor.exponent);
     // The largest of the exponents leads: 1/n before 1/(2n).

@@ -206,7 +206,7 @@ fn the_reciprocal_of_a_certain_overflow_is_bounded() {
         let limit = over.apply(f64::tanh, 1.0);
         assert!(limit.value.abs() == 1.0 && limit.error < 1e-15, "{limit:?}");
     }
-    // What cancels, or is multiplied with what underflows, is not known.
+    // Differences of overflows, and products of an overflow and an underflow, are unknown.
     let over = huge * huge;
     for unknown in [over - over, over * (one / over), over * Bounded::exact(0.0), over / over, over.apply(f64::sin, 1.0)] {
         assert!(!unknown.is_finite(), "{unknown:?}");

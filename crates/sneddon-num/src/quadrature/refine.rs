@@ -13,14 +13,14 @@ use super::{Integrand, Options, Rule};
 
 /// Deepest bisection: positions stay exact integers.
 const DEEPEST: u32 = 50;
-/// A panel of zeros is believed at this level only.
+/// Level at which a panel of zeros is accepted as zero.
 const BLANK_LEVEL: u32 = 3;
 /// Bisections without effect after which a piece is left alone.
 const MOST_STALLS: u8 = 12;
 /// The same where the error is so small beside |f| that noise is the likely reason.
 const MOST_STALLS_IN_NOISE: u8 = 4;
 
-/// A part of a panel with what is known of its integral.
+/// A part of a panel with the estimate of its integral.
 pub(super) struct Piece {
     map: Map,
     place: Place,

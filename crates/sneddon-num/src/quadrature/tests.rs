@@ -71,7 +71,7 @@ fn powers_and_logarithms_at_a_told_end() {
     };
     let sharp = Options { rel_tol: 1e-13, ..by_distance() };
     assert_honest(integrate(&mut product, &[Panel::singular(0.0, 1.0)], &sharp).unwrap(), -4.0 / 9.0, 1e-13);
-    // The same far from the origin: only the distance knows where the end is.
+    // The same far from the origin, where only the distance locates the end accurately.
     let mut shifted = |p: Point| Bounded::exact(1.0) / p.bounded_from_upper().sqrt();
     let found = integrate(&mut shifted, &[Panel::singular(1e6, 1e6 + 0.25)], &by_distance()).unwrap();
     assert_honest(found, 1.0, 1e-12);
@@ -83,7 +83,7 @@ fn tails_that_are_cut_are_accounted_for() {
     let mut f = |p: Point| p.bounded_from_lower().powf(Bounded::exact(-0.999));
     let found = best(integrate(&mut f, &[Panel::singular(0.0, 1.0)], &by_distance()));
     assert!((found.value - 1000.0).abs() <= found.error && found.error < 2000.0, "{found:?}");
-    // 1/x is not integrable: no finite promise that would be believed.
+    // 1/x is not integrable, so the result must not claim a small error.
     let mut pole = |p: Point| Bounded::exact(1.0) / p.bounded_from_lower();
     let found = integrate(&mut pole, &[Panel::singular(0.0, 1.0)], &by_distance());
     assert!(matches!(found, Err(NumError::ToleranceNotReached { error, .. }) if error > 1e3), "{found:?}");

@@ -56,7 +56,7 @@ pub struct Panel {
     pub lower: f64,
     /// Upper end.
     pub upper: f64,
-    /// What happens at the ends.
+    /// The behaviour at the ends.
     pub kind: EndBehaviour,
 }
 

@@ -117,13 +117,13 @@ impl Interval {
         Self::rounded(1.0 / self.high, 1.0 / self.low)
     }
 
-    /// What lies within ±`most`.
+    /// The intersection with [−`most`, `most`].
     #[inline]
     pub(super) fn cut(self, most: f64) -> Self {
         if self.is_known() { Self { low: self.low.max(-most), high: self.high.min(most) } } else { self }
     }
 
-    /// What lies in both.
+    /// The intersection of both.
     pub(super) fn and(self, other: Self) -> Self {
         let own = Self { low: self.low.max(other.low), high: self.high.min(other.high) };
         if own.low <= own.high { own } else { self }

@@ -4,7 +4,7 @@ use crate::double_double::{DoubleDouble, Precise, two_prod, two_sum};
 
 /// Bound on the relative error of one operation.
 pub(super) const UNIT: f64 = 1.0 / (1_u128 << 104) as f64;
-/// What an underflow can lose.
+/// The largest error of an underflow.
 pub(super) const TINY: f64 = 1e-320;
 /// 2/π.
 pub(super) const TWO_OVER_PI: DoubleDouble = DoubleDouble { hi: std::f64::consts::FRAC_2_PI, lo: -3.935_735_335_036_497e-17 };

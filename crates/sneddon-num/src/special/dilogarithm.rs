@@ -166,7 +166,7 @@ pub(super) fn tangent(z: Ball) -> Ball {
 const ZETA_2: Ball = Ball { value: DoubleDouble { hi: PI2_6, lo: 3.040_672_350_398_476e-17 }, error: 2e-32 };
 const PI2_6: f64 = 1.644_934_066_848_226_4;
 const PI2_8: f64 = 1.233_700_550_136_169_7;
-/// What the double nearest to pi^2/8 leaves out.
+/// pi^2/8 minus its nearest double.
 const PI2_8_REST: f64 = 7.831_619_385_924_639e-17;
 
 /// `Σ square^k x/(2k+1)^2`, `|square| <= 1/2`, from the smallest term up.

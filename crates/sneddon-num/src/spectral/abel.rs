@@ -43,7 +43,7 @@ impl Power {
         Self { exponent: b + order, coefficients: scaled, basis: Basis::new(-order, b + order, coefficients.len()), unit: first }
     }
 
-    /// The power of w that stands before the sum.
+    /// The power of w before the sum.
     pub fn exponent(&self) -> f64 {
         self.exponent
     }

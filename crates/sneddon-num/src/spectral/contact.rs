@@ -75,7 +75,7 @@ fn connection(count: usize) -> (Vec<f64>, Vec<f64>) {
     (rising, falling)
 }
 
-/// What [`pressures`] finds.
+/// The result of [`pressures`].
 pub struct Pressures {
     /// Φ_k.
     pub values: Vec<f64>,

@@ -76,7 +76,7 @@ pub(crate) fn next_weight(coefficients: &[f64], beta: f64) -> Vec<f64> {
     out
 }
 
-/// Shortens an expansion whose tail has reached the plateau of rounding, and tells what the rest adds to a half-order integral.
+/// Truncates an expansion whose tail has reached the plateau of rounding, and bounds the tail's half-order integral.
 ///
 /// `scale` is the largest value of the function, not the largest coefficient. Rounding of the values gives coefficient k a noise
 /// of about √((2k+1)/n) ulps. `None` where the tail still carries digits; a half-order integral divides coefficient k by k + 1.

@@ -36,8 +36,8 @@ impl Local {
         (Self { coefficients: monomials(&chebyshev) }, tail, largest)
     }
 
-    /// The same from values to more digits, without the largest coefficient: every coefficient is rounded once, and those below `noise`
-    /// say nothing about how the others fall.
+    /// The same from values to more digits, without the largest coefficient: every coefficient is rounded once, and those below
+    /// `noise` say nothing about how the others fall.
     pub fn fit_precise(values: &[DoubleDouble; LOCAL], noise: f64) -> (Self, f64) {
         let table = precise_table();
         let mut chebyshev = [DoubleDouble::from(0.0); LOCAL];
@@ -91,7 +91,7 @@ fn beyond(chebyshev: &[f64; LOCAL], noise: f64) -> (f64, f64) {
     (2.0 * last * (ratio / (1.0 - ratio)).max(0.05) + 2.0 * last.min(f64::EPSILON * largest), largest)
 }
 
-/// What [`Local::fit_precise`] needs: cos(πm/(2·LOCAL)), and the monomials of every Chebyshev polynomial.
+/// Data for [`Local::fit_precise`]: cos(πm/(2·LOCAL)), and the monomials of every Chebyshev polynomial.
 struct PreciseTable {
     cosines: [DoubleDouble; 4 * LOCAL],
     rows: [[f64; LOCAL]; LOCAL],

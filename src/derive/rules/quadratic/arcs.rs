@@ -12,7 +12,7 @@ const OUTWARD: &str = "r ≥ b";
 const INSIDE: &str = "r < R";
 const WORN_INSIDE: &str = "b ≤ r < R";
 
-/// What the rules of this file have in common.
+/// The common part of the rules in this file.
 const BASE: Rule = Rule { parameters: &[H, W], guard: POSITIVE, reference: &[PARTS], ..BLANK };
 
 pub(in crate::derive::rules) static ATAN_EVEN: Rule = Rule {

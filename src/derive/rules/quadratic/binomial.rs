@@ -12,7 +12,7 @@ const P: Parameter = Parameter { name: "p", lowest: 1.62, highest: 1.86 };
 
 const GAUSS: &str = "Euler's integral of the hypergeometric function, DLMF 15.6.1";
 
-/// What the rules of this file have in common.
+/// The common part of the rules in this file.
 const BASE: Rule = Rule { parameters: &[H, S, P], guard: "p neither whole nor half", reference: &[GAUSS], ..BLANK };
 
 pub(in crate::derive::rules) static WHOLE: Rule = Rule {
@@ -65,7 +65,7 @@ pub(in crate::derive::rules) static WORN_BELOW: Rule = Rule {
     ..BASE
 };
 
-/// c r^m (α + βr²)^p; the quadratic as it stands.
+/// c r^m (α + βr²)^p, with the quadratic unchanged.
 struct Binomial {
     coefficient: Expr,
     m: Expr,

@@ -45,7 +45,7 @@ const BLANK: Rule = Rule {
 
 /// c·r^m·(kernel over Q), as a rule reads it from a term.
 struct Reading {
-    /// c, with what belongs to the size of the quadratic.
+    /// c, including the factor from the size of the quadratic.
     coefficient: Expr,
     /// m.
     exponent: i64,

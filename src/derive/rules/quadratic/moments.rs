@@ -153,7 +153,7 @@ impl Family {
                 let own = above(0)?.scaled(twice + 1, 1);
                 let mut parts = vec![own.times(Square, 1), own.times(Length, 2), root.times(End, 1).scaled(sigma, 1)];
                 if twice + 2 != 0 {
-                    // Above the first row of half exponents stands Q^(1/2).
+                    // The row above the first half exponent is Q^(1/2).
                     let milder = if self.half && k == 2 { Moment::of(Piece::Second) } else { higher(2)? };
                     parts.push(milder.scaled(-(twice + 2), 1));
                 }

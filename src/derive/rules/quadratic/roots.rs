@@ -13,7 +13,7 @@ const WORN_ELLIPTIC: &str = "DLMF 19.7(iii), 19.29(i)";
 const POSITIVE: &str = "b > 0";
 const INSIDE: &str = "r < R";
 
-/// What the rules of this file have in common.
+/// The common part of the rules in this file.
 const BASE: Rule = Rule { parameters: &[H, S], guard: POSITIVE, reference: &[RECURRENCE], ..BLANK };
 
 pub(in crate::derive::rules) static ODD: Rule = Rule {
@@ -141,7 +141,7 @@ fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
     Some(answer)
 }
 
-/// What is computed for a sphere or a hyperboloid that ends at a radius: the pieces of the recurrence cancel by (R/a)².
+/// The evaluated forms for a sphere or a hyperboloid that ends at a radius: the pieces of the recurrence cancel by (R/a)².
 struct Tip {
     /// g within the end, as on the whole axis.
     slope: Expr,

@@ -165,8 +165,8 @@ fn half_ulp(value: f64) -> f64 {
 
 /// 1/size or up to 0.6 % more, for sizes between 2^-500 and 2^500: a bound needs no division.
 ///
-/// The bits of a number are nearly its logarithm, so that their difference to a constant is the inverse to 5.1 %, always of the same
-/// sign after one step of Newton's: 1 − 0.051² ≤ size·inverse ≤ 1.
+/// The bits of a number are nearly its logarithm, so that their difference to a constant is the inverse to 5.1 %, always of the
+/// same sign after one step of Newton's: 1 − 0.051² ≤ size·inverse ≤ 1.
 #[inline(always)]
 pub fn above_inverse(size: f64) -> f64 {
     const ONE: u64 = 0x7fde_6238_22fc_16e6;
@@ -232,7 +232,7 @@ fn power(a: Bounded, exponent: Bounded) -> Quick {
     Quick { value, error, comfortable: inside & (half_ulp(value) >= COMFORTABLE) & (error <= f64::MAX) }
 }
 
-/// The same with what a double leaves of the exponent.
+/// The same with the remainder of the exponent beyond its double.
 #[inline(always)]
 fn split_power(a: Bounded, nearest: f64, rest: Bounded) -> Quick {
     let value = real_power(a.value, nearest, rest.value);

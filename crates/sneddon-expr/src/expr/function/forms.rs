@@ -27,7 +27,7 @@ fn angle_from(b: f64, x: f64) -> f64 {
 /// Up to here ln(1 + u) is taken from u.
 const NEAR_ONE: f64 = 0.5;
 
-/// What these rows have in common: positive values, no LaTeX of their own because the shown expression is set.
+/// Defaults of these rows: positive values, and no LaTeX form, because the shown expression is typeset.
 const FORM: Row = Row { typeset: typeset::upright("form"), sign: Some(|_| Sign::Positive), ..PLAIN };
 
 pub(super) static ROWS: &[Row] = &[

@@ -39,7 +39,7 @@ pub enum Setting {
     Exponential,
     /// |z|.
     Absolute,
-    /// ₂F₁(a, b; c; z), or B(a, b; z₁, z₂): so many arguments in each group, the groups apart by semicolons.
+    /// ₂F₁(a, b; c; z), or B(a, b; z₁, z₂): groups of arguments of the given sizes, separated by semicolons.
     Groups(&'static [usize]),
     /// The same with the sizes of the first two groups as the first two arguments.
     CountedGroups,

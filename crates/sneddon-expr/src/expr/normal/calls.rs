@@ -64,7 +64,7 @@ fn logarithm_in(monomial: &Monomial, frame: &Frame) -> Option<(Expr, Monomial)> 
 /// The largest phase of a hyperbolic function that is split off: e^−2φ of the two products remains.
 const LARGEST_PHASE: f64 = 15.0;
 
-/// sin(u + φ) = sin u cos φ + cos u sin φ and its kin, φ free of the variable.
+/// sin(u + φ) = sin u cos φ + cos u sin φ and the other addition theorems, with φ free of the variable.
 fn phase(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
     let frame = u.frame();
     let (dependent, constant) = u.split(|monomial| depends(monomial, frame));

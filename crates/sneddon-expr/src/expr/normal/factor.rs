@@ -8,7 +8,7 @@ use crate::expr::{ExprError, Number, Sign, sign};
 /// The factors of a primitive polynomial with their multiplicities; their product is the polynomial.
 ///
 /// Perfect squares are roots twice, quadratics in a power of r split where their discriminant is a square;
-/// α − β r² splits only where `pure` asks for it.
+/// α − β r² splits only if `pure` is set.
 pub(super) fn factors(polynomial: &Polynomial, pure: bool) -> Result<Vec<(Polynomial, i64)>, ExprError> {
     let whole = || vec![(polynomial.clone(), 1)];
     let Some(univariate) = Univariate::read(polynomial) else { return Ok(whole()) };

@@ -9,7 +9,7 @@ use std::rc::Rc;
 
 pub(super) use super::monomial::Monomial;
 
-/// What one expansion shares: the variable whose roots are brought to canonical form, and the work that is left.
+/// The data shared by one expansion: the variable whose roots are brought to canonical form, and the remaining work.
 ///
 /// A canonical frame applies the identities of functions as well; a plain one only expands.
 #[derive(Clone, Debug)]

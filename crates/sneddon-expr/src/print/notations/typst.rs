@@ -93,7 +93,7 @@ pub(in crate::print) fn symbol(name: &str) -> String {
 }
 
 fn letters(letters: Letters) -> String {
-    /// Names that Typst knows as operators.
+    /// Names of operators in Typst.
     const OPERATORS: [&str; 12] = ["ln", "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "max", "min"];
     let name = match (letters.text, letters.font) {
         (text, Font::Bold) => format!("upright(bold({text}))"),

@@ -72,7 +72,7 @@ fn binding(math: &Math) -> Binding {
     }
 }
 
-/// What a root takes without parentheses: a number or a name.
+/// True for a radicand that needs no parentheses: a number or a name.
 fn at_least_a_letter(math: &Math) -> String {
     match math {
         Math::Number { exponent: None, .. } | Math::Name(_) | Math::Constant(_) | Math::Parentheses(_) => write(math),

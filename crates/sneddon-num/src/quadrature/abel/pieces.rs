@@ -116,7 +116,7 @@ fn last<const FORCE: bool>(
     let mut error = scale * left_out + noise + rounding;
     let requested = target(options, value);
     if reached && error <= requested {
-        // No more is promised than was asked for where the rules leave out more than rounding noise.
+        // If the truncation error exceeds the rounding noise, report at least the requested tolerance as the error.
         if scale * left_out > noise {
             error = error.max(MODEST * requested);
         }
@@ -128,12 +128,12 @@ fn last<const FORCE: bool>(
     counted(bisected::<FORCE>(slope, lower, &extent, &without_spent(options, evaluations)), evaluations)
 }
 
-/// The mean of f′ is guessed to be this share of the bound, and less where x is less than the height; where it is smaller still another
-/// rule is taken.
+/// The mean of f′ is guessed to be this share of the bound, and less where x is less than the height; where it is smaller still
+/// another rule is taken.
 const GUESS: f64 = 1e-3;
 
-/// The piece that ends at x, by the one rule that suffices for an f′ that is bounded in a strip; `None` where there is none, with the
-/// evaluations that were spent.
+/// The piece that ends at x, by the one rule that suffices for an f′ that is bounded in a strip; `None` where there is none, with
+/// the evaluations that were spent.
 fn in_a_strip<const FORCE: bool>(
     slope: &mut impl FnMut(Radii<'_>, &mut [f64]),
     extent: &Extent,
@@ -185,7 +185,7 @@ pub(super) fn by_a_known_rule<const FORCE: bool>(
 /// Units that the weight (r/x)² may be off.
 const WEIGHING: f64 = 3.0;
 
-/// Places at which a closure is asked together.
+/// Number of points at which a closure is evaluated together.
 const BLOCK: usize = 8;
 
 /// f′ as an even integrand.

@@ -22,7 +22,7 @@ impl<const H: usize> EvenRule<H> {
     }
 }
 
-/// What one rule found.
+/// The result of one rule.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Sums {
     pub(super) value: f64,
@@ -87,12 +87,13 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// last coefficients only, and those fall slowly from there on.
 const LEAST_FALL: f64 = 0.1;
 
-/// What the rule leaves out, and the rate at which the coefficients fall over two degrees.
+/// The truncation error of the rule, and the rate of decay of the coefficients over two degrees.
 ///
-/// The rule is exact to degrees that are steps of two beyond its highest coefficient: three times 2^`doublings` of them. Ten times
-/// that coefficient is left over where the fall is not seen, and less by the fall over one step where it is; over a third of all
-/// steps where the last one is as steep as the one before, so that nothing slow has come to light, and no less than `least`.
-/// `gap` is the difference to the rule before, which says how wrong that one was, and `last_gap` what that rule's own was.
+/// The rule is exact to degrees that are steps of two beyond its highest coefficient: three times 2^`doublings` of them. Ten
+/// times that coefficient is left over where the fall is not seen, and less by the fall over one step where it is; over a third
+/// of all steps where the last one is as steep as the one before, so that nothing slow has come to light, and no less than
+/// `least`. `gap` is the difference to the rule before, which says how wrong that one was, and `last_gap` what that rule's own
+/// was.
 #[inline(always)]
 pub(super) fn truncation(levels: [f64; 4], (gap, last_gap): (f64, f64), floor: f64, size: f64, doublings: usize, least: f64) -> (f64, f64) {
     let [zeroth, first, second, third] = levels;
@@ -120,7 +121,8 @@ pub(super) fn truncation(levels: [f64; 4], (gap, last_gap): (f64, f64), floor: f
     // A slow fall leaves a long tail: all of its terms add up where the integrand is almost singular.
     let tail = if rate < 0.5 { 1.0 } else { 0.5 / (1.0 - rate).max(0.005) };
     let mut left_out = 10.0 * seen * counted * tail;
-    // The first rule may see an oscillation by its last coefficients alone, which are small by chance; the rule within it saw others.
+    // The first rule may see an oscillation by its last coefficients alone, which are small by chance; the rule within it saw
+    // others.
     if !steady && doublings == 1 && gap > left_out {
         left_out = gap;
     }

@@ -127,7 +127,7 @@ fn the_error_is_never_below_the_truth() {
     assert!(reached > tried * 9 / 10, "only {reached} of {tried} reached their tolerance");
 }
 
-/// Kinks that the caller did not tell break the contract; nodes that straddle one without
+/// Undeclared kinks violate the contract; nodes that straddle one without
 /// touching it cannot know. Even so, all but a few are noticed.
 #[test]
 fn untold_kinks_are_noticed_nearly_always() {

@@ -7,7 +7,7 @@ pub(crate) const LN_2: Ball = Ball { value: precise::LN_2, error: 1e-32 };
 pub(crate) const PI: Ball = Ball { value: precise::PI, error: 4e-32 };
 
 impl Ball {
-    /// What an elementary function loses itself, and what the doubt of the argument adds.
+    /// The error of an elementary function, and the propagated uncertainty of its argument.
     fn elementary(value: DoubleDouble, carried: f64) -> Self {
         Self { value, error: carried + value.hi.abs() * OWN }
     }

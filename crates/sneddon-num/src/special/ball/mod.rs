@@ -20,7 +20,7 @@ pub(crate) const ENOUGH: f64 = 2.2e-16;
 
 /// Relative loss of one double-double operation, 2⁻¹⁰², as `DoubleDouble` promises.
 pub(crate) const UNIT: f64 = 1.0 / (1_u128 << 102) as f64;
-/// What a product loses below the normal range.
+/// The error of a product below the normal range.
 const TINY: f64 = 1e-322;
 
 impl Ball {

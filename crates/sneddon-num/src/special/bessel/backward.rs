@@ -9,7 +9,7 @@ use crate::work;
 const LARGE: f64 = 1e180;
 const SMALLER: f64 = 1.0 / (1_u128 << 120) as f64;
 
-/// What one run of the recurrence gives.
+/// The result of one run of the recurrence.
 pub(crate) struct Backward {
     /// J of the wanted order and of the next.
     pub(crate) wanted: [Precise; 2],
@@ -21,7 +21,7 @@ pub(crate) struct Backward {
     pub(crate) even: Precise,
 }
 
-/// J_(f+m)(z) for 0 <= f < 1, z >= 1; the Neumann sums are made where they are asked for, and mean something for f = 0 only.
+/// J_(f+m)(z) for 0 <= f < 1, z >= 1; the Neumann sums are computed on request and are valid for f = 0 only.
 ///
 /// Source: DLMF 3.6(v), 10.12.4, 10.23.15.
 pub(crate) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble, neumann: bool) -> Backward {
@@ -94,7 +94,8 @@ pub(crate) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble, neumann: bool) 
     }
 }
 
-/// (f+2k) Γ(f+k)/(k! Γ(1+f)) for k = 0, 1, …, which weight J_(f+2k) to give (z/2)^f/Γ(1+f); none for f = 0, where they are 1, 2, 2, ….
+/// (f+2k) Γ(f+k)/(k! Γ(1+f)) for k = 0, 1, …, which weight J_(f+2k) to give (z/2)^f/Γ(1+f); none for f = 0, where they are 1, 2,
+/// 2, ….
 fn weights(f: DoubleDouble, count: u32) -> Vec<DoubleDouble> {
     if f.hi == 0.0 {
         return Vec::new();

@@ -127,7 +127,7 @@ fn finished(value: Precise) -> f64 {
     if value.value.hi.is_infinite() { value.value.hi } else { rounded(value) }
 }
 
-/// Order and argument of the same function where the series converges as it stands, and whether the sign changes.
+/// Equivalent order and argument for which the series applies directly, and whether the sign changes.
 fn reflected(n: DoubleDouble, z: DoubleDouble, alternating: bool) -> Option<(DoubleDouble, DoubleDouble, bool)> {
     if !(n.hi.is_finite() && z.hi.is_finite()) {
         return None;

@@ -149,7 +149,7 @@ impl Gauss {
         (middle + slope * shift + bend * shift * shift * 0.5).widened(doubt)
     }
 
-    /// A polynomial as it stands, or in powers of `rest`, DLMF 15.8.7.
+    /// A polynomial in powers of z, or in powers of `rest`, DLMF 15.8.7.
     fn polynomial(self, rest: Ball) -> Ball {
         let direct = self.direct(Ball::ONE - rest);
         let lower = Ball::ONE - self.excess;
