@@ -13,7 +13,7 @@ const MOST_STEPS: u64 = 10_000_000;
 pub struct Asked {
     /// The key of the way.
     pub way: &'static str,
-    /// The number, or why there is none.
+    /// The number, or the reason why it is missing.
     pub found: Result<Estimate, String>,
     /// Steps of work that it took; those of a formula count when it is compiled, at the first point.
     pub steps: u64,
