@@ -13,7 +13,7 @@ use super::{Integrand, Options, Rule};
 
 /// Deepest bisection: positions stay exact integers.
 const DEEPEST: u32 = 50;
-/// Level at which a panel of zeros is accepted as zero.
+/// First level at which zeros at all points imply a zero panel.
 const BLANK_LEVEL: u32 = 3;
 /// Bisections without effect after which a piece is left alone.
 const MOST_STALLS: u8 = 12;
