@@ -59,7 +59,7 @@ impl<'a> Machine<'a> {
         Self { routines, library, steps: 0 }
     }
 
-    /// The value of a routine at exact arguments, with its bound; `None` where it does not end or calls what is unknown.
+    /// The value of a routine at exact arguments, with its bound; `None` if it does not end or calls what is unknown.
     pub(super) fn run(&mut self, name: &str, arguments: &[f64]) -> Option<Bounded> {
         self.steps = 0;
         self.routine(name, arguments.iter().copied().map(Bounded::exact).collect())

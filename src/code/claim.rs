@@ -114,14 +114,14 @@ struct Found {
     draw: usize,
 }
 
-/// The claim of a quantity; `None` where no point gives a bound.
+/// The claim of a quantity; `None` if no point gives a bound.
 fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Claim> {
     let library = |name: &str| program.language.target().library(name).map(|(_, ulps)| ulps);
     let mut machine = Machine::new(&program.routines, &library);
     let is_solved = program.is_solved(quantity);
     let mut sampler = Sampler::new(0x5eed);
     let (mut found, mut truths): (Vec<Found>, Vec<Truth<'_>>) = (Vec::new(), Vec::new());
-    // Of all draws; infinite where the profile ends.
+    // Of all draws; infinite if the profile ends.
     let mut range = (0.0_f64, f64::INFINITY);
     for _ in 0..if program.parameters.is_empty() { 1 } else { DRAWS } {
         let Some(truth) = sampler.parameters(solution).and_then(|own| Truth::new(solution, quantity, &own, program)) else { continue };
@@ -210,8 +210,9 @@ fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Ve
     }
 }
 
-/// The error in ulps of the radius a with g(a) = d: an error of g moves the root by itself over g′; or of F(a) + 2a (d − g(a)), which the
-/// root moves in second order. Errors of g and F are their running bounds, or what they differ from the values of the program.
+/// The error in ulps of the radius a with g(a) = d: an error of g moves the root by itself over g′; or of F(a) + 2a (d − g(a)),
+/// which the root moves in second order. Errors of g and F are their running bounds, or what they differ from the values of the
+/// program.
 fn solved(machine: &mut Machine<'_>, truth: &Truth<'_>, a: f64) -> Option<f64> {
     let mut at = |routine: &str, arguments: &[f64]| machine.run(routine, &[arguments, &truth.values].concat());
     let (own, more, less) = (at("sneddon_g", &[a])?, at("sneddon_g", &[a * (1.0 + STEP)])?, at("sneddon_g", &[a * (1.0 - STEP)])?);

@@ -45,7 +45,7 @@ pub enum CodeError {
     /// An expression that cannot be evaluated.
     #[error(transparent)]
     Evaluation(#[from] EvalError),
-    /// A fault of the program: its own text of stable forms cannot be read.
+    /// An internal error: the text of the stable forms cannot be parsed.
     #[error("the stable forms cannot be read; this is a fault of the program")]
     Forms,
 }

@@ -1,7 +1,8 @@
 //! Profiles r^(2j) exp(−κ²r²): g and F as series whose terms have one sign, where the closed form with Dawson's integral cancels.
 //!
-//! With y = κx, g = d/dx ∫₀^x r f/√(x²−r²) dr and F/(2E*) = (x d/dx − 1) of the same integral, up to f(0), which has no part in either.
-//! The integral is π/(2κ_m) y^m ₁F₁(j + 1; m/2 + 1; −y²) with m = 2j + 1, and Kummer's transformation makes its terms positive.
+//! With y = κx, g = d/dx ∫₀^x r f/√(x²−r²) dr and F/(2E*) = (x d/dx − 1) of the same integral, up to f(0), which has no part in
+//! either. The integral is π/(2κ_m) y^m ₁F₁(j + 1; m/2 + 1; −y²) with m = 2j + 1, and Kummer's transformation makes its terms
+//! positive.
 
 use crate::expr::normal::{NormalTerm, normal_terms};
 use crate::expr::{Expr, Node, Sign, Symbol, sign};
@@ -16,7 +17,7 @@ pub(super) struct Gaussian {
 /// The largest j.
 const LARGEST: i64 = 20;
 
-/// The terms of a profile, constants apart; `None` where there is another one.
+/// The terms of a profile, constants apart; `None` if there is another one.
 pub(super) fn gaussians(profile: &Expr) -> Option<Vec<Gaussian>> {
     let radius = Symbol::new("r");
     let terms = normal_terms(profile, &radius).ok()?;

@@ -2,7 +2,7 @@
 
 use super::tree::{Comparison, Operator, Routine, Statement, Test, Value};
 
-/// Every routine of a text; `None` where it cannot be read.
+/// Every routine of a text; `None` if it cannot be read.
 pub(super) fn routines(text: &str) -> Option<Vec<Routine>> {
     let mut reader = Reader { tokens: tokens(text)?, at: 0 };
     let mut all = Vec::new();

@@ -86,7 +86,7 @@ impl Value {
         Self::Binary(operator, Box::new(left), Box::new(right))
     }
 
-    /// How many operations it has.
+    /// The number of operations.
     pub(super) fn size(&self) -> usize {
         match self {
             Self::Number(..) | Self::Name(_) => 0,

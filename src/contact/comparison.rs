@@ -11,7 +11,7 @@ use std::borrow::Cow;
 pub struct Comparison {
     /// The symbol of the quantity.
     pub quantity: &'static str,
-    /// The largest |closed − quadrature| relative to the size of the value; `None` where nothing could be compared.
+    /// The largest |closed − quadrature| relative to the size of the value; `None` if nothing could be compared.
     pub max_relative_difference: Option<f64>,
     /// The coordinate at which it is largest: x for g, a for d, F and G, r for p.
     pub at: Option<f64>,
@@ -39,7 +39,7 @@ pub struct Setting {
 pub struct Comparisons {
     /// One comparison per quantity.
     pub quantities: Vec<Comparison>,
-    /// False where the budget of work ended the comparison.
+    /// False if the budget of work ended the comparison.
     pub is_complete: bool,
 }
 
@@ -59,7 +59,7 @@ const LOOSEST: f64 = 1e-12;
 /// A point counts where both values have digits enough to contradict each other; expensive profiles are compared at fewer points.
 ///
 /// # Errors
-/// [`ContactError`] where the profile cannot be evaluated at any admissible value of its parameters, or at the radius that is set.
+/// [`ContactError`] if the profile cannot be evaluated at any admissible value of its parameters, or at the radius that is set.
 pub fn compare(solution: &Solution, setting: &Setting) -> Result<Comparisons, ContactError> {
     work::bounded(|| {
         // The rest is for writing the answer.
@@ -214,7 +214,7 @@ impl Run<'_> {
     }
 }
 
-/// A quantity by its closed form and by quadrature; `None` where it is infinite.
+/// A quantity by its closed form and by quadrature; `None` if it is infinite.
 fn pair(quantity: Quantity, at: f64, a: f64, [strict, closed, plain]: &[Contact<'_>; 3]) -> Result<Option<[Estimate; 2]>, ContactError> {
     let read = |contact: &Contact<'_>| quantity.number(contact, at, a);
     let (one, other) = (read(strict).or_else(|_| read(closed))?, read(plain)?);

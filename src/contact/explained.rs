@@ -15,7 +15,7 @@ const RESERVE: u64 = 1_000_000;
 pub struct Asked {
     /// The key of the way.
     pub way: &'static str,
-    /// The number, or why there is none.
+    /// The number, or the reason why it is missing.
     pub found: Result<Estimate, String>,
     /// Steps of work that it took; compiling the formulas counts at the first point.
     pub steps: u64,

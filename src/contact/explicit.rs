@@ -167,7 +167,7 @@ impl Explicit {
         Ok(Estimate::from_bounded(walk(expr, &mut BoundedAlgebra, &mut value_of)?, 0))
     }
 
-    /// The same with parameters replaced; `None` where these break a condition.
+    /// The same with parameters replaced; `None` if these break a condition.
     pub(super) fn substitute(&self, bindings: &Bindings) -> Option<Self> {
         let own = Self {
             contact_radius: bindings.apply(&self.contact_radius),
@@ -179,7 +179,7 @@ impl Explicit {
         own.admissible()
     }
 
-    /// Drops conditions that numbers decide; `None` where one fails.
+    /// Drops conditions that numbers decide; `None` if one fails.
     fn admissible(mut self) -> Option<Self> {
         let mut left = Vec::new();
         for condition in self.conditions {

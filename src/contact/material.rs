@@ -73,7 +73,7 @@ impl TransverselyIsotropic {
     /// The form (3.65)–(3.69) equals it and needs complex square roots where I₀ < 0; this one is real throughout.
     ///
     /// # Errors
-    /// [`ContactError::Material`] where the material would not be stable.
+    /// [`ContactError::Material`] if the material would not be stable.
     pub fn effective_modulus(self) -> Result<f64, ContactError> {
         let Self { c11, c12, c13, c33, c44 } = self;
         let demand = |ok: bool, name, value, accepted| if ok { Ok(()) } else { Err(ContactError::Material { name, value, accepted }) };

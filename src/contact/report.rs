@@ -27,7 +27,7 @@ pub struct Relations {
     pub d: Derived,
     /// F(a).
     pub force: Derived,
-    /// p(r); `None` where f′ is so large at a breakpoint that it has no formula here.
+    /// p(r); `None` if f′ is so large at a breakpoint that it has no formula here.
     pub pressure: Option<Derived>,
     /// k(a) = 2E*a.
     pub stiffness: Derived,

@@ -5,7 +5,7 @@ use super::{Contact, ContactError, Measured};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{Origin, Reading, Slice, TransformError};
 
-/// Points that are computed before their readings are written down: what they need beside the readings stays small.
+/// Number of points computed before their readings are written, which limits the scratch memory.
 const PART: usize = 1 << 16;
 
 impl Contact<'_> {

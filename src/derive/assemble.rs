@@ -46,9 +46,11 @@ pub struct Derived {
     pub formula: Formula,
     /// How much of it is closed.
     pub status: Status,
-    /// True if every closed form that a rule gave agreed with quadrature when it was derived; `None` if only a later check compares it.
+    /// True if every closed form that a rule gave agreed with quadrature when it was derived; `None` if only a later check
+    /// compares it.
     pub compared: Option<bool>,
-    /// True if parts of an open pressure are shown in closed form. They are not compared with quadrature when the profile is derived.
+    /// True if parts of an open pressure are shown in closed form. They are not compared with quadrature when the profile is
+    /// derived.
     pub split: bool,
     /// The rules that answered, in the order of the terms.
     pub rules: Vec<&'static str>,
@@ -74,7 +76,7 @@ impl Solution {
         self.derived(Superposed::Force, "a", &(Expr::integer(2) * Expr::symbol("E")), "Popov & Heß (3.22), (3.25)")
     }
 
-    /// p(r) under a smooth edge, positive in compression; `None` where f′ is so large at a breakpoint that g may jump there,
+    /// p(r) under a smooth edge, positive in compression; `None` if f′ is so large at a breakpoint that g may jump there,
     /// because then neither ∫ g′/√(x²−r²) dx nor the integral over (r f′)′ is the pressure.
     pub fn pressure(&self) -> Option<Derived> {
         self.chains
@@ -164,7 +166,7 @@ impl SolvedChain {
         }))
     }
 
-    /// True where the breakpoint lies below the given interval.
+    /// True if the breakpoint lies below the given interval.
     fn ends_before(&self, upper: &Expr, interval: usize) -> bool {
         self.breakpoints.iter().take(interval).any(|b| b == upper)
     }
@@ -193,8 +195,8 @@ impl SolvedChain {
         }
     }
 
-    /// What the terms of every interval whose pressure is left as an integral add to g′, within the interval and beyond it; `None` where g is
-    /// not closed.
+    /// What the terms of every interval whose pressure is left as an integral add to g′, within the interval and beyond it;
+    /// `None` if g is not closed.
     fn slopes_of_equivalent(&self) -> Result<Option<Vec<[Expr; 2]>>, TransformError> {
         let x = Symbol::new("x");
         let mut slopes = Vec::with_capacity(self.intervals.len());
@@ -210,8 +212,8 @@ impl SolvedChain {
         Ok(Some(slopes))
     }
 
-    /// ∫ g′(x)/√(x²−r²) dx for the contacts that end on each interval: over the intervals below the end with all that g′ is there, or, where
-    /// these are many, over what every interval adds, within it and beyond it.
+    /// ∫ g′(x)/√(x²−r²) dx for the contacts that end on each interval: over the intervals below the end with all that g′ is
+    /// there, or, where these are many, over what every interval adds, within it and beyond it.
     fn open_pressures_from_slopes(&self, slopes: &[[Expr; 2]]) -> Vec<Formula> {
         let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
         let root = (x.power(2) - r.power(2)).sqrt();

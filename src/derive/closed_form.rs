@@ -60,7 +60,7 @@ impl ClosedForm {
         Ok(Self { tape, second, inputs: inputs.to_vec(), precise: OnceLock::new() })
     }
 
-    /// The value at exact inputs, with a bound of its error; NaN where the number of inputs is wrong.
+    /// The value at exact inputs, with a bound of its error; NaN if the number of inputs is wrong.
     pub fn value(&self, inputs: &[f64]) -> Bounded {
         total(&[self], inputs, GOOD).bounded()
     }

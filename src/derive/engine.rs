@@ -31,7 +31,7 @@ pub struct Solution {
 /// Derives the solution of a profile: superposition (3.25)–(3.26) of the solutions of its terms.
 ///
 /// # Errors
-/// [`TransformError`] where a function has no derivative.
+/// [`TransformError`] if a function has no derivative.
 ///
 /// ```
 /// use sneddon::{parse, transform};

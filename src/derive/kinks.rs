@@ -16,7 +16,7 @@ const MOST_KINKS: usize = 200;
 /// An abs, min or max with its arguments.
 type Kink = (Function, Vec<Expr>);
 
-/// True where the breakpoint is, or may be, below the contact's end.
+/// True if the breakpoint is, or may be, below the contact's end.
 pub(crate) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
     breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
 }
@@ -26,7 +26,7 @@ pub(crate) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
 /// Of kinks without end, such as those of |sin r|, the first ones are located; a condition says how far they reach.
 ///
 /// # Errors
-/// [`TransformError::Kinks`] where a kink cannot be located.
+/// [`TransformError::Kinks`] if a kink cannot be located.
 pub(crate) fn resolve(mut chain: Chain, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
     for _ in 0..MOST_KINKS {
         let found = chain.pieces.iter().enumerate().find_map(|(i, piece)| Some((i, find(piece)?)));
@@ -211,7 +211,7 @@ fn quadratic(expanded: &Expr, radius: &Symbol) -> Option<(Vec<Expr>, bool)> {
     Some((positive.into_iter().filter(|(positive, _)| *positive).map(|(_, root)| root).collect(), starts))
 }
 
-/// True where a place was located numerically, so that no formula over it is exact.
+/// True if a place was located numerically, so that no formula over it is exact.
 pub(crate) fn is_approximate(expr: &Expr) -> bool {
     matches!(expr.node(), Node::Function(function, _) if function.name() == "approximate")
         || expr.children().into_iter().any(is_approximate)

@@ -131,7 +131,7 @@ impl Profile {
         self.typed.symbols().into_iter().filter(|s| s.name() != "r").collect()
     }
 
-    /// True where f does not depend on r.
+    /// True if f does not depend on r.
     pub fn is_flat(&self) -> bool {
         let radius = Symbol::new("r");
         self.chains.iter().all(|chain| chain.pieces.iter().all(|piece| !piece.contains(&radius)))

@@ -13,7 +13,7 @@ pub struct Sampler {
 
 /// Draws of parameters before a profile counts as one without admissible values.
 const TRIES: u32 = 40;
-/// Changes of drawn values, beside one for each pair of parameters.
+/// Changes of drawn values, in addition to one for each pair of parameters.
 const MOST_CHANGES: usize = 40;
 
 impl Sampler {
@@ -22,7 +22,7 @@ impl Sampler {
         Self { stream: Stream::new(seed) }
     }
 
-    /// Values for every parameter that the conditions of the solution admit; `None` where none was found.
+    /// Values for every parameter that the conditions of the solution admit; `None` if none was found.
     pub fn parameters(&mut self, solution: &Solution) -> Option<Bindings> {
         self.admissible(&solution.profile.parameters(), &solution.conditions)
     }

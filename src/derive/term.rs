@@ -49,7 +49,7 @@ impl Term {
     }
 }
 
-/// The terms of one interval: each part by itself, but polynomials on a bounded segment together.
+/// The terms of one interval: each part separately, except that polynomials on a bounded segment are combined.
 pub(crate) fn split(parts: Vec<NormalTerm>, segment: &Segment) -> Vec<Term> {
     let single = |part| Term { parts: vec![part], segment: segment.clone() };
     if segment.is_whole() {

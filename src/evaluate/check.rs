@@ -48,7 +48,7 @@ const ENOUGH: u64 = 60_000_000;
 /// ```
 ///
 /// # Errors
-/// [`TransformError`] where the profile cannot be evaluated at any admissible value of its parameters.
+/// [`TransformError`] if the profile cannot be evaluated at any admissible value of its parameters.
 pub fn check(solution: &Solution) -> Result<Check, TransformError> {
     work::bounded(|| compared(solution))
 }

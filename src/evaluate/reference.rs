@@ -1,4 +1,5 @@
-//! Reference values: every quantity by the double-exponential rule with 30 digits, independent of closed forms and of the fast rules.
+//! Reference values: every quantity by the double-exponential rule with 30 digits, independent of closed forms and of the fast
+//! rules.
 
 use crate::derive::profile::Profile;
 use crate::derive::superposed::Superposed;
@@ -37,7 +38,7 @@ impl PreciseProfile {
     /// Compiles f′ on every interval of the profile.
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value.
+    /// [`TransformError::Evaluation`] if a parameter has no value.
     pub fn new(profile: &Profile) -> Result<Self, TransformError> {
         let radius = Symbol::new("r");
         let none = Bindings::default();

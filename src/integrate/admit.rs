@@ -1,4 +1,4 @@
-//! Which numbers the library accepts as places and tolerances: the one place that says so.
+//! Checks of coordinates and tolerances passed to the library.
 
 use crate::integrate::error::TransformError;
 

@@ -12,7 +12,7 @@ impl NumericProfile {
     /// g(x) = x ∫₀^{π/2} f′(x sin t) dt.
     ///
     /// # Errors
-    /// [`TransformError`] where f′ is not finite below x, or no digits can be promised.
+    /// [`TransformError`] if f′ is not finite below x, or no digits can be promised.
     pub fn slope(&self, x: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("x", x)?;
         Ok(self.over_angle(x, Weight::Slope, tolerance, By::Cheapest)?.scaled(x))
@@ -89,7 +89,7 @@ impl NumericProfile {
     /// The same in the way of a key alone.
     ///
     /// # Errors
-    /// As [`Self::slope`], and [`TransformError::NotThisWay`] where the way has no answer.
+    /// As [`Self::slope`], and [`TransformError::NotThisWay`] if the way has no answer.
     pub(crate) fn in_the_way(&self, key: &'static str, ask: Ask, tolerance: f64) -> Result<Option<Estimate>, TransformError> {
         let only = By::Only(key);
         let found = match ask {

@@ -16,7 +16,7 @@ const FLOOR: f64 = 0.5 * f64::EPSILON;
 pub struct Advice {
     /// The wanted relative error.
     pub wanted: f64,
-    /// The row that is fastest per point, by its index; `None` where nothing is as accurate.
+    /// The row that is fastest per point, by its index; `None` if nothing is as accurate.
     pub pick: Option<usize>,
     /// The row that is fastest for a single point with its set-up, where it is another one, and the number of points from which
     /// on `pick` is faster.

@@ -16,13 +16,13 @@ pub struct Row {
     pub setting: String,
     /// The largest true relative error over the points, or the reference's resolution where that is larger.
     pub error: f64,
-    /// True where `error` is the reference's resolution: the true error is at most that.
+    /// True if `error` is the reference's resolution: the true error is at most that.
     pub at_most: bool,
     /// The median of the true relative errors.
     pub median_error: f64,
-    /// The largest relative error that the method itself stated; `None` where it states none.
+    /// The largest relative error that the method itself stated; `None` if it states none.
     pub claimed: Option<f64>,
-    /// Whether no stated error was below the true one; `None` where none is stated.
+    /// Whether no stated error was below the true one; `None` if none is stated.
     pub honest: Option<bool>,
     /// Time for one point, without the set-up.
     pub time: Time,

@@ -51,7 +51,7 @@ impl Default for Options {
 /// truth is given as a bound. Times are medians over rounds of batches, in an order that is shuffled with a fixed seed.
 ///
 /// # Errors
-/// [`TradeoffError::NoReference`] where the truth is known nowhere.
+/// [`TradeoffError::NoReference`] if the truth is known nowhere.
 ///
 /// ```
 /// use sneddon::{expr::Bindings, parse, tradeoff, transform::{Evaluator, Method, Profile, derive}};

@@ -13,7 +13,7 @@ use std::time::Instant;
 pub const MARGIN: f64 = 1e3;
 /// The relative tolerance of the quadrature that is the reference where nothing has 30 digits.
 const SHARPEST: f64 = 1e-15;
-/// A 30-digit bound that is worth less than this is not used.
+/// Relative error above which a 30-digit value is not used.
 const POOR: f64 = 1e-20;
 
 /// The reference at one point.
@@ -35,7 +35,7 @@ impl Truth {
         Precise { value: DoubleDouble::from(value).sub(self.value.value), error: 0.0 }.value.hi.abs()
     }
 
-    /// The relative error below which a distance says nothing.
+    /// The relative error below which a difference is inconclusive.
     pub(super) fn resolution(&self) -> f64 {
         if self.value.error == 0.0 { 0.0 } else { MARGIN * self.value.error / self.value.value.hi.abs() }
     }

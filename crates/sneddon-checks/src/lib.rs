@@ -1,5 +1,5 @@
 //! What the test files share: long decimals and ulps, seeded random numbers, formulas as numbers, rows of reference values.
-// Every test binary compiles all of this and uses its own part.
+// Every test binary compiles the whole crate but uses only a part of it.
 #![allow(dead_code, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 pub mod accuracy;

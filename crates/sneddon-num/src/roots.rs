@@ -178,7 +178,7 @@ impl State {
         let (low, high) = (self.newest.x.min(self.other.x), self.newest.x.max(self.other.x));
         let same_sign = low > 0.0 || high < 0.0;
         let (small, large) = (low.abs().min(high.abs()), low.abs().max(high.abs()));
-        // Across many orders of magnitude (or zero) a straight line says nothing.
+        // Across many orders of magnitude (or zero), linear interpolation is useless.
         if !same_sign || small * FAR < large {
             return self.middle();
         }

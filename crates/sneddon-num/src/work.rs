@@ -145,7 +145,7 @@ pub fn unbroken<T>(work: impl FnOnce() -> T) -> T {
     result
 }
 
-/// Runs work that is done once for the whole process, which no budget pays.
+/// Runs work that is done once for the whole process, without counting it towards any budget.
 pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
     apart(NONE, || finished(work)).0
 }
@@ -181,7 +181,7 @@ pub fn left() -> u64 {
     METER.with(|meter| meter.left.get().saturating_sub(1))
 }
 
-/// True where more was spent than the open budget has: what is computed from here on will be thrown away.
+/// True if more was spent than the open budget has: what is computed from here on will be thrown away.
 #[inline]
 pub fn is_exhausted() -> bool {
     METER.with(|meter| meter.left.get() == 0) || is_stopped()
@@ -194,7 +194,7 @@ pub fn is_stopped() -> bool {
 }
 
 /// # Errors
-/// [`Exhausted`] where more was spent than the open budget has.
+/// [`Exhausted`] if more was spent than the open budget has.
 #[inline]
 pub fn check() -> Result<(), Exhausted> {
     if is_exhausted() { Err(exhausted()) } else { Ok(()) }

@@ -31,7 +31,7 @@ fn pieces(n: usize) -> String {
     format!("piecewise(0, r<1{inner}, {})", piece(n))
 }
 
-/// The steps of the work; `None` where a minute does not suffice.
+/// The steps of the work; `None` if a minute does not suffice.
 fn steps<T>(work: impl FnOnce() -> Result<T, TransformError>) -> Option<(T, u64)> {
     let most = Budget::seconds(60.0);
     let found = within(most, || {

@@ -19,18 +19,18 @@ pub(super) struct Landscape<'a> {
     pub(super) followed: Option<f64>,
     /// The flat part around the axis: g is 0 up to here.
     pub(super) flat: f64,
-    /// The bend enclosed; `None` where f′ has no enclosures.
+    /// The bend enclosed; `None` if f′ has no enclosures.
     pub(super) cells: Option<Cells>,
     /// g is proven to rise up to here.
     pub(super) risen: f64,
     /// The radii that were looked at, rising, and how many they are.
     pub(super) places: Vec<f64>,
     pub(super) looked: u64,
-    /// True where g rises from the flat part to the reach, as far as was looked.
+    /// True if g rises from the flat part to the reach, as far as was looked.
     pub(super) rising: bool,
     /// Where g was first seen to fall; the reach where it never does.
     pub(super) first_fall: f64,
-    /// Radii with g there; empty where g rises anyway.
+    /// Radii with g there; empty if g rises anyway.
     pub(super) samples: Vec<(f64, f64)>,
     /// Radii at which f has a minimum.
     pub(super) troughs: Vec<f64>,
@@ -67,7 +67,7 @@ impl<'a> Landscape<'a> {
     /// Looks at a profile up to `rim` or its end; an endless one up to the horizon.
     ///
     /// # Errors
-    /// [`TransformError`] where the profile cannot be evaluated.
+    /// [`TransformError`] if the profile cannot be evaluated.
     pub(super) fn new(
         evaluator: &Superposition<'a>,
         curvature: Curvature<'a>,

@@ -87,7 +87,7 @@ const SEARCHING: u64 = 30_000_000;
 pub(super) struct Horizon {
     /// About the contact radius of the largest load: the first power of ten at which g or F has reached it.
     pub(super) scale: f64,
-    /// The first radius at which waves of f are too short to be followed; infinite where there are none.
+    /// The first radius at which waves of f are too short to be resolved; infinite if there is none.
     pub(super) followed: f64,
 }
 
@@ -263,7 +263,7 @@ impl Indentation<'_> {
         Ok(found)
     }
 
-    /// Secant steps from the last root; `None` where they do not settle.
+    /// Secant steps from the last root; `None` if they do not settle.
     fn followed(
         &self,
         follower: &Cell<Option<Last>>,

@@ -37,7 +37,7 @@ impl Dimension {
         Self { length: Ratio::new_raw(length, 1), force: Ratio::new_raw(force, 1) }
     }
 
-    /// The dimension of a product; `None` where an exponent overflows.
+    /// The dimension of a product; `None` if an exponent overflows.
     pub fn times(self, other: Self) -> Option<Self> {
         Some(Self { length: self.length.checked_add(&other.length)?, force: self.force.checked_add(&other.force)? })
     }

@@ -76,7 +76,7 @@ fn leading(slope: &Expr) -> Option<Expr> {
     (!coefficient.is_zero()).then(|| coefficient * Expr::symbol("r").pow(&Expr::number(least)))
 }
 
-/// True where a power with a negative exponent, or a logarithm, has a base that vanishes at the axis.
+/// True if a power with a negative exponent, or a logarithm, has a base that vanishes at the axis.
 fn is_singular(expr: &Expr, at_axis: &Bindings) -> bool {
     let own = match expr.node() {
         Node::Power(base, exponent) => {
@@ -101,7 +101,7 @@ fn power_of(leading: &Expr) -> Option<(Expr, Expr)> {
     (only.kernel.is_one() && sign(&only.coefficient) != Sign::Zero).then(|| (only.coefficient.clone(), only.exponent.clone()))
 }
 
-/// True where the two agree close to the axis at admissible parameters.
+/// True if the two agree close to the axis at admissible parameters.
 fn is_confirmed(solution: &Solution, slope: &Expr, leading: &Expr) -> bool {
     const CLOSE: f64 = 0.05;
     let Some(mut values) = Sampler::new(7).parameters(solution) else { return false };

@@ -19,7 +19,7 @@ use crate::transform::{Solution, TransformError};
 pub struct Step {
     /// The title of the step.
     pub title: String,
-    /// The left side of its equation, a name such as g(x); `None` where the step states no equation.
+    /// The left side of its equation, a name such as g(x); `None` if the step states no equation.
     pub left: Option<String>,
     /// The right side.
     pub right: Option<Formula>,
@@ -65,7 +65,7 @@ impl Step {
 /// ```
 ///
 /// # Errors
-/// [`TransformError`] where f has no derivative.
+/// [`TransformError`] if f has no derivative.
 pub fn steps(typed: &Formula, solution: &Solution, edge: &Edge, relations: &Relations) -> Result<Vec<Step>, TransformError> {
     let mut list = equivalent::steps(typed, solution, relations)?;
     list.extend(results::steps(solution, edge, relations));

@@ -1,4 +1,4 @@
-//! Where a demand on r fails for given parameters: enclosures find the place, or prove that there is none.
+//! The radius at which a demand on r fails for given parameters, located or excluded by enclosures.
 
 use crate::derive::closed_form::ClosedForm;
 use crate::derive::domain::demand::Demand;
@@ -41,7 +41,7 @@ const OCTAVES: std::ops::Range<i32> = -200..200;
 
 impl Barrier {
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value.
+    /// [`TransformError::Evaluation`] if a parameter has no value.
     pub(crate) fn new(demand: &Demand, bindings: &Bindings) -> Result<Self, TransformError> {
         let number = |expr: &Expr| constant_value(expr, bindings).map(|own| own.value);
         let form = ClosedForm::new(&bindings.apply(&demand.expr), &[Symbol::new("r")])?;
@@ -141,7 +141,7 @@ impl Barrier {
     }
 }
 
-/// 1 or −1 where the bound leaves no doubt.
+/// 1 or −1 if the bound determines the sign.
 fn certain_sign(value: Bounded) -> Option<f64> {
     (value.value.abs() > value.error).then(|| value.value.signum())
 }

@@ -13,7 +13,7 @@ use crate::print;
 /// Adds what the functions and roots of a chain demand of r, solved for r where that is possible.
 ///
 /// # Errors
-/// [`TransformError::NotReal`] where a demand can never be met near the axis.
+/// [`TransformError::NotReal`] if a demand can never be met near the axis.
 pub(crate) fn collect(chain: &Chain, conditions: &mut Vec<Condition>, open: &mut Vec<Demand>) -> Result<(), TransformError> {
     for (lower, upper, piece) in chain.intervals() {
         let mut demands = Vec::new();
@@ -70,7 +70,7 @@ fn gather(expr: &Expr, lower: &Expr, upper: Option<&Expr>, demands: &mut Vec<Dem
     expr.children().into_iter().for_each(|child| gather(child, lower, upper, demands));
 }
 
-/// True where the expression is known to be negative next to the lower end.
+/// True if the expression is known to be negative next to the lower end.
 fn starts_negative(expr: &Expr, lower: &Expr) -> bool {
     let here = Bindings::one("r", lower.clone()).apply(expr);
     sign(&here) == Sign::Negative || numeric_sign(&here) == Some(-1.0)
@@ -131,7 +131,7 @@ fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
     }
 }
 
-/// r < limit on a piece; `None` where the piece ends before the limit, or at it.
+/// r < limit on a piece; `None` if the piece ends before the limit, or at it.
 fn below(limit: Expr, upper: Option<&Expr>) -> Option<Condition> {
     let radius = Symbol::new("r");
     let r = Expr::from(radius.clone());

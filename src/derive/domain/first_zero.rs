@@ -25,7 +25,7 @@ const NEAR: f64 = 1e-9;
 /// … and that beyond a zero, where a double zero must stand out of the rounding.
 const BEYOND: f64 = 1e-4;
 
-/// The sign next to the lower end at random parameters: `None` where it depends on them, or is known nowhere.
+/// The sign next to the lower end at random parameters: `None` if it depends on them, or is known nowhere.
 pub(crate) fn starting_sign(expr: &Expr, lower: &Expr) -> Option<Sign> {
     let signs: Vec<bool> = starts(expr, lower).into_iter().map(|(_, _, positive)| positive).collect();
     match signs.first() {
@@ -45,7 +45,7 @@ fn starts(expr: &Expr, lower: &Expr) -> Vec<(Bindings, f64, bool)> {
     sets.into_iter().filter_map(start).collect()
 }
 
-/// The first zero of an expression that is positive next to `lower`; `None` where it has none, or none that this finds.
+/// The first zero of an expression that is positive next to `lower`; `None` if it has none, or none that this finds.
 ///
 /// The candidates solve the equation exactly.
 /// Which of them comes first is found at random parameters, between which and `lower` the expression must be positive.
@@ -80,7 +80,7 @@ pub(crate) fn first_zero(expr: &Expr, lower: &Expr, zero: Zero) -> Option<Expr> 
     places.into_iter().nth(chosen?)
 }
 
-/// True where the expression is not positive at some radius beyond `lower`, for some of the random parameters.
+/// True if the expression is not positive at some radius beyond `lower`, for some of the random parameters.
 pub(crate) fn fails_somewhere(expr: &Expr, lower: &Expr) -> bool {
     starts(expr, lower).iter().any(|(set, low, positive)| {
         (-24..24).any(|power| {

@@ -149,7 +149,7 @@ fn probe(expr: &Expr, r: f64) -> Probe {
     if real { Probe::Finite } else { Probe::NotReal }
 }
 
-/// False where something vanishes at the axis under a power that may be negative, or in a logarithm.
+/// False if something vanishes at the axis under a power that may be negative, or in a logarithm.
 fn is_regular(expr: &Expr) -> bool {
     let vanishes = |inner: &Expr| Bindings::one("r", Expr::zero()).apply(inner).is_zero();
     let own = match expr.node() {

@@ -3,7 +3,7 @@
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr};
 
-/// The sign of an expression without symbols, where its error bound leaves no doubt.
+/// The sign of an expression without symbols, if its error bound determines it.
 pub(crate) fn numeric_sign(expr: &Expr) -> Option<f64> {
     if !expr.symbols().is_empty() {
         return None;

@@ -75,7 +75,7 @@ impl Share {
 /// ```
 ///
 /// # Errors
-/// [`TransformError`] where g jumps, has no finite value at the axis, or its pieces cannot be separated.
+/// [`TransformError`] if g jumps, has no finite value at the axis, or its pieces cannot be separated.
 pub fn invert(g: &Formula, read: Reader) -> Result<Inverse, TransformError> {
     work::bounded(|| solve(g, read))
 }

@@ -99,7 +99,7 @@ impl Unifier<'_> {
         expr.symbols().into_iter().filter(|s| self.unknown.contains(s) && self.bound.get(s).is_none()).collect()
     }
 
-    /// Solves the equations one by one; false where one cannot hold or is left.
+    /// Solves the equations one by one; false if one cannot hold or is left.
     fn settle(&mut self) -> bool {
         // Each round settles at least one equation, or none is left that can be settled.
         for _ in 0..=self.equations.len() {

@@ -1,4 +1,4 @@
-//! ∫ g′(x)/√(x²−r²) dx for the terms of g′ that close, beside terms that stay an integral.
+//! ∫ g′(x)/√(x²−r²) dx for the closed terms of g′; the other terms remain an integral.
 
 use crate::expr::normal::{self, NormalTerm};
 use crate::expr::{Expr, Function, Node, Number, Sign, Symbol, sign};
@@ -123,7 +123,7 @@ fn beyond(end: &Expr, r: &Expr) -> Expr {
     if *end == Expr::symbol("a") { end.clone() } else { Expr::call("max", [end.clone(), r.clone()]) }
 }
 
-/// The term as a sum of coefficients times known functions; empty where it is none.
+/// The term as a sum of coefficients times known functions; empty if it is not such a sum.
 fn known<'a>(term: &NormalTerm, kinks: &'a [Expr]) -> Vec<(Expr, Known<'a>)> {
     /// Higher powers are long.
     const HIGHEST: i64 = 12;

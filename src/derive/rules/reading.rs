@@ -28,7 +28,7 @@ pub(crate) fn remembered<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// The recognition form in r; `None` where it would be too large.
+/// The recognition form in r; `None` if it would be too large.
 fn normal_terms(expr: &Expr) -> Terms {
     if let Some(terms) = KNOWN.with_borrow(|known| known.as_ref()?.get(expr).cloned()) {
         return terms;
@@ -64,7 +64,7 @@ pub fn quadratic(expr: &Expr) -> Option<(Expr, Expr)> {
     }
 }
 
-/// Base and exponent of a power; an expression that is none is its own first power.
+/// Base and exponent of a power; any other expression has the exponent 1.
 pub fn power(expr: &Expr) -> (Expr, Expr) {
     match expr.node() {
         Node::Power(base, exponent) => (base.clone(), exponent.clone()),

@@ -68,7 +68,7 @@ impl ClosureProfile {
         Ok(Self { closure, numeric, at_axis, first, faults })
     }
 
-    /// f′ on its segments, for what integrates it by itself.
+    /// f′ on its segments, for separate integration.
     pub fn numeric(&self) -> &NumericProfile {
         &self.numeric
     }

@@ -76,9 +76,9 @@ struct Fit {
     noise: f64,
     /// The change of f.
     spread: f64,
-    /// True where it agrees with narrow fits below.
+    /// True if it agrees with narrow fits below.
     stands: OnceLock<bool>,
-    /// True where f′(0) is 0 within its error, and taken to be 0.
+    /// True if f′(0) is 0 within its error, and taken to be 0.
     flat: bool,
 }
 
@@ -281,7 +281,7 @@ fn has_features(from: f64, to: f64, phi: &impl Fn(f64) -> Bounded) -> bool {
     /// Where the narrow fits begin, and their width, as shares of the octave.
     const BEGINS: [f64; 6] = [0.07, 0.23, 0.41, 0.58, 0.77, 0.93];
     const WIDTH: f64 = 1e-3;
-    /// Ratio of slopes below which their order says nothing.
+    /// Ratio of slopes below which their order is inconclusive.
     const ALIKE: f64 = 2.0;
     let slope = |begin: f64| {
         let low = from + begin * (to - from);

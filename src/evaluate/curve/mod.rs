@@ -56,7 +56,7 @@ impl<'a> Curve<'a> {
     /// `tolerance` is the error of g relative to the largest |g|.
     ///
     /// # Errors
-    /// [`TransformError::NotComputable`] where f′ is not finite or too wild below `reach`,
+    /// [`TransformError::NotComputable`] if f′ is not finite or too wild below `reach`,
     /// [`TransformError::CurveTooRough`] with the error that was reached.
     pub fn new(profile: &'a NumericProfile, reach: f64, tolerance: f64) -> Result<Self, TransformError> {
         if !(reach > 0.0 && reach.is_finite()) {
@@ -106,7 +106,7 @@ impl<'a> Curve<'a> {
     /// g at every place of a slice, sorted or not.
     ///
     /// # Errors
-    /// [`TransformError::OutOfDomain`] where a place lies outside of [0, reach], or the slices differ in length.
+    /// [`TransformError::OutOfDomain`] if a place lies outside of [0, reach], or the slices differ in length.
     pub fn slope_slice(&self, x: &[f64], out: &mut [f64]) -> Result<(), TransformError> {
         self.fill(&self.slope, "x", x, out)
     }
@@ -253,7 +253,7 @@ fn smear(smeared: [f64; 3], x: f64, kind: Integral) -> f64 {
 }
 
 impl Curve<'_> {
-    /// p(r)·π/E* under a smooth edge of radius a; `None` where it is infinite by theory.
+    /// p(r)·π/E* under a smooth edge of radius a; `None` if it is infinite by theory.
     ///
     /// # Errors
     /// As [`Self::pressures`].

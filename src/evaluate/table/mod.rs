@@ -135,7 +135,7 @@ impl TableProfile {
         self.extrapolated
     }
 
-    /// f′ on its pieces, for what integrates it by itself.
+    /// f′ on its pieces, for separate integration.
     pub fn numeric(&self) -> NumericProfile {
         let source = |piece: &Cubic| (piece.lower, Some(piece.upper), Arc::new(*piece) as Arc<dyn SlopeSource>);
         NumericProfile::from_sources(self.pieces.iter().map(source))

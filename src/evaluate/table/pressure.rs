@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 /// Data of a table for the pressure: the jumps of f′, and the masses of every cluster, computed on first use.
 pub(super) struct Bends {
-    /// b times the jump of f′ at the lower end b of every piece; 0 where it is within rounding.
+    /// b times the jump of f′ at the lower end b of every piece; 0 if it is within rounding.
     pub(super) kinks: Vec<f64>,
     moments: Vec<Moments>,
     masses: Vec<OnceLock<Vec<(f64, f64)>>>,
@@ -95,7 +95,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// The larger h of s and of the edge; `None` where one of them lies within the cluster.
+    /// The larger h of s and of the edge; `None` if one of them lies within the cluster.
     fn separation(&self, own: &Cluster) -> Option<f64> {
         let outside = own.upper < self.a && (self.s < own.lower || self.s > own.upper);
         outside.then(|| decay(own, self.a).1.max(decay(own, self.s).1))

@@ -200,7 +200,7 @@ pub(crate) fn unless_underflown(
     }
 }
 
-/// Steps of one number beside its tapes: measured by `benches/steps.rs`.
+/// Steps of one number in addition to its tapes, measured by `benches/steps.rs`.
 const OVERHEAD: u64 = 50;
 /// Steps of work after which a closed form with special functions is given up where quadrature may answer: about a millisecond …
 const DEAR: u64 = 100_000;

@@ -1,6 +1,6 @@
 //! The ways to a number: one entry each, for `--method`, for the list of `--explain` and for the tests of their bounds.
 //!
-//! A way computes the number, or returns `None` where it cannot. Each other file extends the evaluator by one quantity; `combine`
+//! A way computes the number, or returns `None` if it cannot. Each other file extends the evaluator by one quantity; `combine`
 //! tries the ways in order of their cost and returns the most accurate result.
 
 pub(crate) mod best;
@@ -46,7 +46,7 @@ pub struct Way {
     run: Run,
 }
 
-/// The number, found in this way; `None` where it has no answer.
+/// The number, found in this way; `None` if it has no answer.
 type Run = fn(&Way, &Evaluator<'_>, Ask) -> Result<Option<Estimate>, TransformError>;
 
 const OPEN: &str = "a term has no closed form";
@@ -117,7 +117,7 @@ impl Way {
     /// The requested number, computed by this way alone; `None` if it is theoretically infinite.
     ///
     /// # Errors
-    /// [`TransformError::NoSuchWay`] for another quantity, [`TransformError::NotThisWay`] where the way has no answer, and what
+    /// [`TransformError::NoSuchWay`] for another quantity, [`TransformError::NotThisWay`] if the way has no answer, and what
     /// [`Evaluator::slope`] has.
     pub(crate) fn answer(&'static self, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Reading>, TransformError> {
         if !self.quantities.contains(&ask.key()) {

@@ -18,7 +18,7 @@ impl NumericProfile {
     /// by parts −r K′ stands with f′, a sum of positive terms, so that nothing cancels at any z, and kinks need no care.
     ///
     /// # Errors
-    /// [`TransformError`] where f′ is not finite below a, or no digits can be promised.
+    /// [`TransformError`] if f′ is not finite below a, or no digits can be promised.
     pub fn axial(&self, z: f64, a: f64, tolerance: f64) -> Result<Estimate, TransformError> {
         finite_and_not_negative("z", z)?;
         finite_and_not_negative("a", a)?;

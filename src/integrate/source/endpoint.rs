@@ -11,7 +11,7 @@ pub(crate) struct Endpoint {
     /// The nearest double.
     pub(crate) at: f64,
     rest: f64,
-    /// The error of the place; 0 where 30 digits are known.
+    /// The error of the place; 0 if 30 digits are known.
     pub(crate) doubt: f64,
 }
 
@@ -26,7 +26,7 @@ impl Endpoint {
     /// The value of a constant expression, of which `rounded` is the double.
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value.
+    /// [`TransformError::Evaluation`] if a parameter has no value.
     pub(crate) fn of(expr: &Expr, rounded: Bounded) -> Result<Self, TransformError> {
         let plain = Self { at: rounded.value, rest: 0.0, doubt: rounded.error };
         if rounded.error == 0.0 {

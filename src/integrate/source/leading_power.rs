@@ -38,7 +38,7 @@ const STEPS: i32 = 12;
 const HAIR: f64 = 1e-12;
 
 impl LeadingPower {
-    /// Of a function of `delta`; `None` where it does not begin so.
+    /// Of a function of `delta`; `None` if it does not begin so.
     pub fn of(function: &Expr, delta: &Symbol) -> Option<Self> {
         let (variable, bounded) = (Expr::from(delta.clone()), Symbol::new("λ"));
         let mut parts = Vec::new();
@@ -69,8 +69,8 @@ impl LeadingPower {
         Some(Self { exponent: least.to_f64(), root, zeros, rest })
     }
 
-    /// Returns a bound on |h| for δ on the straight lines from 0 to every point of the region; infinite if no bound is known, or if h is
-    /// not known to be analytic there.
+    /// Returns a bound on |h| for δ on the straight lines from 0 to every point of the region; infinite if no bound is known, or
+    /// if h is not known to be analytic there.
     pub fn rest_over(&self, end: Region, slots: &mut Vec<Region>) -> f64 {
         let Some(angle) = end.largest_angle() else { return f64::INFINITY };
         let (most, share) = (end.largest(), 1.0 / f64::from(self.root));
@@ -89,7 +89,8 @@ impl LeadingPower {
         self.rest.run(&mut RegionAlgebra, &[w, bounded], slots).map_or(f64::INFINITY, Region::largest)
     }
 
-    /// Returns s + m/N and a bound on |k| for real δ from 0 to the largest in the region, or s and a bound on |h| if no bound on |k| is found.
+    /// Returns s + m/N and a bound on |k| for real δ from 0 to the largest in the region, or s and a bound on |h| if no bound on
+    /// |k| is found.
     ///
     /// By the maximum principle, |k| ≤ max |h|/R^m holds for |w| ≤ R on every disc |w| ≤ R on which h is analytic.
     pub fn beyond_zeros(&self, delta: Region, slots: &mut Vec<Region>) -> (f64, f64) {
@@ -126,8 +127,8 @@ fn zeros_of(expr: &Expr, symbol: &Symbol) -> i32 {
     exponent.filter(|m| (1..=MOST_ZEROS).contains(m)).map_or(0, |m| m as i32)
 }
 
-/// Returns the least common multiple of `root` and the denominators of all exponents of `symbol`, or `None` if it exceeds [`MOST_ROOT`] or
-/// an exponent is not rational.
+/// Returns the least common multiple of `root` and the denominators of all exponents of `symbol`, or `None` if it exceeds
+/// [`MOST_ROOT`] or an exponent is not rational.
 fn common_root(expr: &Expr, symbol: &Symbol, root: i64) -> Option<i64> {
     match expr.node() {
         Node::Power(base, exponent) if base.as_symbol() == Some(symbol) => {

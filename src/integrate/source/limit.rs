@@ -31,7 +31,7 @@ impl Limit {
     /// The end at `value`, where f′ is `source` over δ.
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] where a parameter has no value.
+    /// [`TransformError::Evaluation`] if a parameter has no value.
     pub fn new(value: Bounded, source: Expr) -> Result<Self, TransformError> {
         let slope = Numbers::Tape(Tape::compile(std::slice::from_ref(&source), &[Symbol::new("δ")])?);
         Ok(Self { value, slope, source, enclosing: OnceLock::new(), featureless: OnceLock::new() })
@@ -43,8 +43,8 @@ impl Limit {
         self.enclosing.get_or_init(|| work::unbroken(compile)).as_ref()
     }
 
-    /// Whether f′ changes over lengths of the size of the distance to the end only, from `lower` on: it is analytic around every piece
-    /// between two powers of two of the distance, or around parts of the piece, and not much larger there than on it.
+    /// Whether f′ changes over lengths of the size of the distance to the end only, from `lower` on: it is analytic around every
+    /// piece between two powers of two of the distance, or around parts of the piece, and not much larger there than on it.
     pub fn is_featureless(&self, lower: f64) -> bool {
         *self.featureless.get_or_init(|| work::unbroken(|| self.has_no_feature(self.value.value - lower)))
     }

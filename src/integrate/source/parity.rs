@@ -22,7 +22,7 @@ const ENTIRE: [&str; 7] = ["exp", "sin", "cos", "sinh", "cosh", "erf", "erfi"];
 /// … and functions of an order and an argument that are as odd in it as the order is.
 const BESSEL: [&str; 2] = ["besselj", "besseli"];
 
-/// The parity in `radius`; `None` where it is neither, or not seen.
+/// The parity in `radius`; `None` if it is neither, or not seen.
 pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
     if !expr.contains(radius) {
         return Some(Parity::Even);

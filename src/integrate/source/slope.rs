@@ -37,7 +37,7 @@ pub trait SlopeSource: Send + Sync {
     /// f′(lower + δ).
     fn slope(&self, delta: Bounded) -> Bounded;
 
-    /// (r f′)′ = f′ + r f″ at r = lower + δ, which only the pressure needs; `None` where it is not known.
+    /// (r f′)′ = f′ + r f″ at r = lower + δ, which only the pressure needs; `None` if it is not known.
     fn bend(&self, delta: Bounded) -> Option<Bounded>;
 
     /// Returns the distances below `end` at which f′ or f″ may jump, in ascending order; quadrature splits its panels there.
@@ -45,7 +45,7 @@ pub trait SlopeSource: Send + Sync {
         Vec::new()
     }
 
-    /// f′ in plain doubles at many distances; worth overriding where a loop over them is faster.
+    /// f′ in plain doubles at many distances; override it if a loop over them is faster.
     fn slopes(&self, deltas: &[f64], values: &mut [f64]) {
         for (delta, value) in deltas.iter().zip(values) {
             *value = self.slope(Bounded::exact(*delta)).value;
@@ -71,7 +71,7 @@ impl Numbers {
         }
     }
 
-    /// The value with its bound; NaN where there is none.
+    /// The value with its bound; NaN without a value.
     #[inline]
     pub(crate) fn at(&self, delta: Bounded, slots: &mut Vec<Bounded>) -> Bounded {
         let nothing = Bounded { value: f64::NAN, error: f64::NAN };
@@ -83,7 +83,7 @@ impl Numbers {
         }
     }
 
-    /// Values with their bounds at many distances; NaN where there is none.
+    /// Values with their bounds at many distances; NaN without a value.
     pub(crate) fn block(&self, deltas: &[f64], doubts: &[f64], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
         if let Self::Tape(tape) = self {
             let input = BlockInput { values: deltas, errors: doubts };
@@ -234,7 +234,7 @@ impl NumericProfile {
         }
     }
 
-    /// True where (r f′)′ is known on every segment, so that pressures can be had.
+    /// True if (r f′)′ is known on every segment, so that pressures can be had.
     pub fn has_bend(&self) -> bool {
         self.segments.iter().all(|segment| segment.bend().is_ok())
     }

@@ -156,7 +156,7 @@ impl Algebra for BoundedAlgebra {
 }
 
 /// The value where all arguments but one are numbers and some of these were rounded: one evaluation with their 30 digits tells
-/// what that rounding does, and each of them need not be moved by itself. `None` where the value is not one of 30 digits itself.
+/// what that rounding does, and each of them need not be moved by itself. `None` if the value is not one of 30 digits itself.
 fn of_one(row: &Row, arguments: &[Bounded], numbers: &[Option<DoubleDouble>]) -> Option<Bounded> {
     let Accuracy::Bounded(ulps) = row.accuracy else { return None };
     let precise = row.precise?;
@@ -177,7 +177,7 @@ fn of_one(row: &Row, arguments: &[Bounded], numbers: &[Option<DoubleDouble>]) ->
         }
         let found = precise(&point);
         let nearest = found.value.value();
-        // Half a unit is for rounding, and a hair for what 30 digits of the numbers leave.
+        // Half a unit is for rounding; the margin covers the errors of the 30-digit numbers.
         if found.error <= 0.9 * (ulps - 0.5) * f64::EPSILON * nearest.abs() { nearest } else { f64::NAN }
     };
     let found = arguments.get(open)?.apply(exact, ulps);
@@ -228,7 +228,8 @@ impl Algebra for RoundingAlgebra {
     }
 }
 
-/// The value with the bound that its row states, which asks the function once; `None` where there is none, or no room for it.
+/// The value with the bound of its row, by a single call of the function; `None` if the row has no bound, or has too many
+/// arguments.
 fn by_spread(row: &Row, arguments: &[Bounded]) -> Option<Bounded> {
     const FEW: usize = 4;
     let spread = row.spread?;
@@ -244,7 +245,7 @@ fn by_spread(row: &Row, arguments: &[Bounded]) -> Option<Bounded> {
     if row.is_pair {
         return Some(Bounded::checked(value, error + f64::from_bits(1)));
     }
-    // Next to underflow the bound would lose its own digits.
+    // Near underflow the bound itself would be inaccurate.
     (value.abs() >= 1e-150 && error <= f64::MAX).then_some(Bounded { value, error })
 }
 

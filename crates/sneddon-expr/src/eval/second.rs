@@ -105,7 +105,7 @@ fn double(row: &Row, values: &[DoubleDouble]) -> Precise {
     Precise::checked(value.into(), error)
 }
 
-/// Twice the slope along each inexact argument, times its error; infinite where no step stays in the domain.
+/// Twice the slope along each inexact argument, times its error; infinite if no step stays in the domain.
 fn probed(row: &Row, values: &[DoubleDouble], distances: &[f64]) -> f64 {
     let mut point = [0.0; FEW];
     let Some(point) = point.get_mut(..values.len()) else { return f64::INFINITY };

@@ -1,7 +1,7 @@
 //! Expressions as power series at r = 0, every coefficient with its error, and bounds of what lies beyond the last one.
 //!
-//! A series is r^s (A₀ + A₁ r + …). Beside the coefficients travels, for several radii ρ, a bound of Σ |A_n| ρ^n over n ≥ 1.
-//! A finite bound proves that the expression is analytic for |r| ≤ ρ, and gives |A_n| ≤ bound/ρ^n for every n (Cauchy's estimate).
+//! A series is r^s (A₀ + A₁ r + …). Beside the coefficients travels, for several radii ρ, a bound of Σ |A_n| ρ^n over n ≥ 1. A
+//! finite bound proves that the expression is analytic for |r| ≤ ρ, and gives |A_n| ≤ bound/ρ^n for every n (Cauchy's estimate).
 
 mod functions;
 
@@ -46,7 +46,7 @@ pub struct Series {
     pub shift: f64,
     /// A₀, A₁, …
     pub coefficients: Vec<Bounded>,
-    /// The bounds, one per radius; infinite where none is known.
+    /// The bounds, one per radius; infinite if none is known.
     pub rest: Vec<f64>,
 }
 
@@ -55,7 +55,7 @@ const MARGIN: f64 = 1e-12;
 
 /// The series of an expression in r without other symbols, to at least `length` coefficients.
 ///
-/// Terms of a sum whose powers of r do not differ by whole numbers are series of their own.
+/// Terms of a sum whose powers of r do not differ by whole numbers form separate series.
 ///
 /// ```
 /// use sneddon_expr::{eval::power_series, expr::Expr};
@@ -262,7 +262,7 @@ impl Series {
     }
 }
 
-/// A bound with room for its own rounding.
+/// A bound with a margin for its rounding error.
 pub(super) fn widened(bound: f64) -> f64 {
     if bound.is_nan() { f64::INFINITY } else { bound * (1.0 + MARGIN) }
 }

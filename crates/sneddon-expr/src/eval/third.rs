@@ -4,7 +4,7 @@ use super::{Algebra, PreciseAlgebra};
 use crate::expr::Function;
 use crate::num::{DoubleDouble, Precise, Wide, precise};
 
-/// Values of two doubles with an exponent of their own and a running bound of the error.
+/// Values of two doubles with a separate exponent and a running bound of the error.
 ///
 /// Functions are those of the second pass. An argument below their range counts as 0 within 1e-270 or, where the function is its
 /// argument to first order, is the value; of one above the range only logarithms and angles have a value.
@@ -94,7 +94,7 @@ fn in_other_units(function: Function, arguments: &[Wide], shift: i32) -> Wide {
     values.map_or_else(Wide::nan, |values| Wide::new(PreciseAlgebra.call(function, &values)).shifted(shift))
 }
 
-/// The argument as two doubles: too small a one is 0 with an error, too large a one is none.
+/// The argument as two doubles: 0 with an error if it is too small, `None` if it is too large.
 fn within_range(z: Wide) -> Option<Precise> {
     if z.exponent() > RANGE {
         return None;

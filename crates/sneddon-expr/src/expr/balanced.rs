@@ -83,7 +83,7 @@ fn folded(sum: &Expr) -> Expr {
     }
 }
 
-/// True where the term has e to a positive multiple of `w` as a factor.
+/// True if the term has e to a positive multiple of `w` as a factor.
 fn grows_like(term: &Expr, w: &Expr) -> bool {
     term.factors().iter().filter_map(|factor| argument(factor, "exp")).any(|own| (own / w).as_number().is_some_and(|k| k.is_positive()))
 }

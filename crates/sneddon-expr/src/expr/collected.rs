@@ -123,7 +123,7 @@ fn grouped(terms: &[Expr]) -> Expr {
 
 /// The terms with every power of a sum lowered by whole steps to the lowest that occurs: q^(−1/2) is q q^(−3/2).
 ///
-/// `None` where nothing is lowered, or the terms would be too many.
+/// `None` if nothing is lowered, or the terms would be too many.
 fn over_one_root(terms: &[Expr]) -> Option<Vec<Expr>> {
     let powers = |term: &Expr| -> Vec<(Expr, Expr)> {
         let pairs = term.factors().iter().map(Expr::split_power).collect::<Vec<_>>();
@@ -198,7 +198,7 @@ fn is_kernel(factor: &Expr) -> bool {
     }
 }
 
-/// The terms of the sum with every such factor that is a sum distributed; `None` where they would be too many.
+/// The terms of the sum with every such factor that is a sum distributed; `None` if they would be too many.
 fn products(expr: &Expr, is_distributed: &dyn Fn(&Expr) -> bool) -> Option<Vec<Expr>> {
     let mut done = Vec::new();
     for term in expr.terms() {

@@ -5,7 +5,7 @@ use super::{Expr, ExprError, Node, Symbol};
 /// d(`expr`)/d(`symbol`).
 ///
 /// # Errors
-/// [`ExprError::NoDerivative`] where a function row states no derivative for an argument that depends on the symbol.
+/// [`ExprError::NoDerivative`] if a function row states no derivative for an argument that depends on the symbol.
 ///
 /// ```
 /// use sneddon_expr::expr::{derivative, Expr, Symbol};

@@ -12,8 +12,8 @@ const STEPS_PER_WORD: u64 = 150;
 
 /// Returns the greatest common divisor.
 ///
-/// The quotients of Euclid's algorithm are computed from leading bits, about thirty bits at a time, which avoids most long divisions
-/// (D. E. Knuth, The Art of Computer Programming, volume 2, 4.5.2, algorithm L).
+/// The quotients of Euclid's algorithm are computed from leading bits, about thirty bits at a time, which avoids most long
+/// divisions (D. E. Knuth, The Art of Computer Programming, volume 2, 4.5.2, algorithm L).
 pub(super) fn common_divisor(one: &BigInt, other: &BigInt) -> BigInt {
     if one.is_one() || other.is_one() {
         return BigInt::one();
@@ -40,7 +40,7 @@ pub(super) fn common_divisor(one: &BigInt, other: &BigInt) -> BigInt {
     }
 }
 
-/// The coefficients of both numbers after as many divisions as their leading bits decide; `None` where they decide none.
+/// The coefficients of both numbers after as many divisions as their leading bits decide; `None` if they decide none.
 fn quotients(large: &BigUint, small: &BigUint) -> Option<[(i64, i64); 2]> {
     let shift = large.bits().checked_sub(LEADING)?;
     let (mut p, mut q) = ((large >> shift).to_i64()?, (small >> shift).to_i64()?);

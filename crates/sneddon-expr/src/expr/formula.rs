@@ -243,7 +243,7 @@ impl Formula {
         }
     }
 
-    /// True where an integral is left anywhere.
+    /// True if an integral is left anywhere.
     pub fn has_integral(&self) -> bool {
         match self {
             Self::Closed(_) => false,

@@ -19,7 +19,7 @@ const LENGTHS: [usize; 2] = [6, 14];
 /// Larger expressions are not expanded.
 const LARGEST: usize = 400;
 
-/// The leading term of an expression at r → 0; `None` where it has none that this arithmetic finds, as for ln r.
+/// The leading term of an expression at r → 0; `None` if it has none that this arithmetic finds, as for ln r.
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, Number, leading_term};
@@ -180,7 +180,7 @@ impl Series {
         self.coefficients.iter().all(Expr::is_zero)
     }
 
-    /// The same with leading zeros taken into the shift; `None` where no coefficient is known not to vanish.
+    /// The same with leading zeros taken into the shift; `None` if no coefficient is known not to vanish.
     fn stripped(mut self) -> Option<Self> {
         let zeros = self.coefficients.iter().take_while(|own| is_zero(own)).count();
         if zeros == self.coefficients.len() {
@@ -196,7 +196,7 @@ fn is_zero(expr: &Expr) -> bool {
     expr.is_zero() || (expr.as_number().is_none() && normal::is_proven_zero(expr, &Symbol::new("r")))
 }
 
-/// False where a derivative at the place divides by zero or takes the logarithm of zero.
+/// False if a derivative at the place divides by zero or takes the logarithm of zero.
 fn is_finite(expr: &Expr) -> bool {
     let own = match expr.node() {
         Node::Power(base, exponent) => !base.is_zero() || sign(exponent) == Sign::Positive,

@@ -222,7 +222,7 @@ impl Expr {
         }
     }
 
-    /// True where the symbol occurs.
+    /// True if the symbol occurs.
     pub fn contains(&self, symbol: &Symbol) -> bool {
         match self.node() {
             Node::Symbol(own) => own == symbol,

@@ -79,7 +79,7 @@ impl Number {
         &self.value
     }
 
-    /// True where the number should print as a decimal fraction.
+    /// True if the number should print as a decimal fraction.
     pub fn is_decimal(&self) -> bool {
         self.decimal && (self.is_integer() || ends_in_decimals(&self.value))
     }
@@ -164,7 +164,7 @@ impl Number {
         nearest_f64(&self.value)
     }
 
-    /// True where [`Self::to_f64`] is the number itself.
+    /// True if [`Self::to_f64`] is the number itself.
     pub fn is_exact_f64(&self) -> bool {
         BigRational::from_float(self.to_f64()).is_some_and(|back| back == self.value)
     }
@@ -234,7 +234,7 @@ fn fraction(p: i128, q: i128) -> BigRational {
     BigRational::new_raw(BigInt::from(p / common), BigInt::from(q / common))
 }
 
-/// True where the denominator has no prime factor besides 2 and 5 and few enough digits to print.
+/// True if the denominator has no prime factor besides 2 and 5 and few enough digits to print.
 fn ends_in_decimals(value: &BigRational) -> bool {
     let (twos, fives, rest) = factors_of_ten(value.denom());
     rest.is_one() && twos.abs_diff(fives) <= 64
@@ -391,7 +391,7 @@ fn parts(own: &Number) -> (&BigInt, &BigInt) {
     (own.value.numer(), own.value.denom())
 }
 
-/// Counts the work of an operation on numbers of many words; false where the budget is used up.
+/// Counts the work of an operation on numbers of many words; false if the budget is used up.
 fn charge(one: &Number, other: &Number) -> bool {
     let words = 1 + (one.bits() + other.bits()) / 64;
     work::spend(5 + words + words * words / 16);

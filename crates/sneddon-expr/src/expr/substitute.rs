@@ -35,7 +35,7 @@ impl Bindings {
         self.0.iter()
     }
 
-    /// True where nothing is bound.
+    /// True if nothing is bound.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

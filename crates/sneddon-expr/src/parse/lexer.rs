@@ -29,7 +29,7 @@ pub(super) enum Token {
 }
 
 impl Token {
-    /// True where an operand can begin with this token.
+    /// True if an operand can begin with this token.
     pub(super) fn begins_operand(&self) -> bool {
         matches!(self, Self::Number(_) | Self::Name(_) | Self::Open | Self::OpenList)
     }

@@ -10,7 +10,7 @@ pub(super) struct Item {
     pub(super) span: Range<usize>,
 }
 
-/// The kinds of item; parentheses leave no trace but a wider span.
+/// The kinds of item; parentheses only widen the span of an item.
 #[derive(Debug)]
 pub(super) enum Kind {
     Number(Number),
@@ -29,7 +29,7 @@ pub(super) enum Kind {
         name_span: Range<usize>,
         arguments: usize,
     },
-    /// Two sides; true where the first one is the larger.
+    /// Two sides; true if the first one is the larger.
     Comparison(bool),
     /// A bracketed list with its number of entries, an argument of `hyper`.
     List(usize),

@@ -68,7 +68,7 @@ fn signed(formula: &Formula, style: Style) -> (bool, Math) {
             let mut terms = Vec::new();
             for part in parts {
                 match part {
-                    // A sum begins with its own sign.
+                    // A sum includes the sign of its first term.
                     Formula::Closed(closed) if matches!(closed.node(), Node::Sum(_)) => {
                         terms.extend(order::terms(closed).iter().map(|term| product(term, style)));
                     }
@@ -137,7 +137,7 @@ fn product(expr: &Expr, style: Style) -> (bool, Math) {
     (layout.negative, body)
 }
 
-/// A product with nothing beside it; a single sum needs no parentheses then.
+/// A product without adjacent factors, so that a single sum needs no parentheses.
 fn alone(factors: &[Factor], style: Style) -> Math {
     match factors {
         [] => one(),
@@ -187,7 +187,7 @@ fn factor(factor: &Factor, style: Style, bare: bool) -> Math {
     Math::Power(Box::new(base), Box::new(power))
 }
 
-/// True where an exponent behind the last sign can only belong to the whole.
+/// True if an exponent behind the last sign can only belong to the whole.
 fn closes_itself(setting: Setting) -> bool {
     !matches!(setting, Setting::Operator | Setting::Exponential | Setting::Index)
 }

@@ -16,7 +16,7 @@ pub(super) enum Math {
     Sum(Vec<(bool, Math)>),
     /// −m.
     Negative(Box<Math>),
-    /// Factors beside each other.
+    /// Adjacent factors.
     Product(Vec<Math>),
     /// A built-up fraction.
     Fraction(Box<Math>, Box<Math>),
@@ -53,7 +53,7 @@ pub(super) struct Call {
 }
 
 impl Math {
-    /// True where this part, or one within it, has a property.
+    /// True if this part, or one within it, has a property.
     pub(super) fn any(&self, has: &dyn Fn(&Self) -> bool) -> bool {
         has(self) || self.children().into_iter().any(|child| child.any(has))
     }

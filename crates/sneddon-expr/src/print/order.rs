@@ -105,7 +105,7 @@ fn natural(expr: &Expr) -> Vec<Expr> {
     terms.into_iter().map(|(_, term)| term).collect()
 }
 
-/// True where a number reads better in front: 1 + r²/w², 1 + eˣ, but n + 1.
+/// True if a number reads better in front: 1 + r²/w², 1 + eˣ, but n + 1.
 fn leads_after_number(term: &Expr) -> bool {
     let layout = layout(term);
     let simple = |factor: &Factor| Rank::of(factor) <= Rank::Parameter;

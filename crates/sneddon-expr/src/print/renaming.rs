@@ -19,7 +19,7 @@ impl Renaming {
         Self(pairs)
     }
 
-    /// True where every name stays.
+    /// True if every name stays.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -148,7 +148,7 @@ fn power(factor: &Expr) -> Option<(Number, Number)> {
     }
 }
 
-/// The product of the powers with about 30 digits; `None` where it or a factor is far from the range of doubles.
+/// The product of the powers with about 30 digits; `None` if it or a factor is far from the range of doubles.
 fn value(powers: &[(Number, Number)]) -> Option<Number> {
     let in_range = |own: &DoubleDouble| (1e-140..1e140).contains(&own.hi.abs());
     let double = |own: &Number| {

@@ -90,7 +90,7 @@ pub fn angle_above(b: f64, x: f64) -> f64 {
     angle_between(b, f64::INFINITY, x)
 }
 
-/// Up to this b/x its rounding moves the angle by no more than its own.
+/// Up to this b/x, its rounding error changes the angle by at most the rounding error of the angle.
 const FAR: f64 = 0.7;
 
 /// A segment `[b, c]` below `x`, with `x` scaled by a power of two into `[1, 2)`.

@@ -13,11 +13,11 @@ use super::{Integrand, Options, Rule};
 
 /// Deepest bisection: positions stay exact integers.
 const DEEPEST: u32 = 50;
-/// Level at which a panel of zeros is accepted as zero.
+/// First level at which zeros at all points imply a zero panel.
 const BLANK_LEVEL: u32 = 3;
 /// Bisections without effect after which a piece is left alone.
 const MOST_STALLS: u8 = 12;
-/// The same where the error is so small beside |f| that noise is the likely reason.
+/// The same if the error is so small relative to |f| that noise is the likely reason.
 const MOST_STALLS_IN_NOISE: u8 = 4;
 
 /// A part of a panel with the estimate of its integral.

@@ -129,7 +129,7 @@ fn a_pole_close_to_an_end_is_zoomed_in_on() {
     let found = integrate(&mut f, &[Panel::smooth(1.0, 2.0)], &by_distance()).unwrap();
     assert_honest(found, 1e8f64.atan() * 1e8, 1e-12);
     assert!(found.evaluations < 2000, "{found:?}");
-    // From the rounded x the same digits are lost, and the estimate says so.
+    // The rounded x loses the same digits, and the estimate reflects this.
     let careless = |x: f64| 1.0 / ((x - 1.0).powi(2) + 1e-16);
     let found = best(integrate(&mut plain(careless), &[Panel::smooth(1.0, 2.0)], &Options::default()));
     assert_honest(found, 1e8f64.atan() * 1e8, 1e-5);

@@ -30,7 +30,7 @@ impl Interval {
 
     #[inline]
     pub(super) fn has_zero(self) -> bool {
-        // True where nothing is known.
+        // True if nothing is known.
         !(self.low > 0.0 || self.high < 0.0)
     }
 

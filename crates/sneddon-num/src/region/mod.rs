@@ -59,7 +59,7 @@ impl Region {
         if self.is_known() { Self { im: Interval::point(0.0), ..self } } else { Self::unknown() }
     }
 
-    /// The lowest and the highest real part; `None` where nothing is known.
+    /// The lowest and the highest real part; `None` if nothing is known.
     pub fn real_range(self) -> Option<(f64, f64)> {
         self.is_known().then_some((self.re.low, self.re.high))
     }
@@ -118,7 +118,7 @@ impl Region {
         }
     }
 
-    /// The largest |arg z| of numbers with a positive real part, 0 on the real axis; `None` where others are in the region.
+    /// The largest |arg z| of numbers with a positive real part, 0 on the real axis; `None` if others are in the region.
     pub fn largest_angle(self) -> Option<f64> {
         if self.is_on_the_axis() && self.re.high > 0.0 {
             return Some(0.0);

@@ -176,7 +176,7 @@ fn values_at_points_of_a_rectangle_are_in_the_rectangle_of_values() {
     }
 }
 
-/// A rectangle of values shrinks with the rectangle of arguments: what only bounds the magnitude leaves no quotient an answer.
+/// A rectangle of values shrinks with the rectangle of arguments: bounds on the magnitude alone would not give finite quotients.
 #[test]
 fn special_functions_close_in_on_their_values() {
     let mut random = Numbers(3);

@@ -8,7 +8,7 @@ use crate::{DoubleDouble, Precise, work};
 
 /// `B(a, b; z1, z2) = ∫_{z1}^{z2} t^(a-1) (1-t)^(b-1) dt`.
 ///
-/// Domain: real `a`, `b`, `0 <= z1, z2 <= 1`; infinite where an end meets a power of -1 or below; NaN elsewhere.
+/// Domain: real `a`, `b`, `0 <= z1, z2 <= 1`; infinite if an end meets a power of -1 or below; NaN elsewhere.
 /// The sign turns with `z1 > z2`.
 ///
 /// Accuracy: the value is within 2.5 ulp wherever it is not NaN, by its own bound; measured at most 0.51 ulp, also

@@ -60,7 +60,7 @@ pub fn erfi(z: f64) -> f64 {
     if value.value.hi.is_infinite() { value.value.hi } else { rounded(value) }
 }
 
-/// `erfi(z)` to about 29 digits, with its error; infinite where a double overflows.
+/// `erfi(z)` to about 29 digits, with its error; infinite if a double overflows.
 ///
 /// ```
 /// let value = sneddon_num::special::erfi_precise(1.0.into());

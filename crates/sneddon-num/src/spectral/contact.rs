@@ -6,7 +6,7 @@
 /// polynomials with positive coefficients (DLMF 18.18.16), each of which gives 2 sin((2j+1)φ)/(2j+1), sin φ = √(1 − s²/a²).
 /// |Φ_k| stays near Φ_0 = 2 sin φ in the middle of the contact and grows to (2k+1)Φ_0 next to its edge.
 ///
-/// Domain: `cosine` = s/a and `sine` = √((a−s)(a+s))/a, both in [0, 1]. Accuracy: some 8(k+2) units of 2⁻⁵³ of the second sum.
+/// Domain: `cosine` = s/a and `sine` = √((a−s)(a+s))/a, both in [0, 1]. Accuracy: about 8(k+2) units of 2⁻⁵³ of the second sum.
 pub fn pressures(count: usize, cosine: f64, sine: f64) -> Pressures {
     // sin((2j+1)φ) by rotation through 2φ; next to the edge φ is small, and no digit is lost.
     let (mut own, mut other) = (sine, cosine);

@@ -79,7 +79,7 @@ pub(crate) fn next_weight(coefficients: &[f64], beta: f64) -> Vec<f64> {
 /// Truncates an expansion whose tail has reached the plateau of rounding, and bounds the tail's half-order integral.
 ///
 /// `scale` is the largest value of the function, not the largest coefficient. Rounding of the values gives coefficient k a noise
-/// of about √((2k+1)/n) ulps. `None` where the tail still carries digits; a half-order integral divides coefficient k by k + 1.
+/// of about √((2k+1)/n) ulps. `None` if the tail still carries digits; a half-order integral divides coefficient k by k + 1.
 pub fn chop(coefficients: &mut Vec<f64>, scale: f64, plateau: f64) -> Option<f64> {
     let count = coefficients.len();
     let unit = plateau * scale / (count as f64).sqrt();

@@ -28,7 +28,7 @@ const C: Parameter = Parameter { name: "c", lowest: 0.2, highest: 2.0 };
 
 const RECURRENCE: &str = "recurrence in the exponent for ∫ r^m (ρ² ± r²)^p/√(x²−r²) dr";
 
-/// A rule that says nothing yet; files whose rules have much in common state that as a change of it.
+/// An empty rule, used as the base for rules with common fields.
 const BLANK: Rule = Rule {
     id: "",
     title: "",

@@ -75,7 +75,7 @@ pub(super) struct Family {
 const HIGHEST: i64 = 40;
 
 impl Family {
-    /// ∫ r^m Q^p/√(x²−r²) dr with p = −k for whole and 1/2 − k for half exponents; `None` where it does not close.
+    /// ∫ r^m Q^p/√(x²−r²) dr with p = −k for whole and 1/2 − k for half exponents; `None` if it does not close.
     pub(super) fn moment(self, m: i64, k: i64) -> Option<Moment> {
         if !(0..=HIGHEST).contains(&k) || m.abs() > HIGHEST || (m < 0 && !self.half) {
             return None;

@@ -204,7 +204,7 @@ impl Place<'_> {
         Some((Expr::call("elliprf", squares), square))
     }
 
-    /// True where ∫ √Q/√(x²−r²) dr is ρ E(φ|m) + σ b √(x²−b²)/√Q(b).
+    /// True if ∫ √Q/√(x²−r²) dr is ρ E(φ|m) + σ b √(x²−b²)/√Q(b).
     pub(super) fn needs_algebraic_term(&self) -> bool {
         self.upper.is_none() && !self.lower.is_zero()
     }

@@ -116,7 +116,7 @@ pub(in crate::derive::rules) static WORN_EVEN_BELOW: Rule = Rule {
     ..BASE
 };
 
-/// c r^m Q^(1/2−k) with whole k > 0; sphere and hyperboloid, whole and endless, have rules of their own.
+/// c r^m Q^(1/2−k) with whole k > 0; the unbounded sphere and hyperboloid on the whole axis have separate rules.
 fn apply(term: &Term, sigma: i64, odd: bool, extent: Extent) -> Option<Answer> {
     if !extent.fits(&term.segment) {
         return None;

@@ -322,7 +322,8 @@ fn charge(a: Each<'_>, to: To<'_>, ulps: f64, slow: impl Fn(Bounded) -> Bounded)
     }
 }
 
-/// A function without a law for slices: the error of its arguments by the bound in its row, else as the scalar tape has it.
+/// A function without a law for slices: the propagated error of its arguments by the bound in its row, else as in the scalar
+/// tape.
 fn many(function: Function, arguments: &[Values<'_>], to: To<'_>) {
     let row = function.row();
     let count = arguments.len();

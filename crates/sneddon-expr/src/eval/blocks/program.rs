@@ -164,7 +164,7 @@ impl Known {
         Self { plain: FloatAlgebra.constant(number), bounded: BoundedAlgebra.constant(number) }
     }
 
-    /// True where multiplying by it only shifts the exponent, and so does multiplying by its inverse.
+    /// True if multiplying by it only shifts the exponent, and so does multiplying by its inverse.
     fn is_scale(self) -> bool {
         let power_of_two = self.plain.to_bits() & 0x000f_ffff_ffff_ffff == 0 && self.plain.is_normal() && self.plain.recip().is_normal();
         power_of_two && self.bounded.error == 0.0

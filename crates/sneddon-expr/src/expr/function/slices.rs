@@ -5,7 +5,7 @@
 pub struct SliceLaw {
     /// The values, bit for bit those of the row.
     pub values: fn(&[f64], &mut [f64]),
-    /// Bounds the change of each value from the arguments, their distances and the values; infinite where no cheap bound exists.
+    /// Bounds the change of each value from the arguments, their distances and the values; infinite if no cheap bound exists.
     pub growth: Growth,
 }
 
@@ -161,12 +161,12 @@ pub(super) const ATANH: SliceLaw = SliceLaw {
 pub(super) const ABS: SliceLaw =
     SliceLaw { values: |z, out| values(z, out, f64::abs), growth: |z, by, v, out| growth(z, by, v, out, |_, by, _| by) };
 
-/// One instruction, unlike `f64::min`; NaN where `b` is.
+/// One instruction, unlike `f64::min`; NaN if `b` is.
 fn smaller(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// One instruction, unlike `f64::max`; NaN where `b` is.
+/// One instruction, unlike `f64::max`; NaN if `b` is.
 fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }

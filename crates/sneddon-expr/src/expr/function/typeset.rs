@@ -7,7 +7,7 @@ pub struct Letters {
     pub text: &'static str,
     /// Their font.
     pub font: Font,
-    /// A fixed index, empty where there is none.
+    /// A fixed index, or an empty string.
     pub index: &'static str,
 }
 

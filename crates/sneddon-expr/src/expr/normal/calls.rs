@@ -4,7 +4,7 @@ use super::polynomial::{Frame, Monomial, Polynomial};
 use super::{content, is_sum, logarithm, power};
 use crate::expr::{Expr, ExprError, Node, Number, Sign, sign};
 
-/// The canonical spelling of a function of canonical arguments; `None` where the call itself is it.
+/// The canonical spelling of a function of canonical arguments; `None` if the call itself is it.
 ///
 /// Every identity holds wherever the call is real, for positive symbols.
 pub(super) fn rewritten(name: &str, arguments: &[Polynomial]) -> Result<Option<Polynomial>, ExprError> {
@@ -107,12 +107,12 @@ fn exact(name: &str, angle: &Expr) -> Option<Expr> {
     Some(Expr::integer(sign) * value)
 }
 
-/// True where a factor depends on the variable.
+/// True if a factor depends on the variable.
 pub(super) fn depends(monomial: &Monomial, frame: &Frame) -> bool {
     monomial.iter().any(|(atom, power)| atom.contains(frame.variable()) || power.contains(frame.variable()))
 }
 
-/// True where a term depends on the variable.
+/// True if a term depends on the variable.
 pub(super) fn any_depends(sum: &Polynomial) -> bool {
     sum.terms().any(|(monomial, _)| depends(monomial, sum.frame()))
 }

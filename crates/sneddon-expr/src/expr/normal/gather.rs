@@ -133,7 +133,7 @@ fn as_pair(atom: &Expr, power: &Expr, frame: &Frame) -> Option<(Expr, [Number; 2
         "atanh" => Some((argument.clone(), [Number::ratio(1, 2), Number::ratio(-1, 2)])),
         "ln" => {
             let u = argument - Expr::one();
-            // Sums have several logarithms of their own and are left alone.
+            // Sums contain several logarithms and are left unchanged.
             if u.as_number().is_some() || matches!(u.node(), Node::Sum(_)) {
                 return None;
             }

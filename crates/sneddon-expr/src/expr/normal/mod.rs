@@ -54,7 +54,7 @@ impl NormalTerm {
 /// powers, roots moved out of denominators, like terms collected.
 ///
 /// # Errors
-/// [`ExprError::TooLarge`] where expanding would need more terms than [`Polynomial::LIMIT`].
+/// [`ExprError::TooLarge`] if expanding would need more terms than [`Polynomial::LIMIT`].
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, Symbol, normal::normal_terms};
@@ -102,7 +102,7 @@ pub fn expanded(expr: &Expr, variable: &Symbol) -> Result<Expr, ExprError> {
     Ok(Polynomial::from_expr(expr, variable)?.to_expr())
 }
 
-/// True where the expression is proven to be zero; false proves nothing.
+/// True if the expression is proven to be zero; false proves nothing.
 pub fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
     expr.is_zero()
         || Polynomial::from_expr(expr, variable).is_ok_and(|p| p.is_zero())

@@ -19,7 +19,7 @@ pub(super) struct Frame {
     canonical: bool,
 }
 
-/// Work of one step of an expansion beside the nodes that it makes.
+/// Work of one step of an expansion, in addition to the nodes that it creates.
 const STEP: u64 = 20;
 
 impl Frame {

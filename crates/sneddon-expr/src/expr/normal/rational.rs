@@ -108,9 +108,9 @@ struct Fractions {
     polynomial: Univariate,
 }
 
-/// The partial fractions of a group; `None` where a factor is beyond the method.
+/// The partial fractions of a group; `None` if a factor is beyond the method.
 ///
-/// They are unique, so that each term is taken apart by itself.
+/// They are unique, so that each term is decomposed separately.
 fn fractions(cofactor: &Monomial, parts: &[Part], frame: &Frame) -> Result<Option<Polynomial>, ExprError> {
     let mut cache = BTreeMap::new();
     let mut found = Fractions { over: BTreeMap::new(), polynomial: Univariate::zero(frame) };
@@ -172,7 +172,7 @@ fn numerator_and_divisors(
 }
 
 impl Fractions {
-    /// Adds numerator/Π divisors; false where a factor is beyond the method.
+    /// Adds numerator/Π divisors; false if a factor is beyond the method.
     fn take_apart(&mut self, mut numerator: Univariate, mut divisors: Vec<Divisor>) -> Result<bool, ExprError> {
         let frame = numerator.frame().clone();
         for index in 0..divisors.len() {

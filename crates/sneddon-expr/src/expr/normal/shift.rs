@@ -3,7 +3,8 @@
 use super::expanded;
 use crate::expr::{Bindings, Expr, Symbol, derivative};
 
-/// The coefficients of Σ c_m v^m in powers of v − b, without zeros: pairs of k and P^(k)(b)/k!; `None` where they cannot be expanded.
+/// The coefficients of Σ c_m v^m in powers of v − b, without zeros: pairs of k and P^(k)(b)/k!; `None` if they cannot be
+/// expanded.
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, Symbol, normal::shifted_coefficients};

@@ -34,7 +34,7 @@ impl Univariate {
         Self::new(vec![Polynomial::zero(frame), Polynomial::constant(Number::integer(1), frame)], frame)
     }
 
-    /// The polynomial by powers of the variable; `None` where it is none.
+    /// The coefficients by powers of the variable; `None` if the expression is not a polynomial.
     pub(super) fn read(polynomial: &Polynomial) -> Option<Self> {
         let frame = polynomial.frame();
         let radius = Expr::from(frame.variable().clone());

@@ -17,7 +17,7 @@ struct Wave<'a> {
 /// Applies one step of the reduction to a product; `None` if no step applies.
 ///
 /// Products and positive powers of sin and cos become sums of sin and cos; those of sinh and cosh become exponentials,
-/// and so do they beside an exponential;
+/// also if multiplied by an exponential;
 /// quotients become tan and tanh with powers of 1/cos and 1/cosh; r·J_n and r·I_n with n ≥ 2 are lowered to orders 0 and 1.
 pub(super) fn reduced(monomial: &Monomial, frame: &Frame) -> Result<Option<Polynomial>, ExprError> {
     let waves: Vec<Wave<'_>> = monomial.iter().filter_map(|(atom, power)| read(atom, power, frame)).collect();

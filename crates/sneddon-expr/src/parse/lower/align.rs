@@ -128,7 +128,7 @@ fn merge(lists: &[Cases], known: &Breakpoints, span: &Range<usize>) -> Result<Ve
     Ok(merged)
 }
 
-/// True where `left` < `right` by value or because one operand lists them in that order.
+/// True if `left` < `right` by value or because one operand lists them in that order.
 fn comes_before(left: &Expr, right: &Expr, lists: &[&[Expr]]) -> bool {
     let listed = |list: &&[Expr]| {
         let place = |of: &Expr| list.iter().position(|own| own == of);

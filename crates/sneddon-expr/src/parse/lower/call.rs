@@ -140,7 +140,7 @@ impl Lowering<'_> {
     }
 }
 
-/// False where the function is known to have no finite real value for these arguments.
+/// False if the function is known to have no finite real value for these arguments.
 fn has_value(function: Function, arguments: &[Expr]) -> bool {
     let row = function.row();
     let numbers: Option<Vec<f64>> = arguments.iter().map(|argument| argument.as_number().map(Number::to_f64)).collect();

@@ -14,7 +14,7 @@ pub(super) fn known_sign(expr: &Expr) -> Sign {
     }
 }
 
-/// True where `left` < `right` is known.
+/// True if `left` < `right` is known.
 pub(super) fn below(left: &Expr, right: &Expr) -> bool {
     known_sign(&(right - left)) == Sign::Positive
 }

@@ -58,7 +58,7 @@ fn sign(relation: Relation) -> &'static str {
     }
 }
 
-/// Factors beside each other, with the space that each pair needs.
+/// Adjacent factors, with the space required between each pair.
 fn product(factors: &[Math]) -> String {
     let mut text = String::new();
     for (place, factor) in factors.iter().enumerate() {
@@ -75,7 +75,7 @@ fn product(factors: &[Math]) -> String {
     text
 }
 
-/// True where parentheses around a part must grow with it.
+/// True if parentheses around a part must grow with it.
 fn is_tall(math: &Math) -> bool {
     math.any(&|part| match part {
         Math::Fraction(..) | Math::Root(..) | Math::Cases { .. } | Math::Integral { .. } => true,

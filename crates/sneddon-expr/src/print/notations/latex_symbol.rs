@@ -68,7 +68,7 @@ const GREEK: [&str; 34] = [
     "Psi", "Omega",
 ];
 
-/// Greek letters that look like Latin ones and have no command of their own.
+/// Greek letters that look like Latin letters and have no LaTeX command.
 const LATIN_LOOKING: [(&str, &str); 14] = [
     ("omicron", "o"),
     ("Alpha", "\\mathrm{A}"),

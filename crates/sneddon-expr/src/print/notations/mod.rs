@@ -1,7 +1,7 @@
 //! The notations of a formula: text, Unicode, LaTeX, Typst and MathML, one writer for each.
 //!
 //! Each writes the tree of `print::math`.
-//! The names of Greek letters and LaTeX symbols lie beside them.
+//! The submodules also contain the names of Greek letters and LaTeX symbols.
 
 pub(crate) mod greek;
 pub(crate) mod latex;

@@ -42,7 +42,7 @@ pub(in crate::print) fn write(math: &Math) -> String {
             format!("piecewise({pieces}{})", write(last))
         }
         Math::Integral { integrand, variable, lower, upper } => {
-            // Parentheses around the whole integrand say nothing here.
+            // Parentheses around the whole integrand are redundant here.
             let integrand = match integrand.as_deref() {
                 None => "1".to_owned(),
                 Some(Math::Parentheses(inner)) => write(inner),

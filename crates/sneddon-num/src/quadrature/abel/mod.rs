@@ -20,7 +20,7 @@ pub struct Radii<'a> {
     pub r: &'a [f64],
     /// r less the lower end of its piece: of [`AbelOptions::from`] or the breakpoint below, or r itself on the first piece.
     pub past_start: &'a [f64],
-    /// [`AbelOptions::limit`] less r, or x − r, rounded, where there is none.
+    /// [`AbelOptions::limit`] minus r; without a limit, the rounded x − r.
     ///
     /// An f′ that varies rapidly next to the limit must use this: r itself is rounded.
     pub below_limit: &'a [f64],

@@ -132,7 +132,7 @@ fn last<const FORCE: bool>(
 /// another rule is taken.
 const GUESS: f64 = 1e-3;
 
-/// The piece that ends at x, by the one rule that suffices for an f′ that is bounded in a strip; `None` where there is none, with
+/// The piece that ends at x, by the one rule that suffices for an f′ that is bounded in a strip; `None` if there is none, with
 /// the evaluations that were spent.
 fn in_a_strip<const FORCE: bool>(
     slope: &mut impl FnMut(Radii<'_>, &mut [f64]),

@@ -66,7 +66,8 @@ impl GaussRule {
         let z = nodes.all().z;
         let mut middles = between(z.iter().copied());
         if let [first, second, ..] = z {
-            // What an even function does from the centre to the first node follows from what it does from there to the second one.
+            // What an even function does from the centre to the first node follows from what it does from there to the second
+            // one.
             let share = first * first / ((second - first) * (second + first));
             for (list, more) in middles.iter_mut().zip(between([0.0, *first].into_iter())) {
                 if let (Some(to), Some(more)) = (list.first_mut(), more.first()) {
@@ -92,11 +93,11 @@ impl Known {
     /// How many rules there are.
     pub const RULES: usize = HALVES.len();
 
-    /// The smallest rule that leaves out no more than `wanted` of an even function that is analytic and at most `largest` on the ellipse
-    /// with foci ±1 and half-axes cosh σ and sinh σ; `None` where that takes too many nodes.
+    /// The smallest rule that leaves out no more than `wanted` of an even function that is analytic and at most `largest` on the
+    /// ellipse with foci ±1 and half-axes cosh σ and sinh σ; `None` if that takes too many nodes.
     ///
-    /// Chebyshev coefficients are at most 2M e^(−kσ); the rule of N nodes is exact below k = 2N and wrong by at most 2 + 2/(k² − 1) on
-    /// T_k from there on, k even: Trefethen, Approximation Theory and Approximation Practice, theorems 8.1 and 19.3.
+    /// Chebyshev coefficients are at most 2M e^(−kσ); the rule of N nodes is exact below k = 2N and wrong by at most 2 + 2/(k² −
+    /// 1) on T_k from there on, k even: Trefethen, Approximation Theory and Approximation Practice, theorems 8.1 and 19.3.
     pub fn fewest(sigma: f64, largest: f64, wanted: f64) -> Option<Self> {
         let front = 32.0 / 15.0 * largest / (1.0 - (-2.0 * sigma).exp()) * (1.0 + 1e-9);
         // front·e^(−4 half σ) ≤ wanted.
@@ -114,7 +115,7 @@ impl Known {
     /// The mean of the integrand.
     ///
     /// # Errors
-    /// [`NumError::NotFinite`] where the integrand is not.
+    /// [`NumError::NotFinite`] if the integrand is not.
     #[inline]
     pub fn mean<I: EvenIntegrand>(self, integrand: &mut I) -> Result<Mean, NumError> {
         let rule: &GaussRule = RULES.get(self.rule).unwrap_or(&RULES[0]);

@@ -1,4 +1,4 @@
-//! A rule for even integrands, and what it says about its own error.
+//! A rule for even integrands, and its error estimate.
 
 /// A symmetric rule on [−1, 1] of 2·H − 1 points for even integrands: only the half from the centre outwards is kept.
 pub(super) struct EvenRule<const H: usize> {

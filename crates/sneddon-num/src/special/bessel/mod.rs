@@ -87,7 +87,7 @@ pub fn besseli(n: f64, z: f64) -> f64 {
     finished(besseli_precise(n.into(), z.into()))
 }
 
-/// `I_n(z)` to about 29 digits, with its error; infinite where a double overflows.
+/// `I_n(z)` to about 29 digits, with its error; infinite if a double overflows.
 ///
 /// ```
 /// let value = sneddon_num::special::besseli_precise(1.0.into(), 2.0.into());

@@ -55,7 +55,7 @@ pub fn struveh_precise(n: DoubleDouble, z: DoubleDouble) -> Precise {
 
 /// `L_n(z) = (z/2)^(n+1) Σ (z/2)^(2k) / (Gamma(k+3/2) Gamma(k+n+3/2))`.
 ///
-/// Domain: whole `n` in `[-1, 10^4]`, every `z`; infinite where a double overflows (beyond 713 for small `n`); NaN elsewhere.
+/// Domain: whole `n` in `[-1, 10^4]`, every `z`; infinite if a double overflows (beyond 713 for small `n`); NaN elsewhere.
 ///
 /// Accuracy: the 30-digit value rounded, at most 0.51 ulp measured.
 ///
