@@ -135,13 +135,13 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         (&["1"], "flat profile"),
         (&["2-sqrt(4-r^2)", "--at", "2"], "outside the domain"),
         (&["r^2", "--at", "-1"], "negative"),
-        (&["r^2", "--radius", "1"], "--radius belongs to --quantity p"),
+        (&["r^2", "--radius", "1"], "--radius requires --quantity p"),
         (&["r^2", "--quantity", "k"], "--quantity k: tradeoff measures only g, F and p"),
         (&["r^2", "--tol", "0"], "not positive"),
         (&["r^2", "--json", "--csv"], "cannot be used with"),
         (&["r^2", "--at", "0"], "no reference value"),
         (&["r^2", "-o", "plot.png"], ".svg, .txt"),
-        (&["r^2", "-o", nowhere.to_str().unwrap()], "no directory"),
+        (&["r^2", "-o", nowhere.to_str().unwrap()], "does not exist"),
     ];
     for (arguments, part) in cases {
         let with_file = if arguments.contains(&"-o") { Vec::new() } else { vec!["-o", name] };
