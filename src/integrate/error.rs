@@ -107,7 +107,7 @@ pub enum TransformError {
         requested: f64,
     },
     /// The requested way has no answer.
-    #[error("the way {way} has no answer here: {reason}")]
+    #[error("method {way} cannot compute this number: {reason}")]
     NotThisWay {
         /// The key of the way.
         way: &'static str,
@@ -115,7 +115,7 @@ pub enum TransformError {
         reason: &'static str,
     },
     /// A way that does not compute the quantity.
-    #[error("the way {way} does not compute {quantity}")]
+    #[error("method {way} does not compute {quantity}")]
     NoSuchWay {
         /// The key of the way.
         way: &'static str,

@@ -74,8 +74,8 @@ fn a_way_without_an_answer_says_why() {
         assert!(done.status.code() == Some(2) && done.stdout.is_empty() && error.contains(expected), "{arguments:?}: {error}");
     };
     let call = ["ln(1+r^3)", "--quantity", "g", "--at", "0.5", "--method"];
-    refused(&[&call[..], &["doubles"]].concat(), "the way doubles has no answer here: a term has no closed form");
-    refused(&[&call[..], &["legendre"]].concat(), "the way legendre does not compute g");
+    refused(&[&call[..], &["doubles"]].concat(), "method doubles cannot compute this number: a term has no closed form");
+    refused(&[&call[..], &["legendre"]].concat(), "method legendre does not compute g");
     refused(&[&call[..], &["simpson"]].concat(), "expected one of auto, exact, quadrature, series, curve, doubles,");
     refused(&[&call[..], &["auto", "--explain", "--csv"]].concat(), "cannot be used with");
     // Of several points those with an answer keep it.

@@ -59,8 +59,8 @@ fn closed_by(reason: Prose, found: &Derived) -> Prose {
     let more = match found.status {
         Status::Exact if rules.is_empty() => Prose::default(),
         Status::Exact => Prose::words(&format!(", in closed form{rules}")),
-        Status::Partial => Prose::words(&format!(", partly in closed form{rules}; what stays an integral is computed by quadrature")),
-        Status::Numeric => Prose::words("; no rule gives a closed form, and the integral is computed by quadrature"),
+        Status::Partial => Prose::words(&format!(", partly in closed form{rules}; the remaining integral is evaluated numerically")),
+        Status::Numeric => Prose::words("; no rule gives a closed form, so the integral remains"),
     };
     reason.followed_by(&more)
 }

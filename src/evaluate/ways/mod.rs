@@ -50,8 +50,8 @@ pub struct Way {
 type Run = fn(&Way, &Evaluator<'_>, Ask) -> Result<Option<Estimate>, TransformError>;
 
 const OPEN: &str = "a term has no closed form";
-const UNREPRESENTED: &str = "a value on the way is infinite, or beyond the range of its numbers";
-const UNPROVEN: &str = "enclosures of f′ do not show that a rule suffices";
+const UNREPRESENTED: &str = "an intermediate value overflows, or has no value in these numbers";
+const UNPROVEN: &str = "no rule could be proven accurate enough from enclosures of f′";
 const UNMET: &str = "its rules do not reach the tolerance for this f′";
 
 /// Every way, roughly in the order of their cost.
@@ -63,20 +63,20 @@ pub static WAYS: [Way; 16] = [
         missing: "an integral is infinite",
         method: "mixed",
         run: in_parts,
-        ..integral(Estimate::SEVERAL, "closed terms, and every integral of the others in the cheapest way", ALL, Bound::Proven)
+        ..integral(Estimate::SEVERAL, "closed forms where terms have one, and the cheapest integral for each other term", ALL, Bound::Proven)
     },
-    integral(GAUSS, "one Gauss rule, which an enclosure of f′ proves to suffice", &["g", "F", "G"], Bound::Proven),
-    integral(LEGENDRE, "Legendre terms of f′, a proven number of them", &["p"], Bound::Proven),
+    integral(GAUSS, "one Gauss rule, proven to suffice by an enclosure of f′", &["g", "F", "G"], Bound::Proven),
+    integral(LEGENDRE, "expansion of f′ in Legendre polynomials, with a number of terms proven to suffice", &["p"], Bound::Proven),
     integral(OVER_U, "∫ g′(r cosh u) du with proven rules", &["p"], Bound::Proven),
-    integral(PIECES, "pieces, each with a rule that an enclosure proves to suffice", &["g", "F", "G", "p"], Bound::Proven),
+    integral(PIECES, "pieces, each with a rule proven to suffice by an enclosure", &["g", "F", "G", "p"], Bound::Proven),
     Way {
         missing: UNMET,
-        ..integral(NESTED, "nested rules over the angle; their differences judge the error", &["g", "F", "G", "u"], Bound::Estimated)
+        ..integral(NESTED, "nested rules over the angle; the error is estimated from their differences", &["g", "F", "G", "u"], Bound::Estimated)
     },
     Way {
-        missing: UNMET, ..integral(LEGENDRE_SAMPLED, "Legendre terms of f′; values of f′ judge the error", &["p"], Bound::Estimated)
+        missing: UNMET, ..integral(LEGENDRE_SAMPLED, "expansion of f′ in Legendre polynomials; the error is estimated from values of f′", &["p"], Bound::Estimated)
     },
-    Way { missing: UNMET, ..integral(OVER_U_SAMPLED, "∫ g′(r cosh u) du; nested rules judge the error", &["p"], Bound::Estimated) },
+    Way { missing: UNMET, ..integral(OVER_U_SAMPLED, "∫ g′(r cosh u) du with nested rules; the error is estimated from their differences", &["p"], Bound::Estimated) },
     integral(ELLIPTIC, "∫ (r f′)′ K(r, s) dr with the elliptic kernel, by adaptive Gauss–Kronrod quadrature", &["p"], Bound::Estimated),
     integral(BISECTION, "adaptive Gauss–Kronrod quadrature", &["f", "g", "F", "G", "u", "sigma_zz"], Bound::Estimated),
     Way {
@@ -84,9 +84,9 @@ pub static WAYS: [Way; 16] = [
         run: by_closed_slope,
         ..integral(CLOSED_SLOPE, "∫ g′/√(x²−r²) dx with the derivative of the closed g", &["p"], Bound::Estimated)
     },
-    Way { run: by_recognition, ..integral(RECOGNISED, "integrals over f′ as the rules read it", ALL, Bound::Proven) },
+    Way { run: by_recognition, ..integral(RECOGNISED, "integrals of f′ in the normal form that the rules match", ALL, Bound::Proven) },
     Way {
-        missing: "no power series of f is proven to converge there with digits",
+        missing: "no power series of f is proven to give even one digit there",
         method: "series",
         run: by_series,
         ..integral(SERIES, "the power series at the axis with a proven remainder", &["f", "g", "F", "G", "p"], Bound::Proven)
