@@ -58,15 +58,15 @@ fn profiles_that_are_none() {
         ("r^2/0", &["column 5", "divisor is 0", "\n  |     ^\n"]),
         ("2r", &["column 2", "operator is missing", "2*r"]),
         ("sqrt(-1-r^2)", &["not real", "^"]),
-        ("piecewise(0, r<2, r, r<1, r)", &["column 22", "rise", "^^^"]),
+        ("piecewise(0, r<2, r, r<1, r)", &["column 22", "increase", "^^^"]),
         ("piecewise(0, r<b, 1)", &["jumps by 1 at r = b", "meet", "^^^"]),
-        ("1/r", &["r = 0", "accepted", "^^^"]),
-        ("ln(r)", &["r = 0", "accepted", "^^^"]),
-        ("r^(-1)", &["r = 0", "accepted", "^^^"]),
+        ("1/r", &["r = 0", "expected", "^^^"]),
+        ("ln(r)", &["r = 0", "expected", "^^^"]),
+        ("r^(-1)", &["r = 0", "expected", "^^^"]),
         ("r^(10^400)", &["column 3", "exponent", "1000000"]),
         ("x^2", &["reserved", "r"]),
         ("gamma*r", &["gamma_0"]),
-        ("", &["no expression", "^"]),
+        ("", &["expression is empty", "^"]),
         ("0", &["flat", "--depth"]),
         ("--jsn", &["no option --jsn", "--help"]),
         (&signs, &["column 1001", "1000", "^"]),
@@ -85,7 +85,7 @@ fn profiles_that_are_none() {
 #[test]
 fn stdin_that_is_no_profile() {
     let deep = format!("{}r{}", "(".repeat(100_000), ")".repeat(100_000));
-    refused(b"", &["derive", "-"], &["no expression"]);
+    refused(b"", &["derive", "-"], &["expression is empty"]);
     refused(deep.as_bytes(), &["derive", "-"], &["1000 levels", "column 1001"]);
     refused(&vec![b'7'; 1 << 20], &["derive", "-"], &["10000", "digits"]);
     refused(&vec![0; 1 << 20], &["derive", "-"], &["U+0000", "column 1"]);
