@@ -58,7 +58,7 @@ fn profiles_that_are_none() {
         ("r^2/0", &["column 5", "divisor is 0", "\n  |     ^\n"]),
         ("2r", &["column 2", "operator is missing", "2*r"]),
         ("sqrt(-1-r^2)", &["not real", "^"]),
-        ("piecewise(0, r<2, r, r<1, r)", &["column 22", "increas", "^^^"]),
+        ("piecewise(0, r<2, r, r<1, r)", &["column 22", "increase", "^^^"]),
         ("piecewise(0, r<b, 1)", &["jumps by 1 at r = b", "meet", "^^^"]),
         ("1/r", &["r = 0", "expected", "^^^"]),
         ("ln(r)", &["r = 0", "expected", "^^^"]),
@@ -66,9 +66,9 @@ fn profiles_that_are_none() {
         ("r^(10^400)", &["column 3", "exponent", "1000000"]),
         ("x^2", &["reserved", "r"]),
         ("gamma*r", &["gamma_0"]),
-        ("", &["the expression is empty", "^"]),
+        ("", &["expression is empty", "^"]),
         ("0", &["flat", "--depth"]),
-        ("--jsn", &["unknown option --jsn", "--help"]),
+        ("--jsn", &["no option --jsn", "--help"]),
         (&signs, &["column 1001", "1000", "^"]),
         (&deep, &["column 1001", "1000", "^"]),
     ];
@@ -85,7 +85,7 @@ fn profiles_that_are_none() {
 #[test]
 fn stdin_that_is_no_profile() {
     let deep = format!("{}r{}", "(".repeat(100_000), ")".repeat(100_000));
-    refused(b"", &["derive", "-"], &["the expression is empty"]);
+    refused(b"", &["derive", "-"], &["expression is empty"]);
     refused(deep.as_bytes(), &["derive", "-"], &["1000 levels", "column 1001"]);
     refused(&vec![b'7'; 1 << 20], &["derive", "-"], &["10000", "digits"]);
     refused(&vec![0; 1 << 20], &["derive", "-"], &["U+0000", "column 1"]);
