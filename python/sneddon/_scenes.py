@@ -26,7 +26,7 @@ def text_of(scene: Any) -> tuple[str, str]:
         except UnicodeDecodeError:
             raise SneddonError(f"the scene {os.fspath(scene)} is not UTF-8 text") from None
         except OSError as error:
-            raise SneddonError(f"the scene {os.fspath(scene)} cannot be read: {error.strerror}") from None
+            raise SneddonError(f"cannot read the scene {os.fspath(scene)}: {error.strerror}") from None
     if isinstance(scene, str):
         return scene, "."
     raise TypeError(f"a {type(scene).__name__} is not a scene; a path, TOML text or a dict is accepted")
@@ -355,7 +355,7 @@ def _file(data: Any, name: str) -> tuple[str, bytes]:
             with open(data, "rb") as file:
                 return os.fspath(data), file.read()
         except OSError as error:
-            raise SneddonError(f"the data {os.fspath(data)} cannot be read: {error.strerror}") from None
+            raise SneddonError(f"cannot read the data {os.fspath(data)}: {error.strerror}") from None
     if isinstance(data, np.ndarray) and data.dtype.names:
         columns = {own: data[own] for own in data.dtype.names}
     elif hasattr(data, "data_vars"):

@@ -1,4 +1,4 @@
-//! The budget of a command: steps of work that the library counts, and a clock as the last guard.
+//! The budget of a command: a deterministic step limit counted by the library, and a clock as a safeguard.
 
 use super::failure::warn;
 use super::{Failure, Outcome, input};
@@ -11,33 +11,33 @@ use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-/// The budget of every command that computes.
+/// The budget option shared by all commands that compute.
 #[derive(clap::Args)]
 pub(super) struct BudgetArguments {
-    /// About how many seconds of processor time the work may take [default: 3, and more for long lists, grids and files].
+    /// Limits the work to about this many seconds of processor time [default: 3, more for long lists, grids and files].
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     budget: Option<String>,
 }
 
-/// The seconds where none are given.
+/// Default budget in seconds.
 const USUAL: f64 = 3.0;
-/// The longest budget in seconds.
+/// Largest budget in seconds.
 pub(super) const LONGEST: f64 = 86_400.0;
-/// The clock stops the program after this many times the seconds that the steps should take …
+/// The clock ends the program once this multiple of the budget is spent.
 const PATIENCE: f64 = if cfg!(debug_assertions) { 40.0 } else { 10.0 };
-/// … and looks this often.
+/// Interval between two checks of the clock.
 const LOOK: Duration = Duration::from_millis(50);
-/// A command that did not finish its work.
+/// Exit code of a command that did not finish.
 const INCOMPLETE: i32 = 1;
 
-/// Milliseconds of processor time after which the clock ends the program.
+/// Processor time after which the clock ends the program, in milliseconds.
 static LIMIT: AtomicU64 = AtomicU64::new(0);
 
 impl BudgetArguments {
     /// Runs a command within its budget.
     ///
     /// # Errors
-    /// [`Failure`] as the command, for a budget that is no number of seconds, and where the budget is used up.
+    /// Returns the error of the command, and an error if the budget is not a valid number of seconds or is exhausted.
     pub(super) fn run(&self, command: impl FnOnce() -> Result<Outcome, Failure>) -> Result<Outcome, Failure> {
         let seconds = self.budget.as_deref().map(seconds).transpose()?.unwrap_or(USUAL);
         watch(seconds);
@@ -45,20 +45,20 @@ impl BudgetArguments {
     }
 }
 
-/// Reads a number of seconds.
+/// Parses a budget in seconds.
 ///
 /// # Errors
-/// [`Failure`] for what is not positive or longer than a day.
+/// Returns an error unless the number is positive and at most one day.
 pub(super) fn seconds(text: &str) -> Result<f64, Failure> {
     let seconds = input::positive("--budget", text)?;
     if seconds <= LONGEST {
         return Ok(seconds);
     }
-    let help = format!("seconds up to {LONGEST} would be accepted");
+    let help = format!("expected at most {LONGEST} seconds");
     Err(Failure::new(format!("--budget {} is too long", text.trim())).help(help).at("--budget", text, 0..text.len()))
 }
 
-/// Allows more work for an input of many parts: lists of points, rows of a scene, cells of a grid, bytes of a file.
+/// Raises the step limit for an input with many parts, such as points, rows of a scene, cells of a grid or bytes of a file.
 pub(super) fn allow(parts: u64, steps_per_part: u64) {
     let steps = parts.saturating_mul(steps_per_part);
     work::allow(steps);
@@ -66,12 +66,12 @@ pub(super) fn allow(parts: u64, steps_per_part: u64) {
     LIMIT.fetch_add((1000.0 * PATIENCE * more) as u64, Ordering::Relaxed);
 }
 
-/// Runs a part that the answer can do without, with half of what is left of the budget.
+/// Runs an optional part of a command with half of the remaining budget.
 pub(super) fn part<T>(run: impl FnOnce() -> Result<T, TransformError>) -> Result<T, Unchecked> {
     work::share(work::left() / 2, run).map_or(Err(Unchecked::Cut), |done| done.map_err(Unchecked::from))
 }
 
-/// The outcome of a command, given the check of the formulas it has written.
+/// Returns the outcome of a command from the check of the formulas it has written.
 pub(super) fn judged(check: &Result<Check, Unchecked>) -> Outcome {
     if let Some(why) = Unchecked::why(check) {
         warn(why);
@@ -84,9 +84,9 @@ pub(super) fn judged(check: &Result<Check, Unchecked>) -> Outcome {
     Outcome::Done
 }
 
-/// Starts the clock that ends the program if the count of steps has missed something.
+/// Starts the clock that ends the program if the step limit fails to do so.
 ///
-/// It never changes an answer: it says that there is none.
+/// The clock never changes a result; it only ends the program.
 pub(super) fn watch(seconds: f64) {
     LIMIT.store((1000.0 * PATIENCE * seconds) as u64, Ordering::Relaxed);
     let watch = || {
@@ -95,21 +95,21 @@ pub(super) fn watch(seconds: f64) {
             let limit = LIMIT.load(Ordering::Relaxed);
             if spent() > limit as f64 {
                 let seconds = limit as f64 / 1000.0;
-                // Nothing can be said where even the message cannot be written.
+                // If writing to stderr fails, there is no other place to report the error.
                 let _ = writeln!(
                     std::io::stderr(),
-                    "error: stopped by the clock after {seconds:.1} s of processor time\nhelp: a larger --budget SECONDS, or a simpler profile, would be accepted"
+                    "error: stopped after {seconds:.1} s of processor time\nhelp: raise the limit with --budget SECONDS, or simplify the profile"
                 );
                 super::file::remove_unfinished();
                 process::exit(INCOMPLETE);
             }
         }
     };
-    // Without a thread there is no last guard; the count of steps remains.
+    // Without this thread only the step limit applies.
     let _ = std::thread::Builder::new().name("clock".to_owned()).spawn(watch);
 }
 
-/// Milliseconds of processor time of this process.
+/// Returns the processor time of this process in milliseconds.
 #[cfg(unix)]
 fn spent() -> f64 {
     use rustix::time::{ClockId, clock_gettime};
@@ -117,7 +117,7 @@ fn spent() -> f64 {
     time.tv_sec as f64 * 1e3 + time.tv_nsec as f64 * 1e-6
 }
 
-/// Milliseconds since the first look.
+/// Returns the milliseconds since the first call.
 #[cfg(not(unix))]
 fn spent() -> f64 {
     use std::sync::OnceLock;

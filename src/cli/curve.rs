@@ -5,10 +5,10 @@ use crate::contact::{Contact, ContactError, Measured, Quantity, Reason};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{Curve, PressureCurve, Reading, TransformError};
 
-/// The tolerance of the curve where none was given: every value tells its error.
+/// Default tolerance of the curve; the output contains the error of every value.
 const TOLERANCE: f64 = 1e-9;
 
-/// What a call with `--method curve` asks for.
+/// The arguments of a call with `--method curve`.
 pub(super) struct Asked<'a> {
     pub(super) quantity: Quantity,
     pub(super) at: &'a [f64],
@@ -18,7 +18,7 @@ pub(super) struct Asked<'a> {
     pub(super) tolerance: Option<f64>,
 }
 
-/// The values of the quantity at every point.
+/// Returns the values of the quantity at all points.
 pub(super) fn readings(
     contact: &Contact<'_>,
     asked: &Asked<'_>,
@@ -27,11 +27,11 @@ pub(super) fn readings(
     use Quantity::{Depth, Equivalent, Force, Integral, Pressure, Stiffness};
     if !matches!(asked.quantity, Equivalent | Depth | Force | Integral | Pressure | Stiffness) {
         let message = format!("--method curve does not compute {}", asked.quantity.key());
-        return Err(Failure::new(message).help("expected g, d, F, G, p or k, or another method"));
+        return Err(Failure::new(message).help("expected g, d, F, G, p or k; other quantities need another --method"));
     }
     let refused = |error: TransformError| failed(error.into());
     let furthest = asked.radius.unwrap_or_else(|| asked.at.iter().copied().fold(0.0, f64::max));
-    // A curve has a length, even where only the axis is asked for.
+    // The expansion needs an interval of positive length, even if only the axis is requested.
     let limit = contact.evaluator().limit();
     let reach = if furthest > 0.0 { furthest } else { (0.5 * limit).min(1.0) };
     let profile = contact.evaluator().typed().map_err(refused)?;
@@ -47,7 +47,7 @@ fn reading(curve: &Curve<'_>, pressures: Option<&PressureCurve<'_>>, asked: &Ask
     let modulus = Bounded::exact(asked.effective_modulus);
     let twice = Bounded::exact(2.0) * modulus;
     let place = Bounded::exact(at);
-    // By how much a rim is pressed deeper than a smooth edge.
+    // Additional depth of a flat-ended punch compared with a smooth edge.
     let excess = |a: f64| -> Result<Bounded, TransformError> {
         Ok(match asked.depth {
             Some(depth) => Bounded::exact(depth) - curve.slope(a)?.bounded(),

@@ -1,4 +1,4 @@
-//! Bad input: what is said about it, with the place marked under the text.
+//! Error messages of the program, with the relevant part of the input marked.
 
 use crate::contact::ContactError;
 use crate::eval::EvalError;
@@ -10,7 +10,7 @@ use crate::transform::TransformError;
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
-/// Why a command did not do its work; the exit code is 2, or 1 where its budget did not suffice.
+/// The reason why a command failed; the exit code is 2, or 1 if its budget was exhausted.
 #[derive(Debug)]
 pub struct Failure {
     message: String,
@@ -19,7 +19,7 @@ pub struct Failure {
     incomplete: bool,
 }
 
-/// A piece of text with the part of it that is meant.
+/// A text with the part of it that caused the error.
 #[derive(Debug)]
 struct Place {
     name: String,
@@ -43,48 +43,48 @@ const BAR: usize = 5;
 /// Replaces omitted text.
 const DOTS: &str = " ...";
 
-/// Returns advice in terms of command-line arguments.
+/// Returns advice in terms of command-line options.
 fn advice(error: &ContactError) -> Option<String> {
     let ContactError::Transform(error) = error else { return None };
     match error {
-        TransformError::Flat => Some("give the depth of the punch with --depth d (or a number)".to_owned()),
+        TransformError::Flat => Some("give the depth of the punch with --depth, as a number or the symbol d".to_owned()),
         TransformError::Kinks { .. } => Some("set the parameters with --set, or write the pieces with piecewise(…)".to_owned()),
-        TransformError::Expression(ExprError::UnknownOrder { .. }) => Some("set the values of their parameters with --set".to_owned()),
-        TransformError::CurveTooRough { .. } => Some("ask for that tolerance, a smaller range, or --method quadrature".to_owned()),
-        TransformError::NoClosedForm { .. } => Some("--method auto or --method quadrature gives its value".to_owned()),
-        TransformError::Evaluation(EvalError::Unbound { name }) => Some(format!("give one with --set {name}=VALUE")),
+        TransformError::Expression(ExprError::UnknownOrder { .. }) => Some("set the values of the parameters with --set".to_owned()),
+        TransformError::CurveTooRough { .. } => Some("use that tolerance, a smaller range, or --method quadrature".to_owned()),
+        TransformError::NoClosedForm { .. } => Some("compute its value with --method auto or --method quadrature".to_owned()),
+        TransformError::Evaluation(EvalError::Unbound { name }) => Some(format!("set its value with --set {name}=VALUE")),
         _ => None,
     }
 }
 
 impl Failure {
-    /// A message that needs no place.
+    /// Creates an error without a position.
     pub(super) fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), help: None, place: None, incomplete: false }
     }
 
-    /// True where the input may be good, but the budget did not suffice; the exit code is 1.
+    /// Returns true if the budget was exhausted, although the input may be valid; the exit code is then 1.
     pub(super) fn is_incomplete(&self) -> bool {
         self.incomplete
     }
 
-    /// What went wrong, without advice and place.
+    /// Returns the message without help and position.
     pub(super) fn message(&self) -> String {
         line(&self.message)
     }
 
-    /// Adds what would be accepted.
+    /// Adds a help line: what was expected, or what to do.
     pub(super) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// A text that could not be read.
+    /// Creates an error for a text that could not be parsed.
     pub(super) fn parse(name: &str, text: &str, error: &ParseError) -> Self {
         Self::new(error.reason().to_string()).help(error.accepted()).at(name, text, error.span())
     }
 
-    /// A scene that cannot be read or solved, with the place in its text.
+    /// Creates an error for a scene that cannot be read or solved, with the position in its text.
     pub(super) fn scene(name: &str, text: &str, error: &SceneError) -> Self {
         let mut failure = Self::new(error.to_string());
         if let Some(help) = error.accepted() {
@@ -96,7 +96,7 @@ impl Failure {
         }
     }
 
-    /// A profile that could be read but has no answer.
+    /// Creates an error for a profile that was parsed, but whose result cannot be computed.
     pub(super) fn profile(text: &str, error: &ContactError) -> Self {
         let about_profile = match error {
             ContactError::Transform(
@@ -125,17 +125,17 @@ impl Failure {
         if about_profile { failure.at("PROFILE", text, 0..text.len()) } else { failure }
     }
 
-    /// Marks a place.
+    /// Adds the position of the error.
     pub(super) fn at(mut self, name: &str, text: &str, span: Range<usize>) -> Self {
         self.place = Some(Place { name: name.to_owned(), text: text.to_owned(), span });
         self
     }
 
-    /// Says it on stderr.
+    /// Prints the error on stderr.
     pub(super) fn report(&self) {
         let mut stderr = io::stderr().lock();
         let colour = stderr.is_terminal();
-        // Nothing can be said where even the message cannot be written.
+        // If writing to stderr fails, there is no other place to report the error.
         let _ = self.write(colour, &mut stderr);
     }
 
@@ -171,7 +171,7 @@ impl Failure {
 }
 
 impl Place {
-    /// The name of the text with line and column.
+    /// Returns the name of the text with line and column.
     fn position(&self) -> String {
         let (line, column) = parse::position(&self.text, self.span.clone());
         let name = if self.name.chars().count() > FIRST / 2 { with_short_words(&self.name) } else { self.name.clone() };
@@ -181,9 +181,9 @@ impl Place {
         }
     }
 
-    /// The line of the place as it can be shown, the characters before the mark, and the length of the mark.
+    /// Returns the line to show, the number of characters before the mark, and the length of the mark.
     ///
-    /// Control characters are replaced, and a long line is cut around the place.
+    /// Control characters are replaced, and a long line is shortened around the mark.
     fn excerpt(&self, width: usize) -> (String, usize, usize) {
         let before = self.text.get(..self.span.start).unwrap_or(&self.text);
         let begin = before.rfind('\n').map_or(0, |at| at + 1);
@@ -204,27 +204,27 @@ impl Place {
 impl From<Exhausted> for Failure {
     fn from(error: Exhausted) -> Self {
         let seconds = error.steps as f64 / Budget::seconds(1.0).count() as f64;
-        // Two significant digits, as a person types a budget.
+        // Round to two significant digits, like a budget that a user would type.
         let seconds = format!("{seconds:.1e}").parse().unwrap_or(seconds);
-        let failure = Self::new(format!("the work was stopped: the budget of {} steps is used up", error.steps))
-            .help(format!("a larger --budget SECONDS would be accepted (this one stands for {seconds} s), or a simpler profile"));
+        let failure = Self::new(format!("stopped at the work limit of {} steps", error.steps))
+            .help(format!("raise the limit with --budget SECONDS (now {seconds} s), or simplify the profile"));
         Self { incomplete: true, ..failure }
     }
 }
 
-/// A character that takes one place and moves no cursor.
+/// Replaces a character that has no fixed width or moves the cursor.
 fn visible(c: char) -> char {
     match c {
         '\t' => ' ',
-        // Besides controls, marks that turn the direction of what is written.
+        // Besides control characters, these are the marks that change the writing direction.
         c if c.is_control() || matches!(c, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}') => '\u{fffd}',
         c => c,
     }
 }
 
-/// A message as one line of moderate length: what names, keys and paths bring along moves no cursor and hides nothing.
+/// Returns a message as one line of limited length, without control characters from names, keys or paths.
 ///
-/// A message begins with what is wrong and ends with the reason, so that its middle is left out.
+/// The middle is omitted if necessary, since a message starts with what is wrong and ends with the reason.
 fn line(message: &str) -> String {
     shortened(message, FIRST + 1 - PREFIX)
 }
@@ -257,7 +257,7 @@ fn without_middle(text: &str, most: usize) -> String {
     let begin = most - end - DOTS.len() - 1;
     let (begin, end) = (text.chars().take(begin), text.chars().skip(count - end));
     let (begin, end) = (begin.map(visible).collect::<String>(), end.map(visible).collect::<String>());
-    // Whole words, where the text has some.
+    // Cut at word boundaries if possible.
     let is_part = |rest: &str| rest.chars().count() < LONGEST_WORD / 3;
     let begin = begin.rsplit_once(' ').filter(|(_, rest)| is_part(rest)).map_or(begin.as_str(), |(kept, _)| kept);
     let end = end.split_once(' ').filter(|(rest, _)| is_part(rest)).map_or(end.as_str(), |(_, kept)| kept);
@@ -280,7 +280,7 @@ pub(super) fn report_usage(error: &clap::Error) {
     let first = cut(first, FIRST);
     let lines = rest.lines().map(|own| cut(own, MOST)).collect::<Vec<_>>().join("\n");
     let mut stderr = io::stderr().lock();
-    // Nothing can be said where even the message cannot be written.
+    // If writing to stderr fails, there is no other place to report the error.
     let _ = writeln!(stderr, "{first}\n{}", whole_lines(&lines, MOST - first.chars().count() - 2));
 }
 
@@ -296,8 +296,8 @@ fn whole_lines(text: &str, most: usize) -> String {
     text.lines().take_while(fits).collect::<Vec<_>>().join("\n").trim_end().to_owned()
 }
 
-/// Something that is worth knowing, on stderr.
+/// Prints a warning on stderr.
 pub(super) fn warn(message: &str) {
-    // A warning that cannot be written is no reason to stop.
+    // A warning that cannot be written is not an error.
     let _ = writeln!(io::stderr(), "warning: {}", shortened(message, MOST - WARNING));
 }

@@ -1,4 +1,4 @@
-//! Answers in files: whole or not at all.
+//! Output files, which are either written completely or left untouched.
 
 use super::Failure;
 use crate::num::work;
@@ -6,21 +6,21 @@ use std::fs;
 use std::io::{self, BufWriter, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// A file that will be written at the end; whatever fails before leaves it untouched.
+/// A file that is written at the end of a command; an earlier error leaves it untouched.
 pub(super) struct Target {
     path: PathBuf,
 }
 
 impl Target {
-    /// Any file whose directory exists.
+    /// Creates a target; its directory must exist.
     pub(super) fn new(path: &Path) -> Result<Self, Failure> {
         let own = Self { path: path.to_owned() };
         if !own.directory().is_dir() {
-            let message = format!("-o {}: there is no directory {}", path.display(), own.directory().display());
-            return Err(Failure::new(message).help("a file in a directory that exists would be accepted"));
+            let message = format!("-o {}: the directory {} does not exist", path.display(), own.directory().display());
+            return Err(Failure::new(message).help("expected a file in an existing directory"));
         }
         if path.is_dir() {
-            return Err(Failure::new(format!("-o {} is a directory", path.display())).help("the name of a file would be accepted"));
+            return Err(Failure::new(format!("expected the name of a file", path.display())).help("the name of a file would be accepted"));
         }
         Ok(own)
     }
@@ -32,27 +32,27 @@ impl Target {
         }
     }
 
-    /// Writes beside the file and puts the whole in its place at once, so that a reader never sees a part of it.
+    /// Writes to a temporary file next to the target and renames it, so that readers never see a partial file.
     ///
-    /// What was written is gone where it ends early, be it by an error or by a signal.
+    /// The temporary file is removed if an error or a signal ends the program early.
     pub(super) fn fill(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
         let done = self.replace(write);
         // An exhausted budget takes precedence over the error that it caused.
         work::check()?;
-        done.map_err(|error| Failure::new(format!("-o {} cannot be written: {error}", self.path.display())))
+        done.map_err(|error| Failure::new(format!("cannot write to -o {}: {error}", self.path.display())))
     }
 
     fn replace(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
         let known = fs::metadata(&self.path).ok();
         if known.as_ref().is_some_and(|own| !own.is_file()) {
-            // A pipe or a device cannot be put in its place as a whole.
+            // A pipe or a device cannot be replaced by renaming.
             let mut out = fs::OpenOptions::new().write(true).open(&self.path)?;
             return io::copy(&mut spooled(write)?, &mut out).map(drop);
         }
         if known.as_ref().is_some_and(|own| own.permissions().readonly()) {
-            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "it is read-only"));
+            return Err(io::Error::new(io::ErrorKind::PermissionDenied, "the file is read-only"));
         }
-        // What a link points at is replaced, not the link.
+        // For a symbolic link, replace the file that it points to.
         let place = if known.is_some() { fs::canonicalize(&self.path)? } else { self.path.clone() };
         let directory = place.parent().filter(|own| !own.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let beside = unfinished::create(|| builder().prefix(".sneddon-").tempfile_in(directory))?;
@@ -66,17 +66,17 @@ impl Target {
             whole()
         })();
         unfinished::end(|| match done {
-            // What a crash of the machine leaves is the old file or the new one, never an empty one.
+            // After a crash, the old or the new file exists, never an empty one.
             Ok(()) => beside.as_file().sync_all().and_then(|()| beside.persist(&place).map(drop).map_err(|error| error.error)),
             Err(error) => Err(error),
         })
     }
 }
 
-/// Buffers the whole answer, so that a pipe or a device receives all of it or nothing.
+/// Buffers the complete output, so that a pipe or a device receives all of it or nothing.
 ///
 /// # Errors
-/// As the writer, and where the budget of work was used up before the end.
+/// Returns the errors of the writer, and an error if the work budget is exhausted.
 pub(super) fn spooled(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<impl Read> {
     let mut kept = BufWriter::new(tempfile::spooled_tempfile(IN_MEMORY));
     write(&mut kept)?;
@@ -86,17 +86,17 @@ pub(super) fn spooled(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> i
     Ok(kept)
 }
 
-/// Answers longer than this many bytes are buffered in a temporary file.
+/// Output longer than this many bytes is buffered in a temporary file.
 const IN_MEMORY: usize = 1 << 24;
 
-/// Returns an error if the budget of work is exhausted, since the answer is then incomplete.
+/// Returns an error if the work budget is exhausted, since the output is then incomplete.
 fn whole() -> io::Result<()> {
     work::check().map_err(io::Error::other)
 }
 
 pub(super) use unfinished::{answer_interrupts, remove as remove_unfinished};
 
-/// The file that is being written: Ctrl-C takes it away.
+/// The unfinished temporary file, which is removed on Ctrl-C.
 mod unfinished {
     use std::fs;
     use std::io;
@@ -111,16 +111,16 @@ mod unfinished {
         FILE.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Ends the program at once when a signal asks for it, and takes the file that is being written away.
+    /// On a termination signal, removes the unfinished file and ends the program.
     ///
-    /// The exit code is 128 and the number of the signal, as shells count: 130 after Ctrl-C, 143 after a plain `kill`.
-    /// This runs before any other thread begins, so that every thread leaves the signals to the one that waits for them.
+    /// The exit code is 128 plus the signal number, as in shells: 130 after Ctrl-C, 143 after `kill`.
+    /// Must run before any other thread starts, so that all threads block these signals and only the waiting thread receives them.
     #[cfg(unix)]
     pub(in crate::cli) fn answer_interrupts() {
         use nix::sys::signal::{SigSet, Signal};
         let mut signals = SigSet::empty();
         [Signal::SIGINT, Signal::SIGTERM, Signal::SIGHUP].into_iter().for_each(|own| signals.add(own));
-        // Where nothing waits for them, signals end the program as well, but leave the file behind.
+        // If blocking fails, signals still end the program, but the file remains.
         if signals.thread_block().is_err() {
             return;
         }
@@ -135,18 +135,18 @@ mod unfinished {
         }
     }
 
-    /// Ends the program at once when Ctrl-C asks for it, and takes the file that is being written away.
+    /// On Ctrl-C, removes the unfinished file and ends the program.
     #[cfg(not(unix))]
     pub(in crate::cli) fn answer_interrupts() {
         const INTERRUPTED: i32 = 130;
-        // Without a handler Ctrl-C ends the program as well, but leaves the file behind.
+        // Without a handler Ctrl-C still ends the program, but the file remains.
         let _ = ctrlc::set_handler(|| {
             remove();
             process::exit(INTERRUPTED);
         });
     }
 
-    /// Takes the file away; the lock stays so that no other one is begun.
+    /// Removes the unfinished file. The lock is never released, so that no other file is created.
     pub(in crate::cli) fn remove() {
         let own = file();
         if let Some(path) = own.as_ref() {
@@ -155,7 +155,7 @@ mod unfinished {
         std::mem::forget(own);
     }
 
-    /// Makes the file. While the lock is held the signal waits, so that no file is unknown to it.
+    /// Creates the temporary file. A signal waits for the lock, so that the file cannot be missed.
     pub(super) fn create(make: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<NamedTempFile> {
         let mut own = file();
         let made = make()?;
@@ -163,7 +163,7 @@ mod unfinished {
         Ok(made)
     }
 
-    /// Puts the file in its place, or drops it.
+    /// Finishes the temporary file: renames or drops it.
     pub(super) fn end<T>(finish: impl FnOnce() -> T) -> T {
         let mut own = file();
         let done = finish();
@@ -172,7 +172,7 @@ mod unfinished {
     }
 }
 
-/// A new file has the usual rights, not those of a secret.
+/// Temporary files are private by default; the output gets the usual permissions.
 fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]

@@ -1,4 +1,4 @@
-//! What comes in: the profile's text, values of parameters and other numbers.
+//! Reads the profile, parameter values and other numbers from the command line.
 
 use super::Failure;
 use super::units::{Units, finite};
@@ -9,40 +9,40 @@ use crate::scene::{Dimension, Shape, known_shape};
 use crate::transform::{Profile, TransformError};
 use std::io::{self, Read};
 
-/// A profile as it was typed, and as it was read.
+/// A profile as typed and as parsed.
 pub(super) struct Typed {
     pub(super) text: String,
     pub(super) formula: Formula,
 }
 
-/// The profile of a command, as an expression or as a named shape, with the values of its parameters.
+/// The profile of a command, as an expression or a named shape, with parameter values.
 #[derive(clap::Args)]
 pub(super) struct ProfileArguments {
-    /// The shape f(r), such as r^2/(2*R); - reads it from stdin.
+    /// Shape f(r), such as r^2/(2*R); - reads it from stdin.
     #[arg(value_name = "PROFILE", allow_hyphen_values = true, required_unless_present = "shape")]
     profile: Option<String>,
-    /// A named shape in place of PROFILE, such as cone; `sneddon scene new` lists them.
+    /// Named shape, such as cone, instead of PROFILE; `sneddon scene new` lists all shapes.
     #[arg(long, value_name = "NAME", conflicts_with = "profile")]
     shape: Option<String>,
-    /// Gives a parameter a value, with a unit or without: R=2, R='20 nm', theta='20 deg'; may be repeated.
+    /// Sets the value of a parameter, with or without a unit: R=2, R='20 nm', theta='20 deg'; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
 }
 
 impl ProfileArguments {
-    /// The units of the values, of other lengths of the call, and of its modulus.
+    /// Returns the units of the parameter values, of other lengths, and of the modulus.
     pub(super) fn units(&self, lengths: &[Option<&str>], modulus: Option<&str>) -> Units {
         Units::of(&self.set, lengths, modulus)
     }
 
-    /// Reads the profile and the values.
+    /// Reads the profile and the parameter values.
     pub(super) fn read(&self, units: &Units) -> Result<(Typed, Settings), Failure> {
         self.read_with(parse::profile, units)
     }
 
-    /// The same for a punch with a rim, whose radius a may stand in f.
+    /// Reads a punch with a rim; its radius a may appear in f.
     pub(super) fn read_punch(&self, units: &Units) -> Result<(Typed, Settings), Failure> {
-        // In f the radius of the rim is a constant, which no value is set of; in the formulas it is the contact radius.
+        // In f, the radius of the rim is a constant that --set does not change; in the formulas it is the contact radius.
         let named = |text: &str| Ok(parse::punch(text)?.substitute(&Bindings::one("a", Expr::symbol(RIM))));
         self.read_with(named, units)
     }
@@ -55,7 +55,7 @@ impl ProfileArguments {
         profile_of(text, &self.set, read, units)
     }
 
-    /// The f(r) of a shape that has the parameters that were set.
+    /// Returns f(r) of a named shape, in the form whose parameters were set.
     fn formula_of(&self, shape: &Shape) -> &'static str {
         let names: Vec<Symbol> = self.set.iter().filter_map(|item| symbol(item.split_once('=')?.0)).collect();
         let names: Vec<&str> = names.iter().map(Symbol::name).collect();
@@ -63,14 +63,14 @@ impl ProfileArguments {
     }
 }
 
-/// A profile of several, as text, with those of the values that are about its parameters.
+/// Reads one of several profiles, with those of the settings that belong to its parameters.
 pub(super) fn one_profile(argument: &str, set: &[String], units: &Units) -> Result<(Typed, Settings), Failure> {
     let text = text(argument)?;
     let own: Vec<String> = set.iter().filter(|item| is_about(item, &text)).cloned().collect();
     profile_of(text, &own, parse::profile, units)
 }
 
-/// True where a value is set of a parameter that stands in the text.
+/// Returns true if the setting belongs to a parameter in the text.
 pub(super) fn is_about(item: &str, text: &str) -> bool {
     let name = item.split_once('=').and_then(|(name, _)| symbol(name));
     name.is_some_and(|name| parse::parameters(text).contains(&name))
@@ -88,7 +88,7 @@ fn profile_of(
     Ok((typed, settings))
 }
 
-/// The shape of a name.
+/// Returns the shape with this name.
 pub(super) fn shape(name: &str) -> Result<&'static Shape, Failure> {
     known_shape(name).map_err(|error| {
         let failure = Failure::new(error.to_string());
@@ -99,22 +99,22 @@ pub(super) fn shape(name: &str) -> Result<&'static Shape, Failure> {
     })
 }
 
-/// A parameter's name, read as an expression so that theta and its letter are one name here as well.
+/// Parses a parameter name as an expression, so that theta and θ are the same name.
 fn symbol(name: &str) -> Option<Symbol> {
     parse::formula(name).ok().and_then(|formula| formula.as_closed().and_then(|expr| expr.as_symbol().cloned()))
 }
 
-/// The text of an expression: the argument itself, or stdin for `-`.
+/// Returns the text of an expression: the argument itself, or stdin for `-`.
 pub(super) fn text(argument: &str) -> Result<String, Failure> {
     let text = if argument == "-" { from_stdin()? } else { argument.to_owned() };
     if looks_like_an_option(&text) {
-        return Err(Failure::new(format!("there is no option {text}"))
-            .help("--help lists the options; a profile such as -(-r) may begin with a minus"));
+        return Err(Failure::new(format!("unknown option {text}"))
+            .help("run --help for a list of options; a profile may begin with a single minus, such as -(-r)"));
     }
     Ok(text)
 }
 
-/// A mistyped option would be read as a parameter with two signs.
+/// A mistyped option would otherwise be parsed as a parameter with two signs.
 fn looks_like_an_option(text: &str) -> bool {
     text.strip_prefix("--").is_some_and(|name| {
         name.len() > 1 && name.starts_with(char::is_alphabetic) && name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
@@ -125,19 +125,19 @@ fn from_stdin() -> Result<String, Failure> {
     let limit = parse::limits::TEXT_BYTES;
     let mut bytes = Vec::new();
     let read = io::stdin().lock().take(limit as u64 + 1).read_to_end(&mut bytes);
-    read.map_err(|error| Failure::new(format!("stdin cannot be read: {error}")))?;
+    read.map_err(|error| Failure::new(format!("cannot read stdin: {error}")))?;
     if bytes.len() > limit {
         return Err(
-            Failure::new(format!("the profile on stdin is longer than {limit} bytes")).help("a shorter expression would be accepted")
+            Failure::new(format!("expected a shorter expression")).help("a shorter expression would be accepted")
         );
     }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        Failure::new(format!("stdin is no text: byte {} is not valid UTF-8", at + 1)).help("an expression in UTF-8 would be accepted")
+        Failure::new(format!("stdin is not text: byte {} is not valid UTF-8", at + 1)).help("expected an expression in UTF-8")
     })
 }
 
-/// The parameters that were set.
+/// The parameter values that were set.
 pub(super) struct Settings(Vec<Setting>);
 
 struct Setting {
@@ -148,19 +148,19 @@ struct Setting {
 }
 
 impl Settings {
-    /// Reads `--set NAME=VALUE`; every name must be a parameter of the profile, and every value positive.
+    /// Parses `--set NAME=VALUE`; every name must be a parameter of the profile, and every value must be positive.
     pub(super) fn read(list: &[String], typed: &Typed, units: &Units) -> Result<Self, Failure> {
         let parameters = parameters(&typed.formula);
         let mut settings: Vec<Setting> = Vec::new();
         for item in list {
-            let form = "--set NAME=VALUE, such as --set R=2, would be accepted";
+            let form = "expected --set NAME=VALUE, such as --set R=2";
             let Some((name, text)) = item.split_once('=') else {
                 return Err(Failure::new(format!("--set {item} has no value")).help(form));
             };
             if name.trim().is_empty() {
                 return Err(Failure::new(format!("--set {item} has no name")).help(form));
             }
-            // A parameter that cancels was typed all the same.
+            // A parameter that cancels from the formula may still be set.
             let known = |symbol: &Symbol| parameters.contains(symbol) || parse::parameters(&typed.text).contains(symbol);
             let Some(symbol) = symbol(name).filter(known) else {
                 let own = match parameters.as_slice() {
@@ -177,7 +177,7 @@ impl Settings {
             let (exact, value, dimension) = units.parameter(&place, text)?;
             if value <= 0.0 {
                 let message = format!("{symbol} = {} is not positive", text.trim());
-                return Err(Failure::new(message).help("parameters are positive; write the sign into the profile").at(
+                return Err(Failure::new(message).help("parameters are positive; include the sign in the profile").at(
                     &place,
                     text,
                     0..text.len(),
@@ -185,88 +185,88 @@ impl Settings {
             }
             settings.push(Setting { symbol, exact, value, dimension });
         }
-        // What is not set may have any dimension.
+        // A parameter without a value may have any dimension.
         if settings.len() == parameters.len() {
             units.check(&typed.text, &typed.formula, settings.iter().map(|own| (own.symbol.clone(), own.dimension)).collect())?;
         }
         Ok(Self(settings))
     }
 
-    /// The values as they were typed.
+    /// Returns the values exactly as typed.
     pub(super) fn exact(&self) -> Bindings {
         self.0.iter().map(|own| (own.symbol.name(), own.exact.clone())).collect()
     }
 
-    /// The exact values of the `f64` that stand for them.
+    /// Returns the values rounded to `f64`, as exact expressions.
     pub(super) fn rounded(&self) -> Bindings {
         self.0.iter().map(|own| (own.symbol.name(), Number::from_f64(own.value).map_or_else(|| own.exact.clone(), Expr::number))).collect()
     }
 
-    /// The profile at the values as they were typed.
+    /// Returns the profile with the values exactly as typed.
     pub(super) fn exact_profile(&self, typed: &Typed) -> Result<Profile, TransformError> {
         Profile::new(&typed.formula.substitute(&self.exact()))
     }
 
-    /// The profile at the numbers that were set: at the `f64` next to each value, or, where only the values as typed make
-    /// its pieces meet, at those.
+    /// Returns the profile with the values rounded to `f64`, or, if its pieces then do not meet,
+    /// with the values exactly as typed.
     pub(super) fn bound_profile(&self, typed: &Typed) -> Result<Profile, Failure> {
         let rounded = Profile::new(&typed.formula.substitute(&self.rounded()));
         rounded.or_else(|first| self.exact_profile(typed).map_err(|_| Failure::profile(&typed.text, &first.into())))
     }
 
-    /// Names and numbers.
+    /// Returns names and values.
     pub(super) fn values(&self) -> Vec<(String, f64)> {
         self.0.iter().map(|own| (own.symbol.name().to_owned(), own.value)).collect()
     }
 
-    /// The units of the values, in their order.
+    /// Returns the units of the values, in the same order.
     pub(super) fn units(&self, units: &Units) -> Vec<String> {
         self.0.iter().map(|own| units.name(own.dimension)).collect()
     }
 
-    /// An error that names the parameters without value, if there are any.
+    /// Returns an error that names the parameters without a value, if there are any.
     pub(super) fn demand_all(&self, typed: &Typed) -> Result<(), Failure> {
         let missing: Vec<Symbol> = parameters(&typed.formula).into_iter().filter(|p| self.0.iter().all(|own| own.symbol != *p)).collect();
         let names = missing.iter().map(Symbol::name).collect::<Vec<_>>().join(", ");
         let options = missing.iter().map(|name| format!("--set {name}=VALUE")).collect::<Vec<_>>().join(" ");
         match missing.len() {
             0 => Ok(()),
-            1 => Err(Failure::new(format!("the parameter {names} has no value")).help(format!("give one with {options}"))),
-            _ => Err(Failure::new(format!("the parameters {names} have no values")).help(format!("give them with {options}"))),
+            1 => Err(Failure::new(format!("the parameter {names} has no value")).help(format!("set its value with {options}"))),
+            _ => Err(Failure::new(format!("the parameters {names} have no values")).help(format!("set their values with {options}"))),
         }
     }
 }
 
-/// The parameters of a profile, or of an equivalent profile over x, by name.
+/// Returns the parameters of a profile, or of an equivalent profile g(x), by name.
 fn parameters(formula: &Formula) -> Vec<Symbol> {
     formula.symbols().into_iter().filter(|symbol| !matches!(symbol.name(), "r" | "x" | RIM)).collect()
 }
 
-/// A finite number, with what was typed as an exact expression.
+/// Parses a finite number; also returns it as an exact expression.
 pub(super) fn constant(place: &str, text: &str) -> Result<(Expr, f64), Failure> {
     let exact = parse::constant(text).map_err(|error| Failure::parse(place, text, &error))?;
     let value = finite(place, text, &exact)?;
     Ok((exact, value))
 }
 
-/// A finite number above zero.
+/// Parses a positive finite number.
 pub(super) fn positive(place: &str, text: &str) -> Result<f64, Failure> {
     let (_, value) = constant(place, text)?;
     if value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("a number above 0 would be accepted").at(
+    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("expected a positive number").at(
         place,
         text,
         0..text.len(),
     ))
 }
 
-/// A tolerance between 0 and 1.
+/// Parses a tolerance between 0 and 1.
 pub(super) fn tolerance(text: &str) -> Result<f64, Failure> {
     let value = positive("--tol", text)?;
     if value < 1.0 {
         return Ok(value);
     }
-    Err(Failure::new(format!("--tol {} is not below 1", text.trim())).help("a relative tolerance such as 1e-10 would be accepted"))
+    Err(Failure::new(format!("--tol {} is not below 1", text.trim())).help("expected a relative tolerance such as 1e-10"))
 }

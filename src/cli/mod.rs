@@ -1,4 +1,4 @@
-//! The command line: one file per subcommand, and the only place with input and output.
+//! The command line, with one file per subcommand; no other module reads or writes files or streams.
 
 mod budget;
 mod commands;
@@ -22,16 +22,16 @@ use commands::{code, compare, completions, derive, eval, invert, plot, reference
 use failure::Failure;
 use std::process::ExitCode;
 
-/// Private parts that tests in `tests/` look at; not part of the interface.
+/// Private items used by tests in `tests/`; not part of the public interface.
 #[doc(hidden)]
 pub mod inner {
     pub use super::points::read;
     pub use super::units::Units;
 }
 
-/// Contact mechanics from the shape of an indenter: formulas and numbers.
+/// Solves contact problems from the shape of an indenter, with formulas and numbers.
 ///
-/// A profile is an expression for the shape f(r), such as r^2/(2*R); other names than r are positive parameters.
+/// A profile is an expression for the shape f(r), such as r^2/(2*R); any name other than r is a positive parameter.
 #[derive(Parser)]
 #[command(name = "sneddon", version, propagate_version = false, after_help = EXAMPLES)]
 struct Arguments {
@@ -79,11 +79,11 @@ impl Command {
     }
 }
 
-/// How a command ended that did its work.
+/// The outcome of a command that ran to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Outcome {
     Done,
-    /// A comparison failed its tolerance.
+    /// A comparison exceeded its tolerance.
     Failed,
 }
 
@@ -95,7 +95,7 @@ pub fn main() -> ExitCode {
             if error.use_stderr() && error.kind() != clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
                 failure::report_usage(&error);
             } else {
-                // Nothing can be said where even the help cannot be written.
+                // If writing the help fails, there is no other place to report it.
                 let _ = error.print();
             }
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
@@ -126,7 +126,7 @@ pub fn main() -> ExitCode {
             let Some(schema) = document.filter(|_| failure.is_incomplete()) else {
                 return ExitCode::from(if failure.is_incomplete() { 1 } else { 2 });
             };
-            // Nothing more can be said where stdout is closed.
+            // If stdout is closed, nothing more can be reported.
             let _ = output::print(|out| report::json::unfinished(schema, &failure.message(), out));
             ExitCode::from(1)
         }

@@ -1,4 +1,4 @@
-//! Where an answer goes, and in which format: stdout or a file whose ending decides.
+//! Destination and format of the output: stdout, or a file whose extension selects the format.
 
 use super::Failure;
 use super::file::{self, Target};
@@ -10,9 +10,9 @@ use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Writes the answer to stdout; a closed pipe means that the reader has enough.
+/// Writes the output to stdout; a closed pipe is not an error.
 pub(super) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-    let failed = |error: io::Error| Failure::new(format!("the answer cannot be written: {error}"));
+    let failed = |error: io::Error| Failure::new(format!("cannot write the output: {error}"));
     let whole = file::spooled(write);
     work::check()?;
     let (mut whole, mut out) = (whole.map_err(failed)?, io::stdout().lock());
@@ -23,10 +23,10 @@ pub(super) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Res
     }
 }
 
-/// The endings of file names that a command knows, each with its format.
+/// The file extensions that a command supports, each with its format.
 pub(super) type Endings<F> = [(&'static str, F)];
 
-/// Reads the name of a format; for the ending of its files, as `tex`, the error suggests the name.
+/// Parses the name of a format; for a file extension such as `tex`, the error suggests the name.
 #[derive(Clone)]
 pub(super) struct Formats<F: 'static>(pub(super) &'static Endings<F>);
 
@@ -48,19 +48,19 @@ impl<F: ValueEnum + Send + Sync + 'static> TypedValueParser for Formats<F> {
     }
 }
 
-/// The place and the format of an answer.
+/// The destination and the format of the output.
 pub(super) struct Destination<F> {
     format: F,
     target: Option<Target>,
 }
 
 impl<F: Copy + PartialEq> Destination<F> {
-    /// Chooses the format: the ending of `file` decides, else the flag, else what is usual.
+    /// Chooses the format from the extension of `file`, else from the flag, else the default.
     ///
-    /// `-` is stdout. A pipe or a device has no ending and takes what the flag says.
+    /// `-` is stdout. A pipe or a device without an extension uses the format of the flag.
     ///
     /// # Errors
-    /// [`Failure`] for an ending that the command does not know, for one that contradicts the flag, and for a file that
+    /// [`Failure`] for an extension that the command does not support or that contradicts the flag, and for a file that
     /// cannot be written.
     pub(super) fn choose(file: Option<&Path>, flag: Option<F>, usual: F, endings: &Endings<F>) -> Result<Self, Failure> {
         let Some(path) = file.filter(|path| path.as_os_str() != "-") else {
@@ -70,8 +70,8 @@ impl<F: Copy + PartialEq> Destination<F> {
         let special = path.metadata().is_ok_and(|own| !own.is_file() && !own.is_dir());
         let format = match (ending(path, endings), flag) {
             (Some(format), Some(flag)) if format != flag => {
-                return Err(Failure::new(format!("-o {shown}: the ending of the name asks for another format than the options"))
-                    .help(format!("leave out the option for the format, or choose a name that fits it: {}", listed(endings))));
+                return Err(Failure::new(format!("-o {shown}: the extension contradicts the requested format"))
+                    .help(format!("omit the format option, or use a matching extension: {}", listed(endings))));
             }
             (Some(format), _) => format,
             (None, flag) if special => flag.unwrap_or(usual),
@@ -80,26 +80,26 @@ impl<F: Copy + PartialEq> Destination<F> {
         Ok(Self { format, target: Some(Target::new(path)?) })
     }
 
-    /// The same where one ending, that of a picture or a page, stands beside the answer on stdout: the flag is about the answer then.
+    /// Like [`Self::choose`], but a file in the format `picture` is written in addition to the results on stdout, whose format the flag selects.
     ///
     /// # Errors
-    /// As [`Self::choose`].
+    /// See [`Self::choose`].
     pub(super) fn beside(file: Option<&Path>, flag: Option<F>, usual: F, endings: &Endings<F>, picture: F) -> Result<Self, Failure> {
         let is_picture = file.and_then(|path| ending(path, endings)).is_some_and(|own| own == picture);
         Self::choose(file, flag.filter(|_| !is_picture), usual, endings)
     }
 
-    /// The format.
+    /// Returns the format.
     pub(super) fn format(&self) -> F {
         self.format
     }
 
-    /// True where the answer goes to stdout.
+    /// Returns true if the output goes to stdout.
     pub(super) fn is_stdout(&self) -> bool {
         self.target.is_none()
     }
 
-    /// Writes the answer; a file appears when it is complete.
+    /// Writes the output; a file appears only when it is complete.
     pub(super) fn write(&self, write: impl FnOnce(F, &mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
         let formatted = |out: &mut dyn Write| write(self.format, out);
         match &self.target {
@@ -109,7 +109,7 @@ impl<F: Copy + PartialEq> Destination<F> {
     }
 }
 
-/// The format that the ending of a name stands for.
+/// Returns the format that belongs to the extension of a file name.
 fn ending<F: Copy>(path: &Path, endings: &Endings<F>) -> Option<F> {
     let own = path.extension()?.to_str()?;
     endings.iter().find(|(known, _)| known.eq_ignore_ascii_case(own)).map(|(_, format)| *format)
@@ -118,10 +118,10 @@ fn ending<F: Copy>(path: &Path, endings: &Endings<F>) -> Option<F> {
 fn unknown<F>(path: &Path, endings: &Endings<F>) -> Failure {
     let shown = path.display();
     let message = match path.extension() {
-        Some(own) => format!("-o {shown}: this command writes no .{} files", own.to_string_lossy()),
-        None => format!("-o {shown}: the name has no ending that tells the format"),
+        Some(own) => format!("-o {shown}: this command does not write .{} files", own.to_string_lossy()),
+        None => format!("-o {shown}: the file name has no extension"),
     };
-    Failure::new(message).help(format!("a name that ends in {} is accepted; - is stdout", listed(endings)))
+    Failure::new(message).help(format!("expected a name ending in {}, or - for stdout", listed(endings)))
 }
 
 fn listed<F>(endings: &Endings<F>) -> String {

@@ -1,15 +1,15 @@
-//! The list of points: numbers, linear ranges and logarithmic ones.
+//! Parses lists of points: numbers, linear ranges and logarithmic ranges.
 
 use super::Failure;
 use super::units::Units;
 use crate::scene::{Loads, Steps};
 
-/// The largest number of points.
+/// Maximum number of points.
 const MOST: usize = 1_000_000;
 
-const ACCEPTED: &str = "numbers such as 0.1,0.5, a range start:stop:count, or log:start:stop:count would be accepted";
+const ACCEPTED: &str = "expected numbers such as 0.1,0.5, a range start:stop:count, or log:start:stop:count";
 
-/// Reads LIST; every point is a finite length that is not negative.
+/// Parses a list of points; each must be a finite length of at least 0.
 pub fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
     if list.trim().is_empty() {
         return Err(Failure::new("--at is empty").help(ACCEPTED));
@@ -44,10 +44,10 @@ pub fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
     Ok(points)
 }
 
-/// The number of points of a range, with as many as there are already.
+/// Parses the number of points in a range; `already` is the number of points before it.
 fn counted(text: &str, already: usize) -> Result<usize, String> {
     let count: usize =
-        text.trim().parse().map_err(|_| format!("{text} is no count of points; a whole number from 1 to {MOST} would be one"))?;
+        text.trim().parse().map_err(|_| format!("{text} is not a number of points; expected a whole number from 1 to {MOST}"))?;
     match count {
         0 => Err("a range of 0 points is empty".to_owned()),
         count if count.saturating_add(already) > MOST => Err(format!("{count} points are too many; the limit is {MOST}")),

@@ -1,4 +1,4 @@
-//! The option `--precision`, the number of digits in text and CSV, and how numbers of digits are read.
+//! The option `--precision`, the number of digits in text and CSV output, and the parser of digit counts.
 
 use super::Failure;
 use crate::report::Digits;
@@ -11,25 +11,25 @@ pub(super) struct PrecisionArguments {
 }
 
 impl PrecisionArguments {
-    /// Returns the digits; `rounds` says whether the format of the answer can be rounded.
+    /// Returns the number of digits; `rounds` is true if the output format can be rounded.
     ///
     /// # Errors
-    /// [`Failure`] for anything but a whole number from 1 to 17, and for formats that are never rounded.
+    /// [`Failure`] unless the value is a whole number from 1 to 17, and for formats that are never rounded.
     pub(super) fn digits(&self, rounds: bool) -> Result<Digits, Failure> {
         let Some(text) = &self.precision else { return Ok(Digits::default()) };
         let digits = significant("--precision", text, |text| text.parse().ok().and_then(Digits::significant))?;
         if rounds {
             Ok(digits)
         } else {
-            Err(Failure::new("--precision rounds text and CSV; other formats have all digits").help("leave --precision out"))
+            Err(Failure::new("--precision applies only to text and CSV; other formats contain all digits").help("omit --precision"))
         }
     }
 }
 
-/// Returns the number of digits that an option has.
+/// Parses the number of digits of an option.
 ///
 /// # Errors
-/// [`Failure`] for anything but a whole number from 1 to 17, of which `read` makes nothing.
+/// [`Failure`] unless the value is a whole number from 1 to 17.
 pub(super) fn significant<T>(option: &str, text: &str, read: impl Fn(&str) -> Option<T>) -> Result<T, Failure> {
     read(text.trim()).ok_or_else(|| {
         Failure::new(format!("{option} {} is not a number of digits", text.trim()))

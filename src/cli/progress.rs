@@ -1,11 +1,11 @@
-//! A progress bar on stderr for work of more than a second; none where stderr is no terminal.
+//! A progress bar on stderr for work that takes more than a second; it is omitted if stderr is not a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::cell::{Cell, OnceCell};
 use std::io::{IsTerminal, stderr, stdout};
 use std::time::{Duration, Instant};
 
-/// Steps done of a number that is known.
+/// Counts finished steps out of a known total.
 pub(super) struct Progress {
     total: u64,
     done: Cell<u64>,
@@ -14,19 +14,19 @@ pub(super) struct Progress {
     shown: bool,
 }
 
-/// Shorter work needs no bar.
+/// No bar is shown for shorter work.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Steps between two looks at the clock.
+/// Number of steps between two readings of the clock.
 const LOOK: u64 = 16;
 
 impl Progress {
-    /// No step is done yet; `to_terminal` where the answer itself may go to the terminal, and the bar would disturb it.
+    /// Starts at zero steps. Pass `to_terminal` if the output may go to the terminal, since a bar would disturb it.
     pub(super) fn new(total: u64, to_terminal: bool) -> Self {
         let shown = stderr().is_terminal() && !(to_terminal && stdout().is_terminal());
         Self { total, done: Cell::new(0), started: Instant::now(), bar: OnceCell::new(), shown }
     }
 
-    /// One step more.
+    /// Counts one more step.
     pub(super) fn step(&self) {
         let done = self.done.get() + 1;
         self.done.set(done);

@@ -1,4 +1,4 @@
-//! `--quantity`: quantities by their keys.
+//! The option `--quantity`.
 
 use super::Failure;
 use crate::contact::Quantity;
@@ -10,7 +10,7 @@ use std::ffi::OsStr;
 /// Checks whether a command supports a quantity; the error is the reason why it does not.
 pub(super) type Answered = fn(Quantity) -> Result<(), &'static str>;
 
-/// Reads the key of any quantity; the help lists the supported ones.
+/// Parses the key of any quantity; the help lists the supported ones.
 #[derive(Clone)]
 pub(super) struct Quantities(pub(super) Answered);
 
@@ -41,7 +41,7 @@ impl TypedValueParser for Quantities {
 }
 
 impl Quantities {
-    /// The quantity with the shortest title that has every word of a text, as `force` or `contact_radius`.
+    /// Returns the quantity with the shortest title that contains every word of a text, such as `force` or `contact_radius`.
     fn meant(&self, typed: &str) -> Option<Quantity> {
         let typed = typed.to_lowercase();
         let words = || typed.split(|own: char| !own.is_alphanumeric()).filter(|own| !own.is_empty());
@@ -50,7 +50,7 @@ impl Quantities {
     }
 }
 
-/// Returns an error that names the first quantity without support and the reason.
+/// Returns an error with the first unsupported quantity and the reason.
 pub(super) fn demand(asked: &[Quantity], answered: Answered) -> Result<(), Failure> {
     let refused = |own: &Quantity| answered(*own).err().map(|why| Failure::new(format!("--quantity {}: {why}", own.key())));
     asked.iter().find_map(refused).map_or(Ok(()), Err)

@@ -1,29 +1,29 @@
-//! `eval --method series`: the numbers of a quantity by its power series.
+//! `eval --method series`: computes a quantity from its power series.
 
 use super::Failure;
 use crate::contact::{Measured, Quantity, Reason};
 use crate::num::{Bounded, Estimate};
 use crate::transform::{HIGHEST_ORDER, Profile, Reading, SeriesEvaluator, SeriesFailure};
 
-/// True for quantities of which every term of the series is known.
+/// Returns true for quantities whose series terms are all known.
 pub(super) fn answers(quantity: Quantity) -> bool {
     use Quantity::{Depth, Equivalent, Force, Integral, Pressure, Profile, Stiffness};
     matches!(quantity, Profile | Equivalent | Depth | Force | Integral | Pressure | Stiffness)
 }
 
-/// Reads `--order N`; the default is the order of the way `series`.
+/// Parses `--order N`; the default is the order used by the method `series`.
 pub(super) fn order(text: Option<&str>, quantity: Quantity) -> Result<usize, Failure> {
     let Some(text) = text else {
         return Ok(if quantity == Quantity::Pressure { SeriesEvaluator::PRESSURE_ORDER } else { SeriesEvaluator::ORDER });
     };
     let number = text.trim().parse::<usize>().ok().filter(|n| (1..=HIGHEST_ORDER).contains(n));
     number.ok_or_else(|| {
-        let help = format!("a whole number from 1 to {HIGHEST_ORDER} would be accepted");
-        Failure::new(format!("--order {} is no order of a series", text.trim())).help(help).at("--order", text, 0..text.len())
+        let help = format!("expected a whole number from 1 to {HIGHEST_ORDER}");
+        Failure::new(format!("--order {} is not a valid order of a series", text.trim())).help(help).at("--order", text, 0..text.len())
     })
 }
 
-/// The values of the quantity at every point.
+/// Returns the values of the quantity at all points.
 pub(super) fn readings(
     quantity: Quantity,
     profile: &Profile,
@@ -55,7 +55,7 @@ pub(super) fn readings(
             other => return Err(SeriesFailure::Quantity { quantity: other.key() }),
         }))
     };
-    // A point has a reason instead of a value where others have one.
+    // A point without a value has a reason instead.
     let found: Vec<Result<Measured, SeriesFailure>> = at.iter().map(|point| value(*point)).collect();
     if found.iter().any(Result::is_ok) {
         return Ok(found.into_iter().map(|own| own.unwrap_or_else(|error| Err(Reason::Refused(error.to_string())))).collect());
@@ -63,19 +63,19 @@ pub(super) fn readings(
     found.into_iter().map(|own| own.map_err(failed)).collect()
 }
 
-/// The smooth edge that a series needs.
+/// Requires a smooth edge, since the series does not cover a rim.
 pub(super) fn refuse_rim(depth: Option<f64>) -> Result<(), Failure> {
     match depth {
-        Some(_) => Err(Failure::new("--method series answers smooth edges only").help("leave out --depth, or take another method")),
+        Some(_) => Err(Failure::new("--method series supports only smooth edges").help("omit --depth, or use another method")),
         None => Ok(()),
     }
 }
 
-/// `--order` belongs to `--method series`.
+/// Returns an error unless `--order` is used with `--method series`.
 pub(super) fn refuse_order(order: Option<&str>) -> Result<(), Failure> {
     match order {
         Some(text) => {
-            Err(Failure::new("--order belongs to --method series").help("add --method series").at("--order", text, 0..text.len()))
+            Err(Failure::new("--order requires --method series").help("add --method series").at("--order", text, 0..text.len()))
         }
         None => Ok(()),
     }

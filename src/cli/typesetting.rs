@@ -1,4 +1,4 @@
-//! Flags about how formulas are set: whole documents, the width of lines, names of symbols, digits of numbers, and logarithms.
+//! Options for typesetting formulas: complete documents, line width, symbol names, number of digits, and logarithms.
 
 use super::Failure;
 use super::output::Endings;
@@ -9,7 +9,7 @@ use crate::print::{Presentation, Renaming};
 use crate::report::{Digits, page};
 use clap::ValueEnum;
 
-/// The formats of derivations and inversions.
+/// The output formats of derivations and inversions.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub(super) enum Format {
     Text,
@@ -21,7 +21,7 @@ pub(super) enum Format {
     Json,
 }
 
-/// How much of a derivation is shown.
+/// The level of detail of a derivation.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub(super) enum Steps {
     /// One step per quantity: its result, its definition and the rules of its closed form.
@@ -30,7 +30,7 @@ pub(super) enum Steps {
     Full,
 }
 
-/// The endings of files that have one of them.
+/// The file extensions and their formats.
 pub(super) const ENDINGS: &Endings<Format> = &[
     ("txt", Format::Text),
     ("tex", Format::Latex),
@@ -41,7 +41,7 @@ pub(super) const ENDINGS: &Endings<Format> = &[
 ];
 
 impl Format {
-    /// The format of a page; `None` for JSON.
+    /// Returns the format of a page; `None` for JSON.
     pub(super) fn page(self) -> Option<page::Format> {
         Some(match self {
             Self::Text => page::Format::Text,
@@ -57,24 +57,24 @@ impl Format {
 
 #[derive(clap::Args)]
 pub(super) struct TypesettingArguments {
-    /// Writes a document of its own, with latex, typst, markdown or mathml.
+    /// Writes a complete document that compiles, for latex, typst, markdown or mathml.
     #[arg(long)]
     standalone: bool,
-    /// Breaks formulas into lines of about this many characters.
+    /// Breaks formulas into lines of about N characters.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(20..=1000))]
     width: Option<u16>,
-    /// Shows symbols under other names, such as E=E_r,d=\\delta.
+    /// Renames symbols in the output, such as E=E_r,d=\\delta.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     symbols: Vec<String>,
-    /// Rounds decimals, and fractions of longer numbers, to N significant digits in print, from 1 to 17 [default: exact].
+    /// Rounds decimals and long fractions in formulas to N significant digits, from 1 to 17 [default: exact].
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     digits: Option<String>,
-    /// Writes inverse hyperbolic functions as arsinh, arcosh and artanh, or as logarithms.
+    /// Form of inverse hyperbolic functions: arsinh, arcosh and artanh, or logarithms.
     #[arg(long, value_name = "FORM", value_enum, default_value = "ar")]
     inverse_hyperbolic: InverseHyperbolic,
 }
 
-/// How inverse hyperbolic functions are written.
+/// The form of inverse hyperbolic functions.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum InverseHyperbolic {
     /// As functions: arsinh z, arcosh z, artanh z; in text asinh(z), acosh(z), atanh(z).
@@ -84,17 +84,17 @@ enum InverseHyperbolic {
 }
 
 impl TypesettingArguments {
-    /// How pages are written in a format; `None` is JSON.
+    /// Returns the style of a page; `None` is JSON.
     pub(super) fn style(&self, format: Option<page::Format>) -> Result<page::Style, Failure> {
         let has_document = !matches!(format, None | Some(page::Format::Text | page::Format::Unicode));
         if self.standalone && !has_document {
-            return Err(Failure::new("--standalone makes a document, which text and JSON do not have")
+            return Err(Failure::new("--standalone requires a document format, not text or JSON")
                 .help("add --format latex, typst, markdown or mathml"));
         }
         Ok(page::Style { standalone: self.standalone, width: self.width.map(usize::from) })
     }
 
-    /// What is changed in the formulas of an answer to a profile.
+    /// Returns the changes to the formulas in the output for a profile.
     pub(super) fn presentation(&self, profile: &Formula) -> Result<Presentation, Failure> {
         let count = |text: &str| text.parse().ok().filter(|own: &u32| (1..=Digits::MOST).contains(&(*own as usize)));
         let digits = self.digits.as_deref().map(|text| significant("--digits", text, count)).transpose()?;
@@ -102,17 +102,17 @@ impl TypesettingArguments {
         Ok(Presentation { names: self.names(profile)?, digits, logarithms, ..Presentation::of(profile) })
     }
 
-    /// The names that are shown; two symbols of an answer never get the same one.
+    /// Returns the new symbol names; two symbols never get the same name.
     fn names(&self, profile: &Formula) -> Result<Renaming, Failure> {
-        const HELP: &str = "write NAME=NAME, such as --symbols 'E=E_r,d=\\delta'; a name is a letter or a word, with an index behind _";
+        const HELP: &str = "expected NAME=NAME, such as --symbols 'E=E_r,d=\\delta'; a name is a letter or a word, with an optional index after _";
         let mut pairs: Vec<(String, String)> = Vec::new();
         for item in &self.symbols {
             let Some((old, new)) = item.split_once('=') else {
-                return Err(Failure::new(format!("--symbols {item} names no new symbol")).help(HELP));
+                return Err(Failure::new(format!("--symbols {item} has no new name")).help(HELP));
             };
             let (old, new) = (symbol(old), symbol(new));
             let (Some(old), Some(new)) = (old, new) else {
-                return Err(Failure::new(format!("--symbols {item} does not name two symbols")).help(HELP));
+                return Err(Failure::new(format!("--symbols {item} does not contain two symbol names")).help(HELP));
             };
             if pairs.iter().any(|(known, _)| *known == old) {
                 return Err(Failure::new(format!("--symbols renames {old} twice")).help(HELP));
@@ -123,28 +123,28 @@ impl TypesettingArguments {
         for (at, (old, new)) in pairs.iter().enumerate() {
             let known = OWN.contains(&old.as_str()) || parameters.contains(old);
             if !known {
-                return Err(Failure::new(format!("--symbols renames {old}, which the answer does not contain")).help(HELP));
+                return Err(Failure::new(format!("--symbols renames {old}, which does not appear in the output")).help(HELP));
             }
             let stays =
                 |name: &String| (OWN.contains(&name.as_str()) || parameters.contains(name)) && !pairs.iter().any(|(own, _)| own == name);
             let is_taken = stays(new) || pairs.iter().take(at).any(|(_, own)| own == new);
             if is_taken || FIXED.contains(&new.as_str()) {
-                return Err(Failure::new(format!("--symbols would give {old} the name {new}, which stands for something else")).help(HELP));
+                return Err(Failure::new(format!("--symbols would rename {old} to {new}, which is already in use")).help(HELP));
             }
         }
         Ok(Renaming::new(pairs))
     }
 }
 
-/// The symbols of the program's own answers.
+/// The symbols in the output of the program.
 const OWN: [&str; 15] = ["r", "x", "a", "d", "E", "f", "g", "F", "p", "k", "u", "U", "G", "q", "z"];
-/// Names that are numbers.
+/// Names of constants.
 const FIXED: [&str; 2] = ["pi", "e"];
 
-/// A name as the grammar has it; LaTeX's backslash before a Greek letter, and braces around an index, are left out.
+/// Normalizes a symbol name; the LaTeX backslash before a Greek letter and braces around an index are removed.
 fn symbol(text: &str) -> Option<String> {
     let plain: String = text.trim().trim_start_matches('\\').chars().filter(|own| !matches!(own, '{' | '}')).collect();
-    // The effective modulus has its star already.
+    // The effective modulus already has a star.
     if matches!(plain.as_str(), "E^*" | "E*") {
         return Some("E".to_owned());
     }
@@ -152,7 +152,7 @@ fn symbol(text: &str) -> Option<String> {
     if !is_word {
         return None;
     }
-    // Letters are read as the grammar reads them, so that α and alpha are one name.
+    // Letters are parsed by the grammar, so that α and alpha are the same name.
     let read = parse::formula(&plain)
         .ok()
         .and_then(|formula| formula.as_closed().and_then(|own| own.as_symbol().map(|own| own.name().to_owned())));

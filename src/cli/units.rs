@@ -1,4 +1,4 @@
-//! Numbers of the command line with or without units, and the units in which a call counts.
+//! Numbers on the command line, with or without units, and the units in which a call computes.
 
 use super::Failure;
 use super::failure::warn;
@@ -8,48 +8,48 @@ use crate::num::DoubleDouble;
 use crate::parse;
 use crate::scene::{Counting, Dimension, DimensionedNumber, SceneError, to_double_double};
 
-/// The units of one call: that of its first length, and that of its modulus; none where all numbers are bare.
+/// The units of one call, taken from its first length and its modulus; empty if no number has a unit.
 pub struct Units(Counting);
 
 impl Units {
-    /// The units of the values that are set, of other lengths and lists of them, and of the modulus.
+    /// Determines the units from the parameter values, other lengths and lists of lengths, and the modulus.
     pub fn of(set: &[String], lengths: &[Option<&str>], modulus: Option<&str>) -> Self {
         let set = set.iter().filter_map(|item| item.split_once('=')).map(|(_, value)| value);
         let others = lengths.iter().flatten().flat_map(|text| text.split([',', ':']));
         Self(Counting::of(set.chain(others), modulus))
     }
 
-    /// The name of the unit in which a dimension is counted; empty for bare numbers.
+    /// Returns the unit of a dimension; empty if numbers have no units.
     pub(super) fn name(&self, dimension: Dimension) -> String {
         self.0.name(dimension)
     }
 
-    /// Says in which units numbers are counted where the answer itself does not say it.
+    /// Prints the units as a warning, for output that does not contain them.
     pub(super) fn tell(&self) {
         let (length, pressure) = (self.name(Dimension::LENGTH), self.name(Dimension::PRESSURE));
         if !length.is_empty() {
             let moduli = if pressure == "E*" { String::new() } else { format!(", pressures in {pressure}") };
-            warn(&format!("lengths are counted in {length}{moduli}, angles in radians"));
+            warn(&format!("lengths are in {length}{moduli}, angles in radians"));
         }
     }
 
-    /// A finite length.
+    /// Parses a finite length.
     pub(super) fn length(&self, place: &str, text: &str) -> Result<f64, Failure> {
         self.number(place, text, Dimension::LENGTH)
     }
 
-    /// The end of a range of lengths; a fraction keeps 31 digits.
+    /// Parses an end point of a range of lengths; a fraction keeps 31 digits.
     pub(super) fn end(&self, place: &str, text: &str) -> Result<DoubleDouble, Failure> {
         let (exact, _) = self.exact(place, text, Dimension::LENGTH)?;
         to_double_double(&exact).map_err(|error| failure(place, text, &error))
     }
 
-    /// A length above 0.
+    /// Parses a positive length.
     pub(super) fn positive_length(&self, place: &str, text: &str) -> Result<f64, Failure> {
         positive(place, text, self.length(place, text)?)
     }
 
-    /// The depth of a punch with a rim, as an expression; the symbol d stands for any depth.
+    /// Parses the depth of a punch with a rim as an expression; the symbol d is an arbitrary depth.
     pub(super) fn depth(&self, text: &str) -> Result<Expr, Failure> {
         if text.trim() == "d" {
             return Ok(Expr::symbol("d"));
@@ -57,14 +57,14 @@ impl Units {
         self.exact("--depth", text, Dimension::LENGTH).map(|(exact, _)| exact)
     }
 
-    /// A modulus above 0; 1 stands for any.
+    /// Parses a positive modulus; 1 needs no unit.
     pub(super) fn modulus(&self, place: &str, text: &str) -> Result<f64, Failure> {
         let is_any = text.trim() == "1";
         let wanted = if is_any { Dimension::NONE } else { Dimension::PRESSURE };
         positive(place, text, self.number(place, text, wanted)?)
     }
 
-    /// The value of a parameter, with its dimension; what has no unit is a plain number.
+    /// Parses a parameter value and its dimension; without a unit it is a plain number.
     pub(super) fn parameter(&self, place: &str, text: &str) -> Result<(Expr, f64, Dimension), Failure> {
         let quantity = quantity(place, text)?;
         let exact = self.0.own(place, &quantity).map_err(|error| failure(place, text, &error))?;
@@ -72,10 +72,10 @@ impl Units {
         Ok((exact, value, quantity.dimension().unwrap_or(Dimension::NONE)))
     }
 
-    /// Refuses a profile that is not a length where its parameters have these dimensions.
+    /// Returns an error if the profile is not a length for these dimensions of its parameters.
     pub(super) fn check(&self, text: &str, profile: &Formula, parameters: Vec<(Symbol, Dimension)>) -> Result<(), Failure> {
         self.0.check(profile, parameters).map_err(|error| {
-            Failure::new(error.to_string()).help("give every length among the parameters its unit, such as --set R='20 nm'").at(
+            Failure::new(error.to_string()).help("give every length parameter a unit, such as --set R='20 nm'").at(
                 "PROFILE",
                 text,
                 0..text.len(),
@@ -99,14 +99,14 @@ fn positive(place: &str, text: &str, value: f64) -> Result<f64, Failure> {
     if value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("a number above 0 is accepted").at(
+    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("expected a positive number").at(
         place,
         text,
         0..text.len(),
     ))
 }
 
-/// A number, with a unit behind it or not.
+/// Parses a number with or without a unit.
 fn quantity(place: &str, text: &str) -> Result<DimensionedNumber, Failure> {
     let plain = match parse::constant(text) {
         Ok(_) => return DimensionedNumber::plain(text).map_err(|error| failure(place, text, &error)),
@@ -127,7 +127,7 @@ fn failure(place: &str, text: &str, error: &SceneError) -> Failure {
     own.at(place, text, 0..text.len())
 }
 
-/// The finite number that an expression without symbols stands for.
+/// Returns the value of an expression without symbols, which must be finite.
 pub(super) fn finite(place: &str, text: &str, exact: &Expr) -> Result<f64, Failure> {
     let value = match exact.as_number() {
         Some(number) => number.to_f64(),
@@ -136,7 +136,7 @@ pub(super) fn finite(place: &str, text: &str, exact: &Expr) -> Result<f64, Failu
     let lost = value == 0.0 && !exact.is_zero();
     if !value.is_finite() || lost {
         let message = format!("{} is outside the range of 64-bit floating-point numbers", text.trim());
-        return Err(Failure::new(message).help("a finite number such as 0.5, 3/2 or 1e-6 is accepted").at(place, text, 0..text.len()));
+        return Err(Failure::new(message).help("expected a finite number such as 0.5, 3/2 or 1e-6").at(place, text, 0..text.len()));
     }
     Ok(value)
 }

@@ -135,7 +135,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         (&["1"], "flat profile"),
         (&["2-sqrt(4-r^2)", "--at", "2"], "outside the domain"),
         (&["r^2", "--at", "-1"], "negative"),
-        (&["r^2", "--radius", "1"], "--radius belongs to --quantity p"),
+        (&["r^2", "--radius", "1"], "--radius requires --quantity p"),
         (&["r^2", "--quantity", "k"], "--quantity k: tradeoff measures only g, F and p"),
         (&["r^2", "--tol", "0"], "not positive"),
         (&["r^2", "--json", "--csv"], "cannot be used with"),

@@ -1,4 +1,4 @@
-//! `sneddon code`: the closed forms of a profile as functions of another language.
+//! `sneddon code`: closed forms as source code in another language.
 
 use crate::cli::failure::warn;
 use crate::cli::output;
@@ -10,19 +10,19 @@ use crate::{print, transform};
 use clap::ValueEnum;
 use std::path::PathBuf;
 
-/// Writes g, F, p, d, a(d) and F(d) as functions of another language, with a bound on their error.
+/// Generates source code that evaluates the closed forms g, F, p, d, a(d) and F(d), each with an error bound.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
-    /// The quantities, separated by commas: g(x), F(a), p(r, a), d(a), the contact radius a(d) and the force F(d), F_of_d [default: g,F,d,a].
+    /// Quantities, separated by commas: g(x), F(a), p(r, a), d(a), the contact radius a(d), and the force F(d) as F_of_d [default: g,F,d,a].
     #[arg(long, value_name = "LIST", value_parser = Quantities(written), value_delimiter = ',')]
     quantity: Vec<Quantity>,
-    /// The language.
+    /// Language of the generated code.
     #[arg(long, value_name = "LANGUAGE", value_enum)]
     lang: Lang,
-    /// Writes into this file instead of stdout.
+    /// Writes to this file instead of stdout.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -83,7 +83,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// What was asked for, each once; a model of nanite needs F(d).
+/// Returns the requested quantities without duplicates; a nanite model always contains F(d).
 fn quantities(arguments: &Arguments) -> Vec<Quantity> {
     if arguments.lang == Lang::Nanite {
         return vec![Quantity::ForceOfDepth];

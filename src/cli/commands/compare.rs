@@ -1,4 +1,4 @@
-//! `sneddon compare`: closed forms against quadrature.
+//! `sneddon compare`: compares closed forms with quadrature.
 
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
@@ -8,27 +8,27 @@ use crate::report::{self, Compared};
 use crate::transform::{self, TransformError, Verdict};
 use std::path::PathBuf;
 
-/// Compares the closed forms with quadrature of the profile as typed, at up to 64 points per quantity.
+/// Compares the closed forms with numerical quadrature of the profile, at up to 64 points per quantity.
 ///
-/// Parameters without value get seeded random admissible ones. The exit code is 1 if a comparison fails, or if nothing was compared.
+/// Parameters without a value are assigned admissible random values from a fixed seed. The exit code is 1 if a comparison fails or nothing could be compared.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
-    /// The contact radius; without it the points spread over the reach of the profile.
+    /// Contact radius [default: points spread over the range of the profile].
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
-    /// The depth of a punch with a rim at the contact radius.
+    /// Depth of a flat-ended punch, whose rim is at the contact radius.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
-    /// The largest relative difference that may stand; without it, differences must stay within the error bounds.
+    /// Largest relative difference to accept [default: the error bounds].
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     tol: Option<String>,
     /// Writes JSON.
     #[arg(long)]
     pub(in crate::cli) json: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt or .json.
+    /// Writes to this file instead of stdout; the extension selects the format: .txt or .json.
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]

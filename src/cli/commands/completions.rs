@@ -3,11 +3,11 @@
 use crate::cli::{Failure, Outcome, output};
 use clap::CommandFactory;
 
-/// Writes the completion script of a shell.
+/// Prints a tab-completion script for a shell.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
-    /// The shell.
+    /// Name of the shell.
     #[arg(value_enum)]
     shell: clap_complete::Shell,
 }

@@ -1,4 +1,4 @@
-//! `sneddon derive`: the formulas of a profile.
+//! `sneddon derive`: closed forms of a profile.
 
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Formats};
@@ -12,27 +12,27 @@ use crate::report::{self, Derivation};
 use crate::transform;
 use std::path::PathBuf;
 
-/// Derives g, d, F, p, k and, where they are explicit, a(d) and F(d) as formulas.
+/// Derives closed forms of g, d, F, p and k and, where they exist, of a(d) and F(d).
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
-    /// A punch with a rim at the contact radius, at this depth: a number, or the symbol d.
+    /// Depth of a flat-ended punch, whose rim is at the contact radius: a number, or the symbol d.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
-    /// How the answer is written [default: text].
+    /// Output format [default: text].
     #[arg(long, value_parser = Formats(ENDINGS))]
     pub(in crate::cli) format: Option<Format>,
-    /// The same as --format json.
+    /// Same as --format json.
     #[arg(long, conflicts_with = "format")]
     pub(in crate::cli) json: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex, .md, .typ, .html or .json.
+    /// Writes to this file instead of stdout; the extension selects the format: .txt, .tex, .md, .typ, .html or .json.
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
     typesetting: TypesettingArguments,
-    /// Shows the way from f to every result, step by step: in short, or in full with --steps=full.
+    /// Shows the derivation of every result from f, step by step; --steps=full adds all intermediate steps.
     #[arg(long, value_name = "FORM", value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "short")]
     steps: Option<Steps>,
     /// Quantities to derive, separated by commas; `a` is a(d).
@@ -93,5 +93,5 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// Checks whether `derive` supports a quantity.
 fn has_formula(quantity: Quantity) -> Result<(), &'static str> {
-    if quantity.has_formula() { Ok(()) } else { Err("derive has no formula over the force; eval has numbers") }
+    if quantity.has_formula() { Ok(()) } else { Err("derive has no formulas in terms of the force; use eval for values") }
 }

@@ -1,4 +1,4 @@
-//! `sneddon invert`: the profile that has a given equivalent profile, or that presses with a given pressure.
+//! `sneddon invert`: finds the profile with a given equivalent profile or pressure.
 
 use crate::cli::output::{Destination, Formats};
 use crate::cli::typesetting::{ENDINGS, Format, Steps, TypesettingArguments};
@@ -12,36 +12,36 @@ use crate::report::{Inversion, Wanted, inversion};
 use crate::transform::{self, Inverse, InverseNumbers, Method, TransformError};
 use std::path::PathBuf;
 
-/// Finds f(r) from g(x), or from a wanted pressure p(r).
+/// Finds the shape f(r) from an equivalent profile g(x) or from a pressure p(r).
 ///
-/// g is an expression in x with the grammar of profiles. What has no closed form is printed as an integral; --at gives numbers.
+/// g is an expression in x with the same grammar as profiles. If f has no closed form, it is printed as an integral; --at computes values.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
-    /// The equivalent profile g(x), such as x^2/R; - reads it from stdin.
+    /// Equivalent profile g(x), such as x^2/R; - reads it from stdin.
     #[arg(value_name = "G", allow_hyphen_values = true, required_unless_present = "pressure")]
     equivalent: Option<String>,
-    /// A wanted pressure p(r) in a contact of radius a, with E for the effective modulus, in place of G.
+    /// Pressure p(r) in a contact of radius a, instead of G; E is the effective modulus.
     #[arg(long, value_name = "P", conflicts_with = "equivalent", allow_hyphen_values = true)]
     pressure: Option<String>,
-    /// Gives a parameter a value; may be repeated.
+    /// Sets the value of a parameter; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
     /// Radii at which f is computed: 0.1,0.5 or start:stop:count or log:start:stop:count.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: Option<String>,
-    /// How the answer is written [default: text].
+    /// Output format [default: text].
     #[arg(long, value_parser = Formats(ENDINGS))]
     pub(in crate::cli) format: Option<Format>,
-    /// The same as --format json.
+    /// Same as --format json.
     #[arg(long, conflicts_with = "format")]
     pub(in crate::cli) json: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt, .tex, .md, .typ, .html or .json.
+    /// Writes to this file instead of stdout; the extension selects the format: .txt, .tex, .md, .typ, .html or .json.
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
     typesetting: TypesettingArguments,
-    /// Shows the way from g to f, step by step: in short, or in full with --steps=full.
+    /// Shows the derivation of f from g, step by step; --steps=full adds all intermediate steps.
     #[arg(long, value_name = "FORM", value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "short")]
     steps: Option<Steps>,
     #[command(flatten)]
@@ -54,7 +54,7 @@ const EXAMPLES: &str = "Examples:
   sneddon invert 'ln(1+x^4/w^4)' --set w=2 --at 0.5,1,2
   sneddon invert --pressure 'p_0*sqrt(1-r^2/a^2)'";
 
-/// The relative tolerance of numbers.
+/// Relative tolerance of the values.
 const TOLERANCE: f64 = 1e-13;
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -112,7 +112,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(budget::judged(&record.check))
 }
 
-/// What was asked for: g as typed, or the g of a pressure.
+/// The requested inversion: of g as typed, or of the g that belongs to a pressure.
 struct Asked {
     place: &'static str,
     typed: input::Typed,
@@ -135,7 +135,7 @@ impl Asked {
         Ok(Self { place: "G", equivalent: formula.clone(), typed: input::Typed { text, formula }, pressure: None })
     }
 
-    /// g at these values, and f.
+    /// Returns g with the given parameter values, and f.
     fn solved(&self, values: &Bindings) -> Result<(Formula, Inverse), Failure> {
         let equivalent = self.equivalent.substitute(values);
         let found = transform::invert(&equivalent, |text| parse::formula(text).ok()).map_err(|error| self.failure(&error))?;

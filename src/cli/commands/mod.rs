@@ -1,7 +1,7 @@
-//! The subcommands: one file for each, with its arguments, its help and what it does.
+//! The subcommands: one file each, with the arguments, the help and the implementation.
 //!
-//! What several of them share lies beside this folder.
-//! Every command writes its answer to stdout or to a file, once it is complete.
+//! Code that several of them share is in the parent folder.
+//! Every command writes its output to stdout or to a file once the output is complete.
 
 pub(super) mod code;
 pub(super) mod compare;

@@ -1,4 +1,4 @@
-//! `sneddon plot`: pictures of profiles and scenes.
+//! `sneddon plot`: plots of profiles and scenes.
 
 use crate::cli::commands::solve::read;
 use crate::cli::failure::warn;
@@ -16,29 +16,29 @@ use clap::{Arg, Command};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-/// Draws what a contact does: numbers over the depth, and fields over the radius at the largest load.
+/// Plots quantities over the depth, and fields over the radius at the largest load.
 ///
-/// A profile needs a value for every parameter; loads rise from 0 to the contact radius --radius.
-/// A scene is drawn from 0 to its largest load. Several of them share the axes.
+/// All parameters of a profile need a value; its contact radius runs from 0 to --radius.
+/// The load of a scene runs from 0 to its largest value. Several profiles or scenes share the same axes.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
-    /// Shapes f(r), or scene files that end in .toml; behind -- a shape may begin with a minus.
+    /// Shapes f(r), or scene files with the extension .toml; write a shape that begins with a minus after --.
     #[arg(value_name = "PROFILE|SCENE", required = true)]
     subjects: Vec<String>,
     /// Quantities to draw, separated by commas [default: F,a,p].
     #[arg(long, value_parser = Drawings, value_delimiter = ',', value_name = "LIST")]
     quantity: Vec<Pictured>,
-    /// Gives a parameter a value, with a unit or without; may be repeated.
+    /// Sets the value of a parameter, with or without a unit; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// The largest contact radius of a profile [default: close to its end, or beyond its last kink].
+    /// Largest contact radius of a profile [default: close to the end of the profile, or beyond its last kink].
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
-    /// E* of a profile.
+    /// Effective modulus E* of a profile.
     #[arg(long, value_name = "VALUE", default_value = "1", allow_hyphen_values = true)]
     effective_modulus: String,
-    /// Writes into this file; its ending decides the format: .svg or .png. Without it the picture is drawn in letters.
+    /// Writes to this file; the extension selects the format: .svg, .png or .txt. Without it a text plot is printed.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -49,9 +49,9 @@ const EXAMPLES: &str = "Examples:
   sneddon plot 'r^2/(2*R)' --set R=2 --radius 0.5
   sneddon plot 'R-sqrt(R^2-r^2)' 'r^2/(2*R)' --set R=1 --quantity F,p --radius 0.8";
 
-/// Loads of a picture.
+/// Number of loads in a plot.
 const LOADS: usize = 61;
-/// Work that each value of a picture may be.
+/// Work allowed for each value in a plot.
 const STEPS_PER_VALUE: u64 = 100_000;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -63,7 +63,7 @@ enum Format {
 
 const ENDINGS: &Endings<Format> = &[("svg", Format::Svg), ("png", Format::Png), ("txt", Format::Text)];
 
-/// Reads the key of a quantity, or `section`.
+/// Parses the key of a quantity, or `section`.
 #[derive(Clone)]
 struct Drawings;
 
@@ -88,7 +88,7 @@ impl TypedValueParser for Drawings {
 
 /// Checks whether `plot` supports a quantity.
 fn drawn(quantity: Quantity) -> Result<(), &'static str> {
-    if quantity.kind() == Kind::Inverse { Err("plot draws numbers over the depth; expected F, a or d") } else { Ok(()) }
+    if quantity.kind() == Kind::Inverse { Err("plot draws quantities over the depth; expected F, a or d") } else { Ok(()) }
 }
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -104,13 +104,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         if !arguments.subjects.iter().any(|own| input::is_about(item, own)) {
             let name = item.split_once('=').map_or(item.as_str(), |(name, _)| name);
             return Err(Failure::new(format!("none of the profiles has a parameter {}", name.trim()))
-                .help("--set NAME=VALUE sets a parameter of a profile, such as --set R=2"));
+                .help("set a parameter of one of the profiles with --set NAME=VALUE, such as --set R=2"));
         }
     }
     let subjects = arguments.subjects.iter().map(|own| Subject::read(arguments, own)).collect::<Result<Vec<_>, _>>()?;
     if subjects.iter().any(|own| !own.has_same_units(subjects.first())) {
         return Err(
-            Failure::new("the scenes answer in different units, which cannot share axes").help("name the same units in [outputs] of each")
+            Failure::new("the scenes have results in different units and cannot share axes").help("request the same units in [outputs] of each scene")
         );
     }
     budget::allow((subjects.len() * quantities.len() * LOADS) as u64, STEPS_PER_VALUE);
@@ -121,7 +121,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let picture = Picture::of_contacts(&named, quantities);
     if picture.is_empty() {
         return Err(
-            Failure::new("no load has a valid contact, and there is nothing to draw").help("sneddon solve says what speaks against it")
+            Failure::new("nothing to draw: no load has a valid contact").help("run sneddon solve for the reasons")
         );
     }
     let drawn = match answer.format() {
@@ -143,7 +143,7 @@ struct Subject {
     name: String,
     scene: Scene,
     solution: Solution,
-    /// The text in which errors have their places, for a scene.
+    /// The text of the scene file, for error messages.
     text: Option<String>,
 }
 

@@ -1,4 +1,4 @@
-//! `sneddon reference`: exact data on a solver's grid.
+//! `sneddon reference`: exact data on the grid of a solver.
 
 use crate::cli::commands::solve::read;
 use crate::cli::commands::validate;
@@ -13,34 +13,34 @@ use crate::validate::points;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-/// Exact pressure, displacement and shape on the grid of a solver, each value with its error bound.
+/// Computes exact pressure, displacement and shape on the grid of a solver, with an error bound for each value.
 ///
-/// The scene says the contact and the loads; p, u, f and g are given as far as its outputs ask for them, p where they ask for none.
+/// The scene file defines the contact and the loads. Writes those of p, u, f, g requested in [outputs]; p by default.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
-    /// The scene file; - reads it from stdin.
+    /// Scene file; - reads it from stdin.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// N points along both sides of a square box, or start:stop:count for radii; without it what [data] declares, or the radii of [outputs].
+    /// Grid: N points along both sides of a square box, or start:stop:count for radii [default: the grid of [data], or the radii of [outputs]].
     #[arg(long, value_name = "GRID")]
     grid: Option<String>,
-    /// Reads the points from the columns x and y, or r, of this file; their order is kept.
+    /// Reads the points from the columns x and y, or r, of this file, and keeps their order.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["grid", "side", "cells", "between"])]
     points: Option<PathBuf>,
-    /// The side of the box, as "8 um"; without it that of [data].
+    /// Side of the box, such as "8 um" [default: the box of [data]].
     #[arg(long = "box", value_name = "LENGTH")]
     side: Option<String>,
-    /// Pressures as means over the cells around the points, as boundary elements have them.
+    /// Computes pressures as means over the cells around the points, as in boundary element methods.
     #[arg(long)]
     cells: bool,
-    /// The axis lies between the four middle points of the box, not at one of them.
+    /// Centres the axis between grid points instead of on one.
     #[arg(long)]
     between: bool,
     /// Writes JSON to stdout.
     #[arg(long)]
     pub(in crate::cli) json: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .csv, .json or .npy, a NumPy array.
+    /// Writes to this file instead of stdout; the extension selects the format: .csv, .json or .npy (a NumPy array).
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
@@ -56,7 +56,7 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 done, 1 a load has no valid contact, 2 bad input (the reason is on stderr).";
 
-/// Work that each place of a grid may be, means over cells included.
+/// Work allowed for each point of a grid, including the mean over its cell.
 const STEPS_PER_PLACE: u64 = 2_000_000;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -86,7 +86,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         (None, None, Some(own)) => own.checked().map_err(failed)?,
         (None, None, None) if !scene.outputs.at.is_empty() => Grid::Radial(scene.outputs.at.clone()).checked().map_err(failed)?,
         (None, None, None) => {
-            return Err(Failure::new("there is no grid")
+            return Err(Failure::new("no grid is given")
                 .help("use --grid \"0:2 um:101\", --grid 64 --box \"8 um\" or --points FILE, or set `at` in [outputs]"));
         }
     };
@@ -94,11 +94,11 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let cells = arguments.points.is_none() && (arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true)));
     let (curves, others) = scene.outputs.fields().map_err(failed)?;
     for other in others {
-        warn(&format!("{} is not a field on a grid; `sneddon solve` writes it", other.key()));
+        warn(&format!("{} is not a field on a grid; use `sneddon solve` for it", other.key()));
     }
     if !scene.round {
-        return Err(Failure::new("no field is known of a punch with a cross-section of its own")
-            .help("d, F and k by sneddon solve, or a round indenter would be accepted"));
+        return Err(Failure::new("the fields of a punch with a non-circular cross-section are not known")
+            .help("use sneddon solve for d, F and k, or a round indenter"));
     }
     let scene = tip::with_points(scene, &arguments.scene, failed)?;
     let solution = scene.solution().map_err(failed)?;
@@ -119,13 +119,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Ok(())
     })?;
     for key in estimated {
-        warn(&format!("error bounds of {key} are estimated, not proven; NPY cannot record this, CSV and JSON do"));
+        warn(&format!("error bounds of {key} are estimated, not proven; CSV and JSON record this, NPY cannot"));
     }
     drop(run);
     drop(progress);
     if missing == 0 {
         return Ok(Outcome::Done);
     }
-    warn(&format!("{missing} of {} loads have no valid contact; `sneddon solve` says why", scene.loads.len()));
+    warn(&format!("{missing} of {} loads have no valid contact; run `sneddon solve` for the reasons", scene.loads.len()));
     Ok(Outcome::Failed)
 }

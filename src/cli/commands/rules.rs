@@ -9,17 +9,17 @@ use crate::transform::rules::RULES;
 use clap::ValueEnum;
 use std::path::PathBuf;
 
-/// Lists the exact solutions that the program knows, with their sources.
+/// Lists the exact solutions in the catalogue, with their sources.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
-    /// How the catalogue is written [default: text].
+    /// Output format [default: text].
     #[arg(long, value_parser = Formats(ENDINGS))]
     format: Option<Format>,
-    /// The same as --format json.
+    /// Same as --format json.
     #[arg(long, conflicts_with = "format")]
     json: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt, .md or .json.
+    /// Writes to this file instead of stdout; the extension selects the format: .txt, .md or .json.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -53,9 +53,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// Reads the texts of a rule.
+/// Parses the formulas of a rule.
 fn statement(rule: &'static Rule) -> Result<Statement, Failure> {
-    let read = |text: &str| parse::formula(text).map_err(|error| Failure::new(format!("the rule {} is misstated: {error}", rule.id)));
+    let read = |text: &str| parse::formula(text).map_err(|error| Failure::new(format!("rule {} is invalid: {error}", rule.id)));
     Ok(Statement {
         rule,
         pattern: read(rule.pattern)?,

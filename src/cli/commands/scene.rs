@@ -1,11 +1,11 @@
-//! `sneddon scene`: scenes to start from.
+//! `sneddon scene`: creates scene files.
 
 use crate::cli::{Failure, Outcome, input, output};
 use crate::scene::SHAPES;
 use crate::scene::template;
 use clap::Subcommand;
 
-/// Writes scene files to start from.
+/// Creates scene files to edit and solve.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
@@ -15,10 +15,10 @@ pub(in crate::cli) struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Writes a commented scene of a named shape.
+    /// Prints a commented scene file for a named shape.
     #[command(after_help = EXAMPLES)]
     New {
-        /// The shape, such as sphere; without it the shapes are listed.
+        /// Name of the shape, such as sphere; without it all shapes are listed.
         #[arg(value_name = "SHAPE")]
         shape: Option<String>,
     },

@@ -1,4 +1,4 @@
-//! `sneddon solve`: from a scene file to every quantity that it asks for.
+//! `sneddon solve`: computes the quantities that a scene file requests.
 
 use crate::cli::failure::warn;
 use crate::cli::output::{Destination, Endings};
@@ -18,32 +18,32 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-/// Solves a contact scene: loads in, depth, force, contact radius and curves out.
+/// Solves a contact scene: computes depth, force, contact radius and fields for given loads.
 ///
-/// The scene file says the shape, the materials, the loads and what is wanted; `sneddon scene new SHAPE` writes one.
+/// The scene file defines the shape, the materials, the loads and the requested quantities; `sneddon scene new SHAPE` creates one.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
-    /// The scene file; - reads it from stdin.
+    /// Scene file; - reads it from stdin.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
     /// Writes JSON.
     #[arg(long)]
     pub(in crate::cli) json: bool,
-    /// Writes CSV: the rows, then behind an empty line the points of curves; the points alone where nothing else is asked for.
+    /// Writes CSV: the rows, an empty line, and the points of the curves; only the points if no other quantity is requested.
     #[arg(long, conflicts_with = "json")]
     csv: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv, .json, .npz, or .html for a page with pictures and formulas.
+    /// Writes to this file instead of stdout; the extension selects the format: .txt, .csv, .json, .npz, or .html for a page with plots and formulas.
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
     precision: PrecisionArguments,
     #[command(flatten)]
     pub(in crate::cli) budget: budget::BudgetArguments,
-    /// Shows the numbers of invalid rows beside what is wrong with them.
+    /// Shows the values of invalid rows as well, next to the reason.
     #[arg(long)]
     force: bool,
-    /// Answers as d/R, F/(E* R^2) and p/E*, where R is that of the profile, or the radius of its vertical side.
+    /// Writes dimensionless results d/R, F/(E* R^2) and p/E*, where R is the radius of the profile or of its vertical side.
     #[arg(long)]
     dimensionless: bool,
 }
@@ -56,7 +56,7 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 done, 1 a row is not valid, 2 bad input (the reason is on stderr).";
 
-/// Work that each row and each point of a curve may be.
+/// Work allowed for each row and each point of a curve.
 const STEPS_PER_ROW: u64 = 1_000_000;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -111,15 +111,15 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Failed)
 }
 
-/// The name of a file without its folders.
+/// Returns the name of a file without its directories.
 fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// Loads of the pictures on a page.
+/// Number of loads in the plots of a page.
 const PICTURED: usize = 41;
 
-/// The page of a solved scene; formulas stand there where the profile has any.
+/// Returns the HTML page of a solved scene, with the formulas of the profile if it has any.
 fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io::Write) -> io::Result<Verdict> {
     let scene = run.scene();
     let swept = scene.swept(PICTURED);
@@ -127,7 +127,7 @@ fn page(name: &str, text: &str, run: &Run<'_>, formally: bool, out: &mut dyn io:
     let pictured = Run::new(&swept, &solution).map_err(io::Error::other)?;
     let edge = if scene.rim.is_some() { Edge::Rim(Expr::symbol("d")) } else { Edge::Smooth };
     let typed = scene.profile.typed.clone();
-    // A measured tip and a cross-section that is not round have no formula.
+    // Measured tips and punches with a non-circular cross-section have no formulas.
     let mut found = relations(&solution, &edge).ok().filter(|_| scene.round && scene.measured.is_none());
     let check = found.as_mut().map(|relations| {
         let check = budget::part(|| transform::check(&solution));
@@ -159,10 +159,10 @@ pub(in crate::cli) fn read(path: &Path) -> Result<String, Failure> {
         File::open(path).and_then(|file| file.take(limit + 1).read_to_end(&mut bytes))
     };
     done.map_err(|error| {
-        Failure::new(format!("the scene {name} cannot be read: {error}")).help("`sneddon scene new sphere` writes a scene to start from")
+        Failure::new(format!("cannot read the scene {name}: {error}")).help("create a scene to start from with `sneddon scene new sphere`")
     })?;
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        Failure::new(format!("{name} is no text: byte {} is not valid UTF-8", at + 1)).help("a scene file in UTF-8 would be accepted")
+        Failure::new(format!("{name} is not a text file: byte {} is not valid UTF-8", at + 1)).help("expected a scene file in UTF-8")
     })
 }

@@ -1,4 +1,4 @@
-//! `sneddon tradeoff`: what accuracy costs, method by method.
+//! `sneddon tradeoff`: the cost of accuracy, method by method.
 
 use crate::cli::output;
 use crate::cli::output::{Destination, Endings};
@@ -13,27 +13,27 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Measures every method at its ladder of settings: true error, time per point, evaluations.
+/// Benchmarks each method over a range of accuracies: true error, time per point and number of evaluations.
 ///
-/// Errors are relative to a reference that is a thousand times better; a smaller error is shown as a bound.
+/// Errors are relative to a reference that is a thousand times more accurate; if the error is too small to resolve, a bound is shown.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
-    /// Quantity to compute; the spring foundation computes forces only.
+    /// Quantity to compute; the spring foundation computes only forces.
     #[arg(long, value_parser = Quantities(compared), default_value = "F")]
     quantity: Quantity,
-    /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count [default: 32 seeded points within the profile's reach].
+    /// Points: 0.1,0.5 or start:stop:count or log:start:stop:count [default: 32 random points from a fixed seed, within the range of the profile].
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: Option<String>,
-    /// The contact radius, for p.
+    /// Contact radius, for p.
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
-    /// The relative error for which advice is wanted [default: 1e-3, 1e-6, 1e-9, 1e-12 and 1e-15].
+    /// Relative error for which a method is recommended [default: 1e-3, 1e-6, 1e-9, 1e-12 and 1e-15].
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     tol: Option<String>,
-    /// The time that the measurement may take, in seconds.
+    /// Time for the benchmark, in seconds.
     #[arg(long, value_name = "SECONDS", default_value = "10", allow_hyphen_values = true)]
     budget: String,
     /// Writes JSON.
@@ -42,7 +42,7 @@ pub(in crate::cli) struct Arguments {
     /// Writes comma-separated values.
     #[arg(long)]
     csv: bool,
-    /// Writes into this file; its ending decides the format: .svg, the plot beside the answer on stdout, or .txt, .csv or .json.
+    /// Writes to this file; the extension selects the format: .txt, .csv or .json, or .svg for a plot in addition to the results on stdout.
     #[arg(short, long, value_name = "PLOT.svg")]
     output: Option<PathBuf>,
 }
@@ -69,7 +69,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let at = arguments.at.as_deref().map(|list| points::read(list, &units)).transpose()?;
     let radius = arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?;
     if radius.is_some() && quantity != Quantity::Pressure {
-        return Err(Failure::new("--radius belongs to --quantity p").help("leave it out, or add --quantity p"));
+        return Err(Failure::new("--radius requires --quantity p").help("omit --radius, or add --quantity p"));
     }
     let wanted = arguments.tol.as_deref().map(input::tolerance).transpose()?;
     let budget = Duration::from_secs_f64(budget::seconds(&arguments.budget)?);
@@ -115,6 +115,6 @@ fn compared(quantity: Quantity) -> Result<(), &'static str> {
     if Problem::QUANTITIES.contains(&quantity) {
         Ok(())
     } else {
-        Err("tradeoff measures only g, F and p, from which the other quantities follow")
+        Err("tradeoff measures only g, F and p; all other quantities follow from them")
     }
 }

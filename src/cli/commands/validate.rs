@@ -1,4 +1,4 @@
-//! `sneddon validate`: a solver's data beside the exact solution.
+//! `sneddon validate`: checks data of a solver against the exact solution.
 
 use crate::cli::commands::solve;
 use crate::cli::failure::warn;
@@ -14,46 +14,46 @@ use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Compares a contact solver's results with the exact solution of a scene, and says what is wrong with them.
+/// Validates data of a contact solver against the exact solution of a scene, and names the most likely cause of an error.
 ///
-/// Files with columns d, F, a hold a load per row; files with r (or x, y) and p, u, f or g hold places under the scene's load.
-/// A column d beside the places separates several loads.
-/// Columns are named with their units: d_um,F_mN,a_um or r_m,p_Pa. Several files are several resolutions.
+/// Files with columns d, F, a contain one load per row; files with r (or x, y) and p, u, f or g contain points under the load of the scene.
+/// A column d next to the coordinates separates several loads.
+/// Columns are named with their units: d_um,F_mN,a_um or r_m,p_Pa. Several files are treated as several resolutions.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
-    /// The scene file; [load] is needed for pressures only.
+    /// Scene file; [load] is required only for fields.
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
-    /// The solver's data: CSV, NPY, NPZ, or what sneddon reference writes; coarsest first unless --grid or the data tell otherwise.
+    /// Data of the solver: CSV, NPY, NPZ, or the output of sneddon reference; coarsest first unless --grid or the data give the resolution.
     #[arg(value_name = "DATA", required = true)]
     data: Vec<PathBuf>,
-    /// The relative error in L2 that is accepted, in the place of that of the grid.
+    /// Relative L2 error to accept, instead of the estimated discretization error.
     #[arg(long, value_name = "T")]
     tol: Option<f64>,
-    /// Pixels along a side of the solver's domain, per file; or the radii of an array of `sneddon reference`, as "0:2 um:101".
+    /// Number of pixels along a side of the domain, one per file; or the radii of an array of `sneddon reference`, such as "0:2 um:101".
     #[arg(long, value_name = "N,N,…|START:STOP:COUNT", value_delimiter = ',', allow_hyphen_values = true)]
     grid: Vec<String>,
-    /// The column or array of a quantity, as in p=press or p_GPa=press; columns and rows without names are counted from 1.
+    /// Column or array that contains a quantity, such as p=press or p_GPa=press; unnamed columns and rows are numbered from 1. May be repeated.
     #[arg(long, value_name = "NAME=COLUMN", value_parser = mapped)]
     map: Vec<(String, String)>,
-    /// The side of the solver's domain, as "8 um", in the place of that of [data].
+    /// Side of the domain, such as "8 um", instead of the value in [data].
     #[arg(long = "box", value_name = "LENGTH")]
     side: Option<String>,
-    /// The load of files of places, as d=0.4, F="2 mN" or a=1, in the place of that of [load].
+    /// Load of files with fields, such as d=0.4, F="2 mN" or a=1, instead of the value in [load].
     #[arg(long, value_name = "SYMBOL=VALUE")]
     load: Option<String>,
-    /// Where the axis lies: in the middle of a box whose coordinates begin in a corner, or, in fields without coordinates, in the
-    /// middle between pixels (centre) or on a pixel.
+    /// Position of the axis: in the middle of a box whose coordinates start at a corner (corner) or, for fields without coordinates,
+    /// between the middle pixels (centre) or on a pixel (pixel).
     #[arg(long, value_name = "PLACE")]
     origin: Option<Place>,
-    /// Pressures are means over the pixels, or over rings between radii, as `sneddon reference --cells` writes them.
+    /// Treats pressures as means over pixels, or over rings between radii, as written by `sneddon reference --cells`.
     #[arg(long)]
     cells: bool,
     /// Writes JSON.
     #[arg(long)]
     pub(in crate::cli) json: bool,
-    /// Writes into this file; its ending decides the format: .html, a page with plots beside the answer on stdout, or .txt or .json.
+    /// Writes to this file; the extension selects the format: .txt or .json, or .html for a page with plots in addition to the results on stdout.
     #[arg(short, long, value_name = "REPORT.html")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
@@ -70,7 +70,7 @@ enum Place {
 
 fn mapped(text: &str) -> Result<(String, String), String> {
     let found = text.split_once('=').filter(|own| !own.0.trim().is_empty() && !own.1.is_empty());
-    found.map(|(name, column)| (name.trim().to_owned(), column.to_owned())).ok_or_else(|| "p=press would be accepted".to_owned())
+    found.map(|(name, column)| (name.trim().to_owned(), column.to_owned())).ok_or_else(|| "expected NAME=COLUMN, such as p=press".to_owned())
 }
 
 const EXAMPLES: &str = "Examples:
@@ -80,9 +80,9 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 passed, 1 failed, 2 bad input (the reason is on stderr).";
 
-/// Most bytes of data that can be read only once.
+/// Maximum size of data from a pipe or a device, in bytes.
 const LONGEST: u64 = 100_000_000;
-/// Work that each byte of a file may be, all suspicions included.
+/// Work allowed for each byte of a file, including the diagnosis.
 const STEPS_PER_BYTE: u64 = 10_000;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -94,17 +94,17 @@ enum Format {
 
 const ENDINGS: &Endings<Format> = &[("html", Format::Html), ("htm", Format::Html), ("txt", Format::Text), ("json", Format::Json)];
 
-/// Reads the number of pixels of one file.
+/// Parses the number of pixels of one file.
 fn pixels_along_a_side(text: &str) -> Result<f64, Failure> {
     let number = text.trim().parse().ok().filter(|own: &f64| *own >= 1.0 && own.is_finite());
-    number.ok_or_else(|| Failure::new(format!("--grid has {text:?}")).help("expected numbers of pixels, such as 64,128,256"))
+    number.ok_or_else(|| Failure::new(format!("--grid contains {text:?}")).help("expected numbers of pixels, such as 64,128,256"))
 }
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(tolerance) = arguments.tol
         && !(tolerance > 0.0 && tolerance.is_finite())
     {
-        return Err(Failure::new(format!("--tol {tolerance} is not positive")).help("a relative error such as 1e-3 would be accepted"));
+        return Err(Failure::new(format!("--tol {tolerance} is not positive")).help("expected a relative error such as 1e-3"));
     }
     let flag = arguments.json.then_some(Format::Json);
     let report = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Html)?;
@@ -160,12 +160,12 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(if found.passed { Outcome::Done } else { Outcome::Failed })
 }
 
-/// A file, read anew for every pass; what cannot be read twice is kept.
+/// Returns a data source that can be read several times; data from a pipe or a device are kept in memory.
 pub(super) fn source(path: &Path) -> Result<Source<'_>, Failure> {
     let name = path.display().to_string();
     let failed = |error: io::Error| {
-        Failure::new(format!("the data {} cannot be read: {error}", path.display()))
-            .help("a CSV file with names of columns in its first line would be accepted")
+        Failure::new(format!("cannot read the data {}: {error}", path.display()))
+            .help("expected a CSV file with column names in its first line")
     };
     let stdin = path.as_os_str() == "-";
     let known = if stdin { None } else { Some(std::fs::metadata(path).map_err(failed)?) };
@@ -174,7 +174,7 @@ pub(super) fn source(path: &Path) -> Result<Source<'_>, Failure> {
         File::open(path).map_err(failed)?;
         return Ok(Source { name, open: Box::new(move || Ok(Box::new(File::open(path)?) as Box<dyn Read>)) });
     }
-    // What cannot be read twice is kept, and what has no end is not read to its end.
+    // Pipes and devices can be read only once and may be endless, so read up to a limit and keep the data.
     let mut bytes = Vec::new();
     let read = if stdin {
         io::stdin().lock().take(LONGEST + 1).read_to_end(&mut bytes)
@@ -183,8 +183,8 @@ pub(super) fn source(path: &Path) -> Result<Source<'_>, Failure> {
     };
     read.map_err(failed)?;
     if bytes.len() as u64 > LONGEST {
-        let message = format!("the data {name} are more than {LONGEST} bytes from a pipe or a device");
-        return Err(Failure::new(message).help("a regular file of any length would be accepted"));
+        let message = format!("{name} contains more than {LONGEST} bytes from a pipe or a device");
+        return Err(Failure::new(message).help("expected less data, or a regular file, which may have any size"));
     }
     budget::allow(bytes.len() as u64, STEPS_PER_BYTE);
     let bytes: Arc<[u8]> = bytes.into();
