@@ -29,7 +29,7 @@ fn with_points(scene: Scene, directory: &str) -> Result<Scene, Fault> {
     }
     let mut bytes = Vec::new();
     let done = File::open(&path).and_then(|file| file.take(LONGEST_TIP as u64 + 1).read_to_end(&mut bytes));
-    done.map_err(|error| cannot read refused(format!("{}: {error}", path.display())))?;
+    done.map_err(|error| refused(format!("cannot read {}: {error}", path.display())))?;
     if bytes.len() > LONGEST_TIP {
         return Err(refused(format!("{} has more than {LONGEST_TIP} bytes", path.display())));
     }

@@ -1,4 +1,4 @@
-//! How far the fields of a contact may be off because its radius and depth are known to an error only.
+//! Error bounds of fields that follow from the errors of the contact radius and the depth.
 
 use super::{Control, Dimension, Quantity, Run};
 use crate::contact::{Boundary, Estimates, State};
@@ -6,7 +6,7 @@ use crate::num::Bound;
 use crate::num::stable::leg;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// The errors of a state that its fields inherit.
+/// The errors of a contact state that affect its fields.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Doubt {
     /// E*/π.
@@ -14,27 +14,27 @@ pub(super) struct Doubt {
     /// The contact radius and its error.
     a: f64,
     radius: f64,
-    /// g′(a), or 0 where the radius and the places are exact, or the edge is a rim.
+    /// g′(a), or 0 if the radius and the coordinates are exact or the edge is a rim.
     rise: f64,
-    /// The relative error of places, which units have rounded.
+    /// The relative rounding error of coordinates, from unit conversion.
     rounding: f64,
-    /// What the depth may be off by, or g at the contact radius.
+    /// The error of the depth, or of g at the contact radius.
     slack: f64,
-    /// The error of the depth of a punch with a rim.
+    /// The error of the depth of a flat-ended punch.
     rim: f64,
-    /// What the errors rest on.
+    /// Whether the errors are proven or estimated.
     pub(super) bound: Bound,
 }
 
-/// Relative errors of E*, which is a factor of every pressure, and of places that were converted from units.
+/// Relative error of E*, a factor of every pressure, and of coordinates converted from other units.
 const ROUNDED: f64 = 2.0 * f64::EPSILON;
-/// The relative step of g′.
+/// Relative step of the difference quotient for g′.
 const STEP: f64 = 1e-6;
-/// Terms of second order.
+/// Allows for terms of second order.
 const MARGIN: f64 = 1.0 + 1e-6;
 
 impl Run<'_> {
-    /// The doubt of a state; `None` where the errors of its radius or depth are unknown.
+    /// Returns the errors of a state; `None` if the errors of its radius or depth are unknown.
     pub(super) fn doubt(&self, state: &State) -> Option<Doubt> {
         let known = self.estimates_of(state)?;
         let Estimates { depth, radius, slack, .. } = known;
@@ -71,9 +71,9 @@ impl Run<'_> {
 }
 
 impl Doubt {
-    /// A bound on the change of a field at r (or at the depth z below the surface) within the errors.
+    /// Returns a bound on the change of a field at r (or at depth z below the surface) that these errors can cause.
     ///
-    /// ∂p/∂a = E* g′(a)/(π √(a²−r²)); displacements move by at most what the depth moves by.
+    /// ∂p/∂a = E* g′(a)/(π √(a²−r²)); displacements change by at most the error of the depth.
     pub(super) fn of_point(&self, curve: Quantity, at: f64, value: f64) -> f64 {
         match curve {
             Quantity::Pressure => self.of_pressure(at) + ROUNDED * value.abs(),
@@ -89,20 +89,20 @@ impl Doubt {
 
     fn of_pressure(&self, r: f64) -> f64 {
         let rim = if self.rim > 0.0 && r < self.a { self.rim / leg(self.a, r) } else { 0.0 };
-        // A place that is rounded moves towards the edge as the edge moves away from it.
+        // The errors of the edge and of the coordinate add up.
         let moved = self.radius + self.rounding * (r + self.a);
         let reach = self.a - 2.0 * moved;
         let smooth = if moved == 0.0 || r > self.a + moved {
             0.0
         } else {
-            // ∫ dx/√(x²−r²) over the error, next to the edge by its largest value.
+            // Bounds ∫ dx/√(x²−r²) over the error interval, near the edge by its maximum.
             let near = self.rise * (2.0 * moved / r.max(0.25 * self.a)).sqrt();
             if r < reach { near.min(self.rise * moved / leg(reach, r)) } else { near }
         };
         self.factor * (smooth + rim) * MARGIN
     }
 
-    /// The same for the mean of the pressure over a cell between two radii with a diagonal, or a ring that has none.
+    /// Returns the bound for the mean pressure over a cell between two radii with this diagonal; a ring has no diagonal.
     pub(super) fn of_mean(&self, [inner, outer]: [f64; 2], diagonal: Option<f64>, area: f64, value: f64) -> f64 {
         if inner >= self.a + self.radius {
             return 0.0;

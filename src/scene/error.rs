@@ -1,56 +1,56 @@
-//! What can be wrong with a scene: the reason, what would be accepted, and the place in the file.
+//! Errors of a scene: the reason, what was expected, and the position in the file.
 
 use crate::contact::ContactError;
 use crate::parse::ParseError;
 use std::ops::Range;
 use thiserror::Error;
 
-/// Why a scene cannot be read or solved.
+/// The reason why a scene cannot be read or solved.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Reason {
-    /// The file is no TOML.
-    #[error("this is no TOML: {0}")]
+    /// The file is not valid TOML.
+    #[error("invalid TOML: {0}")]
     Syntax(String),
-    /// A key that no scene has.
-    #[error("there is no key {key} in {table}")]
+    /// A key that does not exist.
+    #[error("unknown key {key} in {table}")]
     UnknownKey {
         /// The key.
         key: String,
-        /// Where it stands.
+        /// The table that contains it.
         table: String,
     },
     /// A key is missing.
     #[error("{0}")]
     Missing(String),
-    /// A value of the wrong kind.
+    /// A value of the wrong type.
     #[error("{key} is {found}, not {expected}")]
     Kind {
         /// The key.
         key: String,
-        /// What stands there.
+        /// The type of the value.
         found: &'static str,
-        /// What should.
+        /// The expected type.
         expected: &'static str,
     },
-    /// A value that is not possible.
+    /// A value that is not allowed.
     #[error("{0}")]
     Value(String),
-    /// A unit that is not known, or of another kind.
+    /// A unit that is unknown or has the wrong dimension.
     #[error("{0}")]
     Unit(String),
-    /// The profile does not come out as a length.
+    /// The profile does not have the dimension of a length.
     #[error("{0}")]
     Dimension(String),
-    /// An expression that cannot be read.
+    /// An expression that cannot be parsed.
     #[error("{0}")]
     Expression(String),
-    /// The contact problem has no answer.
+    /// The contact problem has no solution.
     #[error(transparent)]
     Contact(#[from] ContactError),
 }
 
-/// A reason with its place in the file.
+/// An error with its position in the file.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[error("{reason}")]
 pub struct SceneError {
@@ -60,41 +60,41 @@ pub struct SceneError {
 }
 
 impl SceneError {
-    /// An error without a place.
+    /// Creates an error without a position.
     pub fn new(reason: Reason) -> Self {
         Self { reason, help: None, span: None }
     }
 
-    /// Adds what would be accepted.
+    /// Adds what was expected, or what to do.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// Adds the bytes of the file that are meant, unless they are known already.
+    /// Adds the range of bytes in the file, unless the error already has one.
     #[must_use]
     pub fn at(mut self, span: Range<usize>) -> Self {
         self.span.get_or_insert(span);
         self
     }
 
-    /// The reason.
+    /// Returns the reason.
     pub fn reason(&self) -> &Reason {
         &self.reason
     }
 
-    /// What would be accepted.
+    /// Returns what was expected, or what to do.
     pub fn accepted(&self) -> Option<&str> {
         self.help.as_deref()
     }
 
-    /// The bytes of the file that are meant.
+    /// Returns the range of bytes in the file.
     pub fn span(&self) -> Option<Range<usize>> {
         self.span.clone()
     }
 
-    /// A value that is not possible.
+    /// Creates an error for a value that is not allowed.
     pub fn value(message: impl Into<String>) -> Self {
         Self::new(Reason::Value(message.into()))
     }

@@ -5,7 +5,7 @@ use crate::contact;
 use crate::num::DoubleDouble;
 use crate::num::precise::{exp, ln};
 
-/// What is controlled.
+/// The controlled quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Control {
     /// The displacement of the indenter.
@@ -17,7 +17,7 @@ pub enum Control {
 }
 
 impl Control {
-    /// The key in scene files.
+    /// Returns the key in scene files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Depth => "depth",
@@ -26,7 +26,7 @@ impl Control {
         }
     }
 
-    /// The number of a row that it is.
+    /// Returns the value of the controlled quantity in a row.
     pub fn datum(self) -> Quantity {
         match self {
             Self::Depth => Quantity::Depth,
@@ -35,7 +35,7 @@ impl Control {
         }
     }
 
-    /// The load of a value.
+    /// Returns the load with this value.
     pub fn load(self, value: f64) -> contact::Load {
         match self {
             Self::Depth => contact::Load::Depth(value),
@@ -45,7 +45,7 @@ impl Control {
     }
 }
 
-/// Many numbers, of which a range needs no memory.
+/// A list of numbers, or a range that is not stored element by element.
 ///
 /// ```
 /// use sneddon::scene::{Loads, Steps};
@@ -54,13 +54,13 @@ impl Control {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Loads {
-    /// Numbers one by one.
+    /// Explicit numbers.
     List(Vec<f64>),
     /// Evenly or logarithmically spaced numbers.
     Range(Steps),
 }
 
-/// A range whose numbers are rounded once: its ends have 31 digits, so that 0.05 and two steps of 0.05 make 0.15.
+/// A range whose values are rounded only once: its ends have 31 digits, so that two steps of 0.05 from 0.05 give 0.15.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steps {
     ends: (f64, f64),
@@ -72,7 +72,7 @@ pub struct Steps {
 }
 
 impl Steps {
-    /// The range of `count` numbers from one end to the other; a logarithmic one has both ends above 0.
+    /// Creates a range of `count` numbers; both ends of a logarithmic range must be positive.
     pub fn new(start: DoubleDouble, stop: DoubleDouble, count: usize, logarithmic: bool) -> Self {
         let (from, to) = if logarithmic { (ln(start), ln(stop)) } else { (start, stop) };
         Self { ends: (start.value(), stop.value()), from, to, count, logarithmic }
@@ -89,7 +89,7 @@ impl Steps {
         if index == last {
             return Some(self.ends.1);
         }
-        // Both ends with their shares, so that a range from −x to x has 0 in its middle.
+        // Weight both ends, so that a range from −x to x contains 0.
         let share = |end: DoubleDouble, steps: usize| end.mul((steps as f64).into());
         let between = share(self.from, last - index).add(share(self.to, index)).over(last as f64);
         let value = if self.logarithmic { exp(between).value() } else { between.value() };
@@ -97,7 +97,7 @@ impl Steps {
             let nothing = 1e-30 * self.ends.0.abs().max(self.ends.1.abs());
             return Some(if !self.logarithmic && value.abs() < nothing { 0.0 } else { value });
         }
-        // Near the largest numbers 31 digits have no room.
+        // Near the largest numbers, 31 digits would overflow.
         let t = index as f64 / last as f64;
         Some(if self.logarithmic {
             (self.ends.0.ln() * (1.0 - t) + t * self.ends.1.ln()).exp()
@@ -108,7 +108,7 @@ impl Steps {
 }
 
 impl Loads {
-    /// How many there are.
+    /// Returns the number of values.
     pub fn len(&self) -> usize {
         match self {
             Self::List(list) => list.len(),
@@ -116,12 +116,12 @@ impl Loads {
         }
     }
 
-    /// True where there are none.
+    /// Returns true if there are no values.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The number of an index; both ends of a range exactly.
+    /// Returns the value with this index; both ends of a range are exact.
     pub fn get(&self, index: usize) -> Option<f64> {
         match self {
             Self::List(list) => list.get(index).copied(),
@@ -129,12 +129,12 @@ impl Loads {
         }
     }
 
-    /// All of them in order.
+    /// Returns all values in order.
     pub fn iter(&self) -> impl Iterator<Item = f64> + '_ {
         (0..self.len()).filter_map(|index| self.get(index))
     }
 
-    /// The numbers of a list, or the two ends of a range.
+    /// Returns the numbers of a list, or the two ends of a range.
     pub(super) fn ends(&self) -> Vec<f64> {
         match self {
             Self::List(list) => list.clone(),
@@ -142,7 +142,7 @@ impl Loads {
         }
     }
 
-    /// The smallest and the largest one.
+    /// Returns the smallest and the largest value.
     pub fn extremes(&self) -> Option<(f64, f64)> {
         match self {
             Self::List(list) => {

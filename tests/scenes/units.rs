@@ -1,4 +1,4 @@
-//! Units: exact factors, and what is no unit.
+//! Units: exact factors, and what is not a unit.
 #![cfg(feature = "scene")]
 
 use sneddon::expr::Expr;

@@ -589,7 +589,7 @@ fn grid_and_data_that_do_not_fit_are_refused() {
     fs::write(place.join("data.csv"), loads(Tip::Cone, 128, &|_, row| row)).unwrap();
     let scene = Tip::Cone.scene("depth = 0.3", 128);
     for (scene, more, said) in [
-        (scene.clone(), vec!["--grid", "64,128"], "--grid contains 2 numbers for 1 files"),
+        (scene.clone(), vec!["--grid", "64,128"], "--grid has 2 numbers for 1 files"),
         (scene.replace("grid = 128", "gird = 128"), vec![], "did you mean grid?"),
         (scene.replace("\"free\"", "\"fre\""), vec![], "did you mean free?"),
         (scene.replace("box = 8", "box = 0"), vec![], "box = 0"),

@@ -1,18 +1,18 @@
-//! Values of a scene that are given beside its file: the side of a box, a load.
+//! Values of a scene that are given in addition to its file: the side of a box, a load.
 
 use crate::scene::file::dimensioned::to_double_double;
 use crate::scene::{Control, Dimension, DimensionedNumber, Loads, Scene, SceneError};
 
 impl Scene {
-    /// A length above 0 as typed, in computed units; `name` is that of the argument, for errors.
+    /// Parses a positive length in the computing units; `name` is the name of the argument in errors.
     ///
     /// # Errors
-    /// [`SceneError`] where the text is not such a length, or has a unit where the scene has none.
+    /// [`SceneError`] unless the text is such a length; it must not have a unit if the numbers of the scene have none.
     pub fn length(&self, name: &str, text: &str) -> Result<f64, SceneError> {
         self.positive(name, text, Dimension::LENGTH)
     }
 
-    /// The same scene under one load as typed: `d=0.4`, `F=2 mN` or `a=1 um`.
+    /// Returns the same scene under one load, given as text: `d=0.4`, `F=2 mN` or `a=1 um`.
     ///
     /// ```
     /// # let text = "[profile]\nf = \"r^2/(2*R)\"\nparameters = { R = \"1 um\" }\n[material]\neffective_modulus = \"1 GPa\"\n[load]\ndepth = \"1 nm\"";
@@ -22,10 +22,10 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// [`SceneError`] where the text is not a load.
+    /// [`SceneError`] if the text is not a load.
     pub fn under(self, text: &str) -> Result<Self, SceneError> {
         let unknown =
-            || SceneError::value(format!("load {text:?} is not a load")).help("d=0.4, F=2 or a=1, with the scene's units, is accepted");
+            || SceneError::value(format!("load {text:?} is not a load")).help("expected d=0.4, F=2 or a=1, in the units of the scene");
         let (name, value) = text.split_once('=').ok_or_else(unknown)?;
         let (control, dimension) = match name.trim() {
             "d" | "depth" => (Control::Depth, Dimension::LENGTH),
@@ -40,13 +40,13 @@ impl Scene {
     fn positive(&self, name: &str, text: &str, dimension: Dimension) -> Result<f64, SceneError> {
         let quantity = DimensionedNumber::parse(text)?;
         if !self.system.has_units() && quantity.unit().is_some() {
-            return Err(SceneError::unit(format!("{name} = {} has a unit, and the numbers of the scene have none", text.trim()))
-                .help("a bare number is accepted, which counts in the scene's unit"));
+            return Err(SceneError::unit(format!("{name} = {} has a unit, but the numbers of the scene have none", text.trim()))
+                .help("expected a number without a unit, in the units of the scene"));
         }
         let value = to_double_double(&self.system.exact(&quantity, dimension, name)?)?.value();
         if value > 0.0 && value.is_finite() {
             return Ok(value);
         }
-        Err(SceneError::value(format!("{name} = {} is not positive", text.trim())).help("a number above 0 is accepted"))
+        Err(SceneError::value(format!("{name} = {} is not positive", text.trim())).help("expected a positive number"))
     }
 }

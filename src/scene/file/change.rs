@@ -1,38 +1,38 @@
-//! One thing of a scene taken for another, as it happens to people: a radius for a diameter, an angle for its complement.
+//! Common mistakes applied to a scene, such as a diameter used as a radius or an angle replaced by its complement.
 
 use crate::expr::Expr;
 use crate::scene::DimensionedNumber;
 
-/// What is changed while a scene is read; everything else stays as it was typed.
+/// The change to apply while a scene is read; all other values stay as typed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// Nothing.
+    /// No change.
     None,
-    /// A parameter of the profile, or its `radius`, multiplied by a fraction.
+    /// A parameter of the profile, or its `radius`, is multiplied by a fraction.
     Times {
         /// The name of the parameter.
         name: String,
         /// Numerator and denominator.
         ratio: (i64, i64),
     },
-    /// An angle multiplied by a power of 180/π.
+    /// An angle is multiplied by a power of 180/π.
     Turn {
         /// The name of the parameter.
         name: String,
-        /// 1 where radians were taken for degrees, −1 the other way round.
+        /// 1 if radians are replaced by degrees, −1 for the reverse.
         degrees: i8,
     },
-    /// An angle in place of what it lacks of a right one.
+    /// An angle is replaced by its complement.
     Complement {
         /// The name of the parameter.
         name: String,
     },
-    /// Poisson's ratios of 0: E stands for E*.
+    /// Poisson's ratios are set to 0, so that E is used as E*.
     NoPoisson,
 }
 
 impl Change {
-    /// A quantity after the change.
+    /// Returns the quantity after the change.
     pub(in crate::scene) fn of(&self, name: &str, quantity: &DimensionedNumber) -> DimensionedNumber {
         match self {
             Self::Times { name: own, ratio } if own == name => quantity.times(&Expr::ratio(ratio.0, ratio.1)),

@@ -1,4 +1,4 @@
-//! Whether f comes out as a length: dimensions through an expression, and the term that breaks them.
+//! Checks that f has the dimension of a length, and finds the term that does not.
 
 use crate::expr::{Expr, Formula, Node, Symbol};
 use crate::print;
@@ -8,13 +8,13 @@ use num_rational::Ratio;
 use num_traits::ToPrimitive;
 use std::collections::BTreeMap;
 
-/// The dimensions of the parameters; r is a length, and plain numbers have none.
+/// The dimensions of the parameters; r is a length, and numbers are dimensionless.
 pub(in crate::scene) type Dimensions = BTreeMap<Symbol, Dimension>;
 
-/// Refuses a profile that is no length, by the first term that is none.
+/// Returns an error for the first term that is not a length.
 ///
 /// # Errors
-/// [`SceneError`] that names the term and its dimension.
+/// [`SceneError`] with the term and its dimension.
 pub(in crate::scene) fn refuse_other_than_length(formula: &Formula, known: &Dimensions) -> Result<(), SceneError> {
     let own = |expr: &Expr| of(expr, known);
     match formula {
@@ -24,7 +24,7 @@ pub(in crate::scene) fn refuse_other_than_length(formula: &Formula, known: &Dime
             if own(factor)?.is_none() {
                 refuse_other_than_length(inner, known)
             } else {
-                Err(fault(factor, "does not multiply a case distinction as a plain number"))
+                Err(fault(factor, "is a factor of a case distinction and must be a plain number"))
             }
         }
         Formula::Piecewise { pieces, last, .. } => {
@@ -68,13 +68,13 @@ fn of(expr: &Expr, known: &Dimensions) -> Result<Dimension, SceneError> {
         Node::Power(base, exponent) => {
             let (own, raised) = (of(base, known)?, of(exponent, known)?);
             if !raised.is_none() {
-                return Err(fault(exponent, &format!("stands in an exponent and is {raised}, not a plain number")));
+                return Err(fault(exponent, &format!("is in an exponent and is {raised}, not a plain number")));
             }
             if own.is_none() {
                 return Ok(own);
             }
             let exact = exponent.as_number().and_then(|n| Some(Ratio::new(n.value().numer().to_i64()?, n.value().denom().to_i64()?)));
-            let exact = exact.ok_or_else(|| fault(expr, "has an exponent that is no fraction, so its dimension is none"))?;
+            let exact = exact.ok_or_else(|| fault(expr, "has an exponent that is not a fraction, so its dimension is undefined"))?;
             own.power(exact).ok_or_else(overflow)
         }
         Node::Sum(terms) => {
@@ -84,7 +84,7 @@ fn of(expr: &Expr, known: &Dimensions) -> Result<Dimension, SceneError> {
                 match all {
                     None => all = Some((own, term)),
                     Some((first, other)) if first != own => {
-                        let what = format!("is {own}, but {} beside it is {first}", print::text_expr(other));
+                        let what = format!("is {own}, but is added to {}, which is {first}", print::text_expr(other));
                         return Err(fault(term, &what));
                     }
                     Some(_) => {}
@@ -99,7 +99,7 @@ fn of(expr: &Expr, known: &Dimensions) -> Result<Dimension, SceneError> {
                 if matches!(function.name(), "abs" | "min" | "max") {
                     result = own;
                 } else if !own.is_none() {
-                    let what = format!("stands in {}(…) and is {own}, not a plain number", function.name());
+                    let what = format!("is an argument of {}(…) and is {own}, not a plain number", function.name());
                     return Err(fault(argument, &what));
                 }
             }

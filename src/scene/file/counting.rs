@@ -1,10 +1,10 @@
-//! The units in which a call without a scene counts: that of its first length, and that of its modulus.
+//! The units of a call without a scene, taken from its first length and its modulus.
 
 use crate::expr::{Expr, Formula, Symbol};
 use crate::scene::file::check::{Dimensions, refuse_other_than_length};
 use crate::scene::{Dimension, DimensionedNumber, SceneError, Unit};
 
-/// The units of a call; both are `None` where all of its numbers are bare.
+/// The units of a call; both are `None` if no number has a unit.
 ///
 /// ```
 /// use sneddon::scene::{Counting, Dimension, DimensionedNumber};
@@ -19,42 +19,42 @@ pub struct Counting {
     pressure: Option<Unit>,
 }
 
-/// The names of forces and energies that are known: a symbol and the exponents of ten of its factors.
+/// Names of forces and energies: the symbol and the exponents of ten of its factors.
 const PREFIXES: [(&str, i64); 12] =
     [("f", -15), ("p", -12), ("n", -9), ("u", -6), ("m", -3), ("", 0), ("k", 3), ("M", 6), ("G", 9), ("T", 12), ("a", -18), ("z", -21)];
 
 impl Counting {
-    /// The unit of the first length among the texts, and that of the modulus.
+    /// Determines the units from the first length among the texts and from the modulus.
     pub fn of<'a>(texts: impl IntoIterator<Item = &'a str>, modulus: Option<&str>) -> Self {
         let unit = |text: &str| DimensionedNumber::parse(text).ok().and_then(|own| own.unit().cloned());
         let length = texts.into_iter().filter_map(unit).find(|own| own.dimension() == Dimension::LENGTH);
         Self { length, pressure: modulus.and_then(unit).filter(|own| own.dimension() == Dimension::PRESSURE) }
     }
 
-    /// True where something carries a unit.
+    /// Returns true if any number has a unit.
     pub fn has_units(&self) -> bool {
         self.length.is_some() || self.pressure.is_some()
     }
 
-    /// The number of a quantity of the wanted dimension in these units.
+    /// Returns the value of a quantity with the wanted dimension in these units.
     ///
     /// # Errors
-    /// [`SceneError`] for another dimension, and for a bare number where another one has a unit.
+    /// [`SceneError`] for another dimension, and for a number without a unit if other numbers have one.
     pub fn number(&self, name: &str, quantity: &DimensionedNumber, wanted: Dimension) -> Result<Expr, SceneError> {
         match quantity.dimension() {
             None if !self.has_units() || wanted.is_none() || quantity.is_zero() => Ok(quantity.in_base()),
-            None => Err(SceneError::unit(format!("{name} = {} has no unit, and other numbers of the call have one", quantity.text()))
-                .help(format!("write its unit behind it, such as \"{} {}\"", quantity.text(), self.example(wanted)))),
+            None => Err(SceneError::unit(format!("{name} = {} has no unit, but other numbers have one", quantity.text()))
+                .help(format!("add a unit, such as \"{} {}\"", quantity.text(), self.example(wanted)))),
             Some(own) if own != wanted => Err(SceneError::unit(format!("{name} = {} is {own}, not {wanted}", quantity.text()))
-                .help(format!("a number with a unit such as {} is accepted", self.example(wanted)))),
+                .help(format!("expected a number with a unit such as {}", self.example(wanted)))),
             Some(_) => self.own(name, quantity),
         }
     }
 
-    /// The number of a quantity of any dimension in these units.
+    /// Returns the value of a quantity of any dimension in these units.
     ///
     /// # Errors
-    /// [`SceneError`] where it contains a force and no modulus has a unit.
+    /// [`SceneError`] if it contains a force and the modulus has no unit.
     pub fn own(&self, name: &str, quantity: &DimensionedNumber) -> Result<Expr, SceneError> {
         let Some(dimension) = quantity.dimension() else { return Ok(quantity.in_base()) };
         if dimension.is_none() {
@@ -62,10 +62,10 @@ impl Counting {
         }
         let (length, force) = dimension.exponents();
         let unknown = || {
-            SceneError::unit(format!("{name} = {} has a unit of force or of pressure without a modulus that has one", quantity.text()))
-                .help("give --effective-modulus with a unit as well, such as \"70 GPa\"")
+            SceneError::unit(format!("{name} = {} has a unit of force or pressure, but the effective modulus has no unit", quantity.text()))
+                .help("add a unit to the effective modulus, such as \"70 GPa\"")
         };
-        // A force is counted in pressure · length².
+        // The unit of force is pressure · length².
         let mut factor = Expr::one();
         if !force.is_zero() {
             factor = self.pressure.as_ref().ok_or_else(unknown)?.factor().pow(&force);
@@ -77,10 +77,10 @@ impl Counting {
         Ok(quantity.in_base() / factor)
     }
 
-    /// Refuses a profile that is not a length where its parameters have these dimensions.
+    /// Returns an error if the profile is not a length for these dimensions of its parameters.
     ///
     /// # Errors
-    /// [`SceneError`] that names the term.
+    /// [`SceneError`] with the term.
     pub fn check(&self, profile: &Formula, parameters: impl IntoIterator<Item = (Symbol, Dimension)>) -> Result<(), SceneError> {
         if self.length.is_none() {
             return Ok(());
@@ -89,7 +89,7 @@ impl Counting {
         refuse_other_than_length(profile, &known)
     }
 
-    /// The name of the unit in which a dimension is counted; empty where numbers are bare.
+    /// Returns the name of the unit of a dimension; empty if numbers have no units.
     pub fn name(&self, dimension: Dimension) -> String {
         let length = self.length.as_ref().map_or("", Unit::name);
         let pressure = self.pressure.as_ref().map_or("E*", Unit::name);
@@ -111,7 +111,7 @@ impl Counting {
         self.known_name(power, symbol).unwrap_or(product)
     }
 
-    /// A unit of a dimension, for advice.
+    /// Returns an example of a unit of a dimension, for help lines.
     fn example(&self, wanted: Dimension) -> String {
         match self.name(wanted) {
             name if name.is_empty() => "um".to_owned(),
@@ -120,7 +120,7 @@ impl Counting {
         }
     }
 
-    /// The name of pressure · length^power in newtons, where a prefix fits.
+    /// Returns pressure · length^power in newtons or joules if a prefix fits.
     fn known_name(&self, power: i64, symbol: &str) -> Option<String> {
         let factor = self.pressure.as_ref()?.factor() * self.length.as_ref()?.factor().pow(&Expr::integer(power));
         let ten = Expr::integer(10);

@@ -1,4 +1,4 @@
-//! `[data]`: what a scene says of the solver whose data are validated.
+//! The table `[data]`: properties of the solver whose data are validated.
 
 use crate::scene::file::dimensioned::to_f64;
 use crate::scene::file::document::{Entry, Table};
@@ -9,35 +9,35 @@ use std::ops::Range;
 /// The edges of the solver's domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Walls {
-    /// A half-space: no images.
+    /// A half-space, without periodic images.
     Free,
-    /// The domain repeats.
+    /// A periodic domain.
     Periodic,
-    /// Nothing is known.
+    /// Unknown.
     Unknown,
 }
 
-/// What a scene says of a solver's data, in computed units; whatever is `None` is inferred from the data.
+/// Properties of a solver's data in computing units; whatever is `None` is inferred from the data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Declared {
     /// The side of the square domain.
     pub side: Option<f64>,
-    /// Pixels along a side, per file.
+    /// Numbers of pixels along a side, one per file.
     pub grid: Vec<f64>,
     /// The edges of the domain.
     pub walls: Walls,
-    /// What the solver controlled.
+    /// The quantity that the solver controlled.
     pub control: Option<Control>,
-    /// True where pressures are means over pixels, false where they are values at their centres.
+    /// True if pressures are means over pixels, false if they are values at pixel centres.
     pub cells: Option<bool>,
-    /// True where pressures and forces are positive in tension.
+    /// True if pressures and forces are positive in tension.
     pub tension: bool,
     /// The relative tolerance at which the solver stopped.
     pub tolerance: f64,
 }
 
 impl Declared {
-    /// Nothing is said.
+    /// Returns an empty declaration.
     pub fn nothing() -> Self {
         Self { side: None, grid: Vec::new(), walls: Walls::Unknown, control: None, cells: None, tension: false, tolerance: 0.0 }
     }
@@ -49,7 +49,7 @@ pub(in crate::scene) struct Typed {
     rest: Declared,
 }
 
-/// The most pixels along a side.
+/// Maximum number of pixels along a side.
 const MOST: usize = 1 << 24;
 
 impl Typed {
@@ -71,12 +71,12 @@ impl Typed {
         Ok(Self { side, rest: Declared { side: None, grid, walls, control, cells, tension, tolerance } })
     }
 
-    /// The side of the box, for its unit.
+    /// Returns the side of the box, which may define a unit.
     pub(in crate::scene) fn side(&self) -> Option<&DimensionedNumber> {
         self.side.as_ref().map(|own| &own.0)
     }
 
-    /// The numbers in the system of the scene.
+    /// Converts the numbers to the units of the scene.
     pub(in crate::scene) fn declared(self, system: &System) -> Result<Declared, SceneError> {
         let side = match &self.side {
             None => None,
@@ -84,7 +84,7 @@ impl Typed {
                 side if side > 0.0 => Some(side),
                 _ => {
                     let message = format!("box = {} is not positive", quantity.text());
-                    return Err(SceneError::value(message).help("a length above 0 would be accepted").at(span.clone()));
+                    return Err(SceneError::value(message).help("expected a positive length").at(span.clone()));
                 }
             },
         };
@@ -92,7 +92,7 @@ impl Typed {
     }
 }
 
-/// One whole number, or a list of them.
+/// Reads a whole number, or a list of them.
 fn counts(entry: &Entry<'_>) -> Result<Vec<f64>, SceneError> {
     let one = |entry: &Entry<'_>| Ok(entry.count(MOST)? as f64);
     match entry.list() {
@@ -106,7 +106,7 @@ fn fraction(entry: &Entry<'_>) -> Result<f64, SceneError> {
     if (0.0..1.0).contains(&value) {
         return Ok(value);
     }
-    Err(SceneError::value(format!("tolerance = {value:?} does not lie between 0 and 1"))
-        .help("the relative tolerance of the solver, such as 1e-9, would be accepted")
+    Err(SceneError::value(format!("tolerance = {value:?} is not between 0 and 1"))
+        .help("expected the relative tolerance of the solver, such as 1e-9")
         .at(entry.span()))
 }

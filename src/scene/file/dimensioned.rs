@@ -8,7 +8,7 @@ use crate::scene::{Dimension, SceneError, Unit};
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-/// A number, exactly, with its unit if it has one.
+/// An exact number, with a unit or without.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DimensionedNumber {
     text: String,
@@ -17,7 +17,7 @@ pub struct DimensionedNumber {
 }
 
 impl DimensionedNumber {
-    /// Reads a number with or without a unit behind it.
+    /// Parses a number with or without a unit.
     ///
     /// ```
     /// use sneddon::scene::{Dimension, DimensionedNumber};
@@ -27,47 +27,47 @@ impl DimensionedNumber {
     /// ```
     ///
     /// # Errors
-    /// [`SceneError`] where it is neither.
+    /// [`SceneError`] if the text is neither.
     pub fn parse(text: &str) -> Result<Self, SceneError> {
         let trimmed = text.trim();
         let split = number_length(trimmed);
         let (number, unit) = trimmed.split_at(split);
-        // Without digits in front, or without a unit behind, the whole is a constant such as pi/6.
+        // If there are no leading digits or no trailing unit, the text is a constant such as pi/6.
         if split == 0 || unit.trim().is_empty() {
             return Self::plain(trimmed);
         }
         let number = constant(number)?;
         match Unit::parse(unit) {
             Ok(unit) => Ok(Self { text: trimmed.to_owned(), number, unit: Some(unit) }),
-            // 2*pi is no unit but a constant.
+            // 2*pi is a constant, not a number with a unit.
             Err(error) => Self::plain(trimmed).map_err(|_| error),
         }
     }
 
-    /// Reads a number without a unit.
+    /// Parses a number without a unit.
     ///
     /// # Errors
-    /// [`SceneError`] where it is none.
+    /// [`SceneError`] if the text is not a number.
     pub fn plain(text: &str) -> Result<Self, SceneError> {
         Ok(Self { text: text.trim().to_owned(), number: constant(text.trim())?, unit: None })
     }
 
-    /// As it was typed.
+    /// Returns the text as typed.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The dimension of its unit; `None` for a bare number.
+    /// Returns the dimension of the unit; `None` without a unit.
     pub fn dimension(&self) -> Option<Dimension> {
         self.unit.as_ref().map(Unit::dimension)
     }
 
-    /// The unit, where it has one.
+    /// Returns the unit, if there is one.
     pub fn unit(&self) -> Option<&Unit> {
         self.unit.as_ref()
     }
 
-    /// The number in m and N, or as it stands without a unit.
+    /// Returns the number in m and N, or the number itself without a unit.
     pub fn in_base(&self) -> Expr {
         match &self.unit {
             Some(unit) => &self.number * unit.factor(),
@@ -75,34 +75,34 @@ impl DimensionedNumber {
         }
     }
 
-    /// The same multiplied by a number.
+    /// Returns the quantity multiplied by a number.
     #[must_use]
     pub(in crate::scene) fn times(&self, factor: &Expr) -> Self {
         Self { number: &self.number * factor, ..self.clone() }
     }
 
-    /// What an angle lacks of a right one, in radians.
+    /// Returns the complement of an angle, in radians.
     #[must_use]
     pub(in crate::scene) fn complement(&self) -> Self {
         Self { text: self.text.clone(), number: Expr::pi() / Expr::integer(2) - self.in_base(), unit: None }
     }
 
-    /// The angle times a power of 180/π, as a bare number, which a scene with units does not accept as a length.
+    /// Returns the angle times a power of 180/π without a unit, so that it cannot be used as a length in a scene with units.
     pub(in crate::scene) fn turned(&self, power: i64) -> Self {
         let turn = Expr::integer(180) / Expr::pi();
         Self { text: self.text.clone(), number: self.in_base() * turn.power(power), unit: None }
     }
 
-    /// True for 0, whatever its unit.
+    /// Returns true for 0 in any unit.
     pub fn is_zero(&self) -> bool {
         self.number.is_zero()
     }
 }
 
-/// The nearest `f64` of an exact number.
+/// Returns the nearest `f64` of an exact number.
 ///
 /// # Errors
-/// [`SceneError`] where it is too large or too small.
+/// [`SceneError`] if it overflows or underflows.
 pub(in crate::scene) fn to_f64(number: &Expr) -> Result<f64, SceneError> {
     let value = match number.as_number() {
         Some(number) => number.to_f64(),
@@ -110,16 +110,16 @@ pub(in crate::scene) fn to_f64(number: &Expr) -> Result<f64, SceneError> {
     };
     if !value.is_finite() || (value == 0.0 && !number.is_zero()) {
         return Err(
-            SceneError::value("this is no number that a 64-bit float can hold").help("a number such as 0.5, 3/2 or 1e-6 would be accepted")
+            SceneError::value("the number is outside the range of 64-bit floating-point numbers").help("expected a number such as 0.5, 3/2 or 1e-6")
         );
     }
     Ok(value)
 }
 
-/// The same with 31 digits where the number is a fraction.
+/// Returns the number with 31 digits if it is a fraction, else like [`to_f64`].
 ///
 /// # Errors
-/// As [`to_f64`].
+/// See [`to_f64`].
 pub(crate) fn to_double_double(number: &Expr) -> Result<DoubleDouble, SceneError> {
     let nearest = to_f64(number)?;
     let rest = number.as_number().zip(BigRational::from_float(nearest)).and_then(|(exact, near)| (exact.value() - near).to_f64());
@@ -130,12 +130,12 @@ fn constant(text: &str) -> Result<Expr, SceneError> {
     let text = text.trim();
     let own = parse::constant(text.strip_prefix('+').unwrap_or(text));
     own.map_err(|error| {
-        SceneError::value(format!("{text:?} is no number: {}", error.reason()))
-            .help("a number such as 0.5, 3/2 or 1e-6, or one with a unit such as \"250 nm\", would be accepted")
+        SceneError::value(format!("{text:?} is not a number: {}", error.reason()))
+            .help("expected a number such as 0.5, 3/2 or 1e-6, with or without a unit, such as \"250 nm\"")
     })
 }
 
-/// The bytes of a decimal number, or of a fraction of two, at the beginning.
+/// Returns the number of leading bytes that form a decimal number, or a fraction of two.
 fn number_length(text: &str) -> usize {
     let one = decimal_length(text);
     let behind = text.get(one..).unwrap_or_default();

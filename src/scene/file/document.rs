@@ -1,4 +1,4 @@
-//! A scene file as TOML with places: tables whose keys are all known, and values of the kind that is wanted.
+//! A scene file as TOML with positions: tables whose keys are checked, and values whose types are checked.
 
 use crate::scene::error::Reason;
 use crate::scene::{DimensionedNumber, SceneError};
@@ -6,16 +6,16 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The longest scene file, in bytes.
+/// Maximum size of a scene file, in bytes.
 pub const LONGEST: usize = 1 << 24;
 
 /// The tables of a scene.
 pub(in crate::scene) const TABLES: [&str; 7] = ["profile", "material", "counterbody", "load", "outputs", "method", "data"];
 
-/// Reads the text of a scene file.
+/// Parses the text of a scene file.
 ///
 /// # Errors
-/// [`SceneError`] with the place where it is no TOML.
+/// [`SceneError`] with the position if it is not valid TOML.
 pub(in crate::scene) fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, SceneError> {
     if text.len() > LONGEST {
         return Err(SceneError::value(format!("the scene has {} bytes, the limit is {LONGEST}", text.len())));
@@ -23,9 +23,9 @@ pub(in crate::scene) fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, Scene
     DeTable::parse(text).map_err(|error| {
         let message = error.message().trim().replace('\n', "; ");
         let fault = |message| {
-            SceneError::new(Reason::Syntax(message)).help("a scene file such as `sneddon scene new sphere` writes would be accepted")
+            SceneError::new(Reason::Syntax(message)).help("expected a scene file; `sneddon scene new sphere` creates an example")
         };
-        // A file that is no scene is not shown; it may be confidential.
+        // Do not quote a file that is not a scene; it may be confidential.
         let opens = |line: &str, table: &str| {
             let rest = line.trim_start().strip_prefix('[').and_then(|own| own.strip_prefix(table));
             rest.is_some_and(|own| own.trim_start().is_empty() || own.trim_start().starts_with(']'))
@@ -58,12 +58,12 @@ pub(in crate::scene) struct Entry<'t> {
 }
 
 impl<'t> Table<'t> {
-    /// The whole file.
+    /// Returns the whole file as a table.
     pub(in crate::scene) fn root(document: &'t Spanned<DeTable<'t>>, text: &'t str) -> Self {
         Self { name: "the scene".to_owned(), entries: document.get_ref(), span: 0..0, text }
     }
 
-    /// Refuses every key that is not known, and suggests the nearest one.
+    /// Returns an error for the first unknown key, with the nearest known key.
     pub(in crate::scene) fn allow(&self, known: &[&str]) -> Result<(), SceneError> {
         for key in self.entries.keys() {
             let own: &str = key.get_ref();
@@ -73,53 +73,53 @@ impl<'t> Table<'t> {
             let error = SceneError::new(Reason::UnknownKey { key: own.chars().take(60).collect(), table: self.name.clone() });
             let nearest = nearest(own, known);
             let help = match nearest {
-                Some(near) => format!("did you mean {near}? known are {}", known.join(", ")),
-                None => format!("known are {}", known.join(", ")),
+                Some(near) => format!("did you mean {near}? expected one of {}", known.join(", ")),
+                None => format!("expected one of {}", known.join(", ")),
             };
             return Err(error.help(help).at(key.span()));
         }
         Ok(())
     }
 
-    /// The value of a key.
+    /// Returns the value of a key.
     pub(in crate::scene) fn get(&self, key: &str) -> Option<Entry<'t>> {
         let value = self.entries.get(key)?;
         Some(Entry { key: key.to_owned(), value, text: self.text })
     }
 
-    /// The value of a key that must be there.
+    /// Returns the value of a required key.
     pub(in crate::scene) fn demand(&self, key: &str, help: &str) -> Result<Entry<'t>, SceneError> {
-        let missing = || SceneError::missing(format!("{} has no {key}", self.name)).help(help).at(self.span.clone());
+        let missing = || SceneError::missing(format!("{} has no key {key}", self.name)).help(help).at(self.span.clone());
         self.get(key).ok_or_else(missing)
     }
 
-    /// The table of a key.
+    /// Returns the table of a key.
     pub(in crate::scene) fn table(&self, key: &str) -> Result<Option<Table<'t>>, SceneError> {
         self.get(key).map(|entry| entry.table(format!("[{key}]"))).transpose()
     }
 
-    /// Every key with its value.
+    /// Returns all keys with their values.
     pub(in crate::scene) fn entries(&self) -> impl Iterator<Item = Entry<'t>> {
         self.entries.iter().map(|(key, value)| Entry { key: key.get_ref().to_string(), value, text: self.text })
     }
 
-    /// The place of the table.
+    /// Returns the position of the table.
     pub(in crate::scene) fn span(&self) -> Range<usize> {
         self.span.clone()
     }
 
-    /// The place of a key itself.
+    /// Returns the position of the key itself.
     pub(in crate::scene) fn key_span(&self, key: &str) -> Range<usize> {
         self.entries.keys().find(|own| own.get_ref() == key).map_or(self.span.clone(), Spanned::span)
     }
 
-    /// The name with which errors speak of the table.
+    /// Returns the name of the table in error messages.
     pub(in crate::scene) fn name(&self) -> &str {
         &self.name
     }
 }
 
-/// The known word that is most like the given one, if any is: one slip away, or alike for the most part.
+/// Returns the known word closest to the given one: one edit away, or mostly equal.
 pub(in crate::scene) fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
     let word: String = word.chars().take(60).collect::<String>().to_lowercase();
     let likeness = |own: &str| {
@@ -133,12 +133,12 @@ pub(in crate::scene) fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<&'k
 }
 
 impl<'t> Entry<'t> {
-    /// The key.
+    /// Returns the key.
     pub(in crate::scene) fn key(&self) -> &str {
         &self.key
     }
 
-    /// The bytes of the value.
+    /// Returns the bytes of the value.
     pub(in crate::scene) fn span(&self) -> Range<usize> {
         self.value.span()
     }
@@ -155,12 +155,12 @@ impl<'t> Entry<'t> {
         SceneError::new(Reason::Kind { key: self.key.clone(), found, expected }).at(self.span())
     }
 
-    /// A string.
+    /// Reads a string.
     pub(in crate::scene) fn string(&self) -> Result<&'t str, SceneError> {
         self.value.get_ref().as_str().ok_or_else(|| self.kind("a string"))
     }
 
-    /// The place of a part of a string, where the string stands in the file as it reads.
+    /// Returns the position of a part of a string, or of the whole value if the string contains escapes.
     pub(in crate::scene) fn part(&self, part: Range<usize>) -> Range<usize> {
         let own = self.span();
         let inner = own.start + 1..own.end.saturating_sub(1);
@@ -170,30 +170,30 @@ impl<'t> Entry<'t> {
         }
     }
 
-    /// A truth value.
+    /// Reads a boolean.
     pub(in crate::scene) fn boolean(&self) -> Result<bool, SceneError> {
         self.value.get_ref().as_bool().ok_or_else(|| self.kind("true or false"))
     }
 
-    /// A table under a name of its own.
+    /// Reads a table, with the name to use in error messages.
     pub(in crate::scene) fn table(&self, name: String) -> Result<Table<'t>, SceneError> {
         let entries = self.value.get_ref().as_table().ok_or_else(|| self.kind("a table"))?;
         Ok(Table { name, entries, span: self.span(), text: self.text })
     }
 
-    /// True where the value is a table.
+    /// Returns true if the value is a table.
     pub(in crate::scene) fn is_table(&self) -> bool {
         self.value.get_ref().is_table()
     }
 
-    /// The values of a list.
+    /// Returns the values of a list.
     pub(in crate::scene) fn list(&self) -> Option<impl ExactSizeIterator<Item = Entry<'t>>> {
         let array = self.value.get_ref().as_array()?;
         let (key, text) = (self.key.clone(), self.text);
         Some(array.iter().map(move |value| Entry { key: key.clone(), value, text }))
     }
 
-    /// A number, bare or in a string with its unit.
+    /// Reads a number, either bare or in a string with its unit.
     pub(in crate::scene) fn quantity(&self) -> Result<DimensionedNumber, SceneError> {
         let read = match self.value.get_ref() {
             DeValue::String(text) => DimensionedNumber::parse(text),
@@ -204,17 +204,17 @@ impl<'t> Entry<'t> {
         read.map_err(|error| error.at(self.span()))
     }
 
-    /// A whole number from 1 to `most`.
+    /// Reads a whole number from 1 to `most`.
     pub(in crate::scene) fn count(&self, most: usize) -> Result<usize, SceneError> {
         let number = self.value.get_ref().as_integer().ok_or_else(|| self.kind("a whole number"))?;
         let read: Option<usize> = (number.radix() == 10).then(|| number.as_str().parse().ok()).flatten();
         match read {
             Some(count) if count >= 1 && count <= most => Ok(count),
-            _ => Err(SceneError::value(format!("{} = {} is no number from 1 to {most}", self.key, number.as_str())).at(self.span())),
+            _ => Err(SceneError::value(format!("{} = {} is not a whole number from 1 to {most}", self.key, number.as_str())).at(self.span())),
         }
     }
 
-    /// One of a few words.
+    /// Reads one of the known words.
     pub(in crate::scene) fn word(&self, known: &[&'static str]) -> Result<&'static str, SceneError> {
         let own = self.string()?;
         known.iter().copied().find(|word| *word == own).ok_or_else(|| {

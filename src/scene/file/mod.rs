@@ -1,7 +1,7 @@
-//! What a scene file says: its keys with their places, numbers with units, formulas, and the checks of what was typed.
+//! Parses scene files: keys and positions, numbers with units, formulas, and checks of their dimensions.
 //!
-//! `document` knows keys and places, `read` and `reading` make a scene of them, `check` sees that dimensions agree.
-//! Nothing is solved here.
+//! `document` handles keys and positions, `read` and `reading` build a scene, and `check` verifies dimensions.
+//! No contact problem is solved here.
 
 pub(crate) mod argument;
 pub(crate) mod change;

@@ -1,4 +1,4 @@
-//! A scene from the text of its file.
+//! Reads a scene from the text of its file.
 
 use crate::contact::ContactError;
 use crate::expr::{Bindings, Expr, Formula, Symbol};
@@ -35,28 +35,28 @@ use std::ops::Range;
 /// depth = "0.1 um"
 /// "#;
 /// assert_eq!(sneddon::scene::scene(text).unwrap().effective_modulus, 3e9);
-/// assert_eq!(sneddon::scene::scene("[profil]").unwrap_err().accepted(), Some("did you mean profile? known are profile, material, counterbody, load, outputs, method, data"));
+/// assert_eq!(sneddon::scene::scene("[profil]").unwrap_err().accepted(), Some("did you mean profile? expected one of profile, material, counterbody, load, outputs, method, data"));
 /// ```
 ///
 /// # Errors
-/// [`SceneError`] with the place in the text.
+/// [`SceneError`] with the position in the text.
 pub fn scene(text: &str) -> Result<Scene, SceneError> {
     let mut found = scene_for_grid(text)?;
     found.lacking.take().map_or(Ok(found), Err)
 }
 
-/// The same scene for curves on a grid that stands elsewhere: `at` may be missing.
+/// Reads a scene whose curves are evaluated on another grid, so that `at` may be missing.
 ///
 /// # Errors
-/// As [`scene`].
+/// See [`scene`].
 pub fn scene_for_grid(text: &str) -> Result<Scene, SceneError> {
     changed(text, true, &Change::None)
 }
 
-/// The same scene for data that may bring their own loads and places, with one thing of it taken for another.
+/// Reads a scene for data with loads and coordinates of their own, and applies a change.
 ///
 /// # Errors
-/// As [`scene`]; a scene without `[load]` has no loads.
+/// See [`scene`]; without `[load]` the scene has no loads.
 pub fn scene_for_data(text: &str, change: &Change) -> Result<Scene, SceneError> {
     changed(text, false, change)
 }
@@ -65,7 +65,7 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     let document = parsed(text)?;
     let root = Table::root(&document, text);
     root.allow(&TABLES)?;
-    let complete = "[profile], [material] and [load] make a scene; `sneddon scene new sphere` writes one";
+    let complete = "expected [profile], [material] and [load]; `sneddon scene new sphere` creates an example";
     root.demand("profile", complete)?;
     root.demand("material", complete)?;
     if needs_load {
@@ -82,18 +82,18 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     let measured = Measured::read(&profile)?;
     let punch = Punch::read(&profile)?;
     if let (None, Some(area)) = (&punch, profile.get("area")) {
-        return Err(SceneError::missing("area has no cross_section").help("cross_section = \"square\" would be accepted").at(area.span()));
+        return Err(SceneError::missing("area requires a cross_section").help("expected a cross-section as well, such as cross_section = \"square\"").at(area.span()));
     }
     material.allow(&body::KEYS)?;
     let flat = || punch.as_ref().map(|_| Tip::flat(profile.span()));
     let tip = Tip::read(&profile, change)?.or_else(flat).ok_or_else(|| {
         SceneError::missing("[profile] has no shape")
-            .help("f = \"r^2/(2*R)\", shape = \"sphere\" or points = \"tip.csv\" would be accepted")
+            .help("expected f = \"r^2/(2*R)\", shape = \"sphere\" or points = \"tip.csv\"")
             .at(profile.span())
     })?;
     if let (Some(_), Some(shape)) = (&punch, counterbody.as_ref().and_then(|table| ["f", "shape"].iter().find_map(|key| table.get(key)))) {
-        return Err(SceneError::value("a punch with a cross-section is known against a flat body only")
-            .help("a counterbody without a shape would be accepted")
+        return Err(SceneError::value("a punch with a non-circular cross-section requires a flat counterbody")
+            .help("expected a counterbody without a shape")
             .at(shape.span()));
     }
     let mut first = Body::read(&material, false)?;
@@ -143,8 +143,8 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     }
     let rim = match (&radius, &tip.rim) {
         (Some((_, span)), Some((name, _))) if tip.parameters.iter().any(|own| own.symbol.name() == *name && own.span != *span) => {
-            let message = format!("the radius of the indenter is given twice: radius, and the parameter {name}");
-            return Err(SceneError::value(message).help("one of the two would be accepted").at(span.clone()));
+            let message = format!("the radius of the indenter is given twice: as radius and as the parameter {name}");
+            return Err(SceneError::value(message).help("expected only one of them").at(span.clone()));
         }
         (Some((quantity, span)), _) => Some(positive(system.number(quantity, Dimension::LENGTH, "radius"), "radius", quantity, span)?),
         (None, Some((_, quantity))) => Some(system.number(quantity, Dimension::LENGTH, "the radius of the indenter")?),
@@ -156,8 +156,8 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     };
     let bound = read(&formula, &tip.span)?;
     if rim.is_none() && bound.is_flat() && measured.is_none() {
-        return Err(SceneError::missing("a flat punch needs the radius of its vertical side")
-            .help("radius = \"2 um\" in [profile] would be accepted")
+        return Err(SceneError::missing("a flat punch requires a radius")
+            .help("expected radius = \"2 um\" in [profile]")
             .at(tip.span.clone()));
     }
     let effective_modulus = body::together(first.modulus(&system)?, second.modulus(&system)?, material.span())?;
@@ -171,8 +171,8 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     if scene.outputs.curves.contains(&Quantity::AxialStress)
         && let Some(body) = [&first, &second].into_iter().find(|own| !own.is_isotropic())
     {
-        return Err(SceneError::value("sigma_zz is known in isotropic bodies only, and this one is transversely isotropic")
-            .help("a material by E and nu, or quantities without sigma_zz, would be accepted")
+        return Err(SceneError::value("sigma_zz is available only for isotropic bodies, but this one is transversely isotropic")
+            .help("expected a material given by E and nu, or quantities without sigma_zz")
             .at(body.span()));
     }
     if punch.is_some() {
@@ -197,12 +197,12 @@ fn length_unit(entry: &Entry<'_>) -> Result<Unit, SceneError> {
     Err(SceneError::unit(format!("{} is {}, not a length", unit.name(), unit.dimension())).at(entry.span()))
 }
 
-/// A value that must be above 0, with the text that was typed.
+/// Returns a value, or an error with the typed text unless the value is positive.
 fn positive(value: Result<f64, SceneError>, what: &str, typed: &DimensionedNumber, span: &Range<usize>) -> Result<f64, SceneError> {
     match value {
         Ok(value) if value > 0.0 => Ok(value),
         Ok(_) => Err(SceneError::value(format!("{what} = {} is not positive", typed.text()))
-            .help("a number above 0 would be accepted")
+            .help("expected a positive number")
             .at(span.clone())),
         Err(error) => Err(error.at(span.clone())),
     }
@@ -213,7 +213,7 @@ struct Tip {
     formula: Formula,
     parameters: Vec<Parameter>,
     rim: Option<(&'static str, DimensionedNumber)>,
-    /// The name of the shape; empty where it was typed.
+    /// The name of the shape; empty for a formula.
     name: &'static str,
     span: Range<usize>,
 }
@@ -225,12 +225,12 @@ struct Parameter {
 }
 
 impl Tip {
-    /// f = 0.
+    /// Creates the profile f = 0.
     fn flat(span: Range<usize>) -> Self {
         Self { formula: Formula::zero(), parameters: Vec::new(), rim: None, name: "", span }
     }
 
-    /// The parameter R, or c of a cylinder, with its number.
+    /// Returns the parameter R, or c of a cylinder, with its value.
     fn length(&self, system: &System) -> Option<(String, f64)> {
         let own = self.parameters.iter().find(|own| own.symbol.name() == "R").or_else(|| {
             let rim = self.rim.as_ref()?.0;
@@ -240,17 +240,17 @@ impl Tip {
         Some((own.symbol.name().to_owned(), to_f64(&exact).ok()?))
     }
 
-    /// Reads f or shape with their parameters; `None` where a table has neither.
+    /// Reads f or shape with their parameters; `None` if the table has neither.
     fn read(table: &Table<'_>, change: &Change) -> Result<Option<Self>, SceneError> {
         let ways = ["f", "shape", "points"].map(|key| table.get(key));
         if ways.iter().flatten().count() > 1 {
             let second = ways.iter().flatten().nth(1).map_or(table.span(), |entry| table.key_span(entry.key()));
-            return Err(SceneError::value(format!("{} has more than one of f, shape and points", table.name()))
-                .help("one of them would be accepted")
+            return Err(SceneError::value(format!("{} contains more than one of f, shape and points", table.name()))
+                .help("expected only one of them")
                 .at(second));
         }
         let [f, shape, points] = ways;
-        // A parameter that cancels was typed all the same.
+        // A parameter that cancels from the formula may still have a value.
         let typed = f.as_ref().and_then(|own| own.string().ok()).map(parse::parameters).unwrap_or_default();
         let mut parameters = Self::parameters(table, change)?;
         let (formula, rim, name, span) = match (f, shape) {
@@ -269,14 +269,14 @@ impl Tip {
                     .and_then(|name| parameters.iter().find(|own| own.symbol.name() == name).map(|own| (name, own.quantity.clone())));
                 (parse::profile(way.f).map_err(SceneError::from)?, rim, shape.name, entry.span())
             }
-            // The numbers of a measured tip come later, and are added to this.
+            // The points of a measured tip are read later and added to this.
             (None, None) => match points {
                 Some(points) => (Formula::zero(), None, "", points.span()),
                 None => return Ok(None),
             },
         };
         let wanted: Vec<Symbol> = formula.symbols().into_iter().filter(|own| own.name() != "r").collect();
-        // The radius of a flat cylinder is no part of f = 0.
+        // The radius of a flat cylinder does not appear in f = 0.
         let known = |own: &Symbol| wanted.contains(own) || typed.contains(own) || rim.as_ref().is_some_and(|(name, _)| *name == own.name());
         let names: Vec<&str> = wanted.iter().map(Symbol::name).collect();
         if let Some(unknown) = parameters.iter().find(|own| !known(&own.symbol)) {
@@ -287,7 +287,7 @@ impl Tip {
                 .at(unknown.span.clone()));
         }
         if let Some(missing) = wanted.iter().find(|own| parameters.iter().all(|known| known.symbol != **own)) {
-            let help = format!("parameters = {{ {missing} = … }} in {} would be accepted", table.name());
+            let help = format!("expected a value, such as parameters = {{ {missing} = … }} in {}", table.name());
             return Err(SceneError::missing(format!("the parameter {missing} of f has no value")).help(help).at(span));
         }
         Ok(Some(Self { formula, parameters, rim, name, span }))
@@ -298,11 +298,11 @@ impl Tip {
         let own = entry.table("parameters".to_owned())?;
         let mut list = Vec::new();
         for entry in own.entries() {
-            // Read as an expression, so that theta and its letter are one name here as well.
+            // Parse the name as an expression, so that theta and θ are the same name.
             let symbol =
                 parse::formula(entry.key()).ok().and_then(|formula| formula.as_closed().and_then(|expr| expr.as_symbol().cloned()));
             let symbol =
-                symbol.ok_or_else(|| SceneError::value(format!("{:?} is no name of a parameter", entry.key())).at(entry.span()))?;
+                symbol.ok_or_else(|| SceneError::value(format!("{:?} is not a valid name of a parameter", entry.key())).at(entry.span()))?;
             let quantity = change.of(symbol.name(), &entry.quantity()?);
             positive(to_f64(&quantity.in_base()), symbol.name(), &quantity, &entry.span())?;
             list.push(Parameter { symbol, quantity, span: entry.span() });
@@ -310,11 +310,11 @@ impl Tip {
         Ok(list)
     }
 
-    /// The named shape, and the way that fits the parameters that were given.
+    /// Returns the named shape, and the parametrization that matches the given parameters.
     fn named(entry: &Entry<'_>, parameters: &mut Vec<Parameter>, table: &Table<'_>) -> Result<(&'static Shape, &'static Way), SceneError> {
         let text = entry.string()?;
         let found = known_shape(text).map_err(|error| error.at(entry.span()))?;
-        // The radius of the cylinder may stand as the parameter or as [profile] radius.
+        // The radius of a cylinder may be a parameter or the radius of [profile].
         if let (Some(rim), Some(radius)) = (found.rim, table.get("radius"))
             && parameters.iter().all(|own| own.symbol.name() != rim)
             && found.ways.first().is_some_and(|way| way.f.contains(rim))
@@ -325,15 +325,15 @@ impl Tip {
         for own in parameters.iter() {
             let is_angle = way.is_some_and(|way| way.parameters.iter().any(|known| known.is_angle() && known.name == own.symbol.name()));
             if is_angle && to_f64(&own.quantity.in_base()).is_ok_and(|angle| angle >= FRAC_PI_2) {
-                return Err(SceneError::value(format!("{} = {} is no angle of a cone", own.symbol, own.quantity.text()))
-                    .help("an angle above 0 and below 90 deg would be accepted, such as \"12 deg\"; a bare number is in radians")
+                return Err(SceneError::value(format!("{} = {} is not a valid angle of a cone", own.symbol, own.quantity.text()))
+                    .help("expected an angle above 0 and below 90 deg, such as \"12 deg\"; a number without a unit is in radians")
                     .at(own.span.clone()));
             }
         }
         way.map(|way| (found, way)).ok_or_else(|| SceneError::missing(format!("{} has no formula", found.name)))
     }
 
-    /// The parameters as numbers of the system.
+    /// Returns the values of the parameters in the units of the scene.
     fn values(&self, system: &System) -> Bindings {
         let mut values = Bindings::default();
         for own in &self.parameters {
@@ -344,7 +344,7 @@ impl Tip {
         values
     }
 
-    /// f with its parameters as numbers of the system.
+    /// Returns f with the values of its parameters in the units of the scene.
     fn formula(&self, system: &System, strict: bool) -> Result<Formula, SceneError> {
         let (mut numbers, mut values, mut known) = (Bindings::default(), Bindings::default(), Dimensions::new());
         for own in &self.parameters {

@@ -1,4 +1,4 @@
-//! Loads, outputs and method of a scene, as typed, and as numbers of its system.
+//! The loads, outputs and method of a scene, as typed and as numbers in its units.
 
 use crate::contact::Kind;
 use crate::scene::file::dimensioned::to_double_double;
@@ -10,7 +10,7 @@ use crate::scene::{Control, DepthFrom, Dimension, DimensionedNumber, Loads, Quan
 use crate::transform::Method;
 use std::ops::Range;
 
-/// The most loads of a scene, and the most radii of its curves.
+/// Maximum number of loads, and of points of a curve.
 const MOST: usize = 100_000_000;
 
 /// Numbers as typed; the ends of a range are start and stop.
@@ -19,7 +19,7 @@ enum Typed {
     Range { ends: Box<[(DimensionedNumber, Range<usize>); 2]>, count: usize, logarithmic: bool },
 }
 
-/// What is loaded, wanted and demanded.
+/// The tables `[load]`, `[outputs]` and `[method]`.
 pub(in crate::scene) struct Asked {
     control: Control,
     loads: Typed,
@@ -63,26 +63,26 @@ impl Asked {
         load.allow(&["depth", "force", "contact_radius", "depth_from"])?;
         let controls = [Control::Depth, Control::Force, Control::ContactRadius];
         let given: Vec<(Control, Entry<'_>)> = controls.into_iter().filter_map(|own| Some((own, load.get(own.name())?))).collect();
-        let help = "one of depth, force and contact_radius would be accepted: a number, a list, or { start, stop, count }";
+        let help = "expected one of depth, force and contact_radius: a number, a list, or { start, stop, count }";
         let (control, entry) = match given.as_slice() {
             [only] => only,
             [] => return Err(SceneError::missing("[load] has no load").help(help).at(load.span())),
             [_, second, ..] => {
-                return Err(SceneError::value("[load] has more than one load").help(help).at(load.key_span(second.0.name())));
+                return Err(SceneError::value("[load] contains more than one load").help(help).at(load.key_span(second.0.name())));
             }
         };
         let depth_from = match load.get("depth_from") {
             None => DepthFrom::Apex,
             Some(entry) if entry.word(&["apex", "first_touch"])? == "apex" => DepthFrom::Apex,
             Some(entry) if *control != Control::Depth => {
-                return Err(SceneError::value("depth_from has a meaning for loads by depth only").at(entry.span()));
+                return Err(SceneError::value("depth_from requires a load by depth").at(entry.span()));
             }
             Some(_) => DepthFrom::FirstTouch,
         };
         Ok(Self::of(*control, numbers(entry)?, depth_from))
     }
 
-    /// Loads, and nothing asked of them but d, F, a and k.
+    /// Creates a request for d, F, a and k under these loads.
     fn of(control: Control, loads: Typed, depth_from: DepthFrom) -> Self {
         Self {
             control,
@@ -107,14 +107,14 @@ impl Asked {
         self.at = outputs.get("at").map(|entry| numbers(&entry)).transpose()?;
         self.depths = outputs.get("depths").map(|entry| numbers(&entry)).transpose()?;
         if self.depths.is_none() && self.curves.iter().any(|own| own.coordinate() == "z") {
-            let missing = SceneError::missing("[outputs] has no depths: places below the surface where sigma_zz is wanted");
-            let help = "depths = { start = \"0 um\", stop = \"5 um\", count = 101 } would be accepted";
+            let missing = SceneError::missing("[outputs] has no depths: sigma_zz requires depths below the surface");
+            let help = "expected depths = { start = \"0 um\", stop = \"5 um\", count = 101 }";
             self.lacking = Some(missing.help(help).at(outputs.span()));
         }
         let names: Vec<&str> = self.curves.iter().filter(|own| own.coordinate() != "z").map(|own| own.key()).collect();
         if self.at.is_none() && !names.is_empty() {
-            let message = format!("[outputs] has no at: radii where {} are wanted", names.join(", "));
-            let help = "at = { start = \"0 um\", stop = \"2 um\", count = 101 } would be accepted";
+            let message = format!("[outputs] has no radii `at` for {}", names.join(", "));
+            let help = "expected at = { start = \"0 um\", stop = \"2 um\", count = 101 }";
             self.lacking = Some(SceneError::missing(message).help(help).at(outputs.span()));
         }
         let Some(entry) = outputs.get("units") else { return Ok(()) };
@@ -135,7 +135,7 @@ impl Asked {
         Ok(())
     }
 
-    /// Every number with its unit.
+    /// Returns all numbers with their units.
     pub(in crate::scene) fn quantities(&self) -> impl Iterator<Item = &DimensionedNumber> {
         std::iter::once(&self.loads)
             .chain(self.at.as_ref())
@@ -143,7 +143,7 @@ impl Asked {
             .flat_map(|typed| typed.typed().into_iter().map(|own| &own.0))
     }
 
-    /// Refuses loads that no contact has: negative forces and radii, and the radius of the indenter itself.
+    /// Returns an error for loads without a contact: negative forces and radii, and the radius of the indenter itself.
     fn refuse(&self, loads: &Loads, rim: Option<f64>) -> Result<(), SceneError> {
         if self.control == Control::Depth {
             return Ok(());
@@ -153,12 +153,12 @@ impl Asked {
             let fault = |message: String, help: &str| Err(SceneError::value(message).help(help).at(typed.1.clone()));
             let text = typed.0.text();
             if value < 0.0 {
-                let reason = if self.control == Control::Force { ": there is no adhesion" } else { "" };
-                return fault(format!("{name} = {text} is negative{reason}"), "numbers from 0 on would be accepted");
+                let reason = if self.control == Control::Force { ": adhesion is not supported" } else { "" };
+                return fault(format!("{name} = {text} is negative{reason}"), "expected numbers of at least 0");
             }
             if self.control == Control::ContactRadius && rim == Some(value) {
-                let message = format!("{name} = {text} is the radius of the indenter: every depth from g(c) on has it");
-                return fault(message, "a load by depth or force would be accepted");
+                let message = format!("{name} = {text} is the radius of the indenter, which the contact has at every depth above g(c)");
+                return fault(message, "expected a load by depth or force");
             }
         }
         Ok(())
@@ -174,8 +174,8 @@ impl Asked {
             Some(typed) => {
                 let at = typed.numbers(&scene.system, Dimension::LENGTH, key)?;
                 if at.extremes().is_some_and(|(low, _)| low < 0.0) {
-                    let message = format!("{key} has a negative {place}");
-                    return Err(SceneError::value(message).help("numbers from 0 on would be accepted").at(typed.span()));
+                    let message = format!("{key} contains a negative {place}");
+                    return Err(SceneError::value(message).help("expected numbers of at least 0").at(typed.span()));
                 }
                 Ok((at, typed.shown(&scene.system, Dimension::LENGTH)?))
             }
@@ -183,7 +183,7 @@ impl Asked {
         let ((at, shown_at), (depths, shown_depths)) = (grid(&self.at, "at", "radius")?, grid(&self.depths, "depths", "depth")?);
         let shown = crate::scene::Shown { loads: self.loads.shown(&scene.system, dimension)?, at: shown_at, depths: shown_depths };
         let mut data = self.data;
-        // The load itself always stands in its row.
+        // A row always contains its load.
         let own = self.control.datum();
         if !data.contains(&own) {
             data.push(own);
@@ -224,7 +224,7 @@ impl Typed {
         })
     }
 
-    /// The same in the units of the answers.
+    /// Converts the numbers to output units.
     fn shown(&self, system: &System, dimension: Dimension) -> Result<Loads, SceneError> {
         let number = |own: &(DimensionedNumber, Range<usize>)| {
             to_double_double(&system.shown(&own.0, dimension)).map_err(|error| error.at(own.1.clone()))
@@ -238,7 +238,7 @@ impl Typed {
         })
     }
 
-    /// The numbers of a list, or the two ends of a range.
+    /// Returns the numbers of a list, or the two ends of a range.
     fn typed(&self) -> Vec<&(DimensionedNumber, Range<usize>)> {
         match self {
             Self::List(list) => list.iter().collect(),
@@ -254,12 +254,12 @@ impl Typed {
     }
 }
 
-/// A number, a list of numbers, or a range.
+/// Reads a number, a list of numbers, or a range.
 fn numbers(entry: &Entry<'_>) -> Result<Typed, SceneError> {
     if entry.is_table() {
         let table = entry.table(entry.key().to_owned())?;
         table.allow(&["start", "stop", "count", "spacing"])?;
-        let help = "{ start = \"0.05 um\", stop = \"0.4 um\", count = 8 } would be accepted";
+        let help = "expected { start = \"0.05 um\", stop = \"0.4 um\", count = 8 }";
         let end = |key: &str| -> Result<_, SceneError> {
             let own = table.demand(key, help)?;
             Ok((own.quantity()?, own.span()))
@@ -271,18 +271,18 @@ fn numbers(entry: &Entry<'_>) -> Result<Typed, SceneError> {
     let Some(list) = entry.list() else { return Ok(Typed::List(vec![(entry.quantity()?, entry.span())])) };
     if list.len() == 0 {
         return Err(SceneError::value(format!("{} is an empty list", entry.key()))
-            .help("at least one number would be accepted")
+            .help("expected at least one number")
             .at(entry.span()));
     }
     Ok(Typed::List(list.map(|own| Ok((own.quantity()?, own.span()))).collect::<Result<_, SceneError>>()?))
 }
 
-/// The names of what is wanted, each once.
+/// Reads the requested quantities without duplicates.
 fn quantities(entry: &Entry<'_>) -> Result<(Vec<Quantity>, Vec<Quantity>), SceneError> {
     let known: Vec<Quantity> = Quantity::ALL.iter().copied().filter(|own| own.kind() != Kind::Inverse).collect();
     let words: Vec<&str> = known.iter().map(|own| own.key()).collect();
     let help = format!("expected a list of {}", words.join(", "));
-    let list = entry.list().ok_or_else(|| SceneError::value("quantities is no list").help(&help).at(entry.span()))?;
+    let list = entry.list().ok_or_else(|| SceneError::value("quantities is not a list").help(&help).at(entry.span()))?;
     let (mut data, mut curves) = (Vec::new(), Vec::new());
     let mut any = false;
     for own in list {
@@ -293,7 +293,7 @@ fn quantities(entry: &Entry<'_>) -> Result<(Vec<Quantity>, Vec<Quantity>), Scene
         let seen = list.contains(&quantity);
         list.push(quantity);
         if seen {
-            return Err(SceneError::value(format!("{word} is asked for twice")).at(own.span()));
+            return Err(SceneError::value(format!("{word} is requested twice")).at(own.span()));
         }
     }
     if any { Ok((data, curves)) } else { Err(SceneError::value("quantities is an empty list").help(help).at(entry.span())) }
@@ -304,7 +304,7 @@ fn tolerance(entry: &Entry<'_>) -> Result<f64, SceneError> {
     if value > 0.0 && value < 1.0 {
         return Ok(value);
     }
-    Err(SceneError::value(format!("tolerance = {value:?} does not lie between 0 and 1"))
-        .help("a relative tolerance such as 1e-12 would be accepted")
+    Err(SceneError::value(format!("tolerance = {value:?} is not between 0 and 1"))
+        .help("expected a relative tolerance such as 1e-12")
         .at(entry.span()))
 }

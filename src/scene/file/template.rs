@@ -1,9 +1,9 @@
-//! A commented scene of a named shape, to start from.
+//! Creates a commented scene file for a named shape.
 
 use crate::scene::Shape;
 use std::fmt::Write;
 
-/// The text of a scene file with every key explained.
+/// Returns the text of a scene file in which every key is explained.
 ///
 /// ```
 /// let text = sneddon::scene::template(sneddon::scene::shape("sphere").unwrap());
@@ -19,7 +19,7 @@ pub fn template(shape: &Shape) -> String {
 fn write(shape: &Shape, out: &mut String) -> std::fmt::Result {
     writeln!(out, "# A contact scene: {}.", shape.title)?;
     writeln!(out, "# Source: {}.", shape.source)?;
-    writeln!(out, "# Numbers carry units, or none of them does: then all are of one consistent system.\n")?;
+    writeln!(out, "# Either all numbers have units or none has; without units, all numbers are in one consistent system.\n")?;
     writeln!(out, "[profile]")?;
     writeln!(out, "shape = \"{}\"", shape.name)?;
     for (index, way) in shape.ways.iter().enumerate() {
@@ -44,16 +44,16 @@ fn write(shape: &Shape, out: &mut String) -> std::fmt::Result {
         writeln!(out, "{}parameters = {{ {} }}", if index == 0 { "" } else { "# " }, list.join(", "))?;
     }
     match shape.rim {
-        Some(name) => writeln!(out, "# {name} is also the radius of the vertical side; radius = … may stand for it.\n")?,
-        None => writeln!(out, "# radius = \"5 um\"   # a vertical side at this radius; without it the profile goes on\n")?,
+        Some(name) => writeln!(out, "# {name} is also the radius of the vertical side and may be given as radius = … instead.\n")?,
+        None => writeln!(out, "# radius = \"5 um\"   # radius of a vertical side; without it the profile has no edge\n")?,
     }
     out.push_str(
-        "# The half-space: Young's modulus and Poisson's ratio, or effective_modulus, or C11 C12 C13 C33 C44.
+        "# Material of the half-space: Young's modulus and Poisson's ratio, or effective_modulus, or C11 C12 C13 C33 C44.
 [material]
 E = \"72 GPa\"
 nu = 0.17
 
-# The other body is rigid unless it has constants of its own; it may have a shape, too.
+# The counterbody is rigid unless it has elastic constants; it may also have a shape.
 # [counterbody]
 # E = \"210 GPa\"
 # nu = 0.3
@@ -64,9 +64,9 @@ nu = 0.17
     );
     let depths = if shape.name == "concave-paraboloid" { ("0.2 um", "0.4 um") } else { ("10 nm", "80 nm") };
     writeln!(out, "depth = {{ start = \"{}\", stop = \"{}\", count = 8 }}   # spacing = \"log\"", depths.0, depths.1)?;
-    writeln!(out, "# depth_from = \"first_touch\"   # instead of the displacement at r = 0; they differ for concave shapes\n")?;
+    writeln!(out, "# depth_from = \"first_touch\"   # instead of the displacement at r = 0; the two differ for concave shapes\n")?;
     out.push_str(
-        "# Numbers per load: d F a k p_mean U. Curves per load: g f p u, where at says, and sigma_zz on the axis, where depths says.
+        "# Numbers per load: d F a k p_mean U. Curves per load: g f p u at the radii `at`, and sigma_zz on the axis at `depths`.
 [outputs]
 quantities = [\"F\", \"a\", \"k\"]
 # at = { start = \"0 um\", stop = \"2 um\", count = 101 }

@@ -5,7 +5,7 @@ use crate::scene::{Dimension, SceneError};
 use num_rational::Ratio;
 use num_traits::ToPrimitive;
 
-/// A unit: its factor to m and N, exactly, and its dimension.
+/// A unit: its exact factor to m and N, and its dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Unit {
     name: String,
@@ -13,10 +13,10 @@ pub struct Unit {
     dimension: Dimension,
 }
 
-/// Name, numerator and denominator of the factor, power of ten, dimension, and whether prefixes may stand before it.
+/// Name, numerator and denominator of the factor, power of ten, dimension, and whether prefixes are allowed.
 type Row = (&'static str, i64, i64, i64, Dimension, bool);
 
-/// The units that are no products.
+/// The units that are not products of others.
 const TABLE: &[Row] = &[
     ("m", 1, 1, 0, Dimension::LENGTH, true),
     ("N", 1, 1, 0, Dimension::FORCE, true),
@@ -57,11 +57,11 @@ const PREFIXES: &[(&str, i64)] = &[
     ("T", 12),
 ];
 
-/// What errors suggest.
-const KNOWN: &str = "m, N, Pa and J with prefixes (nm, um, mm, mN, GPa), in, mil, ft, lbf, kgf, dyn, psi, ksi, bar, atm, rad, deg, and products such as N/mm^2 or um^-0.5 would be accepted";
+/// The units listed in error messages.
+const KNOWN: &str = "expected m, N, Pa or J with prefixes (nm, um, mm, mN, GPa), in, mil, ft, lbf, kgf, dyn, psi, ksi, bar, atm, rad, deg, or products such as N/mm^2 or um^-0.5";
 
 impl Unit {
-    /// Reads a unit.
+    /// Parses a unit.
     ///
     /// ```
     /// use sneddon::scene::{Dimension, Unit};
@@ -72,11 +72,11 @@ impl Unit {
     /// ```
     ///
     /// # Errors
-    /// [`SceneError`] for a name that is not known.
+    /// [`SceneError`] for an unknown name.
     pub fn parse(text: &str) -> Result<Self, SceneError> {
         let bad = || {
             let shown: String = if text.trim().is_empty() { "an empty text".to_owned() } else { text.trim().chars().take(60).collect() };
-            SceneError::unit(format!("{shown} is no unit")).help(format!("{}{KNOWN}", suggestion(text)))
+            SceneError::unit(format!("{shown} is not a unit")).help(format!("{}{KNOWN}", suggestion(text)))
         };
         let (mut factor, mut dimension) = (Expr::one(), Dimension::NONE);
         let mut divide = false;
@@ -100,23 +100,23 @@ impl Unit {
         Ok(Self { name: text.trim().to_owned(), factor, dimension })
     }
 
-    /// As it was typed.
+    /// Returns the name as typed.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// What one of it is in m and N.
+    /// Returns the factor that converts to m and N.
     pub fn factor(&self) -> &Expr {
         &self.factor
     }
 
-    /// Its dimension.
+    /// Returns the dimension.
     pub fn dimension(&self) -> Dimension {
         self.dimension
     }
 }
 
-/// The bytes up to the first separator outside parentheses.
+/// Returns the number of bytes up to the first separator outside parentheses.
 fn separator(text: &str) -> usize {
     let mut inside = false;
     let end = text.char_indices().find(|(_, c)| {
@@ -126,7 +126,7 @@ fn separator(text: &str) -> usize {
     end.map_or(text.len(), |(at, _)| at)
 }
 
-/// `um^-0.5`: the unit and its power; `1` stands for no unit, as in `1/m`.
+/// Parses a factor such as `um^-0.5` into the unit and its power; `1` is dimensionless, as in `1/m`.
 fn factor_of(text: &str) -> Option<(Unit, Ratio<i64>)> {
     let (name, power) = match text.split_once('^') {
         Some((name, power)) => (name.trim(), exponent(power.trim())?),
@@ -138,7 +138,7 @@ fn factor_of(text: &str) -> Option<(Unit, Ratio<i64>)> {
     Some((named(name)?, power))
 }
 
-/// A whole, decimal or fractional exponent of moderate size.
+/// Parses a whole, decimal or fractional exponent of moderate size.
 fn exponent(text: &str) -> Option<Ratio<i64>> {
     let text = text.strip_prefix('(').and_then(|inner| inner.strip_suffix(')')).unwrap_or(text);
     let (above, below) = text.split_once('/').unwrap_or((text, "1"));
@@ -152,7 +152,7 @@ fn exponent(text: &str) -> Option<Ratio<i64>> {
     (*below.numer() != 0).then(|| above / below)
 }
 
-/// The units that were probably meant: spelled out, or in other capitals.
+/// Returns the units that were probably meant, spelled out or in other capitals.
 fn suggestion(text: &str) -> String {
     const SPELLED: &[(&str, &str)] = &[
         ("meter", "m"),
