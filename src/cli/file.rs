@@ -20,7 +20,7 @@ impl Target {
             return Err(Failure::new(message).help("expected a file in an existing directory"));
         }
         if path.is_dir() {
-            return Err(Failure::new(format!("expected the name of a file", path.display())).help("the name of a file would be accepted"));
+            return Err(Failure::new(format!("-o {} is a directory", path.display())).help("expected the name of a file"));
         }
         Ok(own)
     }

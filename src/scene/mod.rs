@@ -39,7 +39,7 @@ pub use run::{Point, Run, infinite_value};
 pub use shape::{Parameter, SHAPES, Shape, Way, known_shape, shape};
 pub use system::{Names, System};
 
-/// Private parts that tests in `tests/` look at; not part of the interface.
+/// Private items used by tests in `tests/`; not part of the public interface.
 #[doc(hidden)]
 pub mod inner {
     pub use super::measured::columns::sheet;

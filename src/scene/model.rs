@@ -1,4 +1,4 @@
-//! The scene itself: everything that is known about a contact before it is solved, as numbers of one system.
+//! The scene: the complete description of a contact problem, as numbers in one system of units.
 
 use super::{Control, Declared, Loads, Measured, MeasuredTip, Quantity, SceneError, Simple, System};
 use crate::contact::{Body, ContactError};
@@ -6,25 +6,25 @@ use crate::transform::{Method, Profile, Slopes, Solution, derive};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// From where a depth is measured.
+/// The reference point of a depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DepthFrom {
     /// The displacement at r = 0.
     Apex,
-    /// The displacement since the bodies first touched; it differs for concave shapes.
+    /// The displacement since first touch; it differs for concave shapes.
     FirstTouch,
 }
 
-/// What is wanted.
+/// The requested output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outputs {
-    /// Numbers per load.
+    /// Quantities with one value per load.
     pub data: Vec<Quantity>,
-    /// Functions per load.
+    /// Fields per load.
     pub curves: Vec<Quantity>,
-    /// The radii at which functions of r or x are wanted.
+    /// The radii at which fields of r or x are requested.
     pub at: Loads,
-    /// The depths below the surface at which the stress on the axis is wanted.
+    /// The depths below the surface at which the stress on the axis is requested.
     pub depths: Loads,
 }
 
@@ -40,7 +40,7 @@ impl Outputs {
         let others: Vec<Quantity> = self.curves.iter().copied().filter(|own| !FIELDS.contains(own)).collect();
         match others.first() {
             Some(other) if fields.is_empty() => {
-                Err(SceneError::value(format!("{} is not a field on a grid; `sneddon solve` writes it", other.key()))
+                Err(SceneError::value(format!("{} is not a field on a grid; use `sneddon solve` for it", other.key()))
                     .help("expected p, u, f or g in quantities of [outputs]"))
             }
             None if fields.is_empty() => Ok((vec![Quantity::Pressure], others)),
@@ -49,7 +49,7 @@ impl Outputs {
     }
 }
 
-/// Loads and grids in the units of the answers, each rounded once from what was typed.
+/// Loads and grids in output units, each rounded once from the typed value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
     /// The loads.
@@ -60,7 +60,7 @@ pub struct Shown {
     pub depths: Loads,
 }
 
-/// A contact: the profile of both bodies together, E*, loads and what is wanted of them.
+/// A contact problem: the profile of both bodies together, E*, loads and requested output.
 ///
 /// ```
 /// use sneddon::scene::{Control, Loads, Run, Scene};
@@ -76,52 +76,52 @@ pub struct Shown {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// f, with numbers for its parameters.
+    /// f with numerical parameters.
     pub profile: Profile,
-    /// The shapes of both bodies, where both have one; f is their sum.
+    /// The shapes of both bodies if both have one; f is their sum.
     pub bodies: Vec<Profile>,
     /// A measured tip that is added to f, before its file is read.
     pub measured: Option<Measured>,
-    /// The same, read.
+    /// The measured tip after its file was read.
     pub tip: Option<MeasuredTip>,
     /// The radius of a vertical side.
     pub rim: Option<f64>,
-    /// False for a flat punch with a cross-section of its own, of which d, F and k are known, and no fields.
+    /// False for a flat punch with a non-circular cross-section, for which d, F and k are known, but no fields.
     pub round: bool,
     /// E*.
     pub effective_modulus: f64,
-    /// What is controlled.
+    /// The controlled quantity.
     pub control: Control,
-    /// Its values.
+    /// The values of the controlled quantity.
     pub loads: Loads,
-    /// From where depths are measured.
+    /// The reference point of depths.
     pub depth_from: DepthFrom,
-    /// What is wanted.
+    /// The requested output.
     pub outputs: Outputs,
-    /// Loads and grids as the answers show them; without it they are converted.
+    /// Loads and grids as shown in the output; if `None`, they are converted.
     pub shown: Option<Shown>,
-    /// The units of the answers.
+    /// The system of units.
     pub system: System,
-    /// How numbers may be computed.
+    /// The method of computation.
     pub method: Method,
-    /// The relative tolerance of quadratures.
+    /// The relative tolerance of quadrature.
     pub tolerance: f64,
-    /// The bytes of the scene file in which the profile stands, for errors.
+    /// The bytes of the profile in the scene file, for errors.
     pub place: Option<Range<usize>>,
-    /// A length of the profile with its name, in which dimensionless answers count: R where there is one, else the radius of a vertical side.
+    /// The length scale of dimensionless output with its name: R if the profile has it, else the radius of a vertical side.
     pub length: Option<(String, f64)>,
-    /// The simple shapes for which the profile may be taken, where its name tells; else they are looked for at its tip.
+    /// The simple shapes that the profile approximates, if they follow from its name; else they are determined at its tip.
     pub relatives: Vec<Simple>,
-    /// What the curves lack that were asked for: their places.
+    /// The error if the coordinates of requested curves are missing.
     pub lacking: Option<SceneError>,
     /// The names of the parameters of the profile.
     pub parameters: Vec<String>,
-    /// What is said of a solver's data.
+    /// The declared properties of a solver's data.
     pub data: Option<Declared>,
 }
 
 impl Scene {
-    /// A scene with E* = 1, no loads, and the four numbers d, F, a, k wanted.
+    /// Creates a scene with E* = 1, no loads, and the requested output d, F, a and k.
     pub fn of(profile: Profile) -> Self {
         Self {
             profile,
@@ -153,25 +153,25 @@ impl Scene {
         }
     }
 
-    /// The same scene with answers as d/R, F/(E* R²), p/E*.
+    /// Returns the same scene with the output d/R, F/(E* R²), p/E*.
     ///
     /// # Errors
-    /// [`SceneError`] where the profile has no length to count in.
+    /// [`SceneError`] if the profile has no length scale.
     pub fn dimensionless(self) -> Result<Self, SceneError> {
         let rim = self.rim.map(|c| ("c".to_owned(), c));
         let Some((name, length)) = self.length.clone().or(rim) else {
             let missing =
-                SceneError::missing("the profile has no length to count in").help("a parameter R, or a radius, would be accepted");
+                SceneError::missing("the profile has no length scale").help("expected a parameter R, or a radius");
             return Err(self.placed(missing));
         };
         let system = self.system.dimensionless(&name, length, self.effective_modulus);
         Ok(Self { system, shown: None, ..self })
     }
 
-    /// The same scene with the text of its tip's file, as [`super::decoded`] gives it; a scene without points stays as it is.
+    /// Returns the same scene with the text of its tip's file, as returned by [`super::decoded`]; a scene without points is unchanged.
     ///
     /// # Errors
-    /// [`SceneError`] whose place is one in that text.
+    /// [`SceneError`] with a position in that text.
     pub fn with_points(mut self, text: &(String, bool)) -> Result<Self, SceneError> {
         if let Some(measured) = &self.measured {
             self.tip = Some(measured.tip(text, &self.system)?);
@@ -179,23 +179,23 @@ impl Scene {
         Ok(self)
     }
 
-    /// True where the loads are depths since the first touch.
+    /// Returns true if the loads are depths since first touch.
     pub fn counts_from_touch(&self) -> bool {
         self.control == Control::Depth && self.depth_from == DepthFrom::FirstTouch
     }
 
-    /// The exact transform of the profile.
+    /// Returns the exact transform of the profile.
     ///
     /// # Errors
-    /// [`SceneError`] where the profile has none.
+    /// [`SceneError`] if the profile has no transform.
     pub fn solution(&self) -> Result<Solution, SceneError> {
         derive(&self.profile).map_err(|error| self.placed(ContactError::from(error).into()))
     }
 
-    /// Each body with a shape, where there are two of them.
+    /// Returns both bodies if each has a shape.
     ///
     /// # Errors
-    /// [`ContactError`] where a shape cannot be evaluated.
+    /// [`ContactError`] if a shape cannot be evaluated.
     pub fn parts(&self) -> Result<Vec<Body<'_>>, ContactError> {
         let names = ["the indenter", "the counterbody"];
         let mut parts = self.bodies.iter().zip(names).map(|(own, name)| Body::formula(name, own)).collect::<Result<Vec<_>, _>>()?;
@@ -205,7 +205,7 @@ impl Scene {
         Ok(parts)
     }
 
-    /// An error about the profile, with its place.
+    /// Adds the position of the profile to an error.
     pub(super) fn placed(&self, error: SceneError) -> SceneError {
         match &self.place {
             Some(place) => error.at(place.clone()),

@@ -1,19 +1,19 @@
-//! How much of an answer is owed to the way in which measured points are joined: its change with a second way.
+//! The model error of measured tips: the change of a result with a second interpolation of the points.
 
 use super::run::of_state;
 use super::{Dimension, Quantity, Run};
 use crate::contact::{Indentation, State};
 
 impl Run<'_> {
-    /// The state of a load with the points of the tip joined in the second way; `None` without a tip, or where it has none.
+    /// Returns the state of a load with the second interpolation; `None` without a measured tip or without a contact.
     pub fn second_state(&self, index: usize) -> Option<State> {
         let (_, load) = self.load(index)?;
         self.second.as_ref()?.solve(load).ok()?.state
     }
 
-    /// What the numbers of a row change by with the second way, in the order of the outputs; `None` where there is no measured tip.
+    /// Returns the changes of a row's values with the second interpolation, in output order; `None` without a measured tip.
     ///
-    /// The number that is controlled does not change.
+    /// The controlled quantity does not change.
     pub fn row_model_errors(&self, index: usize, state: Option<&State>) -> Option<Vec<(Quantity, Option<f64>)>> {
         let second = self.second.as_ref()?;
         let other = state.and_then(|_| self.second_state(index));
@@ -33,7 +33,7 @@ impl Run<'_> {
         Some(datum.number(&indentation.contact(state), state.radius, state.radius).ok()?.ok()?.estimate.value)
     }
 
-    /// What a value of a curve changes by with the second way, in the units of the answers; each way has its own state of the same load.
+    /// Returns the change of a curve's value with the second interpolation, in output units; each interpolation uses its own state under the same load.
     pub fn point_model_error(&self, curve: Quantity, states: Option<(&State, &State)>, at: f64) -> Option<f64> {
         let second = self.second.as_ref()?;
         let read = |indentation: &Indentation<'_>, state: Option<&State>| -> Option<f64> {
@@ -54,7 +54,7 @@ impl Run<'_> {
         Some(change * self.scene().system.out(curve.dimension())).filter(|own| own.is_finite())
     }
 
-    /// The last radius of the measured tip in the units of the answers.
+    /// Returns the last radius of the measured tip in output units.
     pub fn tip_ends_at(&self) -> Option<f64> {
         self.scene().tip.as_ref().map(|tip| tip.last_radius() * self.scene().system.out(Dimension::LENGTH))
     }

@@ -8,18 +8,18 @@ use crate::scene::file::dimensioned::to_double_double;
 use std::cell::Cell;
 use std::f64::consts::PI;
 
-/// Places of a solver's values, in computed units.
+/// The points at which a solver has values, in computing units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Grid {
     /// Radii.
     Radial(Loads),
-    /// A square of count × count points about the axis, side/count apart.
+    /// A square of count × count points centred on the axis, with spacing side/count.
     Square {
         /// The side of the square.
         side: f64,
-        /// Points along it.
+        /// Number of points along the side.
         count: usize,
-        /// True where the axis lies between four points, not at the point of index count/2.
+        /// True if the axis is between four points, false if it is at the point with index count/2.
         between: bool,
     },
     /// A list of points, in any order.
@@ -36,7 +36,7 @@ pub const LARGEST_GRID: usize = 1 << 13;
 /// Maximum number of radii, and of points in a list.
 const MOST_RADII: usize = 10_000_000;
 
-/// A field of one load: value and error in the units of the answers, or why there is none.
+/// The field under one load: values and errors in output units, or the reason for a missing value.
 pub struct Field {
     values: Vec<Result<(f64, f64), &'static str>>,
     square: Option<Square>,
@@ -51,39 +51,39 @@ struct Square {
 }
 
 impl Square {
-    /// How many steps a row or column lies from the axis.
+    /// Returns the number of steps between a row or column and the axis.
     fn steps(self, index: usize) -> usize {
         let half = self.count / 2;
         if self.between && index < half { half - 1 - index } else { index.abs_diff(half) }
     }
 
-    /// The distance of that many steps, in steps.
+    /// Returns the distance of that many steps, in units of the spacing.
     fn distance(self, steps: usize) -> f64 {
         steps as f64 + if self.between { 0.5 } else { 0.0 }
     }
 
-    /// The largest number of steps.
+    /// Returns the largest number of steps.
     fn reach(self) -> usize {
         if self.count == 0 { 0 } else { self.steps(0).max(self.steps(self.count - 1)) }
     }
 }
 
 impl Grid {
-    /// Refuses a grid that is empty or too large.
+    /// Returns an error for a grid that is empty or too large.
     ///
     /// # Errors
-    /// [`SceneError`] with what would be accepted.
+    /// [`SceneError`] with the expected range.
     pub fn checked(self) -> Result<Self, SceneError> {
         let fault = |message: String, help: &str| Err(SceneError::value(message).help(help));
         match &self {
             Self::Radial(r) if r.is_empty() || r.len() > MOST_RADII => {
-                fault(format!("a grid of {} radii is not possible", r.len()), "1 to 10000000 radii would be accepted")
+                fault(format!("the grid has {} radii", r.len()), "expected 1 to 10000000 radii")
             }
             Self::Radial(r) if r.extremes().is_some_and(|(low, high)| low < 0.0 || !high.is_finite()) => {
-                fault("the grid has a negative radius".to_owned(), "radii from 0 on would be accepted")
+                fault("the grid contains a negative radius".to_owned(), "expected radii of at least 0")
             }
             Self::Radial(r) if r.iter().zip(r.iter().skip(1)).any(|(one, next)| next <= one) => {
-                fault("the radii of the grid do not rise".to_owned(), "rising radii would be accepted")
+                fault("the radii of the grid are not increasing".to_owned(), "expected increasing radii")
             }
             Self::Points { x, .. } if x.is_empty() || x.len() > MOST_RADII => {
                 fault(format!("the list contains {} points", x.len()), "expected 1 to 10000000 points")
@@ -92,30 +92,30 @@ impl Grid {
                 fault("the list contains a negative radius".to_owned(), "expected radii of at least 0, or columns x and y")
             }
             Self::Square { count, .. } if *count == 0 || *count > LARGEST_GRID => {
-                fault(format!("a grid of {count} points along a side is not possible"), "1 to 8192 points would be accepted")
+                fault(format!("the grid has {count} points along a side"), "expected 1 to 8192 points")
             }
             Self::Square { count, between: true, .. } if count % 2 == 1 => {
-                fault(format!("the axis of {count} points along a side is a point"), "an even number of points would be accepted")
+                fault(format!("{count} points along a side cannot be centred on the axis"), "expected an even number of points")
             }
             Self::Square { side, .. } if !(*side > 0.0 && side.is_finite()) => {
-                fault("the side of the grid is not positive".to_owned(), "a length above 0 would be accepted")
+                fault("the side of the grid is not positive".to_owned(), "expected a positive length")
             }
             _ => Ok(self),
         }
     }
 
-    /// A grid as typed: `64`, the number of points along the side of a box, or `0:2 um:101`, radii from, to and how many.
+    /// Parses a grid: `64`, the number of points along the side of a box, or radii such as `0:2 um:101`, as start:stop:count.
     ///
     /// # Errors
-    /// [`SceneError`] with what would be accepted.
+    /// [`SceneError`] with the expected form.
     pub fn parse(text: &str, side: Option<&str>, between: bool, scene: &Scene) -> Result<Self, SceneError> {
-        let help = "64 with a box, or start:stop:count such as \"0:2 um:101\", would be accepted";
-        let fault = || SceneError::value(format!("the grid {text:?} is not understood")).help(help);
+        let help = "expected 64 with a box, or start:stop:count such as \"0:2 um:101\"";
+        let fault = || SceneError::value(format!("cannot parse the grid {text:?}")).help(help);
         let length = |own: &str| {
             let quantity = DimensionedNumber::parse(own)?;
             if !scene.system.has_units() && quantity.unit().is_some() {
-                return Err(SceneError::unit(format!("{} has a unit, and the numbers of the scene have none", own.trim()))
-                    .help("a bare number would be accepted: it counts in the scene's length"));
+                return Err(SceneError::unit(format!("{} has a unit, but the numbers of the scene have none", own.trim()))
+                    .help("expected a number without a unit, in the length unit of the scene"));
             }
             to_double_double(&scene.system.exact(&quantity, Dimension::LENGTH, "the grid")?)
         };
@@ -126,7 +126,7 @@ impl Grid {
                 let declared = scene.data.as_ref().and_then(|own| own.side);
                 let side = side.map(length).transpose()?.map(|own| own.value()).or(declared);
                 let missing =
-                    || SceneError::missing("the grid has no box").help("--box \"8 um\", the side of the domain, would be accepted");
+                    || SceneError::missing("the grid has no box").help("expected the side of the domain, such as \"8 um\"");
                 Self::Square { side: side.ok_or_else(missing)?, count, between }
             }
             [start, stop, number] => Self::Radial(Loads::Range(Steps::new(length(start)?, length(stop)?, count(number)?, false))),
@@ -135,14 +135,14 @@ impl Grid {
         grid.checked()
     }
 
-    /// The finest grid that the scene declares of a solver's data.
+    /// Returns the finest grid that the scene declares for a solver's data.
     pub fn declared(scene: &Scene, between: bool) -> Option<Self> {
         let data = scene.data.as_ref()?;
         let count = data.grid.iter().copied().max_by(f64::total_cmp)? as usize;
         Some(Self::Square { side: data.side?, count, between })
     }
 
-    /// The numbers of points along each direction.
+    /// Returns the numbers of points along each direction.
     pub fn shape(&self) -> Vec<usize> {
         match self {
             Self::Radial(r) => vec![r.len()],
@@ -192,7 +192,7 @@ impl Grid {
         }
     }
 
-    /// How many places are computed: those of an octant of a square.
+    /// Returns the number of points to compute; for a square, they are in one octant.
     pub fn distinct(&self) -> usize {
         match (self, self.square()) {
             (_, Some(square)) => triangle(square.reach(), square.reach()) + 1,
@@ -211,7 +211,7 @@ impl Grid {
 }
 
 impl Field {
-    /// The value of a radius, or of a row (y) and column (x) of a square.
+    /// Returns the value at a radius, or at a row (y) and column (x) of a square.
     pub fn at(&self, place: &[usize]) -> Result<(f64, f64), &'static str> {
         let index = match (self.square, place) {
             (None, [index]) => *index,
@@ -219,27 +219,27 @@ impl Field {
                 let (one, other) = (square.steps(*row), square.steps(*column));
                 triangle(one.max(other), one.min(other))
             }
-            _ => return Err("there is no such place"),
+            _ => return Err("there is no such point"),
         };
-        self.values.get(index).copied().unwrap_or(Err("there is no such place"))
+        self.values.get(index).copied().unwrap_or(Err("there is no such point"))
     }
 
-    /// What the errors rest on: they are proven where all of them are.
+    /// Returns whether the errors are proven; they are if all of them are.
     pub fn bound(&self) -> Bound {
         self.bound
     }
 }
 
-/// The index of the pair i ≥ j ≥ 0 in the octant.
+/// Returns the index of the pair i ≥ j ≥ 0 in the octant.
 fn triangle(i: usize, j: usize) -> usize {
     i * (i + 1) / 2 + j
 }
 
 impl Run<'_> {
-    /// g, f, p or u of a state on a grid; with `cells` the pressure is the mean over the cell around each point.
+    /// Computes g, f, p or u of a state on a grid; with `cells` the pressure is the mean over the cell around each point.
     ///
-    /// The cells of a square are squares; those of radii are rings that end halfway between them, the first one at the axis.
-    /// What lies symmetrically to the axes and the diagonals is computed once.
+    /// The cells of a square are squares; the cells of radii are rings that end halfway between them, the first one at the axis.
+    /// Points that are equivalent by symmetry are computed once.
     ///
     /// ```
     /// use sneddon::scene::{Quantity, Grid, Loads, Run, Scene};
@@ -302,7 +302,7 @@ impl Run<'_> {
                             _ if work::is_exhausted() => Err(self.point_is_cut()),
                             None => seen(self.point(curve, state, (x * step).hypot(y * step))),
                             Some((Err(_), _)) => Err("it cannot be computed to any digit"),
-                            // A cell on an axis is twice its half.
+                            // A cell on an axis consists of two equal halves.
                             Some((Ok(_), state)) if (x - 0.5).max(0.0).hypot((y - 0.5).max(0.0)) * step >= state.radius => Ok((0.0, 0.0)),
                             Some((Ok(force), _)) => {
                                 let half = |own: f64| [(own - 0.5).max(0.0) * step, (own + 0.5) * step];
@@ -319,7 +319,7 @@ impl Run<'_> {
     }
 }
 
-/// The ring of a radius: halfway to its neighbours; the first one begins at the axis, the last one ends as far beyond as before.
+/// Returns the ring around a radius, which ends halfway to its neighbours; the first ring begins at the axis, the last one is symmetric.
 fn ring(radii: &Loads, index: usize) -> [f64; 2] {
     let own = radii.get(index).unwrap_or(0.0);
     let halfway = |other: Option<f64>| other.map(|other| 0.5 * (own + other));

@@ -1,4 +1,4 @@
-//! How far an indenter is from the simple shape for which it is often taken: a sphere from its paraboloid, a worn cone from a cone.
+//! Compares an indenter with the simple shape that often replaces it, such as a sphere with its paraboloid or a worn cone with a cone.
 
 use super::{Dimension, System};
 use crate::expr::Bindings;
@@ -14,7 +14,7 @@ pub enum Simple {
         /// R.
         radius: f64,
     },
-    /// r times its slope, the tangent of the angle to the surface.
+    /// A cone with the given slope, the tangent of the angle to the surface.
     Cone {
         /// The slope.
         slope: f64,
@@ -26,23 +26,23 @@ pub enum Simple {
     },
 }
 
-/// The simple shape that is nearest in force at the depth of a row.
+/// The simple shape with the closest force at the depth of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Regime {
-    /// The shape, its length in computed units.
+    /// The shape, with its length in computing units.
     pub simple: Simple,
-    /// Its force over that of the indenter at the same depth, less 1.
+    /// The ratio of its force to the force of the indenter at the same depth, minus 1.
     pub force_error: f64,
-    /// True where both depths count from the first touch, which is not at the axis.
+    /// True if both depths are measured from a first touch away from the axis.
     pub since_touch: bool,
 }
 
-/// Forces that agree to rounding are those of the same shape.
+/// Forces that agree to this relative accuracy belong to the same shape.
 pub(super) const SAME_SHAPE: f64 = 1e-13;
-/// Three decimals of a percentage show nothing below this.
+/// Percentages below this value are not resolved with three decimals.
 const LEAST_PERCENT: f64 = 0.001;
 
-/// What the parameters of a named shape make of its simple relatives.
+/// Returns the simple shapes that a named shape approximates for its parameters.
 const RELATIVES: &[(&str, &[(Kind, &str)])] = &[
     ("sphere", &[(Kind::Paraboloid, "R")]),
     ("ellipsoid", &[(Kind::Paraboloid, "c^2/b")]),
@@ -65,7 +65,7 @@ enum Kind {
 }
 
 impl Simple {
-    /// The relatives of a named shape with these parameters; a formula that needs others is left out.
+    /// Returns the shapes related to a named shape; a formula that needs other parameters is omitted.
     pub(super) fn relatives(shape: &str, values: &Bindings) -> Vec<Self> {
         let list = RELATIVES.iter().find(|(name, _)| *name == shape).map_or(&[][..], |(_, list)| *list);
         let number = |text: &str| {
@@ -85,13 +85,13 @@ impl Simple {
             .collect()
     }
 
-    /// The paraboloid or cone that a profile is at its tip; `None` where it is neither, or nothing else.
+    /// Returns the paraboloid or cone that approximates a profile at its tip; `None` if there is none or the profile is one itself.
     pub(super) fn tip(profile: impl Fn(f64) -> Option<f64>, scale: f64) -> Option<Self> {
         const NEAR: f64 = 1e-6;
         let (small, large) = (NEAR * scale, 10.0 * NEAR * scale);
         let (low, high) = (profile(small)?, profile(large)?);
         if low == 0.0 && high == 0.0 {
-            // A flat end: as far as the profile stays flat.
+            // The flat part of a flat-ended profile.
             let (mut flat, mut risen) = (large, scale);
             for _ in 0..60 {
                 let middle = 0.5 * (flat + risen);
@@ -111,7 +111,7 @@ impl Simple {
         (low > 0.0 && !itself).then_some(simple)
     }
 
-    /// F at a depth (Popov & Heß (3.13), (3.44), (3.1)).
+    /// Returns F at a depth (Popov & Heß (3.13), (3.44), (3.1)).
     pub fn force(self, effective_modulus: f64, depth: f64) -> f64 {
         match self {
             Self::Paraboloid { radius } => 4.0 / 3.0 * effective_modulus * (radius * depth).sqrt() * depth,
@@ -120,7 +120,7 @@ impl Simple {
         }
     }
 
-    /// The name of the shape.
+    /// Returns the name of the shape.
     pub fn name(self) -> &'static str {
         match self {
             Self::Paraboloid { .. } => "paraboloid",
@@ -129,7 +129,7 @@ impl Simple {
         }
     }
 
-    /// The shape with its length or slope, as a phrase.
+    /// Returns a phrase for the shape with its length or slope.
     pub fn phrase(self, system: &System) -> String {
         let length = |own: f64| crate::contact::in_unit(own, &(system.out(Dimension::LENGTH), system.unit_name(Dimension::LENGTH)));
         match self {
@@ -140,18 +140,18 @@ impl Simple {
     }
 }
 
-/// Nine digits: what is seen a millionth of the way out is known to about twelve.
+/// Rounds to nine digits; extrapolation from a millionth of the radius is accurate to about twelve.
 fn shortened(value: f64) -> f64 {
     format!("{value:.8e}").parse().unwrap_or(value)
 }
 
 impl Regime {
-    /// The whole as a sentence.
+    /// Returns a sentence about the comparison.
     pub fn sentence(&self, system: &System) -> String {
         let percent = 100.0 * self.force_error.abs();
         let way = if self.force_error < 0.0 { "small" } else { "large" };
         let percent = if percent < LEAST_PERCENT { format!("less than {LEAST_PERCENT} %") } else { format!("{percent:.3} %") };
         let depth = if self.since_touch { "depth since the first touch" } else { "depth" };
-        format!("taken for {}, the indenter's force would be {percent} too {way} at the same {depth}", self.simple.phrase(system))
+        format!("treating the indenter as {} gives a force {percent} too {way} at the same {depth}", self.simple.phrase(system))
     }
 }

@@ -1,44 +1,44 @@
-//! What a load gives: its state, the numbers that were asked for, and what speaks against them.
+//! The result for one load: its state, the requested quantities and the findings.
 
 use super::{Quantity, Regime};
 use crate::contact::{Indented, Severity};
 use crate::num::Estimate;
 
-/// One solved load, in the units of the answers.
+/// One solved load, in output units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// The load as it was given, in the units of the answers.
+    /// The load as given, in output units.
     pub load: f64,
-    /// The state in computed units, with all findings.
+    /// The state in computing units, with all findings.
     pub indented: Indented,
-    /// The displacement since the first touch, where it differs from d.
+    /// The displacement since first touch, if it differs from d.
     pub depth_from_touch: Option<f64>,
-    /// The numbers that were asked for; `None` with a reason where there is none.
+    /// The requested quantities; a missing value has a reason.
     pub values: Vec<(Quantity, Result<f64, &'static str>)>,
-    /// The numbers that take more than d, F and a, such as the strain energy: in computed units, at the radius of the state.
+    /// Quantities that require more than d, F and a, such as the strain energy: in computing units, at the radius of the state.
     pub computed: Vec<(Quantity, Estimate)>,
-    /// The nearest simple shape, where the profile is none itself and the row is valid.
+    /// The closest simple shape, if the profile is not simple itself and the row is valid.
     pub regime: Option<Regime>,
 }
 
 impl Row {
-    /// True where no finding is an error.
+    /// Returns true if no finding is an error.
     pub fn is_valid(&self) -> bool {
         self.indented.is_valid()
     }
 
-    /// The number of a datum, where there is one.
+    /// Returns the value of a quantity, if there is one.
     pub fn value(&self, datum: Quantity) -> Option<f64> {
         self.values.iter().find(|(own, _)| *own == datum).and_then(|(_, value)| value.ok())
     }
 
-    /// The first error's message.
+    /// Returns the message of the first error.
     pub fn why(&self) -> Option<&str> {
         self.indented.findings.iter().find(|own| own.severity == Severity::Error).map(|own| own.message.as_str())
     }
 }
 
-/// How often each kind of number was asked of the engine.
+/// Counts the evaluations of each kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Loads solved.

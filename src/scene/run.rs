@@ -1,4 +1,4 @@
-//! A scene being solved: row by row, curve by curve, nothing before it is asked for and nothing kept.
+//! Solves a scene row by row and curve by curve; everything is computed on demand and nothing is stored.
 
 use super::regime::{Regime, SAME_SHAPE, Simple};
 use super::{Control, DepthFrom, Dimension, Loads, MeasuredTip, Quantity, Row, Scene, SceneError, Work};
@@ -12,54 +12,54 @@ use crate::transform::{Reading, Solution, Superposition, TableProfile, Transform
 use std::cell::{Cell, OnceCell};
 use std::sync::Arc;
 
-/// A scene with its transform, ready for its loads.
+/// A scene with its transform, ready to solve.
 pub struct Run<'a> {
     scene: &'a Scene,
     pub(super) indentation: Indentation<'a>,
-    /// The same contact with a measured tip's points joined in another way.
+    /// The same contact with the second interpolation of a measured tip.
     pub(super) second: Option<Indentation<'a>>,
     work: Cell<Work>,
-    /// Whether the budget of work did not suffice for a row or a point.
+    /// True if the work budget was exhausted in a row or a point.
     cut: Cell<bool>,
     watch: Option<Box<dyn Fn() + 'a>>,
-    /// The state whose points were asked for last, and its errors.
+    /// The last state whose points were computed, and its errors.
     pub(super) doubt: Cell<Option<(State, Option<Estimates>)>>,
     tip: OnceCell<Option<Simple>>,
 }
 
-/// What is said where the budget of work ends.
-const UNFINISHED: &str = "the budget of work does not suffice; a larger one would be accepted";
+/// The message when the work budget is exhausted.
+const UNFINISHED: &str = "stopped at the work limit; a larger budget is required";
 
 /// A value of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point {
-    /// The coordinate, in the units of the answers.
+    /// The coordinate, in output units.
     pub at: f64,
-    /// Value and error in the units of the answers, or why there is none.
+    /// Value and error in output units, or the reason for a missing value.
     pub value: Result<(f64, f64), &'static str>,
-    /// What the error rests on.
+    /// Whether the error is proven or estimated.
     pub bound: Bound,
 }
 
 impl<'a> Run<'a> {
-    /// Looks at the profile; no load is solved yet.
+    /// Prepares the contact; no load is solved yet.
     ///
     /// # Errors
-    /// [`SceneError`] where the profile cannot be evaluated or needs a rim, or a force or a contact radius is not possible.
+    /// [`SceneError`] if the profile cannot be evaluated or needs a rim, or if a force or contact radius is not allowed.
     pub fn new(scene: &'a Scene, solution: &'a Solution) -> Result<Self, SceneError> {
         let Scene { rim, effective_modulus, tolerance, method, .. } = *scene;
         let (smallest, largest) = scene.loads.extremes().unwrap_or((0.0, 0.0));
         let largest = scene.control.load(largest);
         if scene.measured.is_some() && scene.tip.is_none() {
-            return Err(scene.placed(SceneError::missing("the points of the tip were not read").help("Scene::with_points reads them")));
+            return Err(scene.placed(SceneError::missing("the points of the tip were not read").help("call Scene::with_points first")));
         }
         if let (Some(c), Some(tip)) = (rim, &scene.tip)
             && c > tip.last_radius()
         {
             let length =
                 |own: f64| format!("{:?} {}", own * scene.system.out(Dimension::LENGTH), scene.system.unit_name(Dimension::LENGTH));
-            let message = format!("radius = {} lies beyond the last point of the tip", length(c).trim_end());
-            let help = format!("a radius up to {} would be accepted", length(tip.last_radius()).trim_end());
+            let message = format!("radius = {} is beyond the last point of the tip", length(c).trim_end());
+            let help = format!("expected a radius of at most {}", length(tip.last_radius()).trim_end());
             return Err(scene.placed(SceneError::value(message).help(help)));
         }
         let setup = Setup { effective_modulus, rim, tolerance, method };
@@ -81,7 +81,7 @@ impl<'a> Run<'a> {
             doubt: Cell::default(),
             tip: OnceCell::new(),
         };
-        // Bad input is found before anything is written.
+        // Report invalid input before any output is written.
         for load in [scene.control.load(smallest), largest] {
             if !matches!(load, Load::Depth(_)) && !scene.loads.is_empty() {
                 own.refuse(load)?;
@@ -90,41 +90,41 @@ impl<'a> Run<'a> {
         Ok(own)
     }
 
-    /// An impossible load, which is bad input and no invalid row.
+    /// Returns an error for a load that is not allowed; it is an input error, not an invalid row.
     fn refuse(&self, load: Load) -> Result<(), SceneError> {
         match load {
             Load::Depth(_) => Ok(()),
-            Load::Force(force) if force < 0.0 => Err(SceneError::value(format!("the force {force:?} is negative: there is no adhesion"))
-                .help("forces from 0 on would be accepted")),
+            Load::Force(force) if force < 0.0 => Err(SceneError::value(format!("the force {force:?} is negative: adhesion is not supported"))
+                .help("expected forces of at least 0")),
             Load::Radius(radius) if radius < 0.0 => {
-                Err(SceneError::value(format!("the contact radius {radius:?} is negative")).help("radii from 0 on would be accepted"))
+                Err(SceneError::value(format!("the contact radius {radius:?} is negative")).help("expected radii of at least 0"))
             }
             _ => Ok(()),
         }
     }
 
-    /// The scene.
+    /// Returns the scene.
     pub fn scene(&self) -> &'a Scene {
         self.scene
     }
 
-    /// How much was computed so far.
+    /// Returns the number of evaluations so far.
     pub fn work(&self) -> Work {
         self.work.get()
     }
 
-    /// Why the answer is not complete so far: a row or a point for which the budget of work did not suffice.
+    /// Returns the reason if the output is incomplete so far, because the work budget was exhausted in a row or a point.
     pub fn cut_short(&self) -> Option<&'static str> {
         self.cut.get().then_some(UNFINISHED)
     }
 
-    /// The same run, which tells after every row and every point that it is done.
+    /// Calls a function after every row and every point.
     #[must_use]
     pub fn watched(self, watch: impl Fn() + 'a) -> Self {
         Self { watch: Some(Box::new(watch)), ..self }
     }
 
-    /// How often a watch is told, where all rows and curves are asked for.
+    /// Returns the number of calls of that function if all rows and curves are computed.
     pub fn steps(&self) -> u64 {
         let per_load = |own: &Quantity| if own.needs_radius() { self.grid(*own).len() as u64 + 1 } else { 0 };
         let once = |own: &Quantity| if own.needs_radius() { 0 } else { self.grid(*own).len() as u64 };
@@ -144,12 +144,12 @@ impl<'a> Run<'a> {
         self.work.set(asked);
     }
 
-    /// The places where f′ jumps, in the units of the answers, and by how much.
+    /// Returns the radii where f′ jumps, in output units, and the jumps.
     pub fn kinks(&self) -> Vec<(f64, f64)> {
         self.indentation.kinks().map(|(at, jump)| (at * self.scene.system.out(Dimension::LENGTH), jump)).collect()
     }
 
-    /// The contact of a state.
+    /// Returns the contact of a state.
     pub(super) fn contact(&self, state: &State) -> Contact<'a, Superposition<'a>> {
         self.indentation.contact(state)
     }
@@ -166,7 +166,7 @@ impl<'a> Run<'a> {
     fn solved(&self, index: usize) -> Option<(f64, Indented)> {
         let (value, load) = self.load(index)?;
         self.count(|asked| asked.loads += 1);
-        // Half of what is left: the rows that follow have their share, however hard this one is.
+        // Use at most half of the remaining budget, so that a hard row leaves work for the following rows.
         let solved = work::share(work::left() / 2, || self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error)));
         let mut indented = solved.unwrap_or_else(|| {
             self.cut.set(true);
@@ -177,7 +177,7 @@ impl<'a> Run<'a> {
         if let (Some(end), Some(tip)) = (self.tip_ends_at(), self.scene.tip.as_ref().filter(|tip| !within(tip.last_radius()))) {
             let unit = self.scene.system.unit_name(Dimension::LENGTH);
             for finding in indented.findings.iter_mut().filter(|own| own.rule == "unreachable") {
-                let message = format!("no contact within the measured tip belongs to this load: its last point is at r = {end:?} {unit}");
+                let message = format!("no contact exists for this load within the measured tip, whose last point is at r = {end:?} {unit}");
                 finding.message = message.trim_end().to_owned();
                 finding.at = Some(tip.last_radius());
             }
@@ -185,7 +185,7 @@ impl<'a> Run<'a> {
         Some((value, indented))
     }
 
-    /// The row of a load; `None` beyond the last one.
+    /// Returns the row of a load; `None` if the index is out of range.
     pub fn row(&self, index: usize) -> Option<Row> {
         let (load, mut indented) = self.solved(index)?;
         let system = &self.scene.system;
@@ -193,7 +193,7 @@ impl<'a> Run<'a> {
         let mut computed = Vec::new();
         for datum in &self.scene.outputs.data {
             let own = match indented.state {
-                None => Err("no contact belongs to this load"),
+                None => Err("no contact exists for this load"),
                 Some(state) => match self.datum(*datum, &state, &mut computed) {
                     Ok(own) => own.map(|own| own * system.out(datum.dimension())),
                     Err(error) => {
@@ -233,7 +233,7 @@ impl<'a> Run<'a> {
         shown.into_iter().filter(|(_, own)| own.error.is_finite()).collect()
     }
 
-    /// The error bounds of a state.
+    /// Returns the error bounds of a state.
     fn bounds(&self, index: usize, state: &State) -> Option<Estimates> {
         self.bounds_under(self.load(index)?.1, state)
     }
@@ -242,7 +242,7 @@ impl<'a> Run<'a> {
         let touch = if self.scene.counts_from_touch() { self.indentation.first_touch() } else { 0.0 };
         let bound = || {
             let mut own = self.indentation.estimates(state, load, ROUNDED).ok()?;
-            // The radius of first contact was found by sampling.
+            // The radius of first contact is found by sampling.
             if touch != 0.0 {
                 own.depth = own.depth + Estimate::estimated(0.0, 4.0 * f64::EPSILON * touch.abs(), 0);
             }
@@ -269,7 +269,7 @@ impl<'a> Run<'a> {
             let energy = self.indentation.energy_estimate(*computed, state, own);
             return Some(Estimate { error: energy.error + ROUNDED * energy.value, ..energy });
         }
-        // What the value changes by within the error of the radius; E* is a factor of every value.
+        // Bounds the change of the value within the error of the radius; E* is a factor of every value.
         let Estimate { value: a, error, .. } = own.radius;
         let moved = |a: f64| -> Option<f64> {
             let found = self.computed(datum, &State { radius: a, ..*state }).ok()?.ok()?;
@@ -280,18 +280,18 @@ impl<'a> Run<'a> {
         Some(Estimate::estimated(computed.value, computed.error + spread + ROUNDED * computed.value.abs(), computed.evaluations))
     }
 
-    /// Notes that the budget of work did not suffice, and says so.
+    /// Records that the work budget was exhausted, and returns the message.
     pub(super) fn point_is_cut(&self) -> &'static str {
         self.cut.set(true);
         UNFINISHED
     }
 
-    /// True where the bodies first touch beside the axis: depths from the apex and from the first touch differ.
+    /// Returns true if the bodies first touch away from the axis, so that depths from the apex and from first touch differ.
     pub fn touches_beside_the_axis(&self) -> bool {
         self.indentation.first_touch() != 0.0
     }
 
-    /// The simple shape whose force at the state's depth is nearest, and how wrong it is.
+    /// Returns the simple shape with the closest force at the state's depth, and its error.
     fn regime(&self, state: &State) -> Option<Regime> {
         let is_flat = self.scene.tip.is_none() && self.scene.profile.is_flat();
         if state.force <= 0.0 || state.radius <= 0.0 || is_flat {
@@ -337,32 +337,32 @@ impl<'a> Run<'a> {
         Ok(found.map(|own| own.estimate))
     }
 
-    /// The state of a load for curves; `None` where there is none that stands, or no such load.
+    /// Returns the state of a load for curves; `None` without a valid contact or if the index is out of range.
     pub fn state(&self, index: usize, formally: bool) -> Option<State> {
         let (_, indented) = self.solved(index)?;
         indented.state.filter(|_| formally || indented.is_valid())
     }
 
-    /// A load as the answers show it.
+    /// Returns a load as shown in the output.
     fn shown_load(&self, index: usize, own: f64) -> f64 {
         let dimension = if self.scene.control == Control::Force { Dimension::FORCE } else { Dimension::LENGTH };
         let exact = self.scene.shown.as_ref().and_then(|shown| shown.loads.get(index));
         exact.unwrap_or_else(|| own * self.scene.system.out(dimension))
     }
 
-    /// The depth of a load's state as the answers show it.
+    /// Returns the depth of a load's state as shown in the output.
     pub fn shown_depth(&self, index: usize, state: &State) -> f64 {
         let given = self.scene.control == Control::Depth && self.scene.depth_from == DepthFrom::Apex;
         let load = given.then(|| self.scene.loads.get(index)).flatten();
         load.map_or_else(|| state.depth * self.scene.system.out(Dimension::LENGTH), |own| self.shown_load(index, own))
     }
 
-    /// Where a curve is wanted: radii, or depths below the surface.
+    /// Returns the coordinates of a curve: radii, or depths below the surface.
     pub fn grid(&self, curve: Quantity) -> &'a Loads {
         if curve.coordinate() == "z" { &self.scene.outputs.depths } else { &self.scene.outputs.at }
     }
 
-    /// A curve on its grid, each point behind its coordinate in computed units.
+    /// Returns a curve on its grid, each point with its coordinate in computing units.
     pub fn points(&self, curve: Quantity, state: Option<State>) -> impl Iterator<Item = (f64, Point)> + '_ {
         let grid = self.grid(curve);
         let shown = self.scene.shown.as_ref().map(|own| if curve.coordinate() == "z" { &own.depths } else { &own.at });
@@ -373,7 +373,7 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// A curve at one coordinate, counted in computed units; the state is needed for p, u and the stress.
+    /// Returns a curve at one coordinate, in computing units; p, u and the stress require the state.
     pub fn point(&self, curve: Quantity, state: Option<&State>, at: f64) -> Point {
         let system = &self.scene.system;
         let found = self.curve(curve, state, at);
@@ -390,7 +390,7 @@ impl<'a> Run<'a> {
                 }
             };
             let (value, error) = (own.estimate.value * factor, (own.estimate.error + inherited) * factor.abs());
-            if value.is_finite() && error.is_finite() { Ok((value, error)) } else { Err("no finite value was found") }
+            if value.is_finite() && error.is_finite() { Ok((value, error)) } else { Err("the value is not finite") }
         });
         Point { at: at * system.out(Dimension::LENGTH), value, bound }
     }
@@ -426,7 +426,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Returns the infinity that a curve is by theory, from the reason for which a point has no value; `None` for other reasons.
+/// Returns the theoretical infinite value of a curve from the reason for a missing value; `None` for other reasons.
 pub fn infinite_value(curve: Quantity, why: &str) -> Option<f64> {
     let all = [Reason::Apex, Reason::Kink, Reason::Rim, Reason::ConcaveApex, Reason::ConcaveKink];
     let pressure = all.iter().find(|own| own.fixed_text() == Some(why))?.infinite_pressure()?;
@@ -434,10 +434,10 @@ pub fn infinite_value(curve: Quantity, why: &str) -> Option<f64> {
     Some(if curve == Quantity::AxialStress { -pressure } else { pressure })
 }
 
-/// Why a number without a more precise reason is missing.
+/// The reason for a missing value if there is no more precise one.
 const FAILED: &str = "it cannot be computed to any digit";
 
-/// A number that depth, force and radius of a state suffice for; `None` if they do not.
+/// Returns a quantity that follows from depth, force and radius of a state; `None` for other quantities.
 pub(super) fn of_state(datum: Quantity, state: &State, effective_modulus: f64) -> Option<Result<f64, &'static str>> {
     if state.force == 0.0 && datum == Quantity::Energy {
         return Some(Ok(0.0));
@@ -450,25 +450,25 @@ pub(super) fn of_state(datum: Quantity, state: &State, effective_modulus: f64) -
 /// Relative rounding error of E* and of the load, from unit conversion and from combining elastic constants.
 const ROUNDED: f64 = 2.0 * f64::EPSILON;
 
-/// Refuses what overflowed, and in a contact under load what lost its digits by underflow.
+/// Returns an error for overflow and, in a contact under load, for underflow.
 fn representable(value: f64, pressed: bool) -> Result<f64, &'static str> {
     if !value.is_finite() {
-        return Err("it is too large for a 64-bit float; other units would be accepted");
+        return Err("it is too large for a 64-bit float in these units");
     }
     if pressed && value.abs() < f64::MIN_POSITIVE {
-        return Err("it is too small for a 64-bit float; other units would be accepted");
+        return Err("it is too small for a 64-bit float in these units");
     }
     Ok(value)
 }
 
-/// An error about a profile of points that lacks a vertical side.
+/// Returns the error for a profile of points without a vertical side.
 fn of_tip(error: &ContactError) -> SceneError {
-    let help = "a radius in [profile], or invert = true for heights that fall from the apex outward, would be accepted";
+    let help = "expected a radius in [profile], or invert = true for heights that decrease from the apex outward";
     let own = SceneError::from(error.clone());
     if matches!(error, ContactError::Missing { .. }) { own.help(help) } else { own }
 }
 
-/// What is found out about a profile only when it is computed with, its lengths in the units of the answers.
+/// Converts errors that occur only during computation, with lengths in output units.
 fn late(error: &ContactError, scene: &Scene) -> SceneError {
     match error {
         ContactError::Transform(TransformError::OutOfDomain { symbol: "radius", at, .. }) => {
@@ -476,14 +476,14 @@ fn late(error: &ContactError, scene: &Scene) -> SceneError {
             let limits = scene.profile.limits().chain(scene.bodies.iter().flat_map(crate::transform::Profile::limits));
             let end = limits.filter_map(|own| to_f64(own).ok()).min_by(f64::total_cmp);
             let end = end.map_or_else(String::new, |end| format!(", which ends at r = {}", in_unit(end, &named)));
-            SceneError::value(format!("radius = {} lies outside the profile{end}", in_unit(*at, &named)))
-                .help("a radius that the profile reaches would be accepted")
+            SceneError::value(format!("radius = {} is outside the profile{end}", in_unit(*at, &named)))
+                .help("expected a radius inside the profile")
         }
         other => other.clone().into(),
     }
 }
 
-/// The row of a load for which the budget did not suffice.
+/// Returns the row of a load for which the budget was exhausted.
 fn unfinished() -> Indented {
     let finding = Finding { rule: "unfinished", severity: Severity::Error, message: UNFINISHED.to_owned(), at: None };
     Indented { state: None, findings: vec![finding], radii: None }

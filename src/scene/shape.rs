@@ -1,4 +1,4 @@
-//! Named shapes: their parameters, their f(r) and where they come from.
+//! Named shapes: their parameters, f(r) and sources.
 
 use super::SceneError;
 use crate::scene::file::document::nearest;
@@ -8,17 +8,17 @@ use crate::scene::file::document::nearest;
 pub struct Shape {
     /// The name in scene files.
     pub name: &'static str,
-    /// What it is, as a phrase.
+    /// A phrase that describes the shape.
     pub title: &'static str,
-    /// Where it comes from.
+    /// The source of the formulas.
     pub source: &'static str,
-    /// The ways to give its parameters; the first one is the usual one.
+    /// The parametrizations; the first one is the default.
     pub ways: &'static [Way],
     /// The parameter that is also the radius of the vertical side.
     pub rim: Option<&'static str>,
 }
 
-/// One way to give the parameters of a shape.
+/// A parametrization of a shape.
 #[derive(Debug)]
 pub struct Way {
     /// f(r) in the grammar of profiles.
@@ -32,14 +32,14 @@ pub struct Way {
 pub struct Parameter {
     /// The name in f.
     pub name: &'static str,
-    /// A value that a new scene starts with.
+    /// An example value for a new scene.
     pub example: &'static str,
-    /// What it is.
+    /// A description.
     pub meaning: &'static str,
 }
 
 impl Parameter {
-    /// True for an angle between a flank and the surface, or the axis.
+    /// Returns true for an angle between a flank and the surface, or the axis.
     pub(super) fn is_angle(&self) -> bool {
         self.example.ends_with("deg")
     }
@@ -49,7 +49,7 @@ const fn p(name: &'static str, example: &'static str, meaning: &'static str) -> 
     Parameter { name, example, meaning }
 }
 
-/// Every named shape.
+/// All named shapes.
 pub const SHAPES: &[Shape] = &[
     Shape {
         name: "flat",
@@ -244,10 +244,10 @@ pub const SHAPES: &[Shape] = &[
     },
 ];
 
-/// The shape of a name, or an error that suggests the nearest one.
+/// Returns the shape with this name, or an error that suggests the closest one.
 ///
 /// # Errors
-/// [`SceneError`] for a name that no shape has.
+/// [`SceneError`] for an unknown name.
 pub fn known_shape(name: &str) -> Result<&'static Shape, SceneError> {
     shape(name).ok_or_else(|| {
         let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
@@ -255,12 +255,12 @@ pub fn known_shape(name: &str) -> Result<&'static Shape, SceneError> {
         let names: Vec<&str> = SHAPES.iter().map(|shape| shape.name).collect();
         let near = meant.or_else(|| nearest(&plain, &names)).map_or(String::new(), |near| format!("did you mean {near}? "));
         let shown: String = name.chars().take(60).collect();
-        SceneError::value(format!("there is no shape {shown:?}"))
-            .help(format!("{near}`sneddon scene new` lists the {} shapes", names.len()))
+        SceneError::value(format!("unknown shape {shown:?}"))
+            .help(format!("{near}run `sneddon scene new` for a list of the {} shapes", names.len()))
     })
 }
 
-/// Names under which a shape may be looked for, although they do not say exactly which one is meant.
+/// Common names that do not identify a shape uniquely.
 const OTHER_NAMES: &[(&str, &str)] = &[
     ("rounded-cone", "cone-with-spherical-cap"),
     ("blunt-cone", "cone-with-spherical-cap"),
@@ -278,14 +278,14 @@ const OTHER_NAMES: &[(&str, &str)] = &[
 ];
 
 impl Shape {
-    /// The way of giving its parameters that has all of these names; the usual one where none has.
+    /// Returns the parametrization with all of these names, or the default parametrization.
     pub fn way(&self, names: &[&str]) -> Option<&'static Way> {
         let fits = |way: &&Way| names.iter().all(|name| way.parameters.iter().any(|known| known.name == *name));
         self.ways.iter().find(fits).or(self.ways.first())
     }
 }
 
-/// The shape of a name; blanks and underscores count as hyphens.
+/// Normalizes the name of a shape; blanks and underscores are treated as hyphens.
 pub fn shape(name: &str) -> Option<&'static Shape> {
     let own = name.trim().to_lowercase().replace([' ', '_'], "-");
     let own = match own.as_str() {

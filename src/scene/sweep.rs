@@ -1,10 +1,10 @@
-//! A scene whose loads rise evenly from nothing to its largest load, as curves over the load need them.
+//! A scene whose loads increase evenly from zero to its largest load, for curves over the load.
 
 use super::{Loads, Quantity, Scene, Steps};
 use crate::contact::Kind;
 
 impl Scene {
-    /// The same scene with `count` loads from 0 to its largest one, and every number per load wanted.
+    /// Returns the same scene with `count` loads from 0 to the largest one, and all quantities per load requested.
     ///
     /// ```
     /// use sneddon::scene::{Loads, Scene};

@@ -1,11 +1,11 @@
-//! The system of units that a scene computes in, and the one that it answers in.
+//! The units in which a scene computes, and its output units.
 
 use super::{Dimension, DimensionedNumber, SceneError, Unit};
 use crate::expr::Expr;
 use crate::scene::file::dimensioned::to_f64;
 use std::ops::Range;
 
-/// The units of the answers; names are empty where the system has none.
+/// The output units; names are empty if the system has none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Names {
     /// The unit of length.
@@ -16,28 +16,28 @@ pub struct Names {
     pub pressure: String,
 }
 
-/// What pressures are counted in where answers have no dimension.
+/// The unit of pressure in dimensionless output.
 const DIMENSIONLESS: &str = "E*";
 
 /// Units of input and output. Lengths and pressures are computed in `length` and `pressure`, forces in their product.
 #[derive(Clone, Debug)]
 pub struct System {
-    /// False where all numbers are bare.
+    /// False if no number has a unit.
     has_units: bool,
-    /// The factors of the units in which the scene computes.
+    /// The factors of the computing units.
     length: Expr,
     pressure: Expr,
-    /// The numbers by which computed lengths, pressures and forces become those of the answers.
+    /// The factors that convert computed lengths, pressures and forces to output units.
     out_length: f64,
     out_pressure: f64,
     out_force: f64,
-    /// The factors of the units of the answers.
+    /// The factors of the output units.
     shown_length: Expr,
     shown_force: Expr,
     names: Option<Names>,
 }
 
-/// The units that `[outputs]` and `[profile]` name.
+/// The units named in `[outputs]` and `[profile]`.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Named {
     pub(super) length: Option<(Unit, Range<usize>)>,
@@ -47,7 +47,7 @@ pub(super) struct Named {
 }
 
 impl System {
-    /// Bare numbers of one consistent system that has no name.
+    /// Returns a consistent system without unit names.
     pub fn bare() -> Self {
         Self {
             has_units: false,
@@ -62,16 +62,16 @@ impl System {
         }
     }
 
-    /// The same with names of the units of length, force and pressure, which fit together; empty names stay bare.
+    /// Returns the same system with names of its units of length, force and pressure, which must be consistent; empty names stay empty.
     pub fn counted([length, force, pressure]: [String; 3]) -> Self {
         let has_names = !length.is_empty() || !pressure.is_empty();
         Self { names: has_names.then_some(Names { length, force, pressure }), ..Self::bare() }
     }
 
-    /// The system of a scene in which some number carries a unit, or none does.
+    /// Determines the system of a scene; `has_units` is true if any number has a unit.
     ///
     /// # Errors
-    /// [`SceneError`] where bare numbers are said to be of units that do not fit together.
+    /// [`SceneError`] if the given output units are inconsistent for numbers without units.
     pub(super) fn new(has_units: bool, named: &Named) -> Result<Self, SceneError> {
         let name = |own: &Option<(Unit, Range<usize>)>| own.as_ref().map(|(unit, _)| unit.name().to_owned());
         let (length, force, pressure) = (name(&named.length), name(&named.force), name(&named.pressure));
@@ -82,7 +82,7 @@ impl System {
             {
                 let message = format!("{} is not {}*{}^2", f.name(), p.name(), l.name());
                 return Err(SceneError::unit(message)
-                    .help("bare numbers are of one consistent system, in which force = pressure * length^2; give the inputs their units, or change one of the three")
+                    .help("numbers without units must be consistent, with force = pressure * length^2; add units to the inputs, or change one of the three")
                     .at(at.clone()));
             }
             if length.is_some() || force.is_some() || pressure.is_some() {
@@ -95,7 +95,7 @@ impl System {
         }
         let factor = |own: &Option<(Unit, Range<usize>)>| own.as_ref().map_or_else(Expr::one, |(unit, _)| unit.factor().clone());
         let (wanted_length, out_pressure, wanted_force) = (factor(&named.length), factor(&named.pressure), factor(&named.force));
-        // Bare numbers in f fix the unit of length; else the answers do, so that what was typed in it stays exact.
+        // The unit of numbers in f is also the unit of length; else use the output unit, in which typed values remain exact.
         let own_length = named.profile_length.as_ref().map_or_else(|| wanted_length.clone(), |unit| unit.factor().clone());
         let out_force = to_f64(&(&out_pressure * own_length.power(2) / &wanted_force))?;
         Ok(Self {
@@ -115,7 +115,7 @@ impl System {
         })
     }
 
-    /// The same system with answers in a length of the scene and its effective modulus: d/R, F/(E* R²), p/E*.
+    /// Returns the same system with dimensionless output d/R, F/(E* R²), p/E*.
     #[must_use]
     pub fn dimensionless(&self, name: &str, length: f64, effective_modulus: f64) -> Self {
         let names = Names { length: name.to_owned(), force: format!("(E* {name}^2)"), pressure: DIMENSIONLESS.to_owned() };
@@ -123,37 +123,37 @@ impl System {
         Self { out_length, out_pressure, out_force: out_pressure * out_length * out_length, names: Some(names), ..self.clone() }
     }
 
-    /// True where numbers carry units.
+    /// Returns true if numbers have units.
     pub fn has_units(&self) -> bool {
         self.has_units
     }
 
-    /// The names of the units of the answers.
+    /// Returns the names of the output units.
     pub fn names(&self) -> Option<&Names> {
         self.names.as_ref()
     }
 
-    /// The exact number of a quantity that must have the given dimension.
+    /// Returns the exact value of a quantity, which must have the given dimension.
     pub(super) fn exact(&self, quantity: &DimensionedNumber, wanted: Dimension, what: &str) -> Result<Expr, SceneError> {
         match quantity.dimension() {
             Some(own) if own != wanted => {
                 let unit = quantity.unit().map_or("", Unit::name);
                 Err(SceneError::unit(format!("{what} is given in {unit}, which is {own}, not {wanted}")).help(if wanted.is_none() {
-                    "a number without a unit would be accepted".to_owned()
+                    "expected a number without a unit".to_owned()
                 } else {
-                    format!("a number with the unit of {wanted} would be accepted")
+                    format!("expected a number with a unit of {wanted}")
                 }))
             }
             None if self.has_units && !wanted.is_none() && !quantity.is_zero() => {
                 Err(SceneError::unit(format!("{what} has no unit, but other numbers of the scene have one"))
-                    .help(format!("give it the unit of {wanted}, as in {}", example(wanted))))
+                    .help(format!("add a unit of {wanted}, as in {}", example(wanted))))
             }
             Some(_) => Ok(self.own(quantity.in_base(), wanted)),
             None => Ok(quantity.in_base()),
         }
     }
 
-    /// A number in m and N in the units in which the scene computes.
+    /// Converts a number in m and N to computing units.
     pub(super) fn own(&self, base: Expr, dimension: Dimension) -> Expr {
         let force = &self.pressure * self.length.power(2);
         match dimension {
@@ -167,12 +167,12 @@ impl System {
         }
     }
 
-    /// The same as the nearest `f64`.
+    /// Returns the same value as the nearest `f64`.
     pub(super) fn number(&self, quantity: &DimensionedNumber, wanted: Dimension, what: &str) -> Result<f64, SceneError> {
         to_f64(&self.exact(quantity, wanted, what)?)
     }
 
-    /// A length or a force in the units of the answers.
+    /// Converts a length or a force to output units.
     pub(super) fn shown(&self, quantity: &DimensionedNumber, dimension: Dimension) -> Expr {
         match quantity.dimension() {
             None => quantity.in_base(),
@@ -181,13 +181,13 @@ impl System {
         }
     }
 
-    /// The factor from computed numbers of a dimension to those of the answers.
+    /// Returns the factor that converts computed values of a dimension to output units.
     pub fn out(&self, dimension: Dimension) -> f64 {
-        // The unit of pressure is chosen by itself.
+        // The unit of pressure is independent of the unit of force.
         if dimension == Dimension::PRESSURE { self.out_pressure } else { dimension.product(self.out_length, self.out_force) }
     }
 
-    /// The number by which a value in this unit becomes a computed one; `None` where the numbers of the scene have no unit.
+    /// Returns the factor that converts a value in this unit to computing units; `None` if the numbers of the scene have no units.
     pub fn computed(&self, unit: &Unit) -> Option<f64> {
         if self.has_units {
             return to_f64(&self.own(unit.factor().clone(), unit.dimension())).ok();
@@ -196,7 +196,7 @@ impl System {
         to_f64(&(unit.factor() / own.factor())).ok()
     }
 
-    /// The name of the unit of a dimension in the answers; empty where there is none.
+    /// Returns the name of the output unit of a dimension; empty if there is none.
     pub fn unit_name(&self, dimension: Dimension) -> String {
         let Some(Names { length, force, pressure }) = &self.names else { return String::new() };
         match dimension {

@@ -1,12 +1,12 @@
-//! The text of a file of points: comments, delimiter, header and numbers, each with its place.
+//! Parses a file of points: comments, delimiter, header and numbers, each with its position.
 
 use super::header::{Column, Field, chosen};
 use crate::scene::SceneError;
 use std::ops::Range;
 
-/// The text of a file: UTF-8 with or without its mark, else Latin-1, which has every byte.
+/// Decodes a file as UTF-8, with or without byte order mark, or else as Latin-1.
 ///
-/// True where it is not UTF-8.
+/// The second value is true if the file is not UTF-8.
 pub fn decoded(bytes: Vec<u8>) -> (String, bool) {
     match String::from_utf8(bytes) {
         Ok(text) => (text, false),
@@ -14,52 +14,52 @@ pub fn decoded(bytes: Vec<u8>) -> (String, bool) {
     }
 }
 
-/// What stands between two columns.
+/// The delimiter between two columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Delimiter {
     One(char),
     Blanks,
 }
 
-/// One row of numbers with the place of its radius.
+/// One row of numbers with the position of its radius.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Its radius as it stands in the file.
+    /// The radius as written in the file.
     pub r: f64,
-    /// Its height.
+    /// The height.
     pub z: f64,
     pub(super) place: Range<usize>,
 }
 
-/// The rows of a file and the two columns that they come from.
+/// The rows of a file and the two columns that were read.
 #[derive(Debug)]
 pub struct Sheet {
     pub(super) radius: Column,
     pub(super) height: Column,
-    /// One for every line of numbers.
+    /// One entry per line of numbers.
     pub rows: Vec<Row>,
-    /// True where some number has a decimal comma.
+    /// True if any number has a decimal comma.
     pub(super) decimal_comma: bool,
 }
 
-const HEADER: &str = "a header such as r_um,z_nm or r [um];z [um] would be accepted, with # before comments";
+const HEADER: &str = "expected a header such as r_um,z_nm or r [um];z [um]; comments begin with #";
 
-/// Reads radius and height of every row.
+/// Reads the radius and the height of every row.
 ///
 /// # Errors
-/// [`SceneError`] whose place is one in the text of the file.
+/// [`SceneError`] with a position in the text of the file.
 pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
     let begin = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
     if text.contains('\0') {
-        return Err(SceneError::value("this is no text: it has a byte 0").help("a text file in UTF-8 would be accepted"));
+        return Err(SceneError::value("the file is not text: it contains a zero byte").help("expected a text file in UTF-8"));
     }
     let mut lines = lines(text, begin).filter(|line| !text.get(line.clone()).unwrap_or_default().trim().is_empty()).peekable();
     let mut comment = None;
     let first = loop {
         let Some(line) = lines.peek().cloned() else {
-            // Comments are not quoted: they may be confidential.
+            // Do not quote comments; they may be confidential.
             return Err(match comment {
-                Some(_) => SceneError::missing("the file has comments only").help(HEADER),
+                Some(_) => SceneError::missing("the file contains only comments").help(HEADER),
                 None => SceneError::missing("the file is empty").help(HEADER).at(0..0),
             });
         };
@@ -74,7 +74,7 @@ pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
     split(slice(&first), first.start, delimiter, &mut fields);
     let numbers = fields.iter().all(|(field, _)| number(field, delimiter).is_some());
     let columns = if numbers {
-        // A header behind a comment sign, as NumPy writes it.
+        // A header in a comment, as written by NumPy.
         let behind = comment.map(|line| {
             let skipped = slice(&line).find('#').map_or(0, |at| at + 1);
             line.start + skipped..line.end
@@ -86,12 +86,12 @@ pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
             split(slice(line), line.start, delimiter, &mut fields);
             fields.iter().any(|(field, _)| number(field, delimiter).is_none())
         });
-        // Names between commas may stand above numbers between blanks.
+        // The names may be separated by commas although the numbers are separated by blanks.
         if fields.len() == count {
             delimiter = own;
         }
         if named.is_none() {
-            return Err(SceneError::missing("the first row has numbers, not the names of columns").help(HEADER).at(first));
+            return Err(SceneError::missing("the first row contains numbers instead of column names").help(HEADER).at(first));
         }
         chosen(&fields, true, line_scan)?
     } else {
@@ -115,18 +115,18 @@ pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
             fields.pop();
         }
         if fields.len() != count {
-            let message = format!("this row has {}, the header {count}", counted(fields.len()));
+            let message = format!("this row has {}, but the header has {count}", counted(fields.len()));
             let help = if delimiter == Delimiter::One(',') {
-                "as many fields as the header has would be accepted; decimal commas need ; between the columns"
+                "expected as many fields as in the header; with decimal commas, separate the columns by ;"
             } else {
-                "as many fields as the header has would be accepted"
+                "expected as many fields as in the header"
             };
             return Err(SceneError::value(message).help(help).at(line));
         }
         let mut read = |column: &Column| -> Result<(f64, Range<usize>), SceneError> {
             let (field, place) = fields.get(column.index).cloned().unwrap_or(("", line.clone()));
             let fault = |message: String| {
-                Err(SceneError::value(message).help("a finite decimal number such as 0.25 or 1e-3 would be accepted").at(place.clone()))
+                Err(SceneError::value(message).help("expected a finite decimal number such as 0.25 or 1e-3").at(place.clone()))
             };
             let shown: String = field.chars().take(40).collect();
             match number(field, delimiter) {
@@ -134,16 +134,16 @@ pub fn sheet(text: &str, line_scan: bool) -> Result<Sheet, SceneError> {
                     own.decimal_comma |= comma;
                     Ok((value, place))
                 }
-                Some(_) => fault(format!("{} = {shown} is no finite number", column.name)),
-                None if field.is_empty() => fault(format!("{} is empty here", column.name)),
-                None => fault(format!("{} = {shown:?} is no number", column.name)),
+                Some(_) => fault(format!("{} = {shown} is not finite", column.name)),
+                None if field.is_empty() => fault(format!("{} is empty", column.name)),
+                None => fault(format!("{} = {shown:?} is not a number", column.name)),
             }
         };
         let ((r, place), (z, _)) = (read(&own.radius)?, read(&own.height)?);
         own.rows.push(Row { r, z, place });
     }
     if own.rows.is_empty() {
-        return Err(SceneError::missing("the file has a header but no rows").help("at least 4 rows would be accepted").at(first));
+        return Err(SceneError::missing("the file contains a header but no rows").help("expected at least 4 rows").at(first));
     }
     Ok(own)
 }
@@ -152,9 +152,9 @@ fn counted(fields: usize) -> String {
     if fields == 1 { "1 field".to_owned() } else { format!("{fields} fields") }
 }
 
-/// The bytes of every line without its end.
+/// Returns the byte range of every line without its end.
 fn lines(text: &str, begin: usize) -> impl Iterator<Item = Range<usize>> + '_ {
-    // Files of old Macintoshes have no other ends.
+    // Classic Mac OS ends lines with a carriage return only.
     let end = if text.contains('\n') { '\n' } else { '\r' };
     let mut start = begin;
     text.get(begin..).unwrap_or_default().split(end).map(move |line| {
@@ -164,12 +164,12 @@ fn lines(text: &str, begin: usize) -> impl Iterator<Item = Range<usize>> + '_ {
     })
 }
 
-/// The line, unless it is a comment.
+/// Returns the line, unless it is a comment.
 fn body<'t>(text: &'t str, line: &Range<usize>) -> Option<&'t str> {
     text.get(line.clone()).filter(|own| !own.trim_start().starts_with('#'))
 }
 
-/// The delimiter of a header: `;`, a tab or `,` where there is one, else blanks.
+/// Returns the delimiter of a header: `;`, a tab or `,` if there is one, else blanks.
 fn sniffed(line: &str) -> Delimiter {
     let mut quoted = false;
     let outside: String = line
@@ -182,7 +182,7 @@ fn sniffed(line: &str) -> Delimiter {
     [';', '\t', ','].into_iter().find(|c| outside.trim().contains(*c)).map_or(Delimiter::Blanks, Delimiter::One)
 }
 
-/// The fields of a line; quotes and blanks around them fall away.
+/// Splits a line into fields without surrounding quotes and blanks.
 fn split<'t>(line: &'t str, start: usize, delimiter: Delimiter, fields: &mut Vec<Field<'t>>) {
     fields.clear();
     let mut push = |from: usize, to: usize| {
@@ -206,7 +206,7 @@ fn split<'t>(line: &'t str, start: usize, delimiter: Delimiter, fields: &mut Vec
                 from = at + c.len_utf8();
             }
             Delimiter::Blanks if c.is_whitespace() && !quoted && !bracket => {
-                // A unit in brackets belongs to the name before it.
+                // A unit in brackets belongs to the preceding name.
                 let unit = line.get(at..).unwrap_or_default().trim_start().starts_with(['[', '(']);
                 if !unit {
                     if line.get(from..at).is_some_and(|own| !own.trim().is_empty()) {
@@ -223,7 +223,7 @@ fn split<'t>(line: &'t str, start: usize, delimiter: Delimiter, fields: &mut Vec
     }
 }
 
-/// The number of a field, and whether it has a decimal comma.
+/// Parses the number of a field; the second value is true if it has a decimal comma.
 fn number(field: &str, delimiter: Delimiter) -> Option<(f64, bool)> {
     if let Ok(value) = field.parse() {
         return Some((value, false));

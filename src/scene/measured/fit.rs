@@ -1,45 +1,45 @@
-//! The named shapes that come nearest to a measured tip, by least squares.
+//! Fits the named shapes to a measured tip by least squares.
 
 use crate::num::work;
 use crate::scene::Dimension;
 
-/// A named shape with the parameters that fit best.
+/// A named shape with its best parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// The name of the shape in scene files.
     pub shape: &'static str,
-    /// Its parameters.
+    /// The parameters.
     pub parameters: Vec<FitParameter>,
-    /// The root mean square of the deviations in height.
+    /// The root mean square deviation in height.
     pub rms: f64,
-    /// The largest deviation.
+    /// The largest deviation in height.
     pub largest: f64,
 }
 
-/// A parameter of a fit.
+/// A fitted parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitParameter {
-    /// Its name.
+    /// The name.
     pub name: &'static str,
-    /// Its value in computed units.
+    /// The value in computing units.
     pub value: f64,
-    /// Its dimension; angles are in radians.
+    /// The dimension; angles are in radians.
     pub dimension: Dimension,
 }
 
-/// Places at which a shape's own length is tried before it is refined.
+/// Number of trial values of the shape parameter before refinement.
 const TRIES: i32 = 96;
 
-/// A shape with one nonlinear parameter q in units of the last radius; height and slope of the fit are linear.
+/// A shape with one nonlinear parameter q, a length relative to the last radius; height and slope are fitted linearly.
 struct Model {
     shape: &'static str,
     /// f at s = r/r_last.
     value: fn(f64, f64) -> f64,
-    /// The range of ln q; one place where there is no q.
+    /// The range of ln q; a single value for shapes without q.
     range: (f64, f64),
-    /// From q, the linear factor, and r_last.
+    /// Computes the parameters from q, the linear factor, and r_last.
     parameters: fn(f64, f64, f64) -> Vec<FitParameter>,
-    /// Free parameters, for the choice of the best.
+    /// Number of free parameters, for model selection.
     count: f64,
 }
 
@@ -60,7 +60,7 @@ const MODELS: [Model; 5] = [
         count: 1.0,
     },
     Model { shape: "cone", value: |s, _| s, range: (0.0, 0.0), parameters: |_, c, end| vec![angle((c / end).atan())], count: 1.0 },
-    // q = R/r_last from 1 on; R itself is no linear factor, so that c is one that comes out near q.
+    // q = R/r_last is at least 1; R is not a linear factor, and c should be close to q.
     Model {
         shape: "sphere",
         value: |s, q| s * s / (q + ((q - s) * (q + s)).max(0.0).sqrt()),
@@ -68,7 +68,7 @@ const MODELS: [Model; 5] = [
         parameters: |q, _, end| vec![length("R", q * end)],
         count: 1.0,
     },
-    // c (√(b² + r²) − b): the slope c far out, the radius b/c at the apex.
+    // c (√(b² + r²) − b) has the slope c at large r and the radius b/c at the apex.
     Model {
         shape: "hyperboloid",
         value: |s, q| s * s / (q + s.hypot(q)),
@@ -88,7 +88,7 @@ const MODELS: [Model; 5] = [
     },
 ];
 
-/// Every shape that fits at all, the best one first.
+/// Returns every shape that fits, the best first.
 pub(super) fn fits(points: &[(f64, f64)]) -> Vec<Fit> {
     let Some(end) = points.last().map(|own| own.0).filter(|end| *end > 0.0) else { return Vec::new() };
     let count = points.len() as f64;
@@ -100,7 +100,7 @@ pub(super) fn fits(points: &[(f64, f64)]) -> Vec<Fit> {
     found.into_iter().map(|(_, fit)| fit).collect()
 }
 
-/// The fit with what rates it: the smaller, the better.
+/// Returns the fit and its information criterion, which is smaller for better fits.
 fn fitted(model: &Model, points: &[(f64, f64)], end: f64, size: f64) -> Option<(f64, Fit)> {
     let deviation = |log: f64| linear(model, points, log.exp(), end).map_or(f64::INFINITY, |own| own.2);
     let (low, high) = model.range;
@@ -125,7 +125,7 @@ fn fitted(model: &Model, points: &[(f64, f64)], end: f64, size: f64) -> Option<(
             best = (deviation(refined), refined);
         }
     }
-    // At an end of its range a shape has become a simpler one; only a sphere may be a whole half.
+    // At an end of the range of q a shape degenerates to a simpler one; only a sphere may be a full hemisphere.
     let at_end = step > 0.0 && (best.1 >= high - 1e-6 || (best.1 <= low + 1e-6 && model.shape != "sphere"));
     if at_end {
         return None;
@@ -134,17 +134,17 @@ fn fitted(model: &Model, points: &[(f64, f64)], end: f64, size: f64) -> Option<(
     let (factor, constant, rms) = linear(model, points, q, end)?;
     let largest = points.iter().fold(0.0f64, |most, (s, z)| most.max((z - constant - factor * (model.value)(*s, q)).abs()));
     let parameters = (model.parameters)(q, factor, end);
-    // A shape that is convex the other way is none of these tips.
+    // A shape that is convex in the opposite direction is not a fit.
     let possible = factor > 0.0 && parameters.iter().all(|own| own.value.is_finite());
     let count = points.len() as f64;
-    // The information criterion of Bayes: a further parameter must pay.
+    // The Bayesian information criterion penalizes additional parameters.
     let rating = 2.0 * count * rms.max(1e-14 * size).max(f64::MIN_POSITIVE).ln() + model.count * count.ln();
     possible.then_some((rating, Fit { shape: model.shape, parameters, rms, largest }))
 }
 
-/// Factor, constant and root mean square of the best fit with this q. A sphere's factor is its radius and not free.
+/// Returns factor, constant and root mean square of the best fit for this q; the factor of a sphere is fixed.
 fn linear(model: &Model, points: &[(f64, f64)], q: f64, end: f64) -> Option<(f64, f64, f64)> {
-    // Thousands of fits of a long table take seconds.
+    // Check the budget, since a long table needs thousands of fits.
     if work::is_stopped() {
         return None;
     }

@@ -1,34 +1,34 @@
-//! Names and units of columns: `r_um`, `r [um]`, `r (um)`, `r/um` or plain `r`.
+//! Names and units of columns, such as `r_um`, `r [um]`, `r (um)`, `r/um` or `r`.
 
 use crate::scene::{Dimension, SceneError, Unit};
 use std::ops::Range;
 
-/// A field without quotes and blanks around it, and its bytes.
+/// A field without surrounding quotes and blanks, and its bytes.
 pub(super) type Field<'t> = (&'t str, Range<usize>);
 
-/// A column that is read.
+/// A column to read.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
-    /// As it stands in the header.
+    /// The name as written in the header.
     pub(super) name: String,
     pub(super) index: usize,
     pub(super) unit: Option<Unit>,
     pub(super) place: Range<usize>,
 }
 
-/// What radii and heights may be called.
+/// Names of radii and heights.
 const RADII: [&str; 6] = ["r", "x", "radius", "position", "distance", "lateral"];
 const HEIGHTS: [&str; 6] = ["z", "f", "h", "height", "profile", "topography"];
 
-/// What a height is called where nothing else is one: a line scan y(x).
+/// Names of heights if no other column matches, as in a line scan y(x).
 const ORDINATES: [&str; 2] = ["y", "y1"];
 
-const HELP: &str = "a column r (or x, for a line scan) and a column z would be accepted, with units as in r_um,z_nm";
+const HELP: &str = "expected a column r (or x, for a line scan) and a column z, with units as in r_um,z_nm";
 
-/// The columns of radius and height; `is_table` says whether numbers stand below the names.
+/// Finds the columns of radius and height; `is_table` is true if there are numbers below the names.
 ///
 /// # Errors
-/// [`SceneError`] where one of them is missing or stands twice, or has a unit that is no length.
+/// [`SceneError`] if a column is missing or duplicated, or its unit is not a length.
 pub(super) fn chosen(fields: &[Field<'_>], is_table: bool, line_scan: bool) -> Result<(Column, Column), SceneError> {
     let all: Vec<(String, usize)> = fields.iter().enumerate().map(|(index, (text, _))| (parts(text).0.to_lowercase(), index)).collect();
     let place = |index: usize| fields.get(index).map_or(0..0, |(_, place)| place.clone());
@@ -40,16 +40,16 @@ pub(super) fn chosen(fields: &[Field<'_>], is_table: bool, line_scan: bool) -> R
                 Ok(Column { name: text.to_owned(), index: *index, unit: unit(text, &place)?, place })
             }
             // Do not echo the contents of a file that is not a table; it may be confidential.
-            [] if !is_table => Err(SceneError::missing(format!("the first line of the points names no column of {what}")).help(HELP)),
+            [] if !is_table => Err(SceneError::missing(format!("the first line of the points does not contain a column of {what}")).help(HELP)),
             [] => {
                 let seen: Vec<&str> = fields.iter().map(|(text, _)| *text).take(8).collect();
                 let whole = place(0).start..place(fields.len().saturating_sub(1)).end;
-                Err(SceneError::missing(format!("there is no column of {what} among {}", seen.join(", "))).help(HELP).at(whole))
+                Err(SceneError::missing(format!("no column of {what} among {}", seen.join(", "))).help(HELP).at(whole))
             }
             [first, second, ..] => {
                 let text = |index: &usize| fields.get(*index).map_or("", |(text, _)| *text);
                 let message = format!("{} and {} are both columns of {what}", text(first), text(second));
-                Err(SceneError::value(message).help("one of them would be accepted").at(place(*second)))
+                Err(SceneError::value(message).help("expected only one of them").at(place(*second)))
             }
         }
     };
@@ -62,13 +62,13 @@ pub(super) fn chosen(fields: &[Field<'_>], is_table: bool, line_scan: bool) -> R
         && parts(&radius.name).0.eq_ignore_ascii_case("x")
         && let Some((_, index)) = all.iter().find(|(name, _)| name == "y")
     {
-        let message = "x, y and z make a map of a surface, which is not read";
-        return Err(SceneError::value(message).help("a profile r, z or a line scan x, z would be accepted").at(place(*index)));
+        let message = "a map of a surface with columns x, y and z is not supported";
+        return Err(SceneError::value(message).help("expected a profile r, z or a line scan x, z").at(place(*index)));
     }
     Ok((radius, height))
 }
 
-/// Name and unit as they stand.
+/// Splits a column name into name and unit.
 pub fn parts(text: &str) -> (&str, Option<&str>) {
     let text = text.trim();
     for (open, close) in [('[', ']'), ('(', ')')] {
@@ -89,5 +89,5 @@ fn unit(text: &str, place: &Range<usize>) -> Result<Option<Unit>, SceneError> {
         return Ok(Some(unit));
     }
     let message = format!("{own} is {}, not a length", unit.dimension());
-    Err(SceneError::unit(message).help("a column of lengths such as z_nm would be accepted").at(place.clone()))
+    Err(SceneError::unit(message).help("expected a column of lengths such as z_nm").at(place.clone()))
 }

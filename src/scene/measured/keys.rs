@@ -1,44 +1,44 @@
-//! What a scene says of a measured tip: its file, and how its points are to be read and joined.
+//! The keys of a scene for a measured tip: its file, and how to read and interpolate its points.
 
 use crate::scene::file::document::{Entry, Table};
 use crate::scene::{Dimension, DimensionedNumber, SceneError, System, Unit};
 use std::ops::Range;
 
-/// The keys of `[profile]` that only measured tips have.
+/// The keys of `[profile]` for measured tips.
 pub(in crate::scene) const KEYS: [&str; 7] = ["interpolation", "line_scan", "invert", "apex", "noise", "smoothing", "units"];
 
-/// How points are joined.
+/// Interpolation between points.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Join {
-    /// A monotone cubic through all of them.
+    /// A monotone cubic through all points.
     MonotoneCubic,
-    /// A smoothing spline between them, its penalty by cross-validation unless it is given.
+    /// A smoothing spline, with its penalty from cross-validation unless it is given.
     SmoothingSpline(Smoothing),
 }
 
-/// How much a spline may smooth.
+/// The amount of smoothing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Smoothing {
-    /// As cross-validation finds.
+    /// Determined by cross-validation.
     CrossValidation,
-    /// So much that the residual is the noise of the heights.
+    /// Such that the residual equals the noise of the heights.
     Noise(DimensionedNumber),
-    /// The penalty itself, in units of a length cubed.
+    /// The penalty itself, a length cubed.
     Weight(DimensionedNumber),
 }
 
 /// The slope at the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Apex {
-    /// Rounded or pointed, as the first points tell.
+    /// Rounded or pointed, inferred from the first points.
     Auto,
     /// f′(0) = 0.
     Rounded,
-    /// f′(0) as the points have it.
+    /// f′(0) extrapolated from the points.
     Pointed,
 }
 
-/// A measured tip as a scene asks for it; no file is opened yet.
+/// A measured tip as specified in a scene, before its file is opened.
 #[derive(Clone, Debug)]
 pub struct Measured {
     pub(super) file: String,
@@ -53,22 +53,22 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Reads the keys of a profile that has points.
+    /// Reads the keys of a profile with points.
     ///
     /// # Errors
-    /// [`SceneError`] for a key that does not fit.
+    /// [`SceneError`] for a key that is not applicable.
     pub(in crate::scene) fn read(profile: &Table<'_>) -> Result<Option<Self>, SceneError> {
         let Some(points) = profile.get("points") else {
             let Some(entry) = KEYS.iter().find_map(|key| profile.get(key)) else { return Ok(None) };
-            let message = format!("{} has a meaning for measured points only", entry.key());
+            let message = format!("{} requires measured points", entry.key());
             return Err(SceneError::value(message)
-                .help("points = \"tip.csv\" beside it would be accepted")
+                .help("expected points = \"tip.csv\" as well")
                 .at(profile.key_span(entry.key())));
         };
         let file = points.string()?.to_owned();
         if file.is_empty() {
             return Err(SceneError::value("points is empty")
-                .help("the name of a file such as \"tip.csv\" would be accepted")
+                .help("expected a file name such as \"tip.csv\"")
                 .at(points.span()));
         }
         let truth = |key: &str| profile.get(key).map_or(Ok(false), |entry| entry.boolean());
@@ -80,9 +80,9 @@ impl Measured {
             (_, None) => Join::MonotoneCubic,
             (_, Some(_)) => {
                 let key = if profile.get("noise").is_some() { "noise" } else { "smoothing" };
-                let message = format!("{key} has a meaning for a smoothing spline only");
+                let message = format!("{key} requires a smoothing spline");
                 return Err(SceneError::value(message)
-                    .help("interpolation = \"smoothing-spline\" beside it would be accepted")
+                    .help("expected interpolation = \"smoothing-spline\" as well")
                     .at(profile.key_span(key)));
             }
         };
@@ -115,27 +115,27 @@ impl Measured {
         }))
     }
 
-    /// The file as it was typed.
+    /// Returns the file name as typed.
     pub fn file(&self) -> &str {
         &self.file
     }
 
-    /// Where it stands in the scene file.
+    /// Returns the position of the file name in the scene file.
     pub fn place(&self) -> Range<usize> {
         self.place.clone()
     }
 
-    /// Every number with its unit.
+    /// Returns all numbers with their units.
     pub(in crate::scene) fn quantities(&self) -> impl Iterator<Item = &DimensionedNumber> {
         self.typed.iter().map(|own| &own.0)
     }
 
-    /// True where a unit is named for a column.
+    /// Returns true if a unit is given for a column.
     pub(in crate::scene) fn names_units(&self) -> bool {
         self.units.iter().any(Option::is_some)
     }
 
-    /// Refuses numbers whose unit is not what it must be, before any file is opened.
+    /// Checks the units of all numbers before any file is opened.
     pub(in crate::scene) fn check(&self, system: &System) -> Result<(), SceneError> {
         let (Join::SmoothingSpline(Smoothing::Noise(_) | Smoothing::Weight(_)), Some((quantity, span))) = (&self.join, self.typed.first())
         else {
@@ -145,10 +145,10 @@ impl Measured {
         if value.is_none_or(|own| own >= 0.0) {
             return Ok(());
         }
-        Err(SceneError::value(format!("{} is negative", quantity.text())).help("a number from 0 on would be accepted").at(span.clone()))
+        Err(SceneError::value(format!("{} is negative", quantity.text())).help("expected a number of at least 0").at(span.clone()))
     }
 
-    /// Noise or penalty in computed units.
+    /// Converts noise or penalty to computing units.
     pub(super) fn penalty_number(&self, system: &System) -> Result<Option<f64>, SceneError> {
         let cubed = || Dimension::LENGTH.power(3.into()).unwrap_or(Dimension::LENGTH);
         match &self.join {
@@ -168,8 +168,8 @@ fn smoothing(profile: &Table<'_>, typed: &mut Vec<(DimensionedNumber, Range<usiz
     };
     match (noise, weight) {
         (Some(_), Some(_)) => {
-            let message = "noise and smoothing say the same in two ways";
-            Err(SceneError::value(message).help("one of the two would be accepted").at(profile.key_span("smoothing")))
+            let message = "noise and smoothing cannot be combined";
+            Err(SceneError::value(message).help("expected only one of them").at(profile.key_span("smoothing")))
         }
         (Some(entry), None) => Ok(Some(Smoothing::Noise(quantity(&entry)?))),
         (None, Some(entry)) if entry.string().is_ok_and(|word| word == "cross-validation") => Ok(Some(Smoothing::CrossValidation)),

@@ -1,4 +1,4 @@
-//! Measured tips: points from a file become a profile, with everything that was done to them on the way.
+//! Measured tips: points from a file are turned into a profile, and all corrections are recorded.
 
 pub(super) mod columns;
 mod fit;
@@ -17,17 +17,17 @@ pub use note::Note;
 pub use scan::Scan;
 pub use tip::MeasuredTip;
 
-/// The longest file of points, in bytes.
+/// Maximum size of a file of points, in bytes.
 pub const LONGEST_TIP: usize = 1 << 26;
 
-/// A length with six digits and its unit, for sentences.
+/// Formats a length with six digits and its unit.
 fn shown(system: &super::System, length: f64) -> String {
     let unit = system.unit_name(super::Dimension::LENGTH);
     let number = six_digits(length * system.out(super::Dimension::LENGTH));
     if unit.is_empty() { number } else { format!("{number} {unit}") }
 }
 
-/// The shortest decimal of the number rounded to six digits.
+/// Rounds to six significant digits.
 fn six_digits(value: f64) -> String {
     format!("{value:.5e}").parse::<f64>().map_or_else(|_| String::new(), |rounded| format!("{rounded:?}"))
 }

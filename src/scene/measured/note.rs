@@ -1,13 +1,13 @@
-//! What was done to the points of a measured tip.
+//! Notes about the corrections to the points of a measured tip.
 
-/// Something that was done to the points, or is worth knowing about them.
+/// A correction of the points, or a property of them that affects the results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Note {
     /// A short name: `tip_sorted`, `tip_merged`, `tip_averaged`, `tip_not_monotone`, `tip_extrapolated`, `tip_centred`, …
     pub rule: &'static str,
-    /// A sentence.
+    /// A sentence for users.
     pub message: String,
-    /// The radius that is meant, in computed units.
+    /// The affected radius, in computing units.
     pub at: Option<f64>,
 }
 

@@ -1,26 +1,26 @@
-//! Points in the order of their radii, each radius once: what was done to them is said.
+//! Sorts the points by radius and merges equal radii; every correction is noted.
 
 use super::columns::Sheet;
 use super::note::Note;
 use super::{shown, six_digits};
 use crate::scene::{SceneError, System};
 
-/// Radius and height in computed units, rising radii.
+/// Radius and height in computing units, in increasing order of radius.
 pub(super) type Points = Vec<(f64, f64)>;
 
-/// The fewest points that make a tip.
+/// Minimum number of points of a tip.
 const FEWEST: usize = 4;
-/// The most of them.
+/// Maximum number of points.
 const MOST: usize = 200_000;
-/// Radii nearer to each other than this share of the mean spacing are one.
+/// Radii closer than this fraction of the mean spacing are treated as equal.
 const NEAR: f64 = 1e-6;
-/// One level interval in so many is no accident.
+/// Steps are reported if at least one of this many intervals is level.
 const STEPS_OF: usize = 20;
 
-/// Sorts, joins what stands twice, and refuses what no repair helps.
+/// Sorts the points and merges duplicates.
 ///
 /// # Errors
-/// [`SceneError`] with its place in the file.
+/// [`SceneError`] with a position in the file, for points that cannot be corrected.
 pub(super) fn ordered(
     sheet: &Sheet,
     [r_scale, z_scale]: [f64; 2],
@@ -33,15 +33,15 @@ pub(super) fn ordered(
     if !line_scan && let Some(row) = sheet.rows.iter().find(|row| row.r < 0.0) {
         let count = sheet.rows.iter().filter(|row| row.r < 0.0).count();
         let message = format!("{name} = {:?} is negative, as in {count} of {} rows", row.r, sheet.rows.len());
-        let help = "radii from 0 on would be accepted; for a line scan through the apex line_scan = true in [profile]";
+        let help = "expected radii of at least 0; set line_scan = true in [profile] for a line scan through the apex";
         return Err(SceneError::value(message).help(help).at(row.place.clone()));
     }
     let mut rows: Points = Vec::with_capacity(sheet.rows.len());
     for row in &sheet.rows {
         let (r, z) = (scaled(row.r, r_scale), scaled(row.z, z_scale));
         if !r.is_finite() || !z.is_finite() {
-            let message = format!("{name} = {:?} leaves the range of doubles in the unit of the answers", row.r);
-            return Err(SceneError::value(message).help("smaller numbers would be accepted").at(row.place.clone()));
+            let message = format!("{name} = {:?} overflows in the output units", row.r);
+            return Err(SceneError::value(message).help("expected smaller numbers").at(row.place.clone()));
         }
         rows.push((r, z));
     }
@@ -50,22 +50,22 @@ pub(super) fn ordered(
     if unsorted > 0 {
         rows.sort_by(|one, other| one.0.total_cmp(&other.0));
         let how = if falling { "falling".to_owned() } else { format!("out of order at {unsorted} places") };
-        notes.push(Note::new("tip_sorted", format!("the rows were sorted by {name}: they were {how}"), None));
+        notes.push(Note::new("tip_sorted", format!("the rows were sorted by {name}, since they were {how}"), None));
     }
     let points = joined(&rows, name, system, notes);
     let last = sheet.rows.last().map_or(0..0, |row| row.place.clone());
     if points.len() < FEWEST {
-        let message = format!("the file has {} different {name}: too few for a profile", points.len());
-        return Err(SceneError::value(message).help(format!("at least {FEWEST} would be accepted")).at(last));
+        let message = format!("the file contains only {} different {name}", points.len());
+        return Err(SceneError::value(message).help(format!("expected at least {FEWEST}")).at(last));
     }
     if points.len() > MOST {
-        let message = format!("the file has {} different {name}, the limit is {MOST}", points.len());
-        return Err(SceneError::value(message).help("every tenth of the rows, say, would be accepted").at(last));
+        let message = format!("the file contains {} different {name}, but the limit is {MOST}", points.len());
+        return Err(SceneError::value(message).help("use fewer points, such as every tenth row").at(last));
     }
     Ok(points)
 }
 
-/// Points at one radius become one, at their mean height.
+/// Replaces points at the same radius by one point at their mean height.
 fn joined(rows: &[(f64, f64)], name: &str, system: &System, notes: &mut Vec<Note>) -> Points {
     let extent = match (rows.first(), rows.last()) {
         (Some(first), Some(last)) => last.0 - first.0,
@@ -95,11 +95,11 @@ fn joined(rows: &[(f64, f64)], name: &str, system: &System, notes: &mut Vec<Note
         }
     }
     if merged > 0 {
-        notes.push(Note::new("tip_merged", format!("{merged} rows repeat a point and were dropped"), None));
+        notes.push(Note::new("tip_merged", format!("{merged} duplicate rows were dropped"), None));
     }
     if averaged > 0 {
         let message = format!(
-            "{averaged} values of {name} stand more than once with different heights, which were averaged: they differ by up to {}",
+            "{averaged} values of {name} occur more than once with different heights, which were averaged; the heights differ by up to {}",
             shown(system, spread)
         );
         notes.push(Note::new("tip_averaged", message, Some(widest)));
@@ -107,7 +107,7 @@ fn joined(rows: &[(f64, f64)], name: &str, system: &System, notes: &mut Vec<Note
     points
 }
 
-/// Says where heights fall.
+/// Notes where heights decrease.
 pub(super) fn note_falls(points: &[(f64, f64)], through_all: bool, system: &System, notes: &mut Vec<Note>) {
     let falls = |pair: &&[(f64, f64)]| matches!(pair, [one, other] if other.1 < one.1);
     let Some([first, _]) = points.windows(2).find(falls) else { return };
@@ -120,17 +120,17 @@ pub(super) fn note_falls(points: &[(f64, f64)], through_all: bool, system: &Syst
     }
     let share = six_digits(100.0 * count as f64 / (points.len().max(2) - 1) as f64);
     let mut message = format!(
-        "the heights do not rise throughout: they fall from r = {} on, in {share} % of the intervals, by {} at most",
+        "the heights are not monotone: they decrease from r = {} on, in {share} % of the intervals, by at most {}",
         shown(system, first.0),
         shown(system, deepest)
     );
     if through_all {
-        message.push_str("; if that is noise, interpolation = \"smoothing-spline\" in [profile] smooths it");
+        message.push_str("; if this is noise, smooth it with interpolation = \"smoothing-spline\" in [profile]");
     }
     notes.push(Note::new("tip_not_monotone", message, Some(first.0)));
 }
 
-/// Says where heights stay while radii grow, beyond a flat end: steps of a converter or of rounding.
+/// Notes intervals of constant height beyond a flat end, which are caused by digitization or rounding.
 pub(super) fn note_steps(points: &[(f64, f64)], notes: &mut Vec<Note>) {
     let rising = points.windows(2).skip_while(|pair| matches!(pair, [one, other] if other.1 == one.1));
     let (mut count, mut level) = (0_usize, 0_usize);
@@ -152,19 +152,19 @@ pub(super) fn note_steps(points: &[(f64, f64)], notes: &mut Vec<Note>) {
     }
 }
 
-/// Adds f(0) where the first point lies beyond the axis: by the even polynomial through the first points, or at a pointed tip by a plain one.
+/// Extrapolates to f(0) if the first point is off the axis: with the even polynomial through the first points, or with a general polynomial for a pointed tip.
 pub(super) fn extended(points: &mut Points, rounded: bool, system: &System, notes: &mut Vec<Note>) {
     let [first, second, third, ..] = *points.as_slice() else { return };
     if first.0 <= 0.0 {
         return;
     }
-    // A gap at the axis that is wider than the spacing bears no polynomial of higher order.
+    // A gap at the axis wider than the spacing does not support a polynomial of higher order.
     let count = if first.0 <= 1.5 * (second.0 - first.0) { 3 } else { 2 };
     let abscissas = [first, second, third].map(|(r, z)| if rounded { (r * r, z) } else { (r, z) });
     let height = polynomial_at_axis(abscissas.get(..count).unwrap_or_default());
     let how = if rounded { "evenly, with a level apex," } else { "evenly, with the pointed apex that the first points show," };
     let message = format!(
-        "no point stands at r = 0: the profile was continued {how} from r = {} to the axis, by {}",
+        "there was no point at r = 0: the profile was extrapolated {how} from r = {} to the axis, by {}",
         shown(system, first.0),
         shown(system, first.1 - height)
     );
@@ -172,7 +172,7 @@ pub(super) fn extended(points: &mut Points, rounded: bool, system: &System, note
     points.insert(0, (0.0, height));
 }
 
-/// The polynomial through these points, at 0.
+/// Evaluates the polynomial through these points at 0.
 fn polynomial_at_axis(points: &[(f64, f64)]) -> f64 {
     let base = points.first().map_or(0.0, |own| own.1);
     let weight = |i: usize, s: f64| -> f64 {

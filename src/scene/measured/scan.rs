@@ -1,38 +1,38 @@
-//! Line scans through an apex: its place, the tilt, and the mean of both sides.
+//! Line scans through the apex: centre, tilt, and average of both sides.
 
 use super::note::Note;
 use super::points::Points;
 use super::{shown, six_digits};
 use crate::scene::{SceneError, System};
 
-/// What a line scan showed.
+/// The result of centring a line scan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scan {
-    /// Where the apex stands in the scan.
+    /// The position of the apex in the scan.
     pub apex_offset: f64,
-    /// The slope of the odd part: that of the surface on which the tip stands.
+    /// The slope of the odd part, which is the tilt of the sample.
     pub tilt: f64,
-    /// The root mean square of what is left of half the difference between both sides.
+    /// The root mean square of half the difference between both sides, after the tilt is removed.
     pub asymmetry: f64,
 }
 
-/// Either side must have this share of half the scan, so that there is something to compare.
+/// Minimum fraction of half the scan on either side of the centre.
 const SHORTEST: f64 = 0.2;
-/// Places that are tried before the best one is refined.
+/// Number of trial positions of the centre before refinement.
 const TRIES: usize = 400;
-/// A tilt is believed where it leaves less than this share of the asymmetry, among many radii.
+/// A tilt is removed if it reduces the asymmetry below this fraction and there are enough radii.
 const BELIEVED: f64 = 0.5;
-/// Among so few radii chance does as much again.
+/// With fewer radii than this, a tilt may be due to chance.
 const FEW_BELIEVED: f64 = 10.0;
-/// An asymmetry below this share of the height is rounding.
+/// An asymmetry below this fraction of the height is rounding error.
 const ROUNDING: f64 = 1e-11;
-/// The fewest radii at which both sides can be compared.
+/// Minimum number of radii at which both sides can be compared.
 const FEWEST: usize = 3;
 
-/// Centres a scan and averages its sides; heights count from the lowest radius on.
+/// Centres a scan and averages its sides; heights are relative to the lowest radius.
 ///
 /// # Errors
-/// [`SceneError`] where the scan has no apex within it.
+/// [`SceneError`] if the apex is not inside the scan.
 pub(super) fn folded(scan: &[(f64, f64)], system: &System, notes: &mut Vec<Note>) -> Result<(Points, Scan), SceneError> {
     let (Some(first), Some(last)) = (scan.first(), scan.last()) else { return Ok((Vec::new(), Scan::NONE)) };
     let half = 0.5 * (last.0 - first.0);
@@ -41,13 +41,13 @@ pub(super) fn folded(scan: &[(f64, f64)], system: &System, notes: &mut Vec<Note>
     let lowest = scan.iter().min_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or(first);
     let highest = scan.iter().max_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or(last);
     let height = highest.1 - lowest.1;
-    let help = "a scan that has the apex between its ends would be accepted, or line_scan = false for radii from 0 on";
+    let help = "expected a scan with the apex between its ends, or line_scan = false for radii of at least 0";
     let at_end = |own: &(f64, f64)| own.0 == first.0 || own.0 == last.0;
     if height > 0.0 && at_end(lowest) && at_end(highest) {
-        let message = "the lowest and the highest point are the ends of the scan: it has no apex between them";
+        let message = "the scan has no apex between its ends: the lowest and the highest point are the ends";
         return Err(SceneError::value(message).help(help));
     }
-    // Without a tilt first: a tilted paraboloid is a paraboloid elsewhere, and nothing tells the one from the other.
+    // Search without a tilt first: a tilted paraboloid is a shifted paraboloid, and the two cannot be distinguished.
     let (level, level_rest) = best(scan, (middle - reach, middle + reach), height, false);
     let (tilted, tilted_rest) = best(scan, (middle - reach, middle + reach), height, true);
     let compared = Sides::new(scan, tilted).folds().len().max(1) as f64;
@@ -58,7 +58,7 @@ pub(super) fn folded(scan: &[(f64, f64)], system: &System, notes: &mut Vec<Note>
     let folds = sides.folds();
     let inside = folds.len() >= FEWEST && (apex_offset - middle).abs() < 0.999 * reach;
     if !inside {
-        return Err(SceneError::value("the scan has no axis of symmetry well within it").help(help));
+        return Err(SceneError::value("the scan has no axis of symmetry between its ends").help(help));
     }
     let (tilt, asymmetry) = odd_part(&folds);
     let mut points: Points = folds.iter().map(|fold| (fold.r, 0.5 * (fold.near + fold.far))).collect();
@@ -70,7 +70,7 @@ pub(super) fn folded(scan: &[(f64, f64)], system: &System, notes: &mut Vec<Note>
     let found = Scan { apex_offset, tilt, asymmetry };
     let end = points.last().map_or(0.0, |own| own.0);
     let mut message = format!(
-        "the scan was centred at x = {}, its tilt of {} removed, and both sides averaged up to r = {}: what is left of half their difference is {} (root mean square)",
+        "the scan was centred at x = {}, a tilt of {} was removed, and both sides were averaged up to r = {}; half their remaining difference is {} (root mean square)",
         shown(system, apex_offset),
         six_digits(tilt),
         shown(system, end),
@@ -78,7 +78,7 @@ pub(super) fn folded(scan: &[(f64, f64)], system: &System, notes: &mut Vec<Note>
     );
     let longer = (last.0 - apex_offset).max(apex_offset - first.0);
     if longer > 1.01 * end {
-        message.push_str(&format!("; the longer side goes on to r = {}, which has no counterpart", shown(system, longer)));
+        message.push_str(&format!("; the longer side continues to r = {} without a counterpart", shown(system, longer)));
     }
     notes.push(Note::new("tip_centred", message, None));
     Ok((points, found))
@@ -88,13 +88,13 @@ impl Scan {
     const NONE: Self = Self { apex_offset: 0.0, tilt: 0.0, asymmetry: 0.0 };
 }
 
-/// Both sides of a scan as radii that rise.
+/// Returns both sides of a scan with increasing radii.
 struct Sides {
     near: Points,
     far: Points,
 }
 
-/// Both heights at one radius; signed so that the odd part has the direction of the scan.
+/// Both heights at one radius; the sign makes the odd part follow the direction of the scan.
 struct Fold {
     r: f64,
     near: f64,
@@ -115,7 +115,7 @@ impl Sides {
         Self { near: left, far: right }
     }
 
-    /// The heights of both sides at the radii of that one which begins farther out, so that nothing is extrapolated inward.
+    /// Returns the heights of both sides at the radii of the side that begins farther out, so that nothing is extrapolated inward.
     fn folds(&self) -> Vec<Fold> {
         let begin = |side: &Points| side.first().map_or(f64::INFINITY, |own| own.0);
         let end = |side: &Points| side.last().map_or(0.0, |own| own.0);
@@ -130,7 +130,7 @@ impl Sides {
     }
 }
 
-/// The cubic through four neighbours; `at` remembers the place, since radii rise.
+/// Evaluates the cubic through four neighbours; `at` keeps the position, since radii increase.
 fn interpolated(side: &[(f64, f64)], r: f64, at: &mut usize) -> Option<f64> {
     while side.get(*at).is_some_and(|own| own.0 < r) {
         *at += 1;
@@ -147,7 +147,7 @@ fn interpolated(side: &[(f64, f64)], r: f64, at: &mut usize) -> Option<f64> {
     Some(base + four.iter().enumerate().map(|(i, (own, z))| (z - base) * weight(i, *own)).sum::<f64>())
 }
 
-/// Slope of the odd part, and the root mean square of what it leaves.
+/// Returns the slope of the odd part, and the root mean square of its residual.
 fn odd_part(folds: &[Fold]) -> (f64, f64) {
     let half = |fold: &Fold| 0.5 * fold.sign * (fold.far - fold.near);
     let (product, square) = folds.iter().fold((0.0, 0.0), |(p, s), own| (p + own.r * half(own), s + own.r * own.r));
@@ -156,7 +156,7 @@ fn odd_part(folds: &[Fold]) -> (f64, f64) {
     (tilt, (rest / folds.len().max(1) as f64).sqrt())
 }
 
-/// What two sides differ by about a centre, with or without a tilt.
+/// Returns the asymmetry about a centre, with or without a tilt.
 fn rest(scan: &[(f64, f64)], centre: f64, with_tilt: bool) -> f64 {
     let folds = Sides::new(scan, centre).folds();
     if folds.len() < FEWEST {
@@ -169,7 +169,7 @@ fn rest(scan: &[(f64, f64)], centre: f64, with_tilt: bool) -> f64 {
     (all / folds.len() as f64).sqrt()
 }
 
-/// The centre of least asymmetry, relative to how much the sides rise.
+/// Finds the centre with the smallest asymmetry relative to the rise of the sides.
 fn best(scan: &[(f64, f64)], (from, to): (f64, f64), height: f64, with_tilt: bool) -> (f64, f64) {
     // Long scans are thinned for the search.
     let step = (scan.len() / (2 * TRIES)).max(1);
@@ -180,7 +180,7 @@ fn best(scan: &[(f64, f64)], (from, to): (f64, f64), height: f64, with_tilt: boo
         let rise: f64 = folds.iter().map(|own| (own.near + own.far - mean).powi(2)).sum();
         let own = rest(points, centre, with_tilt);
         let rise = (rise / folds.len().max(1) as f64).sqrt();
-        // On a flank, a straight line for itself, both sides agree about nothing.
+        // On a flank, which is nearly straight, both sides agree trivially.
         if rise > ROUNDING * height { own / rise } else { f64::INFINITY }
     };
     let place = |step: f64| from + (to - from) * step / TRIES as f64;
@@ -188,7 +188,7 @@ fn best(scan: &[(f64, f64)], (from, to): (f64, f64), height: f64, with_tilt: boo
     for step in 0..=TRIES {
         let centre = place(step as f64);
         let own = rated(&thin, centre);
-        // A tie, as on a flat, goes to the place nearer to the middle.
+        // Ties, as on a flat, are resolved in favour of the middle.
         let middle = 0.5 * (from + to);
         let nearer = own == found.0 && (centre - middle).abs() < (found.1 - middle).abs();
         if own < found.0 || nearer {
@@ -209,7 +209,7 @@ fn best(scan: &[(f64, f64)], (from, to): (f64, f64), height: f64, with_tilt: boo
     (centre, rest(scan, centre, with_tilt))
 }
 
-/// A centre that is one of the points, as far as the search can tell.
+/// Returns the scan point that the centre agrees with to the accuracy of the search, if there is one.
 fn snapped(scan: &[(f64, f64)], centre: f64) -> f64 {
     let spacing = match (scan.first(), scan.last()) {
         (Some(first), Some(last)) => (last.0 - first.0) / scan.len() as f64,

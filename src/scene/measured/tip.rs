@@ -1,4 +1,4 @@
-//! A tip that was read: its profile, a second one that judges the first, and what is worth knowing about it.
+//! A measured tip: its profile, a second profile for the model error, and notes.
 
 use super::columns::{Sheet, sheet};
 use super::fit::{self, Fit};
@@ -14,7 +14,7 @@ use crate::scene::{Dimension, SceneError, System, Unit};
 use crate::transform::{Interpolation, Penalty, Profile, TableProfile};
 use std::sync::Arc;
 
-/// A measured tip with numbers in the units in which its scene computes.
+/// A measured tip in the computing units of its scene.
 #[derive(Clone)]
 pub struct MeasuredTip {
     profile: Arc<TableProfile>,
@@ -34,10 +34,10 @@ impl std::fmt::Debug for MeasuredTip {
 }
 
 impl Measured {
-    /// Makes a tip of the text of its file, as [`super::decoded`] gives it; places in errors are bytes of that text.
+    /// Creates a tip from the text of its file, as returned by [`super::decoded`]; positions in errors are bytes of that text.
     ///
     /// # Errors
-    /// [`SceneError`] for a file that is no profile.
+    /// [`SceneError`] for a file without a valid profile.
     pub fn tip(&self, (text, foreign): &(String, bool), system: &System) -> Result<MeasuredTip, SceneError> {
         let own = sheet(text, self.line_scan)?;
         let scales = self.scales(&own, system)?;
@@ -46,7 +46,7 @@ impl Measured {
             notes.push(Note::new("tip_encoding", "the file is not UTF-8 and was read as Latin-1".to_owned(), None));
         }
         if own.decimal_comma {
-            notes.push(Note::new("tip_decimal_comma", "commas in numbers were read as decimal points".to_owned(), None));
+            notes.push(Note::new("tip_decimal_comma", "decimal commas were read as decimal points".to_owned(), None));
         }
         let mut points = ordered(&own, scales, self.line_scan, system, &mut notes)?;
         if self.invert {
@@ -77,7 +77,7 @@ impl Measured {
         let (profile, second, joined) = match &self.join {
             Join::MonotoneCubic => {
                 let own = if rounded { Interpolation::EvenMonotoneCubic } else { Interpolation::MonotoneCubic };
-                // Through the same points two good cubics share their leading error; with half of them it is sixteen times as large.
+                // Two interpolants through the same points share their leading error; with half of the points it is sixteen times as large.
                 let (fewer, other) = (every_other(&points), spline(rounded, Penalty::Weight(0.0)));
                 let name =
                     if fewer.len() < points.len() { "natural cubic spline through every other point" } else { "natural cubic spline" };
@@ -99,7 +99,7 @@ impl Measured {
         Ok(MeasuredTip { profile: Arc::new(profile), second: Arc::new(second), points: measured, rows, rounded, joined, scan, notes })
     }
 
-    /// The factors from both columns to computed lengths.
+    /// Returns the factors that convert both columns to computing units.
     fn scales(&self, sheet: &Sheet, system: &System) -> Result<[f64; 2], SceneError> {
         let scale = |column: &Column, named: &Option<Unit>| -> Result<f64, SceneError> {
             let unit = column.unit.as_ref().or(named.as_ref()).or(self.length_unit.as_ref());
@@ -108,16 +108,16 @@ impl Measured {
                 (None, false) => Expr::one(),
                 (None, true) => {
                     let message = format!("the column {} has no unit, but other numbers of the scene have one", column.name);
-                    let help = format!("{}_um in the header, or length_unit = \"um\" in [profile], would be accepted", column.name);
+                    let help = format!("expected {}_um in the header, or length_unit = \"um\" in [profile]", column.name);
                     return Err(SceneError::unit(message).help(help).at(column.place.clone()));
                 }
-                // Bare numbers of a scene are of the unit that its answers name.
+                // Numbers without a unit in a scene are in the output units.
                 (Some(unit), false) => match system.names().and_then(|names| Unit::parse(&names.length).ok()) {
                     Some(bare) => unit.factor() / bare.factor(),
                     None => {
                         let message = format!("the column {} has a unit, but the numbers of the scene have none", column.name);
                         let help =
-                            "numbers with units in the scene, such as depth = \"50 nm\", or columns without units, would be accepted";
+                            "expected units in the scene, such as depth = \"50 nm\", or columns without units";
                         return Err(SceneError::unit(message).help(help).at(column.place.clone()));
                     }
                 },
@@ -133,7 +133,7 @@ fn spline(rounded: bool, penalty: Penalty) -> Interpolation {
     if rounded { Interpolation::EvenSmoothingSpline(penalty) } else { Interpolation::SmoothingSpline(penalty) }
 }
 
-/// Every other point, and the last one: the profile ends where it ended. Few points stay as they are.
+/// Returns every other point and the last one, so that the profile keeps its end. A short list is returned unchanged.
 fn every_other(points: &[(f64, f64)]) -> Points {
     if points.len() < 7 {
         return points.to_vec();
@@ -145,8 +145,8 @@ fn every_other(points: &[(f64, f64)]) -> Points {
     fewer
 }
 
-/// Whether the first points point at an edge on the axis, rather than at a level place: by the polynomial through five of them, and
-/// beyond doubt by a parabola through an eighth of all, since points may be noisy.
+/// Returns true if the tip is pointed rather than rounded at the axis, judged by the polynomial through the first five points and,
+/// to exclude noise, by a parabola through the first eighth of all points.
 fn is_pointed(points: &[(f64, f64)]) -> bool {
     let first = |count: usize| points.get(..count.min(points.len())).unwrap_or_default();
     let (few, more) = (first(5), first((points.len() / 8).max(8)));
@@ -158,14 +158,14 @@ fn is_pointed(points: &[(f64, f64)]) -> bool {
         (Some(one), Some(other)) if other.0 > one.0 => (other.1 - one.1) / (other.0 - one.0),
         _ => 0.0,
     };
-    // Slopes count in the direction in which the first points lead.
+    // Slopes are positive in the direction of the first points.
     let chord = ends(more);
     let (slope, doubt) = slope_of_parabola(more);
     let sign = chord.signum();
     sign * slope_of_polynomial(few) > 0.5 * rise(few).abs() && sign * slope > (0.5 * chord.abs()).max(3.0 * doubt)
 }
 
-/// The slope at the axis of the polynomial through all of a few points.
+/// Returns the slope at the axis of the polynomial through a few points.
 fn slope_of_polynomial(points: &[(f64, f64)]) -> f64 {
     let base = points.first().map_or(0.0, |own| own.1);
     let weight = |j: usize, own: f64| -> f64 {
@@ -176,7 +176,7 @@ fn slope_of_polynomial(points: &[(f64, f64)]) -> f64 {
     points.iter().enumerate().map(|(j, (r, z))| (z - base) * weight(j, *r)).sum()
 }
 
-/// The slope at the axis of the parabola that fits best, and its standard error.
+/// Returns the slope at the axis of the least-squares parabola, and its standard error.
 fn slope_of_parabola(points: &[(f64, f64)]) -> (f64, f64) {
     let count = points.len() as f64;
     let mean = |value: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(value).sum::<f64>() / count;
@@ -197,52 +197,52 @@ fn slope_of_parabola(points: &[(f64, f64)]) -> (f64, f64) {
 }
 
 impl MeasuredTip {
-    /// The profile.
+    /// Returns the profile.
     pub fn profile(&self) -> &Arc<TableProfile> {
         &self.profile
     }
 
-    /// Every other point, joined in another way: what changes with it is no more certain than that.
+    /// Returns the profile through every other point with another interpolation; the difference between the two is the model error.
     pub fn second(&self) -> &Arc<TableProfile> {
         &self.second
     }
 
-    /// How the points are joined, and how the second profile joins them.
+    /// Returns the names of the interpolations of both profiles.
     pub fn joined(&self) -> [&'static str; 2] {
         self.joined
     }
 
-    /// The rows of the file.
+    /// Returns the number of rows in the file.
     pub fn rows(&self) -> usize {
         self.rows
     }
 
-    /// Radius and height of every point that is left of them.
+    /// Returns the radius and the height of every remaining point.
     pub fn points(&self) -> &[(f64, f64)] {
         &self.points
     }
 
-    /// True where f′(0) = 0.
+    /// Returns true if f′(0) = 0.
     pub fn is_rounded(&self) -> bool {
         self.rounded
     }
 
-    /// The last radius: the profile ends there.
+    /// Returns the last radius, at which the profile ends.
     pub fn last_radius(&self) -> f64 {
         self.points.last().map_or(0.0, |own| own.0)
     }
 
-    /// What a line scan showed.
+    /// Returns the result of centring a line scan.
     pub fn scan(&self) -> Option<Scan> {
         self.scan
     }
 
-    /// What was done to the points, and what is worth knowing about them.
+    /// Returns the notes about corrections and properties of the points.
     pub fn notes(&self) -> &[Note] {
         &self.notes
     }
 
-    /// The named shapes by least squares, the best one first; computed when it is asked for.
+    /// Returns the named shapes fitted by least squares, the best first; computed on demand.
     pub fn fits(&self) -> Vec<Fit> {
         fit::fits(&self.points)
     }
