@@ -1,14 +1,14 @@
-//! Why data cannot be validated: bad data with their place, or a bad scene.
+//! Errors of a validation: invalid data with their position, or an invalid scene.
 
 use crate::contact::ContactError;
 use crate::scene::SceneError;
 use thiserror::Error;
 
-/// Bad input of a validation.
+/// An error in the input of a validation.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ValidationError {
-    /// A data file that cannot be read as one.
+    /// A data file that cannot be read.
     #[error("{file}{}: {message}", place(*.line))]
     Data {
         /// The name of the file.
@@ -17,18 +17,18 @@ pub enum ValidationError {
         line: Option<u64>,
         /// The reason.
         message: String,
-        /// What would be accepted.
+        /// What was expected, or what to do.
         help: Option<String>,
     },
-    /// A request that does not fit together.
+    /// An inconsistent request.
     #[error("{message}")]
     Request {
         /// The reason.
         message: String,
-        /// What would be accepted.
+        /// What was expected, or what to do.
         help: String,
     },
-    /// The scene.
+    /// An error in the scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
 }
@@ -38,17 +38,17 @@ fn place(line: Option<u64>) -> String {
 }
 
 impl ValidationError {
-    /// A fault of a data file.
+    /// Creates an error in a data file.
     pub(super) fn data(file: &str, line: Option<u64>, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Data { file: file.to_owned(), line, message: message.into(), help: Some(help.into()) }
     }
 
-    /// A fault of the request.
+    /// Creates an error in the request.
     pub(super) fn request(message: impl Into<String>, help: impl Into<String>) -> Self {
         Self::Request { message: message.into(), help: help.into() }
     }
 
-    /// What would be accepted.
+    /// Returns what was expected, or what to do.
     pub fn accepted(&self) -> Option<&str> {
         match self {
             Self::Data { help, .. } => help.as_deref(),

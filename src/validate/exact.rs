@@ -1,4 +1,4 @@
-//! The exact solution of a scene, asked by data: states by load, and pressures by the block.
+//! The exact solution of a scene for the data: states by load, and pressures in blocks.
 
 use crate::contact::{Boundary, Contact, ContactError, Indentation, Load, Part, Setup, State};
 use crate::expr::Bindings;
@@ -10,44 +10,44 @@ use std::cell::OnceCell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// A scene's indentation.
+/// The exact solution of a scene.
 pub(super) struct Exact<'a> {
     indentation: Indentation<'a>,
     from_touch: bool,
-    /// The formula alone, where the profile is one: its pressures are known by the block.
+    /// The formula of the profile, if it has one, whose pressures can be computed in blocks.
     formula: Option<&'a Solution>,
     modulus: f64,
     method: Method,
     tolerance: f64,
 }
 
-/// Slopes of the profile that a pixel cannot follow.
+/// Singularities of the profile that a pixel cannot resolve.
 pub(super) struct Sharp {
-    /// True where the tip is not smooth at the axis.
+    /// True if the tip is not smooth at the axis.
     pub(super) apex: bool,
     /// The radii of kinks.
     pub(super) kinks: Vec<f64>,
-    /// Radii where only the curvature jumps.
+    /// Radii at which only the curvature jumps.
     pub(super) bends: Vec<f64>,
 }
 
 impl<'a> Exact<'a> {
-    /// `largest` is the largest load of the data.
+    /// Creates the exact solution; `largest` is the largest load of the data.
     pub(super) fn new(scene: &Scene, solution: &'a Solution, largest: Load) -> Result<Self, ContactError> {
         let Scene { effective_modulus, rim, tolerance, method, .. } = *scene;
         let setup = Setup { effective_modulus, rim, tolerance, method };
-        // Absurd loads, as of data in wrong units, are no reason to stop.
+        // Do not fail for absurd loads, such as data in wrong units.
         let tips = || scene.tip.as_ref().map(MeasuredTip::profile).map(|own| Part::new(Arc::clone(own))).into_iter().collect();
         let bodies = scene.parts()?;
         let made = |largest| Indentation::between(&bodies, Some(solution), tips(), setup, largest);
-        // Absurd loads, as of data in wrong units, are no reason to stop.
+        // Do not fail for absurd loads, such as data in wrong units.
         let indentation = made(largest).or_else(|_| made(Load::Depth(0.0)))?;
         let formula = scene.tip.is_none().then_some(solution);
         let from_touch = scene.depth_from == DepthFrom::FirstTouch;
         Ok(Self { indentation, from_touch, formula, modulus: effective_modulus, method, tolerance })
     }
 
-    /// The state of a load, where a valid one belongs to it; depths of the data may count from the first touch.
+    /// Returns the state under a load if it is valid; depths of the data may be relative to first touch.
     pub(super) fn state(&self, load: Load) -> Option<State> {
         let load = match load {
             Load::Depth(depth) if self.from_touch => Load::Depth(depth + self.indentation.first_touch()),
@@ -58,43 +58,43 @@ impl<'a> Exact<'a> {
         solved.state.filter(|_| valid)
     }
 
-    /// The depth of a state as the data count it.
+    /// Returns the depth of a state with the reference of the data.
     pub(super) fn depth(&self, state: &State) -> f64 {
         if self.from_touch { state.depth - self.indentation.first_touch() } else { state.depth }
     }
 
-    /// U = E* ∫₀^a (d − g)² dx of a state.
+    /// Returns U = E* ∫₀^a (d − g)² dx of a state.
     pub(super) fn energy(&self, state: &State) -> Option<f64> {
         Some(self.indentation.energy(state).ok()?.estimate.value)
     }
 
-    /// k = 2E* a of a state.
+    /// Returns k = 2E* a of a state.
     pub(super) fn stiffness(&self, state: &State) -> Option<f64> {
         Some(self.contact(state).stiffness(state.radius).ok()?.estimate.value)
     }
 
-    /// The contact of a state.
+    /// Returns the contact of a state.
     pub(super) fn contact(&self, state: &State) -> Contact<'a, Superposition<'a>> {
         self.indentation.contact(state)
     }
 
-    /// The contact with a smooth edge.
+    /// Returns the contact with a smooth edge.
     pub(super) fn shape(&self) -> &Contact<'a, Superposition<'a>> {
         self.indentation.shape()
     }
 
-    /// The formula's contact with a smooth edge; `None` for a measured tip.
+    /// Returns the contact of the formula with a smooth edge; `None` for a measured tip.
     pub(super) fn formula(&self) -> Option<Formula<'a>> {
         let evaluator = Evaluator::new(self.formula?, &Bindings::default(), self.method, self.tolerance).ok()?;
         Some(Formula { contact: Contact::new(evaluator, self.modulus, None, self.tolerance), closes: OnceCell::new() })
     }
 
-    /// Pressures under a state, for many places.
+    /// Returns the pressures under a state, prepared for many points.
     pub(super) fn pressures<'c>(&'c self, formula: Option<&'c Formula<'c>>, state: &State) -> Pressures<'c> {
         Pressures::new(self, formula, state, u64::MAX)
     }
 
-    /// What is sharp within a radius.
+    /// Returns the singularities within a radius.
     pub(super) fn sharp(&self, within: f64) -> Sharp {
         let bend = |r: f64| self.indentation.shape().profile(r).map_or(0.0, |own| own.estimate.value.abs() / (r * r));
         let (near, nearer) = (bend(1e-3 * within), bend(1e-5 * within));
@@ -109,13 +109,13 @@ impl<'a> Exact<'a> {
         Sharp { apex: nearer > 1.5 * near, kinks, bends }
     }
 
-    /// How far the nearest kink inside a contact lies from its edge; the contact radius where there is none.
+    /// Returns the distance between the edge of a contact and the nearest kink inside; the contact radius if there is none.
     pub(super) fn room(&self, state: &State) -> f64 {
         let a = state.radius;
         self.indentation.kinks().map(|own| own.0).filter(|own| *own > 0.0 && *own < a).fold(a, |room, kink| room.min(a - kink))
     }
 
-    /// f(r)/r² near the axis.
+    /// Returns f(r)/r² near the axis.
     pub(super) fn bend(&self, within: f64) -> Option<f64> {
         let r = 1e-4 * within;
         let height = self.indentation.shape().profile(r).ok()?.estimate.value;
@@ -123,44 +123,44 @@ impl<'a> Exact<'a> {
     }
 }
 
-/// A profile with more jumps of the curvature is a measured tip.
+/// A profile with more curvature jumps is treated as a measured tip.
 const MOST_BENDS: usize = 8;
 
-/// A formula's contact with a smooth edge.
+/// The contact of a formula with a smooth edge.
 pub(super) struct Formula<'a> {
     contact: Contact<'a>,
-    /// Whether pressures come without quadrature.
+    /// True if pressures can be computed without quadrature.
     closes: OnceCell<bool>,
 }
 
 impl Formula<'_> {
-    /// Whether p under the contact radius a comes without quadrature; the first radius decides for all.
+    /// Returns true if p under the contact radius a needs no quadrature; the first radius decides for all.
     fn closes(&self, a: f64) -> bool {
         let known = |t: f64| matches!(self.contact.pressure(t * a, a), Ok(Ok(own)) if own.estimate.evaluations == 0);
         *self.closes.get_or_init(|| [0.21, 0.55, 0.87].into_iter().all(known))
     }
 }
 
-/// Pressures under one state: closed forms by the block, else a curve that is built once.
+/// Pressures under one state: closed forms in blocks, else a curve that is built once.
 pub(super) struct Pressures<'c> {
-    /// With a smooth edge; what a rim adds stands beside it.
+    /// The part for a smooth edge; the contribution of a rim is added.
     formula: Option<&'c Contact<'c>>,
     shape: &'c Contact<'c, Superposition<'c>>,
     pub(super) state: State,
-    /// What is sharp within the contact.
+    /// The singularities within the contact.
     pub(super) sharp: Sharp,
     curve: Option<PressureCurve<'c>>,
     factor: f64,
     excess: f64,
 }
 
-/// Number of points from which a curve costs less than quadrature at each of them.
+/// Number of points above which a curve costs less than quadrature at each point.
 const MANY: u64 = 20;
-/// Relative error of a curve from which quadrature answers in its place.
+/// Relative error of a curve above which quadrature is used instead.
 const CURVE: f64 = 1e-8;
 
 impl<'c> Pressures<'c> {
-    /// Takes the formula's contact, where there is one, and how many points will be asked for.
+    /// Takes the contact of the formula, if there is one, and the expected number of points.
     pub(super) fn new(exact: &'c Exact<'c>, formula: Option<&'c Formula<'c>>, state: &State, rows: u64) -> Self {
         let (a, shape) = (state.radius, exact.shape());
         let slope = || shape.evaluator().slope(a).map_or(f64::NAN, |own| own.estimate.value);
@@ -171,7 +171,7 @@ impl<'c> Pressures<'c> {
         Self { formula, shape, state: *state, sharp, curve, factor: shape.effective_modulus() / PI, excess }
     }
 
-    /// p at every r, each at least 0; NaN where it is infinite or cannot be computed.
+    /// Returns p at every r, clamped to at least 0; NaN if p is infinite or cannot be computed.
     pub(super) fn at(&self, r: &[f64], out: &mut Vec<f64>) {
         out.clear();
         let a = self.state.radius;

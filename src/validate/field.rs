@@ -1,4 +1,4 @@
-//! A file of places under one load: pressures away from apex, kinks and rim, displacements, and the force that the pressures make.
+//! A file with fields under one load: pressures away from the apex, kinks and the rim, displacements, and the force from the pressures.
 
 use super::exact::{Exact, Pressures};
 use super::loads::{BLIND_ROW, HEADROOM, Judge, decided, single};
@@ -20,7 +20,7 @@ use crate::validate::file::table::Table;
 use crate::validate::file::units;
 use std::f64::consts::PI;
 
-/// A place with its pressure; coordinates where the file has them. Computed units, positive in compression.
+/// A point with its pressure, and coordinates if the file has them, in computing units and positive in compression.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
     pub(super) x: f64,
@@ -30,51 +30,51 @@ pub(super) struct Spot {
 }
 
 impl Spot {
-    /// The same pressure at another place.
+    /// Returns the same pressure at another point.
     pub(super) fn at(&self, (x, y): (f64, f64)) -> Self {
         Self { x, y, r: if y.is_nan() { x.abs() } else { x.hypot(y) }, ..*self }
     }
 }
 
-/// A file of places beside the exact solution.
+/// A file with fields compared with the exact solution.
 pub(super) struct Compared {
     pub(super) report: FileReport,
-    /// Evenly chosen places.
+    /// Evenly sampled points.
     pub(super) spots: Vec<Spot>,
-    /// Distance, data and exact pressure of the places that were compared, evenly chosen.
+    /// Distance, data and exact pressure of the compared points, evenly sampled.
     pub(super) errors: Vec<(f64, f64, f64)>,
-    /// The displacements of evenly drawn rows.
+    /// The displacements of evenly sampled rows.
     pub(super) displacements: Displacements,
-    /// The distance that is kept from apex, kinks and rim.
+    /// The distance between compared points and the apex, kinks and rim.
     pub(super) margin: f64,
-    /// How far the nearest kink lies from the edge of the contact.
+    /// The distance between the edge of the contact and the nearest kink.
     pub(super) room: f64,
-    /// One place that alone is off, or pressures that are cut off.
+    /// A single point with an error, or clipped pressures.
     pub(super) single: Option<Suspicion>,
 }
 
-/// The pixels that are kept away from singular places.
+/// Number of pixels between compared points and singular points.
 pub(super) const MARGIN: f64 = 4.0;
-/// Next to the edge, the change of the exact pressure over this many pixels limits the error, with the headroom `AT_EDGE`.
+/// Near the edge, the tolerance is the change of the exact pressure over this many pixels times `AT_EDGE`.
 const EDGE: f64 = 1.5;
 const AT_EDGE: f64 = 0.1;
-/// The error of displacements around a rim in those of the force.
+/// The tolerance of displacements around a rim, relative to the tolerance of the force.
 const RIM_OUTSIDE: f64 = 2.0;
-/// The part by which a pressure at a rim may be smaller than the exact one `EDGE` pixels further in.
+/// Maximum fraction by which a pressure at a rim may be smaller than the exact pressure `EDGE` pixels further inside.
 const AT_RIM: f64 = 0.5;
-/// Pressures below this share of the mean pressure are rounding errors.
+/// Pressures below this fraction of the mean pressure are rounding errors.
 const ROUNDING: f64 = 1e-6;
-/// A force this near to the exact one, as a part of the tolerance, was controlled.
+/// A force this close to the exact force, relative to the tolerance, was controlled.
 const CONTROLLED: f64 = 0.1;
-/// Rows that are computed together.
+/// Number of rows computed together.
 const BLOCK: usize = 4096;
-/// Places that are kept for plots and the diagnosis, and for the order.
+/// Number of points kept for plots, the diagnosis, and the order.
 const KEPT: usize = 400;
 const KEPT_ERRORS: usize = 4000;
-/// Displacements that are compared.
+/// Number of displacements compared.
 const DISPLACEMENTS: u64 = 4000;
 
-/// Radii from whose pressures that of the data follows as a mean: those of the cell, or the place itself.
+/// Returns radii whose mean pressure equals the pressure of the data: two in the cell, or the point itself.
 pub(super) fn places(r: f64, cell: Option<Cell>, out: &mut Vec<f64>) {
     match cell {
         None => out.push(r),
@@ -82,7 +82,7 @@ pub(super) fn places(r: f64, cell: Option<Cell>, out: &mut Vec<f64>) {
     }
 }
 
-/// Reads the file once more, beside the exact solution.
+/// Reads the file again and compares it with the exact solution.
 pub(super) fn compare(
     survey: &Survey<'_>,
     scene: &Scene,
@@ -95,7 +95,7 @@ pub(super) fn compare(
     let declared = scene.data.as_ref();
     let cell = survey.cell(pixel.pixel);
     let sign = if declared.is_some_and(|own| own.tension) { -1.0 } else { 1.0 };
-    // Without a pixel the places themselves say how fine they are.
+    // Without a known pixel, the spacing of the points is used.
     let margin = MARGIN * pixel.pixel.unwrap_or_else(|| spacing(survey, a));
     let formula = exact.formula();
     let pressures = Pressures::new(exact, formula.as_ref(), state, survey.rows);
@@ -108,7 +108,7 @@ pub(super) fn compare(
     let value =
         |values: &[f64], index: Option<usize>| index.and_then(|own| values.get(own).zip(survey.factors.get(own))).map(|(v, f)| v * f);
     let every = survey.rows.div_ceil(DISPLACEMENTS).max(1);
-    // Steps of the golden ratio meet no row and no column of a lattice more often than others.
+    // Steps by the golden ratio sample all rows and columns of a lattice evenly.
     let is_drawn = |index: u64| (index.wrapping_mul(GOLDEN) >> 32).is_multiple_of(every);
     let (mut values, mut index, mut ended) = (Vec::new(), 0u64, false);
     let free_constant = at_u.and_then(|own| survey.columns.get(own)).is_some_and(|own| own.free_constant);
@@ -164,11 +164,11 @@ pub(super) fn compare(
     }
     let mut report = own.report(survey, scene, exact, pixel, judge);
     if at_u.is_some() {
-        // Around a rim the displacement changes as fast as the pressure inside, so that it is farther off than the force.
+        // Around a rim the displacement changes as fast as the pressure inside, so its error is larger than the error of the force.
         let allowed = judge.allowed(pixel.pixel, state, room) * if state.boundary == Boundary::Rim { RIM_OUTSIDE } else { 1.0 };
         report.columns.push(decided("u", &displacements.norms(allowed), true));
         if every > 1 {
-            report.notes.push(format!("u is compared in {} of {} rows, drawn evenly", displacements.len(), survey.rows));
+            report.notes.push(format!("u is compared in {} of {} rows, sampled evenly", displacements.len(), survey.rows));
         }
         if free_constant {
             let constant = survey.shown(Kind::Displacement, displacements.constant());
@@ -181,12 +181,12 @@ pub(super) fn compare(
     }
     if at_p.is_some() {
         let text = match (cell, survey.averaging) {
-            (Some(Cell::Square { .. }), _) => "pressures are read as means over pixels",
-            (Some(Cell::Ring { .. }), _) => "pressures are read as means over rings",
+            (Some(Cell::Square { .. }), _) => "pressures are treated as means over pixels",
+            (Some(Cell::Ring { .. }), _) => "pressures are treated as means over rings",
             (None, Some(Averaging::OverSquares | Averaging::OverRings)) => {
-                "the pixel is not known, so pressures are read as values at their places"
+                "the pixel is not known, so pressures are treated as values at points"
             }
-            (None, _) => "pressures are read as values at their places",
+            (None, _) => "pressures are treated as values at points",
         };
         report.notes.push(text.to_owned());
     }
@@ -206,13 +206,13 @@ fn spot(values: &[f64], survey: &Survey<'_>, places: Places, p: f64) -> Spot {
     Spot { x, y, r: r.abs(), p }
 }
 
-/// About the distance of neighbouring places, where no lattice is seen.
+/// Estimates the spacing of neighbouring points if they do not form a lattice.
 fn spacing(survey: &Survey<'_>, a: f64) -> f64 {
     let reach = [Kind::Distance, Kind::X].into_iter().find_map(|kind| survey.largest(kind)).unwrap_or(a);
     (reach / survey.rows as f64).max(1e-6 * a).min(0.05 * a)
 }
 
-/// Everything that is summed over the rows.
+/// The sums over all rows.
 struct Sums {
     compared: Norms,
     left_out: Norms,
@@ -220,17 +220,17 @@ struct Sums {
     infinite: u64,
     spots: Sample<Spot>,
     errors: Sample<(f64, f64, f64)>,
-    /// Force of data and exact pressures by the same rule, where the lattice is complete.
+    /// Forces from the data and from the exact pressures by the same rule, if the lattice is complete.
     force: Shells,
-    /// True where the pressures are means over pixels, which add up to the force itself.
+    /// True if the pressures are means over pixels, whose sum is the exact force.
     means: bool,
-    /// True if the scene or the file says that they are values at their places.
+    /// True if the scene or the file declares them as values at points.
     values: bool,
     state: State,
     rim: bool,
-    /// How far the nearest kink lies from the edge of the contact.
+    /// The distance between the edge of the contact and the nearest kink.
     room: f64,
-    /// The pixel, 0 where it is not known.
+    /// The pixel; 0 if it is unknown.
     pixel: f64,
 }
 
@@ -256,7 +256,7 @@ impl Sums {
 
     fn add(&mut self, spot: &Spot, exact: f64, region: &Region, judge: Judge, pixel: Pixel) {
         self.spots.push(*spot);
-        // Within a pixel of a kink the value at the place is no mean over the pixel, and both are left out of the force.
+        // Within a pixel of a kink, the value at a point is not the mean over the pixel; exclude both from the force.
         let in_force = if !self.means && region.is_near_inner(spot.r, self.pixel) { f64::NAN } else { exact };
         self.force.add((spot.r, spot.p), in_force, self.means);
         if exact.is_nan() {
@@ -281,7 +281,7 @@ impl Sums {
         }
     }
 
-    /// Takes a place next to the edge, with the exact pressures a few pixels further in, there, and as far out.
+    /// Adds a point near the edge, with the exact pressures a few pixels further inside, at the point, and as far outside.
     fn add_at_edge(&mut self, spot: &Spot, exact: &[f64]) {
         let [inner, exact, outer] = *exact else { return };
         let far = (inner - exact).abs().max((exact - outer).abs());
@@ -302,7 +302,7 @@ impl Sums {
         let mut columns = Vec::new();
         let mut notes = survey.notes.clone();
         if survey.index(Kind::Pressure).is_some() {
-            // Near kinks and rims the tolerances are too wide to show that pressures are cut off.
+            // Near kinks and rims the tolerances are too wide to detect clipped pressures.
             if let Some(own) = self.peak.cut_off() {
                 self.compared.limit(own, CUT.max(HEADROOM * judge.demanded.unwrap_or(0.0)));
             }
@@ -316,7 +316,7 @@ impl Sums {
             columns.push(column);
             match self.force.total() {
                 Some((data, sum, radius)) => columns.push(self.integrated(exact, (data, sum, radius), pixel, judge)),
-                None => notes.push("the force of the pressures is not judged: the lattice is not complete".to_owned()),
+                None => notes.push("the force of the pressures is not judged, since the lattice is incomplete".to_owned()),
             }
         }
         let unit = |kind: Kind| units::shown(kind.symbol(), &survey.unit(kind, scene));
@@ -335,14 +335,14 @@ impl Sums {
     }
 
     fn integrated(&self, exact: &Exact<'_>, (data, sum, radius): (f64, f64, f64), pixel: Pixel, judge: Judge) -> Column {
-        // Pixels that the edge of a smooth contact cuts, where p rises as a square root: O((h/a)^(3/2)).
+        // Pixels cut by the edge of a smooth contact, where p vanishes as a square root: O((h/a)^(3/2)).
         let narrow = (self.state.radius / self.room).sqrt();
         let grid = pixel.pixel.map_or(super::loads::BLIND, |h| 0.5 * (h / self.state.radius).powf(1.5) * narrow);
         let force = if self.means { self.state.force } else { sum };
         let allowed = judge.demanded.unwrap_or(0.0).max(grid + judge.solver);
         let mut norms = Norms::new(true);
         norms.add(0.0, 0.0, data, force, allowed);
-        // This does not apply to the exact force of a solver under force control, nor to the sum of exact values at the places.
+        // This does not apply to the exact force of a solver under force control, nor to the sum of exact values at points.
         let known = [self.state.force, sum].into_iter().any(|own| (data / own - 1.0).abs() <= CONTROLLED * allowed);
         let missed = pixel.pixel.filter(|_| !self.values && !known && judge.demanded.is_none());
         let missed = missed.and_then(|h| Expected::missed(exact, &self.state, (data, radius), h));
@@ -350,7 +350,7 @@ impl Sums {
             let (own, limit) = expected.of_force(radius, data);
             norms.limit(own, limit);
         }
-        // Otherwise a sum of values under a rim is reported, but decides nothing.
+        // Otherwise a sum of values under a rim is reported, but not judged.
         decided("F_from_p", &norms, self.means || !self.rim || missed.is_some())
     }
 }

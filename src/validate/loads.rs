@@ -1,4 +1,4 @@
-//! A file of loads, row by row: force and contact radius at the data's own depth, or depth and radius at its own force.
+//! A file with loads, compared row by row: force and contact radius at the depth of the data, or depth and radius at the force of the data.
 
 use super::exact::Exact;
 use super::neighbours::Neighbours;
@@ -15,59 +15,59 @@ use crate::validate::file::survey::Survey;
 use crate::validate::file::table::Table;
 use crate::validate::file::units;
 
-/// A file of loads beside the exact solution.
+/// A file with loads compared with the exact solution.
 pub(super) struct Compared {
     pub(super) report: FileReport,
-    /// Evenly chosen rows.
+    /// Evenly sampled rows.
     pub(super) rows: Vec<Row>,
-    /// Load and relative error of the deciding column, for the order.
+    /// Load and relative error of the decisive column, for the order.
     pub(super) errors: Vec<(f64, f64)>,
-    /// The column that decides: F, d or a.
+    /// The decisive column: F, d or a.
     pub(super) column: &'static str,
-    /// Rows to which no contact belongs.
+    /// Number of rows without a contact.
     pub(super) unmatched: u64,
-    /// One row that alone is off.
+    /// A single row with an error.
     pub(super) single: Option<Suspicion>,
-    /// The factor of a column beside d, F and a, where this column alone fails.
+    /// The factor of one column among d, F and a, if only this column fails.
     pub(super) scaled: Option<Suspicion>,
-    /// The tolerance that the contact radii imply where no grid is known.
+    /// The tolerance inferred from the contact radii if the grid is unknown.
     pub(super) tolerance: Option<f64>,
 }
 
-/// How errors are judged.
+/// Criteria for errors.
 #[derive(Clone, Copy)]
 pub(super) struct Judge {
-    /// What the user demands.
+    /// The tolerance requested by the user.
     pub(super) demanded: Option<f64>,
-    /// The solver's own tolerance.
+    /// The tolerance of the solver.
     pub(super) solver: f64,
 }
 
-/// The tolerance where no grid is known, and that of a punch with a rim, whose error is of first order.
+/// The tolerance for an unknown grid, and for a punch with a rim, whose error is of first order.
 pub(super) const BLIND: f64 = 1e-2;
 const BLIND_RIM: f64 = 2e-2;
-/// Contact radii without a known grid decide only where they are out of any proportion.
+/// Contact radii with an unknown grid fail only above this relative error.
 pub(super) const BLIND_RADIUS: f64 = 0.15;
-/// The error of a single load, relative to what its grid excuses.
+/// Tolerance of a single load, relative to its discretization error.
 pub(super) const HEADROOM: f64 = 4.0;
-/// The error of a single load where no grid is known.
+/// Tolerance of a single load for an unknown grid.
 pub(super) const BLIND_ROW: f64 = 0.5;
-/// The smallest error by which a row of F or d, and one of a, may be out of proportion to its neighbours.
+/// Minimum error for which a row of F or d, or of a, is considered an outlier among its neighbours.
 const CLEAR: f64 = 2e-3;
 const CLEAR_RADIUS: f64 = 2e-2;
-/// Pixels along a contact radius from which on the radius is compared.
+/// Minimum number of pixels along a contact radius for which the radius is compared.
 const FEWEST_PIXELS: f64 = 2.0;
-/// The error of U in those of F, which it is the integral of; that of k, which solvers take from differences of F.
+/// Tolerances relative to the tolerance of F: of U, which is the integral of F, and of k, which solvers compute from differences of F.
 const WORK: f64 = 2.0;
 const SLOPE: f64 = 0.05;
-/// Rows that are kept for orders, plots and the diagnosis.
+/// Number of rows kept for orders, plots and the diagnosis.
 const KEPT: usize = 256;
 
 impl Judge {
-    /// The relative error that no single load may exceed, however small its share of the norm.
+    /// The maximum relative error of a single load, independent of its weight in the norm.
     ///
-    /// The errors of single loads scatter around what their grid excuses, hence the headroom.
-    /// Without a known pixel only an error that no resolved contact has is proof.
+    /// The errors of single loads scatter around the discretization error, which requires some headroom.
+    /// If the pixel is unknown, only an error that no resolved contact has is significant.
     pub(super) fn limit(&self, pixel: Option<f64>, state: &State, room: f64) -> f64 {
         let grid = Self { demanded: None, ..*self }.allowed(pixel, state, room);
         match pixel {
@@ -76,20 +76,20 @@ impl Judge {
         }
     }
 
-    /// The relative error that a grid excuses at a contact radius whose nearest kink lies at the distance `room` from the edge.
+    /// Returns the relative discretization error at a contact radius whose nearest kink is at the distance `room` from the edge.
     pub(super) fn allowed(&self, pixel: Option<f64>, state: &State, room: f64) -> f64 {
         let blind = if state.boundary == Boundary::Rim { BLIND_RIM } else { BLIND };
         let Some(pixel) = pixel else { return self.demanded.unwrap_or(blind + self.solver) };
-        // A contact below one pixel is no contact to the grid.
+        // A grid cannot resolve a contact smaller than one pixel.
         let share = if state.radius > pixel { pixel / state.radius } else { 1.0 };
-        // A ring between a kink and the edge is resolved by its width.
+        // The resolution of a ring between a kink and the edge is determined by its width.
         let narrow = (state.radius / room.max(share * state.radius)).max(1.0);
         let grid = if state.boundary == Boundary::Rim { 0.25 * share } else { 0.25 * share * share * narrow };
         self.demanded.unwrap_or(grid + self.solver)
     }
 }
 
-/// What stands in the columns of a row.
+/// The columns of a row.
 pub(super) fn row(survey: &Survey<'_>, declared: Option<&Declared>, values: &[f64]) -> Row {
     let value =
         |kind: Kind| survey.index(kind).and_then(|own| values.get(own).zip(survey.factors.get(own))).map_or(f64::NAN, |(v, f)| v * f);
@@ -97,7 +97,7 @@ pub(super) fn row(survey: &Survey<'_>, declared: Option<&Declared>, values: &[f6
     Row { depth: value(Kind::Depth), force: sign * value(Kind::Force), radius: value(Kind::ContactRadius) }
 }
 
-/// What the solver controlled, as far as the columns allow it.
+/// The quantity controlled by the solver, as far as the columns allow it.
 pub(super) fn control(survey: &Survey<'_>, declared: Option<&Declared>) -> Control {
     let (depth, force) = (survey.index(Kind::Depth).is_some(), survey.index(Kind::Force).is_some());
     match declared.and_then(|own| own.control) {
@@ -107,7 +107,7 @@ pub(super) fn control(survey: &Survey<'_>, declared: Option<&Declared>) -> Contr
     }
 }
 
-/// Reads the file once more, beside the exact solution.
+/// Reads the file again and compares it with the exact solution.
 pub(super) fn compare(
     survey: &Survey<'_>,
     scene: &Scene,
@@ -146,7 +146,7 @@ pub(super) fn compare(
             depth.add(at, load, row.depth, exact.depth(&state), allowed);
             depth.limit(Outlier { at, data: row.depth, exact: exact.depth(&state), allowed }, limit);
             deciding = Some((row.depth, exact.depth(&state)));
-            // The same error as one of the force, for comparison with other runs; it decides nothing.
+            // The same error expressed as an error of the force, for comparison with other runs; it is not judged.
             if let Some(own) = exact.state(Load::Depth(row.depth)) {
                 force.add(at, load, row.force, own.force, allowed);
             }
@@ -164,7 +164,7 @@ pub(super) fn compare(
                 depth.limit(own, limit);
             }
         }
-        // The radius of a contact of a few pixels is not known to half a pixel.
+        // The radius of a contact of a few pixels is uncertain by half a pixel.
         if !row.radius.is_nan() && pixel.pixel.is_none_or(|h| state.radius >= FEWEST_PIXELS * h) {
             radius.add(at, load, row.radius, state.radius, allowed);
             radii.push(Outlier { at, data: row.radius, exact: state.radius, allowed }, state.radius);
@@ -200,14 +200,14 @@ pub(super) fn compare(
             if let Some((own, limit)) = radii.worst() {
                 radius.limit(own, limit);
             }
-            // The radius of a punch with a rim is that of the punch, and tells nothing of the solver.
+            // For a punch with a rim the contact radius equals the radius of the punch and contains no information about the solver.
             tolerance = seen_by_radii(&radius).filter(|_| !has_rim);
             deciding.tighten(tolerance.map_or(1.0, |own| own / BLIND));
         }
     }
     let mut report = survey.report(scene, pixel.grid);
     if let Some(tolerance) = tolerance {
-        report.notes.push(format!("no grid is known; beside radii that are right to {:.1e}, {tolerance:.1e} is accepted", radius.max()));
+        report.notes.push(format!("the grid is unknown; since the contact radii are accurate to {:.1e}, the tolerance is {tolerance:.1e}", radius.max()));
     }
     let (has_force, has_depth) = (survey.index(Kind::Force).is_some(), survey.index(Kind::Depth).is_some());
     let column = match control {
@@ -238,7 +238,7 @@ pub(super) fn compare(
     let points = drawn.items.iter().map(|(x, data, own)| (*x, survey.shown(kind, *data), survey.shown(kind, *own))).collect();
     report.plots.push(Plot { title: unit(kind), across: unit(control_kind), points });
     if unmatched > 0 {
-        report.notes.push(format!("no valid contact belongs to {unmatched} of {} loads", survey.rows));
+        report.notes.push(format!("no valid contact exists for {unmatched} of {} loads", survey.rows));
     }
     let deciding = if column == "d" { &depth } else { &force };
     let kinds = (kind, control_kind);
@@ -247,7 +247,7 @@ pub(super) fn compare(
     Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched, single, scaled, tolerance })
 }
 
-/// The tolerance without a grid beside a column of radii: forces and depths are at most ten times as far off as these.
+/// Returns the tolerance for an unknown grid if there is a column of radii: errors of forces and depths are at most ten times larger.
 fn seen_by_radii(radius: &Norms) -> Option<f64> {
     const FEWEST: u64 = 5;
     const FORCES: f64 = 10.0;
@@ -256,16 +256,16 @@ fn seen_by_radii(radius: &Norms) -> Option<f64> {
     (radius.rows >= FEWEST && own < BLIND).then_some(own)
 }
 
-/// Names the factor of a column, where every other one is within its tolerance.
+/// Finds the factor of a column if all other columns are within their tolerance.
 fn scaled(columns: &[Column], kind: Kind, norms: &Norms) -> Option<Suspicion> {
     let mut failed = columns.iter().filter(|own| own.passed == Some(false));
     let first = failed.next().filter(|own| own.name == kind.symbol() && failed.next().is_none())?;
     let (factor, after) = norms.scaled();
-    let text = format!("another scale: {} is {factor:.4} times the exact one, where F and a are right", first.name);
+    let text = format!("another scale: {} is {factor:.4} times the exact value, while F and a are correct", first.name);
     (after <= first.tolerance?).then_some(Suspicion { id: "scale", text, before: norms.l2(), after })
 }
 
-/// Names the one row that is off, where without it all others are within their tolerance.
+/// Finds a single row with an error if all other rows are within their tolerance.
 pub(super) fn single(
     norms: &Norms,
     shown: impl Fn(f64) -> f64,
@@ -274,7 +274,7 @@ pub(super) fn single(
 ) -> Option<Suspicion> {
     let (own, after) = norms.single().filter(|_| norms.l2() > norms.allowed() || norms.beyond().is_some())?;
     let (data, exact) = (shown(own.data), shown(own.exact));
-    let text = format!("one row alone is off: {name} = {data} at {across} = {}, where the exact value is {exact:.6e}", place(own.at));
+    let text = format!("one row has an error: {name} = {data} at {across} = {}, but the exact value is {exact:.6e}", place(own.at));
     Some(Suspicion { id: "single-row", text, before: norms.l2(), after })
 }
 
@@ -298,13 +298,13 @@ pub(super) fn decided(name: &'static str, norms: &Norms, decides: bool) -> Colum
     }
 }
 
-/// Contact radii: within half a pixel where it is known; never corrected.
+/// Contact radii have a tolerance of half a pixel if it is known; they are never corrected.
 fn counted(norms: &Norms, pixel: Option<f64>) -> Column {
     let column = decided("a", norms, false);
     match pixel {
         Some(pixel) => {
             let pixels = norms.farthest / pixel;
-            // A radius is printed with few digits: half a pixel to rounding.
+            // Radii may be printed with few digits: compare half a pixel up to rounding.
             Column { pixels: Some(pixels), tolerance: Some(0.5), passed: Some(pixels <= 0.5 * (1.0 + 1e-6)), ..column }
         }
         None if column.l2 > BLIND_RADIUS || column.beyond.is_some() => {

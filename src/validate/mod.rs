@@ -1,4 +1,4 @@
-//! A solver's data beside the exact solution: errors, order of convergence, a verdict, and what the fault looks like.
+//! Compares a solver's data with the exact solution: errors, order of convergence, verdict, and diagnosis.
 
 mod diagnosis;
 mod error;
@@ -25,7 +25,7 @@ pub use order::Order;
 pub use record::{Beyond, Column, Excluded, FileReport, Plot, Suspicion, Validation};
 pub use run::{Request, validate};
 
-/// Private parts that tests in `tests/` look at; not part of the interface.
+/// Private items used by tests in `tests/`; not part of the public interface.
 #[doc(hidden)]
 pub mod inner {
     pub use super::diagnosis::displacement::Displacements;

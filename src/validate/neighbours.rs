@@ -1,21 +1,21 @@
-//! Rows of a file of loads whose error is far above the errors of the rows around them.
+//! Rows of a file with loads whose error is much larger than the errors of the neighbouring rows.
 
 use super::norms::Outlier;
 use std::collections::VecDeque;
 
-/// Rows that are looked at on either side.
+/// Number of neighbours on either side.
 const REACH: usize = 4;
-/// Fewest neighbours that say how large errors are.
+/// Minimum number of neighbours for an estimate of the error.
 const FEWEST: usize = 4;
-/// Errors of a grid scatter: a row may exceed the largest of its neighbours by this factor.
+/// Discretization errors scatter: a row may exceed the largest error of its neighbours by this factor.
 const HEADROOM: f64 = 4.0;
 
-/// Compares the error of every row with those of its neighbours; rows are forgotten when they are far behind.
+/// Compares the error of every row with the errors of its neighbours; only a few rows are stored.
 pub(super) struct Neighbours {
     rows: VecDeque<Seen>,
-    /// The power of h/a with which errors grow towards small contacts.
+    /// The power of h/a with which errors increase for small contacts.
     power: i32,
-    /// Relative errors below this are never out of proportion.
+    /// Relative errors below this value are never outliers.
     floor: f64,
     judged: usize,
     worst: Option<(Outlier, f64)>,
@@ -32,7 +32,7 @@ impl Neighbours {
         Self { rows: VecDeque::new(), power, floor, judged: 0, worst: None }
     }
 
-    /// Takes the next row, whose exact contact radius is `radius`.
+    /// Adds the next row, whose exact contact radius is `radius`.
     pub(super) fn push(&mut self, own: Outlier, radius: f64) {
         if own.exact == 0.0 || radius <= 0.0 {
             return;
@@ -45,7 +45,7 @@ impl Neighbours {
         }
     }
 
-    /// The row that exceeds its neighbours by the largest factor, with the error that they would excuse.
+    /// Returns the row that exceeds its neighbours by the largest factor, with the expected error.
     pub(super) fn worst(mut self) -> Option<(Outlier, f64)> {
         (self.judged..self.rows.len()).for_each(|index| self.judge(index));
         self.worst
@@ -55,7 +55,7 @@ impl Neighbours {
         let Some(row) = self.rows.get(index) else { return };
         let near = index.saturating_sub(REACH)..=index + REACH;
         let others = self.rows.iter().enumerate().filter(|(at, _)| *at != index && near.contains(at)).map(|own| own.1);
-        // The error of a grid falls as the contact grows; other errors do not.
+        // The discretization error decreases as the contact grows; other errors do not.
         let excused = others.clone().map(|other| other.error * (other.radius / row.radius).max(1.0).powi(self.power)).fold(0.0, f64::max);
         let limit = (HEADROOM * excused).max(self.floor);
         let exceeds = |(own, limit): &(Outlier, f64)| (own.data / own.exact - 1.0).abs() / limit;

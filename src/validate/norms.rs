@@ -1,11 +1,11 @@
-//! Sums over the rows of one column: errors in L1, L2 and max, where the worst stands, and how large they may be.
+//! Sums over the rows of one column: L1, L2 and maximum errors, the position of the largest error, and the tolerance.
 
 use super::record::Beyond;
 
-/// Errors of one column; nothing is kept per row.
+/// Errors of one column; rows are not stored.
 #[derive(Clone, Debug)]
 pub(super) struct Norms {
-    /// Errors relative to the row's own value where true, else to the largest one.
+    /// True for errors relative to the row's own value, false for errors relative to the largest value.
     by_row: bool,
     pub(super) rows: u64,
     absolute: f64,
@@ -15,7 +15,7 @@ pub(super) struct Norms {
     /// Σ e · exact.
     along: f64,
     square_allowed: f64,
-    /// The factor of what is allowed.
+    /// The factor of the tolerances.
     tightened: f64,
     largest_exact: f64,
     worst: f64,
@@ -23,22 +23,22 @@ pub(super) struct Norms {
     largest_load: f64,
     at_largest_load: f64,
     signed: f64,
-    /// The largest distance from the exact value.
+    /// The largest difference from the exact value.
     pub(super) farthest: f64,
-    /// Rows whose exact value is not 0: the others have no scale to judge an error by.
+    /// Number of rows whose exact value is not 0; the other rows have no scale for the error.
     inside: u64,
-    /// Rows that exceed their own limit; those with the largest differences of data and exact values.
+    /// Rows that exceed their own limit; only those with the largest differences are kept.
     suspects: Vec<(Beyond, Outlier)>,
-    /// The row with the largest share of the L2 error.
+    /// The row with the largest contribution to the L2 error.
     outlier: Option<Outlier>,
 }
 
 /// Maximum number of suspects.
 const SUSPECTS: usize = 64;
-/// Differences in a field below this share of its largest exact value are rounding errors.
+/// Differences below this fraction of the largest exact value of a field are rounding errors.
 const ROUNDING: f64 = 1e-13;
 
-/// One row, with the relative error that its grid excuses.
+/// One row, with its relative discretization error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Outlier {
     pub(super) at: f64,
@@ -78,7 +78,7 @@ impl Norms {
         }
     }
 
-    /// Takes a row into account: its place, its load, both values, and the relative error that its grid excuses.
+    /// Adds a row: its coordinate, its load, both values, and its relative discretization error.
     pub(super) fn add(&mut self, at: f64, load: f64, data: f64, exact: f64, allowed: f64) {
         let error = data - exact;
         self.rows += 1;
@@ -104,7 +104,7 @@ impl Norms {
         }
     }
 
-    /// Compares one row with a limit for that row alone, which no mean over many rows can hide.
+    /// Compares one row with its own limit, which an average over many rows cannot hide.
     pub(super) fn limit(&mut self, own: Outlier, limit: f64) {
         let error = ratio(own.difference(), own.exact.abs());
         let known = |other: &Outlier| other.at == own.at && other.data == own.data;
@@ -118,23 +118,23 @@ impl Norms {
         }
     }
 
-    /// Multiplies the errors that the grid excuses by a factor.
+    /// Multiplies the discretization errors by a factor.
     pub(super) fn tighten(&mut self, factor: f64) {
         self.tightened *= factor;
     }
 
-    /// Rows that exceed their own limit by more than rounding errors.
+    /// Number of rows that exceed their own limit by more than rounding errors.
     fn rows_beyond(&self) -> impl Iterator<Item = (Beyond, Outlier)> {
         let rounding = if self.by_row { 0.0 } else { ROUNDING * self.largest_exact };
         self.suspects.iter().copied().filter(move |(_, own)| own.difference() > rounding)
     }
 
-    /// The worst of the rows beyond their own limit.
+    /// Returns the worst row beyond its own limit.
     pub(super) fn beyond(&self) -> Option<Beyond> {
         self.rows_beyond().map(|own| own.0).reduce(|one, other| if other.error / other.limit > one.error / one.limit { other } else { one })
     }
 
-    /// The one row without which all others are within their tolerance, and their L2 error; `None` where more is wrong.
+    /// Returns the single row without which all others are within their tolerance, and their L2 error; `None` if there are more errors.
     pub(super) fn single(&self) -> Option<(Outlier, f64)> {
         const FEWEST: u64 = 5;
         let mut beyond = self.rows_beyond().map(|own| own.1);
@@ -147,50 +147,50 @@ impl Norms {
         (self.rows >= FEWEST && !more && rest <= allowed).then(|| (own, ratio(rest, exact)))
     }
 
-    /// The factor of the exact values that is nearest to the data, and the L2 error that is left with it.
+    /// Returns the least-squares factor between data and exact values, and the residual L2 error.
     pub(super) fn scaled(&self) -> (f64, f64) {
         let share = ratio(self.along, self.square_exact);
         let left = (self.square - share * self.along).max(0.0).sqrt();
         (1.0 + share, ratio(left, (1.0 + share).abs() * self.square_exact.sqrt()))
     }
 
-    /// Whether the rows allow a verdict: a value that should not be 0 was compared, or one that should be 0 is not.
+    /// Returns true if the rows allow a verdict: a nonzero exact value was compared, or a zero exact value is not 0 in the data.
     pub(super) fn decisive(&self) -> bool {
         self.inside > 0 || self.absolute > 0.0
     }
 
-    /// Σ|e|/Σ|exact|.
+    /// Returns Σ|e|/Σ|exact|.
     pub(super) fn l1(&self) -> f64 {
         ratio(self.absolute, self.absolute_exact)
     }
 
-    /// ‖e‖₂/‖exact‖₂.
+    /// Returns ‖e‖₂/‖exact‖₂.
     pub(super) fn l2(&self) -> f64 {
         ratio(self.square.sqrt(), self.square_exact.sqrt())
     }
 
-    /// The largest error, relative to its own row, or to the largest exact value.
+    /// Returns the largest error, relative to its own row, or to the largest exact value.
     pub(super) fn max(&self) -> f64 {
         if self.by_row { self.worst.max(0.0) } else { ratio(self.worst.max(0.0), self.largest_exact) }
     }
 
-    /// The relative error at the row of the largest load.
+    /// Returns the relative error at the row of the largest load.
     pub(super) fn at_largest_load(&self) -> f64 {
         self.at_largest_load
     }
 
-    /// Σe/Σ|exact|, with its sign.
+    /// Returns Σe/Σ|exact|, with its sign.
     pub(super) fn bias(&self) -> f64 {
         ratio(self.signed, self.absolute_exact)
     }
 
-    /// The error that the grid excuses, as an L2 norm.
+    /// Returns the L2 norm of the discretization error.
     pub(super) fn allowed(&self) -> f64 {
         ratio(self.tightened * self.square_allowed.sqrt(), self.square_exact.sqrt())
     }
 }
 
-/// A ratio that is 0 where nothing stands against nothing, and never infinite.
+/// Returns a ratio that is 0 for 0/0, and never infinite.
 pub(super) fn ratio(above: f64, below: f64) -> f64 {
     if above == 0.0 {
         return 0.0;
@@ -199,7 +199,7 @@ pub(super) fn ratio(above: f64, below: f64) -> f64 {
     if ratio.is_finite() { ratio } else { f64::MAX }
 }
 
-/// A sample of a stream: fewer than twice `most` items, drawn evenly.
+/// An evenly distributed sample of a stream, with fewer than twice `most` items.
 ///
 /// An item is kept if the fractional part of its index times the golden ratio is below 2⁻ⁿ; these parts are spread evenly over [0, 1).
 /// Taking every 2ⁿ-th item would take the same columns of every row of a lattice.

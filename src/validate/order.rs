@@ -1,37 +1,37 @@
-//! Orders of convergence: one slope common to all loads, one intercept per load, and what is certain of it.
+//! Orders of convergence: one slope for all loads, one intercept per load, and confidence intervals.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// An order q in |e| ≈ C h^q, with the interval of 95 %, or with the span of the ratios between neighbours.
+/// An order q in |e| ≈ C h^q, with the 95 % confidence interval, or with the range of the ratios between neighbours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Order {
     /// q.
     pub value: f64,
-    /// The lower end; `None` where two files of one load leave nothing to judge by.
+    /// The lower end; `None` if two files with one load do not allow an interval.
     pub low: Option<f64>,
     /// The upper end.
     pub high: Option<f64>,
-    /// Files whose errors lie above the floor.
+    /// Number of files whose errors are above the floor.
     pub files: usize,
-    /// The error below which refinement has no effect, where it was reached.
+    /// The error below which refinement has no effect, if it was reached.
     pub floor: Option<f64>,
 }
 
-/// Errors of one file: its pixel, and relative errors by load; the loads' order is the same in all files.
+/// Errors of one file: its pixel, and relative errors by load, in the same order for all files.
 pub struct Level {
     /// The side of a pixel.
     pub pixel: f64,
-    /// Relative errors; `None` where a load was not compared.
+    /// Relative errors; `None` for loads that were not compared.
     pub errors: Vec<Option<f64>>,
-    /// The same with their signs, where errors of different sign may cancel: in fields, the error of the amplitude.
+    /// The same errors with their signs, which may cancel; for fields, the error of the amplitude.
     pub signed: Vec<Option<f64>>,
 }
 
-/// Orders that the error of a grid may have.
+/// Possible orders of a discretization error.
 const ORDERS: [f64; 6] = [0.5, 0.75, 1.0, 1.5, 2.0, 3.0];
 
-/// The error e₀ that is left on an infinitely fine grid, e = e₀ + C hᵠ with a C per load: an interval that holds it for every order q a grid
-/// may have. `None` for fewer than two files.
+/// The error e₀ on an infinitely fine grid, e = e₀ + C hᵠ with a C per load: an interval that contains e₀ for all orders q that a discretization
+/// error may have. `None` for fewer than two files.
 pub fn limit_error(levels: &[Level]) -> Option<(f64, f64)> {
     let loads = levels.iter().map(|level| level.signed.len()).max()?;
     let finest = levels.last()?.pixel;
@@ -45,7 +45,7 @@ pub fn limit_error(levels: &[Level]) -> Option<(f64, f64)> {
     intervals.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
 }
 
-/// The value at 0 of the line through points by least squares; `None` where all are at one place.
+/// Returns the value at 0 of the least-squares line through points; `None` if all abscissas are equal.
 fn intercept(points: &[(f64, f64)]) -> Option<f64> {
     let n = points.len() as f64;
     let mean = points.iter().fold((0.0, 0.0), |sum, own| (sum.0 + own.0 / n, sum.1 + own.1 / n));
@@ -53,7 +53,7 @@ fn intercept(points: &[(f64, f64)]) -> Option<f64> {
     (sxx > 0.0).then(|| mean.1 - sxy / sxx * mean.0)
 }
 
-/// The interval of 95 % of a mean; a single value is itself.
+/// Returns the 95 % confidence interval of a mean; for a single value it is the value itself.
 fn interval(values: &[f64]) -> Option<(f64, f64)> {
     let n = values.len() as f64;
     if values.is_empty() {
@@ -75,20 +75,20 @@ impl Level {
     }
 }
 
-/// The order of errors over pixels; levels from coarse to fine. Errors up to `noise` are no errors of the grid.
+/// Returns the order of errors as a function of the pixel; levels from coarse to fine. Errors up to `noise` are not discretization errors.
 ///
-/// `None` where fewer than two levels lie above the noise.
+/// `None` if fewer than two levels are above the noise.
 pub fn order(levels: &[Level], noise: f64) -> Option<Order> {
     let typical: Vec<f64> = levels.iter().map(|level| level.typical(noise)).collect();
     let mut above = typical.iter().take_while(|e| **e > 2.0 * noise).count();
     let mut floor = (above < levels.len()).then_some(noise);
-    // A plateau behind a fall is a floor, unless it is all there is.
+    // A plateau after a decrease is a floor, unless all levels are on the plateau.
     while above >= 3 {
         let ratio = |i: usize| match (typical.get(i.wrapping_sub(1)), typical.get(i), levels.get(i.wrapping_sub(1)), levels.get(i)) {
             (Some(coarse), Some(fine), Some(one), Some(other)) => (coarse / fine).ln() / (one.pixel / other.pixel).ln(),
             _ => f64::NAN,
         };
-        // Errors that grow again are no floor.
+        // Errors that increase again are not a floor.
         if (-0.25..0.15).contains(&ratio(above - 1)) && ratio(above - 2) > 0.5 {
             above -= 1;
             floor = typical.get(above).copied();
@@ -104,7 +104,7 @@ pub fn order(levels: &[Level], noise: f64) -> Option<Order> {
     Some(Order { files: levels.len(), floor, ..fitted })
 }
 
-/// Least squares of ln|e| over ln h with an intercept per load; `None` where too few errors are left for an interval.
+/// Least squares of ln|e| over ln h with an intercept per load; `None` if there are too few errors for an interval.
 fn pooled(levels: &[Level], noise: f64) -> Option<Order> {
     let loads = levels.iter().map(|level| level.errors.len()).max()?;
     let (mut sxx, mut sxy, mut count, mut used) = (0.0, 0.0, 0usize, 0usize);
@@ -140,7 +140,7 @@ fn pooled(levels: &[Level], noise: f64) -> Option<Order> {
     Some(Order { value: slope, low, high, files: levels.len(), floor: None })
 }
 
-/// Successive ratios of norms over all loads.
+/// Returns successive ratios of norms over all loads.
 fn ratios(levels: &[Level], noise: f64) -> Option<Order> {
     let ratio = |pair: &[Level]| {
         let [one, other] = pair else { return f64::NAN };

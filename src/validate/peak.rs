@@ -1,25 +1,25 @@
-//! Pressures that are cut off: several places share the largest value although their exact pressures differ.
+//! Clipped pressures: several points share the largest value although their exact pressures differ.
 
 use super::Suspicion;
 use super::norms::Outlier;
 
-/// Relative difference up to which two pressures are the same.
+/// Relative difference up to which two pressures are considered equal.
 const SAME: f64 = 1e-9;
-/// Minimum number of places that share the largest pressure.
+/// Minimum number of points that share the largest pressure.
 const FEWEST: u64 = 3;
-/// Minimum relative difference of their exact pressures; two printed digits hide one of 0.095 at most, between 1.05 and 1.15.
+/// Minimum relative difference of their exact pressures; rounding to two digits hides a difference of at most 0.095, between 1.05 and 1.15.
 const APART: f64 = 0.12;
-/// Minimum error of the largest exact pressure, relative to it.
+/// Minimum relative error of the largest exact pressure.
 pub(super) const CUT: f64 = 0.05;
 
-/// The largest pressure of the data and the exact pressures at its places.
+/// The largest pressure of the data and the exact pressures at its points.
 #[derive(Default)]
 pub(super) struct Peak {
     p: f64,
     places: u64,
     low: f64,
     high: f64,
-    /// Where the exact pressure is largest.
+    /// The point with the largest exact pressure.
     at: f64,
     /// Sums of squares: of the exact pressures, and of their differences from the data.
     exact: f64,
@@ -43,16 +43,16 @@ impl Peak {
         }
     }
 
-    /// Returns the place with the largest exact pressure if the data are cut off.
+    /// Returns the point with the largest exact pressure if the data are clipped.
     pub(super) fn cut_off(&self) -> Option<Outlier> {
         let is_cut = self.places >= FEWEST && self.high > self.low * (1.0 + APART) && self.high - self.p > CUT * self.high;
         is_cut.then_some(Outlier { at: self.at, data: self.p, exact: self.high, allowed: 0.0 })
     }
 
-    /// Names the fault; the largest pressure is given in the unit of the column, and `after` is the L2 error of the places that are compared.
+    /// Creates the fault; the largest pressure is in the unit of the column, and `after` is the L2 error of the compared points.
     pub(super) fn suspicion(&self, largest: impl Fn(f64) -> f64, after: f64) -> Option<Suspicion> {
         self.cut_off()?;
-        let text = format!("pressures are cut off: none is larger than {:.6e}", largest(self.p));
+        let text = format!("clipped pressures: none is larger than {:.6e}", largest(self.p));
         Some(Suspicion { id: "cut-off", text, before: (self.lack / self.exact).sqrt(), after })
     }
 }

@@ -1,4 +1,4 @@
-//! What a validation found: plain numbers and sentences, for every format of report.
+//! The result of a validation: numbers and sentences for all report formats.
 
 use super::Order;
 
@@ -11,75 +11,75 @@ pub struct Column {
     pub l1: f64,
     /// ‖e‖₂/‖exact‖₂.
     pub l2: f64,
-    /// The largest error: relative to its own row in files of loads, to the largest exact value in files of places.
+    /// The largest error: relative to its own row in files with loads, to the largest exact value in files with fields.
     pub max: f64,
-    /// Where it stands: the load, or r, in the unit of the data.
+    /// The position of the largest error: the load, or r, in the unit of the data.
     pub worst_at: f64,
     /// The mean error with its sign, relative to the mean exact value.
     pub bias: f64,
-    /// Rows that were compared.
+    /// Number of compared rows.
     pub rows: u64,
     /// The error at the largest load.
     pub at_largest_load: f64,
-    /// The error that is accepted; `None` where the column decides nothing.
+    /// The tolerance; `None` if the column is not judged.
     pub tolerance: Option<f64>,
-    /// Whether it is accepted; `None` where the column decides nothing.
+    /// True if the error is within the tolerance; `None` if the column is not judged.
     pub passed: Option<bool>,
-    /// The largest distance in pixels, for contact radii on a known grid.
+    /// The largest difference in pixels, for contact radii on a known grid.
     pub pixels: Option<f64>,
     /// The row whose error exceeds its own limit by the largest factor.
     pub beyond: Option<Beyond>,
-    /// Rows next to apex, kink and rim.
+    /// Rows near the apex, kinks and the rim.
     pub excluded: Option<Excluded>,
 }
 
 /// The row whose error exceeds its own limit by the largest factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beyond {
-    /// Where it is: the load, or r.
+    /// The position: the load, or r.
     pub at: f64,
-    /// Its relative error.
+    /// The relative error.
     pub error: f64,
-    /// The largest relative error that is acceptable there.
+    /// The tolerance at this row.
     pub limit: f64,
 }
 
-/// Rows next to a singular place, where a pixel cannot follow the exact pressure.
+/// Rows near a singular point, where a pixel cannot resolve the exact pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Excluded {
-    /// How many.
+    /// The number of rows.
     pub rows: u64,
-    /// Rows among them where the exact pressure is infinite.
+    /// The number of rows with an infinite exact pressure.
     pub infinite: u64,
-    /// ‖e‖₂/‖exact‖₂ over the others.
+    /// ‖e‖₂/‖exact‖₂ of the other rows.
     pub l2: f64,
-    /// Their largest error, relative to the largest exact value among them.
+    /// The largest error of the other rows, relative to their largest exact value.
     pub max: f64,
 }
 
 /// One file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileReport {
-    /// Its name.
+    /// The name of the file.
     pub name: String,
-    /// Pixels along a side of the box.
+    /// Number of pixels along a side of the box.
     pub grid: Option<f64>,
-    /// The pixel as a part of the largest contact radius.
+    /// The pixel relative to the largest contact radius.
     pub pixel: Option<f64>,
-    /// Rows read.
+    /// Number of rows read.
     pub rows: u64,
-    /// Its columns.
+    /// The columns.
     pub columns: Vec<Column>,
-    /// How it was read, in sentences.
+    /// Notes about how the file was read.
     pub notes: Vec<String>,
-    /// Points to draw.
+    /// Points to plot.
     pub plots: Vec<Plot>,
 }
 
-/// Data and exact values of one column over one coordinate.
+/// Data and exact values of one column as a function of one coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
-    /// What is drawn over what, with units.
+    /// The title with units.
     pub title: String,
     /// The name of the coordinate with its unit.
     pub across: String,
@@ -92,42 +92,42 @@ pub struct Plot {
 pub struct Suspicion {
     /// A short name.
     pub id: &'static str,
-    /// What it is, in one sentence.
+    /// A description in one sentence.
     pub text: String,
-    /// ‖e‖₂/‖exact‖₂ as the data stand; [`f64::MAX`] where no place can be compared.
+    /// ‖e‖₂/‖exact‖₂ of the data; [`f64::MAX`] if no point can be compared.
     pub before: f64,
-    /// The same if the suspicion is true.
+    /// The same error after the fault is corrected.
     pub after: f64,
 }
 
 impl Suspicion {
-    /// How the error changes if the suspicion is true, in words; data without any comparable place have no error before.
+    /// Describes the change of the error when the fault is corrected; data without comparable points have no error before.
     pub fn fall(&self) -> String {
         if self.before < f64::MAX {
-            format!("the error falls from {:.2e} to {:.2e}", self.before, self.after)
+            format!("correcting it reduces the error from {:.2e} to {:.2e}", self.before, self.after)
         } else {
-            format!("the error then is {:.2e}", self.after)
+            format!("correcting it gives an error of {:.2e}", self.after)
         }
     }
 }
 
-/// The whole.
+/// The complete result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Validation {
     /// The verdict.
     pub passed: bool,
-    /// Why, in one sentence.
+    /// The reason in one sentence.
     pub reason: String,
-    /// The fault that explains the data, where exactly one does.
+    /// The fault that explains the data, if there is exactly one.
     pub suspicion: Option<Suspicion>,
     /// The columns of the finest file of each kind.
     pub columns: Vec<Column>,
     /// Orders of convergence by column; `None` for a single file.
     pub orders: Option<Vec<(&'static str, Order)>>,
-    /// Every file, coarsest first.
+    /// All files, coarsest first.
     pub files: Vec<FileReport>,
-    /// How the whole was read, in sentences.
+    /// Notes about how the files were read.
     pub notes: Vec<String>,
-    /// What a reader must know of the exact solution.
+    /// Warnings about the exact solution.
     pub warnings: Vec<String>,
 }

@@ -1,19 +1,19 @@
-//! Forces under a rim beside the contact radius that a solver counts in pixels.
+//! Forces under a rim as a function of the contact radius that a solver counts in pixels.
 
 use super::exact::Exact;
 use super::norms::{Outlier, ratio};
 use crate::contact::{Boundary, State};
 use std::f64::consts::PI;
 
-/// Limits of the radius to which F belongs, below and above a' = √(N h²/π), in pixels.
+/// Limits of the radius that corresponds to F, below and above a' = √(N h²/π), in pixels.
 ///
-/// A solver fills N whole pixels, and its force is that of about the radius a' − 0.116 h: in 14 runs of three solvers the difference was
-/// 0.105 h to 0.119 h. The limits leave room for solvers with other elements.
+/// A solver fills N whole pixels, and its force corresponds to a radius of about a' − 0.116 h: in 14 runs of three solvers the difference was
+/// 0.105 h to 0.119 h. The limits allow for solvers with other elements.
 const LIMITS: [f64; 2] = [0.25, 0.05];
-/// Maximum distance of N from a whole number; radii are printed with few digits.
+/// Maximum distance of N from a whole number; radii may be printed with few digits.
 const WHOLE: f64 = 0.02;
 
-/// The force that belongs to the counted radius, and the maximum difference of the data from it.
+/// The force that corresponds to the counted radius, and the maximum difference of the data from it.
 pub(super) struct Expected {
     force: f64,
     bound: f64,
@@ -22,7 +22,7 @@ pub(super) struct Expected {
 }
 
 impl Expected {
-    /// Returns what was expected if the contact ends at a rim, N is a whole number, and the force is outside its limits.
+    /// Returns the expected force if the contact ends at a rim, N is a whole number, and the force is outside its limits.
     ///
     /// At a given depth, dF/da = 2E*(d − g(a)).
     pub(super) fn missed(exact: &Exact<'_>, state: &State, (force, radius): (f64, f64), pixel: f64) -> Option<Self> {

@@ -1,4 +1,4 @@
-//! A validation from beginning to end: look at the files, find the pixels, compare, judge, and look for the fault.
+//! Runs a validation: surveys the files, determines the pixels, compares, judges, and searches for a fault.
 
 use super::diagnosis::{self, Evidence};
 use super::exact::Exact;
@@ -19,29 +19,29 @@ use crate::validate::file::survey::{Content, Survey};
 use crate::validate::file::units::Units;
 use std::collections::BTreeSet;
 
-/// What is validated, and how.
+/// The input of a validation.
 pub struct Request<'a> {
     /// The text of the scene file.
     pub text: &'a str,
-    /// The scene of this text, with the points of its tip if it has some.
+    /// The scene of this text, with the points of its tip if it has one.
     pub scene: &'a Scene,
     /// The data.
     pub sources: &'a [Source<'a>],
-    /// An error that is accepted, relative, in the place of those of the grid.
+    /// Relative error to accept, instead of the discretization error.
     pub tolerance: Option<f64>,
-    /// Pixels along a side of the box, per file.
+    /// Number of pixels along a side of the box, per file.
     pub grid: &'a [f64],
-    /// What is said of the files.
+    /// User-defined layout of the files.
     pub layout: &'a Layout,
 }
 
 /// Compares a solver's data with the exact solution of a scene.
 ///
-/// Files with d, F and a hold a load per row; files with r (or x, y) and p or u hold places under the scene's single load,
+/// Files with d, F and a contain one load per row; files with r (or x, y) and p or u contain points under the single load of the scene,
 /// or under every load in their column d.
 ///
 /// # Errors
-/// [`ValidationError`] where a file or the scene cannot be read.
+/// [`ValidationError`] if a file or the scene cannot be read.
 pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     let scene = request.scene;
     let mut units = Units::default();
@@ -67,22 +67,22 @@ pub fn validate(request: &Request<'_>) -> Result<Validation, ValidationError> {
     }
     let mut notes: Vec<String> = units.note.into_iter().collect();
     if scene.data.as_ref().is_some_and(|own| own.walls == Walls::Periodic) {
-        notes.push("the box is said to repeat: its images are no part of the exact solution".to_owned());
+        notes.push("the box is declared as periodic, but the exact solution does not include periodic images".to_owned());
     }
     let uses_radii = |own: &Survey<'_>| own.data.arrays.as_ref().is_some_and(|arrays| arrays.radii);
     if request.layout.radii && !surveys.iter().any(uses_radii) {
-        notes.push("the radii of --grid are not used: the data have places of their own".to_owned());
+        notes.push("the given radii are not used, since the data contain coordinates".to_owned());
     }
     let mut found = together(parts, request.sources.len(), notes);
     let unread: BTreeSet<&str> = surveys.iter().flat_map(|survey| survey.unread.iter().map(String::as_str)).collect();
     if !unread.is_empty() {
         let names: Vec<&str> = unread.into_iter().collect();
-        found.reason = format!("{}; columns that are not read: {}", found.reason, names.join(", "));
+        found.reason = format!("{}; ignored columns: {}", found.reason, names.join(", "));
     }
     Ok(found)
 }
 
-/// Files of loads, and files of places by their load: files of one group are several resolutions.
+/// Groups files with loads, and files with fields by their load; the files of one group are several resolutions.
 fn groups<'a, 's>(surveys: &'a mut [Survey<'s>]) -> Vec<(Content, Vec<&'a mut Survey<'s>>)> {
     let mut groups: Vec<(Content, Vec<&mut Survey<'s>>)> = Vec::new();
     let near = |one: Option<f64>, other: Option<f64>| match (one, other) {
@@ -106,14 +106,14 @@ fn judge(request: &Request<'_>, scene: &Scene) -> loads::Judge {
     loads::Judge { demanded: request.tolerance, solver: scene.data.as_ref().map_or(0.0, |own| own.tolerance) }
 }
 
-/// What the files of one kind say.
+/// The result for the files of one kind.
 struct Part {
-    /// The load of the places, where the files have several.
+    /// The load of the fields, if the files have several loads.
     load: Option<String>,
     verdict: Verdict,
     suspicion: Option<Suspicion>,
     files: Vec<FileReport>,
-    /// What the exact solution says of itself.
+    /// Warnings about the exact solution.
     warnings: Vec<String>,
 }
 
@@ -127,7 +127,7 @@ impl Part {
             p.or(size(survey, Kind::Displacement, reach).map(|_| "u"))
         });
         let reason = match wrong {
-            Some(name) => format!("{name} is not 0 where the bodies do not touch"),
+            Some(name) => format!("{name} is not 0 although the bodies do not touch"),
             None => "nothing was judged: the bodies do not touch".to_owned(),
         };
         let verdict = Verdict { passed: false, judged: wrong.is_some(), reason, advice: None, order: None, grows: false };
@@ -135,7 +135,7 @@ impl Part {
         Self { load: Some(load), verdict, suspicion: None, files, warnings }
     }
 
-    /// Fails where the places of the data contradict what is declared of them.
+    /// Fails if the points of the data contradict the declaration.
     fn against(mut self, contradiction: Option<Suspicion>, of_radii: bool) -> Self {
         if let Some(found) = contradiction {
             if self.verdict.passed {
@@ -143,7 +143,7 @@ impl Part {
             }
             (self.verdict.passed, self.verdict.judged) = (false, true);
             // Coordinates from a corner often miss a pixel as well, and the axis is the larger fault. Contact radii that do not fit the
-            // box may be the consequence of another fault, such as exchanged columns.
+            // box may be the consequence of another fault, such as swapped columns.
             let is_larger = |own: &Suspicion| of_radii || matches!(own.id, "origin-corner" | "fftshift");
             if !self.suspicion.as_ref().is_some_and(is_larger) {
                 self.suspicion = Some(found);
@@ -152,24 +152,24 @@ impl Part {
         self
     }
 
-    /// The reason, with what to try where no fault explains the data.
+    /// Returns the reason, with advice if no fault explains the data.
     fn reason(&self) -> String {
         let own = match self.verdict.advice.filter(|_| self.suspicion.is_none()) {
-            Some(advice) => format!("{}: {advice}", self.verdict.reason),
+            Some(advice) => format!("{}; {advice}", self.verdict.reason),
             None => self.verdict.reason.clone(),
         };
         self.load.as_ref().map_or_else(|| own.clone(), |load| format!("{load}: {own}"))
     }
 }
 
-/// Pressures below this fraction of E*, and displacements below this fraction of the largest radius, count as 0.
+/// Pressures below this fraction of E*, and displacements below this fraction of the largest radius, are treated as 0.
 const NOTHING: f64 = 1e-6;
 /// Maximum number of reasons in one sentence.
 const MOST_REASONS: usize = 2;
 
-/// All kinds together.
+/// Combines the results of all kinds.
 fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
-    // A load at which nothing can be compared, such as the first of a ramp from 0, is left out where others can.
+    // A load without comparable points, such as the first load of a ramp from 0, is ignored if other loads can be compared.
     let passed = parts.iter().any(|own| own.verdict.passed) && parts.iter().all(|own| own.verdict.passed || !own.verdict.judged);
     let mut telling: Vec<String> =
         parts.iter().filter(|own| own.verdict.judged && own.verdict.passed == passed).map(Part::reason).collect();
@@ -221,7 +221,7 @@ impl Work<'_> {
         let relative: Vec<f64> = files.iter().map(|(_, pixel)| pixel.relative).collect();
         let levels = paired(&errors, &relative);
         let Some(finest) = all.last() else {
-            return Err(ValidationError::request("there are no files", "a file of data would be accepted"));
+            return Err(ValidationError::request("no data files", "expected at least one data file"));
         };
         let has_rim = exact.state(load).is_some_and(|own| own.boundary == Boundary::Rim);
         let verdict = verdict(finest.column, &finest.report.columns, &levels, (self.judge.solver, has_rim), finest.unmatched);
@@ -256,8 +256,8 @@ impl Work<'_> {
                 return Ok(Part::apart(load, files, self.scene, solution.warnings()));
             }
             return Err(ValidationError::request(
-                "no contact belongs to the scene's load, so there are no exact pressures",
-                "a load under which the bodies touch, in a valid contact, would be accepted",
+                "no contact exists for the load of the scene, so there are no exact pressures",
+                "expected a load with a valid contact",
             ));
         };
         let mut all = Vec::new();
@@ -265,9 +265,9 @@ impl Work<'_> {
             all.push(field::compare(survey, self.scene, &exact, &state, *pixel, self.judge)?);
         }
         let Some(finest) = all.last() else {
-            return Err(ValidationError::request("there are no files", "a file of data would be accepted"));
+            return Err(ValidationError::request("no data files", "expected at least one data file"));
         };
-        // Orders belong to one region: that of the coarsest file.
+        // Orders are computed in one region, determined by the coarsest file.
         let margin = all.iter().map(|own| own.margin).fold(0.0, f64::max);
         let region = Region::new(state.radius, margin, &exact.sharp(state.radius));
         let relative = files.iter().map(|(_, pixel)| pixel.relative);
@@ -325,27 +325,27 @@ impl Work<'_> {
     }
 
     fn single_load(&self) -> Result<Load, ValidationError> {
-        let help = "expected one load: depth = \"0.4 um\" under [load], or --load \"d=0.4 um\"";
+        let help = "expected one load, such as depth = \"0.4 um\" in [load]";
         match (self.scene.loads.len(), self.scene.loads.get(0)) {
             (1, Some(value)) => Ok(self.scene.control.load(value)),
-            (0, _) => Err(ValidationError::request("pressures belong to a load, but the scene has none", help)),
-            (count, _) => Err(ValidationError::request(format!("pressures belong to one load, but the scene has {count} of them"), help)),
+            (0, _) => Err(ValidationError::request("fields require a load, but the scene has none", help)),
+            (count, _) => Err(ValidationError::request(format!("fields require a single load, but the scene has {count} loads"), help)),
         }
     }
 }
 
-/// Names the order of the files where the errors grow as the pixel is said to shrink, and the file that is said to be the coarsest
+/// Returns the wrong order of the files as a fault if the errors increase with refinement, and the file declared as the coarsest
 /// is within the tolerance of the finest.
 fn reversed(verdict: &Verdict, files: &[&FileReport]) -> Option<Suspicion> {
     let (name, _) = verdict.order.filter(|_| verdict.grows)?;
     let error = |file: &FileReport| file.columns.iter().find(|own| own.name == name).map(|own| (own.l2, own.tolerance));
     let (first, last) = (error(files.first()?)?, error(files.last()?)?);
     let fits = first.0 <= last.1.unwrap_or(f64::MAX);
-    let text = format!("files in the wrong order: the errors of {name} shrink if the files are taken the other way round");
+    let text = format!("files in the wrong order: the errors of {name} decrease with refinement if the order of the files is reversed");
     fits.then_some(Suspicion { id: "file-order", text, before: last.0, after: first.0 })
 }
 
-/// The relative L2 error within a region, and the error of the amplitude.
+/// Returns the relative L2 error within a region, and the error of the amplitude.
 fn within(errors: &[(f64, f64, f64)], region: &Region) -> Option<(f64, f64)> {
     let (mut error, mut exact, mut along) = (0.0, 0.0, 0.0);
     for (_, p, own) in errors.iter().filter(|own| region.holds(own.0)) {
@@ -360,7 +360,7 @@ fn level(pixel: f64, found: Option<(f64, f64)>) -> Level {
     Level { pixel, errors: vec![found.map(|own| own.0)], signed: vec![found.map(|own| own.1)] }
 }
 
-/// The errors of every file at the loads of the finest one; solvers may have moved their steps by a little.
+/// Returns the errors of every file at the loads of the finest file; the load steps of the files may differ slightly.
 fn paired(files: &[&[(f64, f64)]], pixels: &[f64]) -> Vec<Level> {
     const NEAR: f64 = 0.02;
     let Some(finest) = files.last() else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! The force that the pressures of a lattice make, summed over its shells.
+//! The force from the pressures on a lattice, summed over its shells.
 
 use super::norms::ratio;
 use crate::validate::file::lattice::{self, Lattice, Offset};
@@ -7,21 +7,21 @@ use crate::validate::file::survey::Survey;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-/// Pressures summed over the shells of a lattice; complete where every pixel up to a distance was seen.
+/// Pressures summed over the shells of a lattice, which is complete if every pixel up to a distance is present.
 pub(super) struct Shells {
     lattice: Option<Lattice>,
     reach: f64,
     /// 4 r²/h² of the outermost shell.
     outermost: u64,
     counts: BTreeMap<u64, (u64, u64)>,
-    /// Sums of the pressures of the data and of the exact ones, and the number of places with a pressure, NaN if one was left out.
+    /// Sums of the pressures of the data and of the exact pressures, and the number of points with a pressure; NaN if one is missing.
     data: BTreeMap<u64, (f64, f64, f64)>,
     broken: bool,
     /// Smaller pressures are rounding errors of a solver.
     least: f64,
 }
 
-/// Shells beyond these are too many to be kept in mind.
+/// Maximum number of shells to store.
 const MOST_SHELLS: f64 = 4e6;
 
 impl Shells {
@@ -30,7 +30,7 @@ impl Shells {
         let lattice = lattice.map(|own| Lattice { pixel: pixel.pixel.unwrap_or(own.pixel), ..own });
         let most = lattice.map_or(0.0, |own| 4.0 * (reach / own.pixel).powi(2));
         let usable = lattice.filter(|_| most < MOST_SHELLS);
-        // A shell at the reach itself belongs to it, whatever the last digit.
+        // Include the shell at the limit despite rounding.
         let outermost = (most * (1.0 + 1e-9)) as u64;
         let counts = usable.map_or_else(Default::default, |own| {
             lattice::shells(own.offset, outermost).into_iter().map(|(key, count)| (key, (count, 0))).collect()
@@ -38,7 +38,7 @@ impl Shells {
         Self { lattice: usable, reach, outermost, counts, data: Default::default(), broken: usable.is_none(), least }
     }
 
-    /// Adds a pressure; one that is infinite as a value at its place counts only where the data are means.
+    /// Adds a pressure; an infinite exact pressure counts only if the data are means.
     pub(super) fn add(&mut self, (r, p): (f64, f64), exact: f64, means: bool) {
         let Some(lattice) = self.lattice else { return };
         let shell = lattice::quarters(r, lattice.pixel);
@@ -46,7 +46,7 @@ impl Shells {
             return;
         }
         let Some((key, count)) = shell.and_then(|key| Some((key, self.counts.get_mut(&key)?))) else {
-            // A place off the lattice.
+            // The point is not on the lattice.
             self.broken = true;
             return;
         };
@@ -60,14 +60,14 @@ impl Shells {
         }
     }
 
-    /// Returns the force of the data, that of the exact pressures by the same sum, and the radius of the circle with the area of all pixels
-    /// that have a pressure, NaN if an infinite exact pressure was left out; `None` if a pixel is missing.
+    /// Returns the force of the data, the force of the exact pressures by the same sum, and the radius of the circle with the area of all pixels
+    /// that have a pressure, NaN if an infinite exact pressure was skipped; `None` if a pixel is missing.
     pub(super) fn total(&self) -> Option<(f64, f64, f64)> {
         let lattice = self.lattice.filter(|_| !self.broken)?;
         let area = lattice.pixel * lattice.pixel;
         let mut total = (0.0, 0.0, 0.0);
         for (key, (pixels, seen)) in &self.counts {
-            // Every pixel, or some of each shell: a quarter, an octant, or one.
+            // Each shell may be complete or reduced by symmetry: a quarter, an octant, or one point.
             if *seen == 0 || *seen > *pixels {
                 return None;
             }

@@ -1,50 +1,50 @@
-//! The verdict on the files of one kind: the finest within its tolerance, and errors that are not proven to stay as the pixel shrinks.
+//! The verdict on the files of one kind: the finest file must be within its tolerance, and the errors must not be proven to persist under refinement.
 
 use super::order::{Level, Order, limit_error, order};
 use super::record::{Beyond, Column};
 
-/// What one kind of file says.
+/// The verdict on files of one kind.
 pub(super) struct Verdict {
     pub(super) passed: bool,
-    /// False where no column could be compared; such a file passes beside others only.
+    /// False if no column can be compared; such a file passes only together with others.
     pub(super) judged: bool,
     pub(super) reason: String,
-    /// What to try, where no fault explains the data.
+    /// Advice if no fault explains the data.
     pub(super) advice: Option<&'static str>,
-    /// The column that decides, with its order where that is determined.
+    /// The decisive column, with its order if it is determined.
     pub(super) order: Option<(&'static str, Order)>,
-    /// True where the errors are proven to grow while the pixel shrinks.
+    /// True if the errors are proven to increase under refinement.
     pub(super) grows: bool,
 }
 
-/// Errors below this are those of printed digits.
+/// Errors below this value are due to printed digits.
 const PRINTED: f64 = 1e-8;
-/// An error whose order is proven to lie below this does not shrink with the pixel.
+/// An error whose order is proven to be below this value does not decrease under refinement.
 const LEAST_ORDER: f64 = 0.25;
-/// Errors of this share of the tolerance in every file are noise that no refinement needs to cure.
+/// If the errors of every file are below this fraction of the tolerance, they are noise.
 const NOTHING_LEFT: f64 = 0.05;
-/// The same under a rim, whose pixels make steps that do not shrink evenly.
+/// The same for a rim, where the error varies unevenly with the pixel.
 const STEPS_OF_A_RIM: f64 = 0.6;
-/// No grid is so coarse that its error is this many times the tolerance, which is in proportion to the error.
+/// A coarse grid cannot explain an error larger than this multiple of the tolerance, which is proportional to the error.
 const COARSE: f64 = 20.0;
 /// An order with a wider interval is not determined.
 const WIDEST: f64 = 2.0;
-/// The error on an infinitely fine grid must be proven to exceed this share of the tolerance of the finest file.
+/// The error on an infinitely fine grid must be proven to exceed this fraction of the tolerance of the finest file.
 const LEFT: f64 = 0.5;
 
-/// What several files say together.
+/// The convergence of several files.
 enum Convergence {
-    /// There is but one file.
+    /// There is only one file.
     One,
-    /// The order, which excludes that the errors stay.
+    /// The order is proven to be positive.
     Shrinks(Order),
-    /// Errors far below the tolerance in every file.
+    /// The errors of every file are far below the tolerance.
     Settled,
-    /// Neither this nor that is proven.
+    /// Nothing is proven.
     Undetermined,
-    /// Errors whose order is proven to be about 0 or less.
+    /// The order is proven to be about 0 or negative.
     Stays(Order),
-    /// The interval of what is left on an infinitely fine grid does not hold 0, nor anything small.
+    /// The interval of the error on an infinitely fine grid contains neither 0 nor small values.
     Left(f64, f64),
 }
 
@@ -72,7 +72,7 @@ impl Convergence {
         matches!(self, Self::Stays(_) | Self::Left(..))
     }
 
-    /// Whether the errors are proven to grow while the pixel shrinks.
+    /// Returns true if the errors are proven to increase under refinement.
     fn grows(&self) -> bool {
         matches!(self, Self::Stays(own) if own.high.is_some_and(|high| high < -LEAST_ORDER))
     }
@@ -86,12 +86,12 @@ fn shrinks(own: &Order) -> bool {
     own.low.unwrap_or(own.value) > 0.0 && own.value > LEAST_ORDER && is_narrow(own)
 }
 
-/// True where even the coarsest errors are no larger than this.
+/// Returns true if even the coarsest errors are no larger than this.
 fn vanishing(levels: &[Level], most: f64) -> bool {
     levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= most))
 }
 
-/// Judges the columns of the finest file, and the levels of all of them; `unmatched` loads have no contact.
+/// Judges the columns of the finest file, and the levels of all files; `unmatched` loads have no contact.
 pub(super) fn verdict(
     column: &'static str,
     finest: &[Column],
@@ -101,13 +101,13 @@ pub(super) fn verdict(
 ) -> Verdict {
     let failed: Vec<&Column> = finest.iter().filter(|own| own.passed == Some(false)).collect();
     let decisive = finest.iter().find(|own| own.name == column);
-    // Contact radii count in pixels: their relative errors have no tolerance.
+    // The tolerance of contact radii is in pixels, so their relative errors have no tolerance.
     let tolerance = decisive.filter(|own| own.pixels.is_none()).and_then(|own| own.tolerance);
     let convergence = Convergence::of(levels, tolerance, PRINTED.max(solver), has_rim);
     let none_judged = finest.iter().all(|own| own.passed.is_none());
     let passed = failed.is_empty() && !convergence.fails() && unmatched == 0 && !none_judged;
     let (reason, advice) = if unmatched > 0 {
-        (format!("no valid contact belongs to {unmatched} of the loads"), None)
+        (format!("no valid contact exists for {unmatched} of the loads"), None)
     } else if none_judged {
         (nothing_judged(column), None)
     } else if let Some(first) = failed.iter().find(|own| own.beyond.is_some()).or(failed.first()) {
@@ -126,11 +126,11 @@ pub(super) fn verdict(
     }
 }
 
-/// Why no column has a verdict.
+/// Returns the reason if no column can be judged.
 fn nothing_judged(column: &str) -> String {
     let why = match column {
-        "a" => "the file has contact radii only, which need the pixel: [data] box and grid give it",
-        "p" => "no compared place lies inside the contact, because all of them are within 4 pixels of its edge, a kink or the apex",
+        "a" => "the file contains only contact radii, which require the pixel; set box and grid in [data]",
+        "p" => "no compared point is inside the contact, because all of them are within 4 pixels of its edge, a kink or the apex",
         _ => "no row has an exact value to compare with",
     };
     format!("nothing was judged: {why}")
@@ -143,7 +143,7 @@ fn order_text(own: &Order) -> String {
     }
 }
 
-/// Why data fail whose finest file is beyond its tolerance, and what to try.
+/// Returns the reason if the finest file exceeds its tolerance, and advice.
 fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String, Option<&'static str>) {
     let hidden = failed.tolerance.is_some_and(|own| failed.l2 <= own);
     if let Some(Beyond { at, error, limit }) = failed.beyond.filter(|_| hidden) {
@@ -151,27 +151,27 @@ fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String,
         let place = if matches!(name, "p" | "u") { format!("r = {at}") } else { format!("the load {at}") };
         if name == "F_from_p" {
             let reason =
-                format!("the error of {name} is {error:.3e}, more than the {limit:.3e} that the area of the pixels in contact allows");
+                format!("the error of {name} is {error:.3e}, above the limit of {limit:.3e} for the area of the pixels in contact");
             return (reason, None);
         }
-        let one = if matches!(name, "p" | "u") { "place" } else { "row" };
-        return (format!("the error of {name} is {error:.3e} at {place}, more than the {limit:.3e} that a single {one} may have"), None);
+        let one = if matches!(name, "p" | "u") { "point" } else { "row" };
+        return (format!("the error of {name} is {error:.3e} at {place}, above the limit of {limit:.3e} for a single {one}"), None);
     }
     let size = match (failed.pixels, failed.tolerance) {
-        (Some(pixels), Some(tolerance)) => format!("contact radii are {pixels:.2} pixels off, more than {tolerance}"),
+        (Some(pixels), Some(tolerance)) => format!("contact radii have an error of {pixels:.2} pixels, above the tolerance of {tolerance}"),
         (_, tolerance) => {
             let accepted = tolerance.unwrap_or_default();
-            format!("the error of {} is {:.3e} in L2, more than the {accepted:.3e} that is accepted", failed.name, failed.l2)
+            format!("the L2 error of {} is {:.3e}, above the tolerance of {accepted:.3e}", failed.name, failed.l2)
         }
     };
     match convergence {
         Convergence::One => {
             let is_near = failed.tolerance.is_none_or(|own| failed.l2 <= COARSE * own);
-            (size, is_near.then_some("one file cannot tell a coarse grid from a wrong model"))
+            (size, is_near.then_some("one file is not enough to distinguish a coarse grid from a wrong model"))
         }
         Convergence::Shrinks(own) if failed.name == column => {
-            let advice = own.floor.is_none().then_some("a finer grid would help");
-            (format!("{size}; the errors of {column} shrink with the pixel, {}", order_text(own)), advice)
+            let advice = own.floor.is_none().then_some("refine the grid");
+            (format!("{size}; the errors of {column} decrease with the pixel, {}", order_text(own)), advice)
         }
         Convergence::Shrinks(_) | Convergence::Settled => (size, None),
         Convergence::Undetermined => (format!("{size}; order not determined"), None),
@@ -179,21 +179,21 @@ fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String,
     }
 }
 
-/// Why errors do not vanish as the pixel does.
+/// Returns the reason if the errors do not vanish under refinement.
 fn stays(column: &str, convergence: &Convergence) -> String {
     match convergence {
         Convergence::Left(low, high) => format!(
-            "the errors of {column} tend to {:.3e} ({low:.3e} to {high:.3e}) as the pixel shrinks, not to 0: refinement does not cure them",
+            "the errors of {column} tend to {:.3e} ({low:.3e} to {high:.3e}) instead of 0 as the pixel decreases, so refinement does not help",
             0.5 * (low + high)
         ),
         Convergence::Stays(own) => {
-            format!("the errors of {column} do not shrink with the pixel ({}): refinement does not cure them", order_text(own))
+            format!("the errors of {column} do not decrease with the pixel ({}), so refinement does not help", order_text(own))
         }
         _ => String::new(),
     }
 }
 
-/// What is said where every column is within its tolerance.
+/// Returns the sentence if every column is within its tolerance.
 fn sentence(column: &str, finest: &[Column], convergence: &Convergence) -> String {
     let judged = finest.iter().filter_map(|own| Some((own.name, own.l2, own.tolerance?)));
     let shown = judged.clone().find(|own| own.0 == column).or(judged.clone().next());
@@ -203,10 +203,10 @@ fn sentence(column: &str, finest: &[Column], convergence: &Convergence) -> Strin
         Convergence::Shrinks(own) => {
             let floor = own.floor.map_or(String::new(), |own| format!("; below {own:.1e} refinement has no effect"));
             let order = order_text(own);
-            format!("the errors of {column} shrink with the pixel, {order}, and the finest file is within its tolerance{shown}{floor}")
+            format!("the errors of {column} decrease with the pixel, {order}, and the finest file is within its tolerance{shown}{floor}")
         }
         Convergence::Settled => {
-            format!("the errors of {column} are within the tolerance in every file, and too small for an order to matter{shown}")
+            format!("the errors of {column} are within the tolerance in every file, and too small to determine an order{shown}")
         }
         Convergence::Undetermined => format!("the finest file is within its tolerance{shown}; order not determined"),
         Convergence::Stays(_) | Convergence::Left(..) => stays(column, convergence),

@@ -213,7 +213,7 @@ fn radii_that_are_not_used_are_named() {
     }
 }
 
-/// Class "what is not judged hides what is wrong": a field that is not 0 where the bodies do not touch fails, and the load that fails is
+/// Class "what is not judged hides what is wrong": a field that is not 0 although the bodies do not touch fails, and the load that fails is
 /// named before those that cannot be judged.
 #[test]
 fn loads_without_contact_hide_nothing() {

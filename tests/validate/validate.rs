@@ -542,7 +542,7 @@ fn files_that_are_no_data_are_refused_with_their_line() {
         ("", "no header"),
         ("d,F,a\n", "no rows"),
         ("0.1,0.2,0.3\n0.2,0.3,0.4\n", "numbers where the names"),
-        ("d,F,a\n0.1,x,0.3\n", "line 2: column F: \"x\" is no number"),
+        ("d,F,a\n0.1,x,0.3\n", "line 2: column F: \"x\" is not a number"),
         ("d,F,a\n0.1,NaN,0.3\n", "NaN is not finite"),
         ("d,F,a\n0.1,,0.3\n", "column F is empty"),
         ("d,F,a\n0.1,0.2\n", "2 fields where the first line names 3"),
@@ -589,7 +589,7 @@ fn grid_and_data_that_do_not_fit_are_refused() {
     fs::write(place.join("data.csv"), loads(Tip::Cone, 128, &|_, row| row)).unwrap();
     let scene = Tip::Cone.scene("depth = 0.3", 128);
     for (scene, more, said) in [
-        (scene.clone(), vec!["--grid", "64,128"], "--grid has 2 numbers for 1 files"),
+        (scene.clone(), vec!["--grid", "64,128"], "the grid has 2 numbers for 1 files"),
         (scene.replace("grid = 128", "gird = 128"), vec![], "did you mean grid?"),
         (scene.replace("\"free\"", "\"fre\""), vec![], "did you mean free?"),
         (scene.replace("box = 8", "box = 0"), vec![], "box = 0"),

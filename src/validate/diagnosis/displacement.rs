@@ -1,12 +1,12 @@
-//! Surface displacements of a file beside the exact ones: their errors, a free constant, and the faults that displacements have.
+//! Surface displacements compared with exact values: errors, a free constant, and common mistakes.
 
 use crate::validate::norms::Norms;
 use crate::validate::record::Suspicion;
 
-/// Displacements at evenly drawn rows; computed units, positive into the surface.
+/// Displacements at evenly sampled rows, in computing units and positive into the surface.
 pub struct Displacements {
     rows: Vec<Reading>,
-    /// True where the data are known up to a constant only.
+    /// True if the data are known only up to a constant.
     free_constant: bool,
 }
 
@@ -19,21 +19,21 @@ struct Reading {
     exact: f64,
 }
 
-/// The error must fall by this much, and to this many times what the grid excuses, for a fault to be named.
+/// To report a fault, the error must decrease by this factor, and to this multiple of the discretization error.
 const FALL: f64 = 6.0;
 const SHARE: f64 = 2.0;
-/// A free number follows any small error, so the error must exceed this many times what the grid excuses before it is fitted.
+/// A fitted number can reproduce any small error, so the error must exceed this multiple of the discretization error before fitting.
 const CLEAR: f64 = 3.0;
-/// A mean of this share of the constant is one that was removed.
+/// If the mean is below this fraction of the constant, the mean was removed.
 const NO_MEAN: f64 = 0.05;
 
 impl Displacements {
-    /// None yet.
+    /// Creates an empty list.
     pub fn new(free_constant: bool) -> Self {
         Self { rows: Vec::new(), free_constant }
     }
 
-    /// Takes one displacement with the exact one and its distance to the axis.
+    /// Adds a displacement with its exact value and its distance to the axis.
     pub fn push(&mut self, at: f64, u: f64, exact: f64) {
         self.rows.push(Reading { at, u, exact });
     }
@@ -42,12 +42,12 @@ impl Displacements {
         self.rows.len()
     }
 
-    /// The mean difference of data and exact values.
+    /// Returns the mean difference between data and exact values.
     pub(in crate::validate) fn constant(&self) -> f64 {
         self.mean(|own| own.u - own.exact)
     }
 
-    /// The errors, of u − c where the data are known up to a constant c.
+    /// Returns the errors; if the data are known only up to a constant c, of u − c.
     pub(in crate::validate) fn norms(&self, allowed: f64) -> Norms {
         let constant = if self.free_constant { self.constant() } else { 0.0 };
         let mut norms = Norms::new(false);
@@ -55,16 +55,16 @@ impl Displacements {
         norms
     }
 
-    /// Names the one fault that explains the data; `young` is E/E* where the scene has Poisson's ratio.
+    /// Finds the fault that explains the data; `young` is E/E* if the scene has a Poisson's ratio.
     ///
-    /// `length` writes a length with its unit.
+    /// `length` formats a length with its unit.
     pub fn suspicion(&self, allowed: f64, young: Option<f64>, length: &dyn Fn(f64) -> String) -> Option<Suspicion> {
         let before = self.error(|own| own.u);
         let mut found: Option<Suspicion> = None;
         let mut try_one = |id: &'static str, text: String, free: bool, change: &dyn Fn(&Reading) -> f64| {
             let after = self.error(change);
             let explains = FALL * after <= before && after <= SHARE * allowed && before >= if free { CLEAR } else { 1.0 } * allowed;
-            // The first of the list is named among those that no grid can tell apart, and a free number only where it alone fits.
+            // Among faults that cannot be distinguished, the first is reported; a fitted number is reported only if no other fault fits.
             let better =
                 |own: &Suspicion| if free { 3.0 * after < own.after && own.after > 0.7 * allowed } else { 1.3 * after < own.after };
             if explains && found.as_ref().is_none_or(better) {
@@ -74,14 +74,14 @@ impl Displacements {
         let plain = |own: &Reading| own.u;
         try_one("u-sign", "the displacements have the opposite sign: u is positive into the surface".to_owned(), false, &|own| -own.u);
         for (factor, text) in
-            young.iter().flat_map(|ratio| [(1.0 / ratio, "E in the place of E*"), (*ratio, "E* divided twice by 1 - nu^2")])
+            young.iter().flat_map(|ratio| [(1.0 / ratio, "E used as E*"), (*ratio, "E* divided by 1 - nu^2 twice")])
         {
-            let text = format!("another modulus: u is {factor:.4} times the exact one, as for {text} at the same force");
+            let text = format!("another modulus: u is {factor:.4} times the exact value, as for {text} at the same force");
             try_one("modulus", text, false, &|own| own.u / factor);
         }
         for (factor, text) in [(2.0, "twice"), (0.5, "half of")] {
             let text =
-                format!("{text} the exact displacement is in u, as for E* {} times that of the scene at the same force", 1.0 / factor);
+                format!("u is {text} the exact displacement, as for {} times the E* of the scene at the same force", 1.0 / factor);
             try_one("u-scale", text, false, &|own| own.u / factor);
         }
         for power in (-12..=12).filter(|power| *power != 0) {
@@ -96,7 +96,7 @@ impl Displacements {
         } else {
             format!("a free constant: every u is too large by {}", length(constant))
         };
-        let advice = "; a column that is named u+c, by --map or in its file, is compared up to a constant";
+        let advice = "; a column with the name u+c in the file or in the map is compared up to a constant";
         try_one("u-constant", format!("{text}{advice}"), true, &|own| own.u - constant);
         let turned = self.mean(|own| -own.u - own.exact);
         let text = format!("the displacements have the opposite sign and a free constant: -u - ({}) is exact", length(turned));
@@ -107,7 +107,7 @@ impl Displacements {
         let scale = above / below;
         if scale.is_finite() && scale != 0.0 {
             let text = format!(
-                "another scale: all displacements are {scale:.4} times the exact ones, as for an E* {:.4} times that of the scene at the same force",
+                "another scale: all displacements are {scale:.4} times the exact values, as for {:.4} times the E* of the scene at the same force",
                 1.0 / scale
             );
             try_one("u-scale", text, true, &|own| own.u / scale);
@@ -120,7 +120,7 @@ impl Displacements {
         if self.rows.is_empty() { 0.0 } else { sum / self.rows.len() as f64 }
     }
 
-    /// ‖change(u) − exact‖₂/‖exact‖₂, up to a constant where the data are.
+    /// Returns ‖change(u) − exact‖₂/‖exact‖₂, up to a constant if the data are.
     fn error(&self, change: impl Fn(&Reading) -> f64) -> f64 {
         let constant = if self.free_constant { self.mean(|own| change(own) - own.exact) } else { 0.0 };
         let mut norms = Norms::new(false);

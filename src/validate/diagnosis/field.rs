@@ -1,4 +1,4 @@
-//! The diagnosis of files of places.
+//! The diagnosis of files with fields.
 
 use super::hypothesis::{self, Exchange, Slip, Taken};
 use super::images::{self, Images};
@@ -12,24 +12,24 @@ use crate::validate::exact::{Exact, Formula, Pressures};
 use crate::validate::field::Spot;
 use crate::validate::region::Region;
 
-/// Golden sections in the search for the side of a box; each needs a new exact solution, and together they find the side to about 1e-4.
+/// Golden-section steps in the search for the side of a box; each requires a new exact solution, and together they are accurate to about 1e-4.
 const SECTIONS_OF_A_SIDE: u32 = 14;
 
 impl Trial<'_> {
     pub(super) fn field(&self, evidence: &Evidence) -> Option<Found> {
         let Evidence::Field { spots: all, state, held, side, free, placings, factors } = evidence else { return None };
-        // Places outside of the contact are left out: those without pressure, since r may be in another unit.
+        // Exclude points outside the contact by their zero pressure, since r may be in another unit.
         let inside: Vec<Spot> = all.iter().copied().filter(|spot| spot.p != 0.0).collect();
         let solution = self.scene.solution().ok()?;
         let exact = Exact::new(self.scene, &solution, Load::Depth(state.depth)).ok()?;
         let formula = exact.formula();
         let known = exact.pressures(formula.as_ref(), state);
-        // Places next to edges are left out as well, unless that leaves too few.
+        // Exclude points near edges as well, unless too few points remain.
         let region = Region::new(state.radius, self.gauge.margin, &known.sharp);
         let clear: Vec<Spot> = inside.iter().copied().filter(|spot| region.holds(spot.r)).collect();
         let chosen = [&clear, &inside].into_iter().find(|own| own.len() >= 8).map_or(all.as_slice(), Vec::as_slice);
         let spots = thinned(chosen);
-        // This looks at all places: a sample of them may hold none of those that are cut off.
+        // Use all points here: a sample may not contain any clipped pressures.
         if let Some(cut_off) = self.cut_off(&known, &clear, factors.1) {
             let whole = score::field(&known, &clear, self.gauge);
             if super::chosen(whole, vec![cut_off.clone()]).is_some() {
@@ -44,7 +44,7 @@ impl Trial<'_> {
         for fault in self.faults(&hypothesis::of_field(self.gauge.pixel, *factors)) {
             let spots = placed(&spots, &fault.slip, *factors);
             if fault.taken == Taken::AsIs {
-                // A pixel that was inferred from the places changes with them, a declared one does not.
+                // An inferred pixel scales with the coordinates, a declared pixel does not.
                 let factor = fault.slip.distance;
                 let slipped = Gauge { margin: self.gauge.margin / factor, pixel: self.gauge.pixel.map(|h| h / factor), ..*self.gauge };
                 for gauge in [slipped, *self.gauge] {
@@ -73,7 +73,7 @@ impl Trial<'_> {
         Some((before, tried))
     }
 
-    /// Pressures that are right up to some pixels within the edge, and 0 beyond.
+    /// Checks for pressures that are correct up to some pixels inside the edge, and 0 beyond.
     fn lost(&self, known: &Pressures<'_>, all: &[Spot]) -> Option<Found> {
         let (a, pixel) = (known.state.radius, self.gauge.pixel?);
         let gauge = Gauge { margin: pixel, ..*self.gauge };
@@ -83,12 +83,12 @@ impl Trial<'_> {
             return None;
         }
         let both: Vec<Spot> = kept.iter().chain(&gone).copied().collect();
-        let text = format!("pressures are lost at the edge of the contact: they end {:.1} pixels inside of it", (a - end) / pixel);
+        let text = format!("pressures are lost at the edge of the contact: they end {:.1} pixels inside the edge", (a - end) / pixel);
         let score = score::field(known, &kept, &gauge)?;
         Some((score::field(known, &both, &gauge), vec![Tried { id: "lost-edge", text, score, free: false, rough: true }]))
     }
 
-    /// Pressures that are cut off: several places have the largest one, and the others are right.
+    /// Checks for clipped pressures: several points have the largest pressure, and the other pressures are correct.
     fn cut_off(&self, known: &Pressures<'_>, clear: &[Spot], factor: f64) -> Option<Tried> {
         const FEWEST: usize = 3;
         let top = clear.iter().map(|spot| spot.p).fold(0.0, f64::max);
@@ -96,7 +96,7 @@ impl Trial<'_> {
         if flat.len() < FEWEST {
             return None;
         }
-        let text = format!("pressures are cut off: none is larger than {:.6e}", top / factor);
+        let text = format!("clipped pressures: none is larger than {:.6e}", top / factor);
         Some(Tried { id: "cut-off", text, score: score::field(known, &thinned(&kept), self.gauge)?, free: false, rough: false })
     }
 
@@ -117,12 +117,12 @@ impl Trial<'_> {
         };
         let mut take = |side: f64, is_fitted: bool| {
             let mut found = under(Images { side, moments: free });
-            // The images change the contact, and so its moments: two more rounds suffice.
+            // The images change the contact and therefore its moments; two iterations are sufficient.
             for _ in 0..2 {
                 found = found.and_then(|(_, moments)| under(Images { side, moments }));
             }
             let text = format!(
-                "periodic images: the data fit a box that repeats with a side of {:.3} a, with pressures too high inside, too low at the edge and the force conserved; refinement cannot cure that, a free half-space operator would",
+                "periodic images: the data fit a periodic box with a side of {:.3} a; pressures are too high inside and too low at the edge at the same force; use a half-space operator without images, since refinement does not help",
                 side / state.radius
             );
             tried.extend(found.map(|(score, _)| Tried { id: "periodic", text, score, free: is_fitted, rough: true }));
@@ -164,7 +164,7 @@ impl Trial<'_> {
             }
         }
         let place = if planar { format!("({}, {})", self.length(x), self.length(y)) } else { format!("r = {}", self.length(x)) };
-        let text = format!("a shifted origin: the axis of the data lies at {place}");
+        let text = format!("a shifted origin: the axis of the data is at {place}");
         tried.extend(score(x, y).map(|score| Tried { id: "origin", text, score, free: true, rough: false }));
 
         let scaled = |factor: f64| {
@@ -174,7 +174,7 @@ impl Trial<'_> {
         if let Some(x) = minimum(-1.0, 1.0, 81, &|x| share(scaled(10f64.powf(x)))) {
             let factor = 10f64.powf(x);
             let text = format!(
-                "another modulus: all pressures are {factor:.4} times the exact ones, as for an E* {factor:.4} times that of the scene at the same depth"
+                "another modulus: all pressures are {factor:.4} times the exact values, as for {factor:.4} times the E* of the scene at the same depth"
             );
             tried.extend(scaled(factor).map(|score| Tried { id: "modulus", text, score, free: true, rough: false }));
         }
@@ -185,7 +185,7 @@ impl Trial<'_> {
             })
         };
         if let Some(x) = minimum(-1.6, 1.6, 41, &|x| share(another(x))) {
-            let text = format!("a load level off: the pressures belong to a force {:.4} times that of the scene's load", x.exp());
+            let text = format!("another load level: the pressures fit {:.4} times the force of the scene", x.exp());
             tried.extend(another(x).map(|score| Tried { id: "level", text, score, free: true, rough: false }));
         }
     }
@@ -199,7 +199,7 @@ fn held_load(control: Control, state: &State) -> Load {
     }
 }
 
-/// Places without the slip.
+/// Returns the points with the mistake undone.
 fn placed(spots: &[Spot], slip: &Slip, (length, pressure): (f64, f64)) -> Vec<Spot> {
     let one = |spot: &Spot| match slip.columns {
         Exchange::DistanceAndPressure => Spot { r: (spot.p / pressure * length).abs(), p: spot.r / length * pressure, ..*spot },

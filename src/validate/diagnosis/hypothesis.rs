@@ -1,23 +1,23 @@
-//! What people mistake: one entry per fault, each a change of the scene or of the data that would put things right.
+//! Common mistakes: each entry is a change of the scene or of the data that corrects the mistake.
 
 use crate::scene::{Change, Scene};
 use crate::validate::file::row::Row;
 use std::f64::consts::PI;
 
-/// What the solver took the scene for.
+/// The problem that the solver may have solved instead of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::validate) enum Taken {
-    /// As it is.
+    /// The scene itself.
     AsIs,
-    /// Something in the scene file for something else.
+    /// The scene with one changed value.
     Changed(Change),
-    /// E* times a number.
+    /// The scene with E* multiplied by a number.
     Modulus(f64),
-    /// The parabola that touches the tip in place of f.
+    /// The osculating paraboloid instead of f.
     Parabola,
 }
 
-/// What stands in the data: factors of columns by which true values were multiplied.
+/// Mistakes in the data: factors by which the true values of the columns were multiplied.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::validate) struct Slip {
     pub(in crate::validate) depth: f64,
@@ -25,29 +25,29 @@ pub(in crate::validate) struct Slip {
     pub(in crate::validate) radius: f64,
     pub(in crate::validate) distance: f64,
     pub(in crate::validate) pressure: f64,
-    /// Rows by which forces and radii are ahead of the depths, and forces alone.
+    /// Numbers of rows by which forces and radii, or forces alone, are ahead of the depths.
     pub(in crate::validate) ahead: i32,
     pub(in crate::validate) force_ahead: i32,
-    /// Columns under the names of others.
+    /// Columns with exchanged names.
     pub(in crate::validate) columns: Exchange,
 }
 
-/// Columns whose names have been exchanged.
+/// The exchange of column names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::validate) enum Exchange {
     Nothing,
     DepthAndForce,
     DepthAndRadius,
     ForceAndRadius,
-    /// d holds F, F holds a and a holds d.
+    /// d contains F, F contains a, and a contains d.
     Forwards,
-    /// d holds a, F holds d and a holds F.
+    /// d contains a, F contains d, and a contains F.
     Backwards,
     DistanceAndPressure,
 }
 
 impl Exchange {
-    /// The row under its right names; `None` where one of the columns is missing. `factors` are computed units per number of each column.
+    /// Returns the row with corrected names; `None` if a column is missing. `factors` converts the columns to computing units.
     pub(in crate::validate) fn exchanged(self, row: &Row, factors: &Row) -> Option<Row> {
         let (d, f, a) = (row.depth / factors.depth, row.force / factors.force, row.radius / factors.radius);
         let (depth, force, radius) = match self {
@@ -69,7 +69,7 @@ impl Slip {
         Self { depth: 1.0, force: 1.0, radius: 1.0, distance: 1.0, pressure: 1.0, ahead: 0, force_ahead: 0, columns: Exchange::Nothing };
 }
 
-/// A fault without a free number.
+/// Creates a fault without a fitted number.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::validate) struct Fault {
     pub(in crate::validate) id: &'static str,
@@ -86,17 +86,17 @@ fn slip(id: &'static str, text: impl Into<String>, slip: Slip) -> Fault {
     Fault { id, text: text.into(), taken: Taken::AsIs, slip }
 }
 
-/// The faults of a model: another modulus, another shape.
+/// Returns the faults of a model: another modulus or another shape.
 pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f64>) -> Vec<Fault> {
     let mut list = Vec::new();
     if let Some(young) = without_poisson.filter(|own| (own / scene.effective_modulus - 1.0).abs() > 1e-6) {
         let factor = young / scene.effective_modulus;
         list.push(taken(
             "modulus",
-            format!("E for E*: the data fit Young's modulus E in the place of E* = E/(1 - nu^2), which is {factor:.4} times E*"),
+            format!("E used as E*: the data fit Young's modulus E instead of E* = E/(1 - nu^2), which is {factor:.4} times E*"),
             Taken::Modulus(factor),
         ));
-        let text = "E* for E: the data fit E*/(1 - nu^2), as if the modulus that was given were E already divided once";
+        let text = "E* used as E: the data fit E*/(1 - nu^2), so E was divided by 1 - nu^2 twice";
         list.push(taken("modulus", text, Taken::Modulus(1.0 / factor)));
     }
     let rim = scene.rim.is_some().then(|| "radius".to_owned());
@@ -105,18 +105,18 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         list.push(taken(
             "diameter",
             format!(
-                "diameter for radius: the data fit twice the {name} of the scene, which stands for a diameter in the place of a radius"
+                "diameter and radius confused: the data fit twice the {name} of the scene, so {name} may be a diameter"
             ),
             times((2, 1)),
         ));
         list.push(taken(
             "diameter",
-            format!("diameter for radius: the data fit half the {name} of the scene, as if that were a diameter and not a radius"),
+            format!("diameter and radius confused: the data fit half the {name} of the scene, so {name} may be a diameter"),
             times((1, 2)),
         ));
         list.push(taken(
             "angle",
-            format!("half-opening angle for surface angle: the data fit 90 degrees minus the {name} of the scene"),
+            format!("half-opening angle and surface angle confused: the data fit 90 degrees minus the {name} of the scene"),
             Taken::Changed(Change::Complement { name: name.clone() }),
         ));
         for (degrees, text) in [(1, "radians were read as degrees or degrees as radians"), (-1, "degrees were read as radians")] {
@@ -125,27 +125,27 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         }
     }
     for (factor, text) in [
-        (0.5, "the data fit half of E*, as for two bodies that are equally elastic, or for E* with 1/2 in the place of 1"),
+        (0.5, "the data fit half of E*, as for two equal elastic bodies, or for a factor of 1/2 instead of 1 in E*"),
         (2.0, "the data fit twice E*"),
     ] {
         list.push(taken("modulus", text, Taken::Modulus(factor)));
     }
     list.push(taken(
         "profile",
-        "paraboloid for the profile: the data fit the parabola that touches the tip, not f itself",
+        "paraboloid instead of the profile: the data fit the osculating paraboloid, not f itself",
         Taken::Parabola,
     ));
     list
 }
 
-/// Powers of ten that units slip by.
+/// Returns powers of ten that may be lost in a unit conversion.
 fn tens() -> impl Iterator<Item = (i32, f64)> {
     (-12..=12).filter(|power| *power != 0).map(|power| (power, 10f64.powi(power)))
 }
 
-/// Names two units that differ by a power of ten, as in `, as numbers in mm that are read as m`; empty where there are none.
+/// Returns a phrase for two units that differ by a power of ten, such as `, as for numbers in mm read as m`; empty if there are none.
 fn units_apart(symbol: &str, power: i32) -> String {
-    // From large to small by factors of 1000.
+    // In decreasing order, by factors of 1000.
     let units: [&str; 5] = match symbol {
         "F" => ["N", "mN", "uN", "nN", "pN"],
         "p" => ["GPa", "MPa", "kPa", "Pa", "mPa"],
@@ -153,45 +153,45 @@ fn units_apart(symbol: &str, power: i32) -> String {
     };
     let steps = power.unsigned_abs() as usize / 3;
     let (Some(large), Some(small)) = (units.first(), units.get(steps).filter(|_| power % 3 == 0)) else { return String::new() };
-    // Small units make large numbers.
+    // Small units give large numbers.
     let (own, read) = if power > 0 { (small, large) } else { (large, small) };
-    format!(", as numbers in {own} that are read as {read}")
+    format!(", as for numbers in {own} read as {read}")
 }
 
-/// Numbers that are too large by a power of ten.
+/// Creates the fault of numbers that are too large by a power of ten.
 fn power_of_ten(subject: &str, symbol: &str, (power, factor): (i32, f64), of: fn(f64) -> Slip) -> Fault {
     slip("unit", format!("unit slip: {subject} 10^{power} times too large{}", units_apart(symbol, power)), of(factor))
 }
 
-/// Numbers that are too large or too small by the ratio of two units.
+/// Creates the faults of numbers that are too large or too small by the ratio of two units.
 fn ratio_of_units(symbol: &str, (factor, names): (f64, &str), of: fn(f64) -> Slip) -> [Fault; 2] {
     [("large", factor), ("small", 1.0 / factor)]
         .map(|(size, own)| slip("unit", format!("unit slip: {symbol} is {factor} times too {size}, the ratio of {names}"), of(own)))
 }
 
-/// Factors of a force or a pressure that was computed with a slip.
+/// Factors of a force or a pressure for common mistakes.
 const FACTORS: [(&str, f64, &str); 10] = [
-    ("sign", -1.0, "tension for compression: the sign of"),
+    ("sign", -1.0, "tension and compression confused: the sign of"),
     ("model", 0.5, "half model: half of"),
-    ("model", 2.0, "half model counted twice: twice"),
+    ("model", 2.0, "half model doubled twice: twice"),
     ("model", 0.25, "quarter model: a quarter of"),
-    ("model", 4.0, "quarter model counted 4 times: 4 times"),
+    ("model", 4.0, "quarter model multiplied twice: 4 times"),
     ("pi", PI, "a missing pi: pi times"),
     ("pi", 1.0 / PI, "a missing pi: 1/pi times"),
     ("pi", 2.0 * PI, "a missing 2 pi: 2 pi times"),
-    ("pi", 0.5 / PI, "a missing 2 pi, as of a force per radian: 1/(2 pi) times"),
+    ("pi", 0.5 / PI, "a missing 2 pi, as for a force per radian: 1/(2 pi) times"),
     ("pi", 1.0 / (PI * PI), "a missing pi^2: 1/pi^2 times"),
 ];
 
-/// The faults of files of loads.
+/// Returns the faults of files with loads.
 pub(in crate::validate) fn of_loads() -> Vec<Fault> {
     let mut list = Vec::new();
     let none = Slip::NONE;
     for (id, force, text) in FACTORS {
-        let what = if id == "sign" { "F is turned over" } else { "the exact force stands in F" };
+        let what = if id == "sign" { "F is reversed" } else { "the exact force is in column F" };
         list.push(slip(id, format!("{text} {what}"), Slip { force, ..none }));
     }
-    list.push(slip("sign", "tension for compression: depths and forces have the opposite sign", Slip { force: -1.0, depth: -1.0, ..none }));
+    list.push(slip("sign", "tension and compression confused: depths and forces have the opposite sign", Slip { force: -1.0, depth: -1.0, ..none }));
     list.push(slip("sign", "the depths have the opposite sign", Slip { depth: -1.0, ..none }));
     for ten in tens() {
         list.push(power_of_ten("F is", "F", ten, |force| Slip { force, ..Slip::NONE }));
@@ -202,55 +202,55 @@ pub(in crate::validate) fn of_loads() -> Vec<Fault> {
     for units in [(9.806_65, "kgf and N"), (4.448_221_615_260_5, "lbf and N")] {
         list.extend(ratio_of_units("F", units, |force| Slip { force, ..Slip::NONE }));
     }
-    for (depth, text) in [(2.0, "twice the depth stands in d"), (0.5, "half of the depth stands in d")] {
+    for (depth, text) in [(2.0, "column d contains twice the depth"), (0.5, "column d contains half of the depth")] {
         list.push(slip(
             "reference",
-            format!("depth from another reference: {text}, as of one of two equal bodies"),
+            format!("another reference for depth: {text}, as for one of two equal bodies"),
             Slip { depth, ..none },
         ));
     }
     for (id, radius, text) in [
-        ("diameter", 2.0, "diameter for radius: the diameter of the contact stands in a"),
-        ("diameter", 0.5, "diameter for radius: half of the contact radius stands in a"),
-        ("pi", PI.sqrt(), "a missing pi: the square root of the contact area stands in a"),
-        ("pi", 1.0 / PI.sqrt(), "a missing pi: a/sqrt(pi) stands in a"),
+        ("diameter", 2.0, "diameter and radius confused: column a contains the diameter of the contact"),
+        ("diameter", 0.5, "diameter and radius confused: column a contains half of the contact radius"),
+        ("pi", PI.sqrt(), "a missing pi: column a contains the square root of the contact area"),
+        ("pi", 1.0 / PI.sqrt(), "a missing pi: column a contains a/sqrt(pi)"),
     ] {
         list.push(slip(id, text, Slip { radius, ..none }));
     }
     for (columns, text) in [
-        (Exchange::DepthAndForce, "d holds the forces and F the depths"),
-        (Exchange::DepthAndRadius, "d holds the contact radii and a the depths"),
-        (Exchange::ForceAndRadius, "F holds the contact radii and a the forces"),
-        (Exchange::Forwards, "d holds the forces, F the contact radii and a the depths"),
-        (Exchange::Backwards, "d holds the contact radii, F the depths and a the forces"),
+        (Exchange::DepthAndForce, "d contains the forces and F the depths"),
+        (Exchange::DepthAndRadius, "d contains the contact radii and a the depths"),
+        (Exchange::ForceAndRadius, "F contains the contact radii and a the forces"),
+        (Exchange::Forwards, "d contains the forces, F the contact radii and a the depths"),
+        (Exchange::Backwards, "d contains the contact radii, F the depths and a the forces"),
     ] {
         list.push(slip("swapped-columns", format!("swapped columns: {text}"), Slip { columns, ..none }));
     }
     for (ahead, text) in [(1, "next"), (-1, "previous")] {
-        let what = "a load level off: the rows of F and a belong to the depth of the";
+        let what = "another load level: F and a belong to the depth of the";
         list.push(slip("level", format!("{what} {text} row"), Slip { ahead, ..none }));
         list.push(slip(
             "level",
-            format!("a load level off: F belongs to the depth of the {text} row"),
+            format!("another load level: F belongs to the depth of the {text} row"),
             Slip { force_ahead: ahead, ..none },
         ));
     }
     list
 }
 
-/// The faults of files of pressures, whose pixel may be known; `factors` are computed units per number of the columns r and p.
+/// Returns the faults of files with pressures; the pixel is optional, and `factors` converts the columns r and p to computing units.
 pub(in crate::validate) fn of_field(pixel: Option<f64>, (length, pressure): (f64, f64)) -> Vec<Fault> {
     let mut list = Vec::new();
     let none = Slip::NONE;
     if let Some(pixel) = pixel {
-        // Computed numbers, those of the columns, and a force in computed units in the column of p.
+        // A force per pixel in computing units, in units of the column, or in computing units in a column with another unit.
         for area in [pixel * pixel, (pixel / length).powi(2), pixel * pixel * pressure] {
-            let text = "force per pixel for pressure: p times the area of a pixel is in p";
+            let text = "force per pixel instead of pressure: column p contains p times the area of a pixel";
             list.push(slip("force-per-pixel", text, Slip { pressure: area, ..none }));
         }
     }
     for (id, pressure, text) in FACTORS {
-        let what = if id == "sign" { "p is turned over" } else { "the exact pressure stands in p" };
+        let what = if id == "sign" { "p is reversed" } else { "the exact pressure is in column p" };
         list.push(slip(id, format!("{text} {what}"), Slip { pressure, ..none }));
     }
     for ten in tens() {
@@ -260,10 +260,10 @@ pub(in crate::validate) fn of_field(pixel: Option<f64>, (length, pressure): (f64
     for units in [(6_894.757_293_168, "psi and Pa"), (9.806_65, "kgf and N"), (1e6 / 98_066.5, "MPa and kgf/cm^2")] {
         list.extend(ratio_of_units("p", units, |pressure| Slip { pressure, ..Slip::NONE }));
     }
-    for (distance, text) in [(2.0, "twice the distance stands in r"), (0.5, "half of the distance stands in r")] {
-        list.push(slip("diameter", format!("diameter for radius: {text}"), Slip { distance, ..none }));
+    for (distance, text) in [(2.0, "column r contains twice the distance"), (0.5, "column r contains half of the distance")] {
+        list.push(slip("diameter", format!("diameter and radius confused: {text}"), Slip { distance, ..none }));
     }
-    let text = "swapped columns: r holds the pressures and p the distances";
+    let text = "swapped columns: r contains the pressures and p the distances";
     list.push(slip("swapped-columns", text, Slip { columns: Exchange::DistanceAndPressure, ..none }));
     list
 }

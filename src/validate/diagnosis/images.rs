@@ -1,4 +1,4 @@
-//! Periodic boxes: how the images of a contact on a square lattice deform the surface below it.
+//! Periodic boxes: the deformation of the surface below a contact by its images on a square lattice.
 
 use crate::contact::State;
 use crate::validate::exact::Exact;
@@ -22,16 +22,16 @@ const SUMS: [f64; POWERS + MOMENTS - 1] = [
     4.002_764_411_540_935,
     4.001_381_618_274_438,
 ];
-/// Σ cos(4φ) ρ^−q over the same points for q = 5, 7, 9, 11, summed directly.
+/// Σ cos(4φ) ρ^−q over the same points for q = 5, 7, 9, 11, by direct summation.
 const FOURFOLD: [f64; 4] = [3.373_865_696, 3.669_000_850_5, 3.829_323_736_8, 3.913_227_593_8];
-/// Intervals of Simpson's rule for the moments.
+/// Number of intervals of Simpson's rule for the moments.
 const INTERVALS: u32 = 32;
 
 /// The images of a contact in a box.
 ///
 /// An image at the distance ρ, whose pressure has the moments Mₖ = ∫p s²ᵏ dA/(πE*), lowers the surface at r, averaged over all angles, by
 /// Σ Mₖ ((2N−1)!!)²/(4ᴺ m!² k!²) r²ᵐ ρ^−(2N+1) with N = m + k. This follows from I₀(r∇) I₀(s∇) applied to 1/ρ, and Δ ρ^−q = q² ρ^−(q+2).
-/// The term with m = 0 is constant and changes the depth only.
+/// The term with m = 0 is constant and changes only the depth.
 ///
 /// The largest term that depends on the angle θ is r⁴ cos 4θ Σ (35/64) Mₖ Π(q² − 16)/(4ᵏ k!²) ρ^−(2k+5) cos 4φ, with the product over
 /// q = 5, 7, … below 2k + 5. The displacement w rⁿ cos nθ belongs to the pressure (E* w/π) n!/(1/2)ₙ rⁿ cos nθ/√(a² − r²).
@@ -41,9 +41,9 @@ pub(super) struct Images {
     pub(super) moments: [f64; MOMENTS],
 }
 
-/// The moments of the pressure of a state; `None` where g is not known up to its contact radius.
+/// Returns the moments of the pressure of a state; `None` if g is not known up to the contact radius.
 ///
-/// p is a superposition of flat punches of the radii x ≤ a with the forces 2E* x dg and, under a rim, of one with the radius a and the
+/// p is a superposition of flat punches of the radii x ≤ a with the forces 2E* x dg and, for a rim, a punch with the radius a and the
 /// force 2E* a (d − g(a)), so that
 /// Mₖ = (2/π) cₖ (d a²ᵏ⁺¹ − (2k + 1) ∫g x²ᵏ dx), where cₖ x²ᵏ is the mean of s²ᵏ under a flat punch.
 pub(super) fn moments(exact: &Exact<'_>, state: &State) -> Option<[f64; MOMENTS]> {
@@ -68,7 +68,7 @@ pub(super) fn moments(exact: &Exact<'_>, state: &State) -> Option<[f64; MOMENTS]
 }
 
 impl Images {
-    /// Returns the mean displacement by the images as a formula of r.
+    /// Returns the mean displacement caused by the images as a formula in r.
     pub(super) fn surface(&self) -> String {
         let coefficient = |m: usize| -> f64 {
             let one = |(k, moment): (usize, &f64)| {
@@ -84,7 +84,7 @@ impl Images {
         terms.join("+")
     }
 
-    /// Returns the places with the fourfold part of the pressure removed.
+    /// Returns the points with the fourfold part of the pressure removed.
     pub(super) fn without_fourfold(&self, spots: &[Spot], a: f64, effective_modulus: f64) -> Vec<Spot> {
         let mut factor = 1.0;
         let mut strength = 0.0;

@@ -1,4 +1,4 @@
-//! The diagnosis of files of loads.
+//! The diagnosis of files with loads.
 
 use super::hypothesis::{self, Exchange, Fault, Slip, Taken};
 use super::{Found, TRIED, Trial, Tried, minimum, score, thinned};
@@ -9,7 +9,7 @@ use crate::validate::file::row::Row;
 impl Trial<'_> {
     pub(super) fn loads(&self, all: &[Row], factors: &Row) -> Option<Found> {
         let rows = &thinned(all);
-        // Only among all rows is the next one the next load.
+        // A sample of the rows would not contain the row with the next load.
         let neighbours = all.get(all.len().saturating_sub(TRIED)..)?;
         let solution = self.scene.solution().ok()?;
         let largest = score::largest(rows, self.gauge.by_force);
@@ -17,16 +17,16 @@ impl Trial<'_> {
         let states = score::states(&exact, rows, self.gauge.by_force);
         let before = score::under(&exact, rows, &states, self.gauge);
         let faults = self.faults(&hypothesis::of_loads());
-        // The budget may end: faults that keep the loads need no new contacts and come first, those with the farthest loads come last.
+        // The budget may be exhausted: faults that keep the loads require no new contacts and are tried first, faults with the largest loads last.
         let mut order: Vec<(usize, &Fault)> = faults.iter().enumerate().collect();
         let far = |fault: &Fault| if fault.slip.columns == Exchange::Nothing { fault.slip.depth.abs().ln().abs() } else { f64::MAX };
         order.sort_by(|one, other| far(one.1).total_cmp(&far(other.1)));
         let mut found: Vec<(usize, Tried)> = Vec::new();
-        // The states of the loads that were computed last.
+        // The states of the most recent loads.
         let mut far_states: Option<(Load, Vec<Option<State>>)> = None;
         for (index, fault) in order {
             let level = fault.slip.ahead != 0 || fault.slip.force_ahead != 0;
-            // Forces are in proportion to the modulus.
+            // Forces are proportional to the modulus.
             let force = if let Taken::Modulus(factor) = fault.taken { factor } else { 1.0 };
             let slip = Slip { force: force * fault.slip.force, ..fault.slip };
             let rows = corrected(if level { neighbours } else { rows }, &slip, factors);
@@ -54,7 +54,7 @@ impl Trial<'_> {
         Some((before, tried))
     }
 
-    /// Depths that are measured elsewhere: at the edge of the contact.
+    /// Checks for depths with another reference, such as the edge of the contact.
     fn references(&self, exact: &Exact<'_>, rows: &[Row], tried: &mut Vec<Tried>) {
         let moved = |change: &dyn Fn(&State, f64) -> f64| -> Vec<Row> {
             let one = |row: &Row| {
@@ -70,15 +70,15 @@ impl Trial<'_> {
         let edge = moved(&|_, height| height);
         let contact = moved(&|state, height| state.depth - height);
         for (rows, text) in [
-            (edge, "depth from another reference: d is the displacement at the edge of the contact, d - f(a), not at the axis"),
-            (contact, "depth from another reference: d is the height f(a) of the contact alone, without the sink-in outside"),
+            (edge, "another reference for depth: d is the displacement at the edge of the contact, d - f(a), instead of at the axis"),
+            (contact, "another reference for depth: d is only the height f(a) of the contact, without the sink-in outside"),
         ] {
             let score = score::loads(exact, &rows, self.gauge);
             tried.extend(score.map(|score| Tried { id: "reference", text: text.to_owned(), score, free: false, rough: false }));
         }
     }
 
-    /// Faults with a free number.
+    /// Checks for faults with a fitted number.
     fn fitted(&self, exact: &Exact<'_>, rows: &[Row], tried: &mut Vec<Tried>) {
         let deepest = rows.iter().map(|row| row.depth.abs()).fold(0.0, f64::max);
         let strongest = rows.iter().map(|row| row.force.abs()).fold(0.0, f64::max);
@@ -92,7 +92,7 @@ impl Trial<'_> {
         if let Some(x) = minimum(-1.0, 1.0, 81, &|x| score(10f64.powf(x)).map_or(f64::MAX, |own| own.share())) {
             let factor = 10f64.powf(x);
             let text = format!(
-                "another modulus: all forces are {factor:.4} times the exact ones at their depth, as for an E* {factor:.4} times that of the scene"
+                "another modulus: all forces are {factor:.4} times the exact values at their depth, as for {factor:.4} times the E* of the scene"
             );
             tried.extend(score(factor).map(|score| Tried { id: "modulus", text, score, free: true, rough: false }));
         }
@@ -101,27 +101,27 @@ impl Trial<'_> {
             let Some(x) = minimum(-0.5, 0.5, 41, &|x| score(x).map_or(f64::MAX, |own| own.share())) else { return };
             tried.extend(score(x).map(|score| Tried { id, text: name(x), score, free: true, rough: false }));
         };
-        fit("reference", &|x| format!("depth from another reference: every d is too large by {}", self.length(x * deepest)), &|row, x| {
+        fit("reference", &|x| format!("another reference for depth: every d is too large by {}", self.length(x * deepest)), &|row, x| {
             Row { depth: row.depth - x * deepest, ..*row }
         });
         fit(
             "compliance",
             &|x| {
                 format!(
-                    "depth from another reference: d holds a part in proportion to the force, {} at the largest, as of a compliant frame or of periodic images",
+                    "another reference for depth: d contains a part proportional to the force, {} at the largest, as for a compliant frame or periodic images",
                     self.length(x * deepest)
                 )
             },
             &|row, x| Row { depth: row.depth - x * deepest * row.force / strongest, ..*row },
         );
-        fit("tare", &|x| format!("every F is too large by {x:.4} times the largest one: its zero is another one"), &|row, x| Row {
+        fit("tare", &|x| format!("every F is too large by {x:.4} times the largest force: the force sensor has an offset"), &|row, x| Row {
             force: row.force - x * strongest,
             ..*row
         });
     }
 }
 
-/// True for a load that a solution for another largest load has looked at closely.
+/// Returns true for a load that a solution for another largest load resolves.
 fn is_near(load: Load, largest: Load) -> bool {
     match (load, largest) {
         (Load::Depth(own), Load::Depth(other)) | (Load::Force(own), Load::Force(other)) => (0.05..=1.0 + 1e-9).contains(&(own / other)),
@@ -129,7 +129,7 @@ fn is_near(load: Load, largest: Load) -> bool {
     }
 }
 
-/// Rows without the slip.
+/// Returns the rows with the mistake undone.
 fn corrected(rows: &[Row], slip: &Slip, factors: &Row) -> Vec<Row> {
     let rows: Vec<Row> = rows.iter().filter_map(|row| slip.columns.exchanged(row, factors)).collect();
     let at = |index: usize, ahead: i32| index.checked_add_signed(-ahead as isize).and_then(|own| rows.get(own));

@@ -1,4 +1,4 @@
-//! The diagnosis: every known fault is put right, the exact solution computed again, and the fault named if the error then falls to that of the grid.
+//! The diagnosis: each known fault is corrected and the exact solution recomputed; a fault is reported if the error then decreases to the discretization error.
 
 pub(crate) mod displacement;
 mod field;
@@ -22,36 +22,36 @@ use placing::Placing;
 use score::{Gauge, Score};
 use std::cell::Cell;
 
-/// Data that failed.
+/// The data that failed.
 pub(super) enum Evidence {
     Loads {
         rows: Vec<Row>,
-        /// Computed units per number of the columns.
+        /// Factors that convert the columns to computing units.
         factors: Row,
     },
     Field {
         spots: Vec<Spot>,
-        /// The state of the scene's load.
+        /// The state under the load of the scene.
         state: State,
-        /// What stays when the scene changes.
+        /// Inputs that do not change with the scene.
         held: Vec<Control>,
-        /// The side of the solver's box, where it is known.
+        /// The side of the domain, if it is known.
         side: Option<f64>,
-        /// True where the box is said not to repeat.
+        /// True if the domain is declared as not periodic.
         free: bool,
-        /// Mistakes about the place of the axis that fit the coordinates.
+        /// Possible mistakes about the position of the axis that fit the coordinates.
         placings: Vec<Placing>,
-        /// Computed units per number of the columns r (or x) and p.
+        /// Factors that convert the columns r (or x) and p to computing units.
         factors: (f64, f64),
     },
 }
 
-/// The error must fall by this much, and to this many times what the grid excuses.
+/// The error must decrease by this factor, and to this multiple of the discretization error.
 const FALL: f64 = 6.0;
 const SHARE: f64 = 2.0;
-/// The error that may remain where a hypothesis is an approximation: that of periodic images is 4.3e-3 at a side of 2.05 a.
+/// The residual error of an approximate hypothesis; for periodic images it is 4.3e-3 at a side of 2.05 a.
 const ROUGH: f64 = 5e-3;
-/// Rows and places that a hypothesis is tried on.
+/// Number of rows or points on which a hypothesis is tested.
 const TRIED: usize = 40;
 
 /// Maximum work for a hypothesis that requires a new exact solution, in steps (about 0.2 s).
@@ -59,21 +59,21 @@ const ONE: u64 = 20_000_000;
 /// Maximum work for all such hypotheses together, in steps (about 1.5 s).
 const ALL: u64 = 150_000_000;
 
-/// A hypothesis that was tried.
+/// A tested hypothesis.
 #[derive(Clone)]
 struct Tried {
     id: &'static str,
     text: String,
     score: Score,
-    /// Free numbers that were fitted.
+    /// True if a number was fitted.
     free: bool,
-    /// True where the effect itself is known to an order only.
+    /// True if the effect of the fault is known only approximately.
     rough: bool,
 }
 
-/// Names the one fault that explains the data.
+/// Finds the fault that explains the data.
 pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &Gauge) -> Option<Suspicion> {
-    // The search takes at most half of the budget that is left, so that the verdict can be written.
+    // The search uses at most half of the remaining budget, so that the verdict can still be written.
     let trial = Trial { text, scene, gauge, left: Cell::new(ALL.min(work::left() / 2)) };
     let (before, tried) = match evidence {
         Evidence::Loads { rows, factors } => trial.loads(rows, factors)?,
@@ -88,13 +88,13 @@ fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
     let error = |own: &Tried| own.score.errors.get(column).copied().unwrap_or(f64::MAX);
     let explains = |own: &Tried| {
         let fell = error(own) * FALL <= old(column);
-        // A coarse grid makes small errors that a free number can always follow.
+        // The small errors of a coarse grid can always be reproduced by a fitted number.
         let clear = before.is_none_or(|before| before.share() >= if own.free { 3.0 } else { 1.5 });
         clear && fell && (own.score.share() <= SHARE || (own.rough && error(own) <= ROUGH))
     };
     let best = |free: bool| {
         let all = tried.iter().filter(|own| own.free == free && explains(own));
-        // The first of the list wins among those that no grid can tell apart.
+        // Among faults that cannot be distinguished, the first is reported.
         all.fold(None::<&Tried>, |best, own| match best {
             Some(best) if 1.3 * own.score.share() >= best.score.share() => Some(best),
             _ => Some(own),
@@ -102,7 +102,7 @@ fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
     };
     let found = match (best(false), best(true)) {
         (Some(fixed), Some(free)) if 3.0 * error(free) < error(fixed) && fixed.score.share() > 0.7 => free,
-        // Without a grid the tolerance is wide: a fitted number with a far smaller error is more likely than a fault within the tolerance.
+        // Without a known grid the tolerance is wide: a fitted number with a much smaller error is more likely than a fault within the tolerance.
         (Some(fixed), Some(free)) if 30.0 * error(free) < error(fixed) => free,
         (Some(fixed), _) => fixed,
         (None, free) => free?,
@@ -110,7 +110,7 @@ fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
     Some(Suspicion { id: found.id, text: found.text.clone(), before: old(column), after: error(found) })
 }
 
-/// At most so many items, evenly chosen.
+/// Returns at most this many items, evenly sampled.
 fn thinned<T: Copy>(items: &[T]) -> Vec<T> {
     let every = items.len().div_ceil(TRIED).max(1);
     items.iter().copied().step_by(every).collect()
@@ -120,11 +120,11 @@ struct Trial<'t> {
     text: &'t str,
     scene: &'t Scene,
     gauge: &'t Gauge,
-    /// Steps of work left for exact solutions of hypotheses.
+    /// Number of steps left for exact solutions of hypotheses.
     left: Cell<u64>,
 }
 
-/// What was found before, and every hypothesis that could be tried.
+/// Returns the faults found so far and all hypotheses that can be tested.
 type Found = (Option<Score>, Vec<Tried>);
 
 impl Trial<'_> {
@@ -135,13 +135,13 @@ impl Trial<'_> {
         all
     }
 
-    /// A length in the unit of the scene's answers.
+    /// Formats a length in the output unit of the scene.
     fn length(&self, x: f64) -> String {
         let system = &self.scene.system;
         format!("{:.4e} {}", x * system.out(Dimension::LENGTH), system.unit_name(Dimension::LENGTH)).trim_end().to_owned()
     }
 
-    /// Asks the exact solution of what the solver may have taken the scene for.
+    /// Tests the exact solutions of the problems that the solver may have solved instead of the scene.
     fn with<T>(&self, taken: &Taken, exact: &Exact<'_>, largest: Load, ask: impl FnOnce(&Exact<'_>) -> Option<T>) -> Option<T> {
         let scene = match taken {
             Taken::AsIs => self.scene.clone(),
@@ -167,7 +167,7 @@ impl Trial<'_> {
         })
     }
 
-    /// Returns the answer if its work stays within the limits for one hypothesis and for all of them.
+    /// Runs a computation if its work stays within the limits for one hypothesis and for all of them.
     fn limited<T>(&self, ask: impl FnOnce() -> Option<T>) -> Option<T> {
         let (found, spent, whole) = work::apart(ONE.min(self.left.get()), ask);
         self.left.set(self.left.get().saturating_sub(spent));
@@ -176,15 +176,15 @@ impl Trial<'_> {
     }
 }
 
-/// Golden sections of a search whose trials cost little.
+/// Number of golden-section steps for cheap functions.
 const SECTIONS: u32 = 28;
 
-/// The smallest value of a function over an interval: the best of evenly spaced trials, made sharp by golden sections.
+/// Minimizes a function over an interval: the best of evenly spaced trials, refined by golden-section search.
 fn minimum(low: f64, high: f64, trials: u32, f: &dyn Fn(f64) -> f64) -> Option<f64> {
     minimum_by(SECTIONS, low, high, trials, f)
 }
 
-/// The same with a given number of golden sections.
+/// Minimizes a function with a given number of golden-section steps.
 fn minimum_by(sections: u32, low: f64, high: f64, trials: u32, f: &dyn Fn(f64) -> f64) -> Option<f64> {
     let at = |index: u32| low + (high - low) * f64::from(index) / f64::from(trials - 1);
     let best = (0..trials).map(|index| (index, f(at(index)))).min_by(|one, other| one.1.total_cmp(&other.1))?;

@@ -1,4 +1,4 @@
-//! How well data fit an exact solution: the L2 error, alone and in units of what the grid excuses.
+//! Scores how well data fit an exact solution: the L2 error, absolute and relative to the discretization error.
 
 use crate::contact::{Boundary, Load, State};
 use crate::validate::exact::{Exact, Pressures};
@@ -10,32 +10,32 @@ use crate::validate::norms::Norms;
 use crate::validate::norms::ratio;
 use crate::validate::region::{Region, excused};
 
-/// What is known of the grid of the data that are scored.
+/// Properties of the grid of the scored data.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::validate) struct Gauge {
     pub(in crate::validate) pixel: Option<f64>,
-    /// The distance that pressures keep from singular places.
+    /// The distance between compared pressures and singular points.
     pub(in crate::validate) margin: f64,
     /// The cell over which pressures are means.
     pub(in crate::validate) cell: Option<Cell>,
     pub(in crate::validate) solver: f64,
-    /// The tolerance of loads that takes the place of that of the grid.
+    /// The tolerance of loads, which replaces the discretization error.
     pub(in crate::validate) demanded: Option<f64>,
-    /// True where the solver controlled the force.
+    /// True if the solver controlled the force.
     pub(in crate::validate) by_force: bool,
 }
 
-/// Errors of the columns that decide: force (or depth, or pressure), and contact radius.
+/// Errors of the decisive columns: force (or depth, or pressure), and contact radius.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::validate) struct Score {
     /// L2 errors.
     pub(in crate::validate) errors: [f64; 2],
-    /// The same over what the grid excuses.
+    /// The same errors relative to the discretization error.
     pub(in crate::validate) shares: [f64; 2],
 }
 
 impl Score {
-    /// The column that is farthest from its tolerance.
+    /// Returns the largest error relative to its tolerance.
     pub(in crate::validate) fn worst(&self) -> usize {
         usize::from(self.shares[1] > self.shares[0])
     }
@@ -45,12 +45,12 @@ impl Score {
     }
 }
 
-/// The load of a row, as the solver controlled it.
+/// Returns the load of a row, as controlled by the solver.
 fn load(row: &Row, by_force: bool) -> Load {
     if row.depth.is_nan() || (by_force && !row.force.is_nan()) { Load::Force(row.force) } else { Load::Depth(row.depth) }
 }
 
-/// The largest load of rows.
+/// Returns the largest load of the rows.
 pub(in crate::validate) fn largest(rows: &[Row], by_force: bool) -> Load {
     let size = |row: &Row| match load(row, by_force) {
         Load::Depth(own) | Load::Force(own) | Load::Radius(own) => own,
@@ -58,17 +58,17 @@ pub(in crate::validate) fn largest(rows: &[Row], by_force: bool) -> Load {
     rows.iter().max_by(|one, other| size(one).total_cmp(&size(other))).map_or(Load::Depth(0.0), |row| load(row, by_force))
 }
 
-/// The score of rows of loads; `None` where most loads have no contact.
+/// Returns the score of rows with loads; `None` if most loads have no contact.
 pub(in crate::validate) fn loads(exact: &Exact<'_>, rows: &[Row], gauge: &Gauge) -> Option<Score> {
     under(exact, rows, &states(exact, rows, gauge.by_force), gauge)
 }
 
-/// The states of the loads of rows, as far as there are any.
+/// Returns the states under the loads of the rows, if they exist.
 pub(in crate::validate) fn states(exact: &Exact<'_>, rows: &[Row], by_force: bool) -> Vec<Option<State>> {
     rows.iter().map(|row| exact.state(load(row, by_force))).collect()
 }
 
-/// The score of rows whose states are known.
+/// Returns the score of rows with known states.
 pub(in crate::validate) fn under(exact: &Exact<'_>, rows: &[Row], states: &[Option<State>], gauge: &Gauge) -> Option<Score> {
     let judge = Judge { demanded: gauge.demanded, solver: gauge.solver };
     let (mut main, mut radius, mut lost) = (Norms::new(true), Norms::new(true), 0);
@@ -96,7 +96,7 @@ pub(in crate::validate) fn under(exact: &Exact<'_>, rows: &[Row], states: &[Opti
     Some(Score { errors: [main.l2(), radius.l2()], shares: [share(&main), share(&radius)] })
 }
 
-/// The score of pressures under a state; `None` where hardly any place is left to compare.
+/// Returns the score of pressures under a state; `None` if too few points can be compared.
 pub(in crate::validate) fn field(pressures: &Pressures<'_>, spots: &[Spot], gauge: &Gauge) -> Option<Score> {
     let state = &pressures.state;
     let a = state.radius;
@@ -117,7 +117,7 @@ pub(in crate::validate) fn field(pressures: &Pressures<'_>, spots: &[Spot], gaug
             norms.add(0.0, 0.0, spot.p, exact, allowed + gauge.solver);
         }
     }
-    // A contact that lies inside of all places explains nothing.
+    // A contact that is smaller than the distance of all points explains nothing.
     if norms.rows < 3 || norms.allowed() == 0.0 {
         return None;
     }

@@ -1,4 +1,4 @@
-//! NumPy's files: the arrays of an NPY or NPZ file with their names, as doubles.
+//! NumPy files: the named arrays of an NPY or NPZ file as doubles.
 
 use crate::validate::ValidationError;
 use flate2::read::DeflateDecoder;
@@ -9,27 +9,27 @@ use std::io::Read;
 /// One array; the first index changes slowest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Array {
-    /// Its name, or that of the field.
+    /// The name of the array, or of the field of a structured array.
     pub name: String,
     /// The length along every index.
     pub shape: Vec<usize>,
-    /// The numbers; none for a text.
+    /// The numbers; empty for a text.
     pub values: Vec<f64>,
-    /// The text of an array that is one.
+    /// The text, if the array is one.
     pub text: Option<String>,
 }
 
-/// Bytes of an NPY file.
+/// Magic bytes of an NPY file.
 pub(in crate::validate) const NPY: &[u8] = b"\x93NUMPY";
-/// Bytes of an NPZ file, which is a ZIP archive.
+/// Magic bytes of an NPZ file, which is a ZIP archive.
 pub(in crate::validate) const NPZ: &[u8] = b"PK\x03\x04";
-/// Most bytes of all arrays together.
+/// Maximum total size of all arrays, in bytes.
 const LONGEST: u64 = 1_000_000_000;
 /// Maximum number of members of an archive.
 const MOST: usize = 1000;
-const HELP: &str = "arrays of real numbers as numpy.save and numpy.savez write them would be accepted";
+const HELP: &str = "expected arrays of real numbers as written by numpy.save or numpy.savez";
 
-/// Reads every array of the bytes of a file; `name` is that of the file, for errors, and `stem` that of the array in an NPY file.
+/// Reads every array in the bytes of a file; `name` is the name of the file in errors, and `stem` the name of the array in an NPY file.
 pub(in crate::validate) fn arrays(name: &str, stem: &str, bytes: Vec<u8>) -> Result<Vec<Array>, ValidationError> {
     let fault = |message: String| ValidationError::data(name, None, message, HELP);
     if bytes.starts_with(NPY) {
@@ -72,7 +72,7 @@ fn content(member: impl Read, most: u64) -> std::io::Result<Vec<u8>> {
     Ok(content)
 }
 
-/// How a number stands in the bytes.
+/// The binary format of a number.
 #[derive(Clone, Copy)]
 struct Kind {
     letter: u8,
@@ -102,7 +102,7 @@ impl Kind {
 
     fn number(self, bytes: &[u8]) -> f64 {
         let mut own = [0_u8; 8];
-        // Little-endian, extended by the sign.
+        // Little-endian with sign extension.
         for (index, place) in own.iter_mut().enumerate().take(self.size) {
             *place = bytes.get(if self.big { self.size - 1 - index } else { index }).copied().unwrap_or(0);
         }
@@ -129,24 +129,24 @@ impl Kind {
     }
 }
 
-/// What the head of an array says.
+/// The header of an array.
 struct Head {
-    /// Names and types: one nameless type, or the fields of a structured array.
+    /// Names and types: one unnamed type, or the fields of a structured array.
     fields: Vec<(String, Kind)>,
     fortran: bool,
     shape: Vec<usize>,
-    /// Where the numbers begin.
+    /// The offset of the numbers.
     start: usize,
 }
 
-/// The arrays of one NPY file: one, or one per field.
+/// Reads the arrays of one NPY file: a single array, or one per field.
 pub fn array(name: &str, bytes: &[u8]) -> Result<Vec<Array>, String> {
     let head = head(bytes)?;
     let count = head.shape.iter().try_fold(1_usize, |all, own| all.checked_mul(*own)).ok_or("the shape is too large")?;
     let width: usize = head.fields.iter().map(|own| own.1.size).sum();
     let data = bytes.get(head.start..).unwrap_or_default();
     if count.checked_mul(width).is_none_or(|most| data.len() < most) {
-        return Err("the file ends before its numbers do".to_owned());
+        return Err("the file is truncated: some numbers are missing".to_owned());
     }
     let mut list = Vec::new();
     let mut begin = 0;
@@ -169,12 +169,12 @@ pub fn array(name: &str, bytes: &[u8]) -> Result<Vec<Array>, String> {
     Ok(list)
 }
 
-/// Numbers whose first index changes fastest, with the first one slowest.
+/// Reorders numbers whose first index changes fastest.
 fn turned(values: &[f64], shape: &[usize]) -> Vec<f64> {
     let count = values.len();
     let place = |mut index: usize| {
         let (mut at, mut step) = (0, count);
-        // From the last index, which changes fastest in the result and slowest in the file.
+        // Start with the last index, which changes fastest in the result and slowest in the file.
         for own in shape.iter().rev().filter(|own| **own > 0) {
             step /= own;
             at += (index % own) * step;
@@ -186,20 +186,20 @@ fn turned(values: &[f64], shape: &[usize]) -> Vec<f64> {
 }
 
 fn head(bytes: &[u8]) -> Result<Head, String> {
-    let short = || "the file ends within its head".to_owned();
+    let short = || "the file is truncated: the header is incomplete".to_owned();
     let major = *bytes.get(6).ok_or_else(short)?;
     let (size, start): (usize, usize) = if major == 1 { (2, 10) } else { (4, 12) };
     let length = bytes.get(8..8 + size).ok_or_else(short)?.iter().rev().fold(0_usize, |all, own| (all << 8) | usize::from(*own));
     let text = bytes.get(start..start.saturating_add(length)).ok_or_else(short)?;
-    let text = std::str::from_utf8(text).map_err(|_| "the head is not text".to_owned())?;
+    let text = std::str::from_utf8(text).map_err(|_| "the header is not text".to_owned())?;
     let value = |key: &str| text.split_once(&format!("'{key}':")).map(|own| own.1.trim_start());
-    let bad = || "the head of the array is not understood".to_owned();
+    let bad = || "the header of the array is invalid".to_owned();
     let kind = value("descr").ok_or_else(bad)?;
     let quoted = |text: &str| -> Vec<String> { text.split('\'').skip(1).step_by(2).map(str::to_owned).collect() };
     let fields = if kind.starts_with('[') {
         let list = kind.split_once(']').ok_or_else(bad)?.0;
         if list.contains("))") || list.matches('[').count() > 1 {
-            return Err("fields that are arrays or records themselves are not read".to_owned());
+            return Err("fields that contain arrays or records are not supported".to_owned());
         }
         let words = quoted(list);
         let pairs = words.chunks(2).map(|own| match own {

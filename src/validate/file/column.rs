@@ -1,9 +1,9 @@
-//! Columns of a data file: what their names mean, and in which unit they count.
+//! Columns of a data file: quantities and units from their names.
 
 use crate::contact::Quantity;
 use crate::scene::{Dimension, Unit};
 
-/// What a column holds.
+/// The quantity in a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::validate) enum Kind {
     Depth,
@@ -20,10 +20,10 @@ pub(in crate::validate) enum Kind {
     Equivalent,
 }
 
-/// Names of columns that hold areas of contact, from which their radii follow.
+/// Names of columns with contact areas, from which contact radii are computed.
 const AREAS: &[&str] = &["A", "area", "contact_area"];
 
-/// Names of columns; the first one of each is its symbol.
+/// Names of columns; the first name of each quantity is its symbol.
 const NAMES: &[(Kind, &[&str])] = &[
     (Kind::Depth, &["d", "depth", "indentation", "indentation_depth", "penetration", "delta"]),
     (Kind::Force, &["F", "force", "load", "normal_force", "normal_load", "Fn", "F_n", "Fz", "P"]),
@@ -40,12 +40,12 @@ const NAMES: &[(Kind, &[&str])] = &[
 ];
 
 impl Kind {
-    /// The symbol in answers.
+    /// Returns the symbol used in reports.
     pub(in crate::validate) fn symbol(self) -> &'static str {
         NAMES.iter().find(|(kind, _)| *kind == self).and_then(|(_, names)| names.first()).copied().unwrap_or("")
     }
 
-    /// Returns true for quantities of a place of the surface.
+    /// Returns true for fields on the surface.
     pub(in crate::validate) fn is_field(self) -> bool {
         matches!(self, Self::Pressure | Self::Displacement | Self::Profile | Self::Equivalent)
     }
@@ -72,12 +72,12 @@ impl Kind {
     }
 }
 
-/// The name of a column that is known up to a constant, as in `u+c`.
+/// Suffix of a column that is known up to a constant, as in `u+c`.
 fn up_to_a_constant(name: &str) -> Option<&str> {
     name.strip_suffix("+c").map(str::trim_end)
 }
 
-/// F and f differ; longer words do not.
+/// Distinguish F and f, but ignore the case of longer words.
 fn is(own: &str, name: &str) -> bool {
     own == name || (own.len() > 1 && own.eq_ignore_ascii_case(name))
 }
@@ -86,18 +86,18 @@ fn is_area(name: &str) -> bool {
     AREAS.iter().any(|own| is(own, name))
 }
 
-/// Returns true if a column holds error bounds, or what they rest on, as `reference` and `solve` name it: `p_error`, `p_error_GPa`, `p_bound`,
+/// Returns true if a column contains error bounds or their kind, as named by `reference` and `solve`: `p_error`, `p_error_GPa`, `p_bound`,
 /// `p_proven`.
 pub(in crate::validate) fn is_bound(name: &str) -> bool {
     bounded_quantity(name).is_some()
 }
 
-/// Returns true if a column holds the error bounds of a field.
+/// Returns true if a column contains the error bounds of a field.
 pub(in crate::validate) fn is_bound_of_field(name: &str) -> bool {
     bounded_quantity(name).and_then(Kind::of).is_some_and(Kind::is_field)
 }
 
-/// Returns the quantity whose error bounds a column holds.
+/// Returns the quantity whose error bounds a column contains.
 fn bounded_quantity(name: &str) -> Option<&'static str> {
     let is_kind = |rest: &str| matches!(rest, "bound" | "error" | "proven") || rest.starts_with("error_");
     Quantity::ALL
@@ -106,28 +106,28 @@ fn bounded_quantity(name: &str) -> Option<&'static str> {
         .find(|own| name.trim().strip_prefix(own).and_then(|rest| rest.strip_prefix('_')).is_some_and(is_kind))
 }
 
-/// A column that is understood.
+/// A recognized column.
 #[derive(Clone, Debug)]
 pub(in crate::validate) struct Column {
     pub(in crate::validate) kind: Kind,
     pub(in crate::validate) unit: Option<Unit>,
     pub(in crate::validate) name: String,
     pub(in crate::validate) index: usize,
-    /// True where it holds the area of a contact of this radius; its unit is that of a length all the same.
+    /// True for the area of a contact with this radius; the unit is then still a length.
     pub(in crate::validate) is_area: bool,
-    /// True where it is known up to a constant.
+    /// True if the column is known up to a constant.
     pub(in crate::validate) free_constant: bool,
 }
 
-/// How a name can be read.
+/// The result of reading a name.
 pub(in crate::validate) enum Reading {
     Known(Column),
-    /// A symbol that is known, with something behind it that is no unit of its kind.
+    /// A known symbol with an unknown or unsuitable unit.
     BadUnit(String),
     Unknown,
 }
 
-/// Reads a name: `d`, `d_um`, `d (um)`, `d [um]`.
+/// Parses a name: `d`, `d_um`, `d (um)`, `d [um]`.
 pub(in crate::validate) fn read(name: &str, index: usize) -> Reading {
     let name = name.trim();
     let built = |symbol: &str, kind, unit| {

@@ -1,4 +1,4 @@
-//! Data to compare: a file, or the rows of one load in it.
+//! The data to compare: a file, or the rows of one load in a file.
 
 use crate::scene::Scene;
 use crate::validate::ValidationError;
@@ -10,15 +10,15 @@ use crate::validate::file::table::{Table, unreadable};
 use std::io::{self, BufRead, BufReader, Read};
 use std::rc::Rc;
 
-/// A file of data that can be opened more than once.
+/// A data file that can be opened more than once.
 pub struct Source<'a> {
-    /// Its name, for errors and answers.
+    /// The name in errors and reports.
     pub name: String,
-    /// Opens it at its beginning.
+    /// Opens the file at its beginning.
     pub open: Box<dyn Fn() -> io::Result<Box<dyn Read>> + 'a>,
 }
 
-/// A file, or the rows of one load in a file with places of several loads.
+/// A file, or the rows of one load in a file with fields under several loads.
 pub(in crate::validate) struct Data<'s> {
     pub(in crate::validate) source: &'s Source<'s>,
     pub(in crate::validate) layout: &'s Layout,
@@ -28,13 +28,13 @@ pub(in crate::validate) struct Data<'s> {
     pub(in crate::validate) load: Option<(Kind, f64)>,
 }
 
-/// Maximum length in bytes of a file that is read as a whole.
+/// Maximum size of a file that is read as a whole, in bytes.
 const LARGEST: u64 = 1_000_000_000;
-/// Maximum number of loads in a file of places.
+/// Maximum number of loads in a file with fields.
 const MOST_LOADS: usize = 1000;
 
 impl<'s> Data<'s> {
-    /// Returns the data of a file, split by its loads if it holds places of several loads.
+    /// Returns the data of a file, split by loads if it contains fields under several loads.
     pub(in crate::validate) fn of(source: &'s Source<'s>, layout: &'s Layout, scene: &Scene) -> Result<Vec<Self>, ValidationError> {
         let mut whole = Self { source, layout, arrays: None, load: None };
         let mut file = whole.reader()?;
@@ -45,8 +45,8 @@ impl<'s> Data<'s> {
             let mut bytes = Vec::new();
             file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| unreadable(&source.name, None, &error))?;
             if bytes.len() as u64 > LARGEST {
-                let message = format!("the file is longer than the {LARGEST} bytes that are read of JSON and of NumPy's formats");
-                return Err(ValidationError::data(&source.name, None, message, "a CSV file of any length would be accepted"));
+                let message = format!("the file is longer than {LARGEST} bytes, the limit for JSON and NumPy files");
+                return Err(ValidationError::data(&source.name, None, message, "expected a CSV file, which may have any length"));
             }
             let own = if is_json { stacked::json(&source.name, &bytes, layout)? } else { of_numpy(&source.name, bytes, layout, scene)? };
             whole.arrays = Some(Rc::new(own));
@@ -64,7 +64,7 @@ impl<'s> Data<'s> {
         Ok(BufReader::with_capacity(1 << 16, file))
     }
 
-    /// Returns the loads of a file of places, each of which has several rows in sequence; `None` if it is another file.
+    /// Returns the loads of a file with fields, each with several consecutive rows; `None` for other files.
     fn loads(&self) -> Result<Option<(Kind, Vec<f64>)>, ValidationError> {
         let mut table = Table::open(self)?;
         let has = |kind: Kind| table.index(kind).is_some();
@@ -79,14 +79,14 @@ impl<'s> Data<'s> {
             if loads.last() == Some(&load) {
                 continue;
             }
-            // Something else of this name that changes from place to place.
+            // A column of this name that changes from point to point is not a load.
             if loads.contains(&load) || rows < 2 * loads.len() {
                 return Ok(None);
             }
             loads.push(load);
             if loads.len() > MOST_LOADS {
-                let message = format!("the file has places of more than {MOST_LOADS} loads");
-                return Err(ValidationError::data(&self.source.name, None, message, "a file with fewer loads would be accepted"));
+                let message = format!("the file contains fields under more than {MOST_LOADS} loads");
+                return Err(ValidationError::data(&self.source.name, None, message, "expected a file with fewer loads"));
             }
         }
         Ok((!loads.is_empty() && rows >= 2 * loads.len()).then_some((kind, loads)))

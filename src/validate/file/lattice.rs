@@ -1,15 +1,15 @@
-//! The pixel of a lattice from the distances of its points to the axis, or from the areas of contacts counted in pixels.
+//! The pixel of a lattice from the distances of its points to the axis, or from contact areas counted in pixels.
 
 use std::collections::BTreeMap;
 
-/// Where the axis stands in the lattice.
+/// The position of the axis in the lattice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Offset {
     /// On the centre of a pixel: r² = (i² + j²) h².
     Centre,
     /// On a corner: r² = ((i + ½)² + (j + ½)²) h².
     Corner,
-    /// Evenly spaced radii, of which nothing more is known.
+    /// Evenly spaced radii of an unknown lattice.
     Line,
 }
 
@@ -35,13 +35,13 @@ impl Offset {
 /// A lattice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lattice {
-    /// The distance of two neighbours.
+    /// The distance between neighbours.
     pub pixel: f64,
-    /// The place of the axis.
+    /// The position of the axis.
     pub offset: Offset,
 }
 
-/// Values of 4 r²/h² with their numbers of pixels, up to a limit.
+/// Returns the values of 4 r²/h² with their numbers of pixels, up to a limit.
 pub(in crate::validate) fn shells(offset: Offset, most: u64) -> BTreeMap<u64, u64> {
     let mut shells = BTreeMap::new();
     let reach = most.isqrt() / 2 + 1;
@@ -58,21 +58,21 @@ pub(in crate::validate) fn shells(offset: Offset, most: u64) -> BTreeMap<u64, u6
     shells
 }
 
-/// 4 r²/h² of a distance, where it is nearly a whole number.
+/// Returns 4 r²/h² of a distance if it is nearly a whole number.
 pub(in crate::validate) fn quarters(r: f64, pixel: f64) -> Option<u64> {
     let q = 4.0 * (r / pixel).powi(2);
     let whole = q.round();
     ((q - whole).abs() <= 0.05_f64.min(1e-3 + 4e-6 * q) && whole < 1e15).then_some(whole as u64)
 }
 
-/// The largest pixel whose lattice holds all of these distances, the smallest ones of a file, rising and distinct.
+/// Returns the largest pixel whose lattice contains all of these distances, the smallest ones of a file in increasing order.
 pub fn of_distances(r: &[f64]) -> Option<Lattice> {
     let first = r.iter().copied().find(|r| *r > 0.0)?;
     let last = *r.last()?;
     if r.len() < 4 {
         return None;
     }
-    // A line of evenly spaced radii is a part of a lattice as well: its own spacing is the pixel.
+    // Evenly spaced radii are also part of a lattice, whose pixel is their spacing.
     let spacing = r.windows(2).map(|pair| pair[1] - pair[0]);
     let (least, most) = spacing.fold((f64::INFINITY, 0.0_f64), |(low, high), own| (low.min(own), high.max(own)));
     if most - least <= 1e-4 * most {
@@ -102,9 +102,9 @@ pub fn of_distances(r: &[f64]) -> Option<Lattice> {
     best
 }
 
-/// The pixel from contact radii a = √(N h²/π), distinct ones with their loads: the largest h for which every N is whole, beyond chance.
+/// Returns the pixel from distinct contact radii a = √(N h²/π) with their loads: the largest h for which every N is whole, beyond chance.
 ///
-/// Radii that follow their loads by a power law to less than one pixel of area are computed, not counted.
+/// Radii that follow a power law of the load to less than one pixel of area were computed, not counted.
 pub fn of_areas(radii: &[(f64, f64)]) -> Option<f64> {
     let pixel = largest_unit(radii)?;
     let logs: Vec<(f64, f64)> = radii.iter().filter(|own| own.0 > 0.0 && own.1 > 0.0).map(|(a, load)| (load.ln(), a.ln())).collect();
@@ -128,7 +128,7 @@ fn largest_unit(radii: &[(f64, f64)]) -> Option<f64> {
     }
     for count in 1..=MOST {
         let unit = least / f64::from(count);
-        // How many of so many trials would succeed by chance.
+        // Expected number of trials that would succeed by chance.
         let mut chance = f64::from(count);
         let fits = areas.iter().all(|area| {
             let n = area / unit;

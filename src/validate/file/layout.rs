@@ -1,13 +1,13 @@
-//! What the user says of files of data (which column is what, how large the box is, where its axis lies), and arrays as columns.
+//! User-defined layout of data files (meaning of columns, size of the box, position of the axis), and conversion of arrays to columns.
 
 use crate::validate::ValidationError;
 use crate::validate::file::array::Array;
 use crate::validate::file::column::{Kind, Reading, read};
 
-/// Where the axis lies in a solver's box.
+/// The position of the axis in the domain of a solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Origin {
-    /// Coordinates begin in a corner of the box; the axis is in its middle.
+    /// Coordinates begin in a corner of the box; the axis is in the middle.
     Corner,
     /// The axis is in the middle of the box, between pixels.
     Centre,
@@ -15,19 +15,19 @@ pub enum Origin {
     Pixel,
 }
 
-/// What the pressures of a file are.
+/// The meaning of the pressures in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::validate) enum Averaging {
-    /// Values at their places.
+    /// Values at points.
     Values,
-    /// Means over the square pixels around their places.
+    /// Means over square pixels centred on the points.
     OverSquares,
     /// Means over rings that end halfway between neighbouring radii.
     OverRings,
 }
 
 impl Averaging {
-    /// Returns what pressures are means over if a column has the widths of cells, as `reference` names it: `cell`, `cell_um`, `ring_m`.
+    /// Returns the kind of mean if a column contains the widths of cells, as named by `reference`: `cell`, `cell_um`, `ring_m`.
     pub(in crate::validate) fn named(column: &str) -> Option<Self> {
         match column.trim().split_once('_').map_or(column.trim(), |own| own.0) {
             "cell" => Some(Self::OverSquares),
@@ -37,20 +37,20 @@ impl Averaging {
     }
 }
 
-/// What the user says of the files.
+/// User-defined layout of the files.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layout {
-    /// Symbol of a quantity, perhaps with its unit, and name of the column that has it.
+    /// Symbol of a quantity, optionally with a unit, and name of its column.
     pub map: Vec<(String, String)>,
-    /// The side of the box, in computed units.
+    /// The side of the box, in computing units.
     pub side: Option<f64>,
-    /// The side of the box, in the unit of length of the scene's answers.
+    /// The side of the box, in the output unit of length of the scene.
     pub shown_side: Option<f64>,
-    /// Where the axis lies.
+    /// The position of the axis.
     pub origin: Option<Origin>,
-    /// True if the user gives the radii of an array, which then are the radii of the scene's outputs.
+    /// True if the user gives the radii of an array, which replace the radii in the outputs of the scene.
     pub radii: bool,
-    /// True if pressures are means over cells; `None` if the files or the scene say it, or nobody does.
+    /// True if pressures are means over cells; `None` if it follows from the files or the scene, or is unknown.
     pub cells: Option<bool>,
 }
 
@@ -58,24 +58,24 @@ impl Layout {
     /// Checks the symbols of the map.
     ///
     /// # Errors
-    /// [`ValidationError::Request`] for a symbol that is not known, and for a column that is mapped twice.
+    /// [`ValidationError::Request`] for an unknown symbol, and for a column that is mapped twice.
     pub fn checked(self) -> Result<Self, ValidationError> {
         match self.map.iter().find(|(symbol, _)| !matches!(read(symbol, 0), Reading::Known(_))) {
             Some((symbol, column)) => Err(ValidationError::request(
-                format!("--map {symbol}={column}: {symbol:?} is not a quantity that can be compared"),
-                "one of d, F, a, A, r, x, y, p, u, u+c, f and g, perhaps with a unit as in p_GPa, would be accepted",
+                format!("the map {symbol}={column} is invalid: {symbol:?} is not a quantity that can be compared"),
+                "expected one of d, F, a, A, r, x, y, p, u, u+c, f and g, optionally with a unit as in p_GPa",
             )),
             None => match self.map.iter().enumerate().find(|(index, own)| self.map.iter().take(*index).any(|other| other.1 == own.1)) {
                 Some((_, (symbol, column))) => Err(ValidationError::request(
-                    format!("--map {symbol}={column}: the column {column} is mapped already"),
-                    "each column once would be accepted",
+                    format!("the map {symbol}={column} is invalid: the column {column} is already mapped"),
+                    "map each column only once",
                 )),
                 None => Ok(self),
             },
         }
     }
 
-    /// How a column of this name is read.
+    /// Reads a column with this name.
     pub(in crate::validate) fn read(&self, name: &str, index: usize) -> Reading {
         match self.map.iter().find(|own| own.1 == name) {
             Some((symbol, _)) => match read(symbol, index) {
@@ -83,31 +83,31 @@ impl Layout {
                 other => other,
             },
             None => match read(name, index) {
-                // What the user names takes the place of what a name suggests.
+                // The map takes precedence over names.
                 Reading::Known(column) if self.maps(column.kind) => Reading::Unknown,
                 other => other,
             },
         }
     }
 
-    /// What is wrong where the map names a column that is not among these.
+    /// Returns an error if the map names a column that does not exist.
     pub(in crate::validate) fn without_column(&self, names: &[String]) -> Option<ValidationError> {
         let (symbol, column) = self.map.iter().find(|own| !names.contains(&own.1))?;
-        let help = format!("one of {} would be accepted", names.join(", "));
-        Some(ValidationError::request(format!("--map {symbol}={column}: no file has a column {column:?}"), help))
+        let help = format!("expected one of {}", names.join(", "));
+        Some(ValidationError::request(format!("the map {symbol}={column} is invalid: no file contains a column {column:?}"), help))
     }
 
     fn maps(&self, kind: Kind) -> bool {
         self.map.iter().any(|own| matches!(read(&own.0, 0), Reading::Known(column) if column.kind == kind))
     }
 
-    /// True where the map only says which field the first column is; an array with two indices is that field.
+    /// Returns true if the map only names the field in column 1; an array with two indices is then the field.
     fn names_the_whole(&self) -> bool {
         let is_field = |symbol: &str| matches!(read(symbol, 0), Reading::Known(column) if column.kind.is_field());
         matches!(self.map.as_slice(), [(symbol, column)] if column == "1" && is_field(symbol))
     }
 
-    /// Whether columns are named by their numbers.
+    /// Returns true if columns are named by their numbers.
     pub(in crate::validate) fn by_number(&self) -> bool {
         self.map.iter().any(|own| own.1.parse::<usize>().is_ok())
     }
@@ -118,18 +118,18 @@ pub(in crate::validate) struct Columns {
     pub(in crate::validate) names: Vec<String>,
     pub(in crate::validate) values: Vec<Vec<f64>>,
     pub(in crate::validate) notes: Vec<String>,
-    /// True where the places were made from the box, about the axis.
+    /// True if coordinates were generated from the box, centred on the axis.
     pub(in crate::validate) placed: bool,
-    /// What the pressures are, where the file says so.
+    /// The meaning of the pressures, if the file declares it.
     pub(in crate::validate) averaging: Option<Averaging>,
-    /// True if the places are the radii of the scene's outputs.
+    /// True if the points are the radii in the outputs of the scene.
     pub(in crate::validate) radii: bool,
 }
 
-/// Fewest rows and columns of an array that is a field unless it is said to be a table.
+/// Minimum number of rows and columns of an array that is treated as a field by default.
 const FIELD: usize = 9;
 
-/// The columns that the arrays of a file are.
+/// Converts the arrays of a file to columns.
 pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &Layout) -> Result<Columns, ValidationError> {
     for own in &mut arrays {
         if own.shape.len() > 1 {
@@ -139,7 +139,7 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
     let units: Vec<(String, String)> = arrays.iter().filter_map(|own| Some((own.name.clone(), own.text.clone()?))).collect();
     let mut notes = Vec::new();
     let mut numbers: Vec<Array> = arrays.into_iter().filter(|own| own.text.is_none() && !own.shape.is_empty()).collect();
-    // Places of the curves that `solve -o x.npz` writes.
+    // Coordinates of the curves written by `solve -o x.npz`.
     if !numbers.iter().any(|own| matches!(own.name.as_str(), "r" | "x")) {
         for name in ["p", "u"] {
             if let Some(own) = numbers.iter_mut().find(|own| own.name == format!("{name}_at")) {
@@ -154,8 +154,8 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
     {
         numbers = layers(only);
         if layout.map.is_empty() {
-            let message = format!("the array holds {} fields without names", numbers.len());
-            return Err(ValidationError::data(file, None, message, "--map x=1 --map y=2 --map p=3, which names them, would be accepted"));
+            let message = format!("the array contains {} fields without names", numbers.len());
+            return Err(ValidationError::data(file, None, message, "map the fields by number, such as x=1, y=2 and p=3"));
         }
     }
     if let [only] = numbers.as_mut_slice()
@@ -166,7 +166,7 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
         }
         let known = matches!(layout.read(&only.name, 0), Reading::Known(_));
         if !known && (rows.min(columns) < FIELD || layout.by_number()) {
-            // Few rows of many numbers are arrays that were stacked; else each column is a quantity.
+            // An array with few rows and many columns was stacked; otherwise each column is a quantity.
             let stacked = rows < FIELD && rows < columns;
             let values = match stacked {
                 true => only.values.chunks(columns).map(<[f64]>::to_vec).collect(),
@@ -176,7 +176,7 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
             return Ok(Columns { names, values, notes, placed: false, averaging: None, radii: false });
         }
         if !known {
-            notes.push(format!("the array {:?} is read as p; --map u={} would read it as u", only.name, only.name));
+            notes.push(format!("the array {:?} is read as p; map u={} to read it as u", only.name, only.name));
             only.name = "p".to_owned();
         }
     }
@@ -201,8 +201,8 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
                 return Err(ValidationError::data(
                     file,
                     None,
-                    format!("array {} has the shape {shape}, and another one has {length} numbers", own.name),
-                    "arrays of one length, or fields of one shape with x and y or a box, would be accepted",
+                    format!("array {} has the shape {shape}, but another array has {length} numbers", own.name),
+                    "expected arrays of one length, or fields of one shape with x and y or a box",
                 ));
             }
         }
@@ -239,20 +239,20 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
                 let [along_x, along_y] = [across, rows].map(|own| own as f64 * pixel);
                 columns
                     .notes
-                    .push(format!("pixels are taken to be squares, so that the box is {along_x:.6} along x and {along_y:.6} along y"));
+                    .push(format!("assuming square pixels, the box is {along_x:.6} along x and {along_y:.6} along y"));
             }
             let pixel = right == (across / 2) as f64 && up == (rows / 2) as f64;
-            let place = if pixel { "on the centre of the pixel" } else { "between the pixels" };
+            let place = if pixel { "on the centre of a pixel" } else { "between pixels" };
             columns.placed = true;
-            columns.notes.push(format!("the axis is taken to lie {place} in the middle of the box"));
+            columns.notes.push(format!("the axis is assumed to be {place} in the middle of the box"));
         }
         _ => {
             let shape = format!("{rows} x {across}");
             return Err(ValidationError::data(
                 file,
                 None,
-                format!("a field of {shape} numbers has no places"),
-                "x and y of this shape or one of each along its sides, or --box \"8 um\", the side of the domain, would be accepted",
+                format!("a field of {shape} numbers has no coordinates"),
+                "expected x and y of this shape or along its sides, or the side of the domain, such as box = \"8 um\" in [data]",
             ));
         }
     }
@@ -267,7 +267,7 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
     Ok(columns)
 }
 
-/// The fields that an array with three indices holds, named by their numbers, from 1 on.
+/// Returns the fields in an array with three indices, named by their numbers from 1.
 fn layers(array: &Array) -> Vec<Array> {
     let shape = array.shape.get(1..).unwrap_or_default();
     let each = shape.iter().product::<usize>().max(1);
@@ -280,9 +280,9 @@ fn layers(array: &Array) -> Vec<Array> {
     array.values.chunks(each).enumerate().map(layer).collect()
 }
 
-/// Row and column of the axis: what is declared, else the middle about which the field is more nearly symmetric.
+/// Returns row and column of the axis as declared, or else the centre about which the field is more symmetric.
 ///
-/// Displacements do not vanish at the edge of the box, so that their centre of mass tells little.
+/// The centre of mass of displacements is not reliable, since they do not vanish at the edge of the box.
 fn middle(field: &[f64], rows: usize, across: usize, origin: Option<Origin>) -> (f64, f64) {
     let pixel = ((rows / 2) as f64, (across / 2) as f64);
     let between = (0.5 * (rows as f64 - 1.0), 0.5 * (across as f64 - 1.0));
@@ -291,7 +291,7 @@ fn middle(field: &[f64], rows: usize, across: usize, origin: Option<Origin>) -> 
         Some(Origin::Pixel | Origin::Corner) => return pixel,
         None => {}
     }
-    // The mean difference of values that lie opposite each other.
+    // The mean difference of values at opposite points.
     let asymmetry = |(up, right): (f64, f64)| {
         let opposite = |middle: f64, index: usize, size: usize| {
             let other = (2.0 * middle) as usize;

@@ -1,7 +1,7 @@
-//! What a solver's file holds: tables and arrays, the meaning of columns, units, and the pixel of a lattice.
+//! The files of a solver: tables and arrays, the meaning of columns, units, and the pixel of a lattice.
 //!
 //! `survey` reads a file once from beginning to end.
-//! No value is compared here.
+//! No values are compared here.
 
 pub(crate) mod array;
 pub(crate) mod column;

@@ -1,59 +1,59 @@
-//! The pixel of every file: what is declared first, then what the file betrays, else only the order of the files.
+//! The pixel of every file: declared, or else inferred from the data; if neither is possible, only the order of the files is known.
 
 use crate::scene::Declared;
 use crate::validate::file::survey::{Content, Survey};
 use crate::validate::{Suspicion, ValidationError};
 
-/// What is known of a file's grid; the pixel in computed units.
+/// The known properties of a file's grid, with the pixel in computing units.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::validate) struct Pixel {
-    /// Pixels along a side of the box.
+    /// Number of pixels along a side of the box.
     pub(in crate::validate) grid: Option<f64>,
     /// h.
     pub(in crate::validate) pixel: Option<f64>,
-    /// h, or a number in proportion to it.
+    /// h, or a number proportional to it.
     pub(in crate::validate) relative: f64,
     /// The side of the box.
     pub(in crate::validate) side: Option<f64>,
-    /// The pixel that the places or the contact radii of the data show.
+    /// The pixel inferred from the coordinates or the contact radii of the data.
     seen: Option<f64>,
-    /// Ratio of the pixel of the places to that of box and grid; for contact radii, the ratio of the areas of the pixels.
+    /// Ratio of the pixel of the coordinates to the pixel of box and grid; for contact radii, the ratio of the pixel areas.
     mismatch: Option<f64>,
-    /// The side of the square that the places fill, where another box or a smaller grid is declared.
+    /// The side of the square that the points fill, if a different box or a smaller grid is declared.
     filled: Option<f64>,
-    /// True where contact radii show the pixel, not places.
+    /// True if the pixel is inferred from contact radii instead of coordinates.
     by_radii: bool,
 }
 
 impl Pixel {
-    /// True where the places of the data cannot belong to the box and the grid that are declared: places may be left out, but not added.
+    /// Returns true if the points cannot belong to the declared box and grid: points may be missing, but there cannot be additional points.
     fn contradicts(&self) -> bool {
         const SLACK: f64 = 0.01;
         self.filled.is_some() || self.mismatch.is_some_and(|ratio| (ratio / ratio.round().max(1.0) - 1.0).abs() > SLACK)
     }
 }
 
-/// What is wrong with the box or the order of the files, where the data contradict what is declared.
+/// Returns the fault in the box or the order of the files if the data contradict the declaration.
 pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> {
     let worst = pixels.iter().find(|own| own.contradicts());
     if let Some(before) = in_another_order(pixels) {
-        let text = "files in the wrong order: the numbers of pixels fit the data only in another order of the files".to_owned();
+        let text = "files in the wrong order: the numbers of pixels fit the data only in another order".to_owned();
         return Some(Suspicion { id: "file-order", text, before, after: 0.0 });
     }
     let worst = worst?;
     let text = match (worst.filled, worst.grid, worst.seen) {
         (Some(side), Some(count), Some(h)) => {
-            format!("another grid: the places of the data fill a square of {:.0} pixels along a side, not of {count}", side / h)
+            format!("another grid: the points of the data fill a square of {:.0} pixels along a side, not {count}", side / h)
         }
         (Some(side), ..) => {
-            format!("another box: the places of the data fill a square of {side:.6} in the scene's unit of length, not the declared box")
+            format!("another box: the points of the data fill a square with a side of {side:.6} in the length unit of the scene, which differs from the declared box")
         }
         (None, Some(count), Some(h)) if worst.by_radii => format!(
-            "another box: the contact radii are counted in pixels of {h:.6}, and with that grid fit a box of {:.6} in the scene's unit of length or a whole fraction of it, not the declared one",
+            "another box: the contact radii are counted in pixels of {h:.6}; with the declared grid, they fit a box of {:.6} or a whole fraction of it in the length unit of the scene, not the declared box",
             h * count
         ),
         (None, count, h) => format!(
-            "another box: with that grid the places of the data fit a box of {:.6} in the scene's unit of length, not the declared one",
+            "another box: with the declared grid, the points of the data fit a box of {:.6} in the length unit of the scene, not the declared box",
             count.zip(h).map_or(f64::NAN, |(count, h)| count * h)
         ),
     };
@@ -61,7 +61,7 @@ pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> 
     Some(Suspicion { id: "box", text, before: ratio.map_or(0.0, |own| (own - 1.0).abs()), after: 0.0 })
 }
 
-/// Returns the relative difference of the boxes that numbers of pixels and pixels make file by file, if sorting both makes one box.
+/// Returns the relative difference of the boxes computed file by file, if sorting both the numbers of pixels and the pixels gives a single box.
 fn in_another_order(pixels: &[Pixel]) -> Option<f64> {
     const SAME: f64 = 0.02;
     let mut counts: Vec<f64> = pixels.iter().map(|own| own.grid).collect::<Option<_>>()?;
@@ -76,7 +76,7 @@ fn in_another_order(pixels: &[Pixel]) -> Option<f64> {
     (as_given > SAME && difference(&counts, &sizes) <= SAME).then_some(as_given)
 }
 
-/// The pixels of the files of one kind, in the order in which they were given.
+/// Returns the pixels of the files of one kind, in the given order.
 pub(in crate::validate) fn pixels(
     surveys: &mut [&mut Survey<'_>],
     content: Content,
@@ -86,11 +86,11 @@ pub(in crate::validate) fn pixels(
     let given = if grid.is_empty() { declared.map_or(&[][..], |own| &own.grid) } else { grid };
     let side = declared.and_then(|own| own.side);
     if !grid.is_empty() && grid.len() != surveys.len() {
-        let what = if content == Content::Loads { "files of loads" } else { "files of pressures" };
-        let message = format!("--grid has {} numbers for {} {what}", grid.len(), surveys.len());
+        let what = if content == Content::Loads { "files with loads" } else { "files with fields" };
+        let message = format!("the grid has {} numbers for {} {what}", grid.len(), surveys.len());
         return Err(ValidationError::request(
             message,
-            "one number per file, in the same order, such as --grid 64,128,256, would be accepted",
+            "expected one number per file, in the same order, such as 64,128,256",
         ));
     }
     let mut list = Vec::new();
@@ -99,7 +99,7 @@ pub(in crate::validate) fn pixels(
         let betrayed = survey.lattice.map(|own| own.pixel).or(survey.counted);
         let stated = side.zip(count).map(|(side, count)| side / count);
         let of_places = survey.lattice.map(|own| own.pixel).zip(stated).map(|(own, stated)| own / stated);
-        // All areas are multiples of this pixel, which may consist of several true ones: of four if the contact is symmetrical.
+        // All areas are multiples of this pixel, which may consist of several true pixels, such as four for a symmetric contact.
         let of_radii = survey.counted.filter(|_| survey.lattice.is_none()).zip(stated).map(|(own, stated)| (own / stated).powi(2));
         let mismatch = of_places.or(of_radii);
         let filled = survey.filled_square().filter(|own| match (side, count, betrayed) {
@@ -108,27 +108,27 @@ pub(in crate::validate) fn pixels(
             (None, Some(count), Some(h)) => *own > (count + 0.5) * h,
             _ => false,
         });
-        // What the data show is true of them, whatever is declared; contact radii tell less surely.
+        // The data take precedence over the declaration, except for contact radii, which are less reliable.
         let disagrees = Pixel { mismatch, ..Pixel::default() }.contradicts();
         let pixel = if disagrees && survey.lattice.is_some() { betrayed.or(stated) } else { stated.or(betrayed) };
         match (stated, betrayed, survey.lattice) {
             (Some(stated), Some(betrayed), _) if disagrees || (survey.lattice.is_some() && (stated / betrayed - 1.0).abs() > 0.01) => {
                 survey.notes.push(format!(
-                    "box and grid make a pixel of {stated:.6e}, the data look like one of {betrayed:.6e} (in the scene's unit of length)"
+                    "box and grid give a pixel of {stated:.6e}, but the data have a pixel of {betrayed:.6e} (in the length unit of the scene)"
                 ));
             }
             (None, Some(betrayed), Some(lattice)) => {
                 survey.notes.push(format!(
-                    "inferred from the places: {}, pixel {betrayed:.6e} in the scene's unit of length",
+                    "inferred from the points: {}, pixel {betrayed:.6e} in the length unit of the scene",
                     lattice.offset.text()
                 ));
             }
             (None, Some(betrayed), None) => {
                 survey.notes.push(format!(
-                    "inferred from the contact radii, which are counted in pixels: pixel {betrayed:.6e} in the scene's unit of length"
+                    "inferred from the contact radii, which are counted in pixels: pixel {betrayed:.6e} in the length unit of the scene"
                 ));
             }
-            (None, None, _) => survey.notes.push("the pixel is not known: [data] box and grid would tell it".to_owned()),
+            (None, None, _) => survey.notes.push("the pixel is not known; set box and grid in [data]".to_owned()),
             _ => {}
         }
         let side = side.or_else(|| pixel.zip(count).map(|(pixel, count)| pixel * count));
@@ -148,7 +148,7 @@ pub(in crate::validate) fn pixels(
     Ok(list)
 }
 
-/// `[data]` may name more grids than there are files, or fewer: then only those of the first files are known.
+/// `[data]` may contain more or fewer grids than there are files; then only the grids of the first files are known.
 fn surveys_len(given: &[f64], grid: &[f64], index: usize) -> usize {
     if grid.is_empty() && index >= given.len() { usize::MAX } else { given.len() }
 }

@@ -1,4 +1,4 @@
-//! The places of a file: its columns x and y, or r, for fields that are wanted there.
+//! The points of a file with columns x and y, or r, at which fields are requested.
 
 use crate::scene::{Grid, Scene};
 use crate::validate::ValidationError;
@@ -8,12 +8,12 @@ use crate::validate::file::layout::Layout;
 use crate::validate::file::table::Table;
 use crate::validate::file::units::Units;
 
-/// Reads the places of a file from its columns x and y, or r, in computed units; its other columns are not read.
+/// Reads the points of a file from its columns x and y, or r, in computing units; other columns are ignored.
 ///
-/// Where the file repeats its places for several loads, those of the first load are taken.
+/// If the file repeats its points for several loads, only the points of the first load are read.
 ///
 /// # Errors
-/// [`ValidationError`] where the file cannot be read or has no such columns.
+/// [`ValidationError`] if the file cannot be read or has no such columns.
 pub fn points(source: &Source<'_>, scene: &Scene) -> Result<Grid, ValidationError> {
     let fault = |message: String, help: &str| ValidationError::data(&source.name, None, message, help);
     let (layout, mut units) = (Layout::default(), Units::default());
@@ -29,13 +29,13 @@ pub fn points(source: &Source<'_>, scene: &Scene) -> Result<Grid, ValidationErro
     let wanted = match (x, y, r) {
         (Some(x), Some(y), _) => vec![x, y],
         (_, _, Some(r)) => vec![r],
-        _ => return Err(fault("there are no columns x and y, and no column r".to_owned(), HELP)),
+        _ => return Err(fault("no columns x and y, and no column r".to_owned(), HELP)),
     };
     let mut places = vec![Vec::new(); wanted.len()];
     let mut row = Vec::new();
     while table.next(&mut row)?.is_some() {
         for (list, (index, factor)) in places.iter_mut().zip(&wanted) {
-            // A division by a whole number rounds once, so that 30 um are 3e-5 m.
+            // A division by a whole number rounds only once, so that 30 um are 3e-5 m.
             let (number, inverse) = (row.get(*index).copied().unwrap_or(f64::NAN), (1.0 / factor).round());
             list.push(if *factor < 1.0 && 1.0 / inverse == *factor { number / inverse } else { number * factor });
         }
@@ -45,4 +45,4 @@ pub fn points(source: &Source<'_>, scene: &Scene) -> Result<Grid, ValidationErro
     Ok(Grid::Points { x, y: places.next() }.checked()?)
 }
 
-const HELP: &str = "a first line such as x_um,y_um or r_um, with numbers below, would be accepted";
+const HELP: &str = "expected a first line such as x_um,y_um or r_um, followed by rows of numbers";

@@ -1,6 +1,6 @@
 //! The numbers of one load.
 
-/// One load; NaN where the file has no such column. Computed units, positive in compression.
+/// One load; NaN for missing columns. In computing units and positive in compression.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::validate) struct Row {
     pub(in crate::validate) depth: f64,

@@ -1,4 +1,4 @@
-//! Fields of several loads as `sneddon reference` writes them in JSON and NPY, as columns with the load in one of them.
+//! Fields under several loads as written by `sneddon reference` in JSON and NPY, converted to columns that include the load.
 
 use crate::scene::{Dimension, Scene};
 use crate::validate::ValidationError;
@@ -6,7 +6,7 @@ use crate::validate::file::array::Array;
 use crate::validate::file::layout::{Averaging, Columns, Layout, columns};
 use serde::Deserialize;
 
-/// The fields of one load: the load in the unit of the file, and the arrays.
+/// The fields under one load: the load in the unit of the file, and the arrays.
 struct Fields {
     load: Option<f64>,
     arrays: Vec<Array>,
@@ -60,19 +60,19 @@ enum Rows {
     Square(Vec<Vec<Option<f64>>>),
 }
 
-const HELP: &str = "a document of `sneddon reference --json`, or CSV, NPY or NPZ, would be accepted";
+const HELP: &str = "expected a JSON document of `sneddon reference`, or CSV, NPY or NPZ";
 const SCHEMA: &str = "sneddon/reference/";
 
-/// Reads a document of `sneddon reference`; places without a pressure, where it is infinite or no contact is valid, are left out.
+/// Reads a document of `sneddon reference`; points without a pressure, where it is infinite or no contact is valid, are skipped.
 pub(in crate::validate) fn json(file: &str, bytes: &[u8], layout: &Layout) -> Result<Columns, ValidationError> {
     let fault = |message: String| ValidationError::data(file, None, message, HELP);
-    // What kind of document it is counts more than what another kind lacks.
+    // Check the schema first, since other documents lack required keys.
     if let Ok(Head { schema }) = serde_json::from_slice(bytes)
         && !schema.starts_with(SCHEMA)
     {
-        return Err(fault(format!("this is a document of the schema {schema:?}, not fields")));
+        return Err(fault(format!("expected fields, but the document has the schema {schema:?}")));
     }
-    let document: Document = serde_json::from_slice(bytes).map_err(|error| fault(format!("this is not data in JSON: {error}")))?;
+    let document: Document = serde_json::from_slice(bytes).map_err(|error| fault(format!("invalid JSON data: {error}")))?;
     let units = document.units.as_ref();
     let named = |name: &str, unit: Option<&String>| {
         unit.filter(|own| !own.is_empty()).map_or_else(|| name.to_owned(), |unit| format!("{name}_{unit}"))
@@ -116,7 +116,7 @@ pub(in crate::validate) fn is_reference(shape: &[usize]) -> bool {
     matches!(shape, [_, _, 2, _] | [_, _, 2, _, _])
 }
 
-/// Reads the array of `sneddon reference -o FILE.npy`, whose loads, fields and radii are those of the scene.
+/// Reads an array of `sneddon reference -o FILE.npy`, whose loads, fields and radii are defined by the scene.
 pub(in crate::validate) fn npy(file: &str, array: &Array, layout: &Layout, scene: &Scene) -> Result<Columns, ValidationError> {
     let fault = |message: String, help: &str| Err(ValidationError::data(file, None, message, help));
     let (&[count, quantities, _, ..], Some(places)) = (array.shape.as_slice(), array.shape.get(3..)) else {
@@ -125,18 +125,18 @@ pub(in crate::validate) fn npy(file: &str, array: &Array, layout: &Layout, scene
     let (curves, _) = scene.outputs.fields()?;
     if count != scene.loads.len() || quantities != curves.len() {
         let (loads, own) = (scene.loads.len(), curves.len());
-        let message = format!("the array has {count} loads and {quantities} fields, the scene {loads} and {own}");
-        return fault(message, "the array of `sneddon reference` for the same scene would be accepted");
+        let message = format!("the array has {count} loads and {quantities} fields, but the scene has {loads} and {own}");
+        return fault(message, "expected the array of `sneddon reference` for the same scene");
     }
     let mut radii = Vec::new();
     if let [count] = *places {
         let factor = scene.system.out(Dimension::LENGTH);
         radii = scene.outputs.at.iter().map(|own| own * factor).collect();
         if radii.len() != count {
-            let message = format!("the array has {count} radii, and at in [outputs] of the scene has {}", radii.len());
+            let message = format!("the array has {count} radii, but `at` in [outputs] of the scene has {}", radii.len());
             return fault(
                 message,
-                "--grid with the radii as for sneddon reference, such as \"0:2 um:81\", or CSV or JSON, which contain them, would be accepted",
+                "expected the radii that were used for sneddon reference, such as the grid \"0:2 um:81\", or CSV or JSON, which contain them",
             );
         }
     }
@@ -162,13 +162,13 @@ pub(in crate::validate) fn npy(file: &str, array: &Array, layout: &Layout, scene
     Ok(Columns { radii: !radii.is_empty(), averaging, ..all })
 }
 
-/// Returns `true` for a stack of pressure fields, one for each of the scene's loads.
+/// Returns `true` for a stack of pressure fields, one for each load of the scene.
 pub(in crate::validate) fn is_stack(shape: &[usize], layout: &Layout, scene: &Scene) -> bool {
     let count = scene.loads.len();
     count > 1 && layout.map.is_empty() && matches!(shape, [own, _, _] if *own == count)
 }
 
-/// Reads a stack of pressure fields, one for each of the scene's loads.
+/// Reads a stack of pressure fields, one for each load of the scene.
 pub(in crate::validate) fn stack(file: &str, array: &Array, layout: &Layout, scene: &Scene) -> Result<Columns, ValidationError> {
     let places = array.shape.get(1..).unwrap_or_default();
     let field = |values: &[f64]| Array { name: "p".to_owned(), shape: places.to_vec(), values: values.to_vec(), text: None };
@@ -176,11 +176,11 @@ pub(in crate::validate) fn stack(file: &str, array: &Array, layout: &Layout, sce
     let fields = array.values.chunks(places.iter().product::<usize>().max(1));
     let loads = scene.loads.iter().zip(fields).map(|(load, values)| Fields { load: Some(shown(load)), arrays: vec![field(values)] });
     let mut all = joined(file, scene.control.datum().key(), loads.collect(), layout)?;
-    all.notes.push("the fields of the array are read as p at the loads of the scene, in this order".to_owned());
+    all.notes.push("the fields of the array are read as p under the loads of the scene, in this order".to_owned());
     Ok(all)
 }
 
-/// The columns of all loads below one another; rows without a number are left out.
+/// Returns the columns of all loads one below the other; rows without a number are skipped.
 fn joined(file: &str, name: &str, loads: Vec<Fields>, layout: &Layout) -> Result<Columns, ValidationError> {
     let mut all = Columns { names: Vec::new(), values: Vec::new(), notes: Vec::new(), placed: false, averaging: None, radii: false };
     let mut without = 0;
@@ -203,7 +203,7 @@ fn joined(file: &str, name: &str, loads: Vec<Fields>, layout: &Layout) -> Result
     }
     if without > 0 {
         all.notes.push(format!(
-            "{without} rows with an empty field, as where a pressure is infinite or the profile has ended, are not compared"
+            "{without} rows with an empty field are skipped, as for an infinite pressure or beyond the end of the profile"
         ));
     }
     Ok(all)

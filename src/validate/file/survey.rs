@@ -1,4 +1,4 @@
-//! A first look at a file: what it holds, how far it reaches, and the pixel that it betrays.
+//! The first pass over a file: its contents, the range of its coordinates, and the inferred pixel.
 
 use crate::contact::Load;
 use crate::scene::Scene;
@@ -14,44 +14,44 @@ use crate::validate::file::units::Units;
 use crate::validate::{FileReport, ValidationError};
 use std::collections::BTreeSet;
 
-/// What kind of file it is.
+/// The kind of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::validate) enum Content {
     /// One load per row.
     Loads,
-    /// One place per row, all under one load.
+    /// One point per row, all under one load.
     Field,
 }
 
-/// What the first look found; lengths in computed units.
+/// The results of the first pass; lengths are in computing units.
 pub(in crate::validate) struct Survey<'s> {
     pub(in crate::validate) data: Data<'s>,
     /// The coordinates of the axis in both directions.
     axis: f64,
     pub(in crate::validate) content: Content,
-    /// Computed numbers per number of the column.
+    /// Factors that convert the columns to computing units.
     pub(in crate::validate) factors: Vec<f64>,
     pub(in crate::validate) columns: Vec<Column>,
     pub(in crate::validate) rows: u64,
     pub(in crate::validate) largest: Vec<f64>,
     pub(in crate::validate) lattice: Option<Lattice>,
-    /// How far x and y reach, counted from the axis.
+    /// The range of x and y, relative to the axis.
     pub(in crate::validate) extent: Extent,
-    /// What the pressures are, where the user, the file or the scene says so.
+    /// The meaning of the pressures, if the user, the file or the scene declares it.
     pub(in crate::validate) averaging: Option<Averaging>,
-    /// The pixel that contact radii betray.
+    /// The pixel inferred from contact radii.
     pub(in crate::validate) counted: Option<f64>,
     pub(in crate::validate) notes: Vec<String>,
-    /// Names of all columns.
+    /// The names of all columns.
     pub(in crate::validate) names: Vec<String>,
-    /// Names of the columns that are not read.
+    /// The names of the ignored columns.
     pub(in crate::validate) unread: Vec<String>,
 }
 
-/// The smallest distances that are kept, and the distinct contact radii.
+/// Maximum number of smallest distances and of distinct contact radii.
 const KEPT: usize = 400;
 const RADII: usize = 40;
-const HELP: &str = "columns such as d_um,F_mN,a_um for loads, or r_um,p_GPa (or x_um,y_um,p_GPa) for pressures, would be accepted";
+const HELP: &str = "expected columns such as d_um,F_mN,a_um for loads, or r_um,p_GPa (or x_um,y_um,p_GPa) for fields";
 
 impl<'s> Survey<'s> {
     /// Reads a file once.
@@ -104,8 +104,8 @@ impl<'s> Survey<'s> {
             return Err(ValidationError::data(
                 &source.name,
                 None,
-                "the file has a header and no rows",
-                "at least one row of numbers would be accepted",
+                "the file contains a header but no rows",
+                "expected at least one row of numbers",
             ));
         }
         notes.extend(table.skipped());
@@ -125,7 +125,7 @@ impl<'s> Survey<'s> {
         Ok(Self { data, axis, averaging, content, factors, columns, rows, largest, lattice, extent, counted, notes, names, unread })
     }
 
-    /// The side of the square that the places fill, where every pixel of it has a row.
+    /// Returns the side of the square that the points fill, if there is a row for every pixel.
     pub(in crate::validate) fn filled_square(&self) -> Option<f64> {
         const FEWEST: f64 = 8.0;
         let pixel = self.lattice?.pixel;
@@ -143,25 +143,25 @@ impl<'s> Survey<'s> {
         FileReport { name, grid, pixel: None, rows: self.rows, columns: Vec::new(), notes, plots: Vec::new() }
     }
 
-    /// The name of the file, with the load whose rows are read.
+    /// Returns the name of the file, with the load of the rows.
     pub(in crate::validate) fn name(&self, scene: &Scene) -> String {
         let file = &self.data.source.name;
         self.load_name(scene).map_or_else(|| file.clone(), |load| format!("{file}, {load}"))
     }
 
-    /// The load whose rows are read, as in `d = 0.4 um`.
+    /// Returns the load of the rows as text, such as `d = 0.4 um`.
     pub(in crate::validate) fn load_name(&self, scene: &Scene) -> Option<String> {
         let (kind, load) = self.data.load?;
         Some(format!("{} = {load} {}", kind.symbol(), self.unit(kind, scene)).trim_end().to_owned())
     }
 
-    /// The load whose rows are read, in computed units.
+    /// Returns the load of the rows in computing units.
     pub(in crate::validate) fn load_value(&self) -> Option<f64> {
         let (kind, load) = self.data.load?;
         Some(load * self.factors.get(self.index(kind)?)?)
     }
 
-    /// The load whose rows are read; `None` if it is that of the scene.
+    /// Returns the load of the rows; `None` if it is the load of the scene.
     pub(in crate::validate) fn load(&self) -> Option<Load> {
         let value = self.load_value()?;
         Some(match self.data.load?.0 {
@@ -171,40 +171,40 @@ impl<'s> Survey<'s> {
         })
     }
 
-    /// The place of a kind of column.
+    /// Returns the index of a kind of column.
     pub(in crate::validate) fn index(&self, kind: Kind) -> Option<usize> {
         self.columns.iter().position(|own| own.kind == kind)
     }
 
-    /// The largest absolute value of a kind of column.
+    /// Returns the largest absolute value of a kind of column.
     pub(in crate::validate) fn largest(&self, kind: Kind) -> Option<f64> {
         self.index(kind).and_then(|own| self.largest.get(own)).copied()
     }
 
-    /// The number in the unit of the data.
+    /// Converts a number to the unit of the data.
     pub(in crate::validate) fn shown(&self, kind: Kind, computed: f64) -> f64 {
         self.index(kind).and_then(|own| self.factors.get(own)).map_or(computed, |factor| computed / factor)
     }
 
-    /// The unit of a kind of column as the file names it.
+    /// Returns the unit of a kind of column as named in the file.
     pub(in crate::validate) fn unit(&self, kind: Kind, scene: &Scene) -> String {
         let own = self.columns.iter().find(|own| own.kind == kind);
         own.and_then(|own| own.unit.as_ref()).map_or_else(|| scene.system.unit_name(kind.dimension()), |unit| unit.name().to_owned())
     }
 
-    /// Computed units per number of the columns d, F and a.
+    /// Returns the factors that convert the columns d, F and a to computing units.
     pub(in crate::validate) fn row_factors(&self) -> Row {
         let factor = |kind: Kind| self.index(kind).and_then(|own| self.factors.get(own)).copied().unwrap_or(1.0);
         Row { depth: factor(Kind::Depth), force: factor(Kind::Force), radius: factor(Kind::ContactRadius) }
     }
 
-    /// Computed units per number of the columns r (or x) and p.
+    /// Returns the factors that convert the columns r (or x) and p to computing units.
     pub(in crate::validate) fn place_factors(&self) -> (f64, f64) {
         let factor = |kind: Kind| self.index(kind).and_then(|own| self.factors.get(own)).copied();
         (factor(Kind::Distance).or(factor(Kind::X)).unwrap_or(1.0), factor(Kind::Pressure).unwrap_or(1.0))
     }
 
-    /// The cell over which the pressures are means, for a pixel of this side.
+    /// Returns the cell over which the pressures are means, for a pixel of this size.
     pub(in crate::validate) fn cell(&self, pixel: Option<f64>) -> Option<Cell> {
         match (self.averaging?, pixel?) {
             (Averaging::Values, _) => None,
@@ -213,13 +213,13 @@ impl<'s> Survey<'s> {
         }
     }
 
-    /// Where the distances to the axis stand.
+    /// The source of the distances to the axis.
     pub(in crate::validate) fn places(&self) -> Places {
         Places { r: self.index(Kind::Distance), x: self.index(Kind::X), y: self.index(Kind::Y), axis: self.axis }
     }
 }
 
-/// A cell around a place, over which a pressure is a mean.
+/// A cell around a point, over which a pressure is a mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::validate) enum Cell {
     Square { side: f64 },
@@ -227,7 +227,7 @@ pub(in crate::validate) enum Cell {
 }
 
 impl Cell {
-    /// Two radii at which a pressure has the mean over the cell around r to the third order in its width, by Gauss's rule: two points
+    /// Returns two radii at which a pressure equals the mean over the cell around r to third order in the width, by Gauss's rule: two points
     /// along each side of a square, and two in r² across a ring.
     pub(in crate::validate) fn radii(self, r: f64) -> [f64; 2] {
         let gauss = 1.0 / 12f64.sqrt();
@@ -241,13 +241,13 @@ impl Cell {
     }
 }
 
-/// The columns that say where a row is.
+/// The columns with the coordinates of a row.
 #[derive(Clone, Copy)]
 pub(in crate::validate) struct Places {
     pub(in crate::validate) r: Option<usize>,
     pub(in crate::validate) x: Option<usize>,
     pub(in crate::validate) y: Option<usize>,
-    /// The coordinate of the axis in both directions.
+    /// The coordinates of the axis in both directions.
     pub(in crate::validate) axis: f64,
 }
 
@@ -256,7 +256,7 @@ impl Places {
         Self { r: table.index(Kind::Distance), x: table.index(Kind::X), y: table.index(Kind::Y), axis: 0.0 }
     }
 
-    /// The distance of a row to the axis.
+    /// Returns the distance between a row and the axis.
     pub(in crate::validate) fn distance(&self, row: &[f64]) -> Option<f64> {
         match (self.r, self.x, self.y) {
             (Some(r), _, _) => row.get(r).copied(),
@@ -267,31 +267,31 @@ impl Places {
     }
 }
 
-/// The coordinate of the axis where coordinates begin in a corner of the box.
+/// Returns the coordinate of the axis if coordinates begin in a corner of the box.
 fn axis(table: &Table<'_>, layout: &Layout) -> Result<f64, ValidationError> {
     if layout.origin != Some(Origin::Corner) || table.placed || table.index(Kind::X).is_none() {
         return Ok(0.0);
     }
     layout.side.map(|side| 0.5 * side).ok_or_else(|| {
-        let message = "coordinates that begin in a corner need the box, in the middle of which the axis lies";
-        ValidationError::request(message, "--box \"8 um\", the side of the domain, would be accepted")
+        let message = "coordinates that begin in a corner require the box, since the axis is in the middle";
+        ValidationError::request(message, "expected the side of the domain, such as box = \"8 um\" in [data]")
     })
 }
 
 fn content(file: &str, table: &Table<'_>) -> Result<Content, ValidationError> {
     let has = |kind: Kind| table.index(kind).is_some();
     let names: Vec<&str> = table.columns.iter().map(|own| own.name.as_str()).collect();
-    let found = if names.is_empty() { "no column is known".to_owned() } else { format!("the columns {} are known", names.join(", ")) };
+    let found = if names.is_empty() { "no column was recognized".to_owned() } else { format!("the recognized columns are {}", names.join(", ")) };
     let missing = |what: &str| ValidationError::data(file, None, format!("{what}: {found}"), HELP);
     let place = has(Kind::Distance) || has(Kind::X);
     let values = table.columns.iter().any(|own| own.kind.is_field());
     let loads = [Kind::Depth, Kind::Force, Kind::ContactRadius].into_iter().filter(|own| has(*own)).count();
     match (place, values, loads) {
         (true, true, _) => Ok(Content::Field),
-        (false, true, 0) => Err(missing("there is no column r, or x and y, for the places of the pressures")),
-        (true, false, 0) => Err(missing("there is no column p or u")),
+        (false, true, 0) => Err(missing("missing column r, or x and y, for the points of the pressures")),
+        (true, false, 0) => Err(missing("missing column p or u")),
         (_, _, 0) => Err(missing("there is nothing to compare")),
-        (_, _, 1) => Err(missing("at least two of d, F and a are needed")),
+        (_, _, 1) => Err(missing("at least two of d, F and a are required")),
         _ => Ok(Content::Loads),
     }
 }
@@ -314,7 +314,7 @@ impl Ord for Ordered {
     }
 }
 
-/// The smallest distances of a file, as many as are kept.
+/// The smallest distances of a file, up to a maximum number.
 #[derive(Default)]
 struct Nearest {
     kept: BTreeSet<Ordered>,
@@ -332,7 +332,7 @@ impl Nearest {
         }
     }
 
-    /// Without those that differ by rounding only.
+    /// Removes values that differ only by rounding.
     fn distinct(&self) -> Vec<f64> {
         let scale = self.kept.last().map_or(0.0, |own| own.0);
         let mut all: Vec<f64> = self.kept.iter().map(|own| own.0).collect();
@@ -346,7 +346,7 @@ impl Nearest {
     }
 }
 
-/// The smallest distance between two of the coordinates, where all others are multiples of it.
+/// Returns the smallest distance between two coordinates if all others are multiples of it.
 fn gap(xs: &BTreeSet<Ordered>) -> Option<f64> {
     // Coordinates may be printed with few digits.
     const OFF: f64 = 0.2;
@@ -354,7 +354,7 @@ fn gap(xs: &BTreeSet<Ordered>) -> Option<f64> {
     let all: Vec<f64> = xs.iter().map(|own| own.0).collect();
     let gaps = || all.windows(2).map(|pair| pair[1] - pair[0]).filter(|own| *own > 1e-7 * scale);
     let least = gaps().min_by(f64::total_cmp)?;
-    // The mean distance of neighbours is more exact than the smallest one.
+    // The mean distance between neighbours is more accurate than the smallest one.
     let near: Vec<f64> = gaps().filter(|own| *own < 1.5 * least).collect();
     let mean = near.iter().sum::<f64>() / near.len() as f64;
     gaps().all(|own| (own / mean - (own / mean).round()).abs() <= OFF).then_some(mean)

@@ -1,4 +1,4 @@
-//! A data file row by row: text with names in its first line and numbers below, of which nothing is kept, or columns of arrays.
+//! Reads a data file row by row: text with column names in the first line and numbers below, which is not stored, or columns of arrays.
 
 use crate::validate::ValidationError;
 use crate::validate::file::column::{Column, Kind, Reading, is_bound, is_bound_of_field};
@@ -7,24 +7,24 @@ use crate::validate::file::layout::{Averaging, Columns, Layout};
 use std::io::{self, BufRead, BufReader, Read};
 use std::rc::Rc;
 
-/// A file being read.
+/// A file that is being read.
 pub(in crate::validate) struct Table<'s> {
     name: &'s str,
     pub(in crate::validate) columns: Vec<Column>,
     pub(in crate::validate) notes: Vec<String>,
-    /// Names of the columns that are not read.
+    /// The names of the ignored columns.
     pub(in crate::validate) unread: Vec<String>,
-    /// Names of all columns.
+    /// The names of all columns.
     pub(in crate::validate) names: Vec<String>,
     body: Body,
     skipped: Skipped,
-    /// True where the places were made from the box, about the axis.
+    /// True if coordinates were generated from the box, centred on the axis.
     pub(in crate::validate) placed: bool,
-    /// The place of the column of loads and the load whose rows are read.
+    /// The index of the column of loads, and the load whose rows are read.
     only: Option<(usize, f64)>,
 }
 
-/// Where the numbers come from.
+/// The source of the numbers.
 enum Body {
     Text(Box<Text>),
     Arrays { columns: Rc<Columns>, next: usize },
@@ -38,12 +38,12 @@ struct Text {
     decimal_commas: bool,
 }
 
-/// The longest line before the numbers.
+/// Maximum length of a line before the numbers.
 const LONGEST: u64 = 1 << 16;
 /// Characters that begin a comment.
 const COMMENTS: [char; 2] = ['#', '%'];
-const FINITE: &str = "a finite number such as 1.5e-6 would be accepted";
-/// Formats that a line of Python converts: how they begin, their names, and the line.
+const FINITE: &str = "expected a finite number such as 1.5e-6";
+/// Formats that a line of Python converts: magic bytes, name, and code.
 const FOREIGN: &[(&[u8], &str, &str)] = &[
     (b"\x89HDF\r\n\x1a\n", "an HDF5 file", HDF5),
     (b"CDF\x01", "a NetCDF file", NETCDF),
@@ -54,10 +54,10 @@ const HDF5: &str =
     "import h5py, numpy; f = h5py.File('data.h5'); numpy.savez('data.npz', **{k: f[k][()] for k in f if hasattr(f[k], 'shape')})";
 const NETCDF: &str =
     "import netCDF4, numpy; f = netCDF4.Dataset('data.nc'); numpy.savez('data.npz', **{k: v[:] for k, v in f.variables.items()})";
-const NAMES: &str = "a first line such as d_um,F_mN,a_um or r_um,p_GPa would be accepted";
+const NAMES: &str = "expected a first line such as d_um,F_mN,a_um or r_um,p_GPa";
 
 impl<'s> Table<'s> {
-    /// Opens data at their first row.
+    /// Opens data at the first row.
     pub(in crate::validate) fn open(data: &'s Data<'_>) -> Result<Self, ValidationError> {
         let mut table = match &data.arrays {
             Some(columns) => Self::of_arrays(&data.source.name, columns, data.layout)?,
@@ -73,8 +73,8 @@ impl<'s> Table<'s> {
             return Err(ValidationError::data(
                 name,
                 None,
-                format!("this is {format}, which is not read"),
-                format!("python -c \"{convert}\" would convert it"),
+                format!("{format} is not supported"),
+                format!("convert the file with python -c \"{convert}\""),
             ));
         }
         let header = Header::read(name, &mut file, layout)?;
@@ -89,9 +89,9 @@ impl<'s> Table<'s> {
             .from_reader(BufReader::with_capacity(1 << 16, rows));
         let (columns, unread) = understood(name, Some(header.lines), &header.names, layout)?;
         let empty_is_infinite = header.names.iter().any(|own| is_bound_of_field(own));
-        let mut notes: Vec<String> = unread.iter().map(|name| format!("column {name:?} is not read")).collect();
+        let mut notes: Vec<String> = unread.iter().map(|name| format!("column {name:?} is ignored")).collect();
         if header.commented {
-            notes.push("the names of the columns stand in a comment".to_owned());
+            notes.push("the column names were read from a comment".to_owned());
         }
         let body = Body::Text(Box::new(Text {
             reader,
@@ -106,18 +106,18 @@ impl<'s> Table<'s> {
     fn of_arrays(name: &'s str, own: &Rc<Columns>, layout: &Layout) -> Result<Self, ValidationError> {
         let (columns, unread) = understood(name, None, &own.names, layout)?;
         let mut notes = own.notes.clone();
-        notes.extend(unread.iter().map(|name| format!("array {name:?} is not read")));
+        notes.extend(unread.iter().map(|name| format!("array {name:?} is ignored")));
         let skipped = Skipped { empty_is_infinite: own.names.iter().any(|own| is_bound_of_field(own)), ..Skipped::default() };
         let body = Body::Arrays { columns: Rc::clone(own), next: 0 };
         Ok(Self { name, columns, notes, unread, names: own.names.clone(), body, skipped, placed: own.placed, only: None })
     }
 
-    /// The place of a kind of column among those that are understood.
+    /// Returns the index of a kind of column among the recognized ones.
     pub(in crate::validate) fn index(&self, kind: Kind) -> Option<usize> {
         self.columns.iter().position(|own| own.kind == kind)
     }
 
-    /// Reads the next row into one number per understood column; `None` at the end.
+    /// Reads the next row into one number per recognized column; `None` at the end.
     pub(in crate::validate) fn next(&mut self, out: &mut Vec<f64>) -> Result<Option<u64>, ValidationError> {
         let more = loop {
             let more = self.next_of_any_load(out)?;
@@ -129,7 +129,7 @@ impl<'s> Table<'s> {
         for (value, column) in out.iter_mut().zip(&self.columns).filter(|own| own.1.is_area) {
             if *value < 0.0 {
                 let message = format!("column {}: the area {value} is negative", column.name);
-                return Err(ValidationError::data(self.name, more, message, "an area of 0 or more would be accepted"));
+                return Err(ValidationError::data(self.name, more, message, "expected areas of at least 0"));
             }
             *value = (*value / std::f64::consts::PI).sqrt();
         }
@@ -153,25 +153,25 @@ impl<'s> Table<'s> {
         }
     }
 
-    /// Describes the rows that were skipped.
+    /// Describes the skipped rows.
     pub(in crate::validate) fn skipped(&self) -> Vec<String> {
         let Skipped { repeated, empty, .. } = self.skipped;
-        let repeated = (repeated > 0).then(|| format!("the first line stands again {repeated} times among the rows and is skipped there"));
+        let repeated = (repeated > 0).then(|| format!("the first line is repeated {repeated} times among the rows and was skipped there"));
         let empty = (empty > 0).then(|| {
-            format!("{empty} rows with an empty field, as where a pressure is infinite or the profile has ended, are not compared")
+            format!("{empty} rows with an empty field are skipped, as for an infinite pressure or beyond the end of the profile")
         });
         repeated.into_iter().chain(empty).collect()
     }
 }
 
-/// Rows that are not read.
+/// Rows that are skipped.
 #[derive(Clone, Copy, Default)]
 struct Skipped {
-    /// How often the first line stood again among the rows.
+    /// Number of repetitions of the first line among the rows.
     repeated: u64,
-    /// Rows with an empty field.
+    /// Number of rows with an empty field.
     empty: u64,
-    /// True for a file with error bounds, as `reference` writes it: what has no finite value there is empty.
+    /// True for a file with error bounds, as written by `reference`, in which values that are not finite are empty.
     empty_is_infinite: bool,
 }
 
@@ -191,7 +191,7 @@ impl Text {
                 Ok(false) => return Ok(None),
                 Ok(true) => {}
                 Err(error) => {
-                    return Err(ValidationError::data(file, Some(line), error.to_string(), "rows of numbers would be accepted"));
+                    return Err(ValidationError::data(file, Some(line), error.to_string(), "expected rows of numbers"));
                 }
             }
             let first = self.record.get(0).unwrap_or_default().trim_ascii_start();
@@ -223,7 +223,7 @@ impl Text {
 
     fn is_header(&self, names: &[String]) -> bool {
         let first = self.record.get(0).unwrap_or_default();
-        // A cheap look first: numbers begin with none of these.
+        // A quick check first: numbers do not begin with these characters.
         first.first().is_some_and(u8::is_ascii_alphabetic)
             && self.record.iter().zip(names).all(|(field, name)| field.trim_ascii() == name.as_bytes())
     }
@@ -241,17 +241,17 @@ impl Text {
             Ok(value) if value.is_finite() => Ok(value),
             Ok(_) => fault(format!("column {}: {shown} is not finite", column.name)),
             Err(_) if field.is_empty() => fault(format!("column {} is empty", column.name)),
-            Err(_) => fault(format!("column {}: {shown:?} is no number", column.name)),
+            Err(_) => fault(format!("column {}: {shown:?} is not a number", column.name)),
         }
     }
 
     fn wrong_count(&self, file: &str, wanted: usize, line: u64) -> ValidationError {
         let found = self.record.len();
-        let message = format!("{found} fields where the first line names {wanted} columns");
+        let message = format!("{found} fields, but the first line has {wanted} column names");
         let help = if !self.decimal_commas && found == 2 * wanted {
-            "decimal commas need another separator between the columns, such as a semicolon"
+            "with decimal commas, separate the columns by another character, such as a semicolon"
         } else {
-            "one number per column would be accepted"
+            "expected one number per column"
         };
         ValidationError::data(file, Some(line), message, help)
     }
@@ -261,7 +261,7 @@ impl Text {
 struct Header {
     names: Vec<String>,
     delimiter: u8,
-    /// Lines up to and with it.
+    /// Number of lines up to and including the header.
     lines: u64,
     commented: bool,
 }
@@ -273,7 +273,7 @@ impl Header {
             let mut bytes = Vec::new();
             let read = file.by_ref().take(LONGEST).read_until(b'\n', &mut bytes);
             if read.map_err(|error| unreadable(name, Some(lines + 1), &error))? == 0 {
-                return Err(ValidationError::data(name, None, "the file has no header and no rows", NAMES));
+                return Err(ValidationError::data(name, None, "the file contains neither a header nor rows", NAMES));
             }
             lines += 1;
             let text = String::from_utf8_lossy(&bytes);
@@ -286,14 +286,14 @@ impl Header {
                 continue;
             }
             if bytes.contains(&0) || text.contains('\u{fffd}') {
-                return Err(ValidationError::data(name, Some(lines), "this is no text in UTF-8", "a CSV file in UTF-8 would be accepted"));
+                return Err(ValidationError::data(name, Some(lines), "the file is not UTF-8 text", "expected a CSV file in UTF-8"));
             }
             let own = Self::split(text, lines, false);
             let numeric = own.names.iter().all(|field| field.replacen(',', ".", 1).parse::<f64>().is_ok());
             if !numeric {
                 return Ok(own);
             }
-            // The line is a row: it is put back, and names are those of the last comment, or numbers that the user maps.
+            // The line is a row: put it back, and use the names in the last comment, or numbers if the user maps columns by number.
             let count = own.names.len();
             let named = comment
                 .map(|own| Self::split(&own, 0, true).names)
@@ -301,8 +301,8 @@ impl Header {
             let commented = named.is_some();
             let numbered = || layout.by_number().then(|| (1..=count).map(|own| own.to_string()).collect());
             let Some(names) = named.or_else(numbered) else {
-                let help = format!("{NAMES}, also as a comment that begins with #, or numbers of columns, as in --map d=1 --map F=2");
-                let message = "the first line has numbers where the names of the columns belong";
+                let help = format!("{NAMES}, which may be a comment beginning with #, or map the columns by number, such as d=1 and F=2");
+                let message = "the first line contains numbers instead of column names";
                 return Err(ValidationError::data(name, Some(lines), message, help));
             };
             let rest = std::mem::replace(file, BufReader::new(Box::new(io::empty())));
@@ -326,7 +326,7 @@ impl Header {
     }
 }
 
-/// Words between blanks; a unit in brackets belongs to the word before it, as in `d (um)`.
+/// Splits a line at blanks; a unit in brackets belongs to the preceding word, as in `d (um)`.
 fn blank_separated(text: &str) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -338,10 +338,10 @@ fn blank_separated(text: &str) -> Vec<String> {
     names
 }
 
-/// Text in which a single blank stands for every run of blanks, and none at the ends of lines.
+/// A reader that replaces every run of blanks by a single blank and removes blanks at the ends of lines.
 struct Blanks<R> {
     inner: R,
-    /// A byte that follows a blank that was handed out.
+    /// A byte that was read after a blank that was already returned.
     pending: Option<u8>,
     at_start: bool,
 }
@@ -380,28 +380,28 @@ impl<R: BufRead> Read for Blanks<R> {
     }
 }
 
-/// The columns that are understood, and the names of the others.
+/// Returns the recognized columns, and the names of the others.
 fn understood(file: &str, line: Option<u64>, names: &[String], layout: &Layout) -> Result<(Vec<Column>, Vec<String>), ValidationError> {
     let fault = |message: String, help: &str| ValidationError::data(file, line, message, help);
     let (mut columns, mut unread): (Vec<Column>, Vec<String>) = (Vec::new(), Vec::new());
     for (index, name) in names.iter().enumerate() {
         match layout.read(name, index) {
             Reading::Known(column) => match columns.iter_mut().find(|own| own.kind == column.kind) {
-                // A contact radius is preferred to an area from which it would follow.
+                // A contact radius is preferred to an area.
                 Some(other) if other.is_area != column.is_area => {
                     let less = if column.is_area { column } else { std::mem::replace(other, column) };
                     unread.push(less.name);
                 }
                 Some(other) => {
                     return Err(fault(
-                        format!("the columns {} and {name} are the same quantity", other.name),
-                        "each quantity once, or --map that says which one is meant, would be accepted",
+                        format!("the columns {} and {name} contain the same quantity", other.name),
+                        "expected each quantity only once; map the quantity to the column to be used",
                     ));
                 }
                 None => columns.push(column),
             },
             Reading::BadUnit(why) => {
-                return Err(fault(format!("column {name}: {why}"), "a name such as d_um, F_mN or p_GPa would be accepted"));
+                return Err(fault(format!("column {name}: {why}"), "expected a name such as d_um, F_mN or p_GPa"));
             }
             Reading::Unknown if is_bound(name) || Averaging::named(name).is_some() => {}
             Reading::Unknown => unread.push(name.clone()),
@@ -411,5 +411,5 @@ fn understood(file: &str, line: Option<u64>, names: &[String], layout: &Layout) 
 }
 
 pub(in crate::validate) fn unreadable(name: &str, line: Option<u64>, error: &io::Error) -> ValidationError {
-    ValidationError::data(name, line, format!("cannot be read: {error}"), "a CSV file would be accepted")
+    ValidationError::data(name, line, format!("cannot read the file: {error}"), "expected a CSV file")
 }

@@ -1,10 +1,10 @@
-//! The units of the data's columns in those of the scene.
+//! Converts the units of data columns to the units of the scene.
 
 use crate::scene::{Dimension, Scene, Unit};
 use crate::validate::ValidationError;
 use crate::validate::file::column::Column;
 
-/// What a scene of bare numbers takes for its units: those of the data that come first.
+/// Units for a scene without units: the first units in the data are used.
 #[derive(Default)]
 pub(in crate::validate) struct Units {
     length: Option<Unit>,
@@ -14,17 +14,17 @@ pub(in crate::validate) struct Units {
 }
 
 impl Units {
-    /// The number by which a value of the column becomes one of the scene.
+    /// Returns the factor that converts a column to the units of the scene.
     pub(in crate::validate) fn factor(&mut self, scene: &Scene, file: &str, column: &Column) -> Result<f64, ValidationError> {
         let Some(unit) = &column.unit else { return Ok(1.0 / scene.system.out(column.kind.dimension())) };
         let bad = || {
-            let message = format!("the unit of column {} is out of proportion to those of the scene", column.name);
-            ValidationError::data(file, None, message, "a scene whose numbers carry units would be accepted")
+            let message = format!("the unit of column {} over- or underflows in the units of the scene", column.name);
+            ValidationError::data(file, None, message, "use units in the scene")
         };
         self.computed(scene, unit).filter(|own| own.is_finite() && *own > 0.0).ok_or_else(bad)
     }
 
-    /// The number by which a value in this unit becomes a computed one.
+    /// Returns the factor that converts a value in this unit to computing units.
     fn computed(&mut self, scene: &Scene, unit: &Unit) -> Option<f64> {
         let number = |own: &crate::expr::Expr| own.as_number().map(crate::expr::Number::to_f64);
         let dimension = unit.dimension();
@@ -40,7 +40,7 @@ impl Units {
         Some(number(unit.factor())? * force * length.powi(power))
     }
 
-    /// The scene's unit of a dimension; the first one that the data name is taken.
+    /// Returns the unit of the scene for a dimension; the first unit in the data is used.
     fn own(&mut self, unit: &Unit, dimension: Dimension) -> Option<crate::expr::Expr> {
         let square = |own: &Unit| own.factor().power(2);
         let derived = match dimension {
@@ -62,12 +62,12 @@ impl Units {
         }
         *place = Some(unit.clone());
         let named: Vec<&str> = [&self.length, &self.force, &self.pressure].into_iter().flatten().map(Unit::name).collect();
-        self.note = Some(format!("the numbers of the scene have no units and are read in those of the data: {}", named.join(", ")));
+        self.note = Some(format!("the numbers of the scene have no units and are read in the units of the data: {}", named.join(", ")));
         Some(unit.factor().clone())
     }
 }
 
-/// A symbol with its unit.
+/// Returns a symbol with its unit.
 pub(in crate::validate) fn shown(symbol: &str, unit: &str) -> String {
     if unit.is_empty() { symbol.to_owned() } else { format!("{symbol} / {unit}") }
 }
