@@ -95,7 +95,7 @@ pub(super) fn watch(seconds: f64) {
             let limit = LIMIT.load(Ordering::Relaxed);
             if spent() > limit as f64 {
                 let seconds = limit as f64 / 1000.0;
-                // If writing to stderr fails, there is no other place to report the error.
+                // An error while writing to stderr cannot be reported.
                 let _ = writeln!(
                     std::io::stderr(),
                     "error: stopped after {seconds:.1} s of processor time\nhelp: raise the limit with --budget SECONDS, or simplify the profile"

@@ -7,6 +7,8 @@ use crate::num::{Budget, Exhausted};
 use crate::parse::{self, ParseError};
 use crate::scene::SceneError;
 use crate::transform::TransformError;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use std::error::Error;
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 
@@ -135,7 +137,7 @@ impl Failure {
     pub(super) fn report(&self) {
         let mut stderr = io::stderr().lock();
         let colour = stderr.is_terminal();
-        // If writing to stderr fails, there is no other place to report the error.
+        // An error while writing to stderr cannot be reported.
         let _ = self.write(colour, &mut stderr);
     }
 
@@ -273,27 +275,52 @@ fn cut(text: &str, most: usize) -> String {
     kept + DOTS
 }
 
-/// Prints an error of the argument parser, subject to the same length limits as other errors.
+/// Prints an error of the argument parser in the same form as other errors.
 pub(super) fn report_usage(error: &clap::Error) {
-    let text = error.to_string();
-    let (first, rest) = text.split_once('\n').unwrap_or((&text, ""));
-    let first = cut(first, FIRST);
-    let lines = rest.lines().map(|own| cut(own, MOST)).collect::<Vec<_>>().join("\n");
-    let mut stderr = io::stderr().lock();
-    // If writing to stderr fails, there is no other place to report the error.
-    let _ = writeln!(stderr, "{first}\n{}", whole_lines(&lines, MOST - first.chars().count() - 2));
+    usage(error).report();
 }
 
-/// Returns the leading lines that fit into `most` characters.
-fn whole_lines(text: &str, most: usize) -> String {
-    let mut left = most;
-    let fits = |own: &&str| {
-        let size = own.chars().count() + 1;
-        let enough = size <= left;
-        left = left.saturating_sub(size);
-        enough
+/// Converts an error of the argument parser.
+fn usage(error: &clap::Error) -> Failure {
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::Strings(list)) => list.join(", "),
+        Some(other) => other.to_string(),
+        None => String::new(),
     };
-    text.lines().take_while(fits).collect::<Vec<_>>().join("\n").trim_end().to_owned()
+    let argument = context(ContextKind::InvalidArg);
+    let suggestion = |kind| match context(kind) {
+        meant if meant.is_empty() => String::new(),
+        meant => format!("did you mean {meant}? "),
+    };
+    let options = "run with --help for the list of options";
+    match error.kind() {
+        ErrorKind::UnknownArgument => {
+            Failure::new(format!("unexpected argument {argument}")).help(format!("{}{options}", suggestion(ContextKind::SuggestedArg)))
+        }
+        ErrorKind::InvalidSubcommand => Failure::new(format!("unknown command {}", context(ContextKind::InvalidSubcommand)))
+            .help(format!("{}run with --help for the list of commands", suggestion(ContextKind::SuggestedSubcommand))),
+        ErrorKind::MissingRequiredArgument => Failure::new(format!("missing required argument {argument}")).help(options),
+        ErrorKind::ArgumentConflict => {
+            Failure::new(format!("{argument} cannot be used with {}", context(ContextKind::PriorArg))).help(options)
+        }
+        ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
+            let value = context(ContextKind::InvalidValue);
+            let message =
+                if value.is_empty() { format!("{argument} requires a value") } else { format!("invalid value {value:?} for {argument}") };
+            let known = context(ContextKind::ValidValue);
+            match error.source().map(ToString::to_string) {
+                Some(reason) if reason.starts_with("expected") => Failure::new(message).help(reason),
+                Some(reason) => Failure::new(format!("{message}: {reason}")),
+                None if known.is_empty() => Failure::new(message),
+                None => Failure::new(message).help(format!("{}expected one of {known}", suggestion(ContextKind::SuggestedValue))),
+            }
+        }
+        _ => {
+            let text = error.to_string();
+            let first = text.lines().next().unwrap_or_default();
+            Failure::new(first.strip_prefix("error: ").unwrap_or(first)).help(options)
+        }
+    }
 }
 
 /// Prints a warning on stderr.

@@ -127,9 +127,7 @@ fn from_stdin() -> Result<String, Failure> {
     let read = io::stdin().lock().take(limit as u64 + 1).read_to_end(&mut bytes);
     read.map_err(|error| Failure::new(format!("cannot read stdin: {error}")))?;
     if bytes.len() > limit {
-        return Err(
-            Failure::new(format!("expected a shorter expression")).help("a shorter expression would be accepted")
-        );
+        return Err(Failure::new(format!("the profile on stdin is longer than {limit} bytes")).help("expected a shorter expression"));
     }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
@@ -255,11 +253,7 @@ pub(super) fn positive(place: &str, text: &str) -> Result<f64, Failure> {
     if value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("expected a positive number").at(
-        place,
-        text,
-        0..text.len(),
-    ))
+    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("expected a positive number").at(place, text, 0..text.len()))
 }
 
 /// Parses a tolerance between 0 and 1.

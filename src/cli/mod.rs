@@ -95,7 +95,7 @@ pub fn main() -> ExitCode {
             if error.use_stderr() && error.kind() != clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
                 failure::report_usage(&error);
             } else {
-                // If writing the help fails, there is no other place to report it.
+                // An error while writing the help cannot be reported.
                 let _ = error.print();
             }
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));

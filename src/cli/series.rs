@@ -74,9 +74,7 @@ pub(super) fn refuse_rim(depth: Option<f64>) -> Result<(), Failure> {
 /// Returns an error unless `--order` is used with `--method series`.
 pub(super) fn refuse_order(order: Option<&str>) -> Result<(), Failure> {
     match order {
-        Some(text) => {
-            Err(Failure::new("--order requires --method series").help("add --method series").at("--order", text, 0..text.len()))
-        }
+        Some(text) => Err(Failure::new("--order requires --method series").help("add --method series").at("--order", text, 0..text.len())),
         None => Ok(()),
     }
 }

@@ -104,7 +104,8 @@ impl TypesettingArguments {
 
     /// Returns the new symbol names; two symbols never get the same name.
     fn names(&self, profile: &Formula) -> Result<Renaming, Failure> {
-        const HELP: &str = "expected NAME=NAME, such as --symbols 'E=E_r,d=\\delta'; a name is a letter or a word, with an optional index after _";
+        const HELP: &str =
+            "expected NAME=NAME, such as --symbols 'E=E_r,d=\\delta'; a name is a letter or a word, with an optional index after _";
         let mut pairs: Vec<(String, String)> = Vec::new();
         for item in &self.symbols {
             let Some((old, new)) = item.split_once('=') else {

@@ -1,10 +1,10 @@
-//! Rounding to a number of significant digits, with error bounds that include it.
+//! Rounding to a number of significant digits, with error bounds that include the rounding error.
 
 use crate::num::Estimate;
 
 /// The number of significant digits of values in text and CSV; all digits by default.
 ///
-/// Coordinates, loads and other inputs are always shown with all their digits, because the values belong to them.
+/// Coordinates, loads and other inputs are always shown with all digits, because the values refer to them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Digits(Option<usize>);
 
@@ -26,13 +26,13 @@ impl Digits {
     /// Rounds a value and returns the double nearest to the result.
     pub fn rounded(self, value: f64) -> f64 {
         match self.0 {
-            // The largest doubles would be rounded to infinity.
+            // Do not round the largest doubles to infinity.
             Some(count) => format!("{value:.*e}", count - 1).parse().ok().filter(|own: &f64| own.is_finite()).unwrap_or(value),
             None => value,
         }
     }
 
-    /// Rounds a value and returns it with a bound of its error, rounding included; the bound is rounded up.
+    /// Rounds a value and returns it with an error bound that includes the rounding; the bound is rounded up.
     pub fn shown(self, value: f64, error: f64) -> (f64, f64) {
         let shown = self.rounded(value);
         let error = if shown == value { error } else { (error + (shown - value).abs()).next_up() };
@@ -43,7 +43,7 @@ impl Digits {
         let Some(count) = self.0 else { return error };
         let text = format!("{error:.*e}", count - 1);
         let Some((mantissa, exponent)) = text.split_once('e') else { return error };
-        // In decimals, because a step of a double may be lost again by rounding.
+        // Work in decimals, because rounding may lose a step of one double again.
         let digits = mantissa.replace('.', "").parse::<u64>().unwrap_or(u64::MAX);
         let scaled = |digits: u64| format!("{digits}e{}", exponent.parse::<i32>().unwrap_or(0) - (count as i32 - 1)).parse::<f64>().ok();
         let fits = |own: &f64| *own >= error && own.is_finite();

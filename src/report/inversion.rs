@@ -1,4 +1,4 @@
-//! What `invert` found, and how it is written as JSON.
+//! The result of `invert`, and its JSON output.
 
 use super::Unchecked;
 use super::json::{Check, Completion, Quantity, Readings, Step, Typeset, write};
@@ -13,25 +13,25 @@ use std::io::{self, Write};
 
 /// A profile found from an equivalent profile, or from a pressure.
 pub struct Inversion<'a> {
-    /// The wanted pressure, with the depth and the force that belong to it.
+    /// The pressure, with its depth and force.
     pub pressure: Option<Wanted<'a>>,
-    /// g(x), with set parameters in place.
+    /// g(x), with the given parameter values.
     pub equivalent: &'a Formula,
     /// f(r).
     pub profile: Derived,
     /// f(0) = g(0).
     pub at_axis: &'a Expr,
-    /// What must hold.
+    /// The conditions.
     pub conditions: Vec<Condition>,
-    /// The outcome of the check, or why it could not be made.
+    /// The result of the check, or the reason why it was not possible.
     pub check: Result<transform::Check, Unchecked>,
-    /// The radii at which f was asked for.
+    /// The radii at which f was requested.
     pub at: Vec<f64>,
-    /// f there.
+    /// f at these radii.
     pub readings: Vec<Reading>,
 }
 
-/// A wanted pressure.
+/// A pressure.
 pub struct Wanted<'a> {
     /// p(r).
     pub pressure: &'a Expr,
@@ -42,16 +42,16 @@ pub struct Wanted<'a> {
 }
 
 impl Inversion<'_> {
-    /// What a reader of the formulas must know.
+    /// Returns notes about the formulas.
     pub(super) fn notes(&self, presentation: &Presentation) -> Vec<Prose> {
-        let zero = if self.at_axis.is_zero() { "" } else { "; it shifts the shape and is not seen by a contact" };
+        let zero = if self.at_axis.is_zero() { "" } else { "; it shifts the shape and does not affect the contact" };
         let mut notes = vec![
             Prose::read("$f(0)$ = $g(0)$ = ").formula(self.at_axis.clone()).then(zero),
-            Prose::read("the formulas hold for $x$ >= 0 and $r$ >= 0; both functions are even"),
+            Prose::read("the formulas apply for $x$ >= 0 and $r$ >= 0; both functions are even"),
         ];
         if self.pressure.is_some() {
             notes.push(Prose::read(
-                "$E$ is the effective modulus E*, $a$ the contact radius; $f$ holds for $r$ < $a$, outside anything below the surface",
+                "$E$ is the effective modulus E*, $a$ the contact radius; $f$ applies for $r$ < $a$; for $r$ > $a$ the shape must not touch the surface",
             ));
         }
         notes.extend(rounding(presentation));
@@ -83,10 +83,10 @@ pub fn refusal(error: &TransformError, read: impl Fn(&str) -> Option<Formula>) -
     })
 }
 
-/// Writes f at the radii that were asked for, as a table.
+/// Writes f at the requested radii as a table.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn readings(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
     if record.at.is_empty() {
         return Ok(());
@@ -105,7 +105,7 @@ pub fn readings(record: &Inversion<'_>, out: &mut dyn Write) -> io::Result<()> {
 /// Writes one JSON document.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn json(record: &Inversion<'_>, steps: Option<&[contact::Step]>, presentation: &Presentation, out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Document<'a> {

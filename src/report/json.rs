@@ -1,4 +1,4 @@
-//! Records as JSON: one document, numbers as the shortest decimals that read back, null with a reason where there is none.
+//! Records as JSON: one document, numbers as the shortest decimals that read back, and null with a reason for a missing value.
 
 use super::{Compared, Derivation, Evaluation, Unchecked};
 use crate::contact::{self, Asked, Measured, Reason};
@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Nothing where a result is complete; else that it is not, and why.
+/// Returns an empty map for a complete result, else the reason why it is incomplete.
 pub(super) struct Completion(pub(super) Option<&'static str>);
 
 impl Serialize for Completion {
@@ -26,10 +26,10 @@ impl Serialize for Completion {
     }
 }
 
-/// Writes what was derived, with the steps where they were asked for.
+/// Writes the derived formulas, with the steps if requested.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn derivation(record: &Derivation<'_>, steps: Option<&[contact::Step]>, out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Document<'a> {
@@ -62,10 +62,10 @@ pub fn derivation(record: &Derivation<'_>, steps: Option<&[contact::Step]>, out:
     write("derive", &document, out)
 }
 
-/// Writes the numbers of one quantity.
+/// Writes the values of one quantity.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Document<'a> {
@@ -123,7 +123,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
 /// Writes the comparisons, one key per quantity.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn comparison(record: &Compared<'_>, out: &mut dyn Write) -> io::Result<()> {
     write("compare", record, out)
 }
@@ -131,7 +131,7 @@ pub fn comparison(record: &Compared<'_>, out: &mut dyn Write) -> io::Result<()> 
 /// Writes the catalogue of rules.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Entry {
@@ -179,9 +179,9 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
     write("rules", &Document { rules: entries }, out)
 }
 
-/// Writes a document of a command on one line, with the version of its schema in front.
+/// Writes the document of a command on one line, beginning with the version of its schema.
 ///
-/// The schema stands in `docs/schemas`; its number rises where a key changes its meaning or goes away.
+/// The schemas are in `docs/schemas`; the version increases if a key changes its meaning or is removed.
 pub(super) fn write(command: &'static str, document: &impl Serialize, mut out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Versioned<'a, D> {
@@ -196,17 +196,17 @@ pub(super) fn write(command: &'static str, document: &impl Serialize, mut out: &
 /// Writes a document without a result, with the reason.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn unfinished(command: &'static str, why: &str, out: &mut dyn Write) -> io::Result<()> {
     write(command, &BTreeMap::from([("complete", Value::from(false)), ("why", Value::from(why))]), out)
 }
 
-/// JSON knows neither NaN nor infinities.
+/// JSON has neither NaN nor infinities.
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// A formula in both notations.
+/// Returns a formula in both notations.
 #[derive(Serialize)]
 pub(super) struct Typeset {
     text: String,
@@ -223,7 +223,7 @@ impl Typeset {
     }
 }
 
-/// The derived quantities under their keys.
+/// Returns the derived quantities by key.
 struct Entries<'a>(&'a Derivation<'a>);
 
 impl Serialize for Entries<'_> {
@@ -235,7 +235,7 @@ impl Serialize for Entries<'_> {
     }
 }
 
-/// A formula with its status, rules and sources.
+/// Returns a formula with its status, rules and sources.
 #[derive(Serialize)]
 pub(super) struct Quantity<'a> {
     #[serde(flatten)]
@@ -254,7 +254,7 @@ impl<'a> Quantity<'a> {
     }
 }
 
-/// A step of a derivation.
+/// Returns a step of a derivation.
 #[derive(Serialize)]
 pub(super) struct Step<'a> {
     title: &'a str,
@@ -279,12 +279,12 @@ impl<'a> Step<'a> {
     }
 }
 
-/// How a check ended.
+/// Returns the result of a check.
 #[derive(Serialize)]
 pub(super) struct Check<'a> {
     points: u32,
     max_relative_difference: Option<f64>,
-    /// Null where nothing was compared.
+    /// Returns null if nothing was compared.
     passed: Option<bool>,
     verdict: &'static str,
     why: Option<Cow<'a, str>>,
@@ -314,7 +314,7 @@ impl<'a> Check<'a> {
     }
 }
 
-/// Readings that theory never makes infinite.
+/// Returns readings of a quantity that is never infinite.
 pub(super) struct Readings<'a> {
     pub(super) at: &'a [f64],
     pub(super) readings: &'a [Reading],
@@ -326,7 +326,7 @@ impl Serialize for Readings<'_> {
     }
 }
 
-/// The readings, written one by one: there may be many.
+/// Serializes the readings one by one, since there may be many.
 struct Points<'a>(&'a Evaluation<'a>);
 
 impl Serialize for Points<'_> {
@@ -354,7 +354,7 @@ struct Point<'a> {
     ways: Option<Vec<Way<'a>>>,
 }
 
-/// What one way answered.
+/// Returns the result of one method.
 #[derive(Serialize)]
 struct Way<'a> {
     id: &'static str,
@@ -391,7 +391,7 @@ impl<'a> Point<'a> {
         let (value, error_estimate) = (finite(reading.estimate.value), finite(reading.estimate.error));
         let why = match (value, error_estimate) {
             (None, _) => Some("no finite value was found"),
-            (_, None) => Some("no error bound can be promised"),
+            (_, None) => Some("no error bound is available"),
             _ => None,
         };
         let bound = error_estimate.map(|_| reading.estimate.bound.name());
@@ -407,7 +407,7 @@ impl Serialize for Compared<'_> {
             max_relative_difference: Option<f64>,
             at: Option<f64>,
             points: u32,
-            /// Null where nothing was compared.
+            /// Returns null if nothing was compared.
             passed: Option<bool>,
             verdict: &'static str,
             #[serde(skip_serializing_if = "Option::is_none")]

@@ -7,19 +7,19 @@ use std::io::{self, Write};
 /// Writes the catalogue: a table of contents, then every rule with its formulas, domain and sources.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn rules(statements: &[Statement], out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "# Exact solutions\n")?;
-    writeln!(out, "This document is written by `sneddon rules --format markdown`; a test holds it to the program.\n")?;
-    writeln!(out, "Every rule answers one family of terms of $f'$; a profile's solution is the sum of its terms' solutions.")?;
+    writeln!(out, "This document is written by `sneddon rules --format markdown`; a test checks that it is up to date.\n")?;
+    writeln!(out, "Each rule solves one family of terms of $f'$; the solution of a profile is the sum of the solutions of its terms.")?;
     writeln!(out, "Parameters are positive, $E$ is the effective modulus $E^\\ast$, and $F$ and $p$ belong to a smooth edge.")?;
     writeln!(
         out,
-        "Where no pressure is stated, it stays an integral over the closed $g$, for the reasons in [pressures.md](pressures.md)."
+        "If no pressure is stated, it remains an integral over the closed form of $g$; [pressures.md](pressures.md) explains why."
     )?;
     writeln!(
         out,
-        "The formula of a family is an example of it: powers of $r$ in front of it, other parameters and, where it says so, segments are answered too.\n"
+        "The formula of a family is an example: the rule also solves terms with other parameters, with additional powers of $r$ and, if stated, on segments.\n"
     )?;
     writeln!(out, "| rule | solves | $f(r)$ |\n|---|---|---|")?;
     for statement in statements {
@@ -43,7 +43,7 @@ fn section(statement: &Statement, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "- As typed: `{}`", rule.pattern)?;
     writeln!(out, "- Where: {}", rule.guard)?;
     if let Some(general) = rule.specializes {
-        writeln!(out, "- A nicer form of [{general}](#{general})")?;
+        writeln!(out, "- A special form of [{general}](#{general})")?;
     }
     writeln!(out, "- Source: {}", rule.reference.join("; "))
 }

@@ -1,4 +1,4 @@
-//! Reports: plain records of what was found, and one file per output format that writes them.
+//! Reports: plain records of the results, and one file per output format.
 
 mod digits;
 #[cfg(feature = "data")]
@@ -39,7 +39,7 @@ pub use statement::Statement;
 #[cfg(feature = "cli")]
 pub use tradeoff::Tradeoff;
 
-/// Private parts that tests in `tests/` look at; not part of the interface.
+/// Private items used by tests in `tests/`; not part of the public interface.
 #[cfg(feature = "data")]
 #[doc(hidden)]
 pub mod inner {

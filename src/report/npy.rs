@@ -1,10 +1,10 @@
-//! NumPy's formats: arrays in NPY, version 1.0, and archives of them in NPZ.
+//! NumPy's formats: arrays in NPY, version 1.0, and archives of arrays in NPZ.
 
 use rawzip::ZipArchiveWriter;
 use rawzip::time::UtcDateTime;
 use std::io::{self, Write};
 
-/// The head of an array: magic, length, and a Python literal that is padded to 64 bytes and ends with a line feed.
+/// The header of an array: magic bytes, length, and a Python literal that is padded to 64 bytes and ends with a line feed.
 pub fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
     const BEFORE: usize = 10;
     let shape: String = shape.iter().map(|own| format!("{own}, ")).collect();
@@ -13,7 +13,7 @@ pub fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
     text.push_str(&" ".repeat((64 - rest) % 64));
     text.push('\n');
     let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-    // Few numbers of a shape stay far below 65536 bytes.
+    // With few dimensions, the header is much shorter than 65536 bytes.
     bytes.extend((text.len() as u16).to_le_bytes());
     bytes.extend(text.as_bytes());
     bytes
@@ -22,11 +22,11 @@ pub fn header(kind: &str, shape: &[usize]) -> Vec<u8> {
 /// An archive of named arrays: a ZIP file whose members are not compressed, as `numpy.savez` writes it.
 pub(super) struct Archive(ZipArchiveWriter<Vec<u8>>);
 
-/// 1 January 1980, the earliest date of ZIP: a fixed date, so that equal arrays give equal files.
+/// 1 January 1980, the earliest date in ZIP, so that equal arrays give equal files.
 const FIRST_DATE: i64 = 315_532_800;
 
 impl Archive {
-    /// Creates an archive without arrays.
+    /// Creates an empty archive.
     pub(super) fn new() -> Self {
         Self(ZipArchiveWriter::new(Vec::new()))
     }
@@ -38,14 +38,14 @@ impl Archive {
         self.add(name, &array)
     }
 
-    /// Adds an array of truth values.
+    /// Adds an array of booleans.
     pub(super) fn flags(&mut self, name: &str, shape: &[usize], values: &[bool]) -> io::Result<()> {
         let mut array = header("|b1", shape);
         array.extend(values.iter().map(|value| u8::from(*value)));
         self.add(name, &array)
     }
 
-    /// Adds a text as an array without dimensions.
+    /// Adds a text as a zero-dimensional array.
     pub(super) fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
         let mut array = header(&format!("<U{}", text.chars().count().max(1)), &[]);
         let empty = if text.is_empty() { "\0" } else { "" };

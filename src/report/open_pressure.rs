@@ -1,10 +1,10 @@
-//! Notes that say why a pressure is left as an integral, by the functions in the integrand.
+//! Notes that explain why a pressure remains an integral, by the functions in the integrand.
 
 use crate::expr::{Expr, Formula, Node, Symbol};
 use crate::print::Prose;
 use std::collections::BTreeSet;
 
-/// What is known about an integral of g′(x)/√(x²−r²), by the functions in g′.
+/// The kind of an integral of g′(x)/√(x²−r²), by the functions in g′.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     /// g itself is an integral.
@@ -17,7 +17,7 @@ enum Kind {
     Inverse,
     /// Hypergeometric and incomplete beta functions.
     Hypergeometric,
-    /// Logarithms beside powers.
+    /// Logarithms multiplied by powers.
     Logarithm,
     /// Powers and roots.
     Algebraic,
@@ -39,23 +39,25 @@ impl Kind {
 
     fn sentence(self) -> &'static str {
         match self {
-            Self::OpenProfile => "the integral in $p(r)$ runs over $f'$, because a part of $g(x)$ has no closed form here",
-            Self::Bessel => "the integral in $p(r)$ is of the kind of incomplete Bessel integrals: it has no known closed form",
-            Self::Elliptic => "the integral in $p(r)$ is one of elliptic integrals over their modulus: it has no known closed form",
+            Self::OpenProfile => "the integral in $p(r)$ is over $f'$, because a part of $g(x)$ has no closed form in the catalogue",
+            Self::Bessel => "the integral in $p(r)$ is an incomplete integral of Bessel functions, for which no closed form is known",
+            Self::Elliptic => {
+                "the integral in $p(r)$ is an integral of elliptic integrals over their modulus, for which no closed form is known"
+            }
             Self::Inverse => {
                 "the integral in $p(r)$ has an inverse function beside two square roots, which makes it an integral of elliptic integrals \
                  over a parameter: it has no known closed form"
             }
-            Self::Hypergeometric => {
-                "the integral in $p(r)$ has a hypergeometric function beside a square root: it has no known closed form"
+            Self::Hypergeometric => "the integral in $p(r)$ contains a hypergeometric function and a square root; no closed form is known",
+            Self::Logarithm => {
+                "the integral in $p(r)$ contains a logarithm; the catalogue has closed forms only for products with odd powers of x"
             }
-            Self::Logarithm => "the integral in $p(r)$ has a logarithm: the program knows a closed form beside odd powers of x only",
-            Self::Algebraic => "the integral in $p(r)$ has roots only; the program knows no closed form of it",
+            Self::Algebraic => "the integral in $p(r)$ contains only roots; the catalogue has no closed form for it",
         }
     }
 }
 
-/// The sentences for a pressure with integrals; none for a closed one.
+/// Returns the notes for a pressure with integrals; none for a closed form.
 pub(super) fn reasons(pressure: &Formula) -> Vec<Prose> {
     let mut found = BTreeSet::new();
     in_formula(pressure, &mut found);
@@ -71,7 +73,7 @@ fn in_formula(formula: &Formula, found: &mut BTreeSet<Kind>) {
             pieces.iter().for_each(|(value, _)| in_formula(value, found));
             in_formula(last, found);
         }
-        // Integrals over g′ have the variable x; integrals over f′ have another one.
+        // Integrals over g′ have the variable x; integrals over f′ have another variable.
         Formula::Integral { variable, .. } if variable.name() != "x" => {
             found.insert(Kind::OpenProfile);
         }
@@ -85,7 +87,7 @@ fn in_formula(formula: &Formula, found: &mut BTreeSet<Kind>) {
     }
 }
 
-/// Adds the kinds of the outermost functions of the variable that have one.
+/// Adds the kinds of the outermost functions of the variable.
 fn in_expression(expr: &Expr, variable: &Symbol, found: &mut BTreeSet<Kind>) {
     if !expr.contains(variable) {
         return;

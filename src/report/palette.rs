@@ -1,4 +1,4 @@
-//! What pictures share: the colours of lines, which the colour-blind can tell apart, and the letters.
+//! Line colours that are suitable for colour-blind readers, and the font of pictures.
 
 use plotters::style::{FontStyle, RGBColor, register_font};
 use std::sync::Once;
@@ -15,20 +15,20 @@ const COLOURS: [RGBColor; 8] = [
     RGBColor(0, 0, 0),
 ];
 
-/// The name of the letters in pictures.
+/// The name of the font in pictures.
 pub(super) const LETTERS: &str = "sans-serif";
 
-/// The colour of an index; beyond the last one they begin again.
+/// Returns the colour of an index, in cyclic order.
 pub(super) fn colour(index: usize) -> RGBColor {
     COLOURS.get(index % COLOURS.len()).copied().unwrap_or(RGBColor(0, 0, 0))
 }
 
-/// Makes the letters known, which need no font of the machine.
+/// Registers the embedded font, so that no system font is required.
 pub(super) fn prepare_letters() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         for style in [FontStyle::Normal, FontStyle::Bold] {
-            // The font is part of the program; were it not readable, drawing would say so.
+            // The font is embedded; if it could not be read, drawing would return an error.
             let _ = register_font(LETTERS, style, dejavu::sans::regular()).is_ok();
         }
     });

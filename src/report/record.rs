@@ -1,4 +1,4 @@
-//! The records that every output format reads: what was derived, evaluated and compared.
+//! The records that all output formats share: derived formulas, values and comparisons.
 
 use super::open_pressure;
 use crate::contact::{Asked, Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
@@ -7,29 +7,29 @@ use crate::print::{Presentation, Prose};
 use crate::transform::{Check, Derived, Profile, TransformError};
 use std::borrow::Cow;
 
-/// Everything that `derive` found.
+/// The result of `derive`.
 pub struct Derivation<'a> {
-    /// The profile, with set parameters in place.
+    /// The profile, with the given parameter values.
     pub profile: &'a Profile,
-    /// f as it was typed, with set parameters in place.
+    /// f as typed, with the given parameter values.
     pub typed: &'a Formula,
-    /// How the contact ends.
+    /// The edge of the contact.
     pub edge: &'a Edge,
     /// The derived relations.
     pub relations: &'a Relations,
-    /// The quantities that were asked for, in this order; empty for the usual ones.
+    /// The requested quantities in this order; empty for the default.
     pub asked: &'a [Quantity],
-    /// What is changed in the formulas when they are printed.
+    /// Changes to the formulas in print.
     pub presentation: &'a Presentation,
-    /// The outcome of the check, or why it could not be made.
+    /// The result of the check, or the reason why it was not possible.
     pub check: Result<Check, Unchecked>,
 }
 
-/// Why formulas were not compared with quadrature.
+/// The reason why formulas were not compared with quadrature.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Unchecked {
-    /// The budget was exhausted, so the answer is incomplete.
-    #[error("the budget of work did not suffice")]
+    /// The budget was exhausted, so the result is incomplete.
+    #[error("the work limit was reached")]
     Cut,
     /// The comparison returned this error.
     #[error("{0}")]
@@ -46,15 +46,15 @@ impl From<TransformError> for Unchecked {
 }
 
 impl Unchecked {
-    /// The reason why an answer with this check is incomplete; `None` if it is complete.
+    /// Returns the reason why a result with this check is incomplete; `None` if it is complete.
     pub fn why(check: &Result<Check, Self>) -> Option<&'static str> {
-        matches!(check, Err(Self::Cut)).then_some("the budget of work did not suffice for the check")
+        matches!(check, Err(Self::Cut)).then_some("the work limit was reached during the check")
     }
 }
 
-/// One derived quantity, or the place of one that has no explicit form.
+/// A derived quantity, or an entry for one without an explicit form.
 pub struct Entry<'a> {
-    /// The key that machines read.
+    /// The key in JSON.
     pub key: &'static str,
     /// The left side of the equation.
     pub left: &'static str,
@@ -63,7 +63,7 @@ pub struct Entry<'a> {
 }
 
 impl Derivation<'_> {
-    /// The quantities in the order of reading, or in that in which they were asked for.
+    /// Returns the quantities in reading order, or in the order in which they were requested.
     pub fn entries(&self) -> Vec<Entry<'_>> {
         let usual;
         let list = if self.asked.is_empty() {
@@ -77,31 +77,30 @@ impl Derivation<'_> {
         list.iter().map(|own| Entry { key: own.relation(), left: own.left(has_rim), derived: own.formula(&all) }).collect()
     }
 
-    /// f(0), where something had to be subtracted.
+    /// Returns f(0) if it was subtracted.
     pub fn shift(&self) -> Option<&Expr> {
         Some(&self.profile.shift).filter(|shift| !shift.is_zero())
     }
 
-    /// f as it was typed.
+    /// Returns f as typed.
     pub fn formula(&self) -> &Formula {
         self.typed
     }
 
-    /// What a reader of the formulas must know.
+    /// Returns notes about the formulas.
     pub fn notes(&self) -> Vec<Prose> {
         let mut notes = vec![
-            "the formulas hold for $x$ >= 0; $g$ is even",
+            "the formulas apply for $x$ >= 0; $g$ is even",
             "$E$ is the effective modulus E*",
             "$p$ = -$sigma_zz$ is positive in compression and 0 for $r$ > $a$",
         ];
         if self.relations.pressure.is_none() {
-            notes
-                .push("$f'$ is infinite at a breakpoint and $g$ jumps there, or is not known to be continuous: $p(r)$ has no formula here");
+            notes.push("$f'$ is infinite at a breakpoint and $g$ jumps there, or $g$ is not known to be continuous: $p(r)$ has no formula");
         }
         if self.has_rim() {
-            notes.push("$a$ is the radius of the rim, whatever the depth is");
+            notes.push("$a$ is the radius of the rim at every depth");
         } else if self.relations.contact_radius_of_depth.is_none() {
-            notes.push("$a(d)$ and $F(d)$ have no explicit form that is known here; $g(a)$ = $d$ is solved in numbers");
+            notes.push("no explicit form of $a(d)$ and $F(d)$ is known; $g(a)$ = $d$ is solved numerically");
         }
         let pressure = self.relations.pressure.as_ref().filter(|_| self.asked.is_empty() || self.asked.contains(&Quantity::Pressure));
         let reasons = pressure.map_or_else(Vec::new, |own| open_pressure::reasons(&own.formula));
@@ -109,79 +108,79 @@ impl Derivation<'_> {
         all.map(|own| own.presented(self.presentation)).collect()
     }
 
-    /// The conditions as they are presented.
+    /// Returns the conditions with renamed symbols.
     pub fn conditions(&self) -> Vec<Prose> {
         self.relations.conditions.iter().map(|own| own.presented(self.presentation)).collect()
     }
 
-    /// True for a punch with a rim at the contact radius.
+    /// Returns true for a punch with a rim at the contact radius.
     pub(super) fn has_rim(&self) -> bool {
         matches!(self.edge, Edge::Rim(_))
     }
 }
 
-/// What a reader of rounded formulas must know.
+/// Returns a note about rounded formulas.
 pub(super) fn rounding(presentation: &Presentation) -> Option<Prose> {
     let digits = presentation.digits?;
     Some(Prose::words(&format!("numbers are rounded to {digits} significant digit{}", if digits == 1 { "" } else { "s" })))
 }
 
-/// The numbers that `eval` found.
+/// The result of `eval`.
 pub struct Evaluation<'a> {
-    /// The quantity's symbol.
+    /// The symbol of the quantity.
     pub quantity: &'static str,
-    /// The symbol of the coordinate at which it was asked for.
+    /// The symbol of the coordinate.
     pub coordinate: &'static str,
-    /// The profile as it was typed.
+    /// The profile as typed.
     pub profile: &'a Formula,
-    /// The parameters with the numbers that stand for them.
+    /// The parameters with their values.
     pub parameters: Vec<(String, f64)>,
     /// E*.
     pub effective_modulus: f64,
-    /// The contact radius, where the quantity needs one.
+    /// The contact radius, if the quantity requires one.
     pub radius: Option<f64>,
     /// The depth of a punch with a rim.
     pub depth: Option<f64>,
-    /// f(0), where something had to be subtracted.
+    /// f(0), if it was subtracted.
     pub shift: Option<Shift>,
     /// The coordinates.
     pub at: Vec<f64>,
     /// The readings, one per coordinate.
     pub readings: Vec<Measured>,
-    /// The results of all ways at each coordinate, if requested.
+    /// The results of all methods at each coordinate, if requested.
     pub ways: Option<Vec<Vec<Asked>>>,
-    /// The units in which all of these are counted.
+    /// The units of all values.
     pub units: Units,
 }
 
-/// Names of units, empty where numbers are bare.
+/// Names of units, empty for numbers without units.
 #[derive(Default)]
 pub struct Units {
-    /// Of the coordinates, the radius and the depth.
+    /// The unit of the coordinates, the radius and the depth.
     pub at: String,
-    /// Of the values.
+    /// The unit of the values.
     pub value: String,
-    /// Of the effective modulus.
+    /// The unit of the effective modulus.
     pub modulus: String,
-    /// Of the parameters, in their order.
+    /// The units of the parameters, in the same order.
     pub parameters: Vec<String>,
 }
 
 /// f(0), which was subtracted.
 pub struct Shift {
-    /// As an expression of what was typed.
+    /// As an exact expression.
     pub expr: Expr,
     /// As a number.
     pub value: f64,
 }
 
 impl Evaluation<'_> {
-    /// True where the budget of work did not suffice for a point.
+    /// Returns true if the work budget was exhausted at a point.
     pub fn is_cut(&self) -> bool {
         self.readings.iter().any(|own| matches!(own, Err(Reason::Unfinished)))
     }
 
-    /// The way that all finite values were found, or `mixed`.
+    /// Returns the method of all finite values, or `mixed`.
     pub fn method(&self) -> &'static str {
         let mut methods = self.readings.iter().filter_map(|reading| reading.as_ref().ok()).map(|reading| reading.method);
         match methods.next() {
@@ -192,17 +191,17 @@ impl Evaluation<'_> {
     }
 }
 
-/// The outcome of `compare`.
+/// The result of `compare`.
 pub struct Compared<'a> {
-    /// The profile as it was typed.
+    /// The profile as typed.
     pub profile: &'a Formula,
-    /// What was compared.
+    /// The comparisons.
     pub comparisons: &'a Comparisons,
 }
 
 impl Compared<'_> {
-    /// The reason why the comparison is incomplete; `None` if it is complete.
+    /// Returns the reason why the comparison is incomplete; `None` if it is complete.
     pub fn why(&self) -> Option<&'static str> {
-        (!self.comparisons.is_complete).then_some("the budget of work did not suffice for the comparison")
+        (!self.comparisons.is_complete).then_some("the work limit was reached during the comparison")
     }
 }

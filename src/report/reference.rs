@@ -1,4 +1,4 @@
-//! Exact fields on a solver's grid as CSV, JSON and NPY, load by load: one field is kept at a time.
+//! Exact fields on the grid of a solver as CSV, JSON and NPY, load by load; only one field is stored at a time.
 
 use crate::contact::State;
 use crate::num::Bound;
@@ -10,7 +10,7 @@ use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
-/// What is wanted: fields of all loads of a run on one grid.
+/// The requested fields under all loads of a run on one grid.
 pub struct Reference<'a, 'r> {
     /// The run.
     pub run: &'a Run<'r>,
@@ -18,9 +18,9 @@ pub struct Reference<'a, 'r> {
     pub grid: &'a Grid,
     /// The fields.
     pub curves: &'a [Quantity],
-    /// True where pressures are means over cells.
+    /// True if pressures are means over cells.
     pub cells: bool,
-    /// The digits of the values in CSV.
+    /// The number of digits of the values in CSV.
     pub digits: Digits,
 }
 
@@ -33,18 +33,18 @@ impl Reference<'_, '_> {
         self.run.field(self.grid, curve, state, self.cells)
     }
 
-    /// Every place of the grid, the row of a square first.
+    /// Returns all points of the grid; in a square, the row is the first index.
     fn places(&self) -> Vec<usize> {
         self.grid.shape()
     }
 
-    /// Writes one line per place and load, with the depth of the load where there are several; every field has its error bound
-    /// beside it, and what the bound rests on. Where pressures are means, the last column, `cell` or `ring`, has the widths of the cells.
+    /// Writes one line per point and load, with the depth of the load if there are several; every field has its error bound
+    /// in the next column, and then the kind of bound. If pressures are means, the last column, `cell` or `ring`, contains the widths of the cells.
     ///
-    /// Returns how many loads have no valid contact.
+    /// Returns the number of loads without a valid contact.
     ///
     /// # Errors
-    /// As the writer.
+    /// Returns the errors of the writer.
     pub fn csv(&self, out: &mut dyn Write) -> io::Result<usize> {
         let scene = self.run.scene();
         let (length, factor) = (scene.system.unit_name(Dimension::LENGTH), scene.system.out(Dimension::LENGTH));
@@ -103,12 +103,12 @@ impl Reference<'_, '_> {
         Ok(missing)
     }
 
-    /// Writes one JSON document: coordinates, then per load and field the values and their error estimates, row by row.
+    /// Writes one JSON document: coordinates, then per load and field the values and their error bounds, row by row.
     ///
-    /// Returns how many loads have no valid contact.
+    /// Returns the number of loads without a valid contact.
     ///
     /// # Errors
-    /// As the writer.
+    /// Returns the errors of the writer.
     pub fn json(&self, out: &mut dyn Write) -> io::Result<usize> {
         #[derive(Serialize)]
         struct Document<'a, 'b, 'r> {
@@ -154,12 +154,12 @@ impl Reference<'_, '_> {
 
     /// Writes a NumPy array of little-endian doubles of the shape (loads, quantities, 2, …grid): value, then error.
     ///
-    /// What theory makes infinite is infinite there, with an infinite error; anything else that is missing is refused.
+    /// A theoretically infinite value is infinite with an infinite error; any other missing value is an error.
     ///
-    /// Returns the quantities whose error bounds are estimated; an array of numbers cannot hold this.
+    /// Returns the quantities whose error bounds are estimated, which an array of numbers cannot record.
     ///
     /// # Errors
-    /// As the writer; [`io::ErrorKind::InvalidData`] with the reason where there is no number.
+    /// Returns the errors of the writer, and [`io::ErrorKind::InvalidData`] with the reason for a missing value.
     pub fn npy(&self, out: &mut dyn Write) -> io::Result<BTreeSet<&'static str>> {
         let grid = self.places();
         let shape = [&[self.run.scene().loads.len(), self.curves.len(), 2], grid.as_slice()].concat();
@@ -179,7 +179,8 @@ impl Reference<'_, '_> {
                             out.write_all(&value.to_le_bytes())
                         }
                         Err(why) => {
-                            let message = format!("load {}, {}: {why}; CSV and JSON can leave values out", index + 1, curve.key());
+                            let message =
+                                format!("load {}, {}: {why}; use CSV or JSON, which can contain missing values", index + 1, curve.key());
                             Err(io::Error::new(io::ErrorKind::InvalidData, message))
                         }
                     };
@@ -221,7 +222,7 @@ struct FieldEntry {
     why: Option<&'static str>,
 }
 
-/// A list, or a list of rows.
+/// Returns a list, or a list of rows.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Rows {

@@ -1,4 +1,4 @@
-//! The style sheet of every page: light and dark, screen and paper, wide and narrow.
+//! The style sheet of all pages, for light and dark mode, screen and print, and all widths.
 
 /// The content of a `style` element.
 pub(super) const SHEET: &str = "\

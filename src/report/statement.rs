@@ -1,9 +1,9 @@
-//! The record of one exact solution as the catalogue states it: its texts, and its formulas as read from them.
+//! One exact solution of the catalogue: its texts, and its formulas as parsed.
 
 use crate::expr::Formula;
 use crate::transform::Rule;
 
-/// A rule and its stated formulas.
+/// A rule and its parsed formulas.
 pub struct Statement {
     /// The rule.
     pub rule: &'static Rule,
@@ -13,6 +13,6 @@ pub struct Statement {
     pub slope: Formula,
     /// F(a).
     pub force: Formula,
-    /// p(r), where it closes.
+    /// p(r), if there is a closed form.
     pub pressure: Option<Formula>,
 }

@@ -160,8 +160,7 @@ impl Scene {
     pub fn dimensionless(self) -> Result<Self, SceneError> {
         let rim = self.rim.map(|c| ("c".to_owned(), c));
         let Some((name, length)) = self.length.clone().or(rim) else {
-            let missing =
-                SceneError::missing("the profile has no length scale").help("expected a parameter R, or a radius");
+            let missing = SceneError::missing("the profile has no length scale").help("expected a parameter R, or a radius");
             return Err(self.placed(missing));
         };
         let system = self.system.dimensionless(&name, length, self.effective_modulus);

@@ -65,7 +65,8 @@ impl Punch {
         let known = [Quantity::Depth, Quantity::Force, Quantity::Stiffness];
         let data = scene.outputs.data.iter().find(|own| !known.contains(own)).map(|own| own.key());
         let Some(name) = data.or(scene.outputs.curves.first().map(|own| own.key())) else { return Ok(()) };
-        let error = SceneError::value(format!("{name} is not available for a punch with a non-circular cross-section")).help("expected d, F and k");
+        let error =
+            SceneError::value(format!("{name} is not available for a punch with a non-circular cross-section")).help("expected d, F and k");
         Err(match outputs.and_then(|table| table.get("quantities")) {
             Some(entry) => error.at(entry.span()),
             None => error,

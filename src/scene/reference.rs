@@ -125,8 +125,7 @@ impl Grid {
                 let count = count(only)?;
                 let declared = scene.data.as_ref().and_then(|own| own.side);
                 let side = side.map(length).transpose()?.map(|own| own.value()).or(declared);
-                let missing =
-                    || SceneError::missing("the grid has no box").help("expected the side of the domain, such as \"8 um\"");
+                let missing = || SceneError::missing("the grid has no box").help("expected the side of the domain, such as \"8 um\"");
                 Self::Square { side: side.ok_or_else(missing)?, count, between }
             }
             [start, stop, number] => Self::Radial(Loads::Range(Steps::new(length(start)?, length(stop)?, count(number)?, false))),
@@ -219,9 +218,9 @@ impl Field {
                 let (one, other) = (square.steps(*row), square.steps(*column));
                 triangle(one.max(other), one.min(other))
             }
-            _ => return Err("there is no such point"),
+            _ => return Err("the index is out of range"),
         };
-        self.values.get(index).copied().unwrap_or(Err("there is no such point"))
+        self.values.get(index).copied().unwrap_or(Err("the index is out of range"))
     }
 
     /// Returns whether the errors are proven; they are if all of them are.

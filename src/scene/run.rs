@@ -94,8 +94,10 @@ impl<'a> Run<'a> {
     fn refuse(&self, load: Load) -> Result<(), SceneError> {
         match load {
             Load::Depth(_) => Ok(()),
-            Load::Force(force) if force < 0.0 => Err(SceneError::value(format!("the force {force:?} is negative: adhesion is not supported"))
-                .help("expected forces of at least 0")),
+            Load::Force(force) if force < 0.0 => {
+                Err(SceneError::value(format!("the force {force:?} is negative: adhesion is not supported"))
+                    .help("expected forces of at least 0"))
+            }
             Load::Radius(radius) if radius < 0.0 => {
                 Err(SceneError::value(format!("the contact radius {radius:?} is negative")).help("expected radii of at least 0"))
             }
@@ -434,7 +436,7 @@ pub fn infinite_value(curve: Quantity, why: &str) -> Option<f64> {
     Some(if curve == Quantity::AxialStress { -pressure } else { pressure })
 }
 
-/// The reason for a missing value if there is no more precise one.
+/// The default reason for a missing value.
 const FAILED: &str = "it cannot be computed to any digit";
 
 /// Returns a quantity that follows from depth, force and radius of a state; `None` for other quantities.

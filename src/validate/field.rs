@@ -286,7 +286,7 @@ impl Sums {
         let [inner, exact, outer] = *exact else { return };
         let far = (inner - exact).abs().max((exact - outer).abs());
         if self.rim {
-            // The exact pressure is infinite at a rim, so there is no upper limit; pixels that the rim cuts are not judged.
+            // The exact pressure is infinite at a rim, so only a lower limit applies; pixels that the rim cuts are not judged.
             let lost = Outlier { at: spot.r, data: spot.p, exact: inner, allowed: AT_RIM };
             if inner.is_finite() && spot.p < inner && spot.r + 0.75 * self.pixel <= self.state.radius {
                 self.compared.limit(lost, AT_RIM);

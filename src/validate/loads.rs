@@ -207,7 +207,10 @@ pub(super) fn compare(
     }
     let mut report = survey.report(scene, pixel.grid);
     if let Some(tolerance) = tolerance {
-        report.notes.push(format!("the grid is unknown; since the contact radii are accurate to {:.1e}, the tolerance is {tolerance:.1e}", radius.max()));
+        report.notes.push(format!(
+            "the grid is unknown; since the contact radii are accurate to {:.1e}, the tolerance is {tolerance:.1e}",
+            radius.max()
+        ));
     }
     let (has_force, has_depth) = (survey.index(Kind::Force).is_some(), survey.index(Kind::Depth).is_some());
     let column = match control {

@@ -68,7 +68,7 @@ fn profiles_that_are_none() {
         ("gamma*r", &["gamma_0"]),
         ("", &["no expression", "^"]),
         ("0", &["flat", "--depth"]),
-        ("--jsn", &["no option --jsn", "--help"]),
+        ("--jsn", &["unknown option --jsn", "--help"]),
         (&signs, &["column 1001", "1000", "^"]),
         (&deep, &["column 1001", "1000", "^"]),
     ];

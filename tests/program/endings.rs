@@ -121,7 +121,7 @@ fn options_that_contradict_the_ending_are_refused() {
     ] {
         let done = run(&place, arguments);
         assert_eq!(done.status.code(), Some(2), "{arguments:?}");
-        assert!(String::from_utf8_lossy(&done.stderr).contains("another format"), "{arguments:?}");
+        assert!(String::from_utf8_lossy(&done.stderr).contains("the extension contradicts the requested format"), "{arguments:?}");
     }
     assert!(run(&place, &["solve", "scene.toml", "--json", "-o", "x.json"]).status.success());
     assert!(run(&place, &["validate", "scene.toml", "rows.csv", "--json", "-o", "x.html"]).status.success());

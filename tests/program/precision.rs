@@ -81,7 +81,7 @@ fn what_is_no_number_of_digits_is_refused() {
         (["--precision", "18", "--csv"], "expected a whole number from 1 to 17"),
         (["--precision", "x", "--csv"], "--precision x is not a number of digits"),
         (["--precision", "-3", "--csv"], "--precision -3 is not a number of digits"),
-        (["--precision", "4", "--json"], "--precision rounds text and CSV"),
+        (["--precision", "4", "--json"], "--precision applies only to text and CSV"),
     ] {
         let done = run(&[["eval", "r^2", "--quantity", "F", "--at", "0.1"].as_slice(), &more].concat());
         let said = String::from_utf8(done.stderr).unwrap();

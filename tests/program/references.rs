@@ -209,7 +209,7 @@ fn radii_that_are_not_used_are_named() {
         assert!(run_in(&place, &["reference", "scene.toml", "--grid", grid, "--box", "1", "-o", file]).status.success());
         let document = judged(&place, file, &["--grid", "0:1:41", "--box", "1"]);
         assert_eq!(document["passed"], true, "{file}: {document}");
-        assert_eq!(document["notes"].to_string().contains("the radii of --grid are not used"), !used, "{file}: {document}");
+        assert_eq!(document["notes"].to_string().contains("the given radii are not used"), !used, "{file}: {document}");
     }
 }
 
@@ -227,7 +227,7 @@ fn loads_without_contact_hide_nothing() {
     assert!(good["passed"] == true && said.starts_with("d = 0.05") && said.contains("d = 0: nothing was judged"), "{said}");
     let text = fs::read_to_string(place.join("good.csv")).unwrap();
     for (load, column, named) in
-        [("0.0,", 2, "d = 0: p is not 0"), ("-0.1,", 5, "d = -0.1: u is not 0"), ("0.1,", 2, "d = 0.1: the error of p")]
+        [("0.0,", 2, "d = 0: p is not 0"), ("-0.1,", 5, "d = -0.1: u is not 0"), ("0.1,", 2, "d = 0.1: the L2 error of p")]
     {
         let changed = text.lines().map(|line| {
             let mut fields: Vec<String> = line.split(',').map(str::to_owned).collect();
@@ -293,7 +293,7 @@ fn other_documents_and_other_scenes_are_refused() {
     for (name, content, said) in [
         ("other.json", "{\"schema\":\"sneddon/solve/1\",\"rows\":[]}".to_owned(), "sneddon/solve/1"),
         ("nameless.json", "{\"a\":1}".to_owned(), "missing field"),
-        ("broken.json", "{\"schema\":".to_owned(), "this is not data in JSON"),
+        ("broken.json", "{\"schema\":".to_owned(), "invalid JSON data"),
         ("empty.json", field(""), "nothing to compare"),
         ("ragged.json", field(one), "differ in length"),
     ] {

@@ -641,7 +641,7 @@ fn a_file_that_is_no_table_is_not_shown() {
         let done = run_in(&place, &scene, &["solve", "-"]);
         let said = String::from_utf8_lossy(&done.stderr);
         assert_eq!(done.status.code(), Some(2), "{said}");
-        assert!(said.contains("names no column of radii") || said.contains("no text"), "{said}");
+        assert!(said.contains("does not contain a column of radii") || said.contains("not text"), "{said}");
         assert!(said.contains(&format!("{name}: ")), "{said}");
         for part in text.split(|own: char| !own.is_alphanumeric()).filter(|own| own.len() > 3) {
             assert!(!said.contains(part), "{name}: {said}");

@@ -141,7 +141,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         (&["r^2", "--json", "--csv"], "cannot be used with"),
         (&["r^2", "--at", "0"], "no reference value"),
         (&["r^2", "-o", "plot.png"], ".svg, .txt"),
-        (&["r^2", "-o", nowhere.to_str().unwrap()], "no directory"),
+        (&["r^2", "-o", nowhere.to_str().unwrap()], "does not exist"),
     ];
     for (arguments, part) in cases {
         let with_file = if arguments.contains(&"-o") { Vec::new() } else { vec!["-o", name] };

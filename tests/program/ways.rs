@@ -74,7 +74,7 @@ fn a_way_without_an_answer_says_why() {
     let call = ["ln(1+r^3)", "--quantity", "g", "--at", "0.5", "--method"];
     refused(&[&call[..], &["doubles"]].concat(), "the way doubles has no answer here: a term has no closed form");
     refused(&[&call[..], &["legendre"]].concat(), "the way legendre does not compute g");
-    refused(&[&call[..], &["simpson"]].concat(), "possible values: auto, exact, quadrature, series, curve, doubles,");
+    refused(&[&call[..], &["simpson"]].concat(), "expected one of auto, exact, quadrature, series, curve, doubles,");
     refused(&[&call[..], &["auto", "--explain", "--csv"]].concat(), "cannot be used with");
     // Of several points those with an answer keep it.
     let some = points(&["piecewise(r^2,r<1,2*r-1)", "--quantity", "g", "--at", "0.5,1.5", "--method", "series"]);

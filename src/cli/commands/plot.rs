@@ -109,9 +109,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let subjects = arguments.subjects.iter().map(|own| Subject::read(arguments, own)).collect::<Result<Vec<_>, _>>()?;
     if subjects.iter().any(|own| !own.has_same_units(subjects.first())) {
-        return Err(
-            Failure::new("the scenes have results in different units and cannot share axes").help("request the same units in [outputs] of each scene")
-        );
+        return Err(Failure::new("the scenes have results in different units and cannot share axes")
+            .help("request the same units in [outputs] of each scene"));
     }
     budget::allow((subjects.len() * quantities.len() * LOADS) as u64, STEPS_PER_VALUE);
     let runs = subjects.iter().map(Subject::run).collect::<Result<Vec<_>, _>>()?;
@@ -120,9 +119,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         subjects.iter().zip(&runs).map(|(own, run)| (if is_alone { "" } else { own.name.as_str() }, run)).collect();
     let picture = Picture::of_contacts(&named, quantities);
     if picture.is_empty() {
-        return Err(
-            Failure::new("nothing to draw: no load has a valid contact").help("run sneddon solve for the reasons")
-        );
+        return Err(Failure::new("nothing to draw: no load has a valid contact").help("run sneddon solve for the reasons"));
     }
     let drawn = match answer.format() {
         Format::Svg => picture.svg().map(String::into_bytes),

@@ -70,7 +70,9 @@ enum Place {
 
 fn mapped(text: &str) -> Result<(String, String), String> {
     let found = text.split_once('=').filter(|own| !own.0.trim().is_empty() && !own.1.is_empty());
-    found.map(|(name, column)| (name.trim().to_owned(), column.to_owned())).ok_or_else(|| "expected NAME=COLUMN, such as p=press".to_owned())
+    found
+        .map(|(name, column)| (name.trim().to_owned(), column.to_owned()))
+        .ok_or_else(|| "expected NAME=COLUMN, such as p=press".to_owned())
 }
 
 const EXAMPLES: &str = "Examples:

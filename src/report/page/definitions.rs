@@ -1,10 +1,10 @@
-//! What the special functions in a formula mean, with the convention of their arguments.
+//! Definitions of the special functions in a formula, with the convention of their arguments.
 
 use crate::expr::{Expr, Formula, Node, shown_as_mathematics};
 use crate::print::Prose;
 use std::collections::BTreeSet;
 
-/// A sentence for every special function that occurs and that has no single definition everywhere.
+/// Returns a sentence for every special function without a universal definition.
 pub(super) fn of(formulas: &[Formula]) -> Vec<Prose> {
     let mut found = BTreeSet::new();
     for expr in formulas.iter().flat_map(Formula::expressions) {
@@ -14,9 +14,9 @@ pub(super) fn of(formulas: &[Formula]) -> Vec<Prose> {
     DEFINITIONS.iter().filter(|(names, _)| occur(names)).map(|(_, sentence)| Prose::words(sentence)).collect()
 }
 
-/// Adds the names of the functions in an expression as it is shown.
+/// Adds the names of the functions in an expression as shown.
 fn in_expression(expr: &Expr, found: &mut BTreeSet<&'static str>) {
-    /// Larger expressions are not looked through.
+    /// Larger expressions are not searched.
     const SIZE: usize = 10_000;
     fn every(expr: &Expr, found: &mut BTreeSet<&'static str>) {
         if let Node::Function(function, _) = expr.node() {
@@ -47,7 +47,7 @@ const DEFINITIONS: [(&[&str], &str); 16] = [
     (&["dawson"], "D(z) is Dawson's integral: exp(-z²) times the integral of exp(t²), t from 0 to z"),
     (&["erf"], "erf(z) is 2/√π times the integral of exp(-t²), t from 0 to z"),
     (&["erfi"], "erfi(z) is 2/√π times the integral of exp(t²), t from 0 to z"),
-    (&["struveh"], "H_n is the Struve function, bold to tell it from Hankel's"),
+    (&["struveh"], "H_n is the Struve function, in bold to distinguish it from the Hankel function"),
     (&["struvel"], "L_n is the modified Struve function"),
     (&["besselj"], "J_n is the Bessel function of the first kind"),
     (&["besseli"], "I_n is the modified Bessel function of the first kind"),

@@ -7,11 +7,11 @@ use crate::print::Prose;
 use crate::report::{Derivation, text};
 
 impl Page {
-    /// What `derive` found, in the order of reading.
+    /// Creates the page of the result of `derive`.
     pub fn of_derivation(record: &Derivation<'_>) -> Self {
         let presentation = record.presentation;
         let mut page = Self { title: "Derived relations".to_owned(), is_text: false, blocks: Vec::new() };
-        // Where it is asked for, it stands among the others.
+        // A requested f is listed among the other quantities.
         if !record.asked.contains(&Quantity::Profile) {
             page.equation("f", &presentation.name("f(r)"), &presentation.formula(record.formula()), Prose::default());
         }
@@ -27,7 +27,7 @@ impl Page {
                     page.equation(entry.key, &presentation.name(entry.left), &presentation.formula(&derived.formula), sources);
                     shown.push(derived.formula.clone());
                 }
-                // Where a is given by a rim there is no a(d) to look for; a note says so.
+                // For a rim, a(d) does not exist, as a note explains.
                 None if record.has_rim() => {}
                 None => page
                     .blocks
@@ -43,7 +43,7 @@ impl Page {
         self.close_steps(record, shown);
     }
 
-    /// Notes and the check.
+    /// Adds the notes and the check.
     pub(super) fn close_steps(&mut self, record: &Derivation<'_>, shown: &[Formula]) {
         self.list("Notes", "note", record.notes().into_iter().chain(definitions::of(shown)).collect());
         self.list("Check against quadrature of f as typed", "check", vec![Prose::words(&text::outcome(&record.check))]);

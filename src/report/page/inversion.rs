@@ -1,4 +1,4 @@
-//! The page of an inversion: what was given, f(r), conditions, notes and the check; and the same step by step.
+//! The page of an inversion: the input, f(r), conditions, notes and the check; also step by step.
 
 use super::Page;
 use crate::contact::Step;
@@ -7,7 +7,7 @@ use crate::print::{Presentation, Prose};
 use crate::report::{Inversion, text};
 
 impl Page {
-    /// What `invert` found.
+    /// Creates the page of the result of `invert`.
     pub fn of_inversion(record: &Inversion<'_>, presentation: &Presentation) -> Self {
         let mut page = Self { title: "Profile of an equivalent profile".to_owned(), is_text: false, blocks: Vec::new() };
         let mut state = |key: &str, left: &str, right: &Formula, sources| {
@@ -24,7 +24,7 @@ impl Page {
         page
     }
 
-    /// The steps of an inversion, numbered; then the same.
+    /// Creates a page with the numbered steps of an inversion, followed by the result.
     pub fn of_inverse_steps(record: &Inversion<'_>, steps: &[Step], presentation: &Presentation) -> Self {
         let mut page = Self::of_numbered("From the equivalent profile to the profile", steps, presentation);
         page.close_inversion(record, presentation);

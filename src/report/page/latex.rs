@@ -1,4 +1,4 @@
-//! Pages in LaTeX: a fragment of equations with the rest as comments, or text, or a whole document.
+//! Pages in LaTeX: equations with everything else as comments, or as text, or a complete document.
 
 use super::{Block, COLUMN, Page, Style, lines};
 use crate::expr::Formula;
@@ -19,7 +19,7 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
     }
 }
 
-/// What every document needs; the fonts have the letters of the source's names.
+/// The preamble of every document; the fonts contain the letters of the names in the sources.
 const PREAMBLE: &str = "\\documentclass[10pt]{article}
 \\usepackage[T1]{fontenc}
 \\usepackage[utf8]{inputenc}
@@ -39,7 +39,7 @@ Springer, Berlin, Heidelberg, 2015. The numbers of equations refer to its chapte
 % }
 % @software{sneddon, title = {sneddon}, note = {symbolic and numeric transform engine for contact mechanics}}";
 
-/// Comments, then one block of aligned equations.
+/// Writes comments, then one block of aligned equations.
 fn fragment(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
     let mut rows = Vec::new();
     let comment = |own: &Prose| own.written(Notation::Text);
@@ -89,13 +89,13 @@ fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
     if in_list { writeln!(out, "\\end{{itemize}}") } else { Ok(()) }
 }
 
-/// A numbered equation with a label where it states a quantity.
+/// Writes a numbered equation, with a label if it states a quantity.
 fn equation(key: &str, left: &str, right: &Formula, style: Style, out: &mut dyn Write) -> io::Result<()> {
     let left = NOTATION.name(left);
     let own = lines(right, NOTATION, style.width);
     let wide = style.width.is_some_and(|width| NOTATION.breadth(right) > width);
     let body = match own.as_slice() {
-        // What cannot be broken is made to fit.
+        // Shrink an equation that cannot be broken.
         [only] if wide => format!("\\resizebox{{0.88\\linewidth}}{{!}}{{$\\displaystyle {left} = {only}$}}"),
         [only] => format!("{left} = {only}"),
         many => format!("\\begin{{split}}\n{left} &= {}\n\\end{{split}}", many.join(" \\\\\n&\\quad ")),

@@ -1,4 +1,4 @@
-//! Pages in Markdown, every formula as a block of mathematics with what it rests on below it.
+//! Pages in Markdown; every formula is a block of mathematics, followed by its sources.
 
 use super::{Block, Page, Style, lines};
 use crate::print::Notation;
@@ -37,7 +37,7 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
     Ok(())
 }
 
-/// Words as they are, formulas between dollar signs.
+/// Returns text with formulas between dollar signs.
 fn markdown(prose: &crate::print::Prose) -> String {
     let escape = |words: &str| {
         words.chars().fold(String::new(), |mut text, letter| {

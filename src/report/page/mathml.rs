@@ -1,4 +1,4 @@
-//! Pages as HTML with MathML: an `article` element, or a page of its own.
+//! Pages as HTML with MathML: an `article` element, or a complete page.
 
 use super::{Block, Page, Style};
 use crate::print::{Notation, escaped, mathml_equation};

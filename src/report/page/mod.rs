@@ -1,4 +1,4 @@
-//! A page of formulas and sentences before any notation writes it; one file per notation, one per record.
+//! A page of formulas and sentences, independent of its notation; there is one file per notation and one per record.
 
 mod definitions;
 mod derivation;
@@ -18,30 +18,30 @@ use std::io::{self, Write};
 /// A page.
 pub struct Page {
     title: String,
-    /// True where sentences belong to the text, not beside it: steps and whole documents.
+    /// True if sentences are part of the text instead of comments, as for steps and complete documents.
     is_text: bool,
     blocks: Vec<Block>,
 }
 
 enum Block {
-    /// An equation with the key of its quantity, and what it rests on.
+    /// An equation with the key of its quantity and its sources.
     Equation { key: String, left: String, right: Formula, sources: Prose },
-    /// What stands between the equations and below the last one.
+    /// Text between the equations and below the last one.
     Sentence(Prose),
-    /// What a reader of the first equation must know.
+    /// A note about the first equation.
     Remark(Prose),
-    /// A heading with its level, 1 the highest.
+    /// A heading with its level; 1 is the highest.
     Heading(usize, String),
-    /// A line of a list, and what kind of list it is.
+    /// A list item, with the kind of list.
     Item(&'static str, Prose),
 }
 
 /// The formats of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// Plain text; formulas read back.
+    /// Plain text; formulas can be parsed again.
     Text,
-    /// Plain text with formulas as Unicode shows them.
+    /// Plain text with Unicode formulas.
     Unicode,
     /// LaTeX with the package amsmath.
     Latex,
@@ -53,23 +53,23 @@ pub enum Format {
     Mathml,
 }
 
-/// How a page is written.
+/// The style of a page.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Style {
-    /// A document of its own in place of a fragment.
+    /// True for a complete document, false for a fragment.
     pub standalone: bool,
-    /// The number of letters after which formulas are broken into lines.
+    /// The number of characters after which formulas are broken into lines.
     pub width: Option<usize>,
 }
 
-/// The width of a line of text in a document of one column.
+/// The line width of a document with one column.
 const COLUMN: usize = 72;
 
 impl Page {
     /// Writes the page.
     ///
     /// # Errors
-    /// As the writer.
+    /// Returns the errors of the writer.
     pub fn write(&self, format: Format, style: Style, out: &mut dyn Write) -> io::Result<()> {
         match format {
             Format::Text => text::write(self, Notation::Text, style, out),
@@ -97,7 +97,7 @@ impl Page {
     }
 }
 
-/// The lines of a formula: one without a width, else as many as it takes.
+/// Returns the lines of a formula: a single line without a width, else as many as necessary.
 fn lines(right: &Formula, notation: Notation, width: Option<usize>) -> Vec<String> {
     width.map_or_else(|| vec![notation.formula(right)], |width| notation.lines(right, width))
 }

@@ -1,4 +1,4 @@
-//! The page of a derivation step by step.
+//! The page of a step-by-step derivation.
 
 use super::{Block, Page};
 use crate::contact::Step;
@@ -6,7 +6,7 @@ use crate::print::{Presentation, Prose};
 use crate::report::Derivation;
 
 impl Page {
-    /// The steps of a derivation, numbered; then notes and the check.
+    /// Creates a page with the numbered steps of a derivation, then notes and the check.
     pub fn of_steps(record: &Derivation<'_>, steps: &[Step]) -> Self {
         let mut page = Self::of_numbered("Derivation", steps, record.presentation);
         let shown: Vec<_> = record.entries().into_iter().filter_map(|entry| Some(entry.derived?.formula.clone())).collect();
@@ -14,7 +14,7 @@ impl Page {
         page
     }
 
-    /// Steps, numbered.
+    /// Creates a page of numbered steps.
     pub fn of_numbered(title: &str, steps: &[Step], presentation: &Presentation) -> Self {
         let mut page = Self { title: title.to_owned(), is_text: true, blocks: Vec::new() };
         page.steps(steps, "", 1, presentation);

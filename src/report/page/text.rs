@@ -1,10 +1,10 @@
-//! Pages as plain text, made to be read in a terminal.
+//! Pages as plain text for a terminal.
 
 use super::{Block, Page, Style, lines};
 use crate::print::Notation;
 use std::io::{self, Write};
 
-/// Writes equations with what they rest on below them; a heading indents what belongs to it.
+/// Writes equations with their sources below; a heading indents its content.
 pub(super) fn write(page: &Page, notation: Notation, style: Style, out: &mut dyn Write) -> io::Result<()> {
     let mut indent = 0;
     for (place, block) in page.blocks.iter().enumerate() {
@@ -45,7 +45,7 @@ pub(super) fn write(page: &Page, notation: Notation, style: Style, out: &mut dyn
     Ok(())
 }
 
-/// The words in lines of at most this many letters.
+/// Wraps text into lines of at most this many characters.
 fn filled(text: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {

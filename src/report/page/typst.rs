@@ -1,4 +1,4 @@
-//! Pages in Typst: markup that compiles as a document or inside one.
+//! Pages in Typst: markup that compiles as a document or inside another document.
 
 use super::{Block, COLUMN, Page, Style, lines};
 use crate::print::Notation;
@@ -6,7 +6,7 @@ use std::io::{self, Write};
 
 const NOTATION: Notation = Notation::Typst;
 
-/// What every document begins with.
+/// The beginning of every document.
 const PREAMBLE: &str = "#set page(margin: 3cm)\n#set text(size: 10pt)\n#set math.equation(numbering: \"(1)\")\n";
 
 pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
@@ -34,7 +34,7 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
     if style.standalone {
         writeln!(
             out,
-            "\nEquations in parentheses are those of V. L. Popov and M. Heß, _Method of Dimensionality Reduction in Contact Mechanics and Friction_, Springer, 2015, chapter 3."
+            "\nEquation numbers in parentheses refer to V. L. Popov and M. Heß, _Method of Dimensionality Reduction in Contact Mechanics and Friction_, Springer, 2015, chapter 3."
         )?;
     }
     Ok(())

@@ -1,4 +1,4 @@
-//! Axes: a range with round ends, and the ticks that a person would choose.
+//! Axes: a range with round ends and ticks at round numbers.
 
 /// A range with its ticks.
 #[derive(Clone, Debug, PartialEq)]
@@ -7,14 +7,14 @@ pub struct Axis {
     pub low: f64,
     /// The upper end.
     pub high: f64,
-    /// The ticks, in rising order.
+    /// The ticks, in increasing order.
     pub ticks: Vec<f64>,
-    /// The distance of two ticks.
+    /// The distance between two ticks.
     step: f64,
 }
 
 impl Axis {
-    /// An axis over every number of a list and 0, with round ends and at most about `wanted` ticks; numbers that are not finite are ignored.
+    /// Creates an axis for the numbers in a list and 0, with round ends and about `wanted` ticks at most; infinite and NaN values are ignored.
     pub fn round(values: impl Iterator<Item = f64>, wanted: u32) -> Self {
         let (low, high) = values.filter(|v| v.is_finite()).fold((0.0_f64, 0.0_f64), |(low, high), v| (low.min(v), high.max(v)));
         let width = (high - low) / f64::from(wanted.max(1));
@@ -32,7 +32,7 @@ impl Axis {
         Self { low: first * step, high: last * step, ticks, step }
     }
 
-    /// A tick with as many digits as its neighbours need.
+    /// Formats a tick with as many digits as its neighbours need.
     pub fn text(&self, tick: f64) -> String {
         let size = self.low.abs().max(self.high.abs());
         if tick.abs() < 1e-6 * self.step {
@@ -51,10 +51,10 @@ impl Axis {
     }
 }
 
-/// The smallest of 1, 2 and 5 times a power of ten that is not below a positive number.
+/// Returns the smallest of 1, 2 and 5 times a power of ten that is at least as large as a positive number.
 fn round_up(width: f64) -> f64 {
     let unit = 10.0_f64.powf(width.log10().floor());
     let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| factor * unit >= width * (1.0 - 1e-9)).unwrap_or(10.0);
-    // A quotient by a power of ten that is exact is nearer than a product.
+    // Dividing by an exact power of ten is more accurate than multiplying by its inverse.
     if unit < 1.0 { factor / (1.0 / unit).round() } else { factor * unit }
 }

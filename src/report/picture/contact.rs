@@ -1,28 +1,28 @@
-//! The curves of contacts: numbers over the load, and fields over the radius at the largest load.
+//! The curves of contacts: quantities over the load, and fields over the radius at the largest load.
 
 use super::{Line, Panel, Picture};
 use crate::contact::{Kind, Quantity, State};
 use crate::scene::{Dimension, Run, infinite_value};
 use std::f64::consts::FRAC_PI_2;
 
-/// What can be drawn of a contact.
+/// The items that can be plotted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pictured {
-    /// A number over the depth, the depth itself over the contact radius; or a function at the largest load.
+    /// A quantity over the depth, or the depth over the contact radius, or a field at the largest load.
     Quantity(Quantity),
     /// The tip in the deformed surface.
     Section,
 }
 
-/// Points of a curve.
+/// Number of points of a curve.
 const POINTS: u32 = 160;
-/// Distances to a kink at which pressures are drawn, as shares of its radius, and those to the axis, as shares of the contact radius.
+/// Relative distances to a kink, and to the axis in contact radii, at which pressures are plotted.
 const NEAR_A_KINK: [f64; 5] = [1e-5, 1e-4, 1e-3, 4e-3, 1.2e-2];
-/// How far beyond the contact surfaces are shown, in contact radii.
+/// Extent of the plotted surfaces, in contact radii.
 const BEYOND: f64 = 1.8;
 
 impl Picture {
-    /// A panel per quantity with a line per contact; every run has loads that rise to its largest one, as `Scene::swept` makes them.
+    /// Creates one panel per quantity with one line per contact; the loads of every run increase to its largest load, as in `Scene::swept`.
     pub fn of_contacts(contacts: &[(&str, &Run<'_>)], quantities: &[Pictured]) -> Self {
         let Some((_, first)) = contacts.first() else { return Self::default() };
         let panels = quantities.iter().map(|quantity| {
@@ -40,7 +40,7 @@ impl Picture {
 }
 
 impl Pictured {
-    /// The title, the name of the coordinate, and the name and dimension of the values.
+    /// Returns the title, the name of the coordinate, and the name and dimension of the values.
     fn labels(self) -> (String, &'static str, (String, Dimension)) {
         let Self::Quantity(own) = self else {
             return ("Tip and surface at the largest load".to_owned(), "radius r", ("height".to_owned(), Dimension::LENGTH));
@@ -84,7 +84,7 @@ impl Pictured {
     }
 }
 
-/// A number over the depth, or the depth over the contact radius, of the valid loads.
+/// Returns a quantity over the depth, or the depth over the contact radius, for the valid loads.
 fn over_loads(run: &Run<'_>, datum: Quantity) -> Vec<(f64, f64)> {
     let abscissa = if datum == Quantity::Depth { Quantity::Radius } else { Quantity::Depth };
     let rows = (0..run.scene().loads.len()).filter_map(|index| run.row(index));
@@ -108,14 +108,14 @@ fn value(run: &Run<'_>, curve: Quantity, state: Option<&State>, at: f64) -> f64 
     }
 }
 
-/// Places in computed units: for a pressure within the contact and close to its edge, else beyond it as well.
+/// Returns coordinates in computing units: for a pressure inside the contact and close to its edge, otherwise also beyond it.
 fn radii(run: &Run<'_>, curve: Quantity, state: Option<&State>) -> Vec<f64> {
     let a = state.map_or(1.0, |state| state.radius);
     let share = |index: u32| f64::from(index) / f64::from(POINTS);
     let kinks = run.kinks().into_iter().map(|(at, _)| at / run.scene().system.out(Dimension::LENGTH));
     match curve {
         Quantity::Pressure => {
-            // The pressure is infinite at a kink or an apex: the places next to it show how it rises.
+            // The pressure is infinite at a kink or an apex; the points next to it show how it increases.
             let near = |at: f64| NEAR_A_KINK.into_iter().flat_map(move |part| [at * (1.0 - part), at * (1.0 + part)]).chain([at]);
             let even = (0..=POINTS).map(|index| a * (FRAC_PI_2 * share(index)).sin());
             let beside = kinks.filter(|at| *at < a).flat_map(near).filter(|at| *at < a).chain(NEAR_A_KINK.map(|part| part * a));

@@ -1,4 +1,4 @@
-//! Pictures of curves: panels with axes and lines, drawn as SVG, as PNG, or in a terminal.
+//! Plots of curves: panels with axes and lines, drawn as SVG, as PNG, or in a terminal.
 
 pub(super) mod axis;
 mod contact;
@@ -10,7 +10,7 @@ pub use contact::Pictured;
 
 use axis::Axis;
 
-/// Panels below each other.
+/// Panels, arranged vertically.
 #[derive(Clone, Debug, Default)]
 pub struct Picture {
     panels: Vec<Panel>,
@@ -23,13 +23,13 @@ struct Panel {
     horizontal: String,
     vertical: String,
     lines: Vec<Line>,
-    /// The places at which a line is infinite, rising, and whether it is plus infinity there.
+    /// The coordinates at which a line is infinite, in increasing order, and whether the value is plus infinity.
     infinite: Vec<(f64, bool)>,
-    /// The largest magnitude that is shown, where values grow without bound.
+    /// The largest magnitude that is shown, if values are unbounded.
     most: Option<f64>,
 }
 
-/// A line through points; NaN interrupts it, and at an infinite value it leaves the picture.
+/// A line through points; NaN interrupts it, and an infinite value is drawn to the end of the axis.
 #[derive(Clone, Debug)]
 struct Line {
     name: String,
@@ -44,7 +44,7 @@ const PANEL: (u32, u32) = (860, 380);
 const CLOSE: f64 = 0.04;
 /// Height of an axis with infinite values, relative to the largest value far from them.
 const ROOM: f64 = 1.2;
-/// Curves that rise to more than this many times their usual size are cut.
+/// Curves are clipped above this multiple of their typical value.
 const PEAK: f64 = 6.0;
 
 impl Panel {
@@ -58,7 +58,7 @@ impl Panel {
         panel
     }
 
-    /// The largest magnitude that is shown; `None` where every value is.
+    /// Returns the largest magnitude that is shown; `None` if all values are.
     fn highest(&self) -> Option<f64> {
         let points = || self.lines.iter().flat_map(|line| &line.points).filter(|(x, y)| x.is_finite() && y.is_finite());
         if !self.infinite.is_empty() {
@@ -66,7 +66,7 @@ impl Panel {
             let is_far = |x: f64| self.infinite.iter().all(|(at, _)| (x - at).abs() > CLOSE * (high - low));
             let far = points().filter(|(x, _)| is_far(*x)).map(|(_, y)| y.abs()).fold(0.0, f64::max);
             let axis = Axis::round(points().map(|(_, y)| y.clamp(-ROOM * far, ROOM * far)), TICKS);
-            // The line leaves at the end of the axis, not below it.
+            // The line ends at the end of the axis, not below it.
             return Some(axis.high.max(-axis.low));
         }
         let mut sizes: Vec<f64> = points().map(|(_, y)| y.abs()).collect();
@@ -75,7 +75,7 @@ impl Panel {
         sizes.last().filter(|largest| **largest > PEAK * usual && usual > 0.0).map(|_| 1.5 * usual)
     }
 
-    /// The parts of a line between gaps, within what is shown.
+    /// Returns the parts of a line between gaps, within the visible range.
     fn parts(&self, line: &Line) -> Vec<Vec<(f64, f64)>> {
         let most = self.most.unwrap_or(f64::INFINITY);
         if self.infinite.is_empty() {
@@ -98,7 +98,7 @@ impl Panel {
         parts
     }
 
-    /// Where the lines are infinite, in words; empty where they are nowhere.
+    /// Describes the coordinates at which the lines are infinite; empty if there are none.
     fn notice(&self) -> String {
         let (coordinate, unit) = self.horizontal.split_once(" (").map_or((self.horizontal.as_str(), ""), |(name, unit)| (name, unit));
         let notice = |(wanted, word): (bool, &str)| {
@@ -113,12 +113,12 @@ impl Panel {
 
     fn axes(&self) -> (Axis, Axis) {
         let shown: Vec<(f64, f64)> = self.lines.iter().flat_map(|line| self.parts(line)).flatten().collect();
-        // A hair within, so that the rounding of an end that was chosen adds no tick.
+        // Stay slightly inside, so that rounding of a chosen end adds no tick.
         let within = if self.infinite.is_empty() { 1.0 } else { 1.0 - 1e-9 };
         (Axis::round(shown.iter().map(|(x, _)| *x), 8), Axis::round(shown.iter().map(|(_, y)| within * *y), TICKS))
     }
 
-    /// True where the lines are higher at their beginning than at their end, so that names are better on the right.
+    /// Returns true if the lines are higher at their beginning than at their end, so that the legend fits better on the right.
     fn falls(&self) -> bool {
         let ends = self.lines.iter().filter_map(|line| {
             let parts = self.parts(line);
@@ -129,7 +129,7 @@ impl Panel {
         first > last
     }
 
-    /// What the picture says, for those who do not see it.
+    /// Returns a description of the picture for screen readers.
     fn description(&self) -> String {
         let names: Vec<&str> = self.lines.iter().map(|line| line.name.as_str()).filter(|name| !name.is_empty()).collect();
         let of = if names.is_empty() { String::new() } else { format!(": {}", names.join(", ")) };
@@ -138,48 +138,48 @@ impl Panel {
     }
 }
 
-/// The place at which a line leaves the picture between a point within and one beyond; `None` towards a gap.
+/// Returns the point at which a line leaves the picture between a point inside and a point outside; `None` towards a gap.
 fn leaving((x, y): (f64, f64), (other, beyond): (f64, f64), most: f64) -> Option<(f64, f64)> {
     if beyond.is_nan() || !other.is_finite() {
         return None;
     }
-    // The sign of an infinite value is that of its neighbour.
+    // An infinite value has the sign of its neighbour.
     let end = if beyond.is_infinite() { most.copysign(y) } else { most.copysign(beyond) };
     let share = if beyond.is_infinite() { 1.0 } else { (end - y) / (beyond - y) };
     Some((x + share * (other - x), end))
 }
 
 impl Picture {
-    /// True where there is nothing to draw.
+    /// Returns true if there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.panels.iter().all(|panel| panel.lines.iter().all(|line| panel.parts(line).is_empty()))
     }
 
-    /// The picture as the text of an SVG file.
+    /// Returns the picture as the text of an SVG file.
     ///
     /// # Errors
-    /// A sentence, where it cannot be drawn.
+    /// Returns a sentence if the picture cannot be drawn.
     pub fn svg(&self) -> Result<String, String> {
         vector::svg(&self.panels)
     }
 
-    /// One SVG per panel, for pages.
+    /// Returns one SVG per panel, for pages.
     ///
     /// # Errors
-    /// A sentence, where one cannot be drawn.
+    /// Returns a sentence if a panel cannot be drawn.
     pub fn svgs(&self) -> Result<Vec<String>, String> {
         self.panels.iter().map(|panel| vector::svg(std::slice::from_ref(panel))).collect()
     }
 
-    /// The picture as the bytes of a PNG file.
+    /// Returns the picture as the bytes of a PNG file.
     ///
     /// # Errors
-    /// A sentence, where it cannot be drawn.
+    /// Returns a sentence if the picture cannot be drawn.
     pub fn png(&self) -> Result<Vec<u8>, String> {
         raster::png(&self.panels)
     }
 
-    /// The picture in letters, for a terminal.
+    /// Returns the picture as text for a terminal.
     pub fn text(&self) -> String {
         terminal::text(&self.panels)
     }

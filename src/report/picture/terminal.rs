@@ -1,11 +1,11 @@
-//! Panels in letters, for a terminal.
+//! Panels as text, for a terminal.
 
 use super::Panel;
 use textplots::{Chart, Plot, Shape};
 
-/// Dots across and down; a letter has two by four of them.
+/// Number of dots across and down; a character has two by four dots.
 const DOTS: (u32, u32) = (140, 64);
-/// Letters in front of the curves, for the numbers of the vertical axis.
+/// Number of characters before the curves, for the numbers of the vertical axis.
 const MARGIN: usize = 11;
 
 pub(super) fn text(panels: &[Panel]) -> String {

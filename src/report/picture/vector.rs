@@ -7,12 +7,12 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
 
-/// The text of an SVG file, with a description.
+/// Returns the text of an SVG file, with a description.
 pub(super) fn svg(panels: &[Panel]) -> Result<String, String> {
     let mut text = String::new();
     {
         let area = SVGBackend::with_string(&mut text, size(panels)).into_drawing_area();
-        draw(panels, &area).map_err(|error| format!("the picture cannot be drawn: {error}"))?;
+        draw(panels, &area).map_err(|error| format!("cannot draw the picture: {error}"))?;
     }
     let description: Vec<String> = panels.iter().map(Panel::description).collect();
     let title = format!("<title>{}</title>", print::escaped(&description.join("; ")));
@@ -94,7 +94,7 @@ where
     Ok(())
 }
 
-/// What the markers mean, behind the title of an axis.
+/// Returns the legend of the markers, which follows the title of an axis.
 fn marks(panel: &Panel) -> &'static str {
     match (panel.infinite.iter().any(|own| own.1), panel.infinite.iter().any(|own| !own.1)) {
         (false, false) => "",

@@ -1,16 +1,16 @@
-//! Error bounds of the rows of a solved scene: the largest ones as a sentence, and columns of CSV.
+//! Error bounds of the rows of a solved scene: the largest bounds as a sentence, and columns of CSV.
 
 use crate::num::{Bound, Estimate};
 use crate::report::digits::Digits;
 use crate::report::text::{marked, short};
 use crate::scene::{Quantity, Row, Run};
 
-/// The largest relative error bound of every quantity over the rows.
+/// The largest relative error bounds of all quantities over the rows.
 #[derive(Default)]
 pub(in crate::report) struct Largest(Vec<(Quantity, f64, Bound)>);
 
 impl Largest {
-    /// Takes a row into account.
+    /// Adds a row.
     pub(in crate::report) fn take(&mut self, run: &Run<'_>, index: usize, row: &Row, digits: Digits) {
         for (datum, estimate) in estimates(run, index, row, digits) {
             let Some(own) = estimate.filter(|own| own.value != 0.0) else { continue };
@@ -25,7 +25,7 @@ impl Largest {
         }
     }
 
-    /// The bounds as a sentence, as in `relative error bounds: F 4.2e-16, a ~1.0e-9 (~ marks estimates)`; `None` without any.
+    /// Returns the bounds as a sentence, such as `relative error bounds: F 4.2e-16, a ~1.0e-9 (~ marks estimates)`; `None` if there are none.
     pub(in crate::report) fn sentence(&self) -> Option<String> {
         let list: Vec<String> =
             self.0.iter().map(|(datum, error, bound)| format!("{} {}", datum.key(), marked(short(*error), *bound))).collect();
@@ -34,7 +34,7 @@ impl Largest {
     }
 }
 
-/// Names of the columns that hold the bounds: of each quantity its error bound, and what the bound rests on.
+/// Returns the names of the columns with the bounds: for each quantity its error bound and the kind of bound.
 pub(in crate::report) fn header(run: &Run<'_>) -> Vec<String> {
     let system = &run.scene().system;
     let pair =
@@ -42,7 +42,7 @@ pub(in crate::report) fn header(run: &Run<'_>) -> Vec<String> {
     run.scene().outputs.data.iter().flat_map(pair).collect()
 }
 
-/// The fields of these columns for a row; empty where no bound is known.
+/// Returns the fields of these columns for a row; empty if no bound is known.
 pub(in crate::report) fn fields(run: &Run<'_>, index: usize, row: &Row, digits: Digits) -> Vec<String> {
     let pair = |own: Option<crate::num::Estimate>| {
         own.map_or_else(Default::default, |own| [format!("{:?}", own.error), own.bound.name().to_owned()])
@@ -50,7 +50,7 @@ pub(in crate::report) fn fields(run: &Run<'_>, index: usize, row: &Row, digits: 
     estimates(run, index, row, digits).flat_map(|(_, own)| pair(own)).collect()
 }
 
-/// The estimates of a row, rounded as they are shown; the load is an input and is not rounded.
+/// Returns the estimates of a row, rounded as shown; the load is an input and is not rounded.
 fn estimates(run: &Run<'_>, index: usize, row: &Row, digits: Digits) -> impl Iterator<Item = (Quantity, Option<Estimate>)> {
     let scene = run.scene();
     let load = scene.control.datum();
@@ -60,7 +60,7 @@ fn estimates(run: &Run<'_>, index: usize, row: &Row, digits: Digits) -> impl Ite
         .map(move |(datum, own)| (datum, own.map(|own| if is_input(datum) { own } else { digits.of(own) })))
 }
 
-/// A name and its unit, as the columns of CSV are called.
+/// Returns a name with its unit, as in the column names of CSV.
 pub(in crate::report) fn named(name: &str, unit: &str) -> String {
     if unit.is_empty() { name.to_owned() } else { format!("{name}_{unit}") }
 }

@@ -1,4 +1,4 @@
-//! A solved scene as one page that needs nothing else: verdict, numbers, pictures, formulas, derivation, and how to reproduce it.
+//! A solved scene as one self-contained page: verdict, values, plots, formulas, derivation, and how to reproduce it.
 
 use crate::contact::{Severity, Step};
 use crate::print::escaped;
@@ -13,24 +13,24 @@ use crate::report::solved::{Verdict, assumptions};
 use crate::scene::{Dimension, Quantity, Run};
 use std::io::{self, Write};
 
-/// Everything on the page.
+/// The content of the page.
 pub struct Sheet<'a> {
-    /// The scene as its file has it.
+    /// The text of the scene file.
     pub text: &'a str,
-    /// The name of that file.
+    /// The name of the scene file.
     pub name: &'a str,
     /// The solved scene.
     pub run: &'a Run<'a>,
-    /// The same with loads from 0 to the largest one, for pictures.
+    /// The same scene with loads from 0 to the largest one, for plots.
     pub swept: &'a Run<'a>,
-    /// The formulas with their steps, where the profile has any.
+    /// The formulas with their steps, if the profile has any.
     pub formulas: Option<(&'a Derivation<'a>, &'a [Step])>,
 }
 
 /// Writes the page.
 ///
 /// # Errors
-/// As the writer, and where a picture cannot be drawn.
+/// Returns the errors of the writer, and an error if a plot cannot be drawn.
 pub fn html(sheet: &Sheet<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
     let run = sheet.run;
     let scene = run.scene();
@@ -88,7 +88,7 @@ pub fn html(sheet: &Sheet<'_>, formally: bool, out: &mut dyn Write) -> io::Resul
     Ok(verdict)
 }
 
-/// The verdict with its findings.
+/// Writes the verdict with its findings.
 fn judged(verdict: &Verdict, run: &Run<'_>, out: &mut dyn Write) -> io::Result<()> {
     let scene = run.scene();
     let modulus = scene.effective_modulus * scene.system.out(Dimension::PRESSURE);
@@ -110,7 +110,7 @@ fn judged(verdict: &Verdict, run: &Run<'_>, out: &mut dyn Write) -> io::Result<(
     Ok(())
 }
 
-/// The tip in the surface, the pressure, F(d) and a(d).
+/// Writes plots of the tip in the surface, the pressure, F(d) and a(d).
 fn pictures(swept: &Run<'_>, out: &mut dyn Write) -> io::Result<()> {
     let quantities: &[Pictured] = if swept.scene().round {
         &[

@@ -1,4 +1,4 @@
-//! A solved scene as JSON, written row by row: nothing is kept, and the verdict stands last.
+//! A solved scene as JSON, written row by row without storing the rows; the verdict is at the end.
 
 use crate::contact::Finding;
 use crate::report::json::Completion;
@@ -12,10 +12,10 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Writes the answer to a scene; with `formally` also the numbers of invalid rows.
+/// Writes the result of a scene; with `formally`, the values of invalid rows are included.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
     let verdict = RefCell::new(Verdict::default());
     #[derive(Serialize)]
@@ -51,7 +51,7 @@ pub fn solved(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<
     Ok(verdict.into_inner())
 }
 
-/// Whether the rows and curves, which are written by now, are complete.
+/// Returns whether the rows and curves, which were already written, are complete.
 struct CompletionOf<'a, 'r>(&'a Run<'r>);
 
 impl Serialize for CompletionOf<'_, '_> {
@@ -91,7 +91,7 @@ impl Serialize for RowEntry<'_, '_> {
         let control = scene.control.datum();
         let mut why = None;
         for (datum, value) in &row.values {
-            // The load stays where its row is invalid: it says which row this is.
+            // An invalid row still contains its load, which identifies it.
             let own = match value {
                 _ if *datum == control && !scene.counts_from_touch() => Some(row.load),
                 Ok(value) if shown => Some(*value),
@@ -200,7 +200,7 @@ struct Points<'a, 'r> {
     run: &'a Run<'r>,
     curve: crate::contact::Quantity,
     state: Option<crate::contact::State>,
-    /// The state with the points of a measured tip joined in the second way.
+    /// Returns the state with the second interpolation of a measured tip.
     second: Option<crate::contact::State>,
 }
 
@@ -245,7 +245,7 @@ impl Serialize for Validity<'_, '_> {
         let mut verdict = self.verdict.borrow_mut();
         verdict.close(self.run);
         let list = verdict.findings().iter();
-        // What is true of the profile as a whole has its place in the units of the answers already.
+        // The radius of a finding about the whole profile is already in output units.
         let findings: Vec<FindingEntry<'_>> = list
             .map(|(own, rows)| FindingEntry {
                 at: own.at.filter(|_| *rows == 0).or(FindingEntry::of(own, None, self.run).at),

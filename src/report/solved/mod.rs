@@ -1,4 +1,4 @@
-//! What every format of a solved scene shares: the findings of all rows together, one per rule.
+//! Common parts of all formats of a solved scene: the findings of all rows, grouped by rule.
 
 #[cfg(feature = "scene")]
 pub(crate) mod bounds;
@@ -18,19 +18,19 @@ pub(crate) mod tip_json;
 use crate::contact::{Boundary, Finding, Severity, in_unit};
 use crate::scene::{Dimension, Regime, Row, Run, Scene};
 
-/// The verdict on all rows that were seen.
+/// The verdict on all rows so far.
 #[derive(Default)]
 pub struct Verdict {
     findings: Vec<(Finding, u64)>,
     rows: u64,
     invalid: u64,
     largest: f64,
-    /// The fewest radii at which a row without a proof was looked at.
+    /// Minimum number of radii at which an unproven row was checked.
     radii: Option<u64>,
     regime: Option<Regime>,
 }
 
-/// A verdict in words: what is not proven says at how many radii it was looked at.
+/// Returns a verdict in words; an unproven verdict includes the number of radii that were checked.
 pub(super) fn words(valid: bool, radii: Option<u64>) -> String {
     match (valid, radii) {
         (false, _) => "not valid".to_owned(),
@@ -39,18 +39,18 @@ pub(super) fn words(valid: bool, radii: Option<u64>) -> String {
     }
 }
 
-/// What every answer about an axially symmetric indenter takes for granted.
+/// The assumptions for an axially symmetric indenter.
 pub const ASSUMPTIONS: &str = "frictionless contact of an axially symmetric indenter with an elastic half-space, without adhesion";
-/// The same for a flat punch that is not round.
+/// The assumptions for a flat punch with a non-circular cross-section.
 const ASSUMPTIONS_OF_PUNCH: &str =
     "frictionless contact of a flat punch of the given cross-section with an elastic half-space, without adhesion";
 
-/// What the answers to a scene take for granted.
+/// Returns the assumptions of a scene.
 pub(super) fn assumptions(scene: &Scene) -> &'static str {
     if scene.round { ASSUMPTIONS } else { ASSUMPTIONS_OF_PUNCH }
 }
 
-/// How a contact ends, as reports name it.
+/// Returns the name of the edge of a contact.
 pub(super) fn edge(boundary: Boundary) -> &'static str {
     match boundary {
         Boundary::Rim => "rim",
@@ -60,7 +60,7 @@ pub(super) fn edge(boundary: Boundary) -> &'static str {
 }
 
 impl Verdict {
-    /// Takes a row into account.
+    /// Adds a row.
     pub fn take(&mut self, row: &Row) {
         self.rows += 1;
         self.invalid += u64::from(!row.is_valid());
@@ -83,44 +83,44 @@ impl Verdict {
         }
     }
 
-    /// Adds what is true of the profile wherever the contact reached.
+    /// Adds the findings about the profile within the largest contact.
     pub fn close(&mut self, run: &Run<'_>) {
         self.findings.extend(tip::findings(run).into_iter().map(|own| (own, 0)));
         let length = run.scene().system.out(Dimension::LENGTH);
         for (at, jump) in run.kinks().into_iter().filter(|(at, jump)| *at < self.largest * length && *jump > 0.0) {
             let unit = run.scene().system.unit_name(Dimension::LENGTH);
             let place = in_unit(at, &(1.0, unit));
-            let message = format!("the slope of the profile jumps by {jump:.3} at r = {place}: the pressure is infinite there");
+            let message = format!("the slope of the profile jumps by {jump:.3} at r = {place}, where the pressure is infinite");
             self.findings.push((Finding { rule: "kink", severity: Severity::Warning, message, at: Some(at) }, 0));
         }
     }
 
-    /// True where every row is valid.
+    /// Returns true if every row is valid.
     pub fn is_valid(&self) -> bool {
         self.invalid == 0
     }
 
-    /// The verdict on all rows in words.
+    /// Returns the verdict on all rows in words.
     pub fn words(&self) -> String {
         words(self.is_valid(), self.radii)
     }
 
-    /// The fewest radii at which a row without a proof was looked at; `None` where every row is proven.
+    /// Returns the minimum number of radii at which an unproven row was checked; `None` if every row is proven.
     pub fn radii(&self) -> Option<u64> {
         self.radii
     }
 
-    /// The first finding of every rule, and in how many rows it stands; none for the profile as a whole.
+    /// Returns the first finding of every rule and the number of affected rows, which is zero for findings about the whole profile.
     pub fn findings(&self) -> &[(Finding, u64)] {
         &self.findings
     }
 
-    /// The row that is farthest from its nearest simple shape.
+    /// Returns the row with the largest difference from its simple shape.
     pub fn regime(&self) -> Option<&Regime> {
         self.regime.as_ref()
     }
 
-    /// How many rows are invalid, and how many there are.
+    /// Returns the number of invalid rows and the number of all rows.
     pub fn counts(&self) -> (u64, u64) {
         (self.invalid, self.rows)
     }

@@ -1,4 +1,4 @@
-//! A solved scene as NumPy arrays: one array per quantity, over loads, or over loads and places.
+//! A solved scene as NumPy arrays: one array per quantity, over loads, or over loads and coordinates.
 
 use crate::contact::State;
 use crate::num::Bound;
@@ -7,13 +7,13 @@ use crate::report::solved::Verdict;
 use crate::scene::{Dimension, Quantity, Run, infinite_value};
 use std::io::{self, Write};
 
-/// Writes an NPZ archive: `d`, `F` and so on over the loads with `valid` beside them, curves over loads and places (`p`, `p_at`), with the
-/// bounds of their errors (`F_error`), whether these are proven (`F_proven`) and the name of the unit (`F_unit`) of each.
+/// Writes an NPZ archive: `d`, `F` and other quantities over the loads with `valid`, curves over loads and coordinates (`p`, `p_at`), with
+/// error bounds (`F_error`), whether these are proven (`F_proven`), and the name of the unit (`F_unit`) of each.
 ///
-/// What theory makes infinite is infinite there, with an infinite error.
+/// A theoretically infinite value is infinite with an infinite error.
 ///
 /// # Errors
-/// As the writer; [`io::ErrorKind::InvalidData`] where a number is missing, which an array cannot say.
+/// Returns the errors of the writer, and [`io::ErrorKind::InvalidData`] for a missing value, which an array cannot represent.
 pub fn npz(run: &Run<'_>, formally: bool, out: &mut dyn Write) -> io::Result<Verdict> {
     let scene = run.scene();
     let mut archive = Archive::new();
@@ -97,5 +97,8 @@ fn curve_arrays(run: &Run<'_>, curve: Quantity, formally: bool, archive: &mut Ar
 }
 
 fn missing(index: usize, name: &str, why: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidData, format!("load {}, {name}: {why}; CSV and JSON can leave values out", index + 1))
+    io::Error::new(
+        io::ErrorKind::InvalidData,
+        format!("load {}, {name}: {why}; use CSV or JSON, which can contain missing values", index + 1),
+    )
 }

@@ -11,10 +11,10 @@ use crate::report::text::marked;
 use crate::scene::{Dimension, Quantity, Row, Run};
 use std::io::{self, Write};
 
-/// Writes a table of rows, then one of points per curve, then the verdict.
+/// Writes a table of rows, a table of points per curve, and the verdict.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn table(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write) -> io::Result<Verdict> {
     let scene = run.scene();
     let modulus = scene.effective_modulus * scene.system.out(Dimension::PRESSURE);
@@ -80,7 +80,7 @@ pub(in crate::report) fn edge_of(row: &Row) -> &'static str {
     row.indented.state.map_or("-", |state| edge(state.boundary))
 }
 
-/// Names and units of the columns.
+/// Returns the names and units of the columns.
 pub(in crate::report) fn columns(run: &Run<'_>) -> Vec<(String, String)> {
     let scene = run.scene();
     let mut list: Vec<_> = scene.outputs.data.iter().map(|own| (own.key().to_owned(), scene.system.unit_name(own.dimension()))).collect();
@@ -92,7 +92,7 @@ pub(in crate::report) fn columns(run: &Run<'_>) -> Vec<(String, String)> {
     list
 }
 
-/// The numbers of a row; the load stands there even where the row is invalid.
+/// Returns the values of a row; an invalid row still contains its load.
 pub(in crate::report) fn cells(run: &Run<'_>, row: &Row, formally: bool, digits: Digits) -> Vec<Option<f64>> {
     let scene = run.scene();
     let touch = scene.counts_from_touch();
@@ -146,25 +146,25 @@ fn curve_table(run: &Run<'_>, curve: Quantity, formally: bool, digits: Digits, o
     Ok(())
 }
 
-/// The depth of a load; all of its digits if it is the load itself.
+/// Formats the depth of a load, with all digits if it is the load itself.
 pub(in crate::report) fn depth(run: &Run<'_>, index: usize, state: Option<&crate::contact::State>, digits: Digits) -> Option<String> {
     let shown = run.shown_depth(index, state?);
     let is_input = run.scene().control.datum() == Quantity::Depth;
     Some(format!("{:?}", if is_input { shown } else { digits.rounded(shown) }))
 }
 
-/// Writes the rows as CSV, and the points where the scene asks for curves.
+/// Writes the rows as CSV, and the points if the scene requests curves.
 ///
-/// Columns are named quantity_unit, as in `d_um,F_mN`; where there is no number the field is empty.
-/// The last columns are the error bounds, as in `F_error_mN,F_bound`. Where rows are asked
-/// for as well as curves, an empty line separates the two tables.
+/// Columns are named quantity_unit, as in `d_um,F_mN`; the field of a missing value is empty.
+/// The last columns are the error bounds, as in `F_error_mN,F_bound`. If both rows and curves
+/// are requested, an empty line separates the two tables.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn csv(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write) -> io::Result<Verdict> {
     let scene = run.scene();
     let curves = &scene.outputs.curves;
-    // A load stands in every point; whatever else is known of it needs rows.
+    // Every point contains its load; other quantities require rows.
     let rows = curves.is_empty() || scene.outputs.data.iter().any(|own| *own != scene.control.datum());
     let mut verdict = Verdict::default();
     if rows {

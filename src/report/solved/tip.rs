@@ -1,15 +1,15 @@
-//! What a solved scene says of its measured tip: how it was read, what shapes it resembles, and what the joining of its points decides.
+//! The measured tip of a solved scene: how it was read, similar named shapes, and the error due to the interpolation.
 
 use crate::contact::{Finding, Severity};
 use crate::scene::{Dimension, Fit, MeasuredTip, Quantity, Run};
 use std::io::{self, Write};
 
-/// The word for the slope at the axis.
+/// Returns the word for the slope at the axis.
 pub(in crate::report) fn apex(tip: &MeasuredTip) -> &'static str {
     if tip.is_rounded() { "rounded" } else { "pointed" }
 }
 
-/// A parameter in the units of the answers; C of C·rⁿ is a length to the power 1 − n.
+/// Converts a parameter to output units; C of C·rⁿ is a length to the power 1 − n.
 pub(in crate::report) fn in_answers(fit: &Fit, name: &str, value: f64, run: &Run<'_>) -> f64 {
     let length = run.scene().system.out(Dimension::LENGTH);
     match (name, fit.parameters.iter().find(|own| own.name == "n")) {
@@ -18,7 +18,7 @@ pub(in crate::report) fn in_answers(fit: &Fit, name: &str, value: f64, run: &Run
     }
 }
 
-/// What was done to the points, as findings that no row has.
+/// Returns the corrections of the points, as findings without a row.
 pub(in crate::report) fn findings(run: &Run<'_>) -> Vec<Finding> {
     let length = run.scene().system.out(Dimension::LENGTH);
     let notes = run.scene().tip.iter().flat_map(|tip| tip.notes());
@@ -26,7 +26,7 @@ pub(in crate::report) fn findings(run: &Run<'_>) -> Vec<Finding> {
     notes.map(|own| warning(own.rule, &own.message, own.at.map(|at| at * length))).collect()
 }
 
-/// Writes how the tip was read, and what it resembles.
+/// Writes how the tip was read, and the named shapes that fit it.
 pub(in crate::report) fn introduction(run: &Run<'_>, out: &mut dyn Write) -> io::Result<()> {
     let (Some(tip), Some(measured)) = (&run.scene().tip, &run.scene().measured) else { return Ok(()) };
     let (length, unit) = (run.scene().system.out(Dimension::LENGTH), run.scene().system.unit_name(Dimension::LENGTH));
@@ -35,7 +35,7 @@ pub(in crate::report) fn introduction(run: &Run<'_>, out: &mut dyn Write) -> io:
     let end = shown(tip.last_radius() * length);
     writeln!(
         out,
-        "tip: {} points of {} up to r = {end}, joined by a {joined}, {} at the axis",
+        "tip: {} points of {} up to r = {end}, interpolated by a {joined}, {} at the axis",
         tip.points().len(),
         measured.file(),
         apex(tip)
@@ -57,17 +57,17 @@ pub(in crate::report) fn introduction(run: &Run<'_>, out: &mut dyn Write) -> io:
     Ok(())
 }
 
-/// Four digits are enough for a table.
+/// Formats a number with four digits.
 fn short(value: f64) -> String {
     format!("{value:.3e}").parse::<f64>().map_or_else(|_| String::new(), |rounded| format!("{rounded:?}"))
 }
 
-/// The largest relative changes of rows with the second way of joining.
+/// The largest relative changes of rows with the second interpolation.
 #[derive(Default)]
 pub(in crate::report) struct Changes(Vec<(Quantity, f64)>);
 
 impl Changes {
-    /// Takes a row into account.
+    /// Adds a row.
     pub(in crate::report) fn take(&mut self, errors: Option<Vec<(Quantity, Option<f64>)>>, value: impl Fn(Quantity) -> Option<f64>) {
         for (datum, error) in errors.into_iter().flatten() {
             let (Some(error), Some(value)) = (error, value(datum)) else { continue };
@@ -79,15 +79,15 @@ impl Changes {
         }
     }
 
-    /// Writes what they come to.
+    /// Writes the largest changes.
     pub(in crate::report) fn write(&self, run: &Run<'_>, out: &mut dyn Write) -> io::Result<()> {
         let Some(tip) = &run.scene().tip else { return Ok(()) };
         let control = run.scene().control.datum();
         let list: Vec<String> =
-            self.0.iter().filter(|(datum, _)| *datum != control).map(|(datum, most)| format!("{} by {most:.1e}", datum.key())).collect();
+            self.0.iter().filter(|(datum, _)| *datum != control).map(|(datum, most)| format!("{} {most:.1e}", datum.key())).collect();
         if list.is_empty() {
             return Ok(());
         }
-        writeln!(out, "model error: by a {} instead, {} would change at most (relative)", tip.joined()[1], list.join(", "))
+        writeln!(out, "model error: with a {} instead, the largest relative changes are {}", tip.joined()[1], list.join(", "))
     }
 }

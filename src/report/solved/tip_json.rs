@@ -5,7 +5,7 @@ use crate::scene::{Dimension, Run};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// The tip as JSON has it; lengths in the units of the answers.
+/// The tip in JSON; lengths are in output units.
 #[derive(Serialize)]
 pub(in crate::report) struct TipEntry<'a> {
     file: &'a str,
@@ -42,7 +42,7 @@ struct FitEntry {
     largest_deviation: f64,
 }
 
-/// The tip of a scene that has one.
+/// Returns the tip of a scene, if it has one.
 pub(in crate::report) fn entry<'a>(run: &Run<'a>) -> Option<TipEntry<'a>> {
     let (tip, length) = (run.scene().tip.as_ref()?, run.scene().system.out(Dimension::LENGTH));
     let fits = tip.fits();

@@ -20,10 +20,10 @@ pub const COLUMNS: [&str; 13] = [
     "front",
 ];
 
-/// Writes the rows; a method that states no error has empty cells there.
+/// Writes the rows; the error cells are empty for a method without error estimate.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(COLUMNS)?;

@@ -6,10 +6,10 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// Writes everything that was found.
+/// Writes the complete study.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
     #[derive(Serialize)]
     struct Document<'a> {
@@ -124,7 +124,7 @@ pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
                     method: pick.map(|row| row.method),
                     setting: pick.map(|row| row.setting.as_str()),
                     ns_per_point: pick.map(|row| row.time.median),
-                    why: pick.is_none().then_some("nothing that was measured is accurate enough"),
+                    why: pick.is_none().then_some("no measured method is accurate enough"),
                     few_points: few.map(|(row, below)| Few { method: row.method, setting: &row.setting, below }),
                 }
             })

@@ -1,13 +1,13 @@
-//! A study as a Markdown table, for the document that keeps the figures.
+//! A study as a Markdown table, for the document with the measurements.
 
 use super::super::text::short;
 use super::{Tradeoff, duration};
 use std::io::{self, Write};
 
-/// Writes the table and what to pick; one sentence per line.
+/// Writes the table and the recommendations, one sentence per line.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "| | method | setting | true error | stated | per point | middle half | set-up | evaluations |")?;
     writeln!(out, "|---|---|---|---|---|---|---|---|---|")?;

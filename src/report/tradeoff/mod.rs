@@ -1,4 +1,4 @@
-//! The trade of speed for accuracy as a table, JSON, CSV and a plot.
+//! A benchmark of speed against accuracy as a table, JSON, CSV and a plot.
 
 pub mod csv;
 pub mod json;
@@ -9,18 +9,18 @@ pub mod text;
 use crate::expr::Formula;
 use crate::tradeoff::{Advice, Row, Study};
 
-/// A study with the profile as it was typed.
+/// A study with the profile as typed.
 pub struct Tradeoff<'a> {
-    /// The profile as it was typed.
+    /// The profile as typed.
     pub profile: &'a Formula,
-    /// The parameters with the numbers that stand for them.
+    /// The parameters with their values.
     pub parameters: Vec<(String, f64)>,
-    /// What was measured.
+    /// The measurements.
     pub study: &'a Study<'a>,
 }
 
 impl Tradeoff<'_> {
-    /// Where the truth comes from: one or more sources.
+    /// Returns the sources of the reference values.
     fn reference(&self) -> String {
         let mut sources: Vec<&str> = self.study.truths.iter().map(|truth| truth.source).collect();
         sources.sort_unstable();
@@ -28,17 +28,17 @@ impl Tradeoff<'_> {
         sources.join("; ")
     }
 
-    /// The largest relative error of the truth.
+    /// Returns the largest relative error of the reference values.
     fn reference_error(&self) -> f64 {
         self.study.truths.iter().map(|truth| truth.value.error / truth.value.value.hi.abs()).fold(0.0, f64::max)
     }
 
-    /// The rows, methods in the order in which they were measured, with a mark for the front.
+    /// Returns the rows in the order of measurement, with a mark for the Pareto front.
     fn rows(&self) -> impl Iterator<Item = &Row> {
         self.study.rows.iter()
     }
 
-    /// What to pick, in sentences: equal picks in one of them.
+    /// Returns the recommendations; equal recommendations share a sentence.
     fn sentences(&self) -> Vec<String> {
         let mut sentences = Vec::new();
         let all = &self.study.advice;
@@ -57,10 +57,10 @@ impl Tradeoff<'_> {
     fn sentence(&self, wanted: &str, advice: &Advice) -> String {
         let row = |index: Option<usize>| index.and_then(|index| self.study.rows.get(index));
         let Some(pick) = row(advice.pick) else {
-            return format!("For a relative error of {wanted} nothing that was measured is accurate enough.");
+            return format!("For a relative error of {wanted} no measured method is accurate enough.");
         };
         let cost = duration(pick.time.median);
-        let first = format!("For a relative error of {wanted} take {} ({}), {cost} per point", pick.method, pick.setting);
+        let first = format!("For a relative error of {wanted} use {} ({}), {cost} per point", pick.method, pick.setting);
         match advice.few.and_then(|(index, from)| Some((row(Some(index))?, from))) {
             Some((other, from)) => format!(
                 "{first} after a set-up of {}; for fewer than {from} points {} ({}) is faster.",
@@ -73,7 +73,7 @@ impl Tradeoff<'_> {
     }
 }
 
-/// Nanoseconds with three digits and a unit.
+/// Formats nanoseconds with three digits and a unit.
 fn duration(nanoseconds: f64) -> String {
     let (value, unit) = match nanoseconds {
         t if t < 1e3 => (t, "ns"),

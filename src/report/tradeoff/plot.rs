@@ -9,27 +9,27 @@ use std::error::Error;
 
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (860, 560);
-/// Errors below this are drawn here: a double cannot show less.
+/// Smaller errors are drawn at this value, close to the precision of a double.
 const FLOOR: f64 = 1e-17;
-/// Errors above this are drawn here.
+/// Larger errors are drawn at this value.
 const CEILING: f64 = 10.0;
-/// Characters of a profile in the title.
+/// Maximum number of characters of the profile in the title.
 const TITLE: usize = 60;
 
-/// The plot as the text of an SVG file.
+/// Returns the plot as the text of an SVG file.
 ///
 /// # Errors
-/// A sentence, where nothing can be drawn.
+/// Returns a sentence if nothing can be drawn.
 pub fn svg(record: &Tradeoff<'_>) -> Result<String, String> {
     let mut text = String::new();
-    draw(record, &mut text).map_err(|error| format!("the plot cannot be drawn: {error}"))?;
+    draw(record, &mut text).map_err(|error| format!("cannot draw the plot: {error}"))?;
     Ok(text)
 }
 
 fn draw(record: &Tradeoff<'_>, text: &mut String) -> Result<(), Box<dyn Error>> {
     let rows: Vec<&Row> = record.rows().collect();
     if rows.is_empty() {
-        return Err("no method was measured within the budget; a larger one would be accepted".into());
+        return Err("no method was measured within the time limit; use a larger budget".into());
     }
     let times = rows.iter().map(|row| row.time.median);
     let (low, high) = times.fold((f64::INFINITY, 1.0_f64), |(low, high), t| (low.min(t), high.max(t)));
@@ -87,7 +87,7 @@ fn draw(record: &Tradeoff<'_>, text: &mut String) -> Result<(), Box<dyn Error>> 
     Ok(())
 }
 
-/// The front as steps: between two of its points nothing better is known than the more expensive one.
+/// Returns the front as steps: between two of its points, the more expensive one is required.
 fn stairs(front: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut path = Vec::new();
     for (index, (time, error)) in front.iter().enumerate() {

@@ -5,10 +5,10 @@ use super::{Tradeoff, duration};
 use crate::print;
 use std::io::{self, Write};
 
-/// Writes what was studied, the table, what is missing, and what to pick.
+/// Writes the problem, the table, missing results, and the recommendations.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
     let problem = &record.study.problem;
     let (quantity, coordinate) = (problem.quantity.key(), problem.quantity.coordinate());
@@ -21,7 +21,7 @@ pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
     let (low, high) = problem.points.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), x| (low.min(*x), high.max(*x)));
     writeln!(out, "at {} points, {coordinate} from {low:.3} to {high:.3}", problem.points.len())?;
     writeln!(out, "true errors against: {}, relative error at most {}", record.reference(), short(record.reference_error()))?;
-    writeln!(out, "times by: {}, medians and middle halves of shuffled rounds\n", record.study.clock)?;
+    writeln!(out, "times: {}, medians and middle halves of shuffled rounds\n", record.study.clock)?;
     let header = ["", "method", "setting", "true error", "stated", "per point", "middle half", "set-up", "evaluations"];
     let rows = || {
         record.rows().map(|row| {
@@ -45,7 +45,7 @@ pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
         })
     };
     table(&header, rows, out)?;
-    writeln!(out, "\n* nothing else is both as accurate and faster; errors are relative, the largest over the points")?;
+    writeln!(out, "\n* no other entry is both as accurate and faster; errors are the largest relative errors over the points")?;
     if !record.study.skipped.is_empty() {
         writeln!(out, "\nWithout result")?;
         for own in &record.study.skipped {

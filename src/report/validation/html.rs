@@ -1,14 +1,14 @@
-//! A validation as one page that needs nothing else: verdict, tables, and plots of data, exact curve and error.
+//! A validation as one self-contained page: verdict, tables, and plots of data, exact curve and error.
 
 use super::plot;
 use crate::report::sheet::SHEET;
 use crate::validate::{Column, Validation};
 use std::fmt::Write;
 
-/// The page.
+/// Returns the page.
 ///
 /// # Errors
-/// A sentence, where a plot cannot be drawn.
+/// Returns a sentence if a plot cannot be drawn.
 pub fn html(own: &Validation) -> Result<String, String> {
     let mut page = String::new();
     let word = if own.passed { "passed" } else { "failed" };

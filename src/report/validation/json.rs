@@ -7,7 +7,7 @@ use std::io::{self, Write};
 /// Writes the document.
 ///
 /// # Errors
-/// As the writer.
+/// Returns the errors of the writer.
 pub fn validation(validation: &Validation, out: &mut dyn Write) -> io::Result<()> {
     let document = json!({
         "passed": validation.passed,
@@ -49,11 +49,8 @@ fn column(own: &Column) -> Value {
         map.insert("excluded".to_owned(), json!({ "rows": out.rows, "infinite": out.infinite, "l2": out.l2, "max": out.max }));
     }
     if let (Some(map), None) = (value.as_object_mut(), own.tolerance) {
-        let why = if own.name == "a" {
-            "contact radii decide only where the pixel is known"
-        } else {
-            "this column is reported and decides nothing"
-        };
+        let why =
+            if own.name == "a" { "contact radii are judged only if the pixel is known" } else { "this column is reported, but not judged" };
         map.insert("why".to_owned(), json!(why));
     }
     value
@@ -62,7 +59,7 @@ fn column(own: &Column) -> Value {
 fn one_order(own: &Order) -> Value {
     let mut value = json!({ "value": own.value, "low": own.low, "high": own.high, "files": own.files, "floor": own.floor });
     if let (Some(map), None) = (value.as_object_mut(), own.low) {
-        map.insert("why".to_owned(), json!("two files with one load leave nothing to judge the order by"));
+        map.insert("why".to_owned(), json!("two files with one load are not enough to judge the order"));
     }
     value
 }

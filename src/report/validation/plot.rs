@@ -1,4 +1,4 @@
-//! Data over the exact curve, and the error below, as SVG.
+//! Plots of the data with the exact curve, and of the error, as SVG.
 
 use crate::report::palette::prepare_letters;
 use crate::validate::Plot;
@@ -9,21 +9,21 @@ const SIZE: (u32, u32) = (720, 320);
 const EXACT: RGBColor = RGBColor(0, 114, 178);
 const DATA: RGBColor = RGBColor(213, 94, 0);
 
-/// Two drawings of one column: values, and errors relative to the largest exact value.
+/// Draws two plots of one column: values, and errors relative to the largest exact value.
 ///
 /// # Errors
-/// A sentence, where nothing can be drawn.
+/// Returns a sentence if nothing can be drawn.
 pub(super) fn svg(plot: &Plot) -> Result<[String; 2], String> {
     let mut points: Vec<(f64, f64, f64)> =
         plot.points.iter().copied().filter(|(x, data, exact)| x.is_finite() && data.is_finite() && exact.is_finite()).collect();
     points.sort_by(|one, other| one.0.total_cmp(&other.0));
     let (mut values, mut errors) = (String::new(), String::new());
-    draw(plot, &points, &mut values).map_err(|error| format!("the plot cannot be drawn: {error}"))?;
-    draw_errors(plot, &points, &mut errors).map_err(|error| format!("the plot cannot be drawn: {error}"))?;
+    draw(plot, &points, &mut values).map_err(|error| format!("cannot draw the plot: {error}"))?;
+    draw_errors(plot, &points, &mut errors).map_err(|error| format!("cannot draw the plot: {error}"))?;
     Ok([values, errors])
 }
 
-/// A range that holds all numbers and is not empty.
+/// Returns a nonempty range that contains all numbers.
 fn range(numbers: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), own| (low.min(own), high.max(own)));
     if !(low.is_finite() && high.is_finite()) {

@@ -3,10 +3,10 @@
 use crate::validate::{Column, Validation};
 use std::io::{self, Write};
 
-/// Writes verdict, reason, suspicion, and one table per file.
+/// Writes the verdict, the reason, the suspected fault, and one table per file.
 ///
 /// # Errors
-/// Those of the writer.
+/// Returns the errors of the writer.
 pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}: {}", if own.passed { "passed" } else { "failed" }, own.reason)?;
     if let Some(suspicion) = &own.suspicion {
@@ -48,7 +48,7 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
             if let Some(left) = column.excluded {
                 writeln!(
                     out,
-                    "  {:8} {:>10} {:>10.3e} {:>10.3e} {:>12} {:>11} {:>7}  next to apex, kink or edge, apart",
+                    "  {:8} {:>10} {:>10.3e} {:>10.3e} {:>12} {:>11} {:>7}  near apex, kink or edge, listed separately",
                     "", "", left.l2, left.max, "", "-", left.rows
                 )?;
             }

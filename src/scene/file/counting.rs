@@ -43,8 +43,11 @@ impl Counting {
     pub fn number(&self, name: &str, quantity: &DimensionedNumber, wanted: Dimension) -> Result<Expr, SceneError> {
         match quantity.dimension() {
             None if !self.has_units() || wanted.is_none() || quantity.is_zero() => Ok(quantity.in_base()),
-            None => Err(SceneError::unit(format!("{name} = {} has no unit, but other numbers have one", quantity.text()))
-                .help(format!("add a unit, such as \"{} {}\"", quantity.text(), self.example(wanted)))),
+            None => Err(SceneError::unit(format!("{name} = {} has no unit, but other numbers have one", quantity.text())).help(format!(
+                "add a unit, such as \"{} {}\"",
+                quantity.text(),
+                self.example(wanted)
+            ))),
             Some(own) if own != wanted => Err(SceneError::unit(format!("{name} = {} is {own}, not {wanted}", quantity.text()))
                 .help(format!("expected a number with a unit such as {}", self.example(wanted)))),
             Some(_) => self.own(name, quantity),

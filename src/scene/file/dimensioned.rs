@@ -32,7 +32,7 @@ impl DimensionedNumber {
         let trimmed = text.trim();
         let split = number_length(trimmed);
         let (number, unit) = trimmed.split_at(split);
-        // If there are no leading digits or no trailing unit, the text is a constant such as pi/6.
+        // Without leading digits or a trailing unit, the text is a constant such as pi/6.
         if split == 0 || unit.trim().is_empty() {
             return Self::plain(trimmed);
         }
@@ -109,9 +109,8 @@ pub(in crate::scene) fn to_f64(number: &Expr) -> Result<f64, SceneError> {
         None => constant_value(number, &Bindings::default()).map_or(f64::NAN, |own| own.value),
     };
     if !value.is_finite() || (value == 0.0 && !number.is_zero()) {
-        return Err(
-            SceneError::value("the number is outside the range of 64-bit floating-point numbers").help("expected a number such as 0.5, 3/2 or 1e-6")
-        );
+        return Err(SceneError::value("the number is outside the range of 64-bit floating-point numbers")
+            .help("expected a number such as 0.5, 3/2 or 1e-6"));
     }
     Ok(value)
 }

@@ -22,9 +22,8 @@ pub(in crate::scene) fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, Scene
     }
     DeTable::parse(text).map_err(|error| {
         let message = error.message().trim().replace('\n', "; ");
-        let fault = |message| {
-            SceneError::new(Reason::Syntax(message)).help("expected a scene file; `sneddon scene new sphere` creates an example")
-        };
+        let fault =
+            |message| SceneError::new(Reason::Syntax(message)).help("expected a scene file; `sneddon scene new sphere` creates an example");
         // Do not quote a file that is not a scene; it may be confidential.
         let opens = |line: &str, table: &str| {
             let rest = line.trim_start().strip_prefix('[').and_then(|own| own.strip_prefix(table));
@@ -89,7 +88,7 @@ impl<'t> Table<'t> {
 
     /// Returns the value of a required key.
     pub(in crate::scene) fn demand(&self, key: &str, help: &str) -> Result<Entry<'t>, SceneError> {
-        let missing = || SceneError::missing(format!("{} has no key {key}", self.name)).help(help).at(self.span.clone());
+        let missing = || SceneError::missing(format!("{} has no {key}", self.name)).help(help).at(self.span.clone());
         self.get(key).ok_or_else(missing)
     }
 
@@ -210,7 +209,9 @@ impl<'t> Entry<'t> {
         let read: Option<usize> = (number.radix() == 10).then(|| number.as_str().parse().ok()).flatten();
         match read {
             Some(count) if count >= 1 && count <= most => Ok(count),
-            _ => Err(SceneError::value(format!("{} = {} is not a whole number from 1 to {most}", self.key, number.as_str())).at(self.span())),
+            _ => {
+                Err(SceneError::value(format!("{} = {} is not a whole number from 1 to {most}", self.key, number.as_str())).at(self.span()))
+            }
         }
     }
 

@@ -82,7 +82,9 @@ fn changed(text: &str, needs_load: bool, change: &Change) -> Result<Scene, Scene
     let measured = Measured::read(&profile)?;
     let punch = Punch::read(&profile)?;
     if let (None, Some(area)) = (&punch, profile.get("area")) {
-        return Err(SceneError::missing("area requires a cross_section").help("expected a cross-section as well, such as cross_section = \"square\"").at(area.span()));
+        return Err(SceneError::missing("area requires a cross_section")
+            .help("expected a cross-section as well, such as cross_section = \"square\"")
+            .at(area.span()));
     }
     material.allow(&body::KEYS)?;
     let flat = || punch.as_ref().map(|_| Tip::flat(profile.span()));
@@ -201,9 +203,9 @@ fn length_unit(entry: &Entry<'_>) -> Result<Unit, SceneError> {
 fn positive(value: Result<f64, SceneError>, what: &str, typed: &DimensionedNumber, span: &Range<usize>) -> Result<f64, SceneError> {
     match value {
         Ok(value) if value > 0.0 => Ok(value),
-        Ok(_) => Err(SceneError::value(format!("{what} = {} is not positive", typed.text()))
-            .help("expected a positive number")
-            .at(span.clone())),
+        Ok(_) => {
+            Err(SceneError::value(format!("{what} = {} is not positive", typed.text())).help("expected a positive number").at(span.clone()))
+        }
         Err(error) => Err(error.at(span.clone())),
     }
 }
@@ -301,8 +303,8 @@ impl Tip {
             // Parse the name as an expression, so that theta and θ are the same name.
             let symbol =
                 parse::formula(entry.key()).ok().and_then(|formula| formula.as_closed().and_then(|expr| expr.as_symbol().cloned()));
-            let symbol =
-                symbol.ok_or_else(|| SceneError::value(format!("{:?} is not a valid name of a parameter", entry.key())).at(entry.span()))?;
+            let symbol = symbol
+                .ok_or_else(|| SceneError::value(format!("{:?} is not a valid name of a parameter", entry.key())).at(entry.span()))?;
             let quantity = change.of(symbol.name(), &entry.quantity()?);
             positive(to_f64(&quantity.in_base()), symbol.name(), &quantity, &entry.span())?;
             list.push(Parameter { symbol, quantity, span: entry.span() });

@@ -270,9 +270,7 @@ fn numbers(entry: &Entry<'_>) -> Result<Typed, SceneError> {
     }
     let Some(list) = entry.list() else { return Ok(Typed::List(vec![(entry.quantity()?, entry.span())])) };
     if list.len() == 0 {
-        return Err(SceneError::value(format!("{} is an empty list", entry.key()))
-            .help("expected at least one number")
-            .at(entry.span()));
+        return Err(SceneError::value(format!("{} is an empty list", entry.key())).help("expected at least one number").at(entry.span()));
     }
     Ok(Typed::List(list.map(|own| Ok((own.quantity()?, own.span()))).collect::<Result<_, SceneError>>()?))
 }

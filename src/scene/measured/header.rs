@@ -40,7 +40,9 @@ pub(super) fn chosen(fields: &[Field<'_>], is_table: bool, line_scan: bool) -> R
                 Ok(Column { name: text.to_owned(), index: *index, unit: unit(text, &place)?, place })
             }
             // Do not echo the contents of a file that is not a table; it may be confidential.
-            [] if !is_table => Err(SceneError::missing(format!("the first line of the points does not contain a column of {what}")).help(HELP)),
+            [] if !is_table => {
+                Err(SceneError::missing(format!("the first line of the points does not contain a column of {what}")).help(HELP))
+            }
             [] => {
                 let seen: Vec<&str> = fields.iter().map(|(text, _)| *text).take(8).collect();
                 let whole = place(0).start..place(fields.len().saturating_sub(1)).end;

@@ -61,15 +61,11 @@ impl Measured {
         let Some(points) = profile.get("points") else {
             let Some(entry) = KEYS.iter().find_map(|key| profile.get(key)) else { return Ok(None) };
             let message = format!("{} requires measured points", entry.key());
-            return Err(SceneError::value(message)
-                .help("expected points = \"tip.csv\" as well")
-                .at(profile.key_span(entry.key())));
+            return Err(SceneError::value(message).help("expected points = \"tip.csv\" as well").at(profile.key_span(entry.key())));
         };
         let file = points.string()?.to_owned();
         if file.is_empty() {
-            return Err(SceneError::value("points is empty")
-                .help("expected a file name such as \"tip.csv\"")
-                .at(points.span()));
+            return Err(SceneError::value("points is empty").help("expected a file name such as \"tip.csv\"").at(points.span()));
         }
         let truth = |key: &str| profile.get(key).map_or(Ok(false), |entry| entry.boolean());
         let mut typed = Vec::new();

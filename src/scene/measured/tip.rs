@@ -116,8 +116,7 @@ impl Measured {
                     Some(bare) => unit.factor() / bare.factor(),
                     None => {
                         let message = format!("the column {} has a unit, but the numbers of the scene have none", column.name);
-                        let help =
-                            "expected units in the scene, such as depth = \"50 nm\", or columns without units";
+                        let help = "expected units in the scene, such as depth = \"50 nm\", or columns without units";
                         return Err(SceneError::unit(message).help(help).at(column.place.clone()));
                     }
                 },

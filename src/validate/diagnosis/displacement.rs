@@ -73,15 +73,12 @@ impl Displacements {
         };
         let plain = |own: &Reading| own.u;
         try_one("u-sign", "the displacements have the opposite sign: u is positive into the surface".to_owned(), false, &|own| -own.u);
-        for (factor, text) in
-            young.iter().flat_map(|ratio| [(1.0 / ratio, "E used as E*"), (*ratio, "E* divided by 1 - nu^2 twice")])
-        {
+        for (factor, text) in young.iter().flat_map(|ratio| [(1.0 / ratio, "E used as E*"), (*ratio, "E* divided by 1 - nu^2 twice")]) {
             let text = format!("another modulus: u is {factor:.4} times the exact value, as for {text} at the same force");
             try_one("modulus", text, false, &|own| own.u / factor);
         }
         for (factor, text) in [(2.0, "twice"), (0.5, "half of")] {
-            let text =
-                format!("u is {text} the exact displacement, as for {} times the E* of the scene at the same force", 1.0 / factor);
+            let text = format!("u is {text} the exact displacement, as for {} times the E* of the scene at the same force", 1.0 / factor);
             try_one("u-scale", text, false, &|own| own.u / factor);
         }
         for power in (-12..=12).filter(|power| *power != 0) {

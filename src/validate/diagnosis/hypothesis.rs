@@ -104,9 +104,7 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         let times = |ratio| Taken::Changed(Change::Times { name: name.clone(), ratio });
         list.push(taken(
             "diameter",
-            format!(
-                "diameter and radius confused: the data fit twice the {name} of the scene, so {name} may be a diameter"
-            ),
+            format!("diameter and radius confused: the data fit twice the {name} of the scene, so {name} may be a diameter"),
             times((2, 1)),
         ));
         list.push(taken(
@@ -130,11 +128,7 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
     ] {
         list.push(taken("modulus", text, Taken::Modulus(factor)));
     }
-    list.push(taken(
-        "profile",
-        "paraboloid instead of the profile: the data fit the osculating paraboloid, not f itself",
-        Taken::Parabola,
-    ));
+    list.push(taken("profile", "paraboloid instead of the profile: the data fit the osculating paraboloid, not f itself", Taken::Parabola));
     list
 }
 
@@ -191,7 +185,11 @@ pub(in crate::validate) fn of_loads() -> Vec<Fault> {
         let what = if id == "sign" { "F is reversed" } else { "the exact force is in column F" };
         list.push(slip(id, format!("{text} {what}"), Slip { force, ..none }));
     }
-    list.push(slip("sign", "tension and compression confused: depths and forces have the opposite sign", Slip { force: -1.0, depth: -1.0, ..none }));
+    list.push(slip(
+        "sign",
+        "tension and compression confused: depths and forces have the opposite sign",
+        Slip { force: -1.0, depth: -1.0, ..none },
+    ));
     list.push(slip("sign", "the depths have the opposite sign", Slip { depth: -1.0, ..none }));
     for ten in tens() {
         list.push(power_of_ten("F is", "F", ten, |force| Slip { force, ..Slip::NONE }));

@@ -114,9 +114,8 @@ impl Trial<'_> {
             },
             &|row, x| Row { depth: row.depth - x * deepest * row.force / strongest, ..*row },
         );
-        fit("tare", &|x| format!("every F is too large by {x:.4} times the largest force: the force sensor has an offset"), &|row, x| Row {
-            force: row.force - x * strongest,
-            ..*row
+        fit("tare", &|x| format!("every F is too large by {x:.4} times the largest force: the force sensor has an offset"), &|row, x| {
+            Row { force: row.force - x * strongest, ..*row }
         });
     }
 }

@@ -237,9 +237,7 @@ pub(in crate::validate) fn columns(file: &str, mut arrays: Vec<Array>, layout: &
             add("y", every(&|i, _| (i as f64 - up) * pixel));
             if rows != across {
                 let [along_x, along_y] = [across, rows].map(|own| own as f64 * pixel);
-                columns
-                    .notes
-                    .push(format!("assuming square pixels, the box is {along_x:.6} along x and {along_y:.6} along y"));
+                columns.notes.push(format!("assuming square pixels, the box is {along_x:.6} along x and {along_y:.6} along y"));
             }
             let pixel = right == (across / 2) as f64 && up == (rows / 2) as f64;
             let place = if pixel { "on the centre of a pixel" } else { "between pixels" };

@@ -46,7 +46,9 @@ pub(in crate::validate) fn contradiction(pixels: &[Pixel]) -> Option<Suspicion> 
             format!("another grid: the points of the data fill a square of {:.0} pixels along a side, not {count}", side / h)
         }
         (Some(side), ..) => {
-            format!("another box: the points of the data fill a square with a side of {side:.6} in the length unit of the scene, which differs from the declared box")
+            format!(
+                "another box: the points of the data fill a square with a side of {side:.6} in the length unit of the scene, which differs from the declared box"
+            )
         }
         (None, Some(count), Some(h)) if worst.by_radii => format!(
             "another box: the contact radii are counted in pixels of {h:.6}; with the declared grid, they fit a box of {:.6} or a whole fraction of it in the length unit of the scene, not the declared box",
@@ -88,10 +90,7 @@ pub(in crate::validate) fn pixels(
     if !grid.is_empty() && grid.len() != surveys.len() {
         let what = if content == Content::Loads { "files with loads" } else { "files with fields" };
         let message = format!("the grid has {} numbers for {} {what}", grid.len(), surveys.len());
-        return Err(ValidationError::request(
-            message,
-            "expected one number per file, in the same order, such as 64,128,256",
-        ));
+        return Err(ValidationError::request(message, "expected one number per file, in the same order, such as 64,128,256"));
     }
     let mut list = Vec::new();
     for (index, survey) in surveys.iter_mut().enumerate() {

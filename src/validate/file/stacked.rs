@@ -202,9 +202,8 @@ fn joined(file: &str, name: &str, loads: Vec<Fields>, layout: &Layout) -> Result
         }
     }
     if without > 0 {
-        all.notes.push(format!(
-            "{without} rows with an empty field are skipped, as for an infinite pressure or beyond the end of the profile"
-        ));
+        all.notes
+            .push(format!("{without} rows with an empty field are skipped, as for an infinite pressure or beyond the end of the profile"));
     }
     Ok(all)
 }

@@ -281,7 +281,8 @@ fn axis(table: &Table<'_>, layout: &Layout) -> Result<f64, ValidationError> {
 fn content(file: &str, table: &Table<'_>) -> Result<Content, ValidationError> {
     let has = |kind: Kind| table.index(kind).is_some();
     let names: Vec<&str> = table.columns.iter().map(|own| own.name.as_str()).collect();
-    let found = if names.is_empty() { "no column was recognized".to_owned() } else { format!("the recognized columns are {}", names.join(", ")) };
+    let found =
+        if names.is_empty() { "no column was recognized".to_owned() } else { format!("the recognized columns are {}", names.join(", ")) };
     let missing = |what: &str| ValidationError::data(file, None, format!("{what}: {found}"), HELP);
     let place = has(Kind::Distance) || has(Kind::X);
     let values = table.columns.iter().any(|own| own.kind.is_field());

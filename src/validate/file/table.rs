@@ -157,9 +157,8 @@ impl<'s> Table<'s> {
     pub(in crate::validate) fn skipped(&self) -> Vec<String> {
         let Skipped { repeated, empty, .. } = self.skipped;
         let repeated = (repeated > 0).then(|| format!("the first line is repeated {repeated} times among the rows and was skipped there"));
-        let empty = (empty > 0).then(|| {
-            format!("{empty} rows with an empty field are skipped, as for an infinite pressure or beyond the end of the profile")
-        });
+        let empty = (empty > 0)
+            .then(|| format!("{empty} rows with an empty field are skipped, as for an infinite pressure or beyond the end of the profile"));
         repeated.into_iter().chain(empty).collect()
     }
 }
