@@ -90,7 +90,7 @@ impl Derivation<'_> {
     /// Returns notes about the formulas.
     pub fn notes(&self) -> Vec<Prose> {
         let mut notes = vec![
-            "the formulas apply for $x$ >= 0; $g$ is even",
+            "the formulas hold for $x$ >= 0; $g$ is even",
             "$E$ is the effective modulus E*",
             "$p$ = -$sigma_zz$ is positive in compression and 0 for $r$ > $a$",
         ];

@@ -20,7 +20,7 @@ pub(super) struct Doubt {
     rounding: f64,
     /// The error of the depth, or of g at the contact radius.
     slack: f64,
-    /// The error of the depth of a flat-ended punch.
+    /// The error of the depth of a punch with a rim.
     rim: f64,
     /// Whether the errors are proven or estimated.
     pub(super) bound: Bound,
