@@ -47,7 +47,7 @@ fn reading(curve: &Curve<'_>, pressures: Option<&PressureCurve<'_>>, asked: &Ask
     let modulus = Bounded::exact(asked.effective_modulus);
     let twice = Bounded::exact(2.0) * modulus;
     let place = Bounded::exact(at);
-    // Additional depth of a flat-ended punch compared with a smooth edge.
+    // Additional depth of a punch with a rim compared with a smooth edge.
     let excess = |a: f64| -> Result<Bounded, TransformError> {
         Ok(match asked.depth {
             Some(depth) => Bounded::exact(depth) - curve.slope(a)?.bounded(),

@@ -299,7 +299,11 @@ fn usage(error: &clap::Error) -> Failure {
         }
         ErrorKind::InvalidSubcommand => Failure::new(format!("unknown command {}", context(ContextKind::InvalidSubcommand)))
             .help(format!("{}run with --help for the list of commands", suggestion(ContextKind::SuggestedSubcommand))),
-        ErrorKind::MissingRequiredArgument => Failure::new(format!("missing required argument {argument}")).help(options),
+        ErrorKind::MissingRequiredArgument => {
+            let plural = if argument.contains(", ") { "s" } else { "" };
+            Failure::new(format!("missing required argument{plural} {argument}")).help(options)
+        }
+        ErrorKind::TooManyValues => Failure::new(format!("{argument} does not take a value")).help(options),
         ErrorKind::ArgumentConflict => {
             Failure::new(format!("{argument} cannot be used with {}", context(ContextKind::PriorArg))).help(options)
         }
@@ -308,9 +312,8 @@ fn usage(error: &clap::Error) -> Failure {
             let message =
                 if value.is_empty() { format!("{argument} requires a value") } else { format!("invalid value {value:?} for {argument}") };
             let known = context(ContextKind::ValidValue);
-            match error.source().map(ToString::to_string) {
-                Some(reason) if reason.starts_with("expected") => Failure::new(message).help(reason),
-                Some(reason) => Failure::new(format!("{message}: {reason}")),
+            match error.source().map(|own| expected(&own.to_string())) {
+                Some(help) => Failure::new(message).help(help),
                 None if known.is_empty() => Failure::new(message),
                 None => Failure::new(message).help(format!("{}expected one of {known}", suggestion(ContextKind::SuggestedValue))),
             }
@@ -320,6 +323,18 @@ fn usage(error: &clap::Error) -> Failure {
             let first = text.lines().next().unwrap_or_default();
             Failure::new(first.strip_prefix("error: ").unwrap_or(first)).help(options)
         }
+    }
+}
+
+/// Returns the help for a value that the argument parser rejects for this reason.
+fn expected(reason: &str) -> String {
+    match reason {
+        "invalid digit found in string" => "expected a whole number".to_owned(),
+        "invalid float literal" => "expected a number".to_owned(),
+        other => match other.split_once(" is not in ").and_then(|(_, range)| range.split_once("..=")) {
+            Some((low, high)) => format!("expected a whole number from {low} to {high}"),
+            None => other.to_owned(),
+        },
     }
 }
 

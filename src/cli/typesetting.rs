@@ -63,7 +63,7 @@ pub(super) struct TypesettingArguments {
     /// Breaks formulas into lines of about N characters.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(20..=1000))]
     width: Option<u16>,
-    /// Renames symbols in the output, such as E=E_r,d=\\delta.
+    /// Renames symbols in the output, such as E=E_r,d=\delta.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     symbols: Vec<String>,
     /// Rounds decimals and long fractions in formulas to N significant digits, from 1 to 17 [default: exact].

@@ -47,11 +47,11 @@ impl Inversion<'_> {
         let zero = if self.at_axis.is_zero() { "" } else { "; it shifts the shape and does not affect the contact" };
         let mut notes = vec![
             Prose::read("$f(0)$ = $g(0)$ = ").formula(self.at_axis.clone()).then(zero),
-            Prose::read("the formulas apply for $x$ >= 0 and $r$ >= 0; both functions are even"),
+            Prose::read("the formulas hold for $x$ >= 0 and $r$ >= 0; both functions are even"),
         ];
         if self.pressure.is_some() {
             notes.push(Prose::read(
-                "$E$ is the effective modulus E*, $a$ the contact radius; $f$ applies for $r$ < $a$; for $r$ > $a$ the shape must not touch the surface",
+                "$E$ is the effective modulus E*, $a$ the contact radius; $f$ holds for $r$ < $a$; for $r$ > $a$ the shape must not touch the surface",
             ));
         }
         notes.extend(rounding(presentation));

@@ -45,8 +45,8 @@ impl Kind {
                 "the integral in $p(r)$ is an integral of elliptic integrals over their modulus, for which no closed form is known"
             }
             Self::Inverse => {
-                "the integral in $p(r)$ has an inverse function beside two square roots, which makes it an integral of elliptic integrals \
-                 over a parameter: it has no known closed form"
+                "the integral in $p(r)$ contains an inverse function and two square roots, so it is an integral of elliptic integrals \
+                 over a parameter, for which no closed form is known"
             }
             Self::Hypergeometric => "the integral in $p(r)$ contains a hypergeometric function and a square root; no closed form is known",
             Self::Logarithm => {

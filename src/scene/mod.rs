@@ -1,4 +1,4 @@
-//! Contact scenes: a tip, two materials, loads and the quantities wanted, with units; read from TOML and solved row by row.
+//! Contact scenes: a tip, two materials, loads and requested quantities, with units; read from TOML and solved row by row.
 
 mod body;
 mod doubt;

@@ -227,7 +227,7 @@ impl<'a> Run<'a> {
         row.values.iter().map(|each| (each.0, own(each))).collect()
     }
 
-    /// Returns d, F and a of a state with error bounds, in the units of the answers; without those whose errors are unknown.
+    /// Returns d, F and a of a state with error bounds, in output units; quantities with unknown errors are omitted.
     pub fn state_estimates(&self, index: usize, state: &State) -> Vec<(Quantity, Estimate)> {
         let Some(own) = self.bounds(index, state) else { return Vec::new() };
         let all = [(Quantity::Depth, own.depth), (Quantity::Force, own.force), (Quantity::Radius, own.radius)];

@@ -101,7 +101,7 @@ pub const SHAPES: &[Shape] = &[
     },
     Shape {
         name: "paraboloid",
-        title: "paraboloid: a sphere for a contact that is small beside R",
+        title: "paraboloid: a sphere for a contact that is small compared with R",
         source: "Popov & Heß (3.6)–(3.13)",
         ways: &[Way { f: "r^2/(2*R)", parameters: &[p("R", "10 um", "radius of curvature at the tip")] }],
         rim: None,

@@ -97,7 +97,7 @@ pub(super) fn row(survey: &Survey<'_>, declared: Option<&Declared>, values: &[f6
     Row { depth: value(Kind::Depth), force: sign * value(Kind::Force), radius: value(Kind::ContactRadius) }
 }
 
-/// The quantity controlled by the solver, as far as the columns allow it.
+/// The quantity controlled by the solver, if the columns contain it.
 pub(super) fn control(survey: &Survey<'_>, declared: Option<&Declared>) -> Control {
     let (depth, force) = (survey.index(Kind::Depth).is_some(), survey.index(Kind::Force).is_some());
     match declared.and_then(|own| own.control) {

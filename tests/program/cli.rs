@@ -68,7 +68,7 @@ fn profiles_that_are_none() {
         ("gamma*r", &["gamma_0"]),
         ("", &["expression is empty", "^"]),
         ("0", &["flat", "--depth"]),
-        ("--jsn", &["no option --jsn", "--help"]),
+        ("--jsn", &["unknown option --jsn", "--help"]),
         (&signs, &["column 1001", "1000", "^"]),
         (&deep, &["column 1001", "1000", "^"]),
     ];
@@ -574,10 +574,10 @@ fn help_version_and_wrong_usage() {
 fn keys_are_suggested_for_words_and_endings() {
     for (word, key) in [("force", "F"), ("depth", "d"), ("contact_radius", "a"), ("Pressure", "p"), ("energy", "U"), ("contact area", "A")]
     {
-        refused(b"", &["eval", "r^2", "--quantity", word, "--at", "1"], &[word, &format!("exists: '{key}'")]);
+        refused(b"", &["eval", "r^2", "--quantity", word, "--at", "1"], &[word, &format!("did you mean {key}?")]);
     }
     for (command, ending, key) in [("derive", "tex", "latex"), ("invert", "html", "mathml"), ("derive", "typ", "typst")] {
-        refused(b"", &[command, "r^2", "--format", ending], &[ending, &format!("exists: '{key}'")]);
+        refused(b"", &[command, "r^2", "--format", ending], &[ending, &format!("did you mean {key}?")]);
     }
     let ran = run(&["derive", "r^2", "--format", "foo"]);
     assert!(ran.code == 2 && !ran.stderr.contains("tip"), "{}", ran.stderr);

@@ -91,7 +91,7 @@ fn text_names_the_reference_and_what_to_pick() {
     let done = program(&["ln(cosh(r))", "--quantity", "g", "--tol", "1e-6", "--at", "0.5,1.5"]);
     let text = String::from_utf8(done.stdout).unwrap();
     assert!(text.contains("true errors against: double-exponential rule with 30 digits"), "{text}");
-    assert!(text.contains("For a relative error of 1e-6 take "), "{text}");
+    assert!(text.contains("For a relative error of 1e-6 use "), "{text}");
     assert!(text.contains("closed form: no closed form is known"), "{text}");
 }
 

@@ -338,7 +338,9 @@ fn planted_faults_are_found_and_named() {
     // Faults of the scene itself.
     let turned = Tip::Cone.scene(load, 128).replace(&format!("{:?}", SLOPE.atan()), &format!("{:?}", PI / 2.0 - SLOPE.atan()));
     let doubled = Tip::Paraboloid.scene(load, 128).replace("R = 10", "R = 20");
-    for (tip, scene, name) in [(Tip::Cone, turned, "half-opening angle and surface angle confused"), (Tip::Paraboloid, doubled, "diameter and radius confused")] {
+    for (tip, scene, name) in
+        [(Tip::Cone, turned, "half-opening angle and surface angle confused"), (Tip::Paraboloid, doubled, "diameter and radius confused")]
+    {
         fs::write(place.join("data.csv"), loads(tip, 128, &|_, row| row)).unwrap();
         let (code, found) = validated(&place, &scene, &["data.csv".to_owned()], &[]);
         assert_eq!(code, 1, "{found:#}");

@@ -19,7 +19,7 @@ pub(in crate::cli) struct Arguments {
     /// Contact radius [default: points spread over the range of the profile].
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
-    /// Depth of a flat-ended punch, whose rim is at the contact radius.
+    /// Depth of a punch whose rim is at the contact radius.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
     /// Largest relative difference to accept [default: the error bounds].

@@ -18,7 +18,7 @@ use std::path::PathBuf;
 pub(in crate::cli) struct Arguments {
     #[command(flatten)]
     profile: input::ProfileArguments,
-    /// Depth of a flat-ended punch, whose rim is at the contact radius: a number, or the symbol d.
+    /// Depth of a punch whose rim is at the contact radius: a number, or the symbol d.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
     /// Output format [default: text].

@@ -58,7 +58,7 @@ const PREFIXES: &[(&str, i64)] = &[
 ];
 
 /// The units listed in error messages.
-const KNOWN: &str = "expected m, N, Pa or J with prefixes (nm, um, mm, mN, GPa), in, mil, ft, lbf, kgf, dyn, psi, ksi, bar, atm, rad, deg, or products such as N/mm^2 or um^-0.5";
+const KNOWN: &str = "expected m, N, Pa or J with a prefix (um, mN, GPa), in, mil, ft, lbf, kgf, dyn, psi, ksi, bar, atm, rad, deg, or a product such as N/mm^2";
 
 impl Unit {
     /// Parses a unit.
