@@ -63,7 +63,12 @@ pub static WAYS: [Way; 16] = [
         missing: "an integral is infinite",
         method: "mixed",
         run: in_parts,
-        ..integral(Estimate::SEVERAL, "closed forms where terms have one, and the cheapest integral for each other term", ALL, Bound::Proven)
+        ..integral(
+            Estimate::SEVERAL,
+            "closed forms where terms have one, and the cheapest integral for each other term",
+            ALL,
+            Bound::Proven,
+        )
     },
     integral(GAUSS, "one Gauss rule, proven to suffice by an enclosure of f′", &["g", "F", "G"], Bound::Proven),
     integral(LEGENDRE, "expansion of f′ in Legendre polynomials, with a number of terms proven to suffice", &["p"], Bound::Proven),
@@ -71,12 +76,31 @@ pub static WAYS: [Way; 16] = [
     integral(PIECES, "pieces, each with a rule proven to suffice by an enclosure", &["g", "F", "G", "p"], Bound::Proven),
     Way {
         missing: UNMET,
-        ..integral(NESTED, "nested rules over the angle; the error is estimated from their differences", &["g", "F", "G", "u"], Bound::Estimated)
+        ..integral(
+            NESTED,
+            "nested rules over the angle; the error is estimated from their differences",
+            &["g", "F", "G", "u"],
+            Bound::Estimated,
+        )
     },
     Way {
-        missing: UNMET, ..integral(LEGENDRE_SAMPLED, "expansion of f′ in Legendre polynomials; the error is estimated from values of f′", &["p"], Bound::Estimated)
+        missing: UNMET,
+        ..integral(
+            LEGENDRE_SAMPLED,
+            "expansion of f′ in Legendre polynomials; the error is estimated from values of f′",
+            &["p"],
+            Bound::Estimated,
+        )
     },
-    Way { missing: UNMET, ..integral(OVER_U_SAMPLED, "∫ g′(r cosh u) du with nested rules; the error is estimated from their differences", &["p"], Bound::Estimated) },
+    Way {
+        missing: UNMET,
+        ..integral(
+            OVER_U_SAMPLED,
+            "∫ g′(r cosh u) du with nested rules; the error is estimated from their differences",
+            &["p"],
+            Bound::Estimated,
+        )
+    },
     integral(ELLIPTIC, "∫ (r f′)′ K(r, s) dr with the elliptic kernel, by adaptive Gauss–Kronrod quadrature", &["p"], Bound::Estimated),
     integral(BISECTION, "adaptive Gauss–Kronrod quadrature", &["f", "g", "F", "G", "u", "sigma_zz"], Bound::Estimated),
     Way {
