@@ -713,7 +713,7 @@ fn arrays_are_read_as_numpy_writes_them() {
         (&["foreign.npz"], "array d: unsupported compression method BZIP2"),
         (&["cut.npz"], "this is not an NPZ file"),
         (&[press.as_str()], "has no coordinates"),
-        (&[press.as_str(), "--box", "8", "--map", "p=pres"], "no file has a column \"pres\""),
+        (&[press.as_str(), "--box", "8", "--map", "p=pres"], "no file contains a column \"pres\""),
         (&[press.as_str(), "--box", "8", "--map", "q=press"], "is not a quantity"),
         (&[press.as_str(), "--box=-8"], "is not positive"),
         (&[corner.as_str(), "--origin", "corner"], "require the box"),

@@ -93,7 +93,10 @@ impl Layout {
     /// Returns an error if the map names a column that does not exist.
     pub(in crate::validate) fn without_column(&self, names: &[String]) -> Option<ValidationError> {
         let (symbol, column) = self.map.iter().find(|own| !names.contains(&own.1))?;
-        let help = format!("expected one of {}", names.join(", "));
+        let help = match names {
+            [] => "expected the name or the number of a column".to_owned(),
+            names => format!("expected one of {}", names.join(", ")),
+        };
         Some(ValidationError::request(format!("the map {symbol}={column} is invalid: no file contains a column {column:?}"), help))
     }
 
