@@ -313,7 +313,7 @@ fn the_short_derivation_has_every_result_once() {
             let rules = result["rules"].as_array().unwrap();
             assert!(rules.iter().all(|own| reason.contains(own.as_str().unwrap())), "{arguments:?}: {reason}");
             let stays = result["text"].as_str().unwrap().contains("integral(");
-            assert_eq!(reason.contains("computed by quadrature"), stays, "{arguments:?}: {reason}");
+            assert_eq!(reason.contains("integral remains") || reason.contains("remaining integral"), stays, "{arguments:?}: {reason}");
         }
     }
 }
