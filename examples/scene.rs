@@ -8,7 +8,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene { effective_modulus: 3.0, control: Control::Force, loads: Loads::List(vec![0.2]), ..Scene::of(profile) };
     let solution = scene.solution()?;
     let run = Run::new(&scene, &solution)?;
-    let state = run.state(0, false).ok_or("no valid contact belongs to this force")?;
+    let state = run.state(0, false).ok_or("no valid contact exists for this force")?;
     println!("d = {:?}, a = {:?}, {:?}", state.depth, state.radius, state.boundary);
     for r in (0..10).map(|step| f64::from(step) * 0.1) {
         match run.point(Quantity::Pressure, Some(&state), r).value {

@@ -119,7 +119,7 @@ fn fields(
     let run = Run::new(&scene, &solution).map_err(failed)?;
     let state = within(|| Ok(run.state(load, false)))?;
     let Some(state) = state else {
-        return Err(Fault::new("no valid contact belongs to this load").help("sneddon.solve says why"));
+        return Err(Fault::new("no valid contact exists for this load").help("run sneddon.solve for the reasons"));
     };
     let mut means = None;
     if let Some((side, count, between)) = cells {

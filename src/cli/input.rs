@@ -109,7 +109,7 @@ pub(super) fn text(argument: &str) -> Result<String, Failure> {
     let text = if argument == "-" { from_stdin()? } else { argument.to_owned() };
     if looks_like_an_option(&text) {
         return Err(Failure::new(format!("unknown option {text}"))
-            .help("run --help for a list of options; a profile may begin with a single minus, such as -(-r)"));
+            .help("run with --help for the list of options; a profile may begin with a single minus, such as -(-r)"));
     }
     Ok(text)
 }
