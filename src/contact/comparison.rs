@@ -115,7 +115,7 @@ impl Subject {
         let why = match &tally {
             None => Some("no closed form gives its value, only quadrature does".into()),
             Some(_) if verdict != Verdict::NotCompared => None,
-            Some(_) if !is_complete => Some("the budget of work did not suffice".into()),
+            Some(_) if !is_complete => Some("the work limit was reached".into()),
             Some(_) => Some(match trouble {
                 None | Some(ContactError::Transform(TransformError::NoDigits { .. })) => NO_REFERENCE.into(),
                 Some(error) => error.to_string().into(),

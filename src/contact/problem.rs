@@ -86,7 +86,7 @@ impl Reason {
     pub fn text(&self) -> &str {
         match self {
             Self::Refused(why) => why,
-            other => other.fixed_text().unwrap_or("the budget of work does not suffice for this point"),
+            other => other.fixed_text().unwrap_or("the work limit was reached at this point"),
         }
     }
 

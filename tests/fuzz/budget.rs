@@ -204,9 +204,9 @@ fn points_that_the_budget_does_not_reach_are_null_with_a_reason() {
     let (out, err, code) = run(&asked);
     let answer: serde_json::Value = serde_json::from_str(&out).unwrap();
     assert_eq!((&answer["complete"], code), (&serde_json::Value::Bool(false), Some(1)), "{err}");
-    assert!(answer["why"].as_str().unwrap().contains("budget"));
+    assert!(answer["why"].as_str().unwrap().contains("work limit"));
     let points = answer["points"].as_array().unwrap();
-    assert!(points[2]["value"].is_null() && points[2]["why"].as_str().unwrap().contains("budget"));
+    assert!(points[2]["value"].is_null() && points[2]["why"].as_str().unwrap().contains("work limit"));
     // Easy points beside a hard one keep their answers.
     let (whole, _, code) = run(&asked[..6].iter().copied().chain(["--json"]).collect::<Vec<_>>());
     let whole: serde_json::Value = serde_json::from_str(&whole).unwrap();

@@ -118,7 +118,7 @@ fn foreign(whole: &str, own: &str) -> Option<String> {
 }
 
 fn is_cut(text: &str) -> bool {
-    text.contains("work limit was reached") || text.contains("budget of work did not suffice")
+    text.contains("work limit was reached")
 }
 
 #[test]

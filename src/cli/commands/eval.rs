@@ -17,10 +17,10 @@ use clap::{Arg, Command};
 use std::ffi::OsStr;
 use std::path::PathBuf;
 
-/// Computes numbers, each with a bound of its error.
+/// Computes the numbers of a contact, each with an error bound.
 ///
-/// The points are values of the coordinate in parentheses behind each quantity: r, x or z, the contact radius a, the depth d or the
-/// force F. The quantities p, u, q, u_1d and sigma_zz need --radius as well.
+/// The points are values of the coordinate in parentheses after each quantity: r, x or z, the contact radius a, the depth d or the
+/// force F. The quantities p, u, q, u_1d and sigma_zz also require --radius.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
@@ -29,28 +29,28 @@ pub(in crate::cli) struct Arguments {
     /// Quantity to compute.
     #[arg(long, value_parser = Quantities(any))]
     quantity: Quantity,
-    /// Where: 0.1,0.5 or start:stop:count or log:start:stop:count.
+    /// Points: 0.1,0.5 or start:stop:count or log:start:stop:count.
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: String,
-    /// The contact radius, for p, u, q, u_1d and sigma_zz.
+    /// Contact radius, for p, u, q, u_1d and sigma_zz.
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
-    /// The depth of a punch with a rim at the contact radius.
+    /// Depth of a punch whose rim is at the contact radius.
     #[arg(long, value_name = "D", allow_hyphen_values = true)]
     depth: Option<String>,
-    /// E*, the modulus of both bodies together.
+    /// Effective modulus E* of the two bodies.
     #[arg(long, value_name = "VALUE", default_value = "1", allow_hyphen_values = true)]
     effective_modulus: String,
-    /// Which way; auto takes the cheapest one that meets the tolerance.
+    /// Method; `auto` picks the cheapest that meets the tolerance.
     #[arg(long, value_parser = Methods, default_value = "auto")]
     method: Chosen,
-    /// Shows the result of every way to each number, and its steps of work; not with --csv.
+    /// Shows the result of every method for each number, with its steps of work; not with --csv.
     #[arg(long, conflicts_with = "csv")]
     explain: bool,
-    /// The highest power of r that --method series keeps [default: 24, and 64 for p].
+    /// Highest power of r in the series of --method series [default: 24, and 64 for p].
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     order: Option<String>,
-    /// The relative tolerance [default: 1e-13].
+    /// Relative tolerance [default: 1e-13].
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     tol: Option<String>,
     /// Writes JSON.
@@ -59,7 +59,7 @@ pub(in crate::cli) struct Arguments {
     /// Writes comma-separated values.
     #[arg(long)]
     csv: bool,
-    /// Writes into this file instead of stdout; its ending decides the format: .txt, .csv or .json.
+    /// Writes to this file instead of stdout; the extension selects the format: .txt, .csv or .json.
     #[arg(short, long, value_name = "FILE")]
     pub(in crate::cli) output: Option<PathBuf>,
     #[command(flatten)]
@@ -74,11 +74,11 @@ const EXAMPLES: &str = "Examples:
   sneddon eval 'h*ln(1+r/w)' --quantity g --at log:0.01:1:5 --set h=0.4 --set w=1.3
   sneddon eval 'ln(cosh(r))' --quantity p --at 0:2.9:30 --radius 3 --method curve";
 
-/// Work that each further point may be.
+/// Steps of work that are allowed for each further point.
 const STEPS_PER_POINT: u64 = 100_000;
-/// The relative tolerance where none was given.
+/// The default relative tolerance.
 const TOLERANCE: f64 = 1e-13;
-/// The relative error that is worth a warning where no tolerance was given.
+/// The relative error above which a warning is given if no tolerance was requested.
 const FEW_DIGITS: f64 = 1e-8;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -97,7 +97,7 @@ struct Methods;
 
 /// The methods beside the ways; `series` here gives the series term by term.
 const METHODS: [(&str, &str, Chosen); 5] = [
-    ("auto", "the cheapest way that meets the tolerance", Chosen::Method(Method::Auto)),
+    ("auto", "the cheapest method that meets the tolerance", Chosen::Method(Method::Auto)),
     ("exact", "closed forms only", Chosen::Method(Method::Exact)),
     ("quadrature", "quadrature of the profile as typed", Chosen::Method(Method::Quadrature)),
     ("series", "the power series at r = 0, term by term", Chosen::Series),
