@@ -304,6 +304,9 @@ fn usage(error: &clap::Error) -> Failure {
             Failure::new(format!("missing required argument{plural} {argument}")).help(options)
         }
         ErrorKind::TooManyValues => Failure::new(format!("{argument} does not take a value")).help(options),
+        ErrorKind::ArgumentConflict if argument == context(ContextKind::PriorArg) => {
+            Failure::new(format!("{argument} is given more than once")).help(options)
+        }
         ErrorKind::ArgumentConflict => {
             Failure::new(format!("{argument} cannot be used with {}", context(ContextKind::PriorArg))).help(options)
         }

@@ -2,15 +2,15 @@
 
 use super::Failure;
 use super::units::Units;
-use crate::scene::{Loads, Steps};
+use crate::scene::{Dimension, Loads, Steps};
 
 /// Maximum number of points.
 const MOST: usize = 1_000_000;
 
 const ACCEPTED: &str = "expected numbers such as 0.1,0.5, a range start:stop:count, or log:start:stop:count";
 
-/// Parses a list of points; each must be a finite length of at least 0.
-pub fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
+/// Parses a list of points; each must be a finite number of this dimension, at least 0.
+pub fn read(list: &str, units: &Units, dimension: Dimension) -> Result<Vec<f64>, Failure> {
     if list.trim().is_empty() {
         return Err(Failure::new("--at is empty").help(ACCEPTED));
     }
@@ -18,9 +18,9 @@ pub fn read(list: &str, units: &Units) -> Result<Vec<f64>, Failure> {
     let mut start = 0;
     for item in list.split(',') {
         let bad = |message: String| Failure::new(message).help(ACCEPTED).at("--at", list, start..start + item.len());
-        let number = |text: &str| units.length("--at", text);
+        let number = |text: &str| units.number("--at", text, dimension);
         let range = |ends: [&str; 2], count, logarithmic| {
-            let [first, last] = [units.end("--at", ends[0])?, units.end("--at", ends[1])?];
+            let [first, last] = [units.end("--at", ends[0], dimension)?, units.end("--at", ends[1], dimension)?];
             if logarithmic && (first.value() <= 0.0 || last.value() <= 0.0) {
                 return Err(bad("both ends of a logarithmic range must be positive".to_owned()));
             }

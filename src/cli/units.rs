@@ -38,9 +38,9 @@ impl Units {
         self.number(place, text, Dimension::LENGTH)
     }
 
-    /// Parses an end point of a range of lengths; a fraction keeps 31 digits.
-    pub(super) fn end(&self, place: &str, text: &str) -> Result<DoubleDouble, Failure> {
-        let (exact, _) = self.exact(place, text, Dimension::LENGTH)?;
+    /// Parses an end point of a range; a fraction keeps 31 digits.
+    pub(super) fn end(&self, place: &str, text: &str, dimension: Dimension) -> Result<DoubleDouble, Failure> {
+        let (exact, _) = self.exact(place, text, dimension)?;
         to_double_double(&exact).map_err(|error| failure(place, text, &error))
     }
 
@@ -83,7 +83,8 @@ impl Units {
         })
     }
 
-    fn number(&self, place: &str, text: &str, wanted: Dimension) -> Result<f64, Failure> {
+    /// Parses a finite number of a dimension.
+    pub(super) fn number(&self, place: &str, text: &str, wanted: Dimension) -> Result<f64, Failure> {
         self.exact(place, text, wanted).map(|(_, value)| value)
     }
 

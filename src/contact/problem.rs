@@ -225,7 +225,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// d: g(a) under a smooth edge (3.26), the given depth under a rim.
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn depth(&self, a: f64) -> Result<Reading, ContactError> {
         match self.depth {
             Some(depth) => Ok(exact(depth)),
@@ -236,7 +236,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// F = F_smooth(a) + 2E* a (d − g(a)) (3.22), (3.61).
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn force(&self, a: f64) -> Result<Reading, ContactError> {
         representable(self.any_force(a)?, "a", a)
     }
@@ -269,7 +269,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// F/(π a²); undefined for a contact without area.
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn mean_pressure(&self, a: f64) -> Result<Measured, ContactError> {
         if a == 0.0 {
             return Ok(Err(Reason::NoArea));
@@ -285,7 +285,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// The displacement of the one-dimensional model, d − g(x) within the contact and 0 outside (3.7).
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn line_displacement(&self, x: f64, a: f64) -> Result<Reading, ContactError> {
         finite_and_not_negative("x", x)?;
         finite_and_not_negative("a", a)?;
@@ -299,7 +299,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// The line load of the one-dimensional model, q(x) = E* (d − g(x)); F is its integral from −a to a.
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn line_load(&self, x: f64, a: f64) -> Result<Reading, ContactError> {
         let Reading { estimate, method } = self.line_displacement(x, a)?;
         representable(Reading { estimate: estimate.scaled(self.effective_modulus), method }, "x", x)
@@ -308,7 +308,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// p(r), positive in compression: (E*/π)(∫_r^a g′/√(x²−r²) dx + (d − g(a))/√(a²−r²)) (3.37) with its edge term.
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn pressure(&self, r: f64, a: f64) -> Result<Measured, ContactError> {
         finite_and_not_negative("r", r)?;
         finite_and_not_negative("a", a)?;
@@ -343,7 +343,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// u_z(r): d − f(r) inside the contact, (2/π)∫₀^a (d − g)/√(r²−x²) dx outside.
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn displacement(&self, r: f64, a: f64) -> Result<Reading, ContactError> {
         let d = self.depth(a)?;
         if r <= a {
@@ -363,7 +363,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// G(a) = ∫₀^a g dx.
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn integral(&self, a: f64) -> Result<Reading, ContactError> {
         representable(self.evaluator.integral(a)?, "x", a)
     }
@@ -371,7 +371,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// The strain energy U = E* ∫₀^a (d − g)² dx of the whole profile; it does not superpose.
     ///
     /// # Errors
-    /// As the evaluator.
+    /// Returns the errors of the evaluator.
     pub fn energy(&self, a: f64) -> Result<Reading, ContactError> {
         representable(work::bounded(|| self.nested_energy(a))?, "a", a)
     }
@@ -487,8 +487,9 @@ pub(super) fn over_area(force: Estimate, a: Bounded) -> Estimate {
 fn through(radius: Reading, quantity: impl Fn(f64) -> Result<Reading, ContactError>) -> Result<Reading, ContactError> {
     let Estimate { value: a, error, bound, .. } = radius.estimate;
     let own = quantity(a)?;
+    let method = if radius.method == "root" { radius.method } else { own.method };
     if a == 0.0 || error == 0.0 {
-        return Ok(Reading { estimate: own.estimate.resting_on(bound), ..own });
+        return Ok(Reading { estimate: own.estimate.resting_on(bound), method });
     }
     let (step, share) = step_of(a, error);
     let moved = |place: f64| {
@@ -499,7 +500,7 @@ fn through(radius: Reading, quantity: impl Fn(f64) -> Result<Reading, ContactErr
     let below = moved((a - step).max(0.0))?;
     let above = moved(a + step).unwrap_or(2.0 * below);
     let estimate = Estimate { error: (own.estimate.error + below.max(above)) * (1.0 + 8.0 * f64::EPSILON), ..own.estimate };
-    Ok(Reading { estimate: estimate.resting_on(bound), ..own })
+    Ok(Reading { estimate: estimate.resting_on(bound), method })
 }
 
 /// Returns a step of at least `error` and at least the spacing of doubles at `a`, and the ratio of `error` to that step.

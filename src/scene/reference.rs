@@ -273,7 +273,7 @@ impl Run<'_> {
                 let inherited = doubt.of_mean(ends, diagonal, area, value);
                 Ok((value * factor, (own.error / area + 2.0 * f64::EPSILON * value.abs() + inherited) * factor.abs()))
             }
-            _ => Err("it cannot be computed to any digit"),
+            _ => Err("no digit of the value is reliable"),
         };
         let mut values = Vec::new();
         match grid.square() {
@@ -281,7 +281,7 @@ impl Run<'_> {
                 for index in 0..grid.distinct() {
                     values.push(match (&means, grid) {
                         _ if work::is_exhausted() => Err(self.point_is_cut()),
-                        (Some((Err(_), _)), _) => Err("it cannot be computed to any digit"),
+                        (Some((Err(_), _)), _) => Err("no digit of the value is reliable"),
                         (Some((Ok(force), _)), Grid::Radial(radii)) => {
                             let [inner, outer] = ring(radii, index);
                             mean(force.on_ring(inner, outer), PI * (outer - inner) * (outer + inner), [inner, outer], None)
@@ -300,7 +300,7 @@ impl Run<'_> {
                         values.push(match &means {
                             _ if work::is_exhausted() => Err(self.point_is_cut()),
                             None => seen(self.point(curve, state, (x * step).hypot(y * step))),
-                            Some((Err(_), _)) => Err("it cannot be computed to any digit"),
+                            Some((Err(_), _)) => Err("no digit of the value is reliable"),
                             // A cell on an axis consists of two equal halves.
                             Some((Ok(_), state)) if (x - 0.5).max(0.0).hypot((y - 0.5).max(0.0)) * step >= state.radius => Ok((0.0, 0.0)),
                             Some((Ok(force), _)) => {

@@ -28,7 +28,7 @@ pub struct Run<'a> {
 }
 
 /// The message when the work budget is exhausted.
-const UNFINISHED: &str = "stopped at the work limit; a larger budget is required";
+const UNFINISHED: &str = "stopped at the work limit";
 
 /// A value of a curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -412,7 +412,11 @@ impl<'a> Run<'a> {
             if at == 0.0 {
                 return Ok(zero());
             }
-            return curve.number(self.indentation.shape(), at, at).map_err(|_| outside)?.map_err(|_| outside);
+            return match curve.number(self.indentation.shape(), at, at) {
+                Err(ContactError::Transform(TransformError::OutOfDomain { .. })) => Err(outside),
+                Err(_) => Err(FAILED),
+                Ok(found) => found.map_err(|_| outside),
+            };
         }
         let Some(state) = state else { return Err("the load has no valid contact") };
         if state.boundary == Boundary::Apart || state.radius == 0.0 {
@@ -437,7 +441,7 @@ pub fn infinite_value(curve: Quantity, why: &str) -> Option<f64> {
 }
 
 /// The default reason for a missing value.
-const FAILED: &str = "it cannot be computed to any digit";
+const FAILED: &str = "no digit of the value is reliable";
 
 /// Returns a quantity that follows from depth, force and radius of a state; `None` for other quantities.
 pub(super) fn of_state(datum: Quantity, state: &State, effective_modulus: f64) -> Option<Result<f64, &'static str>> {

@@ -2,9 +2,10 @@
 #![cfg(feature = "cli")]
 
 use sneddon::cli::inner::{Units, read};
+use sneddon::contact::Dimension;
 
 fn bare(list: &str) -> Result<Vec<f64>, impl std::fmt::Debug> {
-    read(list, &Units::of(&[], &[], None))
+    read(list, &Units::of(&[], &[], None), Dimension::LENGTH)
 }
 
 #[test]

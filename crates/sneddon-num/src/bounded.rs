@@ -10,11 +10,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A computed value and a bound on its distance to the value in exact arithmetic.
 ///
 /// Every operation propagates the errors of its arguments and adds its rounding error.
-/// The four operations and `sqrt` are rigorous; the arguments' errors are taken as independent,
-/// so correlated errors (x − x) give a valid but wide bound.
+/// The four operations and `sqrt` are rigorous; correlations between the arguments' errors are ignored,
+/// so that x − x has a valid but wide bound.
 /// NaN gives NaN with error NaN; overflow gives an infinite value. Callers turn both into errors.
 /// After a certain overflow the error is finite: it bounds the reciprocal of the true value, which has the sign of the infinity.
-/// Therefore 1/cosh 1000 is a 0 with a bound.
+/// Therefore 1/cosh 1000 is 0 with a finite error bound.
 ///
 /// ```
 /// use sneddon_num::Bounded;

@@ -139,9 +139,11 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let digits = arguments.precision.digits(answer.format() != Format::Json)?;
     let quantity = arguments.quantity;
-    let lengths = [Some(arguments.at.as_str()), arguments.radius.as_deref(), arguments.depth.as_deref()];
+    let dimension = quantity.coordinate_dimension();
+    let lengths =
+        [Some(arguments.at.as_str()).filter(|_| dimension == Dimension::LENGTH), arguments.radius.as_deref(), arguments.depth.as_deref()];
     let units = arguments.profile.units(&lengths, Some(&arguments.effective_modulus));
-    let at = points::read(&arguments.at, &units)?;
+    let at = points::read(&arguments.at, &units, dimension)?;
     budget::allow(at.len() as u64, STEPS_PER_POINT);
     let radius = arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?;
     let depth = arguments.depth.as_deref().map(|text| units.length("--depth", text)).transpose()?;

@@ -9,6 +9,7 @@ use crate::expr::{Bindings, Expr, Formula};
 use crate::parse;
 use crate::report::page::Page;
 use crate::report::{Inversion, Wanted, inversion};
+use crate::scene::Dimension;
 use crate::transform::{self, Inverse, InverseNumbers, Method, TransformError};
 use std::path::PathBuf;
 
@@ -62,7 +63,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
     let units = Units::of(&arguments.set, &[arguments.at.as_deref()], None);
     units.tell();
-    let at = arguments.at.as_deref().map(|list| points::read(list, &units)).transpose()?.unwrap_or_default();
+    let at = arguments.at.as_deref().map(|list| points::read(list, &units, Dimension::LENGTH)).transpose()?.unwrap_or_default();
     let style = arguments.typesetting.style(answer.format().page())?;
     let asked = Asked::read(arguments)?;
     let settings = input::Settings::read(&arguments.set, &asked.typed, &units)?;

@@ -7,6 +7,7 @@ use crate::cli::{Failure, Outcome, budget, input, points};
 use crate::contact::{ContactError, Quantity};
 use crate::expr::Bindings;
 use crate::report::{self, Tradeoff};
+use crate::scene::Dimension;
 use crate::tradeoff::{self, Options, Problem, TradeoffError};
 use crate::transform::{self, Evaluator, Method, TransformError};
 use std::io::Write;
@@ -66,7 +67,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     demand(&[quantity], compared)?;
     let units = arguments.profile.units(&[arguments.at.as_deref(), arguments.radius.as_deref()], None);
     units.tell();
-    let at = arguments.at.as_deref().map(|list| points::read(list, &units)).transpose()?;
+    let at = arguments.at.as_deref().map(|list| points::read(list, &units, Dimension::LENGTH)).transpose()?;
     let radius = arguments.radius.as_deref().map(|text| units.positive_length("--radius", text)).transpose()?;
     if radius.is_some() && quantity != Quantity::Pressure {
         return Err(Failure::new("--radius requires --quantity p").help("omit --radius, or add --quantity p"));

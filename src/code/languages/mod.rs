@@ -255,7 +255,7 @@ pub(super) fn head(program: &Program) -> Vec<String> {
     let mut lines = vec![
         format!("Contact of a rigid axisymmetric indenter with the shape f(r) = {}.", program.profile),
         format!(
-            "Written by sneddon {}; the functions are in closed form, in the order of operations that keeps their digits.",
+            "Written by sneddon {}; the functions are in closed form, operations are ordered to avoid cancellation.",
             env!("CARGO_PKG_VERSION")
         ),
     ];

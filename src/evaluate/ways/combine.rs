@@ -30,7 +30,7 @@ impl Evaluator<'_> {
         }
         match self.by_quadrature(ask, self.typed().and_then(|typed| self.integrate(typed, ask))) {
             Ok(Some(other)) if other.estimate.meets(self.tolerance) => Ok(Some(other)),
-            other => match work::share(DEAREST, || self.combined(quantity, ask, None)) {
+            other => match work::share(CLOSED_FORM_STEPS_AFTER_QUADRATURE, || self.combined(quantity, ask, None)) {
                 Some(found) => found,
                 None => other,
             },
@@ -41,7 +41,7 @@ impl Evaluator<'_> {
         work::bounded(|| profile.answer(ask, self.tolerance))
     }
 
-    /// The same; where `dear` is given, closed forms that take too long are given up, and it is set.
+    /// As [`Self::combine`]; if `dear` is given, slow closed forms are abandoned and `dear` is set to true.
     fn combined(&self, quantity: Superposed, ask: Ask, dear: Option<&Cell<bool>>) -> Answer {
         work::spend(OVERHEAD);
         let dear = dear.filter(|_| self.method == Method::Auto);
@@ -62,7 +62,7 @@ impl Evaluator<'_> {
             let part = self.part(index, quantity)?;
             let interval = self.interval(index, contact);
             if let Some(form) = part.closed.get(interval).and_then(Option::as_ref) {
-                let Some(value) = in_time(form.tape().is_special(), dear, DEAR, || form.in_doubles(&exact, &mut slots)) else {
+                let Some(value) = in_time(form.tape().is_special(), dear, CLOSED_FORM_STEPS, || form.in_doubles(&exact, &mut slots)) else {
                     return Ok(None);
                 };
                 if value.value.is_infinite() {
@@ -89,7 +89,7 @@ impl Evaluator<'_> {
                 let found = match self.integrate(&part.open, ask) {
                     Ok(Some(found)) => found,
                     Ok(None) => return Ok(None),
-                    // A term that underflows, or is 0/0 next to the axis: the whole may have its digits all the same.
+                    // A term underflows, or is 0/0 next to the axis; the integral over the whole profile may still be accurate.
                     // An estimate would hide what could not be resolved alone.
                     Err(error) if is_lost(&error) => {
                         return whole()?.filter(|whole| whole.estimate.bound == Bound::Proven).map(Some).ok_or(error);
@@ -101,13 +101,14 @@ impl Evaluator<'_> {
             }
         }
         let special = forms.iter().any(|form| form.tape().is_special());
-        let precise = || in_time(special, dear, DEAR_TWICE, || precise_total(&forms, inputs)).unwrap_or((Precise::nan(), DOUBLES));
+        let precise =
+            || in_time(special, dear, CLOSED_FORM_STEPS_30_DIGITS, || precise_total(&forms, inputs)).unwrap_or((Precise::nan(), DOUBLES));
         let closed = if forms.is_empty() {
             Estimate::exact(0.0)
         } else if closed.value.is_finite() {
             refined(closed, (closed + open.bounded()).value, good_enough(self.tolerance), precise)
         } else {
-            // What overflows on the way may be a number all the same.
+            // An intermediate overflow does not imply that the result overflows.
             let (exact, way) = precise_total(&forms, inputs);
             if exact.value.hi.is_infinite() || (overflow && !exact.is_finite()) {
                 return Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact });
@@ -145,8 +146,8 @@ impl Evaluator<'_> {
         Best::of(self.tolerance, Ok(Some(own))).or(typed).or(|| self.by_recognition(ask)).or(|| self.by_series(ask)).answer()
     }
 
-    /// The whole by quadrature of f′ as typed, which is given, or of its recognition form where the typed one cancels or leaves
-    /// the range of doubles.
+    /// Quadrature of f′ as typed (`typed` is its result), or of its recognition form if the typed one cancels or leaves the range
+    /// of doubles.
     #[cold]
     pub(crate) fn by_quadrature(&self, ask: Ask, typed: Result<Option<Estimate>, TransformError>) -> Answer {
         let typed = self.typed().and_then(|profile| by_quadrature(unless_underflown(profile, ask, typed)));
@@ -169,7 +170,7 @@ impl Evaluator<'_> {
     /// By the power series at the axis, with a proven remainder.
     ///
     /// # Errors
-    /// [`TransformError::NotComputable`] where the series is not known, or far out, where a few terms promise no digit.
+    /// [`TransformError::NotComputable`] if the series is not known, or if the truncated series has no accurate digit.
     pub(crate) fn by_series(&self, ask: Ask) -> Answer {
         let order = if matches!(ask, Ask::Pressure { .. }) { SeriesEvaluator::PRESSURE_ORDER } else { SeriesEvaluator::ORDER };
         let none = TransformError::NotComputable { at: ask.reach() };
@@ -202,15 +203,14 @@ pub(crate) fn unless_underflown(
 
 /// Steps of one number in addition to its tapes, measured by `benches/steps.rs`.
 const OVERHEAD: u64 = 50;
-/// Steps of work after which a closed form with special functions is given up where quadrature may answer: about a millisecond …
-const DEAR: u64 = 100_000;
-/// … and with 30 digits.
-const DEAR_TWICE: u64 = 400_000;
+/// Steps, about a millisecond, after which a closed form with special functions is abandoned in favour of quadrature.
+const CLOSED_FORM_STEPS: u64 = 100_000;
+/// The same for closed forms with 30 digits.
+const CLOSED_FORM_STEPS_30_DIGITS: u64 = 400_000;
+/// The same if quadrature has missed the tolerance.
+const CLOSED_FORM_STEPS_AFTER_QUADRATURE: u64 = 50_000_000;
 
-/// … and where quadrature has been asked and misses the tolerance.
-const DEAREST: u64 = 50_000_000;
-
-/// What the work finds, unless it takes more than so many steps and may be given up; `dear` is set then.
+/// Returns the result of `find`, or `None` if it may be abandoned and takes more than `steps`; `dear` is then set to true.
 fn in_time<T>(special: bool, dear: Option<&Cell<bool>>, steps: u64, find: impl FnOnce() -> T) -> Option<T> {
     let Some(dear) = dear.filter(|_| special) else { return Some(find()) };
     let found = work::share(steps, find);

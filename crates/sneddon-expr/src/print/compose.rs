@@ -1,4 +1,4 @@
-//! Expressions and formulas as mathematics is laid out.
+//! Lays out expressions and formulas as mathematics.
 
 use super::layout::{Factor, Layout, layout};
 use super::math::{Call, Math};
@@ -29,12 +29,12 @@ impl Style {
     }
 }
 
-/// A formula laid out.
+/// Lays out a formula.
 pub(super) fn formula(formula: &Formula, style: Style) -> Math {
     with_sign(signed(formula, style))
 }
 
-/// A condition laid out.
+/// Lays out a condition.
 pub(super) fn condition(condition: &Condition, style: Style) -> Math {
     Math::Relation(Box::new(expr(&condition.left, style)), condition.relation, Box::new(expr(&condition.right, style)))
 }
@@ -43,7 +43,7 @@ fn with_sign((negative, body): (bool, Math)) -> Math {
     if negative { Math::Negative(Box::new(body)) } else { body }
 }
 
-/// An expression laid out.
+/// Lays out an expression.
 pub(super) fn expr(expr: &Expr, style: Style) -> Math {
     if let Node::Sum(_) = expr.node() {
         return Math::Sum(order::terms(expr).iter().map(|term| product(term, style)).collect());
@@ -187,7 +187,7 @@ fn factor(factor: &Factor, style: Style, bare: bool) -> Math {
     Math::Power(Box::new(base), Box::new(power))
 }
 
-/// True if an exponent behind the last sign can only belong to the whole.
+/// True if an exponent after the call applies to the whole call.
 fn closes_itself(setting: Setting) -> bool {
     !matches!(setting, Setting::Operator | Setting::Exponential | Setting::Index)
 }
@@ -231,7 +231,7 @@ fn call(function: Function, arguments: &[Expr], style: Style, bare: bool, power:
     Call { function, index: index.map(Box::new), power: power.map(Box::new), groups, bare }
 }
 
-/// The list in groups of these sizes, and what remains as the last one.
+/// The list in groups of these sizes, with the remaining items as the last group.
 fn grouped(mut list: Vec<Math>, sizes: &[usize]) -> Vec<Vec<Math>> {
     let mut groups = Vec::new();
     for size in sizes {
@@ -244,7 +244,7 @@ fn grouped(mut list: Vec<Math>, sizes: &[usize]) -> Vec<Vec<Math>> {
     groups
 }
 
-/// True for what a function takes without parentheses.
+/// True if the argument needs no parentheses.
 fn is_single(argument: &Expr, function: Function) -> bool {
     match argument.node() {
         Node::Symbol(_) | Node::Constant(_) => true,
