@@ -75,7 +75,7 @@ fn points_carry_the_pressure_of_the_contact() {
 
 #[test]
 fn csv_has_one_line_per_row_and_one_cell_per_column() {
-    let done = program(&["r^2.5", "--quantity", "g", "--csv", "--at", "0.5,1.5"]);
+    let done = program(&["r^2.5", "--quantity", "g", "--csv", "--at", "0.5"]);
     assert!(done.status.success());
     let text = String::from_utf8(done.stdout).unwrap();
     let mut lines = text.lines();
@@ -88,7 +88,7 @@ fn csv_has_one_line_per_row_and_one_cell_per_column() {
 
 #[test]
 fn text_names_the_reference_and_what_to_pick() {
-    let done = program(&["ln(cosh(r))", "--quantity", "g", "--tol", "1e-6", "--at", "0.5,1.5"]);
+    let done = program(&["ln(cosh(r))", "--quantity", "g", "--tol", "1e-6", "--at", "0.5"]);
     let text = String::from_utf8(done.stdout).unwrap();
     assert!(text.contains("true errors against: double-exponential rule with 30 digits"), "{text}");
     assert!(text.contains("For a relative error of 1e-6 use "), "{text}");

@@ -50,7 +50,7 @@ pub(in crate::cli) struct Arguments {
 
 const EXAMPLES: &str = "Examples:
   sneddon tradeoff 'r^2/(2*R)' --set R=2 --budget 5
-  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --tol 1e-9 -o sphere.svg";
+  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --at 0.5 --tol 1e-9 -o sphere.svg";
 
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
