@@ -116,7 +116,7 @@ impl Loads {
         }
     }
 
-    /// Returns true if there are no values.
+    /// Returns `true` if the list contains no values.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

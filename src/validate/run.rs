@@ -256,7 +256,7 @@ impl Work<'_> {
                 return Ok(Part::apart(load, files, self.scene, solution.warnings()));
             }
             return Err(ValidationError::request(
-                "no contact exists for the load of the scene, so there are no exact pressures",
+                "the load of the scene produces no contact, so exact pressures are undefined",
                 "expected a load with a valid contact",
             ));
         };

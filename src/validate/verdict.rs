@@ -86,7 +86,7 @@ fn shrinks(own: &Order) -> bool {
     own.low.unwrap_or(own.value) > 0.0 && own.value > LEAST_ORDER && is_narrow(own)
 }
 
-/// Returns true if even the coarsest errors are no larger than this.
+/// Returns `true` if every error, on every grid, is at most `most` in magnitude.
 fn vanishing(levels: &[Level], most: f64) -> bool {
     levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= most))
 }

@@ -58,6 +58,26 @@ fn every_way_of_the_list_is_a_method() {
     }
 }
 
+/// A force is no length, a list that the limit cuts is written all the same, and its numbers are rounded like the others.
+#[test]
+fn points_limits_and_digits_of_the_list() {
+    let call = ["r^2/R", "--set", "R=1 um", "--effective-modulus", "1 GPa", "--quantity", "a_of_F"];
+    let found = points(&[&call[..], &["--at", "1 uN"]].concat());
+    // F = (8/3) E* a³/R.
+    assert!((number(&found[0]["value"]) - 0.375e-3_f64.cbrt()).abs() < 1e-15, "{found:?}");
+    let refused = run(&[&call[..], &["--at", "1 nm"]].concat());
+    assert!(refused.status.code() == Some(2) && String::from_utf8_lossy(&refused.stderr).contains("is a length, not a force"));
+    // a(d) of a logarithm is a root, and F(d) rests on it.
+    let force = points(&["ln(1+r^3)", "--quantity", "F_of_d", "--at", "0.5"]);
+    assert_eq!(force[0]["method"], "root");
+    let shown = run(&["r^2", "--quantity", "F", "--at", "0.7", "--explain", "--precision", "3"]);
+    assert!(shown.status.success() && !String::from_utf8(shown.stdout).unwrap().contains("0.9146"));
+    let cut = points(&["ln(1+r^3)", "--quantity", "p", "--at", "0.1:0.9:40", "--radius", "1", "--explain", "--budget", "0.25"]);
+    let is_unasked = |way: &Value| way["why"].as_str().is_some_and(|why| why.contains("the work limit is reached"));
+    assert!(cut.iter().all(|point| point["value"].is_number()));
+    assert!(cut.iter().flat_map(|point| point["ways"].as_array().unwrap()).any(is_unasked));
+}
+
 /// Quantities that follow from what was given are found in none of the ways.
 #[test]
 fn what_is_not_computed_has_one_entry() {
