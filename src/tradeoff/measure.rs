@@ -58,8 +58,10 @@ pub struct Skipped {
 
 /// The target duration of one batch.
 const BATCH: f64 = 1e6;
-/// Times that a set-up is run.
-const SET_UPS: usize = 3;
+/// Times that a set-up is run, and rounds that every candidate takes.
+const AT_LEAST: usize = 3;
+/// Nanoseconds after which a set-up or a batch is not repeated further: a long measurement varies little.
+const ENOUGH: f64 = 5e7;
 /// Points of a slice; those of the problem are repeated to fill it.
 const SLICE: usize = 131_072;
 
@@ -70,6 +72,8 @@ struct Measured<'a> {
     slice: Vec<f64>,
     passes: usize,
     times: Vec<f64>,
+    /// Nanoseconds of all batches.
+    spent: f64,
 }
 
 /// Errors and times of every candidate; failed candidates and candidates without remaining time are listed separately.
@@ -101,7 +105,9 @@ pub(super) fn measure<'a>(
             if round > 0 && start.elapsed() > budget {
                 break;
             }
-            if let Some(own) = measured.get_mut(*index) {
+            if let Some(own) = measured.get_mut(*index)
+                && (round < AT_LEAST || own.spent < ENOUGH)
+            {
                 own.batch(problem);
             }
         }
@@ -152,14 +158,11 @@ fn errors(problem: &Problem<'_>, truths: &[Truth], candidate: &mut Candidate<'_>
         honest &= truth.distance(own.value) <= own.error + truth.value.error;
     }
     all.sort_by(f64::total_cmp);
-    let mut set_ups = Vec::new();
-    for _ in 0..SET_UPS {
+    let mut set_ups: Vec<f64> = Vec::new();
+    while set_ups.len() < AT_LEAST && set_ups.iter().sum::<f64>() < ENOUGH && (set_ups.is_empty() || Instant::now() <= deadline) {
         let before = clock::now();
         (candidate.set_up)()?;
         set_ups.push(clock::now() - before);
-        if Instant::now() > deadline {
-            break;
-        }
     }
     let told = claimed.is_finite();
     Ok(Row {
@@ -183,7 +186,7 @@ impl<'a> Measured<'a> {
             Run::Point(_) => Vec::new(),
             Run::Slice(_) => slice(problem),
         };
-        let mut own = Self { candidate, row, slice, passes: 1, times: Vec::new() };
+        let mut own = Self { candidate, row, slice, passes: 1, times: Vec::new(), spent: 0.0 };
         // The first batch warms up; its length says how many passes fill a batch.
         let took = own.timed(problem);
         own.passes = (BATCH / took.max(1.0)).clamp(1.0, 1e6) as usize;
@@ -194,6 +197,7 @@ impl<'a> Measured<'a> {
         let took = self.timed(problem);
         let points = if self.slice.is_empty() { problem.points.len() } else { self.slice.len() };
         self.times.push(took / (self.passes * points) as f64);
+        self.spent += took;
     }
 
     /// Nanoseconds of all passes of a batch.

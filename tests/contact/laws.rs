@@ -137,7 +137,7 @@ fn stiffness_and_work() {
 /// F = 2π ∫ p r dr: the pressure carries the force; and F/(2E) + G = a g.
 #[test]
 fn pressure_carries_the_force() {
-    for template in TEMPLATES.iter().step_by(cases(6, 1)) {
+    for template in TEMPLATES.iter().step_by(cases(9, 1)) {
         let solution = derived(&plain(template));
         let (modulus, a) = (2.0, 1.6);
         let own = contact(&solution, &[], modulus, None);

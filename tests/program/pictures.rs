@@ -148,7 +148,7 @@ fn bad_input_writes_nothing() {
 #[test]
 fn a_report_needs_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
-    for shape in ["sphere", "flat", "cone-with-spherical-cap", "truncated-paraboloid"].into_iter().step_by(cases(2, 1)) {
+    for shape in ["sphere", "flat", "cone-with-spherical-cap", "truncated-paraboloid"].into_iter().step_by(cases(4, 1)) {
         let template = run(&["scene", "new", shape]);
         assert!(template.status.success(), "{shape}");
         let scene = folder.path().join(format!("{shape}.toml"));

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use serde_json::Value;
-use sneddon_checks::seeds::{cases, sample};
+use sneddon_checks::seeds::{cases, sample, takes};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -122,7 +122,7 @@ fn every_format_of_references_is_validated() {
         ),
         (format!("[profile]\nf = \"r^2/(2*R)\"\nparameters = {{ R = \"20 um\" }}\n{radii}{at}"), &[], &[]),
     ];
-    for (number, (scene, grid, options)) in cases.into_iter().enumerate() {
+    for (number, (scene, grid, options)) in cases.into_iter().enumerate().filter(|own| takes(own.0, 2)) {
         fs::write(place.join("scene.toml"), &scene).unwrap();
         for file in sample(["field.csv", "field.json", "field.npy"], number, 3) {
             let made = run_in(&place, &[&["reference", "scene.toml", "-o", file], grid].concat());

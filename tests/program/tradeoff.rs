@@ -14,12 +14,13 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::time::Duration;
 
-fn program(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_sneddon")).arg("tradeoff").args(arguments).args(["--budget", "60"]).output().unwrap()
+/// The rows that the tests read come first, so that a second suffices where not all are needed.
+fn program(arguments: &[&str], seconds: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_sneddon")).arg("tradeoff").args(arguments).args(["--budget", seconds]).output().unwrap()
 }
 
 fn json(arguments: &[&str]) -> Value {
-    let done = program(&[arguments, &["--json"]].concat());
+    let done = program(&[arguments, &["--json"]].concat(), "60");
     assert!(done.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&done.stderr));
     serde_json::from_slice(&done.stdout).unwrap()
 }
@@ -75,7 +76,7 @@ fn points_carry_the_pressure_of_the_contact() {
 
 #[test]
 fn csv_has_one_line_per_row_and_one_cell_per_column() {
-    let done = program(&["r^2.5", "--quantity", "g", "--csv", "--at", "0.5"]);
+    let done = program(&["r^2.5", "--quantity", "g", "--csv", "--at", "0.5"], "60");
     assert!(done.status.success());
     let text = String::from_utf8(done.stdout).unwrap();
     let mut lines = text.lines();
@@ -88,7 +89,7 @@ fn csv_has_one_line_per_row_and_one_cell_per_column() {
 
 #[test]
 fn text_names_the_reference_and_what_to_pick() {
-    let done = program(&["ln(cosh(r))", "--quantity", "g", "--tol", "1e-6", "--at", "0.5"]);
+    let done = program(&["ln(cosh(r))", "--quantity", "g", "--tol", "1e-6", "--at", "0.5"], "60");
     let text = String::from_utf8(done.stdout).unwrap();
     assert!(text.contains("true errors against: double-exponential rule with 30 digits"), "{text}");
     assert!(text.contains("For a relative error of 1e-6 use "), "{text}");
@@ -145,7 +146,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
     ];
     for (arguments, part) in cases {
         let with_file = if arguments.contains(&"-o") { Vec::new() } else { vec!["-o", name] };
-        let done = program(&[arguments, with_file.as_slice()].concat());
+        let done = program(&[arguments, with_file.as_slice()].concat(), "1");
         let message = String::from_utf8_lossy(&done.stderr);
         assert_eq!(done.status.code(), Some(2), "{arguments:?}: {message}");
         assert!(done.stdout.is_empty() && message.contains(part), "{arguments:?}: {message}");

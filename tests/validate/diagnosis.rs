@@ -11,11 +11,11 @@ use std::process::Command;
 
 /// Profiles whose pressure is open, whose g is slow, or whose depth has a largest value: units of 0.1 mm.
 const SHAPES: [(&str, &str); 5] = [
-    ("piecewise(0, r<b, (r-b)*tan(theta))", "b = 0.2, theta = \"10 deg\""),
-    ("piecewise(r^2/(2*R), r<b, b^2/(2*R)+(r-b)*b/R)", "b = 0.3, R = 50"),
     ("h*(1-exp(-r^2/w^2))", "h = 0.03, w = 2"),
+    ("piecewise(r^2/(2*R), r<b, b^2/(2*R)+(r-b)*b/R)", "b = 0.3, R = 50"),
     ("h*tanh(r/w)^2", "h = 0.03, w = 2"),
     ("r^2/(2*R)+h*sin(k*r)^2", "h = 5e-4, R = 50, k = 6"),
+    ("piecewise(0, r<b, (r-b)*tan(theta))", "b = 0.2, theta = \"10 deg\""),
 ];
 
 fn scene((f, parameters): (&str, &str), load: &str) -> String {

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 use crate::validate::{room, validated};
+use sneddon_checks::seeds::sample;
 use std::fs;
 use std::process::Command;
 
@@ -31,7 +32,7 @@ fn exact(scene: &str, place: &std::path::Path) -> Vec<[f64; 4]> {
 fn faults_next_to_kinks_and_rims_fail() {
     let place = room("kinks");
     let pixel = 3.0 / 64.0;
-    for (tip, load, kink) in TIPS {
+    for (tip, load, kink) in sample(TIPS, 0, 2) {
         let scene = format!("[profile]\n{tip}[material]\neffective_modulus = 1\n[load]\n{load}\n[data]\npressure = \"point\"\n");
         let rows = exact(&scene, &place);
         let judged = |change: &dyn Fn(f64, f64, f64, f64) -> f64, digits: usize| {

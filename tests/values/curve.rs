@@ -135,8 +135,8 @@ fn every_kind_of_profile_has_an_honest_curve() {
         ("abs(r-0.5)+abs(r-1.25)+r^1.5", 3.0),
         ("piecewise(r, r<0.25, 0.25, r<1, 0.25+(r-1)^3)", 2.0),
     ];
-    for (text, reach) in list.into_iter().step_by(cases(5, 1)) {
-        match compared(text, reach, 1e-9, cases(60, 200)) {
+    for (text, reach) in list.into_iter().step_by(cases(7, 1)) {
+        match compared(text, reach, 1e-9, cases(40, 200)) {
             Ok(used) => println!("{text}: {used:.2}"),
             Err(fault) => panic!("{fault}"),
         }

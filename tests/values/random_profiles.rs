@@ -14,7 +14,7 @@ const PROFILES: u64 = 300;
 #[test]
 fn closed_forms_are_never_wrong() {
     let mut total = Outcome::default();
-    let profiles = cases(PROFILES / 9, PROFILES) as usize;
+    let profiles = cases(PROFILES / 14, PROFILES) as usize;
     for seed in 0..profiles as u64 {
         let mut stream = Stream::new(1_000_000 + seed);
         let profile = sample(&mut stream);

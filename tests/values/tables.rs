@@ -94,7 +94,7 @@ fn points_of_a_cubic_give_its_exact_transform() {
 
 #[test]
 fn force_pressure_depth_and_energy_obey_their_laws() {
-    let own = made(cases(20, 100), 4, None);
+    let own = made(cases(12, 100), 4, None);
     let last = own.limit();
     for a in [0.77 * last, 0.3 * last].into_iter().take(cases(1, 2)) {
         let (g, force, whole) = (own.slope(a).unwrap().estimate, own.force(a).unwrap().estimate, own.integral(a).unwrap().estimate);

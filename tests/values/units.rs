@@ -55,8 +55,8 @@ fn kinks_are_found_in_every_unit() {
         "min(r^6,0.3)",
         "abs(r^4-0.3)",
     ];
-    let answered: usize = texts.iter().step_by(cases(3, 1)).map(|text| agree(text, &powers, 0.9)).sum();
-    assert!(answered >= cases(100, 257), "{answered}");
+    let answered: usize = texts.iter().step_by(cases(5, 1)).map(|text| agree(text, &powers, 0.9)).sum();
+    assert!(answered >= cases(60, 257), "{answered}");
 }
 
 /// Class "the argument of a logarithm leaves the range of doubles on its way": ln(1 + r²/s²) was 0 with a bound of 0.99.

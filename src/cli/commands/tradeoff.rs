@@ -49,8 +49,8 @@ pub(in crate::cli) struct Arguments {
 }
 
 const EXAMPLES: &str = "Examples:
-  sneddon tradeoff 'r^2/(2*R)' --set R=2 --budget 5
-  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --at 0.5 --tol 1e-9 -o sphere.svg";
+  sneddon tradeoff 'r^2/(2*R)' --set R=2 --budget 1
+  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --at 0.5 --tol 1e-9 --budget 2 -o sphere.svg";
 
 #[derive(Clone, Copy, PartialEq)]
 enum Format {

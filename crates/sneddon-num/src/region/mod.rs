@@ -282,8 +282,12 @@ impl Sub for Region {
 impl Mul for Region {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let re = self.re.multiply(other.re).add(self.im.multiply(other.im).negated());
-        let im = self.re.multiply(other.im).add(self.im.multiply(other.re));
+        let (re, im) = if self.is_on_the_axis() && other.is_on_the_axis() && self.is_known() && other.is_known() {
+            (self.re.multiply(other.re), Interval::point(0.0))
+        } else {
+            let re = self.re.multiply(other.re).add(self.im.multiply(other.im).negated());
+            (re, self.re.multiply(other.im).add(self.im.multiply(other.re)))
+        };
         let magnitude = (self.least() * other.least(), self.largest() * other.largest());
         Self::result(re, im, magnitude, self.is_extreme() || other.is_extreme(), || self.logarithm().add(other.logarithm()))
     }
