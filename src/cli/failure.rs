@@ -177,7 +177,7 @@ impl Place {
     fn position(&self) -> String {
         let (line, column) = parse::position(&self.text, self.span.clone());
         let name = if self.name.chars().count() > FIRST / 2 { with_short_words(&self.name) } else { self.name.clone() };
-        match self.text.trim_end().contains('\n') {
+        match self.text.contains('\n') {
             false => format!("{name}, column {column}"),
             true => format!("{name}, line {line}, column {column}"),
         }

@@ -1,12 +1,14 @@
 //! Reads the profile, parameter values and other numbers from the command line.
 
 use super::Failure;
+use super::failure::warn;
 use super::units::{Units, finite};
 use crate::contact::RIM;
-use crate::expr::{Bindings, Expr, Formula, Number, Symbol};
+use crate::expr::{Bindings, Expr, Formula, Node, Number, Symbol};
 use crate::parse::{self, ParseError};
 use crate::scene::{Dimension, Shape, known_shape};
 use crate::transform::{Profile, TransformError};
+use std::f64::consts::FRAC_PI_2;
 use std::io::{self, Read};
 
 /// A profile as typed and as parsed.
@@ -181,6 +183,9 @@ impl Settings {
                     0..text.len(),
                 ));
             }
+            if value >= FRAC_PI_2 && typed.formula.expressions().into_iter().any(|expr| has_angle(expr, &symbol)) {
+                warn(&format!("{symbol} = {} is not below 90 deg; a number without a unit is in radians", text.trim()));
+            }
             settings.push(Setting { symbol, exact, value, dimension });
         }
         // A parameter without a value may have any dimension.
@@ -195,9 +200,12 @@ impl Settings {
         self.0.iter().map(|own| (own.symbol.name(), own.exact.clone())).collect()
     }
 
-    /// Returns the values rounded to `f64`, as exact expressions.
+    /// Returns the values rounded to `f64`, as exact expressions; angles that are rational multiples of π remain exact, because
+    /// the tangent of an angle near 90 deg changes strongly with its last digit.
     pub(super) fn rounded(&self) -> Bindings {
-        self.0.iter().map(|own| (own.symbol.name(), Number::from_f64(own.value).map_or_else(|| own.exact.clone(), Expr::number))).collect()
+        let is_angle = |own: &Setting| (&own.exact / Expr::pi()).as_number().is_some();
+        let number = |own: &Setting| Number::from_f64(own.value).filter(|_| !is_angle(own)).map_or_else(|| own.exact.clone(), Expr::number);
+        self.0.iter().map(|own| (own.symbol.name(), number(own))).collect()
     }
 
     /// Returns the profile with the values exactly as typed.
@@ -235,6 +243,18 @@ impl Settings {
     }
 }
 
+/// Returns true if a parameter is the argument of a sine, cosine or tangent, which are of slope angles.
+fn has_angle(expr: &Expr, symbol: &Symbol) -> bool {
+    match expr.node() {
+        Node::Function(function, arguments)
+            if matches!(function.name(), "sin" | "cos" | "tan") && arguments.iter().any(|own| own.as_symbol() == Some(symbol)) =>
+        {
+            true
+        }
+        _ => expr.children().into_iter().any(|child| has_angle(child, symbol)),
+    }
+}
+
 /// Returns the parameters of a profile, or of an equivalent profile g(x), by name.
 fn parameters(formula: &Formula) -> Vec<Symbol> {
     formula.symbols().into_iter().filter(|symbol| !matches!(symbol.name(), "r" | "x" | RIM)).collect()
@@ -253,7 +273,7 @@ pub(super) fn positive(place: &str, text: &str) -> Result<f64, Failure> {
     if value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("expected a positive number").at(place, text, 0..text.len()))
+    Err(Failure::new(format!("{} is not positive", text.trim())).help("expected a positive number").at(place, text, 0..text.len()))
 }
 
 /// Parses a tolerance between 0 and 1.
@@ -262,5 +282,6 @@ pub(super) fn tolerance(text: &str) -> Result<f64, Failure> {
     if value < 1.0 {
         return Ok(value);
     }
-    Err(Failure::new(format!("--tol {} is not below 1", text.trim())).help("expected a relative tolerance such as 1e-10"))
+    let fault = Failure::new(format!("{} is not below 1", text.trim())).help("expected a relative tolerance such as 1e-10");
+    Err(fault.at("--tol", text, 0..text.len()))
 }

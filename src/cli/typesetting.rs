@@ -144,7 +144,11 @@ const FIXED: [&str; 2] = ["pi", "e"];
 
 /// Normalizes a symbol name; the LaTeX backslash before a Greek letter and braces around an index are removed.
 fn symbol(text: &str) -> Option<String> {
-    let plain: String = text.trim().trim_start_matches('\\').chars().filter(|own| !matches!(own, '{' | '}')).collect();
+    let text = text.trim();
+    if text.matches('{').count() != text.matches('}').count() || text.find('}') < text.find('{') {
+        return None;
+    }
+    let plain: String = text.trim_start_matches('\\').chars().filter(|own| !matches!(own, '{' | '}')).collect();
     // The effective modulus already has a star.
     if matches!(plain.as_str(), "E^*" | "E*") {
         return Some("E".to_owned());

@@ -100,7 +100,7 @@ fn positive(place: &str, text: &str, value: f64) -> Result<f64, Failure> {
     if value > 0.0 {
         return Ok(value);
     }
-    Err(Failure::new(format!("{place} {} is not positive", text.trim())).help("expected a positive number").at(place, text, 0..text.len()))
+    Err(Failure::new(format!("{} is not positive", text.trim())).help("expected a positive number").at(place, text, 0..text.len()))
 }
 
 /// Parses a number with or without a unit.

@@ -6,7 +6,7 @@ use crate::derive::domain::demands;
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::derive::{angles, domain, kinks};
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol};
+use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, undefined_constant};
 use crate::integrate::error::TransformError;
 use crate::num::work;
 use crate::print;
@@ -47,6 +47,9 @@ impl Profile {
     }
 
     fn read(formula: &Formula) -> Result<Self, TransformError> {
+        if let Some(constant) = undefined_constant(formula) {
+            return Err(TransformError::UndefinedConstant { constant: print::text_expr(&constant) });
+        }
         let radius = Symbol::new("r");
         let mut conditions = Vec::new();
         let mut chains = Vec::new();

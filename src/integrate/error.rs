@@ -29,6 +29,12 @@ pub enum TransformError {
         /// The expression that is not real.
         detail: String,
     },
+    /// A constant in the profile has no finite real value.
+    #[error("{constant} has no finite real value; expected other values of the parameters")]
+    UndefinedConstant {
+        /// The constant.
+        constant: String,
+    },
     /// f does not depend on r, and no depth was given.
     #[error("a flat profile with a smooth edge has no contact problem; expected a depth of the punch")]
     Flat,

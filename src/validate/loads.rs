@@ -226,7 +226,8 @@ pub(super) fn compare(
         report.columns.push(decided("d", &depth, true));
     }
     if survey.index(Kind::ContactRadius).is_some() {
-        report.columns.push(counted(&radius, pixel.pixel));
+        // Other columns judge the file where there are any.
+        report.columns.push(counted(&radius, pixel.pixel, column == "a" && judge.demanded.is_some()));
     }
     report.columns.extend(others.iter().filter(|own| own.1.is_some()).map(|(kind, _, norms)| decided(kind.symbol(), norms, true)));
     let largest = kept.items.iter().map(|row: &Row| if control == Control::Depth { row.depth } else { row.force }).fold(0.0, f64::max);
@@ -301,16 +302,16 @@ pub(super) fn decided(name: &'static str, norms: &Norms, decides: bool) -> Colum
     }
 }
 
-/// Contact radii have a tolerance of half a pixel if it is known; they are never corrected.
-fn counted(norms: &Norms, pixel: Option<f64>) -> Column {
-    let column = decided("a", norms, false);
+/// Contact radii have a tolerance of half a pixel if it is known, else that of the request if they decide; they are never corrected.
+fn counted(norms: &Norms, pixel: Option<f64>, decides: bool) -> Column {
+    let column = decided("a", norms, decides && pixel.is_none());
     match pixel {
         Some(pixel) => {
             let pixels = norms.farthest / pixel;
             // Radii may be printed with few digits: compare half a pixel up to rounding.
             Column { pixels: Some(pixels), tolerance: Some(0.5), passed: Some(pixels <= 0.5 * (1.0 + 1e-6)), ..column }
         }
-        None if column.l2 > BLIND_RADIUS || column.beyond.is_some() => {
+        None if !decides && (column.l2 > BLIND_RADIUS || column.beyond.is_some()) => {
             Column { tolerance: Some(BLIND_RADIUS), passed: Some(false), ..column }
         }
         None => column,

@@ -129,9 +129,9 @@ pub(super) fn verdict(
 /// Returns the reason if no column can be judged.
 fn nothing_judged(column: &str) -> String {
     let why = match column {
-        "a" => "the file contains only contact radii, which require the pixel; set box and grid in [data]",
+        "a" => "contact radii alone require the pixel (set box and grid in [data]) or a tolerance",
         "p" => "no compared point is inside the contact, because all of them are within 4 pixels of its edge, a kink or the apex",
-        _ => "no row has an exact value to compare with",
+        _ => "every exact value is 0, as without a load",
     };
     format!("nothing was judged: {why}")
 }
@@ -159,6 +159,10 @@ fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String,
     }
     let size = match (failed.pixels, failed.tolerance) {
         (Some(pixels), Some(tolerance)) => format!("contact radii have an error of {pixels:.2} pixels, above the tolerance of {tolerance}"),
+        // Every load of the exact solution is 0 there.
+        _ if failed.max == f64::MAX => {
+            format!("{} is not 0 at the load {}, where its exact value is 0", failed.name, failed.worst_at)
+        }
         (_, tolerance) => {
             let accepted = tolerance.unwrap_or_default();
             format!("the L2 error of {} is {:.3e}, above the tolerance of {accepted:.3e}", failed.name, failed.l2)
@@ -195,11 +199,20 @@ fn stays(column: &str, convergence: &Convergence) -> String {
 
 /// Returns the sentence if every column is within its tolerance.
 fn sentence(column: &str, finest: &[Column], convergence: &Convergence) -> String {
-    let judged = finest.iter().filter_map(|own| Some((own.name, own.l2, own.tolerance?)));
-    let shown = judged.clone().find(|own| own.0 == column).or(judged.clone().next());
-    let shown = shown.map_or(String::new(), |(name, error, tolerance)| format!(" ({name}: {error:.3e} of {tolerance:.3e})"));
+    let judged = finest.iter().filter_map(|own| Some((own, own.tolerance?)));
+    let shown = judged.clone().find(|own| own.0.name == column).or(judged.clone().next());
+    let shown = shown.map_or(String::new(), |(own, tolerance)| match own.pixels {
+        Some(pixels) => format!(" (error of {}: {pixels:.2} pixels, tolerance {tolerance} pixels)", own.name),
+        None => format!(" (L2 error of {}: {:.3e}, tolerance {tolerance:.3e})", own.name, own.l2),
+    });
+    let names = |list: &mut dyn Iterator<Item = &Column>| list.map(|own| own.name).collect::<Vec<_>>().join(", ");
+    let reported = names(&mut finest.iter().filter(|own| own.passed.is_none()));
     match convergence {
-        Convergence::One => format!("every column is within its tolerance{shown}"),
+        Convergence::One if reported.is_empty() => format!("every column is within its tolerance{shown}"),
+        Convergence::One => {
+            let within = names(&mut judged.map(|own| own.0));
+            format!("within the tolerance: {within}{shown}; not judged: {reported}")
+        }
         Convergence::Shrinks(own) => {
             let floor = own.floor.map_or(String::new(), |own| format!("; below {own:.1e} refinement has no effect"));
             let order = order_text(own);

@@ -3,7 +3,9 @@
 
 use serde_json::Value;
 use sneddon_checks::seeds::cases;
+use std::fs;
 use std::io::Write;
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_sneddon");
@@ -688,4 +690,95 @@ fn errors_are_short() {
     let short = run(&["derive", "r^2+foo(r)+@"]).stderr;
     assert!(short.contains("  | r^2+foo(r)+@\n  |            ^\nhelp: "), "{short}");
     assert!(run(&[]).stderr.contains("Commands:"));
+}
+
+/// Class "a constant without a value after --set": it is named, whatever function or quotient has it.
+#[test]
+fn constants_without_a_value_are_named() {
+    for (profile, set, named) in [
+        ("r*tan(theta)", "theta=90 deg", "tan(pi/2)"),
+        ("r*tan(theta)", "theta=270 deg", "tan(3*pi/2)"),
+        ("r^2/tan(theta)", "theta=180 deg", "1/0"),
+        ("r/ln(k)", "k=1", "1/0"),
+        ("r^2/(k-1)^3", "k=1", "1/0^3"),
+        ("r*atanh(k)", "k=1", "atanh(1)"),
+        ("r*acos(k)", "k=2", "acos(2)"),
+        ("r*sqrt(k-2)", "k=1", "sqrt(-1)"),
+        ("r*gamma(k-2)", "k=1", "gamma(-1)"),
+        ("piecewise(0, r<1/(k-1), r-1/(k-1))", "k=1", "1/0"),
+    ] {
+        for command in [&["eval", "--quantity", "F", "--at", "1"][..], &["derive"], &["code", "--lang", "c"], &["plot", "--radius", "1"]] {
+            let arguments = [&command[..1], &[profile, "--set", set], &command[1..]].concat();
+            refused(b"", &arguments, &[&format!("{named} has no finite real value")]);
+        }
+    }
+    refused(b"", &["eval", "r*tan(pi/2)", "--quantity", "F", "--at", "1"], &["tan has no real value"]);
+}
+
+/// Angles in degrees are exact: F = (π/2) E* tan θ a² keeps its digits next to a right angle. References: mpmath, 30 digits.
+#[test]
+fn angles_in_degrees_are_exact() {
+    for (angle, force) in [
+        ("45 deg", std::f64::consts::FRAC_PI_2),
+        ("89.9999999999 deg", 900_000_000_000.000_000_111_840_9),
+        ("1e-9 deg", 2.741_556_778_080_377_4e-11),
+        ("89 deg", 89.990_861_291_817_47),
+    ] {
+        let answer = json(&["eval", "r*tan(theta)", "--set", &format!("theta={angle}"), "--quantity", "F", "--at", "1", "--json"]);
+        let number = |key: &str| answer["points"][0][key].as_f64().unwrap();
+        assert!((number("value") - force).abs() <= number("error_estimate"), "{angle}: {answer}");
+        assert!(number("error_estimate") < 1e-13 * force, "{angle}: {answer}");
+    }
+}
+
+/// What an answer leaves out, or rests on, is told on stderr.
+#[test]
+fn warnings_name_what_is_not_used_or_not_valid() {
+    for (arguments, said) in [
+        (&["eval", "r^2", "--quantity", "F", "--at", "1", "--radius", "3"][..], "the radius is not used"),
+        (&["eval", "r*tan(theta)", "--quantity", "F", "--at", "1", "--set", "theta=20"], "theta = 20 is not below 90 deg"),
+        (&["eval", "1-cos(r)", "--quantity", "a", "--at", "1,3"], "g decreases beyond x = 2.5"),
+        (&["eval", "1-cos(r)", "--quantity", "F_of_d", "--at", "3"], "g decreases beyond x = 2.5"),
+        (&["eval", "1-cos(r)", "--quantity", "p", "--at", "1", "--radius", "7"], "g decreases beyond x = 2.6"),
+        (&["code", "r^2", "--lang", "nanite", "--quantity", "g"], "a nanite model contains F(d) only"),
+    ] {
+        let ran = run(arguments);
+        assert!(ran.code == 0 && ran.stderr.contains(said), "{arguments:?}: {}", ran.stderr);
+    }
+    for arguments in [
+        &["eval", "1-cos(r)", "--quantity", "a", "--at", "1"][..],
+        &["eval", "r*tan(theta)", "--quantity", "F", "--at", "1", "--set", "theta=20 deg"],
+        &["eval", "max(0,r-1)", "--quantity", "F", "--at", "0.5,2"],
+        &["code", "r^2", "--lang", "nanite"],
+    ] {
+        assert_eq!(run(arguments).stderr, "", "{arguments:?}");
+    }
+}
+
+/// Class "a function of another language": the advice says how a profile has it; others are suggested only if they are near.
+#[test]
+fn functions_that_do_not_exist_are_near_or_foreign() {
+    for (profile, advice) in [
+        ("csc(r)", "write 1/sin(…)"),
+        ("If(r<1,0,1)", "write piecewise("),
+        ("Heaviside(r-1)", "write piecewise(0, r<b, value)"),
+        ("sgrt(r)", "expected sqrt"),
+        ("sine(r)", "expected sin or sinh"),
+        ("foo(r)", "expected a function such as"),
+        ("cosine(r)", "expected a function such as"),
+    ] {
+        refused(b"", &["eval", profile, "--quantity", "F", "--at", "1"], &["unknown function", advice]);
+    }
+}
+
+/// Class "a file that is named for another language".
+#[test]
+fn code_for_a_file_of_another_language_is_refused() {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("languages");
+    fs::create_dir_all(&place).unwrap();
+    for (name, language) in [("tip.py", "c"), ("tip.f90", "python"), ("tip.m", "rust"), ("tip.rs", "nanite"), ("tip.h", "fortran")] {
+        let path = place.join(name);
+        refused(b"", &["code", "r^2", "--lang", language, "-o", path.to_str().unwrap()], &["has the extension of"]);
+        assert!(!path.exists());
+    }
 }

@@ -400,6 +400,59 @@ fn what_was_not_compared_does_not_pass() {
 }
 
 /// Wrong rows at small loads weigh next to nothing in a norm, but each is far beyond what its grid excuses.
+/// Class "contact radii alone": without a pixel they are judged by the tolerance of the request, and by nothing else.
+#[test]
+fn contact_radii_alone_are_judged_by_the_tolerance_that_is_asked_for() {
+    let place = room("radii_alone");
+    // d = a²/R and F = 4 a³/(3 R) with R = 1.
+    let scene = "[profile]\nf = \"r^2/2\"\n[material]\neffective_modulus = 1\n";
+    for control in ["d", "F"] {
+        for (factor, tolerance, passed) in [(1.0, Some("1e-9"), true), (1.001, Some("1e-9"), false), (1.001, Some("1e-2"), true)] {
+            let row = |a: f64| format!("{:?},{:?}\n", if control == "d" { a * a } else { 4.0 * a * a * a / 3.0 }, factor * a);
+            let rows: String = [0.2, 0.3, 0.5].into_iter().map(row).collect();
+            fs::write(place.join("radii.csv"), format!("{control},a\n{rows}")).unwrap();
+            let more = tolerance.map_or(vec![], |own| vec!["--tol", own]);
+            let (code, found) = validated(&place, scene, &["radii.csv".to_owned()], &more);
+            assert_eq!(code == 0, passed, "{control} {factor} {tolerance:?}: {found:#}");
+        }
+        let (code, found) = validated(&place, scene, &["radii.csv".to_owned()], &[]);
+        assert!(code == 1 && found["reason"].as_str().unwrap().contains("or a tolerance"), "{control}: {found:#}");
+    }
+}
+
+/// Class "a load where the exact value is 0": the reason names it, and no infinite norm is shown.
+#[test]
+fn a_force_without_a_contact_is_named() {
+    let place = room("no_contact");
+    fs::write(place.join("scene.toml"), "[profile]\nf = \"r^2/2\"\n[material]\neffective_modulus = 1\n").unwrap();
+    for depth in ["0", "-0.1"] {
+        fs::write(place.join("data.csv"), format!("d,F\n{depth},0.3\n0.25,0.16666666666666666\n")).unwrap();
+        let done = run(&place, &["scene.toml".to_owned(), "data.csv".to_owned()]);
+        let text = String::from_utf8_lossy(&done.stdout);
+        assert_eq!(done.status.code(), Some(1), "{text}");
+        assert!(text.starts_with(&format!("failed: F is not 0 at the load {depth}, where its exact value is 0")), "{text}");
+        assert!(!text.contains("e308") && !text.contains("inf"), "{text}");
+    }
+}
+
+/// What is not judged is not called within its tolerance, and a load of the command line that nothing needs is told.
+#[test]
+fn the_first_line_names_what_was_judged() {
+    let place = room("judged");
+    fs::write(place.join("scene.toml"), "[profile]\nf = \"r^2/2\"\n[material]\neffective_modulus = 1\n").unwrap();
+    fs::write(place.join("data.csv"), "d,F,a\n0.25,0.16666666666666666,0.5\n0.04,0.010666666666666666,0.2\n").unwrap();
+    let done = run(&place, &["scene.toml", "data.csv", "--load", "d=0.1"].map(str::to_owned));
+    let (text, told) = (String::from_utf8_lossy(&done.stdout), String::from_utf8_lossy(&done.stderr));
+    assert!(text.starts_with("passed: within the tolerance: F (L2 error of F: ") && text.contains("; not judged: a\n"), "{text}");
+    assert!(told.contains("--load is not used"), "{told}");
+    for (name, kind) in [("data.npy", "NPY"), ("data.npz", "NPZ")] {
+        fs::write(place.join(name), "no array").unwrap();
+        let done = run(&place, &["scene.toml", name].map(str::to_owned));
+        let told = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.code() == Some(2) && told.contains(&format!("this is not an {kind} file")), "{told}");
+    }
+}
+
 #[test]
 fn no_norm_hides_rows_that_are_wrong() {
     let place = room("rows");
@@ -595,7 +648,7 @@ fn grid_and_data_that_do_not_fit_are_refused() {
         (scene.replace("grid = 128", "gird = 128"), vec![], "did you mean grid?"),
         (scene.replace("\"free\"", "\"fre\""), vec![], "did you mean free?"),
         (scene.replace("box = 8", "box = 0"), vec![], "box = 0"),
-        (scene, vec!["--tol", "0"], "--tol 0"),
+        (scene, vec!["--tol", "0"], "--tol, column 1: 0 is not positive"),
     ] {
         fs::write(place.join("scene.toml"), scene).unwrap();
         let arguments: Vec<String> = ["scene.toml", "data.csv"].into_iter().chain(more).map(str::to_owned).collect();

@@ -8,7 +8,7 @@ use crate::code::{CodeError, Language, QUANTITIES, program, write};
 use crate::contact::{ContactError, Quantity};
 use crate::{print, transform};
 use clap::ValueEnum;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Generates source code that evaluates the closed forms g, F, p, d, a(d) and F(d), each with an error bound.
 #[derive(clap::Args)]
@@ -59,6 +59,17 @@ impl Lang {
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let target = arguments.output.as_deref().filter(|path| path.as_os_str() != "-").map(file::Target::new).transpose()?;
+    if let Some(path) = arguments.output.as_deref()
+        && let Some(other) = language_of(path).filter(|own| !own.contains(&arguments.lang))
+    {
+        let lang = |own: Lang| own.to_possible_value().map_or(String::new(), |own| own.get_name().to_owned());
+        let name = other.first().copied().map_or(String::new(), lang);
+        let message = format!("{} has the extension of {name}, but the language is {}", path.display(), lang(arguments.lang));
+        return Err(Failure::new(message).help("expected another extension or another --lang"));
+    }
+    if arguments.lang == Lang::Nanite && arguments.quantity.iter().any(|own| *own != Quantity::ForceOfDepth) {
+        warn("a nanite model contains F(d) only; other quantities are not written");
+    }
     let units = arguments.profile.units(&[], None);
     units.tell();
     let (typed, settings) = arguments.profile.read(&units)?;
@@ -81,6 +92,18 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         None => output::print(write)?,
     }
     Ok(Outcome::Done)
+}
+
+/// Returns the languages whose files have this extension, or `None` for an extension of none.
+fn language_of(path: &Path) -> Option<&'static [Lang]> {
+    match path.extension()?.to_str()? {
+        "c" | "h" => Some(&[Lang::C]),
+        "f90" | "f95" | "f03" | "f08" => Some(&[Lang::Fortran]),
+        "py" => Some(&[Lang::Python, Lang::Nanite]),
+        "m" => Some(&[Lang::Matlab]),
+        "rs" => Some(&[Lang::Rust]),
+        _ => None,
+    }
 }
 
 /// Returns the requested quantities without duplicates; a nanite model always contains F(d).

@@ -8,6 +8,7 @@ use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
 use crate::contact::{self, Asked, Contact, ContactError, Explained, Measured, Quantity, Reason};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
+use crate::num::Estimate;
 use crate::report::{self, Evaluation, Shift, Units};
 use crate::scene::Dimension;
 use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError, WAYS, Way};
@@ -80,6 +81,8 @@ const STEPS_PER_POINT: u64 = 100_000;
 const TOLERANCE: f64 = 1e-13;
 /// The relative error above which a warning is given if no tolerance was requested.
 const FEW_DIGITS: f64 = 1e-8;
+/// Number of radii at which g is compared with its neighbours.
+const LOOKS: u32 = 48;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Chosen {
@@ -168,6 +171,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let message = format!("--quantity {} needs the contact radius", quantity.key());
         return Err(Failure::new(message).help("give it with --radius A"));
     }
+    if !quantity.needs_radius() && radius.is_some() {
+        warn(&format!("the radius is not used: {} does not depend on it", quantity.key()));
+    }
     let by_load = matches!(quantity.coordinate(), "d" | "F");
     if by_load && depth.is_some() {
         return Err(Failure::new("under a rim the contact radius does not depend on the load")
@@ -212,6 +218,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         contact::each_point(&at, |block| read_all(quantity, &contact, block, radius)).map_err(failed)?
     };
+    if depth.is_none() {
+        warn_of_falls(&contact, quantity, &at, radius);
+    }
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
     let ways = if arguments.explain {
@@ -271,6 +280,27 @@ fn warn_of_few_digits(limit: f64, readings: &[Measured]) {
 fn shift(profile: &Profile, typed: &Profile) -> Option<Shift> {
     let number = || constant_value(&profile.shift, &Bindings::default()).map_or(f64::NAN, |bounded| bounded.value);
     (!profile.shift.is_zero()).then(|| Shift { expr: typed.shift.clone(), value: number() })
+}
+
+/// Warns if g decreases before the largest contact radius, because larger contacts may not exist; the verdict belongs to `solve`.
+fn warn_of_falls(contact: &Contact<'_>, quantity: Quantity, at: &[f64], radius: Option<f64>) {
+    let most = at.iter().copied().fold(0.0, f64::max);
+    let of_depth = |depth: f64| contact.contact_radius(depth).map(|own| own.estimate.value);
+    let largest = match quantity.coordinate() {
+        _ if !quantity.needs_contact() => return,
+        _ if quantity.needs_radius() => Ok(radius.unwrap_or(0.0)),
+        "d" => of_depth(most),
+        "F" => contact.depth_of_force(most).and_then(|own| of_depth(own.estimate.value)),
+        _ => Ok(most),
+    };
+    let Ok(largest) = largest else { return };
+    let places = (1..=LOOKS).map(|step| largest * f64::from(step) / f64::from(LOOKS));
+    let known = places.map_while(|x| Some((x, contact.evaluator().slope(x).ok()?.estimate)));
+    let known: Vec<(f64, Estimate)> = known.collect();
+    let falls = |pair: &&[(f64, Estimate)]| matches!(pair, [(_, one), (_, other)] if other.value + other.error < one.value - one.error);
+    if let Some([(x, _), _]) = known.windows(2).find(falls) {
+        warn(&format!("g decreases beyond x = {x:.3e}: larger contacts may not be valid; the values of the formula follow"));
+    }
 }
 
 /// A falling g shows as a negative depth, force or pressure; the verdict itself belongs to `solve`.

@@ -5,7 +5,7 @@ use crate::cli::failure::warn;
 use crate::cli::output;
 use crate::cli::output::{Destination, Endings};
 use crate::cli::tip;
-use crate::cli::{Failure, Outcome, budget};
+use crate::cli::{Failure, Outcome, budget, input};
 use crate::report::validation::{html, json, text as screen};
 use crate::scene::{Change, Declared, Dimension, Grid, SceneError, scene_for_data};
 use crate::validate::{Layout, Origin, Request, Source, ValidationError, validate};
@@ -29,8 +29,8 @@ pub(in crate::cli) struct Arguments {
     #[arg(value_name = "DATA", required = true)]
     data: Vec<PathBuf>,
     /// Relative L2 error to accept, instead of the estimated discretization error.
-    #[arg(long, value_name = "T")]
-    tol: Option<f64>,
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    tol: Option<String>,
     /// Number of pixels along a side of the domain, one per file; or the radii of an array of `sneddon reference`, such as "0:2 um:101".
     #[arg(long, value_name = "N,N,…|START:STOP:COUNT", value_delimiter = ',', allow_hyphen_values = true)]
     grid: Vec<String>,
@@ -103,11 +103,7 @@ fn pixels_along_a_side(text: &str) -> Result<f64, Failure> {
 }
 
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    if let Some(tolerance) = arguments.tol
-        && !(tolerance > 0.0 && tolerance.is_finite())
-    {
-        return Err(Failure::new(format!("--tol {tolerance} is not positive")).help("expected a relative error such as 1e-3"));
-    }
+    let tolerance = arguments.tol.as_deref().map(|text| input::positive("--tol", text)).transpose()?;
     let flag = arguments.json.then_some(Format::Json);
     let report = Destination::beside(arguments.output.as_deref(), flag, Format::Text, ENDINGS, Format::Html)?;
     let text = solve::read(&arguments.scene)?;
@@ -146,9 +142,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         cells: arguments.cells.then_some(true),
     };
     let layout = layout.checked().map_err(|error| failure(&name, &text, &error))?;
-    let request = Request { layout: &layout, text: &text, scene: &scene, sources: &sources, tolerance: arguments.tol, grid: &grid };
+    let request = Request { layout: &layout, text: &text, scene: &scene, sources: &sources, tolerance, grid: &grid };
     let found = validate(&request).map_err(|error| failure(&name, &text, &error))?;
     found.warnings.iter().for_each(|text| warn(text));
+    let has_field = found.columns.iter().any(|own| matches!(own.name, "p" | "u" | "f" | "g" | "F_from_p"));
+    if arguments.load.is_some() && !has_field {
+        warn("--load is not used: the data contain the loads");
+    }
     let page = if report.format() == Format::Html { html::html(&found).map_err(Failure::new)? } else { String::new() };
     let write = |format, out: &mut dyn io::Write| match format {
         Format::Html => out.write_all(page.as_bytes()),

@@ -22,7 +22,8 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
     for file in &own.files {
         let grid = file.grid.map_or(String::new(), |own| format!(", grid {own}"));
         let pixel = file.pixel.map_or(String::new(), |own| format!(", h/a = {own:.4}"));
-        writeln!(out, "\n{}: {} rows{grid}{pixel}", file.name, file.rows)?;
+        let rows = if file.rows == 1 { "row" } else { "rows" };
+        writeln!(out, "\n{}: {} {rows}{grid}{pixel}", file.name, file.rows)?;
         writeln!(
             out,
             "  {:8} {:>10} {:>10} {:>10} {:>12} {:>11} {:>7}  verdict",
@@ -36,11 +37,11 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
             };
             writeln!(
                 out,
-                "  {:8} {:>10.3e} {:>10.3e} {:>10.3e} {:>12.5e} {tolerance:>11} {:>7}  {}",
+                "  {:8} {:>10} {:>10} {:>10} {:>12.5e} {tolerance:>11} {:>7}  {}",
                 column.name,
-                column.l1,
-                column.l2,
-                column.max,
+                norm(column.l1),
+                norm(column.l2),
+                norm(column.max),
                 column.worst_at,
                 column.rows,
                 word(column)
@@ -58,6 +59,11 @@ pub fn text(own: &Validation, out: &mut dyn Write) -> io::Result<()> {
         }
     }
     own.notes.iter().try_for_each(|note| writeln!(out, "note: {note}"))
+}
+
+/// Returns an error relative to exact values, or "-" where all of them are 0.
+fn norm(error: f64) -> String {
+    if error == f64::MAX { "-".to_owned() } else { format!("{error:.3e}") }
 }
 
 fn word(column: &Column) -> String {

@@ -68,6 +68,10 @@ impl Counting {
             SceneError::unit(format!("{name} = {} has a unit of force or pressure, but the effective modulus has no unit", quantity.text()))
                 .help("add a unit to the effective modulus, such as \"70 GPa\"")
         };
+        let no_length = || {
+            SceneError::unit(format!("{name} = {} has a unit, but no length does", quantity.text()))
+                .help("give every length a unit, such as R = \"1 um\"")
+        };
         // The unit of force is pressure · length².
         let mut factor = Expr::one();
         if !force.is_zero() {
@@ -75,7 +79,7 @@ impl Counting {
         }
         let lengths = length + Expr::integer(2) * force;
         if !lengths.is_zero() {
-            factor = factor * self.length.as_ref().ok_or_else(unknown)?.factor().pow(&lengths);
+            factor = factor * self.length.as_ref().ok_or_else(no_length)?.factor().pow(&lengths);
         }
         Ok(quantity.in_base() / factor)
     }

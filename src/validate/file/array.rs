@@ -27,11 +27,11 @@ pub(in crate::validate) const NPZ: &[u8] = b"PK\x03\x04";
 const LONGEST: u64 = 1_000_000_000;
 /// Maximum number of members of an archive.
 const MOST: usize = 1000;
-const HELP: &str = "expected arrays of real numbers as written by numpy.save or numpy.savez";
+pub(in crate::validate) const NUMPY: &str = "expected arrays of real numbers as written by numpy.save or numpy.savez";
 
 /// Reads every array in the bytes of a file; `name` is the name of the file in errors, and `stem` the name of the array in an NPY file.
 pub(in crate::validate) fn arrays(name: &str, stem: &str, bytes: Vec<u8>) -> Result<Vec<Array>, ValidationError> {
-    let fault = |message: String| ValidationError::data(name, None, message, HELP);
+    let fault = |message: String| ValidationError::data(name, None, message, NUMPY);
     if bytes.starts_with(NPY) {
         return Ok(array(stem, &bytes).map_err(fault)?.into_iter().collect());
     }

@@ -2,7 +2,7 @@
 
 use crate::scene::Scene;
 use crate::validate::ValidationError;
-use crate::validate::file::array::{NPY, NPZ, arrays};
+use crate::validate::file::array::{NPY, NPZ, NUMPY, arrays};
 use crate::validate::file::column::Kind;
 use crate::validate::file::layout::{Columns, Layout, columns};
 use crate::validate::file::stacked;
@@ -41,6 +41,13 @@ impl<'s> Data<'s> {
         let begin = file.fill_buf().map_err(|error| unreadable(&source.name, None, &error))?;
         let is_numpy = begin.starts_with(NPY) || begin.starts_with(NPZ);
         let is_json = begin.trim_ascii_start().starts_with(b"{");
+        let ending = std::path::Path::new(&source.name).extension().and_then(|own| own.to_str()).unwrap_or_default();
+        let (is_npy, is_npz) = (ending.eq_ignore_ascii_case("npy"), ending.eq_ignore_ascii_case("npz"));
+        if (is_npy || is_npz) && !is_numpy {
+            let kind = if is_npy { "NPY" } else { "NPZ" };
+            let message = format!("this is not an {kind} file: its first bytes are others");
+            return Err(ValidationError::data(&source.name, None, message, NUMPY));
+        }
         if is_numpy || is_json {
             let mut bytes = Vec::new();
             file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| unreadable(&source.name, None, &error))?;

@@ -9,11 +9,14 @@ mod precise;
 mod slices;
 mod special;
 mod typeset;
+mod undefined;
 mod waves;
 
 pub use forms::elliptic_moment_parts;
 pub use slices::{Growth, SliceLaw};
 pub use typeset::{Font, Letters, Setting, Typeset};
+pub(crate) use undefined::has_value;
+pub use undefined::undefined_constant;
 
 use super::{Expr, Sign};
 use crate::num::{DoubleDouble, Precise, Region};

@@ -1,8 +1,7 @@
 //! Piecewise operands brought to common breakpoints, so that an operation applies piece by piece.
 
 use super::super::{ParseError, Reason};
-use super::known::below;
-use crate::expr::{Expr, Formula, Symbol};
+use crate::expr::{Expr, Formula, Symbol, is_known_below as below};
 use std::ops::Range;
 
 /// Every breakpoint of the text, as typed.

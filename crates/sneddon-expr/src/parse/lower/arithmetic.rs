@@ -1,8 +1,7 @@
 //! Sums, products and powers with their limits: numbers cannot grow without bound, and undefined powers are refused.
 
 use super::super::{ParseError, Reason, limits};
-use super::known::known_sign;
-use crate::expr::{Expr, Node, Number, Sign};
+use crate::expr::{Expr, Node, Number, Sign, known_sign};
 use std::ops::Range;
 
 /// Checked constructors of expressions, and the work spent on long numbers so far.

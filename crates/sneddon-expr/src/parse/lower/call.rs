@@ -1,9 +1,8 @@
 //! Calls: functions of the table by name, alternative spellings, and special forms such as `piecewise` and `integral`.
 
 use super::super::{ParseError, Reason};
-use super::known::known_sign;
 use super::{Lowering, Names, Operand, Value};
-use crate::expr::{Expr, Formula, Function, Number, Sign};
+use crate::expr::{Expr, Formula, Function, has_value};
 use std::ops::Range;
 
 impl Lowering<'_> {
@@ -138,25 +137,6 @@ impl Lowering<'_> {
             upper: upper.closed("the limit of an integral")?,
         })
     }
-}
-
-/// False if the function is known to have no finite real value for these arguments.
-fn has_value(function: Function, arguments: &[Expr]) -> bool {
-    let row = function.row();
-    let numbers: Option<Vec<f64>> = arguments.iter().map(|argument| argument.as_number().map(Number::to_f64)).collect();
-    let value = numbers.map(|numbers| (row.value)(&numbers));
-    // Infinite by overflow, as exp(1000), is a value; infinite at a small argument, as gamma(0), is a pole.
-    let small = arguments.iter().all(|argument| argument.as_number().is_some_and(|number| number.to_f64().abs() <= 1.0));
-    if value.is_some_and(|value| value.is_nan() || (value.is_infinite() && small)) {
-        return false;
-    }
-    row.domain.is_none_or(|domain| {
-        domain(arguments).iter().all(|bound| match known_sign(bound) {
-            Sign::Negative => false,
-            Sign::Zero => value.is_some_and(f64::is_finite),
-            Sign::Positive | Sign::Unknown => true,
-        })
-    })
 }
 
 fn wrong_count(name: &str, expected: String, found: usize, span: &Range<usize>) -> ParseError {

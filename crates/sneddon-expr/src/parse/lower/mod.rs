@@ -3,7 +3,6 @@
 mod align;
 mod arithmetic;
 mod call;
-mod known;
 mod names;
 mod piecewise;
 

@@ -24,6 +24,21 @@ pub(in crate::parse) enum Names {
 /// Functions of the grammar that have no row in the function table.
 const BUILT_IN: [&str; 7] = ["sqrt", "piecewise", "integral", "J0", "J1", "I0", "I1"];
 
+/// Functions of other languages, and how a profile has them.
+const FOREIGN: [(&str, &str); 11] = [
+    ("csc", "1/sin(…)"),
+    ("sec", "1/cos(…)"),
+    ("cot", "1/tan(…)"),
+    ("coth", "1/tanh(…)"),
+    ("lg", "ln(…)/ln(10)"),
+    ("if", "piecewise(value, r<b, other value)"),
+    ("where", "piecewise(value, r<b, other value)"),
+    ("step", "piecewise(0, r<b, value)"),
+    ("heaviside", "piecewise(0, r<b, value)"),
+    ("sign", "piecewise(-value, r<b, value)"),
+    ("sgn", "piecewise(-value, r<b, value)"),
+];
+
 /// Function names that are Greek letters too; without parentheses they are parameters.
 const GREEK: [&str; 4] = ["beta", "zeta", "kappa", "chi"];
 
@@ -76,13 +91,17 @@ impl Names {
 
     /// The advice for an unknown function name.
     pub(super) fn nearest(self, name: &str) -> String {
+        if let Some((_, written)) = FOREIGN.iter().find(|(known, _)| *known == name.to_ascii_lowercase()) {
+            return format!("write {written}");
+        }
         let rows = Function::all().filter(|function| function.row().shown.is_none());
         let names = rows.flat_map(|f| std::iter::once(f.name()).chain(f.row().spellings.iter().copied()));
         let known = names.chain(BUILT_IN).filter(|known| self == Self::Formula || *known != "integral");
-        let mut near: Vec<(usize, &str)> = known.map(|known| (distance(name, known), known)).filter(|(d, _)| *d <= 2).collect();
+        let mut near: Vec<(usize, &str)> =
+            known.map(|known| (distance(name, known), known)).filter(|(d, known)| *d <= known.len() / 3).collect();
         near.sort_unstable();
         near.dedup();
-        let near: Vec<&str> = near.into_iter().filter(|(d, known)| *d < known.len()).take(3).map(|(_, known)| known).collect();
+        let near: Vec<&str> = near.into_iter().take(3).map(|(_, known)| known).collect();
         match near.as_slice() {
             [] if name.chars().count() <= 2 => format!("write {name}*(…) for a product"),
             [] => "expected a function such as sqrt, exp, ln, sin, cos, tan, atan, sinh, abs, erf, min, max or piecewise".to_owned(),

@@ -1,9 +1,8 @@
 //! `piecewise(v0, r<b, v1, …)`: conditions read and checked, pieces inside pieces flattened.
 
 use super::super::{ParseError, Reason, limits};
-use super::known::{below, known_sign};
 use super::{Lowering, Names, Operand, Value, align};
-use crate::expr::{Expr, Formula, Sign, Symbol};
+use crate::expr::{Expr, Formula, Sign, Symbol, is_known_below as below, known_sign};
 use std::ops::Range;
 
 const FORM: &str = "write piecewise(v0, r<b, v1), with more pairs of condition and value as needed";
