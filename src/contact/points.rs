@@ -1,8 +1,9 @@
 //! Evaluation of a list of points, in which a failure at one point does not affect the others.
 
-use super::{ContactError, Measured, Reason};
-use crate::num::work;
-use crate::transform::TransformError;
+use super::{Contact, ContactError, Measured, Reason};
+use crate::num::{Bounded, work};
+use crate::transform::{PressureCurve, Quantities, Reading, TransformError};
+use std::sync::Arc;
 
 /// Divisor of the budget: one part of this many is reserved for writing the answer.
 const FOR_THE_ANSWER: u64 = 16;
@@ -10,6 +11,104 @@ const FOR_THE_ANSWER: u64 = 16;
 const FOR_ONE: u64 = 3;
 /// Factor between the budget of a block and its expected cost.
 const HEADROOM: u64 = 4;
+/// Steps above which a list of pressures under one contact is answered by one expansion.
+const DEAR: u64 = 100_000_000;
+/// Fewest pressures for which an expansion is considered.
+const MANY: usize = 20;
+/// Parts of the contact radius at which the cost of a pressure is measured.
+const TYPICAL: [f64; 2] = [0.37, 0.61];
+/// Relative error above which a pressure of the expansion is computed anew.
+const FINE: f64 = 1e-10;
+
+impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
+    /// Returns whether `count` pressures under the radius `a` cost too much one by one.
+    ///
+    /// The decision depends on counted steps and not on the budget, so that a budget changes no answer.
+    pub fn are_dear(&self, a: f64, count: usize) -> bool {
+        if count < MANY || a.is_nan() || a <= 0.0 {
+            return false;
+        }
+        let cost = |part: f64| {
+            let (_, spent, _) = work::apart(DEAR, || self.evaluator().pressure(part * a, a).is_ok());
+            work::spend(spent);
+            spent
+        };
+        // What the first call prepares for all others is not part of the cost of one.
+        TYPICAL.into_iter().map(cost).min().unwrap_or(0).saturating_mul(count as u64) > DEAR
+    }
+
+    /// Returns a contact whose pressures under the radius of an expansion, see [`Quantities::pressure_curve`], come from it.
+    ///
+    /// The errors of the expansion are estimated; where one exceeds 1e-10 of the value, and for every other quantity, the profile is
+    /// asked as before.
+    pub fn with_pressures(&self, curve: Arc<PressureCurve<'static>>) -> Contact<'a, Expanded<P>> {
+        let evaluator = Expanded { profile: self.shared_evaluator(), curve };
+        Contact::new(evaluator, self.effective_modulus(), self.depth_of_rim(), self.tolerance())
+    }
+}
+
+/// A profile whose pressures under one contact radius come from one expansion; see [`Contact::with_pressures`].
+pub struct Expanded<P: ?Sized> {
+    profile: Arc<P>,
+    curve: Arc<PressureCurve<'static>>,
+}
+
+impl<P: Quantities + ?Sized> Quantities for Expanded<P> {
+    fn slope(&self, x: f64) -> Result<Reading, TransformError> {
+        self.profile.slope(x)
+    }
+
+    fn force(&self, a: f64) -> Result<Reading, TransformError> {
+        self.profile.force(a)
+    }
+
+    fn integral(&self, a: f64) -> Result<Reading, TransformError> {
+        self.profile.integral(a)
+    }
+
+    fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
+        if a != self.curve.radius() {
+            return self.profile.pressure(r, a);
+        }
+        match self.curve.at(r)? {
+            Some(own) if own.error <= FINE * own.value.abs() => Ok(Some(Reading { estimate: own, method: "curve" })),
+            Some(_) => self.profile.pressure(r, a),
+            None => Ok(None),
+        }
+    }
+
+    fn axial(&self, z: f64, a: f64) -> Result<Reading, TransformError> {
+        self.profile.axial(z, a)
+    }
+
+    fn displacement(&self, r: f64, a: f64) -> Result<Reading, TransformError> {
+        self.profile.displacement(r, a)
+    }
+
+    fn height(&self, r: f64) -> Result<Reading, TransformError> {
+        self.profile.height(r)
+    }
+
+    fn limit(&self) -> f64 {
+        self.profile.limit()
+    }
+
+    fn breakpoints_below(&self, end: f64) -> Vec<f64> {
+        self.profile.breakpoints_below(end)
+    }
+
+    fn check_domain(&self, symbol: &'static str, at: f64) -> Result<(), TransformError> {
+        self.profile.check_domain(symbol, at)
+    }
+
+    fn flat_radius(&self) -> Result<f64, TransformError> {
+        self.profile.flat_radius()
+    }
+
+    fn squared_gap(&self, a: f64, depth: Bounded) -> Option<Result<Reading, TransformError>> {
+        self.profile.squared_gap(a, depth)
+    }
+}
 
 /// Evaluates a list of points with `read`, in blocks, within the open budget.
 ///

@@ -204,6 +204,11 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         Arc::clone(&self.evaluator)
     }
 
+    /// The tolerance of roots and integrals.
+    pub(super) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     /// True for a punch with a rim at the contact radius.
     pub(super) fn has_rim(&self) -> bool {
         self.depth.is_some()

@@ -7,6 +7,7 @@ use crate::derive::kinks::is_below;
 use crate::derive::solved::SolvedInterval;
 use crate::derive::superposed::Superposed;
 use crate::eval::{constant_value, first_double_from};
+use crate::evaluate::curve::PressureCurve;
 use crate::evaluate::local_polynomials::PolynomialCache;
 use crate::evaluate::ways::Way;
 use crate::evaluate::ways::best::{Best, by_quadrature};
@@ -17,7 +18,7 @@ use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
 use crate::integrate::segment::Segment;
 use crate::num::{Bounded, Estimate, Precise, work};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Ends of the profile with a smaller relative distance are identified.
 const SAME: f64 = 64.0 * f64::EPSILON;
@@ -64,7 +65,7 @@ pub struct Evaluator<'a> {
     barriers: Vec<Barrier>,
     /// The smallest limit and the first end of a barrier.
     end: OnceLock<f64>,
-    typed: OnceLock<NumericProfile>,
+    typed: OnceLock<Arc<NumericProfile>>,
     recognised: OnceLock<NumericProfile>,
     heights: OnceLock<Heights>,
     pub(crate) steep: OnceLock<bool>,
@@ -143,12 +144,24 @@ impl<'a> Evaluator<'a> {
     /// # Errors
     /// As [`Evaluator::new`].
     pub fn typed(&self) -> Result<&NumericProfile, TransformError> {
+        self.shared().map(Arc::as_ref)
+    }
+
+    /// The pressure curve of the profile as typed under a contact of radius a.
+    ///
+    /// # Errors
+    /// As [`PressureCurve::new`].
+    pub(crate) fn pressure_curve(&self, a: f64) -> Result<PressureCurve<'static>, TransformError> {
+        PressureCurve::shared(Arc::clone(self.shared()?), a)
+    }
+
+    fn shared(&self) -> Result<&Arc<NumericProfile>, TransformError> {
         if let Some(ready) = self.typed.get() {
             return Ok(ready);
         }
         let built = self.typed_profile()?;
         work::check()?;
-        Ok(self.typed.get_or_init(|| built))
+        Ok(self.typed.get_or_init(|| Arc::new(built)))
     }
 
     /// The profile by the recognition form of f′.

@@ -1,5 +1,6 @@
 //! The interface between a contact and its profile, which may be a formula, a closure or a table.
 
+use crate::evaluate::curve::PressureCurve;
 use crate::evaluate::evaluator::{Evaluator, Reading};
 use crate::integrate::error::TransformError;
 use crate::num::Bounded;
@@ -79,6 +80,11 @@ pub trait Quantities: Send + Sync {
         Ok(flat)
     }
 
+    /// The pressures under a contact of radius a as one expansion, for profiles that have one.
+    fn pressure_curve(&self, _a: f64) -> Option<PressureCurve<'static>> {
+        None
+    }
+
     /// ∫₀^a (d − g)² dx, for profiles with a better method than quadrature between their breakpoints.
     fn squared_gap(&self, _a: f64, _depth: Bounded) -> Option<Result<Reading, TransformError>> {
         None
@@ -112,6 +118,10 @@ impl Quantities for Evaluator<'_> {
 
     fn height(&self, r: f64) -> Result<Reading, TransformError> {
         Self::height(self, r)
+    }
+
+    fn pressure_curve(&self, a: f64) -> Option<PressureCurve<'static>> {
+        Self::pressure_curve(self, a).ok()
     }
 
     fn squared_gap(&self, a: f64, depth: Bounded) -> Option<Result<Reading, TransformError>> {

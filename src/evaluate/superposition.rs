@@ -1,5 +1,6 @@
 //! Superposition of profiles: formulas, tables and closures at the same contact radius.
 
+use crate::evaluate::curve::PressureCurve;
 use crate::evaluate::evaluator::Reading;
 use crate::evaluate::quantities::Quantities;
 use crate::integrate::error::TransformError;
@@ -95,6 +96,13 @@ impl Quantities for Superposition<'_> {
         match finite.as_slice() {
             [only] => Ok(Some(*only)),
             _ => sum(finite.into_iter().map(Ok)).map(Some),
+        }
+    }
+
+    fn pressure_curve(&self, a: f64) -> Option<PressureCurve<'static>> {
+        match self.parts.as_slice() {
+            [only] => only.pressure_curve(a),
+            _ => None,
         }
     }
 

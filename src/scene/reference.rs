@@ -253,6 +253,7 @@ impl Run<'_> {
     /// assert!(mean > 0.0 && error < 1e-10 * mean);
     /// ```
     pub fn field(&self, grid: &Grid, curve: Quantity, state: Option<&State>, cells: bool) -> Field {
+        self.many.set(grid.distinct());
         let length = self.scene().system.out(Dimension::LENGTH);
         let means = if cells && curve == Quantity::Pressure { state.filter(|own| own.radius > 0.0) } else { None };
         let means = means.map(|state| {

@@ -3,13 +3,13 @@
 use super::regime::{Regime, SAME_SHAPE, Simple};
 use super::{Control, DepthFrom, Dimension, Loads, MeasuredTip, Quantity, Row, Scene, SceneError, Work};
 use crate::contact::{
-    Boundary, Contact, ContactError, Estimates, Finding, Indentation, Indented, Kind, Load, Loaded, Naming, Part, Reason, Setup, Severity,
-    State, in_unit, step_of,
+    Boundary, Contact, ContactError, Estimates, Finding, Indentation, Indented, Kind, Load, Loaded, Measured, Naming, Part, Reason, Setup,
+    Severity, State, in_unit, step_of,
 };
 use crate::num::{Bound, Bounded, Estimate, work};
 use crate::scene::file::dimensioned::to_f64;
-use crate::transform::{Reading, Solution, Superposition, TableProfile, TransformError};
-use std::cell::{Cell, OnceCell};
+use crate::transform::{Method, PressureCurve, Quantities, Reading, Solution, Superposition, TableProfile, TransformError};
+use std::cell::{Cell, OnceCell, RefCell};
 use std::sync::Arc;
 
 /// A scene with its transform, ready to solve.
@@ -25,6 +25,12 @@ pub struct Run<'a> {
     /// The last state whose points were computed, and its errors.
     pub(super) doubt: Cell<Option<(State, Option<Estimates>)>>,
     tip: OnceCell<Option<Simple>>,
+    /// Number of pressures that are expected in all.
+    pub(super) many: Cell<usize>,
+    /// Whether they cost too much one by one.
+    dear: OnceCell<bool>,
+    /// The last state whose pressures were computed, and one expansion for all of them.
+    expansion: RefCell<Option<(State, Option<Arc<PressureCurve<'static>>>)>>,
 }
 
 /// The message when the work budget is exhausted.
@@ -80,6 +86,9 @@ impl<'a> Run<'a> {
             watch: None,
             doubt: Cell::default(),
             tip: OnceCell::new(),
+            many: Cell::new(scene.outputs.at.len().saturating_mul(scene.loads.len())),
+            dear: OnceCell::new(),
+            expansion: RefCell::default(),
         };
         // Report invalid input before any output is written.
         for load in [scene.control.load(smallest), largest] {
@@ -427,8 +436,30 @@ impl<'a> Run<'a> {
             Quantity::AxialStress => asked.stresses += 1,
             _ => asked.displacements += 1,
         });
-        let found = curve.number(&self.indentation.contact(state), at, state.radius);
+        let contact = self.indentation.contact(state);
+        let found = match curve {
+            Quantity::Pressure => self.pressure(&contact, state, at),
+            _ => curve.number(&contact, at, state.radius),
+        };
         found.map_err(|_| FAILED)?.map_err(|reason| reason.fixed_text().unwrap_or(FAILED))
+    }
+}
+
+impl<'a> Run<'a> {
+    fn pressure(&self, contact: &Contact<'a, Superposition<'a>>, state: &State, at: f64) -> Result<Measured, ContactError> {
+        // The first state decides for all.
+        let is_chosen = self.scene.method == Method::Auto && *self.dear.get_or_init(|| contact.are_dear(state.radius, self.many.get()));
+        let known = self.expansion.borrow().clone().filter(|own| own.0 == *state);
+        let (_, curve) = known.unwrap_or_else(|| {
+            let curve = if is_chosen { contact.evaluator().pressure_curve(state.radius) } else { None };
+            let own = (*state, curve.map(Arc::new));
+            self.expansion.replace(Some(own.clone()));
+            own
+        });
+        match curve {
+            Some(curve) => contact.with_pressures(curve).pressure(at, state.radius),
+            None => contact.pressure(at, state.radius),
+        }
     }
 }
 

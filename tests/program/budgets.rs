@@ -167,3 +167,53 @@ fn checks_of_high_powers_in_denominators_are_whole() {
         assert_eq!(document["check"]["verdict"], "passed", "{profile}: {}", document["check"]);
     }
 }
+
+/// Class "a long list of dear pressures is cut": one expansion answers them all, whatever the budget is, with the numbers of the way that
+/// is proven for each alone; with few points and where a method is asked for, the list has the numbers of single points.
+#[test]
+fn many_dear_pressures_come_from_one_expansion() {
+    for profile in ["r^2*(1+0.2*besselj(0,9*r)^2*exp(-r))", "besselj(0,r)^2*r"].into_iter().take(cases(1, 2)) {
+        let list = |places: &str, budget: f64, more: &str| {
+            let own = answer(&format!("eval {profile} --quantity p --at {places} --radius 0.6 --json{more}"), budget, 9998);
+            assert_eq!(own.code, 0, "{profile} {places}: {}", own.text);
+            serde_json::from_str::<Value>(&own.text).unwrap()["points"].as_array().unwrap().clone()
+        };
+        let many = list("0:0.57:201", 30.0, "");
+        assert_eq!(many, list("0:0.57:201", 1.5, ""), "{profile}");
+        assert!(many.iter().skip(1).all(|own| own["method"] == "curve" && own["bound"] == "estimated"), "{profile}: {many:#?}");
+        for (alone, index) in [("0.057", 20), ("0.285", 100), ("0.57", 200)] {
+            let one = &list(alone, 30.0, "")[0];
+            assert!(one["bound"] == "proven", "{profile}: {one}");
+            let [own, exact] = [&many[index], one].map(|own| ["value", "error_estimate"].map(|key| own[key].as_f64().unwrap()));
+            assert!((own[0] - exact[0]).abs() <= own[1] + exact[1] && own[1] < 1e-12 * own[0], "{profile}: {} {one}", many[index]);
+        }
+        assert!(list("0:0.57:5", 30.0, "").iter().all(|own| own["method"] != "curve"), "{profile}");
+    }
+}
+
+/// Class "a scene that was cut short exits with 0".
+#[test]
+fn a_scene_that_was_cut_short_says_so() {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("budgets").join("scene");
+    fs::create_dir_all(&place).unwrap();
+    let scene = |method: &str| {
+        format!(
+            "[profile]\nf = \"r^2*(1+0.2*besselj(0,9*r)^2*exp(-r))\"\n[material]\neffective_modulus = 1\n[load]\ndepth = [0.4, 0.5]\n\
+             [outputs]\nquantities = [\"p\"]\nat = {{ start = 0, stop = 0.4, count = 40 }}\n[method]\nname = \"{method}\"\n"
+        )
+    };
+    let solved = |method: &str, more: &[&str]| {
+        fs::write(place.join("scene.toml"), scene(method)).unwrap();
+        let program = env!("CARGO_BIN_EXE_sneddon");
+        let done = Command::new(program).args(["solve", "scene.toml"]).args(more).current_dir(&place).output().unwrap();
+        (done.status.code().unwrap(), String::from_utf8(done.stdout).unwrap(), String::from_utf8(done.stderr).unwrap())
+    };
+    let (code, text, told) = solved("quadrature", &["--json", "--budget", "0.5"]);
+    let document: Value = serde_json::from_str(&text).unwrap();
+    assert!(code == 1 && document["complete"] == false && told.contains("some numbers are missing: stopped at the work limit"), "{told}");
+    // Within the same budget the expansion answers every pressure.
+    let (code, text, told) = solved("auto", &["--json", "--budget", "0.5"]);
+    let document: Value = serde_json::from_str(&text).unwrap();
+    let points = |index: usize| document["curves"][index]["points"].as_array().unwrap();
+    assert!(code == 0 && [0, 1].iter().all(|index| points(*index).iter().all(|own| own["value"].is_f64())), "{told}");
+}

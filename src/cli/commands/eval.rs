@@ -17,6 +17,7 @@ use clap::error::ErrorKind;
 use clap::{Arg, Command};
 use std::ffi::OsStr;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Computes the numbers of a contact, each with an error bound.
 ///
@@ -216,7 +217,16 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let own = curve::Asked { quantity, at: &at, radius, depth, effective_modulus, tolerance: demanded };
         curve::readings(&contact, &own, failed)?
     } else {
-        contact::each_point(&at, |block| read_all(quantity, &contact, block, radius)).map_err(failed)?
+        let many = radius.filter(|_| quantity == Quantity::Pressure && method == Method::Auto);
+        let expanded = many.filter(|a| contact.are_dear(*a, at.len())).and_then(|a| {
+            let curve = contact.evaluator().pressure_curve(a).ok()?;
+            Some(contact.with_pressures(Arc::new(curve)))
+        });
+        let read = |block: &[f64]| match (&expanded, many) {
+            (Some(own), Some(a)) => block.iter().map(|r| own.pressure(*r, a)).collect(),
+            _ => read_all(quantity, &contact, block, radius),
+        };
+        contact::each_point(&at, read).map_err(failed)?
     };
     if depth.is_none() {
         warn_of_falls(&contact, quantity, &at, radius);

@@ -100,8 +100,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         };
         Ok(())
     })?;
+    let cut = run.cut_short();
     drop(run);
     drop(progress);
+    if let Some(why) = cut {
+        warn(&format!("some numbers are missing: {why}"));
+        return Ok(Outcome::Failed);
+    }
     if verdict.is_valid() {
         return Ok(Outcome::Done);
     }

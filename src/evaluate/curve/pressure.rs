@@ -11,6 +11,8 @@ use crate::integrate::pressure::legendre::Expansion;
 use crate::num::spectral::{above, chop, right_sided, rule};
 use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate};
+use std::ops::Deref;
+use std::sync::Arc;
 
 /// p(r)·π/E* = ∫_r^a g′/√(x² − r²) dx of one contact with a smooth edge, for many radii r.
 ///
@@ -27,7 +29,7 @@ use crate::num::{Bounded, Estimate};
 /// assert!((p.value - 2.0 * 0.8).abs() <= p.error && p.error < 1e-13);
 /// ```
 pub struct PressureCurve<'a> {
-    profile: &'a NumericProfile,
+    profile: Held<'a>,
     a: f64,
     /// In increasing order.
     parts: Vec<Part>,
@@ -37,6 +39,23 @@ pub struct PressureCurve<'a> {
     doubt: f64,
     /// The error relative to 2√(a² − r²) at radii given by √(1 − r²/a²), in decreasing order; empty if every part has an error.
     relative: Vec<(f64, f64)>,
+}
+
+/// A profile that the curve borrows, or shares with its evaluator.
+enum Held<'a> {
+    Borrowed(&'a NumericProfile),
+    Shared(Arc<NumericProfile>),
+}
+
+impl Deref for Held<'_> {
+    type Target = NumericProfile;
+
+    fn deref(&self) -> &NumericProfile {
+        match self {
+            Self::Borrowed(own) => own,
+            Self::Shared(own) => own,
+        }
+    }
 }
 
 /// g′/(2x) = Σ c_k P_k on one piece of x².
@@ -68,13 +87,17 @@ impl<'a> PressureCurve<'a> {
     /// [`TransformError::NotComputable`] if f′ is not finite or too irregular below a,
     /// [`TransformError::NoClosedForm`] if (r f′)′ is not known.
     pub fn new(profile: &'a NumericProfile, a: f64) -> Result<Self, TransformError> {
+        Self::of(Held::Borrowed(profile), a)
+    }
+
+    fn of(profile: Held<'a>, a: f64) -> Result<Self, TransformError> {
         match profile.pressure_terms(a) {
             Some(expansion) => Ok(Self::whole(profile, a, &expansion)),
             None => Self::by_pieces(profile, a),
         }
     }
 
-    fn whole(profile: &'a NumericProfile, a: f64, expansion: &Expansion) -> Self {
+    fn whole(profile: Held<'a>, a: f64, expansion: &Expansion) -> Self {
         let relative = SINES.iter().map(|sine| (*sine, expansion.relative_doubt(*sine))).collect();
         let part = Part { lower: 0.0, upper: a, length: a * a, divided: divided(&expansion.rise()), noise: 0.0, fine: true };
         let evaluations = expansion.evaluations;
@@ -83,7 +106,7 @@ impl<'a> PressureCurve<'a> {
         curve
     }
 
-    fn by_pieces(profile: &'a NumericProfile, a: f64) -> Result<Self, TransformError> {
+    fn by_pieces(profile: Held<'a>, a: f64) -> Result<Self, TransformError> {
         let mut budget = Budget::default();
         let (mut pieces, mut ends) = (Vec::new(), Vec::new());
         for segment in &profile.segments {
@@ -170,6 +193,16 @@ impl<'a> PressureCurve<'a> {
     /// Evaluations of (r f′)′ used to build the curve.
     pub fn evaluations(&self) -> u64 {
         self.evaluations
+    }
+}
+
+impl PressureCurve<'static> {
+    /// The same curve, which keeps the profile.
+    ///
+    /// # Errors
+    /// As [`PressureCurve::new`].
+    pub(crate) fn shared(profile: Arc<NumericProfile>, a: f64) -> Result<Self, TransformError> {
+        Self::of(Held::Shared(profile), a)
     }
 }
 
