@@ -137,7 +137,7 @@ impl Engine {
                 );
             }
             if profile.is_flat() && depth.is_none() {
-                return Err(Fault::new("a flat profile with a smooth edge has no contact problem")
+                return Err(Fault::new("a flat profile without a rim does not define a contact")
                     .help("sneddon.solve takes a punch: a profile with a radius"));
             }
             let solution = transform::derive(&profile).map_err(|error| about(error.into()))?;

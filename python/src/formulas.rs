@@ -96,7 +96,7 @@ pub(crate) fn compare(
         let place = |fault: Fault| fault.place(format!("profile {text}"));
         let profile = Profile::new(&typed).map_err(|error| place(error.into()))?;
         if profile.is_flat() && depth.is_none() {
-            return Err(place(Fault::new("a flat profile with a smooth edge has no contact problem").help("depth= makes it a punch")));
+            return Err(place(Fault::new("a flat profile without a rim does not define a contact").help("depth= makes it a punch")));
         }
         let solution = transform::derive(&profile).map_err(|error| place(error.into()))?;
         let comparisons = contact::compare(&solution, &Setting { radius, depth, tolerance }).map_err(|error| place(error.into()))?;

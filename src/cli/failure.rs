@@ -94,7 +94,7 @@ impl Failure {
         }
         match error.span() {
             Some(span) => failure.at(name, text, span),
-            None => failure,
+            None => Self { message: format!("{name}: {}", failure.message), ..failure },
         }
     }
 

@@ -171,7 +171,7 @@ impl Settings {
                 return Err(Failure::new(format!("the profile has no parameter {}; {own}", name.trim())).help(form));
             };
             if settings.iter().any(|known| known.symbol == symbol) {
-                return Err(Failure::new(format!("{symbol} is set twice")).help(form));
+                return Err(Failure::new(format!("{symbol} is set twice")).help("remove one of the two settings"));
             }
             let place = format!("--set {symbol}");
             let (exact, value, dimension) = units.parameter(&place, text)?;
@@ -183,7 +183,7 @@ impl Settings {
                     0..text.len(),
                 ));
             }
-            if value >= FRAC_PI_2 && typed.formula.expressions().into_iter().any(|expr| has_angle(expr, &symbol)) {
+            if value >= FRAC_PI_2 && dimension.is_none() && typed.formula.expressions().into_iter().any(|expr| has_angle(expr, &symbol)) {
                 warn(&format!("{symbol} = {} is not below 90 deg; a number without a unit is in radians", text.trim()));
             }
             settings.push(Setting { symbol, exact, value, dimension });

@@ -75,11 +75,13 @@ impl Units {
     /// Returns an error if the profile is not a length for these dimensions of its parameters.
     pub(super) fn check(&self, text: &str, profile: &Formula, parameters: Vec<(Symbol, Dimension)>) -> Result<(), Failure> {
         self.0.check(profile, parameters).map_err(|error| {
-            Failure::new(error.to_string()).help("give every length parameter a unit, such as --set R='20 nm'").at(
-                "PROFILE",
-                text,
-                0..text.len(),
-            )
+            let message = error.to_string();
+            let help = if message.ends_with("not a plain number") {
+                "expected a plain number there, or an angle such as --set theta='20 deg'"
+            } else {
+                "give every length parameter a unit, such as --set R='20 nm'"
+            };
+            Failure::new(message).help(help).at("PROFILE", text, 0..text.len())
         })
     }
 

@@ -13,7 +13,7 @@ const DRAWS: usize = 6;
 const POINTS: u32 = 14;
 /// Up to here a claim needs no condition number.
 const PLAIN: f64 = 16.0;
-/// Bounds between the points may be larger.
+/// Factor by which claims are enlarged, because errors between the points may be larger.
 const ROOM: f64 = 1.25;
 /// Decades from the natural length of a profile inward and outward over which a claim holds.
 const DECADES: f64 = 12.0;
@@ -36,12 +36,12 @@ pub(super) fn claimed(mut program: Program, solution: &Solution) -> Program {
 }
 
 impl Program {
-    /// The quantities that claim more than [`PLAIN`] units, or nothing.
+    /// The quantities that claim more than [`PLAIN`] units, or that have no claim.
     pub(super) fn poor(&self) -> Vec<Quantity> {
         self.claims.iter().filter(|own| own.1.is_none_or(|claim| claim.ulps > PLAIN)).map(|own| own.0).collect()
     }
 
-    /// Whether every quantity that is computed from this one has a smaller claim than in another program.
+    /// Whether the largest claim among the quantities computed from this one is smaller than in another program.
     pub(super) fn has_smaller_claims(&self, other: &Self, quantity: Quantity) -> bool {
         let size = |claim: Option<Claim>| claim.map_or(f64::INFINITY, |own| own.ulps);
         let pairs = self.claims.iter().zip(&other.claims).filter(|(own, _)| series_of(own.0).contains(&quantity));
@@ -99,7 +99,7 @@ fn text(program: &Program, claim: Option<Claim>, quantity: Quantity) -> Vec<Stri
         _ => "points",
     };
     lines.push(format!(
-        "The largest bound of the running error, and difference from the values of sneddon, at {} seeded {what}, and a quarter more.",
+        "This is the largest running error bound, or the largest difference from the values of sneddon, at {} pseudo-random {what}, increased by a quarter.",
         claim.points
     ));
     lines
@@ -210,9 +210,9 @@ fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Ve
     }
 }
 
-/// The error in ulps of the radius a with g(a) = d: an error of g moves the root by itself over g′; or of F(a) + 2a (d − g(a)),
-/// which the root moves in second order. Errors of g and F are their running bounds, or what they differ from the values of the
-/// program.
+/// The error in ulps of the radius a with g(a) = d, which an error of g moves by that error over g′. For F(a) + 2a (d − g(a)), the
+/// error of the root counts in second order only. Errors of g and F are their running bounds, or their differences from the values
+/// of the program.
 fn solved(machine: &mut Machine<'_>, truth: &Truth<'_>, a: f64) -> Option<f64> {
     let mut at = |routine: &str, arguments: &[f64]| machine.run(routine, &[arguments, &truth.values].concat());
     let (own, more, less) = (at("sneddon_g", &[a])?, at("sneddon_g", &[a * (1.0 + STEP)])?, at("sneddon_g", &[a * (1.0 - STEP)])?);

@@ -9,7 +9,7 @@ use crate::transform::TransformError;
 #[non_exhaustive]
 pub enum CodeError {
     /// The formula contains an integral.
-    #[error("the formula of {quantity} holds an integral, and code is written for closed forms only")]
+    #[error("the formula of {quantity} contains an integral, and code is written for closed forms only")]
     NotClosed {
         /// The symbol of the quantity.
         quantity: &'static str,

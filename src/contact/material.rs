@@ -31,10 +31,14 @@ pub fn effective_modulus(first: ElasticBody, second: ElasticBody) -> Result<f64,
     let compliance = |body: ElasticBody| {
         let ElasticBody { young_modulus: e, poisson_ratio: nu } = body;
         if e.is_nan() || e <= 0.0 {
-            return Err(ContactError::Material { name: "Young's modulus E", value: e, accepted: "a positive number" });
+            return Err(ContactError::Material { name: "Young's modulus E", value: e, accepted: "expected a positive number" });
         }
         if !(nu > -1.0 && nu <= 0.5) {
-            return Err(ContactError::Material { name: "Poisson's ratio nu", value: nu, accepted: "a number with -1 < nu <= 0.5" });
+            return Err(ContactError::Material {
+                name: "Poisson's ratio nu",
+                value: nu,
+                accepted: "expected a number with -1 < nu <= 0.5",
+            });
         }
         Ok((1.0 - nu) * (1.0 + nu) / e)
     };
@@ -77,8 +81,8 @@ impl TransverselyIsotropic {
     pub fn effective_modulus(self) -> Result<f64, ContactError> {
         let Self { c11, c12, c13, c33, c44 } = self;
         let demand = |ok: bool, name, value, accepted| if ok { Ok(()) } else { Err(ContactError::Material { name, value, accepted }) };
-        demand(c44 > 0.0, "C44", c44, "a positive number")?;
-        demand(c33 > 0.0, "C33", c33, "a positive number")?;
+        demand(c44 > 0.0, "C44", c44, "expected a positive number")?;
+        demand(c33 > 0.0, "C33", c33, "expected a positive number")?;
         demand(c11 > c12.abs(), "C11", c11, "a stable material has C11 > |C12|")?;
         demand((c11 + c12) * c33 > 2.0 * c13 * c13, "C13", c13, "a stable material has (C11 + C12) C33 > 2 C13^2")?;
         let mean = c11.sqrt() * c33.sqrt();

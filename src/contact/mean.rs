@@ -31,7 +31,7 @@ pub struct PartialForce<'c, P: Quantities> {
 
 /// The relative tolerance of every piece of a cell.
 const TOLERANCE: f64 = 1e-11;
-/// What moves with the rounding of a cell's edges, in units of the share that they have of the cell.
+/// Relative error of a cell's force due to rounding of its edges, for a cell as wide as its distance from the axis.
 const EDGES: f64 = 16.0 * f64::EPSILON;
 
 impl<'c, P: Quantities> PartialForce<'c, P> {
@@ -89,7 +89,7 @@ impl<'c, P: Quantities> PartialForce<'c, P> {
         Ok(Estimate { error: found.error + moved, ..found })
     }
 
-    /// ∫ p(r) arc(r) r dr between the outermost of these radii; the arc is smooth between them but for roots at their upper sides.
+    /// ∫ p(r) arc(r) r dr between the outermost of these radii; the arc is smooth between them except for square-root singularities just above each radius.
     fn radial(&self, radii: &[f64], arc: impl Fn(f64) -> Bounded) -> Result<Estimate, ContactError> {
         let lowest = radii.iter().copied().fold(f64::INFINITY, f64::min);
         let highest = radii.iter().copied().fold(0.0, f64::max).min(self.a);
@@ -120,7 +120,7 @@ impl<'c, P: Quantities> PartialForce<'c, P> {
         let mut failure: Option<ContactError> = None;
         let mut height = |up: f64, down: f64| {
             let r = if up < down { from + up } else { to - down };
-            // Where the sum rounds to an end the pressure may be infinite; what lies beyond adds nothing that counts.
+            // Where the sum rounds to an end the pressure may be infinite; the contribution beyond is negligible.
             let inside = r.max(from.next_up()).min(to.next_down());
             let smooth = match self.smooth.pressure(inside, self.a) {
                 Ok(Ok(own)) => own.estimate.bounded(),
@@ -148,7 +148,7 @@ impl<'c, P: Quantities> PartialForce<'c, P> {
             };
             integrate_blocks(&mut integrand, &[Panel::singular(0.0, length)], &options)
         } else {
-            // r = from + length·t² takes the roots of the arc at the lower end away.
+            // r = from + length·t² removes the square-root singularity of the arc at the lower end.
             let mut integrand = |points: &[Point], heights: &mut [Bounded]| {
                 for (point, own) in points.iter().zip(heights) {
                     let (t, rest) = (point.from_lower, point.from_upper);

@@ -98,9 +98,9 @@ pub(super) fn root(
     let found = look.bracket(radii, target)?;
     let Some((lower, upper)) = found else {
         return Ok(Err(if limit.is_finite() {
-            "it is not reached as far as the profile goes"
+            "g does not reach it before the profile ends"
         } else {
-            "it is not reached at any radius that was tried"
+            "g does not reach it at any radius that was tried"
         }));
     };
     let mut gap = |a: f64| if a <= start { Ok(-target) } else { height(a).map(|own| own.value - target) };
@@ -109,7 +109,7 @@ pub(super) fn root(
         let own = height(a)?;
         Ok(if own.value.is_finite() { own + Estimate::exact(-target) } else { own })
     };
-    Ok(certain(&mut gap, a, start, limit)?.map(|certain| (a, certain)).ok_or("no rise through it can be told from the errors"))
+    Ok(certain(&mut gap, a, start, limit)?.map(|certain| (a, certain)).ok_or("the errors of g are too large to show where g reaches it"))
 }
 
 /// The neighbourhood of a root beyond which the sign of an increasing function is certain.

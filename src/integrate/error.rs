@@ -36,7 +36,7 @@ pub enum TransformError {
         constant: String,
     },
     /// f does not depend on r, and no depth was given.
-    #[error("a flat profile with a smooth edge has no contact problem; expected a depth of the punch")]
+    #[error("a flat profile without a rim does not define a contact; expected a depth of the punch")]
     Flat,
     /// The kinks of abs, min or max could not be located.
     #[error("the kinks of {function} cannot be located ({reason}); expected numbers for its parameters, or its pieces in piecewise(…)")]

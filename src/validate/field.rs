@@ -55,7 +55,8 @@ pub(super) struct Compared {
 
 /// Number of pixels between compared points and singular points.
 pub(super) const MARGIN: f64 = 4.0;
-/// Near the edge, the tolerance is the change of the exact pressure over this many pixels times `AT_EDGE`.
+/// Near the edge, the tolerance is the change of the exact pressure over this many pixels, on the side where it changes more, times
+/// 1 + `AT_EDGE`.
 const EDGE: f64 = 1.5;
 const AT_EDGE: f64 = 0.1;
 /// The tolerance of displacements around a rim, relative to the tolerance of the force.
@@ -64,7 +65,7 @@ const RIM_OUTSIDE: f64 = 2.0;
 const AT_RIM: f64 = 0.5;
 /// Pressures below this fraction of the mean pressure are rounding errors.
 const ROUNDING: f64 = 1e-6;
-/// A force this close to the exact force, relative to the tolerance, was controlled.
+/// A force this close to the exact force, relative to the tolerance, is taken to have been imposed.
 const CONTROLLED: f64 = 0.1;
 /// Number of rows computed together.
 const BLOCK: usize = 4096;
@@ -74,7 +75,7 @@ const KEPT_ERRORS: usize = 4000;
 /// Number of displacements compared.
 const DISPLACEMENTS: u64 = 4000;
 
-/// Returns radii whose mean pressure equals the pressure of the data: two in the cell, or the point itself.
+/// Returns radii whose mean pressure approximates the mean over a cell: two in the cell, or the point itself.
 pub(super) fn places(r: f64, cell: Option<Cell>, out: &mut Vec<f64>) {
     match cell {
         None => out.push(r),
@@ -190,12 +191,15 @@ pub(super) fn compare(
         };
         report.notes.push(text.to_owned());
     }
-    let kind = if survey.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X };
     let shown = |p: f64| sign * survey.shown(Kind::Pressure, p);
     // If the norms fail as well, a wrong axis or another fault may explain the data, and the diagnosis decides.
     let holds = own.compared.l2() <= own.compared.allowed();
     let cut_off = own.peak.suspicion(shown, own.compared.l2()).filter(|_| holds);
-    let single = cut_off.or_else(|| single(&own.compared, shown, "p", (|r| survey.shown(kind, r), "r")));
+    let single = cut_off.or_else(|| {
+        let unit = |kind: Kind| survey.unit(kind, scene);
+        let place = |r: f64| format!("r = {} {}", survey.shown(survey.distance(), r), unit(survey.distance()));
+        single(&own.compared, shown, ("p", &unit(Kind::Pressure)), place)
+    });
     Ok(Compared { report, spots: own.spots.items, errors: own.errors.items, displacements, margin, room, single })
 }
 

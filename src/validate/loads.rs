@@ -191,19 +191,17 @@ pub(super) fn compare(
         drawn.push((at, decided.0, decided.1));
     }
     let mut tolerance = None;
-    if judge.demanded.is_none() {
-        let deciding = if control == Control::Depth { &mut force } else { &mut depth };
-        if let Some((own, limit)) = rows.worst() {
-            deciding.limit(own, limit);
+    let deciding = if control == Control::Depth { &mut force } else { &mut depth };
+    if let Some((own, limit)) = rows.worst() {
+        deciding.limit(own, limit.max(judge.demanded.unwrap_or(0.0)));
+    }
+    if judge.demanded.is_none() && pixel.pixel.is_none() {
+        if let Some((own, limit)) = radii.worst() {
+            radius.limit(own, limit);
         }
-        if pixel.pixel.is_none() {
-            if let Some((own, limit)) = radii.worst() {
-                radius.limit(own, limit);
-            }
-            // For a punch with a rim the contact radius equals the radius of the punch and contains no information about the solver.
-            tolerance = seen_by_radii(&radius).filter(|_| !has_rim);
-            deciding.tighten(tolerance.map_or(1.0, |own| own / BLIND));
-        }
+        // For a punch with a rim the contact radius equals the radius of the punch and contains no information about the solver.
+        tolerance = seen_by_radii(&radius).filter(|_| !has_rim);
+        deciding.tighten(tolerance.map_or(1.0, |own| own / BLIND));
     }
     let mut report = survey.report(scene, pixel.grid);
     if let Some(tolerance) = tolerance {
@@ -246,7 +244,14 @@ pub(super) fn compare(
     }
     let deciding = if column == "d" { &depth } else { &force };
     let kinds = (kind, control_kind);
-    let single = if column == "a" { None } else { single(deciding, |own| survey.shown(kinds.0, own), column, (|at| at, kinds.1.symbol())) };
+    let single = if column == "a" {
+        None
+    } else {
+        {
+            let own = (column, survey.unit(kinds.0, scene));
+            single(deciding, |own| survey.shown(kinds.0, own), (own.0, &own.1), |at| survey.place(kinds.1, at, scene))
+        }
+    };
     let scaled = others.iter().find_map(|(kind, _, norms)| scaled(&report.columns, *kind, norms));
     Ok(Compared { report, rows: kept.items, errors: errors.items, column, unmatched, single, scaled, tolerance })
 }
@@ -273,12 +278,20 @@ fn scaled(columns: &[Column], kind: Kind, norms: &Norms) -> Option<Suspicion> {
 pub(super) fn single(
     norms: &Norms,
     shown: impl Fn(f64) -> f64,
-    name: &str,
-    (place, across): (impl Fn(f64) -> f64, &str),
+    (name, unit): (&str, &str),
+    place: impl Fn(f64) -> String,
 ) -> Option<Suspicion> {
     let (own, after) = norms.single().filter(|_| norms.l2() > norms.allowed() || norms.beyond().is_some())?;
-    let (data, exact) = (shown(own.data), shown(own.exact));
-    let text = format!("one row has an error: {name} = {data} at {across} = {}, but the exact value is {exact:.6e}", place(own.at));
+    let with_unit = |value: f64| format!("{value} {unit}").trim_end().to_owned();
+    let exact = shown(own.exact);
+    // Seven digits of the exact value, written as the data are.
+    let exact = format!("{exact:.6e}").parse().unwrap_or(exact);
+    let text = format!(
+        "one row has an error: {name} = {} at {}, but the exact value is {}",
+        with_unit(shown(own.data)),
+        place(own.at).trim_end(),
+        with_unit(exact)
+    );
     Some(Suspicion { id: "single-row", text, before: norms.l2(), after })
 }
 

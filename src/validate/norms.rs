@@ -123,7 +123,7 @@ impl Norms {
         self.tightened *= factor;
     }
 
-    /// Number of rows that exceed their own limit by more than rounding errors.
+    /// The rows beyond their own limit whose errors exceed rounding.
     fn rows_beyond(&self) -> impl Iterator<Item = (Beyond, Outlier)> {
         let rounding = if self.by_row { 0.0 } else { ROUNDING * self.largest_exact };
         self.suspects.iter().copied().filter(move |(_, own)| own.difference() > rounding)
@@ -184,7 +184,7 @@ impl Norms {
         ratio(self.signed, self.absolute_exact)
     }
 
-    /// Returns the L2 norm of the discretization error.
+    /// Returns the L2 norm of the allowed errors, relative to that of the exact values.
     pub(super) fn allowed(&self) -> f64 {
         ratio(self.tightened * self.square_allowed.sqrt(), self.square_exact.sqrt())
     }

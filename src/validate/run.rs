@@ -224,7 +224,10 @@ impl Work<'_> {
             return Err(ValidationError::request("no data files", "expected at least one data file"));
         };
         let has_rim = exact.state(load).is_some_and(|own| own.boundary == Boundary::Rim);
-        let verdict = verdict(finest.column, &finest.report.columns, &levels, (self.judge.solver, has_rim), finest.unmatched);
+        let last = files.last().map(|own| own.0);
+        let control = if by_force { Kind::Force } else { Kind::Depth };
+        let place = |at: f64| last.map_or(String::new(), |own| own.place(control, at, self.scene));
+        let verdict = verdict(finest.column, &finest.report.columns, &levels, (self.judge.solver, has_rim), finest.unmatched, &place);
         let suspicion = if verdict.passed {
             None
         } else if let Some(own) = finest
@@ -274,7 +277,11 @@ impl Work<'_> {
         let levels: Vec<Level> = all.iter().zip(relative).map(|(own, pixel)| level(pixel, within(&own.errors, &region))).collect();
         let column = finest.report.columns.first().map_or("p", |own| own.name);
         let levels = if column == "p" { levels } else { Vec::new() };
-        let verdict = verdict(column, &finest.report.columns, &levels, (self.judge.solver, state.boundary == Boundary::Rim), 0);
+        let last = files.last().map(|own| own.0);
+        let unit = last.map_or(String::new(), |own| own.unit(own.distance(), self.scene));
+        let place = |at: f64| format!("r = {at} {unit}").trim_end().to_owned();
+        let judged = (self.judge.solver, state.boundary == Boundary::Rim);
+        let verdict = verdict(column, &finest.report.columns, &levels, judged, 0, &place);
         let reversed = reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>());
         let suspicion = match finest.single.clone().or(reversed) {
             _ if verdict.passed => None,
@@ -299,13 +306,11 @@ impl Work<'_> {
         let cell = survey.cell(pixel.pixel);
         let (solver, by_force) = (self.judge.solver, self.declared_force());
         let gauge = Gauge { pixel: pixel.pixel, margin: finest.margin, cell, solver, demanded: None, by_force };
-        let free = declared.is_some_and(|own| own.walls == Walls::Free);
         let evidence = Evidence::Field {
             spots: finest.spots.clone(),
             state: *state,
             held,
             side: pixel.side.or_else(|| survey.filled_square()),
-            free,
             placings: placings(&survey.extent, pixel.pixel, pixel.side),
             factors: survey.place_factors(),
         };
@@ -335,12 +340,15 @@ impl Work<'_> {
 }
 
 /// Returns the wrong order of the files as a fault if the errors increase with refinement, and the file declared as the coarsest
-/// is within the tolerance of the finest.
+/// is within the tolerance of the finest. A factor that cancels the error of the coarsest grid makes errors grow too, but towards a limit.
 fn reversed(verdict: &Verdict, files: &[&FileReport]) -> Option<Suspicion> {
     let (name, _) = verdict.order.filter(|_| verdict.grows)?;
     let error = |file: &FileReport| file.columns.iter().find(|own| own.name == name).map(|own| (own.l2, own.tolerance));
     let (first, last) = (error(files.first()?)?, error(files.last()?)?);
-    let fits = first.0 <= last.1.unwrap_or(f64::MAX);
+    let errors: Vec<f64> = files.iter().filter_map(|file| error(file)).map(|own| own.0).collect();
+    let levels_off = matches!(errors.as_slice(), [one, two, .., three, four] if four - three < two - one)
+        || matches!(errors.as_slice(), [one, two, three] if three - two < two - one);
+    let fits = first.0 <= last.1.unwrap_or(f64::MAX) && !levels_off;
     let text = format!("files in the wrong order: the errors of {name} decrease with refinement if the order of the files is reversed");
     fits.then_some(Suspicion { id: "file-order", text, before: last.0, after: first.0 })
 }

@@ -91,13 +91,15 @@ fn vanishing(levels: &[Level], most: f64) -> bool {
     levels.iter().all(|level| level.errors.iter().flatten().all(|e| e.abs() <= most))
 }
 
-/// Judges the columns of the finest file, and the levels of all files; `unmatched` loads have no contact.
+/// Judges the columns of the finest file, and the levels of all files; `unmatched` loads have no contact, and `place` names a load or a
+/// radius of the data.
 pub(super) fn verdict(
     column: &'static str,
     finest: &[Column],
     levels: &[Level],
     (solver, has_rim): (f64, bool),
     unmatched: u64,
+    place: &dyn Fn(f64) -> String,
 ) -> Verdict {
     let failed: Vec<&Column> = finest.iter().filter(|own| own.passed == Some(false)).collect();
     let decisive = finest.iter().find(|own| own.name == column);
@@ -111,7 +113,7 @@ pub(super) fn verdict(
     } else if none_judged {
         (nothing_judged(column), None)
     } else if let Some(first) = failed.iter().find(|own| own.beyond.is_some()).or(failed.first()) {
-        failure(column, first, &convergence)
+        failure(column, first, &convergence, place)
     } else {
         (sentence(column, finest, &convergence), None)
     };
@@ -144,24 +146,23 @@ fn order_text(own: &Order) -> String {
 }
 
 /// Returns the reason if the finest file exceeds its tolerance, and advice.
-fn failure(column: &str, failed: &Column, convergence: &Convergence) -> (String, Option<&'static str>) {
+fn failure(column: &str, failed: &Column, convergence: &Convergence, place: &dyn Fn(f64) -> String) -> (String, Option<&'static str>) {
     let hidden = failed.tolerance.is_some_and(|own| failed.l2 <= own);
     if let Some(Beyond { at, error, limit }) = failed.beyond.filter(|_| hidden) {
         let name = failed.name;
-        let place = if matches!(name, "p" | "u") { format!("r = {at}") } else { format!("the load {at}") };
         if name == "F_from_p" {
             let reason =
                 format!("the error of {name} is {error:.3e}, above the limit of {limit:.3e} for the area of the pixels in contact");
             return (reason, None);
         }
         let one = if matches!(name, "p" | "u") { "point" } else { "row" };
-        return (format!("the error of {name} is {error:.3e} at {place}, above the limit of {limit:.3e} for a single {one}"), None);
+        return (format!("the error of {name} is {error:.3e} at {}, above the limit of {limit:.3e} for a single {one}", place(at)), None);
     }
     let size = match (failed.pixels, failed.tolerance) {
         (Some(pixels), Some(tolerance)) => format!("contact radii have an error of {pixels:.2} pixels, above the tolerance of {tolerance}"),
         // Every load of the exact solution is 0 there.
         _ if failed.max == f64::MAX => {
-            format!("{} is not 0 at the load {}, where its exact value is 0", failed.name, failed.worst_at)
+            format!("{} is not 0 at {}, where its exact value is 0", failed.name, place(failed.worst_at))
         }
         (_, tolerance) => {
             let accepted = tolerance.unwrap_or_default();

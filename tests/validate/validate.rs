@@ -420,6 +420,47 @@ fn contact_radii_alone_are_judged_by_the_tolerance_that_is_asked_for() {
     }
 }
 
+/// Class "a tolerance hides a wrong row": a row that is inconsistent with its neighbours fails under `--tol` too, if it is beyond it.
+#[test]
+fn a_tolerance_hides_no_wrong_row() {
+    let place = room("hidden");
+    let scene = "[profile]\nf = \"r^2/2\"\n[material]\neffective_modulus = 1\n";
+    for (factor, tolerance, code) in [(1.03, "1e-2", 1), (1.4, "0.2", 1), (1.03, "5e-2", 0), (1.0, "1e-3", 0)] {
+        for wrong in [0, 4, 9] {
+            let row = |index: u32| {
+                let a = 0.1 * f64::from(index + 1);
+                format!("{:?},{:?}\n", a * a, 4.0 * a * a * a / 3.0 * if index == wrong { factor } else { 1.0 })
+            };
+            fs::write(place.join("rows.csv"), format!("d,F\n{}", (0..10).map(row).collect::<String>())).unwrap();
+            let found = validated(&place, scene, &["rows.csv".to_owned()], &["--tol", tolerance]);
+            assert_eq!(found.0, code, "{factor} {tolerance} {wrong}: {:#}", found.1);
+        }
+    }
+}
+
+/// Class "a factor is called a wrong order of the files": it cancels the error of the coarsest grid, so that errors grow towards a limit.
+#[test]
+fn a_factor_is_no_wrong_order() {
+    let place = room("order");
+    let scene = "[profile]\nf = \"0\"\nradius = 1.0\n[material]\neffective_modulus = 1\n[data]\nbox = 2.5\n";
+    let named = |factor: f64, files: [u32; 3]| {
+        let names = files.map(|n| format!("{n}.csv"));
+        for (name, n) in names.iter().zip(files) {
+            // F of a solver on n pixels is too small by about a quarter of h/a.
+            let row = |d: f64| format!("{d:?},{:?}\n", factor * 2.0 * d * (1.0 - 0.1 * 2.5 / f64::from(n)));
+            fs::write(place.join(name), format!("d,F\n{}", [0.025, 0.05, 0.075, 0.1].map(row).concat())).unwrap();
+        }
+        let (code, found) = validated(&place, scene, &names, &["--grid", "64,128,256"]);
+        (code, found["suspicion_details"]["id"].as_str().unwrap_or("").to_owned())
+    };
+    assert_eq!(named(1.0, [64, 128, 256]).0, 0);
+    assert_eq!(named(1.0, [256, 128, 64]), (1, "file-order".to_owned()));
+    for factor in [1.005, 1.004] {
+        let (code, id) = named(factor, [64, 128, 256]);
+        assert!(code == 1 && id != "file-order", "{factor}: {id}");
+    }
+}
+
 /// Class "a load where the exact value is 0": the reason names it, and no infinite norm is shown.
 #[test]
 fn a_force_without_a_contact_is_named() {
@@ -430,7 +471,7 @@ fn a_force_without_a_contact_is_named() {
         let done = run(&place, &["scene.toml".to_owned(), "data.csv".to_owned()]);
         let text = String::from_utf8_lossy(&done.stdout);
         assert_eq!(done.status.code(), Some(1), "{text}");
-        assert!(text.starts_with(&format!("failed: F is not 0 at the load {depth}, where its exact value is 0")), "{text}");
+        assert!(text.starts_with(&format!("failed: F is not 0 at d = {depth}, where its exact value is 0")), "{text}");
         assert!(!text.contains("e308") && !text.contains("inf"), "{text}");
     }
 }
@@ -644,7 +685,7 @@ fn grid_and_data_that_do_not_fit_are_refused() {
     fs::write(place.join("data.csv"), loads(Tip::Cone, 128, &|_, row| row)).unwrap();
     let scene = Tip::Cone.scene("depth = 0.3", 128);
     for (scene, more, said) in [
-        (scene.clone(), vec!["--grid", "64,128"], "the grid has 2 numbers for 1 files"),
+        (scene.clone(), vec!["--grid", "64,128"], "the grid has 2 numbers, but there are 1 files with loads"),
         (scene.replace("grid = 128", "gird = 128"), vec![], "did you mean grid?"),
         (scene.replace("\"free\"", "\"fre\""), vec![], "did you mean free?"),
         (scene.replace("box = 8", "box = 0"), vec![], "box = 0"),

@@ -6,7 +6,7 @@ use crate::cli::quantities::{Quantities, demand};
 use crate::cli::typesetting::{ENDINGS, Format, Steps, TypesettingArguments};
 use crate::cli::{Failure, Outcome, budget, input};
 use crate::contact::{ContactError, Edge, Quantity, RIM, relations, short_steps, steps};
-use crate::expr::{Bindings, Expr};
+use crate::expr::{Bindings, Expr, Sign, sign};
 use crate::report::page::Page;
 use crate::report::{self, Derivation};
 use crate::transform;
@@ -68,6 +68,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut relations = relations(&solution, &edge).map_err(failed)?;
     let check = budget::part(|| transform::check(&solution));
     check.iter().for_each(|check| relations.confirm(check));
+    // With a rim the depth may keep the pressure positive.
+    if edge == Edge::Smooth && relations.g.formula.as_closed().is_some_and(|g| sign(g) == Sign::Negative) {
+        warn("g is negative: no valid contact with a smooth edge; the formulas follow");
+    }
     let steps = match arguments.steps {
         None => None,
         Some(Steps::Short) => Some(short_steps(&shown, &solution, &edge, &relations)),

@@ -31,7 +31,7 @@ pub(in crate::cli) struct Arguments {
     /// Quantity to compute.
     #[arg(long, value_parser = Quantities(any))]
     quantity: Quantity,
-    /// Points: 0.1,0.5 or start:stop:count or log:start:stop:count.
+    /// Points: 0.1,0.5 or start:stop:count or log:start:stop:count, with or without units, such as "0:100 nm:11".
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     at: String,
     /// Contact radius, for p, u, q, u_1d and sigma_zz.
@@ -306,10 +306,11 @@ fn warn_of_falls(contact: &Contact<'_>, quantity: Quantity, at: &[f64], radius: 
     let Ok(largest) = largest else { return };
     let places = (1..=LOOKS).map(|step| largest * f64::from(step) / f64::from(LOOKS));
     let known = places.map_while(|x| Some((x, contact.evaluator().slope(x).ok()?.estimate)));
-    let known: Vec<(f64, Estimate)> = known.collect();
+    let known: Vec<(f64, Estimate)> = std::iter::once((0.0, Estimate::exact(0.0))).chain(known).collect();
     let falls = |pair: &&[(f64, Estimate)]| matches!(pair, [(_, one), (_, other)] if other.value + other.error < one.value - one.error);
     if let Some([(x, _), _]) = known.windows(2).find(falls) {
-        warn(&format!("g decreases beyond x = {x:.3e}: larger contacts may not be valid; the values of the formula follow"));
+        let from = if *x == 0.0 { "from x = 0 on".to_owned() } else { format!("beyond x = {x:.3e}") };
+        warn(&format!("g decreases {from}: larger contacts may not be valid; the values of the formula follow"));
     }
 }
 

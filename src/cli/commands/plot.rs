@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
-    /// Shapes f(r), or scene files with the extension .toml; write a shape that begins with a minus after --.
+    /// Shapes f(r), or scene files with the extension .toml; put -- before a shape that begins with a minus sign.
     #[arg(value_name = "PROFILE|SCENE", required = true)]
     subjects: Vec<String>,
     /// Quantities to draw, separated by commas [default: F,a,p].
@@ -32,7 +32,7 @@ pub(in crate::cli) struct Arguments {
     /// Sets the value of a parameter, with or without a unit; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Largest contact radius of a profile [default: close to the end of the profile, or beyond its last kink].
+    /// Largest contact radius of a profile [default: close to the end of the profile, else beyond its last kink, else 1].
     #[arg(long, value_name = "A", allow_hyphen_values = true)]
     radius: Option<String>,
     /// Effective modulus E* of a profile.
@@ -86,6 +86,10 @@ impl TypedValueParser for Drawings {
     }
 }
 
+fn is_scene(subject: &str) -> bool {
+    subject.ends_with(".toml")
+}
+
 /// Checks whether `plot` supports a quantity.
 fn drawn(quantity: Quantity) -> Result<(), &'static str> {
     if quantity.kind() == Kind::Inverse { Err("plot draws quantities over the depth; expected F, a or d") } else { Ok(()) }
@@ -107,10 +111,13 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 .help("set a parameter of one of the profiles with --set NAME=VALUE, such as --set R=2"));
         }
     }
+    if arguments.subjects.iter().all(|own| is_scene(own)) && (arguments.radius.is_some() || arguments.effective_modulus != "1") {
+        warn("--radius and --effective-modulus are not used: scenes have their own loads and materials");
+    }
     let subjects = arguments.subjects.iter().map(|own| Subject::read(arguments, own)).collect::<Result<Vec<_>, _>>()?;
     if subjects.iter().any(|own| !own.has_same_units(subjects.first())) {
-        return Err(Failure::new("the scenes have results in different units and cannot share axes")
-            .help("request the same units in [outputs] of each scene"));
+        return Err(Failure::new("the results have different units and cannot share axes")
+            .help("give every profile the same units, and request them in [outputs] of each scene"));
     }
     budget::allow((subjects.len() * quantities.len() * LOADS) as u64, STEPS_PER_VALUE);
     let runs = subjects.iter().map(Subject::run).collect::<Result<Vec<_>, _>>()?;
@@ -146,7 +153,7 @@ struct Subject {
 
 impl Subject {
     fn read(arguments: &Arguments, subject: &str) -> Result<Self, Failure> {
-        if subject.ends_with(".toml") { Self::of_scene(Path::new(subject)) } else { Self::of_profile(arguments, subject) }
+        if is_scene(subject) { Self::of_scene(Path::new(subject)) } else { Self::of_profile(arguments, subject) }
     }
 
     fn of_scene(path: &Path) -> Result<Self, Failure> {

@@ -29,7 +29,7 @@ pub(in crate::cli) struct Arguments {
     #[arg(long, value_name = "FILE", conflicts_with_all = ["grid", "side", "cells", "between"])]
     points: Option<PathBuf>,
     /// Side of the box, such as "8 um" [default: the box of [data]].
-    #[arg(long = "box", value_name = "LENGTH")]
+    #[arg(long = "box", value_name = "LENGTH", allow_hyphen_values = true)]
     side: Option<String>,
     /// Computes pressures as means over the cells around the points, as in boundary element methods.
     #[arg(long)]
@@ -37,7 +37,7 @@ pub(in crate::cli) struct Arguments {
     /// Centres the axis between grid points instead of on one.
     #[arg(long)]
     between: bool,
-    /// Writes JSON to stdout.
+    /// Writes JSON.
     #[arg(long)]
     pub(in crate::cli) json: bool,
     /// Writes to this file instead of stdout; the extension selects the format: .csv, .json or .npy (a NumPy array).
@@ -90,6 +90,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 .help("use --grid \"0:2 um:101\", --grid 64 --box \"8 um\" or --points FILE, or set `at` in [outputs]"));
         }
     };
+    if matches!(grid, Grid::Radial(_)) && (arguments.side.is_some() || arguments.between) {
+        warn("--box and --between are not used: the grid is a list of radii");
+    }
     // Points from a file have no cells.
     let cells = arguments.points.is_none() && (arguments.cells || scene.data.as_ref().is_some_and(|own| own.cells == Some(true)));
     let (curves, others) = scene.outputs.fields().map_err(failed)?;

@@ -20,8 +20,8 @@ impl Evaluator<'_> {
     ///
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
     ///
-    /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form is given about a
-    /// millisecond before quadrature is asked, and half a second where quadrature misses the tolerance.
+    /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form may take about a
+    /// millisecond before quadrature is tried instead, and half a second where quadrature misses the tolerance.
     pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Answer {
         let dear = Cell::new(false);
         let found = self.combined(quantity, ask, Some(&dear));
@@ -66,7 +66,7 @@ impl Evaluator<'_> {
                     return Ok(None);
                 };
                 if value.value.is_infinite() {
-                    // Terms that are infinite apart, at the apex or at a kink; elsewhere the value is too large for a float.
+                    // Individually infinite terms, at the apex or at a kink; elsewhere the value is too large for a float.
                     if quantity == Superposed::Pressure && self.may_be_infinite(place) {
                         return Ok(None);
                     }
@@ -79,7 +79,7 @@ impl Evaluator<'_> {
                 if self.method == Method::Exact {
                     return Err(TransformError::NoClosedForm { quantity: quantity.name() });
                 }
-                // Terms that are 0/0 at the axis, one by one and together: what has a series there is the whole.
+                // Terms that are 0/0 at the axis, one by one and together: only the whole profile has a series there.
                 if part.open.is_ragged()
                     && self.typed()?.is_mended()
                     && let Ok(own) = whole()
@@ -187,7 +187,7 @@ impl Evaluator<'_> {
     }
 }
 
-/// The integral, unless it is an exact 0 of a slope that is not 0: an underflow, or a divisor that is infinite.
+/// The integral, unless it is an exact 0 although f′ is not 0: an underflow, or a divisor that is infinite.
 pub(crate) fn unless_underflown(
     profile: &NumericProfile,
     ask: Ask,

@@ -55,8 +55,8 @@ impl Piece {
         0.5 * (self.to - self.from)
     }
 
-    /// The rectangle around the ellipse of σ: from, to, and the largest imaginary part, with their rounding errors. For σ = 0, a
-    /// piece that begins at an end begins there exactly.
+    /// The rectangle around the ellipse of σ: from, to, and the largest imaginary part, with their rounding errors. For σ = 0, the
+    /// lower bound of a piece that starts at an end of the range is exactly 0.
     pub(crate) fn around(self, sigma: f64) -> (f64, f64, f64) {
         let hair = 4.0 * UNIT * self.to;
         let (middle, half) = (0.5 * (self.from + self.to), self.half());

@@ -24,8 +24,12 @@ impl Scene {
     /// # Errors
     /// [`SceneError`] if the text is not a load.
     pub fn under(self, text: &str) -> Result<Self, SceneError> {
-        let unknown =
-            || SceneError::value(format!("load {text:?} is not a load")).help("expected d=0.4, F=2 or a=1, in the units of the scene");
+        let help = if self.system.has_units() {
+            "expected d, F or a with its value, such as d=\"0.4 um\", F=\"2 mN\" or a=\"250 nm\""
+        } else {
+            "expected d, F or a with its value, such as d=0.4, F=2 or a=1"
+        };
+        let unknown = || SceneError::value(format!("load {text:?} is not a load")).help(help);
         let (name, value) = text.split_once('=').ok_or_else(unknown)?;
         let (control, dimension) = match name.trim() {
             "d" | "depth" => (Control::Depth, Dimension::LENGTH),
@@ -33,7 +37,7 @@ impl Scene {
             "a" | "contact_radius" => (Control::ContactRadius, Dimension::LENGTH),
             _ => return Err(unknown()),
         };
-        let value = self.positive("load", value, dimension)?;
+        let value = self.positive(name.trim(), value, dimension)?;
         Ok(Self { control, loads: Loads::List(vec![value]), ..self })
     }
 

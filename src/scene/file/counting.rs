@@ -66,7 +66,7 @@ impl Counting {
         let (length, force) = dimension.exponents();
         let unknown = || {
             SceneError::unit(format!("{name} = {} has a unit of force or pressure, but the effective modulus has no unit", quantity.text()))
-                .help("add a unit to the effective modulus, such as \"70 GPa\"")
+                .help("expected a length or a plain number; for forces and pressures, add a unit to the effective modulus, such as \"70 GPa\"")
         };
         let no_length = || {
             SceneError::unit(format!("{name} = {} has a unit, but no length does", quantity.text()))

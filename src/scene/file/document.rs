@@ -22,8 +22,10 @@ pub(in crate::scene) fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, Scene
     }
     DeTable::parse(text).map_err(|error| {
         let message = error.message().trim().replace('\n', "; ");
-        let fault =
-            |message| SceneError::new(Reason::Syntax(message)).help("expected a scene file; `sneddon scene new sphere` creates an example");
+        let fault = |message| {
+            SceneError::new(Reason::Syntax(message))
+                .help("expected a scene file, and data only after it; `sneddon scene new sphere` creates an example")
+        };
         // Do not quote a file that is not a scene; it may be confidential.
         let opens = |line: &str, table: &str| {
             let rest = line.trim_start().strip_prefix('[').and_then(|own| own.strip_prefix(table));

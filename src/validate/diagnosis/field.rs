@@ -17,7 +17,7 @@ const SECTIONS_OF_A_SIDE: u32 = 14;
 
 impl Trial<'_> {
     pub(super) fn field(&self, evidence: &Evidence) -> Option<Found> {
-        let Evidence::Field { spots: all, state, held, side, free, placings, factors } = evidence else { return None };
+        let Evidence::Field { spots: all, state, held, side, placings, factors } = evidence else { return None };
         // Exclude points outside the contact by their zero pressure, since r may be in another unit.
         let inside: Vec<Spot> = all.iter().copied().filter(|spot| spot.p != 0.0).collect();
         let solution = self.scene.solution().ok()?;
@@ -66,9 +66,8 @@ impl Trial<'_> {
             let found = score::field(&known, &spots, self.gauge);
             tried.extend(found.map(|score| Tried { id: placing.id, text: placing.text.to_owned(), score, free: false, rough: false }));
         }
-        if !free {
-            self.images(&exact, state, &spots, *side, &mut tried);
-        }
+        // Also where the box is declared as free, because a solver may be periodic by mistake.
+        self.images(&exact, state, &spots, *side, &mut tried);
         self.fitted_field((&exact, formula.as_ref()), &known, &spots, &mut tried);
         Some((before, tried))
     }

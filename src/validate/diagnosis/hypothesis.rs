@@ -93,7 +93,7 @@ pub(in crate::validate) fn of_the_model(scene: &Scene, without_poisson: Option<f
         let factor = young / scene.effective_modulus;
         list.push(taken(
             "modulus",
-            format!("E used as E*: the data fit Young's modulus E instead of E* = E/(1 - nu^2), which is {factor:.4} times E*"),
+            format!("E used as E*: the data fit Young's modulus E = {factor:.4} E* instead of E* = E/(1 - nu^2)"),
             Taken::Modulus(factor),
         ));
         let text = "E* used as E: the data fit E*/(1 - nu^2), so E was divided by 1 - nu^2 twice";

@@ -37,8 +37,6 @@ pub(super) enum Evidence {
         held: Vec<Control>,
         /// The side of the domain, if it is known.
         side: Option<f64>,
-        /// True if the domain is declared as not periodic.
-        free: bool,
         /// Possible mistakes about the position of the axis that fit the coordinates.
         placings: Vec<Placing>,
         /// Factors that convert the columns r (or x) and p to computing units.

@@ -63,7 +63,7 @@ impl Layout {
         match self.map.iter().find(|(symbol, _)| !matches!(read(symbol, 0), Reading::Known(_))) {
             Some((symbol, column)) => Err(ValidationError::request(
                 format!("the map {symbol}={column} is invalid: {symbol:?} is not a quantity that can be compared"),
-                "expected one of d, F, a, A, r, x, y, p, u, u+c, f and g, optionally with a unit as in p_GPa",
+                "expected one of d, F, a, A, U, k, r, x, y, p, u, u+c, f and g, optionally with a unit as in p_GPa",
             )),
             None => match self.map.iter().enumerate().find(|(index, own)| self.map.iter().take(*index).any(|other| other.1 == own.1)) {
                 Some((_, (symbol, column))) => Err(ValidationError::request(

@@ -89,8 +89,11 @@ pub(in crate::validate) fn pixels(
     let side = declared.and_then(|own| own.side);
     if !grid.is_empty() && grid.len() != surveys.len() {
         let what = if content == Content::Loads { "files with loads" } else { "files with fields" };
-        let message = format!("the grid has {} numbers for {} {what}", grid.len(), surveys.len());
-        return Err(ValidationError::request(message, "expected one number per file, in the same order, such as 64,128,256"));
+        let message = format!("the grid has {} numbers, but there are {} {what}", grid.len(), surveys.len());
+        return Err(ValidationError::request(
+            message,
+            "expected one number for each file of loads, and the same for files of fields, in the same order, such as 64,128,256",
+        ));
     }
     let mut list = Vec::new();
     for (index, survey) in surveys.iter_mut().enumerate() {

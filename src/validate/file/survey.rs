@@ -192,6 +192,16 @@ impl<'s> Survey<'s> {
         own.and_then(|own| own.unit.as_ref()).map_or_else(|| scene.system.unit_name(kind.dimension()), |unit| unit.name().to_owned())
     }
 
+    /// Returns a number of the data with its symbol and unit, such as `d = 60 nm`.
+    pub(in crate::validate) fn place(&self, kind: Kind, at: f64, scene: &Scene) -> String {
+        format!("{} = {at} {}", kind.symbol(), self.unit(kind, scene)).trim_end().to_owned()
+    }
+
+    /// Returns the column of the coordinates: r, or x next to y.
+    pub(in crate::validate) fn distance(&self) -> Kind {
+        if self.index(Kind::Distance).is_some() { Kind::Distance } else { Kind::X }
+    }
+
     /// Returns the factors that convert the columns d, F and a to computing units.
     pub(in crate::validate) fn row_factors(&self) -> Row {
         let factor = |kind: Kind| self.index(kind).and_then(|own| self.factors.get(own)).copied().unwrap_or(1.0);

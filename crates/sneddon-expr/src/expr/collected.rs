@@ -216,12 +216,13 @@ fn products(expr: &Expr, is_distributed: &dyn Fn(&Expr) -> bool) -> Option<Vec<E
     Some(done)
 }
 
-/// The common factor of the terms in front: the lowest power of every base that all of them have, and a number that makes none longer.
+/// The common factor of the terms in front: of every base that all of them have, the power nearest to zero, and the greatest common
+/// divisor of their coefficients where these have one denominator.
 fn in_front(sum: &Expr) -> Expr {
     with_in_front(sum, number_in_front)
 }
 
-/// The same with all that their numbers share.
+/// The same with the greatest common divisor of the coefficients also where their denominators differ.
 fn shared_in_front(sum: &Expr) -> Expr {
     with_in_front(sum, shared_number)
 }
