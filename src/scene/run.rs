@@ -453,7 +453,10 @@ impl<'a> Run<'a> {
         let (_, curve) = known.unwrap_or_else(|| {
             let curve = if is_chosen { contact.evaluator().pressure_curve(state.radius) } else { None };
             let own = (*state, curve.map(Arc::new));
-            self.expansion.replace(Some(own.clone()));
+            // What a budget cut short is not kept for later points.
+            if !work::is_exhausted() {
+                self.expansion.replace(Some(own.clone()));
+            }
             own
         });
         match curve {

@@ -734,6 +734,16 @@ fn angles_in_degrees_are_exact() {
 /// What an answer leaves out, or rests on, is told on stderr.
 #[test]
 fn warnings_name_what_is_not_used_or_not_valid() {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("warnings");
+    fs::create_dir_all(&place).unwrap();
+    let scene = place.join("scene.toml");
+    let text =
+        "[profile]\nf = \"r^2\"\n[material]\neffective_modulus = 1\n[load]\ndepth = 0.02\n[outputs]\nquantities = [\"p\"]\nat = [0.05]\n";
+    fs::write(&scene, text).unwrap();
+    let scene = scene.to_str().unwrap();
+    let data = place.join("data.csv");
+    fs::write(&data, "d,F\n1,2\n").unwrap();
+    refused(b"", &["solve", data.to_str().unwrap()], &["data.csv", "invalid TOML", "expected a scene file, and data only after it"]);
     for (arguments, said) in [
         (&["eval", "r^2", "--quantity", "F", "--at", "1", "--radius", "3"][..], "the radius is not used"),
         (&["eval", "r*tan(theta)", "--quantity", "F", "--at", "1", "--set", "theta=20"], "theta = 20 is not below 90 deg"),
@@ -741,7 +751,14 @@ fn warnings_name_what_is_not_used_or_not_valid() {
         (&["eval", "1-cos(r)", "--quantity", "F_of_d", "--at", "3"], "g decreases beyond x = 2.5"),
         (&["eval", "1-cos(r)", "--quantity", "p", "--at", "1", "--radius", "7"], "g decreases beyond x = 2.6"),
         (&["code", "r^2", "--lang", "nanite", "--quantity", "g"], "a nanite model contains F(d) only"),
+        (&["derive", "-r^2"], "g is negative: no valid contact with a smooth edge"),
+        (&["eval", "-r^2", "--quantity", "F", "--at", "1"], "g decreases from x = 0 on"),
+        (&["plot", "SCENE", "--radius", "0.1"], "--radius and --effective-modulus are not used"),
+        (&["reference", "SCENE", "--grid", "0:0.2:5", "--box", "4"], "--box and --between are not used"),
+        (&["reference", "SCENE", "--grid", "0:0.2:5", "--between"], "--box and --between are not used"),
     ] {
+        let arguments: Vec<&str> = arguments.iter().map(|own| if *own == "SCENE" { scene } else { *own }).collect();
+        let arguments = arguments.as_slice();
         let ran = run(arguments);
         assert!(ran.code == 0 && ran.stderr.contains(said), "{arguments:?}: {}", ran.stderr);
     }
@@ -750,6 +767,8 @@ fn warnings_name_what_is_not_used_or_not_valid() {
         &["eval", "r*tan(theta)", "--quantity", "F", "--at", "1", "--set", "theta=20 deg"],
         &["eval", "max(0,r-1)", "--quantity", "F", "--at", "0.5,2"],
         &["code", "r^2", "--lang", "nanite"],
+        &["derive", "-h*r^2/c^2", "--depth", "d"],
+        &["derive", "r^2-r^4/R^2"],
     ] {
         assert_eq!(run(arguments).stderr, "", "{arguments:?}");
     }
