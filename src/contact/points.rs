@@ -12,7 +12,7 @@ const FOR_ONE: u64 = 3;
 /// Factor between the budget of a block and its expected cost.
 const HEADROOM: u64 = 4;
 /// Steps above which a list of pressures under one contact is answered by one expansion.
-const DEAR: u64 = 100_000_000;
+const EXPENSIVE: u64 = 100_000_000;
 /// Fewest pressures for which an expansion is considered.
 const MANY: usize = 20;
 /// Parts of the contact radius at which the cost of a pressure is measured.
@@ -24,17 +24,17 @@ impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
     /// Returns whether `count` pressures under the radius `a` cost too much one by one.
     ///
     /// The decision depends on counted steps and not on the budget, so that a budget changes no answer.
-    pub fn are_dear(&self, a: f64, count: usize) -> bool {
+    pub fn are_expensive(&self, a: f64, count: usize) -> bool {
         if count < MANY || a.is_nan() || a <= 0.0 {
             return false;
         }
         let cost = |part: f64| {
-            let (_, spent, _) = work::apart(DEAR, || self.evaluator().pressure(part * a, a).is_ok());
+            let (_, spent, _) = work::apart(EXPENSIVE, || self.evaluator().pressure(part * a, a).is_ok());
             work::spend(spent);
             spent
         };
         // What the first call prepares for all others is not part of the cost of one.
-        TYPICAL.into_iter().map(cost).min().unwrap_or(0).saturating_mul(count as u64) > DEAR
+        TYPICAL.into_iter().map(cost).min().unwrap_or(0).saturating_mul(count as u64) > EXPENSIVE
     }
 
     /// Returns a contact whose pressures under the radius of an expansion, see [`Quantities::pressure_curve`], come from it.

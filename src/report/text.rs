@@ -44,7 +44,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     record.at.iter().zip(&record.readings).zip(asked).try_for_each(|((at, reading), asked)| {
         write!(out, "\nWays to {} at {} = {}", record.quantity, record.coordinate, with_unit(*at, &units.at))?;
         match reading {
-            // A depth, radius or force follows from numbers of this way, and is no number of the way itself.
+            // A depth, radius or force is computed from numbers of this way, so its value is not in the row of the way.
             Ok(own) if asked.first().is_some_and(|first| first.way == "auto") => writeln!(out, "; the answer is auto, by {}:", own.way())?,
             Ok(own) => writeln!(out, "; the answer comes from {}:", own.way())?,
             Err(reason) => return writeln!(out, ": none, {}", reason.text()),

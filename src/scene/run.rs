@@ -28,7 +28,7 @@ pub struct Run<'a> {
     /// Number of pressures that are expected in all.
     pub(super) many: Cell<usize>,
     /// Whether they cost too much one by one.
-    dear: OnceCell<bool>,
+    expensive: OnceCell<bool>,
     /// The last state whose pressures were computed, and one expansion for all of them.
     expansion: RefCell<Option<(State, Option<Arc<PressureCurve<'static>>>)>>,
 }
@@ -87,7 +87,7 @@ impl<'a> Run<'a> {
             doubt: Cell::default(),
             tip: OnceCell::new(),
             many: Cell::new(scene.outputs.at.len().saturating_mul(scene.loads.len())),
-            dear: OnceCell::new(),
+            expensive: OnceCell::new(),
             expansion: RefCell::default(),
         };
         // Report invalid input before any output is written.
@@ -448,7 +448,8 @@ impl<'a> Run<'a> {
 impl<'a> Run<'a> {
     fn pressure(&self, contact: &Contact<'a, Superposition<'a>>, state: &State, at: f64) -> Result<Measured, ContactError> {
         // The first state decides for all.
-        let is_chosen = self.scene.method == Method::Auto && *self.dear.get_or_init(|| contact.are_dear(state.radius, self.many.get()));
+        let is_chosen =
+            self.scene.method == Method::Auto && *self.expensive.get_or_init(|| contact.are_expensive(state.radius, self.many.get()));
         let known = self.expansion.borrow().clone().filter(|own| own.0 == *state);
         let (_, curve) = known.unwrap_or_else(|| {
             let curve = if is_chosen { contact.evaluator().pressure_curve(state.radius) } else { None };

@@ -58,7 +58,7 @@ fn every_way_of_the_list_is_a_method() {
     }
 }
 
-/// A force is no length, a list that the limit cuts is written all the same, and its numbers are rounded like the others.
+/// Points of a_of_F are forces, a list that reaches the work limit is still written, and `--precision` rounds its numbers too.
 #[test]
 fn points_limits_and_digits_of_the_list() {
     let call = ["r^2/R", "--set", "R=1 um", "--effective-modulus", "1 GPa", "--quantity", "a_of_F"];

@@ -218,7 +218,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         curve::readings(&contact, &own, failed)?
     } else {
         let many = radius.filter(|_| quantity == Quantity::Pressure && method == Method::Auto);
-        let expanded = many.filter(|a| contact.are_dear(*a, at.len())).and_then(|a| {
+        let expanded = many.filter(|a| contact.are_expensive(*a, at.len())).and_then(|a| {
             let curve = contact.evaluator().pressure_curve(a).ok()?;
             Some(contact.with_pressures(Arc::new(curve)))
         });

@@ -1,4 +1,4 @@
-//! What is provable about signs when every symbol is a positive real number.
+//! Signs that are proven for positive symbols, and signs of constants from their values.
 
 use super::{Constant, Expr, Node};
 
