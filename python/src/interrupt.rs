@@ -30,7 +30,9 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + 
         let run = || {
             // Dropped where the work panics as well.
             let _told = Told(&done, &told);
-            work::stoppable(stop, work)
+            // The interpreter keeps its state of this thread for the whole work. Without it every call of a Python function would make and
+            // discard one, with its stack, which takes ten times as long as a short function.
+            Python::attach(|py| py.detach(|| work::stoppable(stop, work)))
         };
         let worker = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, run).map_err(failed)?;
         let mut raised = None;

@@ -26,7 +26,7 @@ const MOST_RANGES: u64 = 1500;
 /// Maximum number of radii at which a value is computed for one load.
 const MOST_VALUES: u64 = 300;
 /// Maximum number of steps for these values.
-const PROVING: u64 = 100_000_000;
+const PROVING: u64 = 40_000_000;
 /// Smallest width of a range, relative to its radius.
 const NARROWEST: f64 = 1e-12;
 /// Smallest relative width of a range with a negative end, where values closer to the change of sign are more expensive.

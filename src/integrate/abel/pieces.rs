@@ -15,7 +15,8 @@ pub(crate) const MOST_NODES: usize = COUNTS[COUNTS.len() - 1];
 static RULES: LazyLock<[Vec<Node>; COUNTS.len()]> = LazyLock::new(|| COUNTS.map(rule_of));
 
 /// Ellipses to try around a piece, by σ: the half-axes are cosh σ and sinh σ times half the length of the piece.
-const SIGMAS: [f64; 5] = [2.4, 1.7, 1.15, 0.75, 0.45];
+const SIGMAS: [f64; 5] = [2.4, 1.7, 1.15, 0.75, SMALLEST];
+const SMALLEST: f64 = 0.45;
 /// Maximum number of enclosures. Over 200 typed profiles, 24000 gave the same number of proven values.
 const MOST_ENCLOSURES: usize = 4_000;
 /// Maximum number of enclosures in the first trial, because the samples may have found only the tail of a narrow feature.
@@ -101,6 +102,8 @@ enum Proof {
     Rule(usize, f64),
     /// A bound on the integral over the whole piece, which is negligible.
     Nothing(f64),
+    /// None, with the index of the largest ellipse around which the integrand has a bound.
+    Open(usize),
 }
 
 /// The sum over a set of pieces.
@@ -233,26 +236,31 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
     for range in ranges {
         let width = range.width();
         let middle = 0.5 * width;
-        let mut open = vec![Piece { from: 0.0, to: middle, from_above: true }, Piece { from: 0.0, to: middle, from_above: false }];
+        // Each piece with the index of the ellipse to try first.
+        let mut open =
+            vec![(Piece { from: 0.0, to: middle, from_above: true }, 0), (Piece { from: 0.0, to: middle, from_above: false }, 0)];
         // The two halves meet to within the rounding of the width.
         let gap = 8.0 * UNIT * width;
         sum.left_out += gap * range.largest(Piece { from: middle - gap, to: middle + gap, from_above: false }, 0.0);
-        while let Some(piece) = open.pop() {
+        while let Some((piece, first)) = open.pop() {
             work::check()?;
-            match proof(range, piece, share, &mut sum.enclosures) {
-                Some(Proof::Nothing(bound)) => sum.left_out += bound,
-                Some(Proof::Rule(rule, left_out)) => {
+            match proof(range, piece, share, first, &mut sum.enclosures) {
+                Proof::Nothing(bound) => sum.left_out += bound,
+                Proof::Rule(rule, left_out) => {
                     sum.left_out += left_out;
                     sum.pieces.push(piece);
                     add(range, piece, rule, &mut sum, &mut scratch).ok_or(TransformError::NotComputable { at })?;
                 }
-                None => {
+                Proof::Open(finite) => {
                     let cut = 0.5 * (piece.from + piece.to);
                     if !(cut > piece.from && cut < piece.to) {
                         return Ok(None);
                     }
-                    open.push(Piece { from: cut, ..piece });
-                    open.push(Piece { to: cut, ..piece });
+                    // An ellipse around half of the piece has twice the half-axes, relative to that half: the next larger σ, or the one
+                    // after it in the half that is farther from a singularity.
+                    let first = if finite == SIGMAS.len() { finite } else { finite.saturating_sub(2) };
+                    open.push((Piece { from: cut, ..piece }, first));
+                    open.push((Piece { to: cut, ..piece }, first));
                 }
             }
             if sum.enclosures > most || sum.evaluations > MOST_VALUES {
@@ -263,21 +271,30 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
     Ok(Some(sum))
 }
 
-/// A rule for a piece, or the proof that the piece is negligible.
-fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, enclosures: &mut usize) -> Option<Proof> {
+/// A rule for a piece, or the proof that the piece is negligible. `first` is the index of the ellipse to try first; it lies beyond the
+/// smallest one if no ellipse around twice the piece has a bound.
+fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, first: usize, enclosures: &mut usize) -> Proof {
     let half = piece.half();
     let share = target * (2.0 * half / range.width()).max(LEAST_SHARE);
     let mut best: Option<(usize, f64)> = None;
-    for sigma in SIGMAS {
+    let mut finite = SIGMAS.len();
+    let mut first = first;
+    if first == SIGMAS.len() {
+        // Larger ellipses contain the smallest one. Next to a singularity none has a bound; half a length away from it the second has.
+        *enclosures += 1;
+        first = if range.largest(piece, SMALLEST).is_finite() { 1 } else { first };
+    }
+    for (i, sigma) in SIGMAS.into_iter().enumerate().skip(first) {
         *enclosures += 1;
         let largest = range.largest(piece, sigma);
         if !largest.is_finite() {
             continue;
         }
+        finite = finite.min(i);
         // Trefethen, theorems 8.1 and 19.3: coefficients 2M e^(−kσ); the error per even coefficient from 2N on is at most 32/15.
         let front = half * 64.0 / 15.0 * largest / (1.0 - (-2.0 * sigma).exp()) * (1.0 + 1e-9);
         if half * 2.0 * largest <= 0.01 * share {
-            return Some(Proof::Nothing(2.0 * half * largest * (1.0 + 1e-9)));
+            return Proof::Nothing(2.0 * half * largest * (1.0 + 1e-9));
         }
         let rule = COUNTS.iter().position(|count| front * (-2.0 * *count as f64 * sigma).exp() <= share);
         match (rule, best) {
@@ -288,14 +305,22 @@ fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, enclosures: &mut us
         }
     }
     if let Some((rule, left_out)) = best {
-        return Some(Proof::Rule(rule, left_out));
+        return Proof::Rule(rule, left_out);
     }
-    *enclosures += 1;
     // NaN fails the comparison too.
     let within = |whole: &f64| *whole <= share;
-    let whole = Some(2.0 * half * range.largest(piece, 0.0) * (1.0 + 1e-9)).filter(within);
+    // A piece that is not negligible at its middle has no bound within its share.
+    let middle = 0.5 * (piece.from + piece.to);
+    let (from_lower, from_upper) = if piece.from_above { (range.width() - middle, middle) } else { (middle, range.width() - middle) };
+    let sampled = 2.0 * half * range.size_at(Place { from_lower, from_upper, from_above: piece.from_above }).abs();
+    let whole = if sampled > 2.0 * share {
+        None
+    } else {
+        *enclosures += 1;
+        Some(2.0 * half * range.largest(piece, 0.0) * (1.0 + 1e-9)).filter(within)
+    };
     let tail = || Some(piece).filter(|piece| piece.from == 0.0).map(|piece| range.tail(piece)).filter(within);
-    whole.or_else(tail).map(Proof::Nothing)
+    whole.or_else(tail).map_or(Proof::Open(finite), Proof::Nothing)
 }
 
 /// Adds a piece by its rule; `None` if a value is not finite.
