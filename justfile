@@ -62,6 +62,11 @@ peers:
 catalogue:
     cargo test --test rules catalogue -- --nocapture
 
+# Set derivations of the catalogue and of random profiles with pdfLaTeX, and with Typst if its Python package is installed.
+publish count='100':
+    cargo build --release
+    python3 tests/oracle/adversary/publish.py target/release/sneddon --random {{count}}
+
 # What must hold before a change is accepted.
 ci:
     .ci/run

@@ -60,7 +60,7 @@ pub(super) struct TypesettingArguments {
     /// Writes a complete document that compiles, for latex, typst, markdown or mathml.
     #[arg(long)]
     standalone: bool,
-    /// Breaks formulas into lines of about N characters.
+    /// Sets formulas for columns of about N letters [default: 72; text is not broken].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(20..=1000))]
     width: Option<u16>,
     /// Renames symbols in the output, such as E=E_r,d=\delta.

@@ -20,3 +20,4 @@ mod tradeoff;
 mod typesetting;
 mod units;
 mod ways;
+mod widths;

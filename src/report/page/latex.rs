@@ -1,6 +1,6 @@
 //! Pages in LaTeX: equations with everything else as comments, or as text, or a complete document.
 
-use super::{Block, COLUMN, Page, Style, lines};
+use super::{Block, Page, Style, lines};
 use crate::expr::Formula;
 use crate::print::{self, Notation, Prose};
 use std::io::{self, Write};
@@ -10,7 +10,7 @@ const NOTATION: Notation = Notation::Latex;
 pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
     if style.standalone {
         writeln!(out, "{PREAMBLE}\n\\begin{{document}}\n\n\\section*{{{}}}", print::latex_words(&page.title))?;
-        text(page, Style { width: style.width.or(Some(COLUMN)), ..style }, out)?;
+        text(page, style, out)?;
         writeln!(out, "\n{BIBLIOGRAPHY}\n\\end{{document}}")
     } else if page.is_text {
         text(page, style, out)
@@ -23,7 +23,7 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
 const PREAMBLE: &str = "\\documentclass[10pt]{article}
 \\usepackage[T1]{fontenc}
 \\usepackage[utf8]{inputenc}
-\\usepackage{amsmath,amssymb,graphicx}
+\\usepackage{amsmath,amssymb}
 \\emergencystretch=3em";
 
 const BIBLIOGRAPHY: &str = "\\begin{thebibliography}{9}
@@ -45,10 +45,17 @@ fn fragment(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
     let comment = |own: &Prose| own.written(Notation::Text);
     for block in &page.blocks {
         match block {
-            Block::Equation { left, right, .. } => {
-                let continued = " \\\\\n  &\\quad ";
-                rows.push(format!("  {} &= {}", NOTATION.name(left), lines(right, NOTATION, style.width).join(continued)));
+            Block::Equation { left, right, range, .. } => {
+                rows.push(format!(
+                    "  {} &= {}",
+                    NOTATION.name(left),
+                    lines(left, right, range.as_ref(), NOTATION, style.width).join(CONTINUED)
+                ));
             }
+            Block::Where(parts) => rows.extend(parts.iter().enumerate().map(|(place, part)| {
+                let lead = if place == 0 { "  \\intertext{where}\n" } else { "" };
+                format!("{lead}{}", definition(part, style))
+            })),
             Block::Item("check", item) => writeln!(out, "% check against quadrature: {}", comment(item))?,
             Block::Item("condition", item) => writeln!(out, "% condition: {}", comment(item))?,
             Block::Item(_, own) | Block::Sentence(own) | Block::Remark(own) => writeln!(out, "% {}", comment(own))?,
@@ -56,6 +63,14 @@ fn fragment(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
         }
     }
     writeln!(out, "\\begin{{align*}}\n{}\n\\end{{align*}}", rows.join(" \\\\\n"))
+}
+
+/// Between the lines of one equation.
+const CONTINUED: &str = " \\\\\n  &\\quad ";
+
+/// The row that defines the name of a part.
+fn definition((name, own): &(String, Formula), style: Style) -> String {
+    format!("  {} &= {}", NOTATION.name(name), lines(name, own, None, NOTATION, style.width).join(CONTINUED))
 }
 
 fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
@@ -66,11 +81,16 @@ fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
             in_list = false;
         }
         match block {
-            Block::Equation { key, left, right, sources } => {
-                equation(key, left, right, style, out)?;
+            Block::Equation { key, left, right, range, sources } => {
+                let label = if key.is_empty() { String::new() } else { format!("\\label{{eq:{key}}}") };
+                equation(&label, &NOTATION.name(left), &lines(left, right, range.as_ref(), NOTATION, style.width), out)?;
                 if !sources.is_empty() {
                     writeln!(out, "\\noindent{{\\footnotesize {}}}\\par", sources.written(NOTATION))?;
                 }
+            }
+            Block::Where(parts) => {
+                let rows: Vec<String> = parts.iter().map(|part| definition(part, style)).collect();
+                writeln!(out, "\\noindent where\n\\begin{{align*}}\n{}\n\\end{{align*}}", rows.join(" \\\\\n"))?;
             }
             Block::Sentence(own) | Block::Remark(own) => writeln!(out, "\n\\noindent {}.", own.written(NOTATION).trim_end_matches('.'))?,
             Block::Heading(level, title) => {
@@ -89,20 +109,12 @@ fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
     if in_list { writeln!(out, "\\end{{itemize}}") } else { Ok(()) }
 }
 
-/// Writes a numbered equation, with a label if it states a quantity.
-fn equation(key: &str, left: &str, right: &Formula, style: Style, out: &mut dyn Write) -> io::Result<()> {
-    let left = NOTATION.name(left);
-    let own = lines(right, NOTATION, style.width);
-    let wide = style.width.is_some_and(|width| NOTATION.breadth(right) > width);
-    let body = match own.as_slice() {
-        // Shrink an equation that cannot be broken.
-        [only] if wide => format!("\\resizebox{{0.88\\linewidth}}{{!}}{{$\\displaystyle {left} = {only}$}}"),
+/// Writes an equation, numbered if it has a label.
+fn equation(label: &str, left: &str, right: &[String], out: &mut dyn Write) -> io::Result<()> {
+    let body = match right {
         [only] => format!("{left} = {only}"),
         many => format!("\\begin{{split}}\n{left} &= {}\n\\end{{split}}", many.join(" \\\\\n&\\quad ")),
     };
-    if key.is_empty() {
-        writeln!(out, "\\begin{{equation*}}\n{body}\n\\end{{equation*}}")
-    } else {
-        writeln!(out, "\\begin{{equation}}\\label{{eq:{key}}}\n{body}\n\\end{{equation}}")
-    }
+    let star = if label.is_empty() { "*" } else { "" };
+    writeln!(out, "\\begin{{equation{star}}}{label}\n{body}\n\\end{{equation{star}}}")
 }

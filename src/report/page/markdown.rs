@@ -17,8 +17,8 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
         }
         in_list = matches!(block, Block::Item(..));
         match block {
-            Block::Equation { left, right, sources, .. } => {
-                let body = match lines(right, NOTATION, style.width).as_slice() {
+            Block::Equation { left, right, range, sources, .. } => {
+                let body = match lines(left, right, range.as_ref(), NOTATION, style.width).as_slice() {
                     [only] => format!("{} = {only}", NOTATION.name(left)),
                     many => {
                         format!("\\begin{{aligned}}\n{} &= {}\n\\end{{aligned}}", NOTATION.name(left), many.join(" \\\\\n&\\quad "))
@@ -28,6 +28,11 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
                 if !sources.is_empty() {
                     writeln!(out, "\n{}", sources.written(Notation::Text))?;
                 }
+            }
+            Block::Where(parts) => {
+                let rows = parts.iter().map(|(name, own)| format!("{} &= {}", NOTATION.name(name), NOTATION.formula(own)));
+                let rows = rows.collect::<Vec<_>>().join(" \\\\\n");
+                writeln!(out, "where\n\n```math\n\\begin{{aligned}}\n{rows}\n\\end{{aligned}}\n```")?;
             }
             Block::Sentence(own) | Block::Remark(own) => writeln!(out, "{}.", markdown(own).trim_end_matches('.'))?,
             Block::Heading(level, title) => writeln!(out, "{} {title}", "#".repeat(level + 1))?,

@@ -29,10 +29,16 @@ fn article(page: &Page, out: &mut dyn Write) -> io::Result<()> {
             in_list = false;
         }
         match block {
-            Block::Equation { left, right, sources, .. } => {
-                writeln!(out, "{}", mathml_equation(left, right))?;
+            Block::Equation { left, right, range, sources, .. } => {
+                writeln!(out, "{}", mathml_equation(left, right, range.as_ref().map(|own| (own.variable.as_str(), &own.from))))?;
                 if !sources.is_empty() {
                     writeln!(out, "<p class=\"sources\">{}</p>", sources.written(NOTATION))?;
+                }
+            }
+            Block::Where(parts) => {
+                writeln!(out, "<p>where</p>")?;
+                for (name, own) in parts {
+                    writeln!(out, "{}", mathml_equation(name, own, None))?;
                 }
             }
             Block::Sentence(own) | Block::Remark(own) => writeln!(out, "<p>{}.</p>", own.written(NOTATION).trim_end_matches('.'))?,

@@ -1,5 +1,6 @@
 //! A page of formulas and sentences, independent of its notation; there is one file per notation and one per record.
 
+mod arranged;
 mod definitions;
 mod derivation;
 #[cfg(feature = "cli")]
@@ -11,7 +12,7 @@ mod steps;
 mod text;
 mod typst;
 
-use crate::expr::Formula;
+use crate::expr::{Expr, Formula};
 use crate::print::{Notation, Prose};
 use std::io::{self, Write};
 
@@ -23,9 +24,12 @@ pub struct Page {
     blocks: Vec<Block>,
 }
 
+#[derive(Clone)]
 enum Block {
-    /// An equation with the key of its quantity and its sources.
-    Equation { key: String, left: String, right: Formula, sources: Prose },
+    /// An equation with the key of its quantity, the range in which it applies if that is not everywhere, and its sources.
+    Equation { key: String, left: String, right: Formula, range: Option<Range>, sources: Prose },
+    /// The definitions of names in the equation before.
+    Where(Vec<(String, Formula)>),
     /// Text between the equations and below the last one.
     Sentence(Prose),
     /// A note about the first equation.
@@ -34,6 +38,13 @@ enum Block {
     Heading(usize, String),
     /// A list item, with the kind of list.
     Item(&'static str, Prose),
+}
+
+/// The values of a variable, from this one on, for which an equation holds.
+#[derive(Clone)]
+struct Range {
+    variable: String,
+    from: Expr,
 }
 
 /// The formats of a page.
@@ -62,8 +73,10 @@ pub struct Style {
     pub width: Option<usize>,
 }
 
-/// The line width of a document with one column.
+/// The line width of a document with one column, in letters.
 const COLUMN: usize = 72;
+/// The line width of a terminal, in letters.
+const TERMINAL: usize = 100;
 
 impl Page {
     /// Writes the page.
@@ -71,18 +84,20 @@ impl Page {
     /// # Errors
     /// Returns the errors of the writer.
     pub fn write(&self, format: Format, style: Style, out: &mut dyn Write) -> io::Result<()> {
+        let width = style.width.unwrap_or(if format == Format::Unicode { TERMINAL } else { COLUMN });
+        let arranged = |notation| self.arranged(notation, width);
         match format {
             Format::Text => text::write(self, Notation::Text, style, out),
-            Format::Unicode => text::write(self, Notation::Unicode, style, out),
-            Format::Latex => latex::write(self, style, out),
-            Format::Markdown => markdown::write(self, style, out),
-            Format::Typst => typst::write(self, style, out),
-            Format::Mathml => mathml::write(self, style, out),
+            Format::Unicode => text::write(&arranged(Notation::Unicode), Notation::Unicode, style, out),
+            Format::Latex => latex::write(&arranged(Notation::Latex), Style { width: Some(width), ..style }, out),
+            Format::Markdown => markdown::write(&arranged(Notation::Latex), Style { width: Some(width), ..style }, out),
+            Format::Typst => typst::write(&arranged(Notation::Typst), Style { width: Some(width), ..style }, out),
+            Format::Mathml => mathml::write(&arranged(Notation::Mathml), style, out),
         }
     }
 
     fn equation(&mut self, key: &str, left: &str, right: &Formula, sources: Prose) {
-        self.blocks.push(Block::Equation { key: key.to_owned(), left: left.to_owned(), right: right.clone(), sources });
+        self.blocks.push(Block::Equation { key: key.to_owned(), left: left.to_owned(), right: right.clone(), range: None, sources });
     }
 
     fn list(&mut self, title: &str, kind: &'static str, items: Vec<Prose>) {
@@ -97,7 +112,24 @@ impl Page {
     }
 }
 
-/// Returns the lines of a formula: a single line without a width, else as many as necessary.
-fn lines(right: &Formula, notation: Notation, width: Option<usize>) -> Vec<String> {
-    width.map_or_else(|| vec![notation.formula(right)], |width| notation.lines(right, width))
+/// The letters that are left for the right side of an equation.
+fn room(left: &str, range: Option<&Range>, notation: Notation, width: usize) -> usize {
+    let behind = range.map_or(0, |own| notation.breadth(&own.from.clone().into()) + own.variable.chars().count() + 6);
+    width.saturating_sub(left.chars().count() + 3 + behind).max(20)
+}
+
+/// Returns the lines of the right side of an equation, a single one without a width, else as many as necessary; the last one ends with
+/// the range.
+fn lines(left: &str, right: &Formula, range: Option<&Range>, notation: Notation, width: Option<usize>) -> Vec<String> {
+    let room = width.map(|width| room(left, range, notation, width));
+    let mut lines = room.map_or_else(|| vec![notation.formula(right)], |room| notation.lines(right, room));
+    if let (Some(last), Some(range)) = (lines.last_mut(), range) {
+        let (space, sign) = match notation {
+            Notation::Latex => (" \\quad ", "\\ge"),
+            Notation::Typst => (" quad ", ">="),
+            _ => ("  ", "≥"),
+        };
+        last.push_str(&format!(",{space}{} {sign} {}", notation.name(&range.variable), notation.formula(&range.from.clone().into())));
+    }
+    lines
 }

@@ -10,16 +10,24 @@ pub(super) fn write(page: &Page, notation: Notation, style: Style, out: &mut dyn
     for (place, block) in page.blocks.iter().enumerate() {
         let space = " ".repeat(indent);
         match block {
-            Block::Equation { left, right, sources, .. } => {
+            Block::Equation { left, right, range, sources, .. } => {
                 if place > 0 && !page.is_text {
                     writeln!(out)?;
                 }
                 let start = format!("{space}{} = ", notation.name(left));
-                let room = style.width.map(|width| width.saturating_sub(start.chars().count()).max(20));
                 let continued = format!("\n{}", " ".repeat(start.chars().count()));
-                writeln!(out, "{start}{}", lines(right, notation, room).join(&continued))?;
+                let width = style.width.map(|width| width.saturating_sub(indent));
+                writeln!(out, "{start}{}", lines(left, right, range.as_ref(), notation, width).join(&continued))?;
                 if !sources.is_empty() {
                     writeln!(out, "{}{}", if page.is_text { &space } else { "       " }, sources.written(notation))?;
+                }
+            }
+            Block::Where(parts) => {
+                for (place, (name, own)) in parts.iter().enumerate() {
+                    let start = format!("{space}{} {} = ", if place == 0 { "where" } else { "     " }, notation.name(name));
+                    let continued = format!("\n{}", " ".repeat(start.chars().count()));
+                    let width = style.width.map(|width| width.saturating_sub(indent + 6));
+                    writeln!(out, "{start}{}", lines(name, own, None, notation, width).join(&continued))?;
                 }
             }
             Block::Sentence(sentence) => {

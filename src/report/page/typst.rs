@@ -16,15 +16,19 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
     let width = style.width.or(style.standalone.then_some(COLUMN));
     for block in &page.blocks {
         match block {
-            Block::Equation { key, left, right, sources } => {
+            Block::Equation { key, left, right, range, sources } => {
                 let label = if style.standalone && !key.is_empty() { format!(" <eq-{key}>") } else { String::new() };
-                match lines(right, NOTATION, width).as_slice() {
+                match lines(left, right, range.as_ref(), NOTATION, width).as_slice() {
                     [only] => writeln!(out, "$ {} = {only} ${label}", NOTATION.name(left))?,
                     many => writeln!(out, "$ {} &= {} ${label}", NOTATION.name(left), many.join(" \\\n  &quad "))?,
                 }
                 if !sources.is_empty() {
                     writeln!(out, "{}\n", sources.written(NOTATION))?;
                 }
+            }
+            Block::Where(parts) => {
+                let rows = parts.iter().map(|(name, own)| format!("{} &= {}", NOTATION.name(name), NOTATION.formula(own)));
+                writeln!(out, "where\n$ {} $\n", rows.collect::<Vec<_>>().join(" \\\n  "))?;
             }
             Block::Sentence(own) | Block::Remark(own) => writeln!(out, "{}.\n", own.written(NOTATION).trim_end_matches('.'))?,
             Block::Heading(level, title) => writeln!(out, "\n{} {title}", "=".repeat(level + 1))?,

@@ -1,5 +1,6 @@
 //! A formula as mathematics is laid out, before any notation writes it.
 
+use crate::expr::function::Setting;
 use crate::expr::{Constant, Function, Relation};
 use crate::print::notations::greek;
 
@@ -76,33 +77,51 @@ impl Math {
     }
 
     /// About how many letters wide it is set.
+    ///
+    /// Of 327 formulas in LaTeX at 10 pt, 90 % had 3.2 to 4.6 pt per letter, and none more than 4.8 pt.
     pub(super) fn breadth(&self) -> usize {
-        let script = |inner: &Self| (2 * inner.breadth()).div_ceil(3);
+        (self.points() / LETTER).ceil() as usize
+    }
+
+    /// The width in points at a font size of 10 pt.
+    fn points(&self) -> f64 {
+        let tall = |inner: &Self| inner.any(&|part| matches!(part, Self::Fraction(..) | Self::Integral { .. } | Self::Cases { .. }));
         match self {
-            Self::Number { mantissa, exponent } => mantissa.chars().count() + exponent.map_or(0, |own| 3 + own.to_string().len()),
-            Self::Name(name) => {
-                // A Greek letter is one letter, and an index is small.
-                let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-                words.map(|word| if greek::letter(word).is_some() { 1 } else { word.chars().count() }).sum::<usize>().max(1)
+            Self::Number { mantissa, exponent } => {
+                let power = exponent.map_or(0.0, |own| 17.2 + SCRIPT * digits(&own.to_string()));
+                digits(mantissa) + power
             }
-            Self::Constant(_) => 1,
-            Self::Sum(terms) => terms.iter().map(|(_, term)| term.breadth() + 3).sum(),
-            Self::Fraction(upper, lower) => upper.breadth().max(lower.breadth()) + 1,
-            Self::Power(base, exponent) => base.breadth() + script(exponent),
+            Self::Name(name) => {
+                // An index is small.
+                let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+                let word = |own: &str| match greek::letter(own) {
+                    Some(_) => 5.5,
+                    None => own.chars().map(|letter| if letter.is_uppercase() { 7.5 } else { 5.2 }).sum(),
+                };
+                words.enumerate().map(|(place, own)| if place == 0 { word(own) } else { SCRIPT * word(own) + 0.5 }).sum()
+            }
+            Self::Constant(_) => 5.7,
+            Self::Sum(terms) => {
+                let first = if terms.first().is_some_and(|own| own.0) { 7.8 } else { 0.0 };
+                first + 12.2 * terms.len().saturating_sub(1) as f64 + terms.iter().map(|own| own.1.points()).sum::<f64>()
+            }
+            Self::Negative(inner) => 7.8 + inner.points(),
+            Self::Product(factors) => factors.iter().map(|own| own.points() + 1.2).sum(),
+            Self::Fraction(upper, lower) => upper.points().max(lower.points()) + 2.4,
+            Self::Slash(upper, lower) => upper.points() + lower.points() + 5.0,
+            Self::Root(_, inner) => inner.points() + if tall(inner) { 10.0 } else { 8.3 },
+            Self::Power(base, exponent) => base.points() + SCRIPT * exponent.points() + 0.5,
+            Self::Parentheses(inner) => inner.points() + if tall(inner) { 14.7 } else { 8.0 },
             Self::Cases { pieces, last, .. } => {
-                let row = |value: &Self, end: usize| value.breadth() + end + 8;
-                let end = pieces.iter().map(|(_, end)| 2 * end.breadth()).max().unwrap_or(0);
-                pieces.iter().map(|(value, _)| row(value, end)).chain([row(last, end)]).max().unwrap_or(0)
+                let end = pieces.iter().map(|(_, end)| 2.0 * end.points()).fold(0.0, f64::max);
+                pieces.iter().map(|own| &own.0).chain([last.as_ref()]).map(|value| value.points() + end + 42.0).fold(0.0, f64::max)
             }
             Self::Integral { integrand, lower, upper, .. } => {
-                integrand.as_ref().map_or(0, |own| own.breadth()) + script(lower).max(script(upper)) + 4
+                let limits = SCRIPT * lower.points().max(upper.points());
+                integrand.as_ref().map_or(0.0, |own| own.points()) + limits + 22.0
             }
-            Self::Call(call) => {
-                let name = call.function.row().typeset.letters.text.chars().count();
-                let scripts: usize = call.index.iter().chain(&call.power).map(|own| script(own)).sum();
-                name + scripts + 2 + call.groups.iter().flatten().map(|own| own.breadth() + 2).sum::<usize>()
-            }
-            other => other.children().iter().map(|child| child.breadth()).sum::<usize>() + 2,
+            Self::Relation(left, _, right) => left.points() + right.points() + 13.3,
+            Self::Call(call) => call.points(call.groups.iter().flatten().any(tall)),
         }
     }
 
@@ -133,7 +152,28 @@ impl Math {
     }
 }
 
+/// The width of a letter in points, so small that formulas of 72 letters fit in a column of 345 pt.
+const LETTER: f64 = 4.3;
+/// The size of exponents and indices.
+const SCRIPT: f64 = 0.72;
+
+fn digits(text: &str) -> f64 {
+    text.chars().map(|own| if own == '.' { 2.8 } else { 5.0 }).sum()
+}
+
 impl Call {
+    fn points(&self, is_tall: bool) -> f64 {
+        let name = 5.0 * self.function.row().typeset.letters.text.chars().count() as f64;
+        let scripts: f64 = self.index.iter().chain(&self.power).map(|own| SCRIPT * own.points() + 0.5).sum();
+        let arguments: f64 = self.groups.iter().flatten().map(|own| own.points() + 4.5).sum();
+        let fence = if self.bare { 1.7 } else { (if is_tall { 14.7 } else { 8.0 }) - 4.5 };
+        match self.function.row().typeset.setting {
+            Setting::Exponential => 5.0 + SCRIPT * arguments,
+            Setting::Absolute => arguments + 5.0,
+            _ => name + scripts + arguments + fence,
+        }
+    }
+
     /// The numbers of upper and lower parameters of a hypergeometric function.
     pub(super) fn prescript(&self) -> Option<(usize, usize)> {
         match self.groups.as_slice() {

@@ -12,6 +12,7 @@ mod notation;
 pub(crate) mod notations;
 mod number;
 mod order;
+mod parts;
 mod presentation;
 mod prose;
 mod renaming;
@@ -24,6 +25,7 @@ use math::Math;
 use notations::{latex, mathml, text, typst, unicode};
 
 pub use notation::Notation;
+pub use parts::Names;
 pub use presentation::Presentation;
 pub use prose::Prose;
 pub use renaming::Renaming;
@@ -129,14 +131,16 @@ pub fn mathml(formula: &Formula) -> String {
     mathml::formula(&laid_out(formula))
 }
 
-/// An equation as a `math` element of MathML Core; `left` is a name, or a name with an argument.
+/// An equation as a `math` element of MathML Core; `left` is a name, or a name with an argument. It may apply from a
+/// value of a variable on, which `range` names.
 ///
 /// ```
 /// use sneddon_expr::{expr::Expr, print};
-/// assert!(print::mathml_equation("d(a)", &Expr::symbol("a").into()).contains("<mo>=</mo><mi>a</mi>"));
+/// assert!(print::mathml_equation("d(a)", &Expr::symbol("a").into(), None).contains("<mo>=</mo><mi>a</mi>"));
 /// ```
-pub fn mathml_equation(left: &str, formula: &Formula) -> String {
-    mathml::equation(left, &laid_out(formula))
+pub fn mathml_equation(left: &str, formula: &Formula, range: Option<(&str, &Expr)>) -> String {
+    let range = range.map(|(variable, from)| (variable, compose::expr(&shown_as_mathematics(from), Style::Display)));
+    mathml::equation(left, &laid_out(formula), range)
 }
 
 /// The text with those characters escaped that mean something in HTML and XML.

@@ -60,7 +60,7 @@ impl Notation {
     /// ```
     /// use sneddon_expr::{expr::Expr, print::Notation};
     /// let sum = Expr::symbol("alpha") + Expr::symbol("beta") + Expr::symbol("gamma");
-    /// assert_eq!(Notation::Latex.lines(&sum.into(), 5), [r"\alpha + \beta", r"+ \gamma"]);
+    /// assert_eq!(Notation::Latex.lines(&sum.into(), 8), [r"\alpha + \beta", r"+ \gamma"]);
     /// ```
     pub fn lines(self, formula: &Formula, width: usize) -> Vec<String> {
         let math = self.math(formula);
@@ -74,6 +74,17 @@ impl Notation {
     /// About how many letters wide the formula is set on one line.
     pub fn breadth(self, formula: &Formula) -> usize {
         self.math(formula).breadth()
+    }
+
+    /// The breadth of the widest of the [lines](Self::lines) of a formula in mathematical notation.
+    pub fn widest(self, formula: &Formula, width: usize) -> usize {
+        match self.math(formula) {
+            Math::Sum(terms) => {
+                let widths = || terms.iter().map(|(_, term)| term.breadth() + 3);
+                if widths().sum::<usize>() <= width + 3 { widths().sum() } else { widths().max().unwrap_or(0).saturating_sub(3) }
+            }
+            other => other.breadth(),
+        }
     }
 
     fn math(self, formula: &Formula) -> Math {

@@ -12,9 +12,13 @@ const APPLY: &str = "<mo>&#x2061;</mo>";
 /// A narrow space before the differential of an integral.
 const THIN: &str = "<mspace width=\"0.1667em\"/>";
 
-/// Writes an equation as a displayed `math` element; its left side is a name, or a name with an argument, as in `g(x)`.
-pub(in crate::print) fn equation(left: &str, right: &Math) -> String {
-    document(&row(&[symbol(left), operator("="), write(right)]))
+/// Writes an equation as a displayed `math` element, with the range in which it applies; its left side is a name, or a name with an
+/// argument, as in `g(x)`.
+pub(in crate::print) fn equation(left: &str, right: &Math, range: Option<(&str, Math)>) -> String {
+    let comma = "<mo separator=\"true\">,</mo><mspace width=\"1em\"/>";
+    let range =
+        range.map_or_else(String::new, |(variable, from)| format!("{comma}{}", row(&[symbol(variable), operator("≥"), write(&from)])));
+    document(&row(&[symbol(left), operator("="), write(right), range]))
 }
 
 /// Writes a formula as a displayed `math` element.

@@ -1,0 +1,206 @@
+//! Names for the parts of formulas that are too wide for their line.
+
+use super::Notation;
+use crate::expr::{Bindings, Expr, Formula, Node, Number, Symbol, shown_as_mathematics};
+use std::collections::{BTreeSet, HashMap};
+
+/// Maximum number of names for one formula.
+const MOST: usize = 48;
+/// Parts that are not wider than this many letters get no name.
+const NARROW: usize = 8;
+/// Expressions with more nodes than this are left as they are.
+const SIZE: usize = 10_000;
+/// Letters for names, in the order in which they are taken.
+const LETTERS: [&str; 10] = ["q", "s", "t", "v", "w", "y", "z", "h", "c", "n"];
+
+/// Names for parts of formulas that are too wide for a line, each defined once.
+///
+/// ```
+/// use sneddon_expr::{parse, print::{Names, Notation}};
+/// let wide = parse::formula("sqrt(a^2 - r^2)*(b + sqrt(a^2 - r^2))/(c + sqrt(a^2 - r^2))").unwrap();
+/// let (short, parts) = Names::avoiding(["p"]).shortened(&wide, Notation::Text, 20);
+/// assert_eq!(Notation::Text.formula(&short), "q/(c + q)*(b + q)");
+/// assert_eq!(parts.len(), 1);
+/// assert_eq!((parts[0].0.as_str(), Notation::Text.formula(&parts[0].1)), ("q", "sqrt(a^2 - r^2)".to_owned()));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Names {
+    taken: BTreeSet<String>,
+    known: Vec<(Expr, Symbol)>,
+}
+
+impl Names {
+    /// No names yet; these are taken.
+    pub fn avoiding<'n>(taken: impl IntoIterator<Item = &'n str>) -> Self {
+        Self { taken: taken.into_iter().map(str::to_owned).collect(), known: Vec::new() }
+    }
+
+    /// Excludes a name.
+    pub fn avoid(&mut self, name: &str) {
+        self.taken.insert(name.to_owned());
+    }
+
+    /// Excludes the symbols of a formula, and m where it contains elliptic integrals, because m is their parameter.
+    pub fn avoid_symbols(&mut self, formula: &Formula) {
+        for expr in formula.expressions() {
+            self.taken.extend(expr.symbols().iter().map(|own| own.name().to_owned()));
+            let has_parameter = expr.size_up_to(SIZE) < SIZE && has_elliptic(expr);
+            self.taken.extend(has_parameter.then(|| "m".to_owned()));
+        }
+    }
+
+    /// The formula with names for parts if one of its lines is wider than `width` letters, and the definitions of the names that are new.
+    ///
+    /// Parts of integrands may contain the variable of integration. Replacing the names by their definitions restores the formula.
+    pub fn shortened(&mut self, right: &Formula, notation: Notation, width: usize) -> (Formula, Vec<(String, Formula)>) {
+        let fits = |own: &Formula| notation.widest(own, width) <= width;
+        let small = |own: &Formula| own.expressions().into_iter().map(|expr| expr.size_up_to(SIZE)).sum::<usize>() < SIZE;
+        if fits(right) || !small(right) {
+            return (right.clone(), Vec::new());
+        }
+        let mut shown = right.map(&shown_as_mathematics);
+        for (part, name) in &self.known {
+            shown = with_name(&shown, part, name);
+        }
+        let mut new: Vec<(Symbol, Formula)> = Vec::new();
+        let mut refused = Vec::new();
+        while new.len() < MOST {
+            let all = || std::iter::once(&shown).chain(new.iter().map(|(_, own)| own));
+            let Some(wide) = all().find(|own| !fits(own)) else { break };
+            let Some(part) = best_part(wide, &all().collect::<Vec<_>>(), &refused, notation, width) else { break };
+            let name = self.name_for(&part);
+            let restored = Bindings::one(name.name(), part.clone());
+            let changed: Vec<Formula> = all().map(|own| with_name(own, &part, &name)).collect();
+            // A root of a square of the name is not the name if the part may be negative.
+            if all().zip(&changed).any(|(before, after)| after.substitute(&restored) != *before) {
+                self.taken.remove(name.name());
+                refused.push(part);
+                continue;
+            }
+            let mut changed = changed.into_iter();
+            shown = changed.next().unwrap_or(shown);
+            new = new.into_iter().zip(changed).map(|((own, _), definition)| (own, definition)).collect();
+            self.known.push((part.clone(), name.clone()));
+            new.push((name, part.into()));
+        }
+        (shown, new.into_iter().map(|(name, definition)| (name.name().to_owned(), definition)).collect())
+    }
+
+    /// A name for a part: M for a maximum, m or n for a minimum, φ for an angle, else the next free letter.
+    fn name_for(&mut self, part: &Expr) -> Symbol {
+        let usual: &[&str] = match part.node() {
+            Node::Function(function, _) => match function.name() {
+                "max" => &["M"],
+                "min" => &["m", "n"],
+                "asin" | "acos" | "atan" => &["phi", "psi", "chi"],
+                _ => &[],
+            },
+            _ => &[],
+        };
+        let letters = usual.iter().chain(&LETTERS).map(|own| (*own).to_owned());
+        let numbered = (1..).map(|index| format!("q_{index}"));
+        let name = letters.chain(numbered).find(|own| !self.taken.contains(own)).unwrap_or_default();
+        self.taken.insert(name.clone());
+        Symbol::new(&name)
+    }
+}
+
+fn has_elliptic(expr: &Expr) -> bool {
+    let is = matches!(expr.node(), Node::Function(function, _) if function.name().starts_with("ellip"));
+    is || expr.children().into_iter().any(has_elliptic)
+}
+
+/// The part of `wide` to be named next: a maximum or minimum that is repeated, else what saves most of all that is repeated, else the part
+/// that divides it most evenly.
+fn best_part(wide: &Formula, all: &[&Formula], refused: &[Expr], notation: Notation, width: usize) -> Option<Expr> {
+    // In the order in which they occur, so that the same formula has the same names every time.
+    let (mut counted, mut places): (Vec<(Expr, usize)>, HashMap<Expr, usize>) = Default::default();
+    for formula in all {
+        each_part(formula, &mut |part| match places.get(&part).and_then(|place| counted.get_mut(*place)) {
+            Some(own) => own.1 += 1,
+            None if refused.contains(&part) => {}
+            None => {
+                places.insert(part.clone(), counted.len());
+                counted.push((part, 1));
+            }
+        });
+    }
+    let breadth = |part: &Expr| notation.breadth(&part.clone().into());
+    let is_extreme = |part: &Expr| matches!(part.node(), Node::Function(function, _) if matches!(function.name(), "max" | "min"));
+    if let Some((part, _)) = counted.iter().find(|(part, count)| *count > 1 && is_extreme(part)) {
+        return Some(part.clone());
+    }
+    let repeated = counted.iter().filter(|own| own.1 > 1).map(|(part, count)| (part, (count - 1) * breadth(part).saturating_sub(1)));
+    if let Some((part, _)) = repeated.filter(|(part, _)| breadth(part) > NARROW).max_by_key(|own| own.1) {
+        return Some(part.clone());
+    }
+    let whole = notation.widest(wide, width);
+    let mut best: Option<(usize, Expr)> = None;
+    each_part(wide, &mut |part| {
+        let own = breadth(&part);
+        let even = own.min(whole.saturating_sub(own));
+        let is_new = !refused.contains(&part) && wide.as_closed() != Some(&part);
+        if is_new && even > NARROW && best.as_ref().is_none_or(|known| even > known.0) {
+            best = Some((even, part));
+        }
+    });
+    best.map(|own| own.1)
+}
+
+/// Calls `each` for every part that may have a name: not a bare symbol or number. Parts of integrands may contain the variable.
+fn each_part(formula: &Formula, each: &mut impl FnMut(Expr)) {
+    formula.expressions().into_iter().for_each(|expr| each_in(expr, each));
+}
+
+fn each_in(expr: &Expr, each: &mut impl FnMut(Expr)) {
+    if expr.children().is_empty() {
+        return;
+    }
+    if !expr.symbols().is_empty() {
+        match expr.node() {
+            // The inverse and odd powers of a root are powers of its name.
+            Node::Power(base, exponent) => {
+                if let Some(root) = exponent.as_number().map(root_of) {
+                    root.into_iter().for_each(|root| each(base.pow(&Expr::number(root))));
+                } else {
+                    each(expr.clone());
+                }
+            }
+            // Products and sums are named as a whole only.
+            _ => each(expr.clone()),
+        }
+    }
+    expr.children().into_iter().for_each(|child| each_in(child, each));
+}
+
+/// 1/n for an exponent m/n that is not whole.
+fn root_of(exponent: &Number) -> Option<Number> {
+    let (_, denominator) = exponent.abs().printed_parts();
+    if denominator.is_one() { None } else { denominator.reciprocal() }
+}
+
+/// The formula with a name in place of a part.
+fn with_name(formula: &Formula, part: &Expr, name: &Symbol) -> Formula {
+    let name = Expr::from(name.clone());
+    formula.map(&|expr| with_name_in(expr, part, &name))
+}
+
+fn with_name_in(expr: &Expr, part: &Expr, name: &Expr) -> Expr {
+    if expr == part {
+        return name.clone();
+    }
+    let inside = |own: &Expr| with_name_in(own, part, name);
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Power(base, exponent) => match part.node() {
+            Node::Power(own, root) if own == base => match (exponent / root).as_integer() {
+                Some(n) => name.power(n),
+                None => inside(base).pow(&inside(exponent)),
+            },
+            _ => inside(base).pow(&inside(exponent)),
+        },
+        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(inside).collect()),
+        Node::Product(factors) => Expr::product(factors.iter().map(inside)),
+        Node::Sum(terms) => Expr::sum(terms.iter().map(inside)),
+    }
+}

@@ -1,0 +1,53 @@
+//! Equations as an author sets them: a range in place of a piece that is 0, and names for the parts of formulas that are too wide.
+
+use super::{Block, Page, Range, room};
+use crate::expr::Formula;
+use crate::print::{Names, Notation};
+
+/// Letters that have a meaning in every answer.
+const RESERVED: [&str; 16] = ["r", "x", "a", "d", "e", "E", "f", "g", "p", "k", "u", "A", "F", "G", "K", "U"];
+
+impl Page {
+    /// The page for a notation that is not parsed: equations without pieces that are 0, and with names for parts of equations that
+    /// are wider than `width` letters, which are defined below the first equation that contains them.
+    pub(super) fn arranged(&self, notation: Notation, width: usize) -> Self {
+        let mut names = Names::avoiding(RESERVED);
+        for block in &self.blocks {
+            if let Block::Equation { left, right, .. } = block {
+                left.split(|c: char| !c.is_alphanumeric() && c != '_').for_each(|own| names.avoid(own));
+                names.avoid_symbols(right);
+            }
+        }
+        let mut blocks = Vec::with_capacity(self.blocks.len());
+        for block in &self.blocks {
+            let Block::Equation { key, left, right, range, sources } = block else {
+                blocks.push(block.clone());
+                continue;
+            };
+            let (right, range) = match range {
+                None if !matches!(key.as_str(), "" | "f" | "g") => without_empty_piece(right),
+                own => (right.clone(), own.clone()),
+            };
+            let (right, parts) = names.shortened(&right, notation, room(left, range.as_ref(), notation, width));
+            blocks.push(Block::Equation { key: key.clone(), left: left.clone(), right, range, sources: sources.clone() });
+            if !parts.is_empty() {
+                blocks.push(Block::Where(parts));
+            }
+        }
+        Self { title: self.title.clone(), is_text: self.is_text, blocks }
+    }
+}
+
+/// The last of two pieces, if the first one is 0, with its range. The radius of a contact lies in that range.
+fn without_empty_piece(right: &Formula) -> (Formula, Option<Range>) {
+    match right {
+        Formula::Piecewise { variable, pieces, last } => match pieces.as_slice() {
+            [(zero, end)] if zero.is_zero() => {
+                let range = Range { variable: variable.name().to_owned(), from: end.clone() };
+                (last.as_ref().clone(), Some(range))
+            }
+            _ => (right.clone(), None),
+        },
+        _ => (right.clone(), None),
+    }
+}
