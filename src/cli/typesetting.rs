@@ -60,7 +60,7 @@ pub(super) struct TypesettingArguments {
     /// Writes a complete document that compiles, for latex, typst, markdown or mathml.
     #[arg(long)]
     standalone: bool,
-    /// Sets formulas for columns of about N letters [default: 72; text is not broken].
+    /// Width of a column in characters, from 20 to 1000; 51 suits a paper in two columns [default: 72; text is not broken].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(20..=1000))]
     width: Option<u16>,
     /// Renames symbols in the output, such as E=E_r,d=\delta.

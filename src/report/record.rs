@@ -91,7 +91,7 @@ impl Derivation<'_> {
     pub fn notes(&self) -> Vec<Prose> {
         let mut notes = vec![
             "the formulas apply for $x$ >= 0; $g$ is even",
-            "$E$ is the effective modulus E*",
+            "$E$ is the effective modulus E*: 1/E* = (1 - ν_1²)/E_1 + (1 - ν_2²)/E_2 for the moduli and Poisson's ratios of the two bodies",
             "$p$ = -$sigma_zz$ is positive in compression and 0 for $r$ > $a$",
         ];
         if self.relations.pressure.is_none() {

@@ -82,3 +82,30 @@ fn lowest_terms_are_the_same_numbers() {
         }
     }
 }
+
+/// Roots of one exponent are one root in print, which reads back as the same expression; powers of whole numbers are reduced.
+#[test]
+fn roots_of_one_exponent_are_one_root() {
+    use sneddon::{parse, print};
+    use sneddon_checks::formulas::number;
+    let values = [("d", 0.37), ("C", 2.9), ("w", 1.3), ("E", 4.1), ("h", 0.6)];
+    for (typed, printed) in [
+        ("20^(1/6)*d^(1/6)/(2*C^(1/6))", "(20*d/C)^(1/6)/2"),
+        ("3*50000^(5/6)*E*d^(7/6)/(17500*C^(1/6))", "6/7*E*d*(20*d/C)^(1/6)"),
+        ("d^(2/3)*gamma(5/4)^(2/3)/(pi^(1/3)*C^(2/3)*gamma(7/4)^(2/3))", "(d*gamma(5/4)/(sqrt(pi)*C*gamma(7/4)))^(2/3)"),
+        ("w^(3/5)*d^(8/5)/h^(3/5)", "d*(w*d/h)^(3/5)"),
+        ("36^(2/3)*d", "6*6^(1/3)*d"),
+        ("2^(2/3)*d", "2^(2/3)*d"),
+        ("12870^(15/16)*d", "12870^(15/16)*d"),
+        ("sqrt(d)/sqrt(C)", "sqrt(d)/sqrt(C)"),
+        ("(w - d)^(1/3)/C^(1/3)", "(w - d)^(1/3)/C^(1/3)"),
+    ] {
+        let expr = parse::formula(typed).unwrap();
+        let text = print::text(&expr);
+        assert_eq!(parse::formula(&text).unwrap(), expr, "{typed}: {text}");
+        let (one, other) =
+            (number(expr.as_closed().unwrap(), &values), number(parse::formula(printed).unwrap().as_closed().unwrap(), &values));
+        assert!((one - other).abs() <= 4e-16 * one.abs(), "{typed}: {one} and {other}");
+        assert_eq!(text, printed, "{typed}");
+    }
+}

@@ -19,8 +19,10 @@ fn in_expression(expr: &Expr, found: &mut BTreeSet<&'static str>) {
     /// Larger expressions are not searched.
     const SIZE: usize = 10_000;
     fn every(expr: &Expr, found: &mut BTreeSet<&'static str>) {
-        if let Node::Function(function, _) = expr.node() {
-            found.insert(function.name());
+        if let Node::Function(function, arguments) = expr.node() {
+            // E of two arguments is the incomplete integral.
+            let is_incomplete = function.name() == "ellipe" && arguments.len() > 1;
+            found.insert(if is_incomplete { INCOMPLETE } else { function.name() });
         }
         expr.children().into_iter().for_each(|child| every(child, found));
     }
@@ -30,15 +32,20 @@ fn in_expression(expr: &Expr, found: &mut BTreeSet<&'static str>) {
     }
 }
 
+/// The incomplete elliptic integral of the second kind, which shares the name of the complete one.
+const INCOMPLETE: &str = "ellipe of two arguments";
+
 /// Functions, and the sentence that defines them.
-const DEFINITIONS: [(&[&str], &str); 16] = [
-    (
-        &["ellipk", "ellipe"],
-        "K(m) and E(m) are the complete elliptic integrals of parameter m = k²: K(m) = ∫ dt/√(1 - m sin² t), E(m) = ∫ √(1 - m sin² t) dt, t from 0 to π/2",
-    ),
+const DEFINITIONS: [(&[&str], &str); 18] = [
+    (&["ellipk"], "K(m) is the complete elliptic integral of the first kind of parameter m = k²: ∫ dt/√(1 - m sin² t), t from 0 to π/2"),
+    (&["ellipe"], "E(m) is the complete elliptic integral of the second kind of parameter m = k²: ∫ √(1 - m sin² t) dt, t from 0 to π/2"),
     (
         &["ellipf"],
         "F(φ | m) is the incomplete elliptic integral of the first kind of parameter m = k²: ∫ dt/√(1 - m sin² t), t from 0 to φ",
+    ),
+    (
+        &[INCOMPLETE],
+        "E(φ | m) is the incomplete elliptic integral of the second kind of parameter m = k²: ∫ √(1 - m sin² t) dt, t from 0 to φ",
     ),
     (
         &["elliprf", "elliprd", "elliprj", "elliprc"],

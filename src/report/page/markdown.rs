@@ -30,7 +30,11 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
                 }
             }
             Block::Where(parts) => {
-                let rows = parts.iter().map(|(name, own)| format!("{} &= {}", NOTATION.name(name), NOTATION.formula(own)));
+                let row = |(name, own): &(String, _)| {
+                    let own = lines(name, own, None, NOTATION, style.width);
+                    format!("{} &= {}", NOTATION.name(name), own.join(" \\\\\n&\\quad "))
+                };
+                let rows = parts.iter().map(row);
                 let rows = rows.collect::<Vec<_>>().join(" \\\\\n");
                 writeln!(out, "where\n\n```math\n\\begin{{aligned}}\n{rows}\n\\end{{aligned}}\n```")?;
             }

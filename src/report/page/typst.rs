@@ -27,7 +27,10 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
                 }
             }
             Block::Where(parts) => {
-                let rows = parts.iter().map(|(name, own)| format!("{} &= {}", NOTATION.name(name), NOTATION.formula(own)));
+                let row = |(name, own): &(String, _)| {
+                    format!("{} &= {}", NOTATION.name(name), lines(name, own, None, NOTATION, width).join(" \\\n  &quad "))
+                };
+                let rows = parts.iter().map(row);
                 writeln!(out, "where\n$ {} $\n", rows.collect::<Vec<_>>().join(" \\\n  "))?;
             }
             Block::Sentence(own) | Block::Remark(own) => writeln!(out, "{}.\n", own.written(NOTATION).trim_end_matches('.'))?,

@@ -234,6 +234,9 @@ pub(super) fn power(base: &Expr, exponent: &Expr) -> Expr {
     Expr::raw(Node::Power(base.clone(), exponent.clone()))
 }
 
+/// The primes that are looked for under roots.
+const SMALL_PRIMES: [i64; 6] = [2, 3, 5, 7, 11, 13];
+
 /// Folds a positive rational to a rational power as far as roots come out, e.g. 8^(1/2) = 2·2^(1/2).
 fn fold_root(base: &Number, exponent: &Expr) -> Option<Expr> {
     let exponent = exponent.as_number()?;
@@ -258,7 +261,12 @@ fn fold_root(base: &Number, exponent: &Expr) -> Option<Expr> {
         &Number::from(num_rational::BigRational::from_integer(base.value().numer().clone())) * &denominator.power(i64::from(k) - 1)?;
     let outside = &outside * &denominator.power(-rest)?;
     let (out, inner) = extract_root(&radicand, k);
-    let outside = &outside * &out.power(rest)?;
+    let out = out.power(rest)?;
+    // More may come out of the power of the radicand, as in 50000^(5/6) = 5000·20^(1/6).
+    let (more, left) = extract_power(&inner, rest, k)?;
+    // A power of a small number stays in preference to the root of a large one.
+    let (out, inner, rest) = if more.is_one() || left.bits() > inner.bits() { (out, inner, rest) } else { (&out * &more, left, 1) };
+    let outside = &outside * &out;
     if whole == 0 && outside.is_one() {
         return None;
     }
@@ -273,7 +281,7 @@ fn extract_root(radicand: &Number, k: u32) -> (Number, Number) {
     if radicand.bits() > 512 {
         return (out, inner);
     }
-    for prime in [2i64, 3, 5, 7, 11, 13] {
+    for prime in SMALL_PRIMES {
         let Some(factor) = Number::integer(prime).power(i64::from(k)) else { continue };
         let Some(inverse) = factor.reciprocal() else { continue };
         loop {
@@ -290,6 +298,30 @@ fn extract_root(radicand: &Number, k: u32) -> (Number, Number) {
         inner = Number::integer(1);
     }
     (out, inner)
+}
+
+/// Splits a positive integer to the power `rest` into out^k · inner by small primes.
+fn extract_power(radicand: &Number, rest: i64, k: u32) -> Option<(Number, Number)> {
+    let (mut out, mut inner, mut left) = (Number::integer(1), Number::integer(1), radicand.clone());
+    if rest > 1 {
+        for prime in SMALL_PRIMES {
+            let prime = Number::integer(prime);
+            let inverse = prime.reciprocal()?;
+            let mut count = 0;
+            while (&left * &inverse).is_integer() {
+                left = &left * &inverse;
+                count += rest;
+            }
+            out = &out * &prime.power(count / i64::from(k))?;
+            inner = &inner * &prime.power(count % i64::from(k))?;
+        }
+    }
+    // A large rest stays under its own power.
+    if left.bits() * rest.unsigned_abs() > 512 {
+        Some((Number::integer(1), radicand.clone()))
+    } else {
+        Some((out, &inner * &left.power(rest)?))
+    }
 }
 
 /// The function of the arguments, folded if its row has a shorter form.

@@ -1,12 +1,13 @@
-//! Factors under one root of symbolic order: (d/(Cκ))^(1/n) for a product of n-th roots.
+//! Factors under one root: (d/(Cκ))^(1/n) for a product of n-th roots.
 
 use super::layout::Factor;
-use crate::expr::{Expr, Number, Sign, sign};
+use crate::expr::{Expr, Node, Number, Sign, sign};
 
 /// Joins positive factors with the exponent 1/n, and those with 1/(2n) as roots, across the line.
 ///
 /// Parsing a joined root restores the product, because positive factors are moved out of roots.
 pub(super) fn gather(upper: &mut Vec<Factor>, lower: &mut Vec<Factor>) {
+    gather_roots(upper, lower);
     let symbolic = |factor: &&Factor| factor.exponent.as_number().is_none() && is_reciprocal(&factor.exponent);
     // The largest of the exponents leads: 1/n before 1/(2n).
     let Some(exponent) = upper.iter().chain(lower.iter()).filter(symbolic).map(|f| f.exponent.clone()).max_by_key(weight) else { return };
@@ -46,4 +47,54 @@ fn is_reciprocal(exponent: &Expr) -> bool {
 
 fn weight(exponent: &Expr) -> Number {
     exponent.split_coefficient().0
+}
+
+/// Joins factors under one root of the third or a higher order across the line: d (20 d/C)^(1/6) for 20^(1/6) d^(7/6)/C^(1/6).
+///
+/// Numbers, symbols and values of Γ join; π joins with half the exponent as well, as in (d Γ(5/4)/(√π C Γ(7/4)))^(2/3).
+fn gather_roots(upper: &mut Vec<Factor>, lower: &mut Vec<Factor>) {
+    let fractions = |side: &[Factor]| -> Vec<Number> { side.iter().filter_map(fraction_of).collect() };
+    let (above, below) = (fractions(upper), fractions(lower));
+    let joined = |own: &Number| above.iter().chain(&below).filter(|other| own == *other).count();
+    let Some(exponent) = above.iter().filter(|own| below.contains(own)).max_by_key(|own| (joined(own), (*own).clone())) else { return };
+    let exponent = Expr::number(exponent.clone());
+    let take = |side: &mut Vec<Factor>| -> Vec<Expr> {
+        let mut taken = Vec::new();
+        for own in std::mem::take(side) {
+            let fraction = fraction_of(&own).map(Expr::number);
+            if fraction.as_ref() == Some(&exponent) {
+                let whole = &own.exponent - &exponent;
+                if !whole.is_zero() {
+                    side.push(Factor { base: own.base.clone(), exponent: whole });
+                }
+                taken.push(own.base);
+            } else if fraction.is_some() && own.base == Expr::pi() && own.exponent == half(&exponent) {
+                taken.push(own.base.sqrt());
+            } else {
+                side.push(own);
+            }
+        }
+        taken
+    };
+    let (above, below) = (take(upper), take(lower));
+    let base = Expr::product(above.into_iter().chain(below.iter().map(Expr::recip)));
+    upper.push(Factor { base, exponent });
+}
+
+fn half(exponent: &Expr) -> Expr {
+    exponent / Expr::integer(2)
+}
+
+/// The part of a factor's exponent between 0 and 1, if it is no half and the factor may join others under a root.
+fn fraction_of(factor: &Factor) -> Option<Number> {
+    let number = factor.exponent.as_number().filter(|own| !own.is_integer() && own.is_positive())?;
+    let joins = match factor.base.node() {
+        Node::Function(function, _) => function.name() == "gamma",
+        Node::Number(_) | Node::Symbol(_) | Node::Constant(_) => true,
+        _ => false,
+    };
+    let whole = Number::from(num_rational::BigRational::from_integer(number.value().floor().to_integer()));
+    let fraction = number - &whole;
+    let is_half = (&fraction + &fraction).is_integer();
+    (joins && !is_half && sign(&factor.base) == Sign::Positive).then_some(fraction)
 }
