@@ -24,6 +24,7 @@ const PREAMBLE: &str = "\\documentclass[10pt]{article}
 \\usepackage[T1]{fontenc}
 \\usepackage[utf8]{inputenc}
 \\usepackage{amsmath,amssymb}
+\\allowdisplaybreaks
 \\emergencystretch=3em";
 
 const BIBLIOGRAPHY: &str = "\\begin{thebibliography}{9}

@@ -78,7 +78,7 @@ impl Math {
 
     /// About how many letters wide it is set.
     ///
-    /// Of 327 formulas in LaTeX at 10 pt, 90 % had 3.2 to 4.6 pt per letter, and none more than 4.8 pt.
+    /// Of 333 formulas in LaTeX at 10 pt, 90 % had 3.2 to 4.7 pt per letter, and none more than 4.9 pt.
     pub(super) fn breadth(&self) -> usize {
         (self.points() / LETTER).ceil() as usize
     }
@@ -96,7 +96,9 @@ impl Math {
                 let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
                 let word = |own: &str| match greek::letter(own) {
                     Some(_) => 5.5,
-                    None => own.chars().map(|letter| if letter.is_uppercase() { 7.5 } else { 5.2 }).sum(),
+                    // E stands for the effective modulus and has a star.
+                    None if name == "E" => 12.4,
+                    None => own.chars().map(letter_points).sum(),
                 };
                 words.enumerate().map(|(place, own)| if place == 0 { word(own) } else { SCRIPT * word(own) + 0.5 }).sum()
             }
@@ -153,9 +155,17 @@ impl Math {
 }
 
 /// The width of a letter in points, so small that formulas of 72 letters fit in a column of 345 pt.
-const LETTER: f64 = 4.3;
+const LETTER: f64 = 4.4;
 /// The size of exponents and indices.
-const SCRIPT: f64 = 0.72;
+const SCRIPT: f64 = 0.78;
+
+fn letter_points(letter: char) -> f64 {
+    match letter {
+        'M' | 'W' => 10.0,
+        other if other.is_uppercase() => 7.5,
+        _ => 5.2,
+    }
+}
 
 fn digits(text: &str) -> f64 {
     text.chars().map(|own| if own == '.' { 2.8 } else { 5.0 }).sum()
