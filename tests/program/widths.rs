@@ -121,6 +121,17 @@ fn contact_radii_have_a_range_in_place_of_a_piece_of_zero() {
     }
 }
 
+/// A function of a place has values within the flat end as well: g, G and the steps keep the piece of 0.
+#[test]
+fn functions_of_a_place_keep_their_piece_of_zero() {
+    let text = "piecewise(0, r<b, (r-b)*tan(theta))";
+    let page = answer(&["derive", text, "--quantity", "g,G,F", "--symbols", "a=c", "--format", "latex"]);
+    assert!(page.contains("g(x) &= \\begin{cases} 0") && page.contains("G(x) &= \\begin{cases} 0"), "{page}");
+    assert!(page.contains(", \\quad c \\ge b"), "{page}");
+    let steps = answer(&["derive", text, "--steps", "--format", "latex"]);
+    assert!(steps.contains("g(x) = \\begin{cases} 0") || steps.contains("g(x) &= \\begin{cases} 0"), "{steps}");
+}
+
 fn parsed(text: &str) -> Expr {
     formula(text).as_closed().unwrap().clone()
 }

@@ -27,7 +27,7 @@ impl Page {
                 continue;
             };
             let (right, range) = match range {
-                None if !matches!(key.as_str(), "" | "f" | "g") => without_empty_piece(right),
+                None => without_empty_piece(right, &self.radius),
                 own => (right.clone(), own.clone()),
             };
             let (right, parts) = names.shortened(&right, notation, room(left, range.as_ref(), notation, width));
@@ -46,7 +46,7 @@ impl Page {
             let parts = in_order_of_use(rights.flat_map(uses).collect(), defined, uses);
             blocks.insert(last, Block::Where(parts));
         }
-        Self { title: self.title.clone(), is_text: self.is_text, blocks }
+        Self { title: self.title.clone(), is_text: self.is_text, radius: self.radius.clone(), blocks }
     }
 }
 
@@ -68,10 +68,10 @@ fn in_order_of_use(
     }
 }
 
-/// The last of two pieces, if the first one is 0, with its range. The radius of a contact lies in that range.
-fn without_empty_piece(right: &Formula) -> (Formula, Option<Range>) {
+/// The last of two pieces over the contact radius with its range, if the first one is 0: a contact is not smaller than a flat end.
+fn without_empty_piece(right: &Formula, radius: &str) -> (Formula, Option<Range>) {
     match right {
-        Formula::Piecewise { variable, pieces, last } => match pieces.as_slice() {
+        Formula::Piecewise { variable, pieces, last } if variable.name() == radius => match pieces.as_slice() {
             [(zero, end)] if zero.is_zero() => {
                 let range = Range { variable: variable.name().to_owned(), from: end.clone() };
                 (last.as_ref().clone(), Some(range))

@@ -10,7 +10,7 @@ impl Page {
     /// Creates the page of the result of `derive`.
     pub fn of_derivation(record: &Derivation<'_>) -> Self {
         let presentation = record.presentation;
-        let mut page = Self { title: "Derived relations".to_owned(), is_text: false, blocks: Vec::new() };
+        let mut page = Self { title: "Derived relations".to_owned(), is_text: false, radius: presentation.name("a"), blocks: Vec::new() };
         // A requested f is listed among the other quantities.
         if !record.asked.contains(&Quantity::Profile) {
             page.equation("f", &presentation.name("f(r)"), &presentation.formula(record.formula()), Prose::default());

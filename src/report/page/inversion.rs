@@ -9,7 +9,8 @@ use crate::report::{Inversion, text};
 impl Page {
     /// Creates the page of the result of `invert`.
     pub fn of_inversion(record: &Inversion<'_>, presentation: &Presentation) -> Self {
-        let mut page = Self { title: "Profile of an equivalent profile".to_owned(), is_text: false, blocks: Vec::new() };
+        let title = "Profile of an equivalent profile".to_owned();
+        let mut page = Self { title, is_text: false, radius: presentation.name("a"), blocks: Vec::new() };
         let mut state = |key: &str, left: &str, right: &Formula, sources| {
             page.equation(key, &presentation.name(left), &presentation.formula(right), sources)
         };

@@ -21,6 +21,8 @@ pub struct Page {
     title: String,
     /// True if sentences are part of the text instead of comments, as for steps and complete documents.
     is_text: bool,
+    /// The symbol of the contact radius.
+    radius: String,
     blocks: Vec<Block>,
 }
 
@@ -28,7 +30,7 @@ pub struct Page {
 enum Block {
     /// An equation with the key of its quantity, the range in which it applies if that is not everywhere, and its sources.
     Equation { key: String, left: String, right: Formula, range: Option<Range>, sources: Prose },
-    /// The definitions of names in the equation before.
+    /// The definitions of names in the equations before.
     Where(Vec<(String, Formula)>),
     /// Text between the equations and below the last one.
     Sentence(Prose),

@@ -16,7 +16,7 @@ impl Page {
 
     /// Creates a page of numbered steps.
     pub fn of_numbered(title: &str, steps: &[Step], presentation: &Presentation) -> Self {
-        let mut page = Self { title: title.to_owned(), is_text: true, blocks: Vec::new() };
+        let mut page = Self { title: title.to_owned(), is_text: true, radius: presentation.name("a"), blocks: Vec::new() };
         page.steps(steps, "", 1, presentation);
         page
     }
