@@ -83,7 +83,8 @@ fn named_parts_fit_and_mean_the_same() {
                 let (one, other) = (value(whole, &values), value(&short, &with_parts(&short, &parts, &values)));
                 if one.is_finite() {
                     compared += 1;
-                    assert!((one - other).abs() <= 1e-12 * one.abs(), "{text}: {one} and {other} at {values:?}");
+                    // The largest difference is 4.2e-16: the same operations in another order.
+                    assert!((one - other).abs() <= 8e-16 * one.abs(), "{text}: {one} and {other} at {values:?}");
                 }
             }
         }
