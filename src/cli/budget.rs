@@ -8,7 +8,7 @@ use crate::report::Unchecked;
 use crate::transform::{Check, TransformError, Verdict};
 use std::io::Write;
 use std::process;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
 /// The budget option shared by all commands that compute.
@@ -23,15 +23,19 @@ pub(super) struct BudgetArguments {
 const USUAL: f64 = 3.0;
 /// Largest budget in seconds.
 pub(super) const LONGEST: f64 = 86_400.0;
-/// The clock ends the program once this multiple of the budget is spent.
+/// The clock ends unfinished parts of the answer, such as points and rows, once this multiple of the budget is spent.
 const PATIENCE: f64 = if cfg!(debug_assertions) { 40.0 } else { 10.0 };
+/// The clock ends the program if it takes this part of that time more, or more than a second, to write what is finished.
+const GRACE: f64 = 0.25;
 /// Interval between two checks of the clock.
 const LOOK: Duration = Duration::from_millis(50);
 /// Exit code of a command that did not finish.
 const INCOMPLETE: i32 = 1;
 
-/// Processor time after which the clock ends the program, in milliseconds.
+/// Processor time that the clock allows, in milliseconds.
 static LIMIT: AtomicU64 = AtomicU64::new(0);
+/// Set by the clock once that time is spent.
+static PASSED: AtomicBool = AtomicBool::new(false);
 
 impl BudgetArguments {
     /// Runs a command within its budget.
@@ -41,7 +45,7 @@ impl BudgetArguments {
     pub(super) fn run(&self, command: impl FnOnce() -> Result<Outcome, Failure>) -> Result<Outcome, Failure> {
         let seconds = self.budget.as_deref().map(seconds).transpose()?.unwrap_or(USUAL);
         watch(seconds);
-        work::within(Budget::seconds(seconds), command)
+        work::with_deadline(&PASSED, || work::within(Budget::seconds(seconds), command))
     }
 }
 
@@ -68,7 +72,7 @@ pub(super) fn allow(parts: u64, steps_per_part: u64) {
 
 /// Runs an optional part of a command with half of the remaining budget.
 pub(super) fn part<T>(run: impl FnOnce() -> Result<T, TransformError>) -> Result<T, Unchecked> {
-    work::share(work::left() / 2, run).map_or(Err(Unchecked::Cut), |done| done.map_err(Unchecked::from))
+    work::part(run).map_or(Err(Unchecked::Cut), |done| done.map_err(Unchecked::from))
 }
 
 /// Returns the outcome of a command from the check of the formulas it has written.
@@ -84,21 +88,29 @@ pub(super) fn judged(check: &Result<Check, Unchecked>) -> Outcome {
     Outcome::Done
 }
 
-/// Starts the clock that ends the program if the step limit fails to do so.
+/// Starts the clock that ends the work if the step limit fails to do so.
 ///
-/// The clock never changes a result; it only ends the program.
+/// It never changes a value: it ends the parts of an answer that the command can leave out, and the program if that does not help.
 pub(super) fn watch(seconds: f64) {
     LIMIT.store((1000.0 * PATIENCE * seconds) as u64, Ordering::Relaxed);
     let watch = || {
         loop {
             std::thread::sleep(LOOK);
-            let limit = LIMIT.load(Ordering::Relaxed);
-            if spent() > limit as f64 {
-                let seconds = limit as f64 / 1000.0;
+            let limit = LIMIT.load(Ordering::Relaxed) as f64;
+            let spent = spent();
+            if spent > limit && !PASSED.swap(true, Ordering::Relaxed) {
                 // An error while writing to stderr cannot be reported.
                 let _ = writeln!(
                     std::io::stderr(),
-                    "error: stopped after {seconds:.1} s of processor time\nhelp: raise the limit with --budget SECONDS, or simplify the profile"
+                    "warning: this takes more than {:.1} s of processor time: points and rows that are not finished are left out",
+                    spent / 1e3
+                );
+            }
+            if spent > limit + (GRACE * limit).max(1000.0) {
+                let _ = writeln!(
+                    std::io::stderr(),
+                    "error: stopped after {:.1} s of processor time\nhelp: raise the limit with --budget SECONDS, or simplify the profile",
+                    spent / 1e3
                 );
                 super::file::remove_unfinished();
                 process::exit(INCOMPLETE);

@@ -64,7 +64,7 @@ pub fn compare(solution: &Solution, setting: &Setting) -> Result<Comparisons, Co
     work::bounded(|| {
         // The rest is for writing the answer.
         let most = work::left() - work::left() / 8;
-        let (found, spent, is_complete) = work::apart(most, || compared(solution, setting));
+        let (found, spent, is_complete) = work::until_deadline(|| work::apart(most, || compared(solution, setting)));
         work::spend(spent);
         let quantities = found?.into_iter().map(|own| own.outcome(setting, is_complete)).collect();
         Ok(Comparisons { quantities, is_complete })

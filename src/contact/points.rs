@@ -143,7 +143,7 @@ pub fn each_point(at: &[f64], mut read: impl FnMut(&[f64]) -> Result<Vec<Measure
         let count = block.len() as u64;
         let most = if count == 1 { left / FOR_ONE } else { HEADROOM * dearest.max(1) * count };
         let before = work::left();
-        match (work::share(most, || read(block)), block) {
+        match (work::until_deadline(|| work::share(most, || read(block))), block) {
             (Some(Ok(found)), _) => {
                 dearest = dearest.max((before - work::left()) / count);
                 readings.extend(found);

@@ -281,7 +281,7 @@ impl Run<'_> {
             None => {
                 for index in 0..grid.distinct() {
                     values.push(match (&means, grid) {
-                        _ if work::is_exhausted() => Err(self.point_is_cut()),
+                        _ if work::until_deadline(work::is_exhausted) => Err(self.point_is_cut()),
                         (Some((Err(_), _)), _) => Err("no digit of the value is reliable"),
                         (Some((Ok(force), _)), Grid::Radial(radii)) => {
                             let [inner, outer] = ring(radii, index);
@@ -299,7 +299,7 @@ impl Run<'_> {
                     for j in 0..=i {
                         let (x, y) = (square.distance(i), square.distance(j));
                         values.push(match &means {
-                            _ if work::is_exhausted() => Err(self.point_is_cut()),
+                            _ if work::until_deadline(work::is_exhausted) => Err(self.point_is_cut()),
                             None => seen(self.point(curve, state, (x * step).hypot(y * step))),
                             Some((Err(_), _)) => Err("no digit of the value is reliable"),
                             // A cell on an axis consists of two equal halves.

@@ -178,7 +178,7 @@ impl<'a> Run<'a> {
         let (value, load) = self.load(index)?;
         self.count(|asked| asked.loads += 1);
         // Use at most half of the remaining budget, so that a hard row leaves work for the following rows.
-        let solved = work::share(work::left() / 2, || self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error)));
+        let solved = work::part(|| self.indentation.solve(load).unwrap_or_else(|error| not_computable(&error)));
         let mut indented = solved.unwrap_or_else(|| {
             self.cut.set(true);
             unfinished()
@@ -259,7 +259,7 @@ impl<'a> Run<'a> {
             }
             Some(own)
         };
-        work::share(work::left() / 2, bound).unwrap_or_else(|| {
+        work::part(bound).unwrap_or_else(|| {
             self.cut.set(true);
             None
         })
@@ -407,7 +407,7 @@ impl<'a> Run<'a> {
     }
 
     fn curve(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {
-        work::share(work::left() / 2, || self.curve_point(curve, state, at)).unwrap_or_else(|| Err(self.point_is_cut()))
+        work::part(|| self.curve_point(curve, state, at)).unwrap_or_else(|| Err(self.point_is_cut()))
     }
 
     fn curve_point(&self, curve: Quantity, state: Option<&State>, at: f64) -> Result<Reading, &'static str> {

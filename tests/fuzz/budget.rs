@@ -2,12 +2,14 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, clippy::panic)]
 
-use sneddon::contact::{ContactError, Indentation, Load, Setup};
+use sneddon::contact::{Contact, ContactError, Indentation, Load, Reason, Setup, each_point};
 use sneddon::expr::{Bindings, Expr};
-use sneddon::num::work::{Budget, Exhausted, left, within};
+use sneddon::num::work::{Budget, Exhausted, left, with_deadline, within};
+use sneddon::scene::{Control, Loads, Row, Run, Scene};
 use sneddon::transform::{Evaluator, Method, Profile, TransformError, derive};
 use sneddon::{parse, print, transform};
 use sneddon_checks::seeds::cases;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Steps that a computation takes, and its result.
 fn counted<T>(work: impl FnOnce() -> T) -> (T, u64) {
@@ -214,6 +216,55 @@ fn points_that_the_budget_does_not_reach_are_null_with_a_reason() {
     for index in [0, 1, 3] {
         assert_eq!(points[index]["value"], whole["points"][index]["value"]);
     }
+}
+
+/// The clock of the program sets such a flag, at a moment that depends on the machine.
+#[test]
+fn what_was_finished_before_a_deadline_is_kept() {
+    static PASSED: AtomicBool = AtomicBool::new(false);
+    let solution = derive(&Profile::new(&parse::profile("2-sqrt(4-r^2)").unwrap()).unwrap()).unwrap();
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let contact = Contact::new(evaluator, 1.0, None, 1e-13);
+    let radii = [0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9];
+    let forces = |last: f64| {
+        PASSED.store(false, Ordering::Relaxed);
+        let read = |block: &[f64]| {
+            let found = contact.forces(block);
+            PASSED.fetch_or(block.contains(&last), Ordering::Relaxed);
+            found
+        };
+        with_deadline(&PASSED, || within(Budget::DEFAULT, || each_point(&radii, read)))
+    };
+    let whole = forces(f64::NAN).unwrap();
+    // Blocks have 1, 2, 4, … points: the one that is cut short is lost, and no other is begun.
+    let cut = forces(0.6).unwrap();
+    assert_eq!(cut.len(), radii.len());
+    for (index, (own, all)) in cut.iter().zip(&whole).enumerate() {
+        match own {
+            Ok(found) => assert!(index < 3 && found.estimate.value == all.as_ref().unwrap().estimate.value, "{index}"),
+            Err(reason) => assert!(index >= 3 && matches!(reason, Reason::Unfinished), "{index}: {reason:?}"),
+        }
+    }
+    assert!(matches!(forces(0.2), Err(ContactError::Transform(TransformError::Exhausted(_)))));
+}
+
+#[test]
+fn rows_that_a_deadline_ends_say_so() {
+    static PASSED: AtomicBool = AtomicBool::new(false);
+    let profile = Profile::new(&parse::profile("r^2/2").unwrap()).unwrap();
+    let scene = Scene { control: Control::Depth, loads: Loads::List(vec![0.1, 0.2, 0.3]), ..Scene::of(profile) };
+    let solution = scene.solution().unwrap();
+    let run = Run::new(&scene, &solution).unwrap();
+    let rows: Vec<_> = with_deadline(&PASSED, || {
+        let row = |index| {
+            PASSED.store(index == 2, Ordering::Relaxed);
+            run.row(index).unwrap()
+        };
+        (0..3).map(row).collect()
+    });
+    let is_cut = |own: &Row| own.indented.findings.iter().any(|finding| finding.rule == "unfinished");
+    assert_eq!(rows.iter().map(is_cut).collect::<Vec<_>>(), [false, false, true]);
+    assert!(rows[1].indented.state.is_some() && rows[2].indented.state.is_none() && run.cut_short().is_some());
 }
 
 /// Closed forms that take seconds far out, where quadrature takes milliseconds, and forms that grow when they are expanded.

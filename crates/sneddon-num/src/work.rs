@@ -55,12 +55,16 @@ struct Meter {
     limit: Cell<u64>,
     /// Set by another thread to end the work.
     stop: Cell<Option<&'static AtomicBool>>,
+    /// Set by another thread to end what runs under [`until_deadline`].
+    deadline: Cell<Option<&'static AtomicBool>>,
 }
 
 const NONE: u64 = u64::MAX;
 
 thread_local! {
-    static METER: Meter = const { Meter { left: Cell::new(NONE), limit: Cell::new(NONE), stop: Cell::new(None) } };
+    static METER: Meter = const {
+        Meter { left: Cell::new(NONE), limit: Cell::new(NONE), stop: Cell::new(None), deadline: Cell::new(None) }
+    };
 }
 
 /// Runs `work` with at most `budget` steps; if a budget is already open, it applies instead.
@@ -96,6 +100,9 @@ pub fn bounded<T, E: From<Exhausted>>(work: impl FnOnce() -> Result<T, E>) -> Re
 ///
 /// The steps of the part also count towards the open budget.
 pub fn share<T>(steps: u64, work: impl FnOnce() -> T) -> Option<T> {
+    if is_exhausted() {
+        return None;
+    }
     // The default budget applies if none is open.
     let most = if left() > NONE / 2 { Budget::DEFAULT.0 } else { left() };
     let (result, spent, whole) = apart(steps.min(most), work);
@@ -131,6 +138,40 @@ pub fn stoppable<T>(stop: impl Into<Option<&'static AtomicBool>>, work: impl FnO
     let result = work();
     METER.with(|meter| meter.stop.set(before));
     result
+}
+
+/// Runs work whose parts, run by [`until_deadline`], end as if their budget were exhausted once another thread sets `passed`.
+///
+/// What is not such a part runs to its end, so that the work can still return the parts that were finished.
+///
+/// ```
+/// use sneddon_num::work::{share, until_deadline, with_deadline};
+/// use std::sync::atomic::{AtomicBool, Ordering};
+/// static PASSED: AtomicBool = AtomicBool::new(false);
+/// let squares = with_deadline(&PASSED, || {
+///     let square = |n: u64| {
+///         PASSED.store(n == 3, Ordering::Relaxed);
+///         n * n
+///     };
+///     (1..=4).map(|n| until_deadline(|| share(10, || square(n)))).collect::<Vec<_>>()
+/// });
+/// assert_eq!(squares, [Some(1), Some(4), None, None]);
+/// ```
+pub fn with_deadline<T>(passed: &'static AtomicBool, work: impl FnOnce() -> T) -> T {
+    let before = METER.with(|meter| meter.deadline.replace(Some(passed)));
+    let result = work();
+    METER.with(|meter| meter.deadline.set(before));
+    result
+}
+
+/// Runs a part of the work that the caller can do without; see [`with_deadline`].
+pub fn until_deadline<T>(work: impl FnOnce() -> T) -> T {
+    METER.with(|meter| stoppable(meter.deadline.get().or(meter.stop.get()), work))
+}
+
+/// Runs a part of the work that the caller can do without, with half of the remaining steps; see [`share`] and [`with_deadline`].
+pub fn part<T>(work: impl FnOnce() -> T) -> Option<T> {
+    until_deadline(|| share(left() / 2, work))
 }
 
 /// Returns the flag that ends the work of this thread, to be passed to [`stoppable`] on threads that share the work.

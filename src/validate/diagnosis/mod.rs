@@ -167,7 +167,7 @@ impl Trial<'_> {
 
     /// Runs a computation if its work stays within the limits for one hypothesis and for all of them.
     fn limited<T>(&self, ask: impl FnOnce() -> Option<T>) -> Option<T> {
-        let (found, spent, whole) = work::apart(ONE.min(self.left.get()), ask);
+        let (found, spent, whole) = work::until_deadline(|| work::apart(ONE.min(self.left.get()), ask));
         self.left.set(self.left.get().saturating_sub(spent));
         work::spend(spent);
         found.filter(|_| whole)
