@@ -333,6 +333,6 @@ fn long_denominators_are_read_once() {
         "(sqrt(1+r^2)-1)/(2+r)/(1.5+((sqrt(1+r^2)-1)/(2+r))^2)",
     ] {
         let steps = counted(|| derive(&Profile::new(&parse::profile(profile).unwrap())?)).1;
-        assert!(steps < 6_000_000, "{profile}: {steps} steps");
+        assert!(steps < 8_000_000, "{profile}: {steps} steps");
     }
 }

@@ -35,7 +35,7 @@ const STEPS: [f64; 4] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64,
 
 impl Algebra for PreciseAlgebra {
     type Value = Precise;
-    const COST: u64 = 30;
+    const COST: u64 = 16;
     const STOPS: bool = true;
     fn kept(tape: &Kept) -> Option<&KeptValues<Precise>> {
         Some(&tape.precise)

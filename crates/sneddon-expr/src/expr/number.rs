@@ -230,7 +230,13 @@ impl Number {
 
 /// p/q reduced, q > 0; most numbers of a derivation are small enough for this.
 fn fraction(p: i128, q: i128) -> BigRational {
-    let common = if q == 1 { 1 } else { p.gcd(&q) };
+    work::spend(if q == 1 { 5 } else { 10 });
+    let common = match (u64::try_from(p.unsigned_abs()), u64::try_from(q)) {
+        _ if q == 1 => 1,
+        // Arithmetic on one word is cheaper than on two.
+        (Ok(p), Ok(q)) => i128::from(p.gcd(&q)),
+        _ => p.gcd(&q),
+    };
     BigRational::new_raw(BigInt::from(p / common), BigInt::from(q / common))
 }
 
@@ -394,7 +400,7 @@ fn parts(own: &Number) -> (&BigInt, &BigInt) {
 /// Counts the work of an operation on numbers of many words; false if the budget is used up.
 fn charge(one: &Number, other: &Number) -> bool {
     let words = 1 + (one.bits() + other.bits()) / 64;
-    work::spend(5 + words + words * words / 16);
+    work::spend(20 + words + words * words / 16);
     !work::is_exhausted()
 }
 

@@ -1,10 +1,12 @@
 //! Sines, cosines and tangents of multiples of π/6 and π/4, and the arcs that have such values.
 
 use crate::expr::Expr;
+use crate::num::work;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
+use std::sync::LazyLock;
 
 /// Steps of π/12 in a whole turn.
 const TURN: u8 = 24;
@@ -33,16 +35,25 @@ pub(super) fn arcsine(v: &Expr) -> Option<Expr> {
 
 /// arccos v for the same values.
 pub(super) fn arccosine(v: &Expr) -> Option<Expr> {
-    (0..=TURN / 2).find(|steps| cosine_of(*steps).is_some_and(|own| own == *v)).map(angle)
+    static COSINES: Values = LazyLock::new(|| (0..=TURN / 2).filter_map(|steps| Some((cosine_of(steps)?, angle(steps)))).collect());
+    arc(&COSINES, v)
 }
 
 /// arctan v for v of 0, ±√3/3, ±1 and ±√3.
 pub(super) fn arctangent(v: &Expr) -> Option<Expr> {
-    (0..6).flat_map(|steps| [(angle(steps), false), (angle(steps), true)]).find_map(|(angle, negative)| {
-        let value = tangent(&angle)?;
-        let (angle, value) = if negative { (-angle, -value) } else { (angle, value) };
-        (value == *v).then_some(angle)
-    })
+    static TANGENTS: Values = LazyLock::new(|| {
+        let acute = (0..6).filter_map(|steps| Some((tangent(&angle(steps))?, angle(steps))));
+        acute.flat_map(|(value, angle)| [(-&value, -&angle), (value, angle)]).collect()
+    });
+    arc(&TANGENTS, v)
+}
+
+/// The exact values of a function, each with its angle.
+type Values = LazyLock<Vec<(Expr, Expr)>>;
+
+fn arc(values: &'static Values, v: &Expr) -> Option<Expr> {
+    // The first call computes them for the whole process.
+    work::uncounted(|| values.iter()).find(|(value, _)| value == v).map(|(_, angle)| angle.clone())
 }
 
 /// Returns the angle `steps`·π/12.
