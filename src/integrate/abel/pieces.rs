@@ -23,6 +23,8 @@ const MOST_ENCLOSURES: usize = 4_000;
 const FIRST_ENCLOSURES: usize = 1_000;
 /// Most values of the integrand.
 const MOST_VALUES: u64 = 60_000;
+/// A piece at an end of the range that is shorter than this part of it, and still has no bound, is not divided further.
+const HAIR: f64 = 5e-20;
 /// The fraction of the tolerance for the total truncation error of the rules.
 const SHARE: f64 = 0.02;
 /// Smallest truncation error to request, relative to the integral of the magnitude; rounding errors are larger.
@@ -253,7 +255,8 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
                 }
                 Proof::Open(finite) => {
                     let cut = 0.5 * (piece.from + piece.to);
-                    if !(cut > piece.from && cut < piece.to) {
+                    let is_unbounded = piece.from == 0.0 && piece.to < HAIR * width && !bound_at_end(range, piece).is_finite();
+                    if is_unbounded || !(cut > piece.from && cut < piece.to) {
                         return Ok(None);
                     }
                     // An ellipse around half of the piece has twice the half-axes, relative to that half: the next larger σ, or the one
@@ -321,6 +324,12 @@ fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, first: usize, enclo
     };
     let tail = || Some(piece).filter(|piece| piece.from == 0.0).map(|piece| range.tail(piece)).filter(within);
     whole.or_else(tail).map_or(Proof::Open(finite), Proof::Nothing)
+}
+
+/// A bound on the integral over a piece next to an end of the range.
+fn bound_at_end<R: Range>(range: &mut R, piece: Piece) -> f64 {
+    let whole = (piece.to - piece.from) * range.largest(piece, 0.0);
+    if whole.is_finite() { whole } else { range.tail(piece) }
 }
 
 /// Adds a piece by its rule; `None` if a value is not finite.
