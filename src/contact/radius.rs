@@ -40,7 +40,7 @@ const ENDS: i32 = 15;
 /// An interval is bisected if ln g deviates by more than this from the power law of its neighbours.
 const BENT: f64 = 1e-3;
 /// Maximum number of bisections per decade, by the cost of one evaluation of g in steps.
-const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (100_000, 6), (u64::MAX, 4)];
+const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
 /// Maximum number of iterations to locate a local maximum of g, or the radius where g ceases to exist.
 const STEPS: u32 = 60;
 /// The search ends after this many consecutive samples whose error exceeds their value.

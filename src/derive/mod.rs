@@ -10,6 +10,7 @@ pub(crate) mod closed_form;
 pub(crate) mod domain;
 pub(crate) mod engine;
 pub(crate) mod inverse;
+mod jumps;
 pub(crate) mod kinks;
 pub(crate) mod profile;
 pub(crate) mod rule;

@@ -390,7 +390,7 @@ impl<'a> Evaluator<'a> {
             return way.answer(self, Ask::Axial { z, a }).and_then(|found| finite(found, "z", z));
         }
         let typed = by_quadrature(self.typed()?.axial(z, a, self.tolerance).map(Some));
-        let found = Best::of(self.tolerance, typed).or_in_time(a, || self.by_recognition(Ask::Axial { z, a })).answer();
+        let found = Best::of(self.tolerance, typed).or(|| self.by_recognition(Ask::Axial { z, a })).answer();
         finite(found?, "z", z)
     }
 

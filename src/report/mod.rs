@@ -1,6 +1,7 @@
 //! Reports: plain records of the results, and one file per output format.
 
 mod digits;
+mod infinite_pressure;
 #[cfg(feature = "data")]
 pub mod inversion;
 #[cfg(feature = "data")]

@@ -1,6 +1,6 @@
 //! The records that all output formats share: derived formulas, values and comparisons.
 
-use super::open_pressure;
+use super::{infinite_pressure, open_pressure};
 use crate::contact::{Asked, Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
 use crate::expr::{Expr, Formula};
 use crate::print::{Presentation, Prose};
@@ -104,7 +104,8 @@ impl Derivation<'_> {
         }
         let pressure = self.relations.pressure.as_ref().filter(|_| self.asked.is_empty() || self.asked.contains(&Quantity::Pressure));
         let reasons = pressure.map_or_else(Vec::new, |own| open_pressure::reasons(&own.formula));
-        let all = notes.into_iter().map(Prose::read).chain(reasons).chain(rounding(self.presentation));
+        let infinite = pressure.and_then(|_| infinite_pressure::note(self.profile));
+        let all = notes.into_iter().map(Prose::read).chain(reasons).chain(infinite).chain(rounding(self.presentation));
         all.map(|own| own.presented(self.presentation)).collect()
     }
 

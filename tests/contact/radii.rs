@@ -105,6 +105,20 @@ fn waves_and_ends_are_followed() {
     }
 }
 
+/// The depth of each with its radius by mpmath. Next to the axis √r and ln r leave f′ without an enclosure, at any distance: a proof
+/// by pieces was tried down to underflow, at every radius of the search.
+#[test]
+fn radii_are_found_without_an_enclosure_at_the_axis() {
+    for (text, depth, radius) in [
+        ("1-cos(7/10*sqrt(r)+7/10*r^2*ln(r))", 0.5, "0.988318935138760766537309"),
+        ("ln(1+(sqrt(r)+r^2*ln(r))^2)", 0.3, "0.4070081533509040723072066"),
+    ] {
+        let found = contact(text, 1.0).contact_radius(depth).unwrap_or_else(|error| panic!("{text}: {error}")).estimate;
+        let off = Decimal::read(radius).distance(found.value);
+        assert!(off <= found.error && found.error < 2e-13, "{text}: {found:?} is off by {off:e}");
+    }
+}
+
 /// The round trip a → F → a within the bounds, the force of a paraboloid by its formula, and forces that no radius has.
 #[test]
 fn radii_under_forces_keep_their_bounds() {

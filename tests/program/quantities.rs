@@ -112,3 +112,30 @@ fn scenes_have_every_quantity_of_a_load_and_references_write_no_other_one() {
         }
     }
 }
+
+/// The note of `derive` and the numbers of `eval` come from different code.
+#[test]
+fn the_note_names_the_radii_at_which_the_pressure_is_infinite() {
+    let answer = |arguments: &[&str]| -> serde_json::Value { serde_json::from_slice(&run(arguments).stdout).unwrap() };
+    for profile in [
+        "r/4",
+        "r^2/4",
+        "abs(r-1/2)",
+        "min(r,1/2)",
+        "max(0,r-1/2)*0.3",
+        "max(0,r-1/2)^2",
+        "r^2/2+max(0,r-1/2)*0.3-max(0,r-1/4)*0.2",
+        "r^2/2+max(0,r-1/2)*0.3-max(0,r-1/2)*3/10",
+        "piecewise(r^2/2, r<1/2, r/2-1/8)",
+        "piecewise(r^2/2, r<1/2, r/4)",
+        "2-sqrt(4-r^2)+abs(r-1/4)",
+    ] {
+        let notes = answer(&["derive", profile, "--json"])["notes"].to_string();
+        let note = notes.split('"').find(|own| own.contains("is infinite there")).unwrap_or_default();
+        let named: Vec<&str> = note.split("r = ").skip(1).filter_map(|own| own.split([' ', ',', ';']).next()).collect();
+        let points = answer(&["eval", profile, "--quantity", "p", "--at", "0,0.25,0.5", "--radius", "1", "--json"])["points"].clone();
+        let places = ["0", "1/4", "1/2"].into_iter().zip(points.as_array().unwrap());
+        let infinite: Vec<&str> = places.filter(|(_, own)| own["why"].to_string().contains("infini")).map(|own| own.0).collect();
+        assert_eq!(named, infinite, "{profile}: {note}");
+    }
+}

@@ -166,7 +166,8 @@ pub fn with_deadline<T>(passed: &'static AtomicBool, work: impl FnOnce() -> T) -
 
 /// Runs a part of the work that the caller can do without; see [`with_deadline`].
 pub fn until_deadline<T>(work: impl FnOnce() -> T) -> T {
-    METER.with(|meter| stoppable(meter.deadline.get().or(meter.stop.get()), work))
+    let ends = METER.with(|meter| meter.deadline.get().or(meter.stop.get()));
+    stoppable(ends, work)
 }
 
 /// Runs a part of the work that the caller can do without, with half of the remaining steps; see [`share`] and [`with_deadline`].

@@ -2,23 +2,10 @@
 
 use crate::evaluate::evaluator::Reading;
 use crate::integrate::error::TransformError;
-use crate::num::{Estimate, work};
+use crate::num::Estimate;
 
 /// The result of a way: a number; `None` if it is theoretically infinite.
 pub(crate) type Answer = Result<Option<Reading>, TransformError>;
-
-/// Steps of work for a few more digits, about twenty milliseconds.
-pub(crate) const MORE_DIGITS: u64 = 2_000_000;
-/// Steps of work for the first digits.
-pub(crate) const FIRST_DIGITS: u64 = 50_000_000;
-/// Relative error above which a number counts as rough.
-const ROUGH: f64 = 1e-7;
-
-/// The work to spend on a better answer than the given one.
-pub(crate) fn worth(found: &Answer) -> u64 {
-    let is_good = matches!(found, Ok(Some(own)) if own.estimate.relative_error() <= ROUGH);
-    if is_good { MORE_DIGITS } else { FIRST_DIGITS }
-}
 
 /// The best answer so far.
 pub(crate) struct Best {
@@ -52,12 +39,6 @@ impl Best {
             (own, _) => own,
         };
         Self { found, ..self }
-    }
-
-    /// The same, where the other way may take a fixed number of steps: more if there are few digits yet. `at` is the place of its error.
-    pub(crate) fn or_in_time(self, at: f64, ask: impl FnOnce() -> Answer) -> Self {
-        let most = worth(&self.found);
-        self.or(|| work::share(most, ask).unwrap_or(Err(TransformError::NotComputable { at })))
     }
 
     /// The best of all answers.

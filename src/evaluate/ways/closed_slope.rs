@@ -5,7 +5,7 @@ use crate::derive::kinks::is_below;
 use crate::derive::superposed::Superposed;
 use crate::evaluate::evaluator::Evaluator;
 use crate::evaluate::ways::CLOSED_SLOPE;
-use crate::evaluate::ways::best::MORE_DIGITS;
+use crate::evaluate::ways::pressure::MORE_DIGITS;
 use crate::expr::{Symbol, derivative};
 use crate::integrate::integral::reached;
 use crate::num::quadrature::{EndBehaviour, Options, Panel, Point, integrate};

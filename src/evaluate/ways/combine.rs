@@ -143,11 +143,7 @@ impl Evaluator<'_> {
     /// axis, by the series.
     pub(crate) fn or_the_whole(&self, own: Reading, ask: Ask) -> Answer {
         let typed = || self.quadrature(self.typed()?, ask);
-        Best::of(self.tolerance, Ok(Some(own)))
-            .or(typed)
-            .or_in_time(ask.reach(), || self.by_recognition(ask))
-            .or(|| self.by_series(ask))
-            .answer()
+        Best::of(self.tolerance, Ok(Some(own))).or(typed).or(|| self.by_recognition(ask)).or(|| self.by_series(ask)).answer()
     }
 
     /// Quadrature of f′ as typed (`typed` is its result), or of its recognition form if the typed one cancels or leaves the range
@@ -155,7 +151,7 @@ impl Evaluator<'_> {
     #[cold]
     pub(crate) fn by_quadrature(&self, ask: Ask, typed: Result<Option<Estimate>, TransformError>) -> Answer {
         let typed = self.typed().and_then(|profile| by_quadrature(unless_underflown(profile, ask, typed)));
-        match Best::of(self.tolerance, typed).or_in_time(ask.reach(), || self.by_recognition(ask)).answer() {
+        match Best::of(self.tolerance, typed).or(|| self.by_recognition(ask)).answer() {
             // An integrand that is 0/0 in doubles next to the axis may have a series.
             Err(error) if is_lost(&error) => self.by_series(ask).map_err(|_| error),
             other => other,

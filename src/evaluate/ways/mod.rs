@@ -15,8 +15,8 @@ use crate::derive::closed_form::{
 };
 use crate::derive::superposed::Superposed;
 use crate::evaluate::evaluator::{Evaluator, Reading};
-use crate::evaluate::ways::best::FIRST_DIGITS;
 use crate::evaluate::ways::combine::unless_underflown;
+use crate::evaluate::ways::pressure::FIRST_DIGITS;
 use crate::integrate::ask::{Ask, BISECTION, ELLIPTIC, GAUSS, LEGENDRE, LEGENDRE_SAMPLED, NESTED, OVER_U, OVER_U_SAMPLED, PIECES};
 use crate::integrate::error::TransformError;
 use crate::num::{Bound, Bounded, Estimate, Precise};

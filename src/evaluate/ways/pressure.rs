@@ -8,13 +8,25 @@ use crate::derive::domain;
 use crate::derive::superposed::Superposed;
 use crate::eval::constant_value;
 use crate::evaluate::evaluator::{Evaluator, Method, Reading};
-use crate::evaluate::ways::best::{Answer, Best, by_quadrature, worth};
+use crate::evaluate::ways::best::{Answer, Best, by_quadrature};
 use crate::expr::{Bindings, Expr, Symbol, normal};
 use crate::integrate::admit::finite_and_not_negative;
 use crate::integrate::ask::{Ask, PIECES};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Estimate, work};
+
+/// Steps of work for a few more digits of a pressure, about twenty milliseconds.
+pub(crate) const MORE_DIGITS: u64 = 2_000_000;
+/// Steps of work for the first digits of a pressure.
+pub(crate) const FIRST_DIGITS: u64 = 50_000_000;
+/// Relative error above which a pressure counts as rough.
+const ROUGH: f64 = 1e-7;
+
+/// The work to spend on a better value than the given one.
+fn worth(found: Option<&Reading>) -> u64 {
+    if found.is_some_and(|own| own.estimate.relative_error() <= ROUGH) { MORE_DIGITS } else { FIRST_DIGITS }
+}
 
 impl Evaluator<'_> {
     /// p(r)·π/E* under a smooth edge of radius a; `None` if it is theoretically infinite.
@@ -36,7 +48,7 @@ impl Evaluator<'_> {
             return way.answer(self, Ask::Pressure { r, a });
         }
         let found = self.combine(Superposed::Pressure, Ask::Pressure { r, a });
-        let most = worth(&found);
+        let most = worth(found.as_ref().ok().and_then(Option::as_ref));
         // No search for a better value is needed after a closed form or a proven number.
         let enough = |own: &Reading| own.method == "exact" || is_trusted(own.estimate);
         let may_rise = self.method == Method::Auto && matches!(&found, Ok(Some(own)) if !enough(own));
@@ -113,7 +125,7 @@ impl Evaluator<'_> {
             by_quadrature(typed.pressure_on_axis(a, self.tolerance).map(|own| Some(own.by(PIECES))).ok_or(lost.clone())),
         )
         .or(|| by_quadrature(typed.axial(0.0, a, self.tolerance).map(Some)))
-        .or_in_time(a, || self.by_recognition(Ask::Axial { z: 0.0, a }))
+        .or(|| self.by_recognition(Ask::Axial { z: 0.0, a }))
         // Where a root of r is in f′ the nodes come so close to the axis that its weight overflows; (r f′)′ has another one.
         .or(|| by_quadrature(typed.pressure(0.0, a, self.tolerance)?.map(Some).ok_or(lost)))
         .answer()

@@ -276,12 +276,11 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
 
 /// A rule for a piece, or the proof that the piece is negligible. `first` is the index of the ellipse to try first; it lies beyond the
 /// smallest one if no ellipse around twice the piece has a bound.
-fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, first: usize, enclosures: &mut usize) -> Proof {
+fn proof<R: Range>(range: &mut R, piece: Piece, target: f64, mut first: usize, enclosures: &mut usize) -> Proof {
     let half = piece.half();
     let share = target * (2.0 * half / range.width()).max(LEAST_SHARE);
     let mut best: Option<(usize, f64)> = None;
     let mut finite = SIGMAS.len();
-    let mut first = first;
     if first == SIGMAS.len() {
         // Larger ellipses contain the smallest one. Next to a singularity none has a bound; half a length away from it the second has.
         *enclosures += 1;

@@ -22,14 +22,11 @@ impl Page {
         let mut blocks = Vec::with_capacity(self.blocks.len());
         let mut defined = Vec::new();
         for block in &self.blocks {
-            let Block::Equation { key, left, right, range, sources } = block else {
+            let Block::Equation { key, left, right, sources, .. } = block else {
                 blocks.push(block.clone());
                 continue;
             };
-            let (right, range) = match range {
-                None => without_empty_piece(right, &self.radius),
-                own => (right.clone(), own.clone()),
-            };
+            let (right, range) = without_empty_piece(right, &self.radius);
             let (right, parts) = names.shortened(&right, notation, room(left, range.as_ref(), notation, width));
             blocks.push(Block::Equation { key: key.clone(), left: left.clone(), right, range, sources: sources.clone() });
             // One list for all equations, unless they are apart from each other.
