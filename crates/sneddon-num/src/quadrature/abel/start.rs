@@ -177,8 +177,11 @@ impl Trapezium {
                 ask(at, &mut out[..count], &mut errors[..count]);
             }
             self.evaluations += count as u64;
-            for ((error, out), sine) in errors.iter_mut().zip(&out).zip(sine).take(count) {
-                *error += out.abs() * growth_below_normal(extent.x, *sine);
+            // Sines decrease: most rules do not come near underflow.
+            if sine.get(count - 1).is_some_and(|least| extent.x * least < f64::MIN_POSITIVE) {
+                for ((error, out), sine) in errors.iter_mut().zip(&out).zip(sine).take(count) {
+                    *error += out.abs() * growth_below_normal(extent.x, *sine);
+                }
             }
             let (mut sum, mut size, mut noise) = (0.0, 0.0, 0.0);
             let mut last = [0.0; 2];
