@@ -330,10 +330,12 @@ impl Look<'_> {
         }
     }
 
-    /// Returns `true` if the third sample lies on the power law through the first two.
+    /// Returns `true` if the third sample lies on the power law through the first two; g may be negative at all three.
     fn is_power(&self, one: (f64, f64), two: (f64, f64), other: (f64, f64)) -> bool {
         let [x, y, z] = [one, two, other].map(|(a, _)| (a - self.start).ln());
-        let [f, g, h] = [one, two, other].map(|(_, g)| g.ln());
+        let sign = if one.1 < 0.0 { -1.0 } else { 1.0 };
+        // The logarithm of a value of the other sign is NaN, which lies on no power law.
+        let [f, g, h] = [one, two, other].map(|(_, g)| (sign * g).ln());
         let foretold = f + (g - f) * (z - x) / (y - x);
         (one.1 == two.1 && two.1 == other.1) || (foretold - h).abs() <= BENT
     }

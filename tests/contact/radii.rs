@@ -4,6 +4,7 @@
 use sneddon::contact::{Contact, ContactError};
 use sneddon::expr::Bindings;
 use sneddon::num::special::dawson;
+use sneddon::num::work::apart;
 use sneddon::num::{Bound, Estimate};
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Reading, derive};
@@ -116,6 +117,34 @@ fn radii_are_found_without_an_enclosure_at_the_axis() {
         let found = contact(text, 1.0).contact_radius(depth).unwrap_or_else(|error| panic!("{text}: {error}")).estimate;
         let off = Decimal::read(radius).distance(found.value);
         assert!(off <= found.error && found.error < 2e-13, "{text}: {found:?} is off by {off:e}");
+    }
+}
+
+/// Steps that a search may take, about twice what it takes. In the first profile the form that the rules match cancels towards the end,
+/// and one value of g took up to 20 million steps; in the second no piece of f′ next to the axis has an enclosure, and a proof was tried
+/// at 1000 places for each value of g.
+#[test]
+fn a_search_asks_the_cheap_way_to_g_where_the_first_one_is_costly() {
+    const MOST: u64 = 1_000_000_000;
+    const CANCELLING: &str = "log(r+1)/2.16/(1.876+(5-sqrt(5^2-r^2))^2)";
+    const WITHOUT_ENCLOSURE: &str = "4.2206*(1-sqrt(1-(r/4.2206)^2))/((ln(r)*r^2)^2+1.87)";
+    for (text, depth, radius, most) in [
+        (CANCELLING, 0.1, Some("0.30629211628610263839376189"), 12_000_000),
+        (CANCELLING, 0.5, None, 90_000_000),
+        (WITHOUT_ENCLOSURE, 0.1, Some("0.87991399601044677200451017"), 12_000_000),
+        (WITHOUT_ENCLOSURE, 0.5, None, 140_000_000),
+    ] {
+        let contact = contact(text, 1.0);
+        let (found, steps, _) = apart(MOST, || contact.contact_radius(depth));
+        assert!(steps <= most, "{text} at {depth}: {steps} steps");
+        match (found, radius) {
+            (Ok(found), Some(radius)) => {
+                let off = Decimal::read(radius).distance(found.estimate.value);
+                assert!(off <= found.estimate.error, "{text}: {found:?} is off by {off:e}");
+            }
+            (Err(ContactError::Unreachable { .. }), None) => {}
+            (found, _) => panic!("{text} at {depth}: {found:?}"),
+        }
     }
 }
 

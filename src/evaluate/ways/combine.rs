@@ -12,7 +12,7 @@ use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Bounded, Estimate, Precise, work};
 use std::cell::Cell;
 
-/// Relative error of a quadrature above which the series is tried too.
+/// Relative error of a quadrature above which other ways are tried too, even if they are costly.
 const SCANT: f64 = 1e-10;
 
 impl Evaluator<'_> {
@@ -20,21 +20,20 @@ impl Evaluator<'_> {
     ///
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
     ///
-    /// Special functions may need many thousand terms at some arguments: with method `auto` a closed form may take about a
-    /// millisecond before quadrature is tried instead, and half a second where quadrature misses the tolerance.
+    /// Special functions may need many thousand terms at some arguments, and the terms that stay open may cancel where the formula
+    /// that was typed does not: with method `auto` each may take some milliseconds before the integral of the formula as typed is
+    /// tried instead, and a tenth of a second where that misses the tolerance.
     pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Answer {
         let dear = Cell::new(false);
         let found = self.combined(quantity, ask, Some(&dear));
         if !dear.get() {
             return found;
         }
-        match self.by_quadrature(ask, self.typed().and_then(|typed| self.integrate(typed, ask))) {
-            Ok(Some(other)) if other.estimate.meets(self.tolerance) => Ok(Some(other)),
-            other => match work::share(CLOSED_FORM_STEPS_AFTER_QUADRATURE, || self.combined(quantity, ask, None)) {
-                Some(found) => found,
-                None => other,
-            },
+        let typed = self.typed().and_then(|typed| unless_underflown(typed, ask, self.integrate(typed, ask)));
+        if matches!(&typed, Ok(Some(own)) if own.meets(self.tolerance.max(SCANT))) {
+            return by_quadrature(typed);
         }
+        work::share(STEPS_AFTER_QUADRATURE, || self.combined(quantity, ask, None)).unwrap_or_else(|| self.by_quadrature(ask, typed))
     }
 
     fn integrate(&self, profile: &NumericProfile, ask: Ask) -> Result<Option<Estimate>, TransformError> {
@@ -86,7 +85,8 @@ impl Evaluator<'_> {
                 {
                     return Ok(own);
                 }
-                let found = match self.integrate(&part.open, ask) {
+                let Some(found) = in_time(true, dear, OPEN_STEPS, || self.integrate(&part.open, ask)) else { return Ok(None) };
+                let found = match found {
                     Ok(Some(found)) => found,
                     Ok(None) => return Ok(None),
                     // A term underflows, or is 0/0 next to the axis; the integral over the whole profile may still be accurate.
@@ -159,7 +159,8 @@ impl Evaluator<'_> {
     }
 
     pub(crate) fn by_recognition(&self, ask: Ask) -> Answer {
-        let found = self.quadrature(self.recognised()?, ask)?;
+        let found = work::share(STEPS_AFTER_QUADRATURE, || self.quadrature(self.recognised()?, ask));
+        let found = found.unwrap_or(Err(TransformError::NotComputable { at: ask.reach() }))?;
         Ok(found.map(|own| Reading { estimate: own.estimate.by(RECOGNISED), ..own }))
     }
 
@@ -207,8 +208,10 @@ const OVERHEAD: u64 = 40;
 const CLOSED_FORM_STEPS: u64 = 100_000;
 /// The same for closed forms with 30 digits.
 const CLOSED_FORM_STEPS_30_DIGITS: u64 = 400_000;
-/// The same if quadrature has missed the tolerance.
-const CLOSED_FORM_STEPS_AFTER_QUADRATURE: u64 = 50_000_000;
+/// The same for the integral of the terms that stay open; ten times what most formulas take.
+const OPEN_STEPS: u64 = 50_000;
+/// Steps, about a tenth of a second, for another way if the integral of the formula as typed has missed the tolerance.
+const STEPS_AFTER_QUADRATURE: u64 = 10_000_000;
 
 /// Returns the result of `find`, or `None` if it may be abandoned and takes more than `steps`; `dear` is then set to true.
 fn in_time<T>(special: bool, dear: Option<&Cell<bool>>, steps: u64, find: impl FnOnce() -> T) -> Option<T> {

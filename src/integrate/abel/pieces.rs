@@ -5,7 +5,8 @@ use crate::integrate::source::slope::Scratch;
 use crate::num::bounded::UNIT;
 use crate::num::double_double::DoubleDouble;
 use crate::num::legendre::{Node, rule_of};
-use crate::num::{Bound, Bounded, Estimate, work};
+use crate::num::work::{self, Exhausted};
+use crate::num::{Bound, Bounded, Estimate};
 use std::sync::LazyLock;
 
 /// Numbers of nodes of the rules for pieces.
@@ -23,8 +24,10 @@ const MOST_ENCLOSURES: usize = 4_000;
 const FIRST_ENCLOSURES: usize = 1_000;
 /// Most values of the integrand.
 const MOST_VALUES: u64 = 60_000;
-/// A piece at an end of the range that is shorter than this part of it, and still has no bound, is not divided further.
+/// If the integrand has no bound on this part of the range next to an end, it is taken to have none on any part there.
 const HAIR: f64 = 5e-20;
+/// The part of the range next to an end below which a piece without a bound leads to that question.
+const SHORT: f64 = 1e-3;
 /// The fraction of the tolerance for the total truncation error of the rules.
 const SHARE: f64 = 0.02;
 /// Smallest truncation error to request, relative to the integral of the magnitude; rounding errors are larger.
@@ -121,6 +124,22 @@ struct Sum {
     pieces: Vec<Piece>,
 }
 
+/// Why there is no sum.
+enum Miss {
+    /// It takes too many enclosures or values.
+    Costly,
+    /// The integrand has no bound next to an end of a range, on a piece however short.
+    Unbounded,
+    /// The budget is used up, or the integrand has no value at a node.
+    Failed(TransformError),
+}
+
+impl From<Exhausted> for Miss {
+    fn from(error: Exhausted) -> Self {
+        Self::Failed(error.into())
+    }
+}
+
 /// The sum of the integrals over all ranges and of `more`, with a proven bound; `None` if the enclosures do not become small in
 /// time, or the bound exceeds the tolerance and the rounding error.
 ///
@@ -137,9 +156,12 @@ pub(crate) fn proven_sum<R: Range>(ranges: &mut [R], more: Bounded, tolerance: f
     let mut trials = 0;
     while trials < TRIALS {
         let most = if best.is_none() && widest.is_none() { FIRST_ENCLOSURES } else { MOST_ENCLOSURES };
-        let found = match scale {
-            Some(scale) => sum_of(ranges, (SHARE * tolerance).max(LEAST) * scale, most, at)?,
-            None => None,
+        let found = scale.map_or(Err(Miss::Costly), |scale| sum_of(ranges, (SHARE * tolerance).max(LEAST) * scale, most, at));
+        let found = match found {
+            Ok(found) => Some(found),
+            Err(Miss::Costly) => None,
+            Err(Miss::Unbounded) => break,
+            Err(Miss::Failed(error)) => return Err(error),
         };
         let Some(found) = found else {
             if best.is_some() || (widest.is_some() && scale == widest) {
@@ -184,7 +206,7 @@ pub(crate) fn resolved<R: Range>(range: &mut R, tolerance: f64, at: f64) -> Vec<
         return Vec::new();
     }
     let found = sum_of(std::slice::from_mut(range), (SHARE * tolerance).max(LEAST) * scale, MOST_ENCLOSURES, at);
-    let pieces = found.ok().flatten().map(|sum| sum.pieces).unwrap_or_default();
+    let pieces = found.map(|sum| sum.pieces).unwrap_or_default();
     let place = |from_above: bool, at: f64| {
         let (from_lower, from_upper) = if from_above { (width - at, at) } else { (at, width - at) };
         Place { from_lower, from_upper, from_above }
@@ -230,14 +252,16 @@ fn upper<R: Range>(range: &mut R) -> f64 {
     total
 }
 
-/// The sum over pieces with a total truncation error of about `target`; `None` if it needs too many enclosures or values.
-fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Result<Option<Sum>, TransformError> {
+/// The sum over pieces with a total truncation error of about `target`.
+fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Result<Sum, Miss> {
     let mut sum = Sum::default();
     let mut scratch = Scratch::take();
     let share = target / ranges.len().max(1) as f64;
     for range in ranges {
         let width = range.width();
         let middle = 0.5 * width;
+        // True once the end of that side is known to have a bound.
+        let mut bounded = [false; 2];
         // Each piece with the index of the ellipse to try first.
         let mut open =
             vec![(Piece { from: 0.0, to: middle, from_above: true }, 0), (Piece { from: 0.0, to: middle, from_above: false }, 0)];
@@ -251,13 +275,19 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
                 Proof::Rule(rule, left_out) => {
                     sum.left_out += left_out;
                     sum.pieces.push(piece);
-                    add(range, piece, rule, &mut sum, &mut scratch).ok_or(TransformError::NotComputable { at })?;
+                    add(range, piece, rule, &mut sum, &mut scratch).ok_or(Miss::Failed(TransformError::NotComputable { at }))?;
                 }
                 Proof::Open(finite) => {
                     let cut = 0.5 * (piece.from + piece.to);
-                    let is_unbounded = piece.from == 0.0 && piece.to < HAIR * width && !bound_at_end(range, piece).is_finite();
-                    if is_unbounded || !(cut > piece.from && cut < piece.to) {
-                        return Ok(None);
+                    if !(cut > piece.from && cut < piece.to) {
+                        return Err(Miss::Costly);
+                    }
+                    let known = &mut bounded[usize::from(piece.from_above)];
+                    if piece.from == 0.0 && piece.to < SHORT * width && !*known {
+                        *known = bound_at_end(range, Piece { to: HAIR * width, ..piece }).is_finite();
+                        if !*known {
+                            return Err(Miss::Unbounded);
+                        }
                     }
                     // An ellipse around half of the piece has twice the half-axes, relative to that half: the next larger σ, or the one
                     // after it in the half that is farther from a singularity.
@@ -267,11 +297,11 @@ fn sum_of<R: Range>(ranges: &mut [R], target: f64, most: usize, at: f64) -> Resu
                 }
             }
             if sum.enclosures > most || sum.evaluations > MOST_VALUES {
-                return Ok(None);
+                return Err(Miss::Costly);
             }
         }
     }
-    Ok(Some(sum))
+    Ok(sum)
 }
 
 /// A rule for a piece, or the proof that the piece is negligible. `first` is the index of the ellipse to try first; it lies beyond the
