@@ -2,6 +2,7 @@
 
 use crate::eval::{RegionAlgebra, Tape};
 use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
+use crate::integrate::abel::over_root::{Distances, OverRoot, Weighted};
 use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum, resolved};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericSegment, Weight};
@@ -11,6 +12,9 @@ use crate::integrate::source::slope::{Numbers, Scratch};
 use crate::num::bounded::UNIT;
 use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, Region, forms};
+
+/// The largest N for which integrals are taken over the N-th root of the angle; measured up to 10.
+const MOST_ROOT: i32 = 10;
 
 impl NumericSegment {
     /// The integral with a proven bound; `None` if f′ is not an expression, its enclosures do not become small in time, or the
@@ -23,6 +27,14 @@ impl NumericSegment {
             return Ok(None);
         }
         let Some(mut range) = self.enclosed(x, weight) else { return Ok(None) };
+        if self.lower.value == 0.0 && self.lower.error == 0.0 {
+            let mut over_root = OverRoot::of(range.clone(), range.power.or_else(|| self.fractional_power()), MOST_ROOT);
+            if over_root.is_over_root()
+                && let Some(found) = proven_sum(std::slice::from_mut(&mut over_root), Bounded::exact(0.0), tolerance, x)?
+            {
+                return Ok(Some(found));
+            }
+        }
         proven_sum(std::slice::from_mut(&mut range), Bounded::exact(0.0), tolerance, x)
     }
 
@@ -59,6 +71,7 @@ impl NumericSegment {
 }
 
 /// The range of one integral: r = x cos τ from the lower end of the segment to its end or to x.
+#[derive(Clone)]
 pub(crate) struct Angles<'a> {
     pub(crate) segment: &'a NumericSegment,
     /// f′ = δ^s h(δ) at the lower end: s, and h for enclosures.
@@ -70,6 +83,8 @@ pub(crate) struct Angles<'a> {
     /// The angle between both ends, and the angle from the upper end to the point r = x.
     pub(crate) width: f64,
     beyond: f64,
+    /// Relative error of an angle to either end, in units of the rounding of one operation.
+    pub(crate) rounding: f64,
     pub(crate) slots: Vec<Region>,
 }
 
@@ -89,7 +104,7 @@ impl<'a> Angles<'a> {
         let end = segment.upper.map_or(f64::INFINITY, |upper| upper.value);
         let width = forms::angle_between(segment.lower.value, end, x);
         let beyond = if end < x { leg(x, end).atan2(end) } else { 0.0 };
-        Self { segment, power: None, limit: None, x, weight: Weight::Slope, width, beyond, slots: Vec::new() }
+        Self { segment, power: None, limit: None, x, weight: Weight::Slope, width, beyond, rounding: 16.0, slots: Vec::new() }
     }
 
     /// r − lower and the angle to r = x, from the angles to both ends.
@@ -104,7 +119,7 @@ impl<'a> Angles<'a> {
         let half = (0.5 * rest).sin();
         let gap = limit.value.value - self.x;
         let below = (gap + 2.0 * self.x * half * half).max(f64::MIN_POSITIVE);
-        (below, 16.0 * UNIT * below + limit.value.error)
+        (below, self.rounding * UNIT * below + limit.value.error)
     }
 
     /// The weight, and bounds on its relative and absolute error.
@@ -112,20 +127,22 @@ impl<'a> Angles<'a> {
         match self.weight {
             Weight::Force => {
                 let share = (self.segment.lower.value + delta) / self.x;
-                (share * share, 44.0 * UNIT, 0.0)
+                (share * share, (2.0 * self.rounding + 12.0) * UNIT, 0.0)
             }
-            Weight::Integral => (rest.sin() * rest.sin(), 16.0 * UNIT, 16.0 * UNIT),
+            Weight::Integral => (rest.sin() * rest.sin(), self.rounding * UNIT, self.rounding * UNIT),
             Weight::Slope | Weight::Outside(_) => (1.0, 0.0, 0.0),
         }
     }
 
     pub(crate) fn radii(&self, piece: Piece, sigma: f64) -> Radii {
+        self.radii_over(Distances::of(piece, sigma, self.width))
+    }
+
+    fn radii_over(&self, angles: Distances) -> Radii {
         let hair = 4.0 * UNIT * self.width;
-        let (low, high, short) = piece.around(sigma);
-        let angle = Region::new((low, high), (-short, short));
         let width = Region::new((self.width - hair, self.width + hair), (0.0, 0.0));
         let beyond = Region::new((self.beyond * (1.0 - 4.0 * UNIT), self.beyond * (1.0 + 4.0 * UNIT)), (0.0, 0.0));
-        let (v, rest) = if piece.from_above { (width - angle, beyond + angle) } else { (angle, beyond + width - angle) };
+        let (v, rest) = (angles.from_lower, beyond + angles.from_upper);
         let half_v = Region::real(0.5) * v;
         let x = Region::real(self.x);
         let lower = self.segment.lower;
@@ -140,7 +157,18 @@ impl<'a> Angles<'a> {
             let gap = Region::new((from.next_down(), to.next_up()), (0.0, 0.0));
             gap + x * Region::real(2.0) * (Region::real(0.5) * rest).sin().powi(2)
         });
-        Radii { r, delta: if sigma == 0.0 { delta.above_zero() } else { delta }, below, phi: rest, sine: rest.sin() }
+        Radii { r, delta: if angles.is_real { delta.above_zero() } else { delta }, below, phi: rest, sine: rest.sin() }
+    }
+
+    fn largest_of(&mut self, radii: &Radii, from_above: bool) -> f64 {
+        let slope = match (self.limit, radii.below) {
+            (Some((_, tape)), Some(below)) if from_above => {
+                tape.run(&mut RegionAlgebra, &[below], &mut self.slots).map_or(f64::INFINITY, Region::largest)
+            }
+            _ => self.segment.largest_slope(radii.delta, &mut self.slots),
+        };
+        let largest = slope * self.weight(radii) * (1.0 + 8.0 * UNIT);
+        if largest.is_nan() { f64::INFINITY } else { largest }
     }
 
     fn weight(&self, radii: &Radii) -> f64 {
@@ -149,6 +177,32 @@ impl<'a> Angles<'a> {
             Weight::Integral => radii.sine.largest() * radii.sine.largest(),
             Weight::Slope | Weight::Outside(_) => 1.0,
         }
+    }
+}
+
+impl Weighted for Angles<'_> {
+    fn largest_over(&mut self, angles: Distances) -> f64 {
+        let radii = self.radii_over(angles);
+        self.largest_of(&radii, angles.from_above)
+    }
+
+    fn weight_over(&mut self, angles: Distances) -> f64 {
+        self.weight(&self.radii_over(angles)) * (1.0 + 8.0 * UNIT)
+    }
+
+    /// x sin θ/θ with |sin θ/θ − 1| ≤ |θ|²/6 · cosh |θ|.
+    fn ratio(&self, angle: Region) -> Option<Region> {
+        let theta = angle.largest();
+        let off = theta * theta * theta.cosh() / 6.0 * (1.0 + 8.0 * UNIT);
+        (theta <= 1.0).then(|| Region::real(self.x) * Region::new((1.0 - off, 1.0 + off), (-off, off)))
+    }
+
+    fn rest_at(&mut self, power: &LeadingPower, root: Region) -> f64 {
+        power.rest_at(root, &mut self.slots)
+    }
+
+    fn add_rounding(&mut self, units: f64) {
+        self.rounding += units;
     }
 }
 
@@ -168,14 +222,7 @@ impl Range for Angles<'_> {
 
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
         let radii = self.radii(piece, sigma);
-        let slope = match (self.limit, radii.below) {
-            (Some((_, tape)), Some(below)) if piece.from_above => {
-                tape.run(&mut RegionAlgebra, &[below], &mut self.slots).map_or(f64::INFINITY, Region::largest)
-            }
-            _ => self.segment.largest_slope(radii.delta, &mut self.slots),
-        };
-        let largest = slope * self.weight(&radii) * (1.0 + 8.0 * UNIT);
-        if largest.is_nan() { f64::INFINITY } else { largest }
+        self.largest_of(&radii, piece.from_above)
     }
 
     /// ∫₀^v |f′| dv ≤ C ∫₀^v δ^s dv, where δ/v decreases because r is concave in v.
@@ -205,7 +252,7 @@ impl Range for Angles<'_> {
             // δ is accurate towards the lower end; the width has a rounding error.
             (*argument, *doubt) = match limit {
                 Some(limit) => self.below(limit, rest),
-                None => (delta, 16.0 * UNIT * delta + if delta > 2.0 * end { end } else { 0.0 }),
+                None => (delta, self.rounding * UNIT * delta + if delta > 2.0 * end { end } else { 0.0 }),
             };
             *factor = self.factor(delta, rest);
         }

@@ -1,13 +1,17 @@
 //! The pressure by pieces of the radius with proven rules: kinks, narrow features and the logarithm of the kernel included.
 
+use crate::integrate::abel::over_root::{Distances, OverRoot, Weighted};
 use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
 use crate::integrate::integral::{NumericProfile, NumericSegment};
-use crate::integrate::pressure::direct::{Distances, kernel};
+use crate::integrate::pressure::direct::{Distances as Gaps, kernel};
 use crate::integrate::source::endpoint::Endpoint;
 use crate::integrate::source::leading_power::LeadingPower;
 use crate::integrate::source::slope::{Numbers, Scratch};
 use crate::num::bounded::UNIT;
 use crate::num::{Bounded, Estimate, Region};
+
+/// The largest N for which integrals are taken over the N-th root of the radius; for 10 they take up to six times the work.
+const MOST_ROOT: i32 = 4;
 
 impl NumericProfile {
     /// ∫₀^a (r f′)′ K(r, s) dr + Σ b δ K(b, s) with a proven bound, as [`Self::stress_direct`]; `None` where the enclosures of (r
@@ -41,7 +45,9 @@ pub(crate) fn pressure_of_segments<'a>(
         let bend = segment.bend().ok()?;
         let mut add = |from: Endpoint, to: Endpoint| {
             let power = if from == lower { segment.power_of_bend_for(to.at) } else { None };
-            ranges.push(Radii { segment, bend, power, from, to, s, a, unit, place_of_s, slots: Vec::new() });
+            let range = Radii { segment, bend, power, from, to, s, a, unit, place_of_s, rounding: 0.0, slots: Vec::new() };
+            let fractional = if from == Endpoint::exact(0.0) { power.or_else(|| segment.fractional_power_of_bend()) } else { None };
+            ranges.push(OverRoot::of(range, fractional, MOST_ROOT));
         };
         if s > lower.at && s < end.at {
             add(lower, Endpoint::exact(s));
@@ -50,12 +56,18 @@ pub(crate) fn pressure_of_segments<'a>(
             add(lower, end);
         }
     }
-    let found = proven_sum(&mut ranges, more, tolerance, a).ok().flatten()?;
-    let smear: f64 = ranges.iter().map(Radii::smear).sum();
+    let mut found = proven_sum(&mut ranges, more, tolerance, a).ok().flatten();
+    if found.is_none() && ranges.iter().any(OverRoot::is_over_root) {
+        let mut plain: Vec<_> = ranges.iter().map(|own| OverRoot::plain(own.inner().clone())).collect();
+        found = proven_sum(&mut plain, more, tolerance, a).ok().flatten();
+    }
+    let found = found?;
+    let smear: f64 = ranges.iter().map(|own| own.inner().smear()).sum();
     Some(Estimate { error: found.error + smear, ..found })
 }
 
 /// The range from `from` to `to`, which lies on one side of s.
+#[derive(Clone)]
 struct Radii<'a> {
     segment: &'a NumericSegment,
     bend: &'a Numbers,
@@ -69,6 +81,8 @@ struct Radii<'a> {
     unit: Region,
     /// s and a − s in units of a.
     place_of_s: (Region, Region),
+    /// Further relative error of a radius, in units of the rounding of one operation.
+    rounding: f64,
     slots: Vec<Region>,
 }
 
@@ -95,13 +109,13 @@ impl Radii<'_> {
         self.s <= self.from.at
     }
 
-    fn distances(&self, place: Place) -> (f64, f64, Distances) {
+    fn distances(&self, place: Place) -> (f64, f64, Gaps) {
         let (up, down) = (place.from_lower, place.from_upper);
         let (s, edge) = (Endpoint::exact(self.s), Endpoint::exact(self.a));
         let delta = (self.segment.ends.0.to(self.from) + up).max(f64::MIN_POSITIVE);
         let difference = if self.is_outside() { s.to(self.from) + up } else { self.to.to(s) + down };
         let r = if up < down { self.from.at + up } else { self.to.at - down };
-        (r, delta, Distances { difference, below_edge: self.to.to(edge) + down })
+        (r, delta, Gaps { difference, below_edge: self.to.to(edge) + down })
     }
 
     /// The change of the integral due to the uncertainty of the ends of the segment.
@@ -117,8 +131,11 @@ impl Radii<'_> {
     }
 
     fn lengths(&self, piece: Piece, sigma: f64) -> Lengths {
-        let (low, high, short) = piece.around(sigma);
-        let v = Region::new((low, high), (-short, short));
+        self.lengths_over(Distances::of(piece, sigma, self.width()))
+    }
+
+    fn lengths_over(&self, radii: Distances) -> Lengths {
+        let v = if radii.from_above { radii.from_upper } else { radii.from_lower };
         // A difference of two places with its roundings.
         let gap = |from: Endpoint, to: Endpoint| {
             let own = from.to(to);
@@ -131,22 +148,22 @@ impl Radii<'_> {
             true => Region::new((own.at.next_down(), own.at.next_up()), (0.0, 0.0)),
             false => Region::real(own.at),
         };
-        let (r, difference, below_edge, delta) = if piece.from_above {
+        let (r, difference, below_edge, delta) = if radii.from_above {
             let difference = if self.is_outside() { gap(s, to) - v } else { gap(to, s) + v };
             (place(to) - v, difference, gap(to, a) + v, gap(lower, to) - v)
         } else {
             let difference = if self.is_outside() { gap(s, from) + v } else { gap(from, s) - v };
             (place(from) + v, difference, gap(from, a) - v, gap(lower, from) + v)
         };
-        let delta = if sigma == 0.0 { delta.above_zero() } else { delta };
+        let delta = if radii.is_real { delta.above_zero() } else { delta };
         Lengths { r: r * self.unit, difference: difference * self.unit, below_edge: below_edge * self.unit, delta }
     }
 
     /// A bound on |K|·a, by that on R_F where its arguments have positive real parts.
-    fn largest_kernel(&self, own: &Lengths, sigma: f64) -> f64 {
+    fn largest_kernel(&self, own: &Lengths, is_real: bool) -> f64 {
         let one = Region::real(1.0);
         let (s, rest) = self.place_of_s;
-        let edge = if sigma == 0.0 { own.below_edge.above_zero() } else { own.below_edge } * (one + own.r);
+        let edge = if is_real { own.below_edge.above_zero() } else { own.below_edge } * (one + own.r);
         let spread = own.difference * (own.r + s);
         let (root, form) = if self.is_outside() {
             let square = own.r.powi(2);
@@ -188,6 +205,34 @@ impl Radii<'_> {
     }
 }
 
+impl Weighted for Radii<'_> {
+    fn largest_over(&mut self, radii: Distances) -> f64 {
+        let own = self.lengths_over(radii);
+        let kernel = self.largest_kernel(&own, radii.is_real);
+        if !kernel.is_finite() {
+            return f64::INFINITY;
+        }
+        let largest = self.largest_bend(&own) * kernel / self.a * (1.0 + 8.0 * UNIT);
+        if largest.is_nan() { f64::INFINITY } else { largest }
+    }
+
+    fn weight_over(&mut self, radii: Distances) -> f64 {
+        self.largest_kernel(&self.lengths_over(radii), radii.is_real) / self.a * (1.0 + 8.0 * UNIT)
+    }
+
+    fn ratio(&self, _: Region) -> Option<Region> {
+        Some(Region::real(1.0))
+    }
+
+    fn rest_at(&mut self, power: &LeadingPower, root: Region) -> f64 {
+        power.rest_at(root, &mut self.slots)
+    }
+
+    fn add_rounding(&mut self, units: f64) {
+        self.rounding += units;
+    }
+}
+
 impl Range for Radii<'_> {
     fn width(&self) -> f64 {
         self.from.to(self.to)
@@ -199,13 +244,7 @@ impl Range for Radii<'_> {
     }
 
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
-        let own = self.lengths(piece, sigma);
-        let kernel = self.largest_kernel(&own, sigma);
-        if !kernel.is_finite() {
-            return f64::INFINITY;
-        }
-        let largest = self.largest_bend(&own) * kernel / self.a * (1.0 + 8.0 * UNIT);
-        if largest.is_nan() { f64::INFINITY } else { largest }
+        self.largest_over(Distances::of(piece, sigma, self.width()))
     }
 
     fn tail(&mut self, piece: Piece) -> f64 {
@@ -216,7 +255,7 @@ impl Range for Radii<'_> {
         } else if let Some(leading) = self.power.filter(|_| !piece.from_above && self.segment.ends.0.doubt == 0.0) {
             let (rest, power) = (leading.rest_over(own.delta, &mut self.slots), leading.exponent);
             // Factor by factor: lengths may be tiny.
-            rest * (self.largest_kernel(&own, 0.0) * (piece.to / self.a)) * piece.to.powf(power) / (1.0 + power)
+            rest * (self.largest_kernel(&own, true) * (piece.to / self.a)) * piece.to.powf(power) / (1.0 + power)
         } else {
             f64::INFINITY
         };
@@ -230,8 +269,10 @@ impl Range for Radii<'_> {
         for (((place, delta), doubt), weight) in places.iter().zip(&mut deltas).zip(&mut doubts).zip(&mut kernels) {
             let (r, own, distances) = self.distances(*place);
             *delta = own;
-            *doubt = 8.0 * UNIT * own + if own > 2.0 * end { end } else { 0.0 };
-            *weight = kernel(r, self.s, self.a, &distances);
+            *doubt = (8.0 + self.rounding) * UNIT * own + if own > 2.0 * end { end } else { 0.0 };
+            // Next to the axis, |r ∂K/∂r| ≤ K.
+            let own = kernel(r, self.s, self.a, &distances);
+            *weight = Bounded { error: own.error + self.rounding * UNIT * own.value.abs(), ..own };
         }
         self.bend.block(&deltas[..count], &doubts[..count], values, errors, scratch);
         for ((value, error), weight) in values.iter_mut().zip(errors).zip(kernels) {

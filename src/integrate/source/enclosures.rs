@@ -1,7 +1,7 @@
 //! Bounds on f′ and (r f′)′ in parts of the complex plane, by tapes that are compiled for enclosures.
 
 use crate::eval::{RegionAlgebra, Tape};
-use crate::expr::{Expr, Symbol};
+use crate::expr::{Expr, Node, Symbol};
 use crate::integrate::integral::{NumericSegment, shifted};
 use crate::integrate::source::leading_power::LeadingPower;
 use crate::integrate::source::slope::Numbers;
@@ -45,10 +45,22 @@ impl NumericSegment {
         if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power() } else { None }
     }
 
+    /// The leading power, if f′ contains a fractional power of r.
+    pub(crate) fn fractional_power(&self) -> Option<&LeadingPower> {
+        let (slope, _) = self.source.as_ref()?;
+        if self.lower.value == 0.0 && has_root(slope) { self.leading_power() } else { None }
+    }
+
     /// The same for (r f′)′.
     pub(crate) fn power_of_bend_for(&self, x: f64) -> Option<&LeadingPower> {
         let unbounded = || !self.largest_bend(Region::interval(0.0, NEXT_TO_THE_END * x), &mut Vec::new()).is_finite();
         if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power_of_bend() } else { None }
+    }
+
+    /// The same if f′ contains a fractional power of r.
+    pub(crate) fn fractional_power_of_bend(&self) -> Option<&LeadingPower> {
+        let (slope, _) = self.source.as_ref()?;
+        if self.lower.value == 0.0 && has_root(slope) { self.leading_power_of_bend() } else { None }
     }
 
     /// The leading power s > −1 of f′ at its lower end, and h = f′/δ^s for enclosures; `None` if unknown.
@@ -88,6 +100,18 @@ impl NumericSegment {
 /// A bound on the magnitude by a tape for enclosures.
 fn enclosed(tape: Option<&Tape>, delta: Region, slots: &mut Vec<Region>) -> f64 {
     tape.and_then(|tape| tape.run(&mut RegionAlgebra, &[delta], slots)).map_or(f64::INFINITY, Region::largest)
+}
+
+/// True for an expression with a fractional power of r itself.
+fn has_root(expr: &Expr) -> bool {
+    match expr.node() {
+        Node::Power(base, exponent) => {
+            let is_fraction = || exponent.as_number().is_some() && exponent.as_integer().is_none();
+            (base.as_symbol().is_some_and(|symbol| symbol.name() == "r") && is_fraction()) || has_root(base) || has_root(exponent)
+        }
+        Node::Function(_, list) | Node::Product(list) | Node::Sum(list) => list.iter().any(has_root),
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => false,
+    }
 }
 
 fn leading_power(function: &Expr, lower: &Expr) -> Option<LeadingPower> {

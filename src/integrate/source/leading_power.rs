@@ -21,6 +21,8 @@ pub struct LeadingPower {
     zeros: i32,
     /// h over w and λ for enclosures.
     rest: Tape,
+    /// The least multiple of N for which s is whole; `None` if h contains λ, or if it is too large.
+    whole: Option<i32>,
 }
 
 /// Closer to −1 the range of doubles is too short for what lies next to the end.
@@ -63,10 +65,25 @@ impl LeadingPower {
         let rest = Expr::sum(rest);
         let root = common_root(&rest, delta, 1).unwrap_or(1);
         let rest = Bindings::one(delta.name(), variable.power(root)).apply(&rest);
-        let zeros = if rest.contains(&bounded) { 0 } else { zeros_of(&rest, delta) };
+        let is_analytic = !rest.contains(&bounded);
+        let zeros = if is_analytic { zeros_of(&rest, delta) } else { 0 };
+        let whole = least.value().denom().to_i64().filter(|denominator| is_analytic && *denominator <= MOST_ROOT);
+        let whole = whole.and_then(|denominator| i32::try_from(denominator.lcm(&root)).ok());
         let rest = Tape::for_enclosures(&[rest], &[delta.clone(), bounded]).ok()?;
         let root = u32::try_from(root).ok()?;
-        Some(Self { exponent: least.to_f64(), root, zeros, rest })
+        Some(Self { exponent: least.to_f64(), root, zeros, rest, whole })
+    }
+
+    /// Returns the least N for which the function is u^k h, with u = δ^(1/N) and an h that may be analytic at u = 0, and k.
+    pub(crate) fn whole_root(&self) -> Option<(i32, i32)> {
+        self.whole.map(|root| (root, (self.exponent * f64::from(root)).round() as i32))
+    }
+
+    /// Returns a bound on |h| for u in a part of the complex plane where it is analytic; else infinite.
+    pub(crate) fn rest_at(&self, u: Region, slots: &mut Vec<Region>) -> f64 {
+        let root = i32::try_from(self.root).ok();
+        let Some(factor) = self.whole.zip(root).and_then(|(whole, root)| whole.checked_div(root)) else { return f64::INFINITY };
+        self.rest.run(&mut RegionAlgebra, &[u.powi(factor), Region::real(0.0)], slots).map_or(f64::INFINITY, Region::largest)
     }
 
     /// Returns a bound on |h| for δ on the straight lines from 0 to every point of the region; infinite if no bound is known, or

@@ -1,0 +1,187 @@
+//! A range that begins at the axis, over t = v^(1/N), in which the fractional powers of r are whole.
+
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range};
+use crate::integrate::source::leading_power::LeadingPower;
+use crate::integrate::source::slope::Scratch;
+use crate::num::Region;
+use crate::num::bounded::UNIT;
+
+/// The leading power from which on pieces of the variable itself take no more values than pieces of its root.
+const FAST: f64 = 1.0;
+/// Relative rounding error of t^N and of its derivative, for each factor, in units of the rounding of one operation: 3 of t, a sum of
+/// a product, and one of the multiplication.
+const PER_FACTOR: f64 = 4.0;
+
+/// The distances to both ends of a range, in parts of the complex plane.
+#[derive(Clone, Copy)]
+pub(crate) struct Distances {
+    pub(crate) from_lower: Region,
+    pub(crate) from_upper: Region,
+    /// True if the piece is measured from the upper end.
+    pub(crate) from_above: bool,
+    /// True for a piece of the real axis.
+    pub(crate) is_real: bool,
+}
+
+impl Distances {
+    /// Of a piece with the ellipse of σ around it.
+    pub(crate) fn of(piece: Piece, sigma: f64, width: f64) -> Self {
+        let hair = 4.0 * UNIT * width;
+        let (low, high, short) = piece.around(sigma);
+        let near = Region::new((low, high), (-short, short));
+        let far = Region::new((width - hair, width + hair), (0.0, 0.0)) - near;
+        let (from_lower, from_upper) = if piece.from_above { (far, near) } else { (near, far) };
+        Self { from_lower, from_upper, from_above: piece.from_above, is_real: sigma == 0.0 }
+    }
+}
+
+/// A range whose integrand is a weight times a function of r with a leading power.
+pub(crate) trait Weighted: Range {
+    /// A bound on the integrand.
+    fn largest_over(&mut self, distances: Distances) -> f64;
+
+    /// A bound on the weight.
+    fn weight_over(&mut self, distances: Distances) -> f64;
+
+    /// r/v for a distance v from the axis; `None` if v is too large for a bound.
+    fn ratio(&self, v: Region) -> Option<Region>;
+
+    /// A bound on the part of the function that its leading power leaves; see [`LeadingPower::rest_at`].
+    fn rest_at(&mut self, power: &LeadingPower, root: Region) -> f64;
+
+    /// Takes into account that a distance has a further relative error, in units of the rounding of one operation.
+    fn add_rounding(&mut self, units: f64);
+}
+
+/// The range with v = t^N: the function r^s h(r^(1/N)) times N t^(N−1) is analytic at t = 0.
+///
+/// Over v itself, pieces next to the axis are halved some 50 to 100 times until the singularity of r^s no longer matters.
+pub(crate) struct OverRoot<'a, R> {
+    range: R,
+    root: Option<Root<'a>>,
+}
+
+struct Root<'a> {
+    power: &'a LeadingPower,
+    degree: i32,
+    /// N s.
+    whole: i32,
+    /// The length of the range over v, and over t.
+    before: f64,
+    width: f64,
+}
+
+impl<'a, R: Weighted> OverRoot<'a, R> {
+    /// The range as it is.
+    pub(crate) fn plain(range: R) -> Self {
+        Self { range, root: None }
+    }
+
+    /// The range over t, which begins at the axis; unchanged unless the power is fractional and below 1, has no logarithm, and N is at most `most`.
+    ///
+    /// With N, the singularities of f′ come closer to the real axis of t.
+    pub(crate) fn of(mut range: R, power: Option<&'a LeadingPower>, most: i32) -> Self {
+        let root = power.and_then(|power| {
+            let (degree, whole) = power.whole_root().filter(|(degree, _)| power.exponent < FAST && (2..=most).contains(degree))?;
+            let before = range.width();
+            Some(Root { power, degree, whole, before, width: before.powf(1.0 / f64::from(degree)) })
+        });
+        if let Some(own) = &root {
+            range.add_rounding(PER_FACTOR * f64::from(own.degree));
+        }
+        Self { range, root }
+    }
+
+    /// False for a range as it is.
+    pub(crate) fn is_over_root(&self) -> bool {
+        self.root.is_some()
+    }
+
+    /// The range over v.
+    pub(crate) fn inner(&self) -> &R {
+        &self.range
+    }
+}
+
+impl Root<'_> {
+    /// The distances over v, and dv/dt.
+    fn place(&self, place: Place) -> (Place, f64) {
+        let t = place.from_lower;
+        let from_lower = t.powi(self.degree);
+        let factor = f64::from(self.degree) * t.powi(self.degree - 1);
+        let from_upper = if place.from_above { self.above(place.from_upper) } else { self.before - from_lower };
+        (Place { from_lower, from_upper, from_above: place.from_above }, factor)
+    }
+
+    /// The distance from the upper end over v for one over t.
+    fn above(&self, t: f64) -> f64 {
+        -self.before * (f64::from(self.degree) * (-t / self.width).ln_1p()).exp_m1()
+    }
+
+    /// The same for a region, and a bound on |dv/dt|.
+    fn distances(&self, over_t: Distances) -> (Distances, f64) {
+        let about = |length: f64| Region::new((length * (1.0 - 4.0 * UNIT), length * (1.0 + 4.0 * UNIT)), (0.0, 0.0));
+        let (before, degree) = (about(self.before), f64::from(self.degree));
+        let steepness = over_t.from_lower.powi(self.degree - 1).largest() * degree * (1.0 + 8.0 * UNIT);
+        let from_lower = over_t.from_lower.powi(self.degree);
+        let from_upper = if over_t.from_above {
+            // 1 − (1 − q)^N = q Σ (1 − q)^k, accurate for small q.
+            let share = over_t.from_upper * about(self.width).recip();
+            let rest = Region::real(1.0) - share;
+            before * share * (1..self.degree).fold(Region::real(1.0), |sum, _| Region::real(1.0) + sum * rest)
+        } else {
+            before - from_lower
+        };
+        (Distances { from_lower, from_upper, ..over_t }, steepness)
+    }
+}
+
+impl<R: Weighted> Range for OverRoot<'_, R> {
+    fn width(&self) -> f64 {
+        self.root.as_ref().map_or_else(|| self.range.width(), |own| own.width)
+    }
+
+    fn size_at(&self, place: Place) -> f64 {
+        let Some(own) = &self.root else { return self.range.size_at(place) };
+        let (place, factor) = own.place(place);
+        self.range.size_at(place) * factor
+    }
+
+    /// Next to the axis |f′ dv/dt| = N |t|^(N−1+Ns) |c|^(Ns) |h| with r^(1/N) = t c and c = (r/v)^(1/N).
+    fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
+        let Some(own) = &self.root else { return self.range.largest(piece, sigma) };
+        let over_t = Distances::of(piece, sigma, own.width);
+        let (over_v, steepness) = own.distances(over_t);
+        let ratio = if piece.from_above { None } else { self.range.ratio(over_v.from_lower) };
+        let Some(ratio) = ratio else { return self.range.largest_over(over_v) * steepness };
+        let t = over_t.from_lower;
+        let c = ratio.power(Region::real(1.0 / f64::from(own.degree)));
+        // 1/N is rounded, hence 1e-12.
+        let powers = t.powi(own.degree - 1 + own.whole).largest() * c.powi(own.whole).largest() * (1.0 + 1e-12);
+        let largest = self.range.rest_at(own.power, t * c) * powers * f64::from(own.degree) * self.range.weight_over(over_v);
+        if largest.is_nan() { f64::INFINITY } else { largest }
+    }
+
+    fn tail(&mut self, piece: Piece) -> f64 {
+        let Some(own) = &self.root else { return self.range.tail(piece) };
+        if !piece.from_above || piece.from > 0.0 {
+            return f64::INFINITY;
+        }
+        let to = own.above(piece.to) * (1.0 + 64.0 * UNIT);
+        self.range.tail(Piece { to, ..piece })
+    }
+
+    fn fill(&self, places: &[Place], values: &mut [f64], errors: &mut [f64], scratch: &mut Scratch) {
+        let Some(own) = &self.root else { return self.range.fill(places, values, errors, scratch) };
+        let (mut over_v, mut factors) = ([Place::default(); MOST_NODES], [0.0; MOST_NODES]);
+        for ((place, moved), factor) in places.iter().zip(&mut over_v).zip(&mut factors) {
+            (*moved, *factor) = own.place(*place);
+        }
+        self.range.fill(&over_v[..places.len()], values, errors, scratch);
+        let rounding = PER_FACTOR * f64::from(own.degree) * UNIT;
+        for ((value, error), factor) in values.iter_mut().zip(errors).zip(factors) {
+            *value *= factor;
+            *error = *error * factor + rounding * value.abs();
+        }
+    }
+}
