@@ -4,6 +4,7 @@
 
 use sneddon::contact::{Contact, ContactError, Indentation, Load, Reason, Setup, each_point};
 use sneddon::expr::{Bindings, Expr};
+use sneddon::num::special::besseli;
 use sneddon::num::work::{Budget, Exhausted, left, with_deadline, within};
 use sneddon::scene::{Control, Loads, Row, Run, Scene};
 use sneddon::transform::{Evaluator, Method, Profile, TransformError, derive};
@@ -137,6 +138,15 @@ fn waves_are_solved_without_a_test_of_every_root() {
         let g = |x: f64| evaluator.slope(x).unwrap().estimate.value;
         assert!((g(state.radius) - 0.3).abs() < 1e-12, "{text}");
         assert!((1..50).all(|i| g(state.radius * f64::from(i) / 50.0) < 0.3), "{text}");
+    }
+}
+
+/// The series of I_0 has about 20 terms at z = 4, 70 at 39 and, as the asymptotic one, 30 at 60; each takes as long as several steps.
+#[test]
+fn the_terms_of_bessel_functions_count() {
+    for (z, least) in [(4.0, 40), (39.0, 150), (60.0, 100)] {
+        let (value, steps) = counted(|| besseli(0.0, z));
+        assert!(value > 1.0 && steps >= least, "I_0({z}) = {value} in {steps} steps");
     }
 }
 

@@ -70,6 +70,7 @@ fn kinds() -> Vec<Kind> {
         ("quadrature of g", number("r*tanh(r)^2", Method::Quadrature, slope)),
         ("quadrature next to a pole", number("r^2/(1.01-r)", Method::Quadrature, slope)),
         ("quadrature of a Bessel f'", number("besselj(0,r)*exp(-r)", Method::Quadrature, slope)),
+        ("a modified Bessel f'", number("besseli(0,60*r)-1", Method::Quadrature, slope)),
         ("pressure, series", number("1-exp(-r^2)", Method::Quadrature, pressure)),
         ("pressure, slopes", number("r*tanh(r)", Method::Quadrature, pressure)),
         ("pressure, pieces", number("asinh(r^4)+cos(r)*r", Method::Quadrature, pressure)),

@@ -1,11 +1,14 @@
 //! Arithmetic of double-double values that carry an absolute error bound, and the sums that waves are made of.
 
 use crate::double_double::{DoubleDouble, Precise, two_prod, two_sum};
+use crate::work;
 
 /// Bound on the relative error of one operation.
 pub(super) const UNIT: f64 = 1.0 / (1_u128 << 104) as f64;
 /// The largest error of an underflow.
 pub(super) const TINY: f64 = 1e-320;
+/// Steps of work for a term of a series.
+const STEPS_PER_TERM: u64 = 3;
 /// 2/π.
 pub(super) const TWO_OVER_PI: DoubleDouble = DoubleDouble { hi: std::f64::consts::FRAC_2_PI, lo: -3.935_735_335_036_497e-17 };
 
@@ -103,8 +106,8 @@ pub(super) fn shifted(n: DoubleDouble, k: f64) -> DoubleDouble {
 pub(super) fn series(s: DoubleDouble, a: f64, b: DoubleDouble) -> Precise {
     let (mut sum, mut term) = (DoubleDouble::ONE, DoubleDouble::ONE);
     let (mut size, mut units) = (1.0, 0.0);
-    for k in 0..6000_u32 {
-        let k = f64::from(k);
+    for index in 0..6000_u32 {
+        let k = f64::from(index);
         let divisor = shifted(b, k).mul((a + k).into());
         term = term.mul(s);
         term = if divisor.lo == 0.0 { quotient(term, divisor.hi) } else { term.div(divisor) };
@@ -113,6 +116,7 @@ pub(super) fn series(s: DoubleDouble, a: f64, b: DoubleDouble) -> Precise {
         size += now;
         units += now * 6.0 * (k + 1.0) + sum.hi.abs();
         if now < size * UNIT / 512.0 && s.hi.abs() < 0.3 * divisor.hi.abs() {
+            work::spend(STEPS_PER_TERM * u64::from(index));
             return Precise { value: sum, error: UNIT * units + 2.0 * now };
         }
     }

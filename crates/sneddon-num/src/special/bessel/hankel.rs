@@ -3,11 +3,14 @@
 use crate::double_double::{DoubleDouble, Precise};
 use crate::precise::{PI, sin_cos};
 use crate::special::carried::{TINY, TWO_OVER_PI, UNIT, exact, exponential, minus, plus, quotient, root, times};
+use crate::work;
 
 /// 1/√2.
 const ROOT_HALF: DoubleDouble = DoubleDouble { hi: std::f64::consts::FRAC_1_SQRT_2, lo: -4.833_646_656_726_457e-17 };
 /// Beyond this the series is 1 and z has no fraction.
 const ENDLESS: f64 = 1e40;
+/// Steps of work for a term of the series.
+const STEPS_PER_TERM: u64 = 5;
 
 /// J_n(z) and Y_n(z) for large z, any real n.
 ///
@@ -44,6 +47,7 @@ fn terms(n: DoubleDouble, z: DoubleDouble, mut take: impl FnMut(u32, DoubleDoubl
     let four = n.mul(n).scale(4.0);
     let (mut term, mut size) = (DoubleDouble::ONE, 1.0_f64);
     for k in 1..400_u32 {
+        work::spend(STEPS_PER_TERM);
         let order = f64::from(k);
         let odd = 2.0 * order - 1.0;
         let next = quotient(term.mul(four.sub((odd * odd).into())), 8.0 * order).div(z);
