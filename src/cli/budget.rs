@@ -25,7 +25,7 @@ const USUAL: f64 = 3.0;
 pub(super) const LONGEST: f64 = 86_400.0;
 /// The clock ends unfinished parts of the answer, such as points and rows, once this multiple of the budget is spent.
 const PATIENCE: f64 = if cfg!(debug_assertions) { 40.0 } else { 10.0 };
-/// The clock ends the program if it takes this part of that time more, or more than a second, to write what is finished.
+/// After that, writing what is finished may take this fraction of the time so far, and at least a second, before the program stops.
 const GRACE: f64 = 0.25;
 /// Interval between two checks of the clock.
 const LOOK: Duration = Duration::from_millis(50);

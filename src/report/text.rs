@@ -11,7 +11,8 @@ use std::io::{self, Write};
 /// # Errors
 /// As the writer.
 pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "{} of f(r) = {}", record.quantity, print::text(record.profile))?;
+    let (symbol, argument) = symbols(record.quantity);
+    writeln!(out, "{symbol}{argument} of f(r) = {}", print::text(record.profile))?;
     let units = &record.units;
     let of_parameters = units.parameters.iter().map(String::as_str).chain(std::iter::repeat(""));
     let named = record.parameters.iter().zip(of_parameters);
@@ -28,7 +29,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     }
     writeln!(out)?;
     let titled = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
-    let (coordinate, quantity) = (titled(record.coordinate, &units.at), titled(record.quantity, &units.value));
+    let (coordinate, quantity) = (titled(record.coordinate, &units.at), titled(symbol, &units.value));
     let header = [coordinate.as_str(), quantity.as_str(), "error", "method"];
     let rows = || {
         record.at.iter().zip(&record.readings).map(|(at, reading)| match reading {
@@ -42,7 +43,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     table(&header, rows, out)?;
     let asked = record.ways.iter().flatten();
     record.at.iter().zip(&record.readings).zip(asked).try_for_each(|((at, reading), asked)| {
-        write!(out, "\nWays to {} at {} = {}", record.quantity, record.coordinate, with_unit(*at, &units.at))?;
+        write!(out, "\nWays to {} at {} = {}", symbols(record.quantity).0, record.coordinate, with_unit(*at, &units.at))?;
         match reading {
             // A depth, radius or force is computed from numbers of this way, so its value is not in the row of the way.
             Ok(own) if asked.first().is_some_and(|first| first.way == "auto") => writeln!(out, "; the answer is auto, by {}:", own.way())?,
@@ -64,6 +65,11 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
         };
         table(&["way", quantity.as_str(), "error", "bound", "steps", "why not"], rows, out)
     })
+}
+
+/// The symbol of a quantity and its argument in parentheses: the key `F_of_d` is F(d), while `g` has no argument in its key.
+fn symbols(key: &str) -> (&str, String) {
+    key.split_once("_of_").map_or((key, String::new()), |(symbol, argument)| (symbol, format!("({argument})")))
 }
 
 /// Writes the same numbers as comma-separated values; where there is no number the field is empty.

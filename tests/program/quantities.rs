@@ -11,6 +11,16 @@ fn run(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_sneddon")).args(arguments).output().unwrap()
 }
 
+/// Text has the symbol and its argument; CSV, which programs read, keeps the key.
+#[test]
+fn functions_of_a_load_are_shown_as_functions() {
+    for (key, title, header) in [("F_of_d", "F(d) of f(r) = r^2/4", "d,F_of_d,"), ("a_of_F", "a(F) of f(r) = r^2/4", "F,a_of_F,")] {
+        let given = ["eval", "r^2/4", "--quantity", key, "--at", "0.2"];
+        let [text, csv] = [&given[..], &[&given[..], &["--csv"]].concat()].map(|given| String::from_utf8(run(given).stdout).unwrap());
+        assert!(text.starts_with(&format!("{title}\n")) && csv.starts_with(header), "{text}{csv}");
+    }
+}
+
 #[test]
 fn every_command_answers_or_refuses_every_quantity() {
     let commands: [(&[&str], usize); 5] = [
