@@ -12,7 +12,7 @@ use crate::integrate::integral::NumericProfile;
 use crate::num::{Bound, Bounded, Estimate, Precise, work};
 use std::cell::Cell;
 
-/// Relative error of a quadrature above which other ways are tried too, even if they are costly.
+/// Relative error of a quadrature above which costly ways, and the series, are tried too.
 const SCANT: f64 = 1e-10;
 
 impl Evaluator<'_> {
@@ -21,27 +21,30 @@ impl Evaluator<'_> {
     /// Where double precision leaves the sum of the closed terms too few digits, all of them are evaluated with 30.
     ///
     /// Special functions may need many thousand terms at some arguments, and the terms that stay open may cancel where the formula
-    /// that was typed does not: with method `auto` each may take some milliseconds before the integral of the formula as typed is
-    /// tried instead, and a tenth of a second where that misses the tolerance.
+    /// that was typed does not: with method `auto` each may take about a millisecond before the integral of the formula as typed is
+    /// tried instead. Where that misses the tolerance, closed forms may take half a second. Open terms may take a tenth of a second,
+    /// and only where the integral is also less accurate than [`SCANT`].
     pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Answer {
-        let dear = Cell::new(false);
+        let dear = Cell::new(None);
         let found = self.combined(quantity, ask, Some(&dear));
-        if !dear.get() {
-            return found;
-        }
+        let (enough, steps) = match dear.get() {
+            None => return found,
+            Some(Dear::ClosedForm) => (self.tolerance, CLOSED_FORM_STEPS_AFTER_QUADRATURE),
+            Some(Dear::OpenTerms) => (self.tolerance.max(SCANT), OPEN_STEPS_AFTER_QUADRATURE),
+        };
         let typed = self.typed().and_then(|typed| unless_underflown(typed, ask, self.integrate(typed, ask)));
-        if matches!(&typed, Ok(Some(own)) if own.meets(self.tolerance.max(SCANT))) {
+        if matches!(&typed, Ok(Some(own)) if own.meets(enough)) {
             return by_quadrature(typed);
         }
-        work::share(STEPS_AFTER_QUADRATURE, || self.combined(quantity, ask, None)).unwrap_or_else(|| self.by_quadrature(ask, typed))
+        work::share(steps, || self.combined(quantity, ask, None)).unwrap_or_else(|| self.by_quadrature(ask, typed))
     }
 
     fn integrate(&self, profile: &NumericProfile, ask: Ask) -> Result<Option<Estimate>, TransformError> {
         work::bounded(|| profile.answer(ask, self.tolerance))
     }
 
-    /// As [`Self::combine`]; if `dear` is given, slow closed forms are abandoned and `dear` is set to true.
-    fn combined(&self, quantity: Superposed, ask: Ask, dear: Option<&Cell<bool>>) -> Answer {
+    /// As [`Self::combine`]; if `dear` is given, what takes long is abandoned and named there.
+    fn combined(&self, quantity: Superposed, ask: Ask, dear: Option<&Cell<Option<Dear>>>) -> Answer {
         work::spend(OVERHEAD);
         let dear = dear.filter(|_| self.method == Method::Auto);
         let coordinates = ask.coordinates();
@@ -61,9 +64,9 @@ impl Evaluator<'_> {
             let part = self.part(index, quantity)?;
             let interval = self.interval(index, contact);
             if let Some(form) = part.closed.get(interval).and_then(Option::as_ref) {
-                let Some(value) = in_time(form.tape().is_special(), dear, CLOSED_FORM_STEPS, || form.in_doubles(&exact, &mut slots)) else {
-                    return Ok(None);
-                };
+                let dear = dear.filter(|_| form.tape().is_special());
+                let found = in_time(Dear::ClosedForm, dear, CLOSED_FORM_STEPS, || form.in_doubles(&exact, &mut slots));
+                let Some(value) = found else { return Ok(None) };
                 if value.value.is_infinite() {
                     // Individually infinite terms, at the apex or at a kink; elsewhere the value is too large for a float.
                     if quantity == Superposed::Pressure && self.may_be_infinite(place) {
@@ -85,7 +88,8 @@ impl Evaluator<'_> {
                 {
                     return Ok(own);
                 }
-                let Some(found) = in_time(true, dear, OPEN_STEPS, || self.integrate(&part.open, ask)) else { return Ok(None) };
+                let found = in_time(Dear::OpenTerms, dear, OPEN_STEPS, || self.integrate(&part.open, ask));
+                let Some(found) = found else { return Ok(None) };
                 let found = match found {
                     Ok(Some(found)) => found,
                     Ok(None) => return Ok(None),
@@ -100,9 +104,11 @@ impl Evaluator<'_> {
                 any_open = true;
             }
         }
-        let special = forms.iter().any(|form| form.tape().is_special());
-        let precise =
-            || in_time(special, dear, CLOSED_FORM_STEPS_30_DIGITS, || precise_total(&forms, inputs)).unwrap_or((Precise::nan(), DOUBLES));
+        let dear = dear.filter(|_| forms.iter().any(|form| form.tape().is_special()));
+        let precise = || {
+            let found = in_time(Dear::ClosedForm, dear, CLOSED_FORM_STEPS_30_DIGITS, || precise_total(&forms, inputs));
+            found.unwrap_or((Precise::nan(), DOUBLES))
+        };
         let closed = if forms.is_empty() {
             Estimate::exact(0.0)
         } else if closed.value.is_finite() {
@@ -159,7 +165,7 @@ impl Evaluator<'_> {
     }
 
     pub(crate) fn by_recognition(&self, ask: Ask) -> Answer {
-        let found = work::share(STEPS_AFTER_QUADRATURE, || self.quadrature(self.recognised()?, ask));
+        let found = work::share(CLOSED_FORM_STEPS_AFTER_QUADRATURE, || self.quadrature(self.recognised()?, ask));
         let found = found.unwrap_or(Err(TransformError::NotComputable { at: ask.reach() }))?;
         Ok(found.map(|own| Reading { estimate: own.estimate.by(RECOGNISED), ..own }))
     }
@@ -208,15 +214,26 @@ const OVERHEAD: u64 = 40;
 const CLOSED_FORM_STEPS: u64 = 100_000;
 /// The same for closed forms with 30 digits.
 const CLOSED_FORM_STEPS_30_DIGITS: u64 = 400_000;
-/// The same for the integral of the terms that stay open; ten times what most formulas take.
+/// The same if quadrature has missed the tolerance.
+const CLOSED_FORM_STEPS_AFTER_QUADRATURE: u64 = 50_000_000;
+/// Steps, about half a millisecond, after which the integral of the open terms is abandoned in favour of the formula as typed.
 const OPEN_STEPS: u64 = 50_000;
-/// Steps, about a tenth of a second, for another way if the integral of the formula as typed has missed the tolerance.
-const STEPS_AFTER_QUADRATURE: u64 = 10_000_000;
+/// The same if the formula as typed has missed the tolerance.
+const OPEN_STEPS_AFTER_QUADRATURE: u64 = 10_000_000;
 
-/// Returns the result of `find`, or `None` if it may be abandoned and takes more than `steps`; `dear` is then set to true.
-fn in_time<T>(special: bool, dear: Option<&Cell<bool>>, steps: u64, find: impl FnOnce() -> T) -> Option<T> {
-    let Some(dear) = dear.filter(|_| special) else { return Some(find()) };
+/// What was abandoned because it takes long.
+#[derive(Clone, Copy)]
+enum Dear {
+    ClosedForm,
+    OpenTerms,
+}
+
+/// Returns the result of `find`, or `None` if `dear` is given and it takes more than `steps`; `dear` is then set to `part`.
+fn in_time<T>(part: Dear, dear: Option<&Cell<Option<Dear>>>, steps: u64, find: impl FnOnce() -> T) -> Option<T> {
+    let Some(dear) = dear else { return Some(find()) };
     let found = work::share(steps, find);
-    dear.set(dear.get() || found.is_none());
+    if found.is_none() {
+        dear.set(Some(part));
+    }
     found
 }
