@@ -77,9 +77,10 @@ impl<'a, R: Weighted> OverRoot<'a, R> {
         Self { range, root: None }
     }
 
-    /// The range over t, which begins at the axis; unchanged unless the power is fractional and below 1, has no logarithm, and N is at most `most`.
+    /// The range over t, which begins at the axis; unchanged unless the power is fractional and below 1, has no logarithm, and N is
+    /// at most `most`.
     ///
-    /// With N, the singularities of f′ come closer to the real axis of t.
+    /// The larger N is, the closer the singularities of f′ come to the real axis of t.
     pub(crate) fn of(mut range: R, power: Option<&'a LeadingPower>, most: i32) -> Self {
         let root = power.and_then(|power| {
             let (degree, whole) = power.whole_root().filter(|(degree, _)| power.exponent < FAST && (2..=most).contains(degree))?;
@@ -155,9 +156,9 @@ impl<R: Weighted> Range for OverRoot<'_, R> {
         let ratio = if piece.from_above { None } else { self.range.ratio(over_v.from_lower) };
         let Some(ratio) = ratio else { return self.range.largest_over(over_v) * steepness };
         let t = over_t.from_lower;
-        let c = ratio.power(Region::real(1.0 / f64::from(own.degree)));
-        // 1/N is rounded, hence 1e-12.
-        let powers = t.powi(own.degree - 1 + own.whole).largest() * c.powi(own.whole).largest() * (1.0 + 1e-12);
+        // The exponent 1/N is rounded.
+        let c = ratio.power(Region::real(1.0 / f64::from(own.degree))) * Region::interval(1.0 - 1e-12, 1.0 + 1e-12);
+        let powers = t.powi(own.degree - 1 + own.whole).largest() * c.powi(own.whole).largest() * (1.0 + 8.0 * UNIT);
         let largest = self.range.rest_at(own.power, t * c) * powers * f64::from(own.degree) * self.range.weight_over(over_v);
         if largest.is_nan() { f64::INFINITY } else { largest }
     }
