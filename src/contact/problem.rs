@@ -93,9 +93,9 @@ impl Reason {
     /// The sentence of a value that is infinite or undefined in theory; `None` for the other reasons.
     pub(crate) fn fixed_text(&self) -> Option<&'static str> {
         Some(match self {
-            Self::Apex => "the pressure is infinite at the apex of a pointed tip (logarithmically)",
+            Self::Apex => "the pressure is infinite at the apex of a pointed tip",
             Self::Kink => "the pressure is infinite at a kink of the profile",
-            Self::ConcaveApex => "the pressure is minus infinity at a concave apex (logarithmically)",
+            Self::ConcaveApex => "the pressure is minus infinity at a concave apex",
             Self::ConcaveKink => "the pressure is minus infinity at a concave kink of the profile",
             Self::NoArea => "the contact has no area",
             Self::Refused(_) | Self::Unfinished => return None,

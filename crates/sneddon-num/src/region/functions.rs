@@ -108,7 +108,7 @@ impl Region {
         self.turned().cos()
     }
 
-    /// tanh z, by |tanh z|² = (cosh 2x − cos 2y)/(cosh 2x + cos 2y).
+    /// tanh z, by |tanh z|² = (cosh 2x − cos 2y)/(cosh 2x + cos 2y), and by |tanh z| ≤ tan |z| for small z.
     #[must_use]
     pub fn tanh(self) -> Self {
         if self.is_on_the_axis() && self.re.least() < 1.2 {
@@ -127,7 +127,8 @@ impl Region {
             return Self::unknown();
         }
         let square = if turn >= 0.0 { 1.0 } else { (size - turn) / below };
-        Self::within(square.sqrt() * (1.0 + 8.0 * f64::EPSILON))
+        let small = if self.largest() < 1.2 { self.largest().tan() } else { f64::INFINITY };
+        Self::within(square.sqrt().min(small) * (1.0 + 8.0 * f64::EPSILON))
     }
 
     /// tan z = −i tanh(i z).
