@@ -25,12 +25,12 @@ impl Evaluator<'_> {
     /// tried instead. Where that misses the tolerance, closed forms may take half a second. Open terms may take a tenth of a second,
     /// and only where the integral is also less accurate than [`SCANT`].
     pub(crate) fn combine(&self, quantity: Superposed, ask: Ask) -> Answer {
-        let dear = Cell::new(None);
-        let found = self.combined(quantity, ask, Some(&dear));
-        let (enough, steps) = match dear.get() {
+        let abandoned = Cell::new(None);
+        let found = self.combined(quantity, ask, Some(&abandoned));
+        let (enough, steps) = match abandoned.get() {
             None => return found,
-            Some(Dear::ClosedForm) => (self.tolerance, CLOSED_FORM_STEPS_AFTER_QUADRATURE),
-            Some(Dear::OpenTerms) => (self.tolerance.max(SCANT), OPEN_STEPS_AFTER_QUADRATURE),
+            Some(Abandoned::ClosedForm) => (self.tolerance, STEPS_AFTER_QUADRATURE),
+            Some(Abandoned::OpenTerms) => (self.tolerance.max(SCANT), OPEN_STEPS_AFTER_QUADRATURE),
         };
         let typed = self.typed().and_then(|typed| unless_underflown(typed, ask, self.integrate(typed, ask)));
         if matches!(&typed, Ok(Some(own)) if own.meets(enough)) {
@@ -43,10 +43,10 @@ impl Evaluator<'_> {
         work::bounded(|| profile.answer(ask, self.tolerance))
     }
 
-    /// As [`Self::combine`]; if `dear` is given, what takes long is abandoned and named there.
-    fn combined(&self, quantity: Superposed, ask: Ask, dear: Option<&Cell<Option<Dear>>>) -> Answer {
+    /// As [`Self::combine`]; if `abandoned` is given, what takes long is abandoned and named there.
+    fn combined(&self, quantity: Superposed, ask: Ask, abandoned: Option<&Cell<Option<Abandoned>>>) -> Answer {
         work::spend(OVERHEAD);
-        let dear = dear.filter(|_| self.method == Method::Auto);
+        let abandoned = abandoned.filter(|_| self.method == Method::Auto);
         let coordinates = ask.coordinates();
         let [place, contact] = coordinates;
         let inputs = quantity.inputs(&coordinates);
@@ -64,8 +64,8 @@ impl Evaluator<'_> {
             let part = self.part(index, quantity)?;
             let interval = self.interval(index, contact);
             if let Some(form) = part.closed.get(interval).and_then(Option::as_ref) {
-                let dear = dear.filter(|_| form.tape().is_special());
-                let found = in_time(Dear::ClosedForm, dear, CLOSED_FORM_STEPS, || form.in_doubles(&exact, &mut slots));
+                let abandoned = abandoned.filter(|_| form.tape().is_special());
+                let found = in_time(Abandoned::ClosedForm, abandoned, CLOSED_FORM_STEPS, || form.in_doubles(&exact, &mut slots));
                 let Some(value) = found else { return Ok(None) };
                 if value.value.is_infinite() {
                     // Individually infinite terms, at the apex or at a kink; elsewhere the value is too large for a float.
@@ -88,7 +88,7 @@ impl Evaluator<'_> {
                 {
                     return Ok(own);
                 }
-                let found = in_time(Dear::OpenTerms, dear, OPEN_STEPS, || self.integrate(&part.open, ask));
+                let found = in_time(Abandoned::OpenTerms, abandoned, OPEN_STEPS, || self.integrate(&part.open, ask));
                 let Some(found) = found else { return Ok(None) };
                 let found = match found {
                     Ok(Some(found)) => found,
@@ -104,9 +104,9 @@ impl Evaluator<'_> {
                 any_open = true;
             }
         }
-        let dear = dear.filter(|_| forms.iter().any(|form| form.tape().is_special()));
+        let abandoned = abandoned.filter(|_| forms.iter().any(|form| form.tape().is_special()));
         let precise = || {
-            let found = in_time(Dear::ClosedForm, dear, CLOSED_FORM_STEPS_30_DIGITS, || precise_total(&forms, inputs));
+            let found = in_time(Abandoned::ClosedForm, abandoned, CLOSED_FORM_STEPS_30_DIGITS, || precise_total(&forms, inputs));
             found.unwrap_or((Precise::nan(), DOUBLES))
         };
         let closed = if forms.is_empty() {
@@ -165,7 +165,7 @@ impl Evaluator<'_> {
     }
 
     pub(crate) fn by_recognition(&self, ask: Ask) -> Answer {
-        let found = work::share(CLOSED_FORM_STEPS_AFTER_QUADRATURE, || self.quadrature(self.recognised()?, ask));
+        let found = work::share(STEPS_AFTER_QUADRATURE, || self.quadrature(self.recognised()?, ask));
         let found = found.unwrap_or(Err(TransformError::NotComputable { at: ask.reach() }))?;
         Ok(found.map(|own| Reading { estimate: own.estimate.by(RECOGNISED), ..own }))
     }
@@ -214,8 +214,8 @@ const OVERHEAD: u64 = 40;
 const CLOSED_FORM_STEPS: u64 = 100_000;
 /// The same for closed forms with 30 digits.
 const CLOSED_FORM_STEPS_30_DIGITS: u64 = 400_000;
-/// The same if quadrature has missed the tolerance.
-const CLOSED_FORM_STEPS_AFTER_QUADRATURE: u64 = 50_000_000;
+/// Steps, about half a second, for a closed form or for the integral of the recognised f′ if quadrature has missed the tolerance.
+const STEPS_AFTER_QUADRATURE: u64 = 50_000_000;
 /// Steps, about half a millisecond, after which the integral of the open terms is abandoned in favour of the formula as typed.
 const OPEN_STEPS: u64 = 50_000;
 /// The same if the formula as typed has missed the tolerance.
@@ -223,17 +223,17 @@ const OPEN_STEPS_AFTER_QUADRATURE: u64 = 10_000_000;
 
 /// What was abandoned because it takes long.
 #[derive(Clone, Copy)]
-enum Dear {
+enum Abandoned {
     ClosedForm,
     OpenTerms,
 }
 
-/// Returns the result of `find`, or `None` if `dear` is given and it takes more than `steps`; `dear` is then set to `part`.
-fn in_time<T>(part: Dear, dear: Option<&Cell<Option<Dear>>>, steps: u64, find: impl FnOnce() -> T) -> Option<T> {
-    let Some(dear) = dear else { return Some(find()) };
+/// Returns the result of `find`, or `None` if `abandoned` is given and it takes more than `steps`; `abandoned` is then set to `part`.
+fn in_time<T>(part: Abandoned, abandoned: Option<&Cell<Option<Abandoned>>>, steps: u64, find: impl FnOnce() -> T) -> Option<T> {
+    let Some(abandoned) = abandoned else { return Some(find()) };
     let found = work::share(steps, find);
     if found.is_none() {
-        dear.set(Some(part));
+        abandoned.set(Some(part));
     }
     found
 }

@@ -2,8 +2,8 @@
 
 use crate::eval::{RegionAlgebra, Tape};
 use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
-use crate::integrate::abel::over_root::{Distances, OverRoot, Weighted};
-use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum, resolved};
+use crate::integrate::abel::over_root::{EndDistances, Weighted, proven_sum_over_roots};
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, resolved};
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::{NumericSegment, Weight};
 use crate::integrate::source::leading_power::LeadingPower;
@@ -13,7 +13,7 @@ use crate::num::bounded::UNIT;
 use crate::num::stable::leg;
 use crate::num::{Bounded, Estimate, Region, forms};
 
-/// The largest N for which integrals are taken over the N-th root of the angle; measured up to 10.
+/// The largest N for which integrals are taken over the N-th root of the angle; larger ones were not measured.
 const MOST_ROOT: i32 = 10;
 
 impl NumericSegment {
@@ -26,16 +26,9 @@ impl NumericSegment {
         if !self.slope.is_expression() || matches!(weight, Weight::Outside(_)) || !(x.is_normal() && self.lower.value < x) {
             return Ok(None);
         }
-        let Some(mut range) = self.enclosed(x, weight) else { return Ok(None) };
-        if self.lower.value == 0.0 && self.lower.error == 0.0 {
-            let mut over_root = OverRoot::of(range.clone(), range.power.or_else(|| self.fractional_power()), MOST_ROOT);
-            if over_root.is_over_root()
-                && let Some(found) = proven_sum(std::slice::from_mut(&mut over_root), Bounded::exact(0.0), tolerance, x)?
-            {
-                return Ok(Some(found));
-            }
-        }
-        proven_sum(std::slice::from_mut(&mut range), Bounded::exact(0.0), tolerance, x)
+        let Some(range) = self.enclosed(x, weight) else { return Ok(None) };
+        let power = self.fractional_power(range.power);
+        proven_sum_over_roots(&[(range, power)], MOST_ROOT, Bounded::exact(0.0), tolerance, x)
     }
 
     /// The range with the data for enclosures near its ends; `None` if f′ has a singularity of unknown power.
@@ -50,7 +43,7 @@ impl NumericSegment {
         Some(Angles { power, limit, weight, ..Angles::over(self, x) })
     }
 
-    /// Distances from the lower end between which one rule resolves f′, determined by enclosures; empty if one rule resolves the
+    /// EndDistances from the lower end between which one rule resolves f′, determined by enclosures; empty if one rule resolves the
     /// whole range, or without enclosures.
     ///
     /// They are used for integrals without a proven bound, which would otherwise miss narrow features between their nodes.
@@ -135,10 +128,10 @@ impl<'a> Angles<'a> {
     }
 
     pub(crate) fn radii(&self, piece: Piece, sigma: f64) -> Radii {
-        self.radii_over(Distances::of(piece, sigma, self.width))
+        self.radii_over(EndDistances::of(piece, sigma, self.width))
     }
 
-    fn radii_over(&self, angles: Distances) -> Radii {
+    fn radii_over(&self, angles: EndDistances) -> Radii {
         let hair = 4.0 * UNIT * self.width;
         let width = Region::new((self.width - hair, self.width + hair), (0.0, 0.0));
         let beyond = Region::new((self.beyond * (1.0 - 4.0 * UNIT), self.beyond * (1.0 + 4.0 * UNIT)), (0.0, 0.0));
@@ -160,17 +153,6 @@ impl<'a> Angles<'a> {
         Radii { r, delta: if angles.is_real { delta.above_zero() } else { delta }, below, phi: rest, sine: rest.sin() }
     }
 
-    fn largest_of(&mut self, radii: &Radii, from_above: bool) -> f64 {
-        let slope = match (self.limit, radii.below) {
-            (Some((_, tape)), Some(below)) if from_above => {
-                tape.run(&mut RegionAlgebra, &[below], &mut self.slots).map_or(f64::INFINITY, Region::largest)
-            }
-            _ => self.segment.largest_slope(radii.delta, &mut self.slots),
-        };
-        let largest = slope * self.weight(radii) * (1.0 + 8.0 * UNIT);
-        if largest.is_nan() { f64::INFINITY } else { largest }
-    }
-
     fn weight(&self, radii: &Radii) -> f64 {
         match self.weight {
             Weight::Force => (radii.r.largest() / self.x).powi(2) * (1.0 + 8.0 * UNIT),
@@ -181,12 +163,19 @@ impl<'a> Angles<'a> {
 }
 
 impl Weighted for Angles<'_> {
-    fn largest_over(&mut self, angles: Distances) -> f64 {
+    fn largest_over(&mut self, angles: EndDistances) -> f64 {
         let radii = self.radii_over(angles);
-        self.largest_of(&radii, angles.from_above)
+        let slope = match (self.limit, radii.below) {
+            (Some((_, tape)), Some(below)) if angles.from_above => {
+                tape.run(&mut RegionAlgebra, &[below], &mut self.slots).map_or(f64::INFINITY, Region::largest)
+            }
+            _ => self.segment.largest_slope(radii.delta, &mut self.slots),
+        };
+        let largest = slope * self.weight(&radii) * (1.0 + 8.0 * UNIT);
+        if largest.is_nan() { f64::INFINITY } else { largest }
     }
 
-    fn weight_over(&mut self, angles: Distances) -> f64 {
+    fn weight_over(&mut self, angles: EndDistances) -> f64 {
         self.weight(&self.radii_over(angles)) * (1.0 + 8.0 * UNIT)
     }
 
@@ -195,10 +184,6 @@ impl Weighted for Angles<'_> {
         let theta = angle.largest();
         let off = theta * theta * theta.cosh() / 6.0 * (1.0 + 8.0 * UNIT);
         (theta <= 1.0).then(|| Region::real(self.x) * Region::new((1.0 - off, 1.0 + off), (-off, off)))
-    }
-
-    fn rest_at(&mut self, power: &LeadingPower, root: Region) -> f64 {
-        power.rest_at(root, &mut self.slots)
     }
 
     fn add_rounding(&mut self, units: f64) {
@@ -221,8 +206,7 @@ impl Range for Angles<'_> {
     }
 
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
-        let radii = self.radii(piece, sigma);
-        self.largest_of(&radii, piece.from_above)
+        self.largest_over(EndDistances::of(piece, sigma, self.width))
     }
 
     /// ∫₀^v |f′| dv ≤ C ∫₀^v δ^s dv, where δ/v decreases because r is concave in v.

@@ -1,20 +1,21 @@
 //! A range that begins at the axis, over t = v^(1/N), in which the fractional powers of r are whole.
 
-use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range};
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
+use crate::integrate::error::TransformError;
 use crate::integrate::source::leading_power::LeadingPower;
 use crate::integrate::source::slope::Scratch;
-use crate::num::Region;
 use crate::num::bounded::UNIT;
+use crate::num::{Bounded, Estimate, Region};
 
 /// The leading power from which on pieces of the variable itself take no more values than pieces of its root.
 const FAST: f64 = 1.0;
-/// Relative rounding error of t^N and of its derivative, for each factor, in units of the rounding of one operation: 3 of t, a sum of
-/// a product, and one of the multiplication.
+/// Relative rounding error of t^N and of its derivative for each of the N factors, in units of the rounding of one operation: 3 for t,
+/// the sum of a number and a product, and 1 for the multiplication.
 const PER_FACTOR: f64 = 4.0;
 
 /// The distances to both ends of a range, in parts of the complex plane.
 #[derive(Clone, Copy)]
-pub(crate) struct Distances {
+pub(crate) struct EndDistances {
     pub(crate) from_lower: Region,
     pub(crate) from_upper: Region,
     /// True if the piece is measured from the upper end.
@@ -23,8 +24,8 @@ pub(crate) struct Distances {
     pub(crate) is_real: bool,
 }
 
-impl Distances {
-    /// Of a piece with the ellipse of σ around it.
+impl EndDistances {
+    /// The distances of a piece with the ellipse of σ around it.
     pub(crate) fn of(piece: Piece, sigma: f64, width: f64) -> Self {
         let hair = 4.0 * UNIT * width;
         let (low, high, short) = piece.around(sigma);
@@ -38,27 +39,47 @@ impl Distances {
 /// A range whose integrand is a weight times a function of r with a leading power.
 pub(crate) trait Weighted: Range {
     /// A bound on the integrand.
-    fn largest_over(&mut self, distances: Distances) -> f64;
+    fn largest_over(&mut self, distances: EndDistances) -> f64;
 
     /// A bound on the weight.
-    fn weight_over(&mut self, distances: Distances) -> f64;
+    fn weight_over(&mut self, distances: EndDistances) -> f64;
 
     /// r/v for a distance v from the axis; `None` if v is too large for a bound.
     fn ratio(&self, v: Region) -> Option<Region>;
-
-    /// A bound on the part of the function that its leading power leaves; see [`LeadingPower::rest_at`].
-    fn rest_at(&mut self, power: &LeadingPower, root: Region) -> f64;
 
     /// Takes into account that a distance has a further relative error, in units of the rounding of one operation.
     fn add_rounding(&mut self, units: f64);
 }
 
+/// As [`proven_sum`], over the root of the variable for each range that comes with a leading power, if the power is fractional and N is
+/// at most `most_root`; over the variables themselves where that has no proof.
+///
+/// # Errors
+/// As [`proven_sum`].
+pub(crate) fn proven_sum_over_roots<R: Weighted + Clone>(
+    ranges: &[(R, Option<&LeadingPower>)],
+    most_root: i32,
+    more: Bounded,
+    tolerance: f64,
+    at: f64,
+) -> Result<Option<Estimate>, TransformError> {
+    let mut over_roots: Vec<_> = ranges.iter().map(|(range, power)| OverRoot::of(range.clone(), *power, most_root)).collect();
+    if over_roots.iter().any(|own| own.root.is_some())
+        && let Some(found) = proven_sum(&mut over_roots, more, tolerance, at)?
+    {
+        return Ok(Some(found));
+    }
+    let mut plain: Vec<_> = ranges.iter().map(|(range, _)| range.clone()).collect();
+    proven_sum(&mut plain, more, tolerance, at)
+}
+
 /// The range with v = t^N: the function r^s h(r^(1/N)) times N t^(N−1) is analytic at t = 0.
 ///
 /// Over v itself, pieces next to the axis are halved some 50 to 100 times until the singularity of r^s no longer matters.
-pub(crate) struct OverRoot<'a, R> {
+struct OverRoot<'a, R> {
     range: R,
     root: Option<Root<'a>>,
+    slots: Vec<Region>,
 }
 
 struct Root<'a> {
@@ -72,16 +93,11 @@ struct Root<'a> {
 }
 
 impl<'a, R: Weighted> OverRoot<'a, R> {
-    /// The range as it is.
-    pub(crate) fn plain(range: R) -> Self {
-        Self { range, root: None }
-    }
-
     /// The range over t, which begins at the axis; unchanged unless the power is fractional and below 1, has no logarithm, and N is
     /// at most `most`.
     ///
     /// The larger N is, the closer the singularities of f′ come to the real axis of t.
-    pub(crate) fn of(mut range: R, power: Option<&'a LeadingPower>, most: i32) -> Self {
+    fn of(mut range: R, power: Option<&'a LeadingPower>, most: i32) -> Self {
         let root = power.and_then(|power| {
             let (degree, whole) = power.whole_root().filter(|(degree, _)| power.exponent < FAST && (2..=most).contains(degree))?;
             let before = range.width();
@@ -90,17 +106,7 @@ impl<'a, R: Weighted> OverRoot<'a, R> {
         if let Some(own) = &root {
             range.add_rounding(PER_FACTOR * f64::from(own.degree));
         }
-        Self { range, root }
-    }
-
-    /// False for a range as it is.
-    pub(crate) fn is_over_root(&self) -> bool {
-        self.root.is_some()
-    }
-
-    /// The range over v.
-    pub(crate) fn inner(&self) -> &R {
-        &self.range
+        Self { range, root, slots: Vec::new() }
     }
 }
 
@@ -120,7 +126,7 @@ impl Root<'_> {
     }
 
     /// The same for a region, and a bound on |dv/dt|.
-    fn distances(&self, over_t: Distances) -> (Distances, f64) {
+    fn distances(&self, over_t: EndDistances) -> (EndDistances, f64) {
         let about = |length: f64| Region::new((length * (1.0 - 4.0 * UNIT), length * (1.0 + 4.0 * UNIT)), (0.0, 0.0));
         let (before, degree) = (about(self.before), f64::from(self.degree));
         let steepness = over_t.from_lower.powi(self.degree - 1).largest() * degree * (1.0 + 8.0 * UNIT);
@@ -133,7 +139,7 @@ impl Root<'_> {
         } else {
             before - from_lower
         };
-        (Distances { from_lower, from_upper, ..over_t }, steepness)
+        (EndDistances { from_lower, from_upper, ..over_t }, steepness)
     }
 }
 
@@ -151,7 +157,7 @@ impl<R: Weighted> Range for OverRoot<'_, R> {
     /// Next to the axis |f′ dv/dt| = N |t|^(N−1+Ns) |c|^(Ns) |h| with r^(1/N) = t c and c = (r/v)^(1/N).
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
         let Some(own) = &self.root else { return self.range.largest(piece, sigma) };
-        let over_t = Distances::of(piece, sigma, own.width);
+        let over_t = EndDistances::of(piece, sigma, own.width);
         let (over_v, steepness) = own.distances(over_t);
         let ratio = if piece.from_above { None } else { self.range.ratio(over_v.from_lower) };
         let Some(ratio) = ratio else { return self.range.largest_over(over_v) * steepness };
@@ -159,7 +165,7 @@ impl<R: Weighted> Range for OverRoot<'_, R> {
         // The exponent 1/N is rounded.
         let c = ratio.power(Region::real(1.0 / f64::from(own.degree))) * Region::interval(1.0 - 1e-12, 1.0 + 1e-12);
         let powers = t.powi(own.degree - 1 + own.whole).largest() * c.powi(own.whole).largest() * (1.0 + 8.0 * UNIT);
-        let largest = self.range.rest_at(own.power, t * c) * powers * f64::from(own.degree) * self.range.weight_over(over_v);
+        let largest = own.power.rest_at(t * c, &mut self.slots) * powers * f64::from(own.degree) * self.range.weight_over(over_v);
         if largest.is_nan() { f64::INFINITY } else { largest }
     }
 

@@ -24,9 +24,9 @@ const MOST_ENCLOSURES: usize = 4_000;
 const FIRST_ENCLOSURES: usize = 1_000;
 /// Most values of the integrand.
 const MOST_VALUES: u64 = 60_000;
-/// If the integrand has no bound on this part of the range next to an end, it is taken to have none on any part there.
+/// An end is assumed to be unbounded if the integrand has no bound on this fraction of the range next to it.
 const HAIR: f64 = 5e-20;
-/// The part of the range next to an end below which a piece without a bound leads to that question.
+/// Ends are tested for it once a piece without a bound next to them is shorter than this fraction of the range.
 const SHORT: f64 = 1e-3;
 /// The fraction of the tolerance for the total truncation error of the rules.
 const SHARE: f64 = 0.02;
@@ -124,11 +124,11 @@ struct Sum {
     pieces: Vec<Piece>,
 }
 
-/// Why there is no sum.
+/// The reason that [`sum_of`] returns no sum.
 enum Miss {
     /// It takes too many enclosures or values.
     Costly,
-    /// The integrand has no bound next to an end of a range, on a piece however short.
+    /// The integrand has no bound next to an end of a range, not even on a very short piece.
     Unbounded,
     /// The budget is used up, or the integrand has no value at a node.
     Failed(TransformError),

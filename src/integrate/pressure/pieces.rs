@@ -1,9 +1,9 @@
 //! The pressure by pieces of the radius with proven rules: kinks, narrow features and the logarithm of the kernel included.
 
-use crate::integrate::abel::over_root::{Distances, OverRoot, Weighted};
-use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range, proven_sum};
+use crate::integrate::abel::over_root::{EndDistances, Weighted, proven_sum_over_roots};
+use crate::integrate::abel::pieces::{MOST_NODES, Piece, Place, Range};
 use crate::integrate::integral::{NumericProfile, NumericSegment};
-use crate::integrate::pressure::direct::{Distances as Gaps, kernel};
+use crate::integrate::pressure::direct::{Distances, kernel};
 use crate::integrate::source::endpoint::Endpoint;
 use crate::integrate::source::leading_power::LeadingPower;
 use crate::integrate::source::slope::{Numbers, Scratch};
@@ -46,8 +46,8 @@ pub(crate) fn pressure_of_segments<'a>(
         let mut add = |from: Endpoint, to: Endpoint| {
             let power = if from == lower { segment.power_of_bend_for(to.at) } else { None };
             let range = Radii { segment, bend, power, from, to, s, a, unit, place_of_s, rounding: 0.0, slots: Vec::new() };
-            let fractional = if from == Endpoint::exact(0.0) { power.or_else(|| segment.fractional_power_of_bend()) } else { None };
-            ranges.push(OverRoot::of(range, fractional, MOST_ROOT));
+            let fractional = if from == lower { segment.fractional_power_of_bend(power) } else { None };
+            ranges.push((range, fractional));
         };
         if s > lower.at && s < end.at {
             add(lower, Endpoint::exact(s));
@@ -56,13 +56,8 @@ pub(crate) fn pressure_of_segments<'a>(
             add(lower, end);
         }
     }
-    let mut found = proven_sum(&mut ranges, more, tolerance, a).ok().flatten();
-    if found.is_none() && ranges.iter().any(OverRoot::is_over_root) {
-        let mut plain: Vec<_> = ranges.iter().map(|own| OverRoot::plain(own.inner().clone())).collect();
-        found = proven_sum(&mut plain, more, tolerance, a).ok().flatten();
-    }
-    let found = found?;
-    let smear: f64 = ranges.iter().map(|own| own.inner().smear()).sum();
+    let found = proven_sum_over_roots(&ranges, MOST_ROOT, more, tolerance, a).ok().flatten()?;
+    let smear: f64 = ranges.iter().map(|(range, _)| range.smear()).sum();
     Some(Estimate { error: found.error + smear, ..found })
 }
 
@@ -109,13 +104,13 @@ impl Radii<'_> {
         self.s <= self.from.at
     }
 
-    fn distances(&self, place: Place) -> (f64, f64, Gaps) {
+    fn distances(&self, place: Place) -> (f64, f64, Distances) {
         let (up, down) = (place.from_lower, place.from_upper);
         let (s, edge) = (Endpoint::exact(self.s), Endpoint::exact(self.a));
         let delta = (self.segment.ends.0.to(self.from) + up).max(f64::MIN_POSITIVE);
         let difference = if self.is_outside() { s.to(self.from) + up } else { self.to.to(s) + down };
         let r = if up < down { self.from.at + up } else { self.to.at - down };
-        (r, delta, Gaps { difference, below_edge: self.to.to(edge) + down })
+        (r, delta, Distances { difference, below_edge: self.to.to(edge) + down })
     }
 
     /// The change of the integral due to the uncertainty of the ends of the segment.
@@ -131,10 +126,10 @@ impl Radii<'_> {
     }
 
     fn lengths(&self, piece: Piece, sigma: f64) -> Lengths {
-        self.lengths_over(Distances::of(piece, sigma, self.width()))
+        self.lengths_over(EndDistances::of(piece, sigma, self.width()))
     }
 
-    fn lengths_over(&self, radii: Distances) -> Lengths {
+    fn lengths_over(&self, radii: EndDistances) -> Lengths {
         let v = if radii.from_above { radii.from_upper } else { radii.from_lower };
         // A difference of two places with its roundings.
         let gap = |from: Endpoint, to: Endpoint| {
@@ -206,7 +201,7 @@ impl Radii<'_> {
 }
 
 impl Weighted for Radii<'_> {
-    fn largest_over(&mut self, radii: Distances) -> f64 {
+    fn largest_over(&mut self, radii: EndDistances) -> f64 {
         let own = self.lengths_over(radii);
         let kernel = self.largest_kernel(&own, radii.is_real);
         if !kernel.is_finite() {
@@ -216,16 +211,12 @@ impl Weighted for Radii<'_> {
         if largest.is_nan() { f64::INFINITY } else { largest }
     }
 
-    fn weight_over(&mut self, radii: Distances) -> f64 {
+    fn weight_over(&mut self, radii: EndDistances) -> f64 {
         self.largest_kernel(&self.lengths_over(radii), radii.is_real) / self.a * (1.0 + 8.0 * UNIT)
     }
 
     fn ratio(&self, _: Region) -> Option<Region> {
         Some(Region::real(1.0))
-    }
-
-    fn rest_at(&mut self, power: &LeadingPower, root: Region) -> f64 {
-        power.rest_at(root, &mut self.slots)
     }
 
     fn add_rounding(&mut self, units: f64) {
@@ -244,7 +235,7 @@ impl Range for Radii<'_> {
     }
 
     fn largest(&mut self, piece: Piece, sigma: f64) -> f64 {
-        self.largest_over(Distances::of(piece, sigma, self.width()))
+        self.largest_over(EndDistances::of(piece, sigma, self.width()))
     }
 
     fn tail(&mut self, piece: Piece) -> f64 {

@@ -45,10 +45,17 @@ impl NumericSegment {
         if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power() } else { None }
     }
 
-    /// The leading power, if f′ contains a fractional power of r.
-    pub(crate) fn fractional_power(&self) -> Option<&LeadingPower> {
-        let (slope, _) = self.source.as_ref()?;
-        if self.lower.value == 0.0 && has_root(slope) { self.leading_power() } else { None }
+    /// The leading power at the axis: `known`, or the one of an f′ that contains a fractional power of r.
+    pub(crate) fn fractional_power<'a>(&'a self, known: Option<&'a LeadingPower>) -> Option<&'a LeadingPower> {
+        if self.may_have_root() { known.or_else(|| self.leading_power()) } else { known.filter(|_| self.begins_at_axis()) }
+    }
+
+    fn begins_at_axis(&self) -> bool {
+        self.lower.value == 0.0 && self.lower.error == 0.0
+    }
+
+    fn may_have_root(&self) -> bool {
+        self.begins_at_axis() && self.source.as_ref().is_some_and(|(slope, _)| has_root(slope))
     }
 
     /// The same for (r f′)′.
@@ -57,10 +64,9 @@ impl NumericSegment {
         if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power_of_bend() } else { None }
     }
 
-    /// The same if f′ contains a fractional power of r.
-    pub(crate) fn fractional_power_of_bend(&self) -> Option<&LeadingPower> {
-        let (slope, _) = self.source.as_ref()?;
-        if self.lower.value == 0.0 && has_root(slope) { self.leading_power_of_bend() } else { None }
+    /// The same for (r f′)′.
+    pub(crate) fn fractional_power_of_bend<'a>(&'a self, known: Option<&'a LeadingPower>) -> Option<&'a LeadingPower> {
+        if self.may_have_root() { known.or_else(|| self.leading_power_of_bend()) } else { known.filter(|_| self.begins_at_axis()) }
     }
 
     /// The leading power s > −1 of f′ at its lower end, and h = f′/δ^s for enclosures; `None` if unknown.

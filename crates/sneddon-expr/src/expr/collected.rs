@@ -2,7 +2,7 @@
 
 use super::{Expr, Node, Number, Symbol};
 use num_bigint::BigInt;
-use num_traits::ToPrimitive;
+use num_traits::One;
 use std::collections::BTreeMap;
 
 /// Larger sums are left unchanged.
@@ -58,13 +58,9 @@ pub fn in_lowest_terms(expr: &Expr) -> Expr {
             let sums = product.factors().into_iter().filter(|own| matches!(own.node(), Node::Sum(_)));
             // Keep halves and thirds apart, with the number in front multiplied into the sum, unless the result is longer.
             let others = sums.flat_map(|sum| {
+                let rest = &product / &sum;
                 let inside = Expr::sum(sum.terms().iter().map(|term| term * &number));
-                let shared = [in_front(&inside), &number * shared_in_front(&sum)];
-                let most = digits(&number) + digits(&sum);
-                // Only symbols in front can combine with other factors, so that the whole is shorter although this part is not.
-                let mut promising = shared.into_iter().filter(|own| has_symbol_in_front(own) || digits(own) < most).peekable();
-                let rest = promising.peek().map(|_| &product / &sum / &number);
-                promising.filter_map(move |own| Some(rest.as_ref()? * own)).collect::<Vec<_>>()
+                [&rest / &number * in_front(&inside), rest * shared_in_front(&sum)]
             });
             let shortest = others.min_by_key(digits).filter(|other| digits(other) < digits(&product));
             // The result may contain new sums with common factors.
@@ -87,29 +83,18 @@ fn out_of_power(base: &Expr, exponent: &Expr) -> Expr {
     if in_front && digits(&other) < digits(&plain) { other } else { plain }
 }
 
-/// True for a product with a factor that is neither a number nor a sum.
-fn has_symbol_in_front(expr: &Expr) -> bool {
-    expr.factors().iter().any(|own| !matches!(own.node(), Node::Number(_) | Node::Sum(_)))
-}
-
 /// How much there is to read: the digits of all numbers but 1, and the symbols.
 fn digits(expr: &Expr) -> usize {
     match expr.node() {
-        Node::Number(number) => length(number.value().numer()) + length(number.value().denom()),
+        Node::Number(number) => {
+            let length = |own: &BigInt| if own.magnitude().is_one() { 0 } else { own.to_string().len() };
+            length(number.value().numer()) + length(number.value().denom())
+        }
         Node::Constant(_) | Node::Symbol(_) => 1,
         Node::Function(_, list) => 1 + list.iter().map(digits).sum::<usize>(),
         Node::Sum(list) => list.iter().map(digits).sum(),
         Node::Product(list) => list.iter().map(digits).sum(),
         Node::Power(base, exponent) => digits(base) + digits(exponent),
-    }
-}
-
-/// The number of digits of a whole number and its sign; 0 for 1 and −1.
-fn length(number: &BigInt) -> usize {
-    match number.to_i64() {
-        Some(1 | -1) => 0,
-        Some(small) => usize::from(small < 0) + small.unsigned_abs().checked_ilog10().unwrap_or(0) as usize + 1,
-        None => number.to_string().len(),
     }
 }
 

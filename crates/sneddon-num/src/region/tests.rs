@@ -191,7 +191,7 @@ fn special_functions_close_in_on_their_values() {
     }
 }
 
-/// |f(z)| is about |z| for small z; a bound of 1 for tanh made integrals next to the axis lose most of their digits.
+/// |f(z)| is about |z| for small z; with a bound of 1 for tanh, the bounds of integrals next to the axis were too large.
 #[test]
 fn functions_that_vanish_at_0_have_small_values_next_to_it() {
     let odd = ["sin", "sinh", "tanh", "tan", "atan", "atanh", "asinh", "asin"];
