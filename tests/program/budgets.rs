@@ -208,11 +208,11 @@ fn a_scene_that_was_cut_short_says_so() {
         let done = Command::new(program).args(["solve", "scene.toml"]).args(more).current_dir(&place).output().unwrap();
         (done.status.code().unwrap(), String::from_utf8(done.stdout).unwrap(), String::from_utf8(done.stderr).unwrap())
     };
-    let (code, text, told) = solved("quadrature", &["--json", "--budget", "0.5"]);
+    let (code, text, told) = solved("quadrature", &["--json", "--budget", "0.9"]);
     let document: Value = serde_json::from_str(&text).unwrap();
     assert!(code == 1 && document["complete"] == false && told.contains("some numbers are missing: stopped at the work limit"), "{told}");
     // Within the same budget the expansion answers every pressure.
-    let (code, text, told) = solved("auto", &["--json", "--budget", "0.5"]);
+    let (code, text, told) = solved("auto", &["--json", "--budget", "0.9"]);
     let document: Value = serde_json::from_str(&text).unwrap();
     let points = |index: usize| document["curves"][index]["points"].as_array().unwrap();
     assert!(code == 0 && [0, 1].iter().all(|index| points(*index).iter().all(|own| own["value"].is_f64())), "{told}");

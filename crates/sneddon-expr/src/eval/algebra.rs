@@ -1,5 +1,6 @@
 //! The kinds of value that an expression can be walked with.
 
+use super::cost::Cost;
 use crate::expr::function::Accuracy;
 use crate::expr::{Function, Row};
 use crate::num::{Bounded, DoubleDouble, Precise, Region, real_power};
@@ -11,8 +12,8 @@ use std::sync::OnceLock;
 pub trait Algebra {
     /// The values.
     type Value: Copy;
-    /// About how many times longer an operation takes than one in plain doubles.
-    const COST: u64 = 1;
+    /// What one operation costs.
+    const COST: Cost = Cost::new(4, 4, 4);
     /// Whether a tape checks for a stop, as in [`work::stoppable`](crate::num::work::stoppable), before every operation.
     /// A stopped run returns `None`.
     const STOPS: bool = false;
@@ -64,10 +65,8 @@ pub type KeptValues<V> = OnceLock<Vec<Option<V>>>;
 pub struct Kept {
     pub(super) bounded: KeptValues<Bounded>,
     pub(super) precise: KeptValues<Precise>,
-    /// About how many quarters of a step of work one run in plain doubles is.
-    pub(super) weight: u64,
-    /// Whether the tape calls functions whose work depends on their arguments.
-    pub(super) special: bool,
+    /// How many operations of each kind the tape has.
+    pub(super) counts: Cost,
 }
 
 /// Plain `f64` values.
@@ -76,6 +75,7 @@ pub struct FloatAlgebra;
 
 impl Algebra for FloatAlgebra {
     type Value = f64;
+    const COST: Cost = Cost::new(2, 6, 100);
     fn constant(&mut self, number: Precise) -> f64 {
         number.value.hi
     }
@@ -111,7 +111,7 @@ pub struct BoundedAlgebra;
 
 impl Algebra for BoundedAlgebra {
     type Value = Bounded;
-    const COST: u64 = 4;
+    const COST: Cost = Cost::new(4, 32, 180);
     const STOPS_SPECIAL: bool = true;
     const READS_NUMBERS: bool = true;
     fn kept(tape: &Kept) -> Option<&KeptValues<Bounded>> {
@@ -199,6 +199,7 @@ impl RoundingAlgebra {
 
 impl Algebra for RoundingAlgebra {
     type Value = Bounded;
+    const COST: Cost = Cost::new(4, 8, 180);
     fn constant(&mut self, number: Precise) -> Bounded {
         BoundedAlgebra.constant(number)
     }
@@ -255,6 +256,7 @@ pub struct ComplexAlgebra;
 
 impl Algebra for ComplexAlgebra {
     type Value = Complex64;
+    const COST: Cost = Cost::new(4, 20, 200);
     fn constant(&mut self, number: Precise) -> Complex64 {
         Complex64::new(number.value.hi, 0.0)
     }
@@ -290,7 +292,7 @@ pub struct RegionAlgebra;
 
 impl Algebra for RegionAlgebra {
     type Value = Region;
-    const COST: u64 = 16;
+    const COST: Cost = Cost::new(32, 48, 400);
     fn constant(&mut self, number: Precise) -> Region {
         let (value, error) = (number.value.hi, number.value.lo.abs() + number.error);
         if error == 0.0 { Region::real(value) } else { Region::new(((value - error).next_down(), (value + error).next_up()), (0.0, 0.0)) }
@@ -339,6 +341,7 @@ pub struct IntervalAlgebra;
 
 impl Algebra for IntervalAlgebra {
     type Value = Region;
+    const COST: Cost = Cost::new(28, 50, 400);
     fn constant(&mut self, number: Precise) -> Region {
         RegionAlgebra.constant(number)
     }

@@ -4,6 +4,7 @@
 
 mod algebra;
 mod blocks;
+mod cost;
 mod error;
 mod second;
 mod series;
@@ -15,6 +16,7 @@ pub use algebra::{
     Algebra, BoundedAlgebra, ComplexAlgebra, FloatAlgebra, IntervalAlgebra, Kept, KeptValues, RegionAlgebra, RoundingAlgebra,
 };
 pub use blocks::{BlockInput, BlockScratch};
+pub use cost::Cost;
 pub use error::EvalError;
 pub use second::PreciseAlgebra;
 pub use series::{Series, SeriesError, power_series};

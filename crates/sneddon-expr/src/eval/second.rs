@@ -1,6 +1,7 @@
 //! The second pass: the same walk with 30 digits and a running bound of the error.
 
 use super::algebra::{Algebra, Kept, KeptValues};
+use super::cost::Cost;
 use crate::expr::{Function, Row};
 use crate::num::bounded::{is_far, reach_between};
 use crate::num::{Bounded, DoubleDouble, Precise};
@@ -35,7 +36,7 @@ const STEPS: [f64; 4] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64,
 
 impl Algebra for PreciseAlgebra {
     type Value = Precise;
-    const COST: u64 = 16;
+    const COST: Cost = Cost::new(8, 280, 200);
     const STOPS: bool = true;
     fn kept(tape: &Kept) -> Option<&KeptValues<Precise>> {
         Some(&tape.precise)

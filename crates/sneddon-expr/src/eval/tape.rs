@@ -1,6 +1,7 @@
 //! A recorded walk: operations over numbered slots, with shared subterms computed once.
 
 use super::blocks::Program;
+use super::cost::Cost;
 use super::walk::walk_with;
 use super::{Algebra, EvalError, Kept};
 use crate::expr::function::Accuracy;
@@ -42,23 +43,6 @@ pub(super) enum Operation {
     /// Base, and the places of the exponent's double and of its rest among the constants.
     RealPower(u32, u32, u32),
     Call(Function, u32, u32),
-}
-
-impl Operation {
-    /// About how many quarters of a step of work it is in plain doubles.
-    fn weight(&self) -> u64 {
-        match self {
-            Self::Call(function, ..) if function.row().slice.is_some() => 10,
-            Self::Call(..) => 60,
-            Self::Power(..) | Self::RealPower(..) => 10,
-            _ => 1,
-        }
-    }
-
-    /// Whether it is a non-elementary function.
-    fn is_special(&self) -> bool {
-        matches!(self, Self::Call(function, ..) if function.row().slice.is_none())
-    }
 }
 
 impl Tape {
@@ -104,8 +88,16 @@ impl Tape {
         // An expression that was built after the budget was exhausted is meaningless.
         work::check()?;
         recorder.tape.outputs = outputs;
-        recorder.tape.kept.weight = recorder.tape.operations.iter().map(Operation::weight).sum();
-        recorder.tape.kept.special = recorder.tape.operations.iter().any(Operation::is_special);
+        for operation in &recorder.tape.operations {
+            let counts = &mut recorder.tape.kept.counts;
+            let kind = match operation {
+                Operation::Power(..) | Operation::RealPower(..) => &mut counts.elementary,
+                Operation::Call(function, ..) if function.row().slice.is_some() => &mut counts.elementary,
+                Operation::Call(..) => &mut counts.special,
+                _ => &mut counts.arithmetic,
+            };
+            *kind += 1;
+        }
         Ok(recorder.tape)
     }
 
@@ -135,12 +127,12 @@ impl Tape {
         if inputs.len() != self.inputs {
             return None;
         }
-        work::spend(1 + self.kept.weight * A::COST / 4);
+        work::spend(self.kept.counts.steps(&A::COST));
         slots.clear();
         slots.reserve(self.operations.len());
         let mut gathered = Vec::new();
         let kept = A::kept(&self.kept).map(|own| own.get_or_init(|| work::unbroken(|| self.constant_values(algebra))));
-        let stops = A::STOPS || (A::STOPS_SPECIAL && self.kept.special);
+        let stops = A::STOPS || (A::STOPS_SPECIAL && self.is_special());
         for (index, operation) in self.operations.iter().enumerate() {
             if stops && work::is_stopped() {
                 return None;
@@ -239,12 +231,12 @@ impl Tape {
 
     /// Whether a run may take long for some arguments: it calls functions other than the elementary ones.
     pub fn is_special(&self) -> bool {
-        self.kept.special
+        self.kept.counts.special > 0
     }
 
-    /// About how many quarters of a step of work a point is in plain doubles.
-    pub(super) fn weight(&self) -> u64 {
-        self.kept.weight
+    /// How many operations of each kind it has.
+    pub(super) fn counts(&self) -> Cost {
+        self.kept.counts
     }
 
     /// About how many nanoseconds a point of a block takes, in doubles and with 30 digits.

@@ -1,5 +1,6 @@
 //! The third pass: 30 digits and exponents without end, for values whose intermediate results leave the range of doubles.
 
+use super::cost::Cost;
 use super::{Algebra, PreciseAlgebra};
 use crate::expr::Function;
 use crate::num::{DoubleDouble, Precise, Wide, precise};
@@ -31,7 +32,7 @@ const SEGMENTS: [(&str, f64); 4] =
 
 impl Algebra for WideAlgebra {
     type Value = Wide;
-    const COST: u64 = 60;
+    const COST: Cost = Cost::new(33, 340, 350);
     const STOPS: bool = true;
     fn constant(&mut self, number: Precise) -> Wide {
         Wide::new(number)

@@ -10,7 +10,7 @@ const ROOT_HALF: DoubleDouble = DoubleDouble { hi: std::f64::consts::FRAC_1_SQRT
 /// Beyond this the series is 1 and z has no fraction.
 const ENDLESS: f64 = 1e40;
 /// Steps of work for a term of the series.
-const STEPS_PER_TERM: u64 = 5;
+const STEPS_PER_TERM: u64 = 9;
 
 /// J_n(z) and Y_n(z) for large z, any real n.
 ///

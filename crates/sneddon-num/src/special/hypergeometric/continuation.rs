@@ -46,7 +46,7 @@ fn transformed(upper: &[Ball], lower: &[Ball], w: Ball, exponential: bool) -> Ba
     let (mut local, mut error) = (0.0_f64, 0.0_f64);
     let mut before = nothing;
     let operations = UNIT * 2.0 * (upper.len() + lower.len() + 2) as f64;
-    let each = 3 * (upper.len() + lower.len()) as u64 / 2 + 5;
+    let each = 2 * (upper.len() + lower.len()) as u64 + 5;
     for step in 0..MAX_TERMS {
         work::spend(each);
         if work::is_exhausted() {
