@@ -58,13 +58,13 @@ impl NumericSegment {
         self.begins_at_axis() && self.source.as_ref().is_some_and(|(slope, _)| has_root(slope))
     }
 
-    /// The same for (r f′)′.
+    /// The leading power of (r f′)′, if its enclosures near the lower end of a range up to x are unbounded.
     pub(crate) fn power_of_bend_for(&self, x: f64) -> Option<&LeadingPower> {
         let unbounded = || !self.largest_bend(Region::interval(0.0, NEXT_TO_THE_END * x), &mut Vec::new()).is_finite();
         if self.singular || (self.lower.value == 0.0 && unbounded()) { self.leading_power_of_bend() } else { None }
     }
 
-    /// The same for (r f′)′.
+    /// The leading power of (r f′)′ at the axis, as [`Self::fractional_power`] for f′.
     pub(crate) fn fractional_power_of_bend<'a>(&'a self, known: Option<&'a LeadingPower>) -> Option<&'a LeadingPower> {
         if self.may_have_root() { known.or_else(|| self.leading_power_of_bend()) } else { known.filter(|_| self.begins_at_axis()) }
     }

@@ -9,7 +9,7 @@ const POINT: u64 = 8;
 
 /// A number for each kind of operation: how many of them a tape has, or how many quarters of a step one of them takes.
 ///
-/// The terms of a series are counted one by one, in addition.
+/// The terms of a series are counted one by one, in addition, so that another function may cost less than an elementary one.
 /// `cargo bench -p sneddon-runs --bench steps` shows how well the numbers fit.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cost {
@@ -22,7 +22,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// The costs measured for one kind of value, in quarters of a step.
+    /// The costs for one kind of value, in quarters of a step: measured one by one, then fitted to the kinds of work of that benchmark.
     pub(super) const fn new(arithmetic: u64, elementary: u64, special: u64) -> Self {
         Self { arithmetic, elementary, special }
     }
@@ -32,10 +32,14 @@ impl Cost {
         RUN + self.product(each) / 4
     }
 
-    /// The steps of a run over a block of points.
-    pub(super) const fn block_steps(&self, points: usize, bounded: bool) -> u64 {
-        let each = if bounded { POINT + self.product(&BOUNDED) / 4 } else { self.product(&PLAIN) / 4 };
-        BLOCK + points as u64 * each
+    /// The steps of a run over a block of points in doubles.
+    pub(super) const fn block_steps(&self, points: usize) -> u64 {
+        BLOCK + points as u64 * self.product(&PLAIN) / 4
+    }
+
+    /// The same with bounds.
+    pub(super) const fn bounded_block_steps(&self, points: usize) -> u64 {
+        BLOCK + points as u64 * (POINT + self.product(&BOUNDED) / 4)
     }
 
     const fn product(&self, each: &Self) -> u64 {

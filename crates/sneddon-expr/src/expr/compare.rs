@@ -33,7 +33,7 @@ fn compare<const COUNTED: bool>(left: &Expr, right: &Expr) -> Ordering {
         return Ordering::Equal;
     }
     if COUNTED {
-        work::spend(4);
+        work::spend(1);
     }
     let (left, right): (&[Expr], &[Expr]) = match (left.node(), right.node()) {
         (Node::Number(l), Node::Number(r)) => return l.cmp(r),

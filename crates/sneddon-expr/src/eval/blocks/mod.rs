@@ -76,7 +76,7 @@ impl Tape {
         if inputs.len() != program.inputs() || inputs.iter().any(|input| input.len() != out.len()) {
             return None;
         }
-        work::spend(self.counts().block_steps(out.len(), false));
+        work::spend(self.counts().block_steps(out.len()));
         scratch.prepare(program.registers());
         let mut from = 0;
         for out in out.chunks_mut(BLOCK) {
@@ -113,7 +113,7 @@ impl Tape {
         if inputs.len() != program.inputs() || errors.len() != out.len() || !inputs.iter().all(fits) {
             return None;
         }
-        work::spend(self.counts().block_steps(out.len(), true));
+        work::spend(self.counts().bounded_block_steps(out.len()));
         scratch.prepare(program.registers());
         let mut from = 0;
         for (out, errors) in out.chunks_mut(BLOCK).zip(errors.chunks_mut(BLOCK)) {
