@@ -3,7 +3,7 @@
 use super::Failure;
 use super::failure::warn;
 use super::units::{Units, finite};
-use crate::contact::RIM;
+use crate::contact::rim_radius;
 use crate::expr::{Bindings, Expr, Formula, Node, Number, Symbol};
 use crate::parse::{self, ParseError};
 use crate::scene::{Dimension, Shape, known_shape};
@@ -45,7 +45,7 @@ impl ProfileArguments {
     /// Reads a punch with a rim; its radius a may appear in f.
     pub(super) fn read_punch(&self, units: &Units) -> Result<(Typed, Settings), Failure> {
         // In f, the radius of the rim is a constant that --set does not change; in the formulas it is the contact radius.
-        let named = |text: &str| Ok(parse::punch(text)?.substitute(&Bindings::one("a", Expr::symbol(RIM))));
+        let named = |text: &str| Ok(parse::punch(text)?.substitute(&Bindings::one("a", rim_radius().into())));
         self.read_with(named, units)
     }
 
@@ -257,7 +257,7 @@ fn has_angle(expr: &Expr, symbol: &Symbol) -> bool {
 
 /// Returns the parameters of a profile, or of an equivalent profile g(x), by name.
 fn parameters(formula: &Formula) -> Vec<Symbol> {
-    formula.symbols().into_iter().filter(|symbol| !matches!(symbol.name(), "r" | "x" | RIM)).collect()
+    formula.symbols().into_iter().filter(|symbol| !matches!(symbol.name(), "r" | "x") && *symbol != rim_radius()).collect()
 }
 
 /// Parses a finite number; also returns it as an exact expression.

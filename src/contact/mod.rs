@@ -31,5 +31,5 @@ pub use points::{Expanded, each_point};
 pub(crate) use problem::step_of;
 pub use problem::{Contact, Measured, Reason};
 pub use quantity::{Dimension, Formulas, Kind, Loaded, Quantity};
-pub use report::{Edge, RIM, Relations, relations};
+pub use report::{Edge, Relations, relations, rim_radius};
 pub use steps::{Step, inverse_steps, short_inverse_steps, short_steps, steps};

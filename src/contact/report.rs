@@ -6,8 +6,10 @@ use crate::num::work;
 use crate::print::Prose;
 use crate::transform::{Check, Derived, Solution, Status, TransformError};
 
-/// The name of the rim's radius in a profile that contains it: there it is a constant, and the relations call it a.
-pub const RIM: &str = "a_rim";
+/// The radius of the rim in a profile that contains it: a constant, as the contact radius a is a variable of the relations.
+pub fn rim_radius() -> Symbol {
+    Symbol::homonym("a")
+}
 
 /// How the contact ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -80,8 +82,8 @@ fn collect(solution: &Solution, edge: &Edge) -> Result<Relations, ContactError> 
     }
     let (modulus, a) = (Expr::symbol("E"), Expr::symbol("a"));
     let at_edge = Bindings::one("x", a.clone());
-    let rim_is_edge = Bindings::one(RIM, a.clone());
-    let at_rim = |derived: Derived| Derived { formula: derived.formula.substitute(&rim_is_edge), ..derived };
+    let rim_is_edge = Bindings::one(rim_radius().name(), a.clone());
+    let at_rim = |derived: Derived| Derived { formula: derived.formula.substitute(&rim_is_edge).without_decided_pieces(), ..derived };
     let g = at_rim(solution.equivalent_profile());
     let g_at_edge = at_edge_of(&g.formula, &at_edge);
     let at_rim_of = |own: &Condition| {
@@ -200,8 +202,8 @@ fn complete_contact(solution: &Solution, depth: &Expr, g_at_edge: &Formula) -> V
 /// g with x = a, its pieces over a.
 fn at_edge_of(formula: &Formula, at_edge: &Bindings) -> Formula {
     match formula.substitute(at_edge) {
-        Formula::Piecewise { pieces, last, .. } => Formula::Piecewise { variable: Symbol::new("a"), pieces, last },
-        Formula::Sum(parts) => Formula::Sum(parts.iter().map(|part| at_edge_of(part, at_edge)).collect()),
+        Formula::Piecewise { pieces, last, .. } => Formula::Piecewise { variable: Symbol::new("a"), pieces, last }.without_decided_pieces(),
+        Formula::Sum(parts) => Formula::sum(parts.iter().map(|part| at_edge_of(part, at_edge))),
         other => other,
     }
 }

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use serde_json::Value;
+use sneddon::eval::constant_value;
+use sneddon::expr::{Bindings, Expr};
 use sneddon::parse;
 use std::process::{Command, Output};
 
@@ -159,10 +161,35 @@ fn a_rim_may_stand_in_its_profile() {
     assert_eq!(found["check"]["passed"], true);
     assert!(found["a_of_d"].is_null());
     let text = String::from_utf8(run(&["derive", "-h*r^2/a^2", "--depth", "d"]).stdout).unwrap();
-    assert!(!text.contains("a_rim") && text.contains("f(r) = -h*r^2/a^2"), "{text}");
+    assert!(text.contains("f(r) = -h*r^2/a^2"), "{text}");
     let flat = String::from_utf8(run(&["derive", "0", "--depth", "d"]).stdout).unwrap();
     assert!(flat.contains("F(d) = 2*E*a*d") && !flat.contains("no explicit form"), "{flat}");
     assert!(refused(&["derive", "-h*r^2/a^2"]).contains("if the depth is given"));
+}
+
+/// The answers, the steps, the notes and the errors call the radius of the rim a, and no piece depends on whether a < a/2.
+#[test]
+fn a_kink_at_a_share_of_the_rim() {
+    let kink = &["derive", "max(0,r-a/2)", "--depth", "d"];
+    let of = |list: &[&str]| json(&[list, &["--json"]].concat());
+    let force = of(kink)["F"]["text"].as_str().unwrap().to_owned();
+    // At a = 2 and E* = 1 it is the force of a kink at 1 under the depth 6.
+    let set = Bindings::from_iter([("a", Expr::integer(2)), ("d", Expr::integer(6)), ("E", Expr::one())]);
+    let value = constant_value(parse::formula(&force).unwrap().as_closed().unwrap(), &set).unwrap().value;
+    let expected = of(&["eval", "max(0,r-1)", "--quantity", "F", "--at", "2", "--depth", "6"])["points"][0]["value"].as_f64().unwrap();
+    assert!((value / expected - 1.0).abs() < 1e-15, "{force}: {value} instead of {expected}");
+    let full = [kink, ["--steps=full"].as_slice()].concat();
+    for (arguments, wanted) in [
+        (kink.as_slice(), "pi/3*a <= d"),
+        (kink, "f' jumps at r = a/2"),
+        (&full, "f'(r) = piecewise(0, r < a/2, 1)"),
+        (&["derive", "piecewise(0,r<a/3,r^2)", "--depth", "1"], "the profile jumps by a^2/9 at r = a/3"),
+        (&["derive", "a_rim*r^2", "--depth", "1"], "f(r) = a_rim*r^2"),
+    ] {
+        let done = run(arguments);
+        let text = String::from_utf8([done.stdout, done.stderr].concat()).unwrap();
+        assert!(text.contains(wanted) && !text.contains("a'") && !text.contains("a < a"), "{arguments:?}: {text}");
+    }
 }
 
 /// The quantities of the one-dimensional model, the mean pressure and the stress on the axis of a paraboloid with R = 2, a = 1, E* = 3.

@@ -5,7 +5,7 @@ use crate::cli::output::{Destination, Formats};
 use crate::cli::quantities::{Quantities, demand};
 use crate::cli::typesetting::{ENDINGS, Format, Steps, TypesettingArguments};
 use crate::cli::{Failure, Outcome, budget, input};
-use crate::contact::{ContactError, Edge, Quantity, RIM, relations, short_steps, steps};
+use crate::contact::{ContactError, Edge, Quantity, relations, rim_radius, short_steps, steps};
 use crate::expr::{Bindings, Expr, Sign, sign};
 use crate::report::page::Page;
 use crate::report::{self, Derivation};
@@ -59,7 +59,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     units.tell();
     let edge = arguments.depth.as_deref().map(|text| units.depth(text)).transpose()?.map_or(Edge::Smooth, Edge::Rim);
     let (typed, settings) = if edge == Edge::Smooth { arguments.profile.read(&units)? } else { arguments.profile.read_punch(&units)? };
-    let shown = typed.formula.substitute(&settings.exact()).substitute(&Bindings::one(RIM, Expr::symbol("a")));
+    let shown = typed.formula.substitute(&settings.exact()).substitute(&Bindings::one(rim_radius().name(), Expr::symbol("a")));
     let presentation = arguments.typesetting.presentation(&shown)?;
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;

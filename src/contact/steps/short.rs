@@ -1,8 +1,8 @@
 //! The short derivations: one step per quantity, with its result, the definition it comes from and the rules of its closed form.
 
 use super::{Step, equivalent, inverse, results};
-use crate::contact::{Edge, RIM, Relations};
-use crate::expr::{Bindings, Expr, Formula};
+use crate::contact::{Edge, Relations};
+use crate::expr::{Expr, Formula};
 use crate::print::Prose;
 use crate::transform::{Derived, Solution, Status, TransformError};
 
@@ -68,9 +68,7 @@ fn closed_by(reason: Prose, found: &Derived) -> Prose {
 fn slope(solution: &Solution) -> Result<Step, TransformError> {
     let is_whole = solution.profile.chains.iter().all(|chain| chain.breakpoints.is_empty());
     let why = Prose::read("The derivative of $f(r)$").then(if is_whole { "" } else { ", piece by piece" });
-    // The radius of a rim is a constant of f, and the results call it a.
-    let derivative = equivalent::slope(solution)?.substitute(&Bindings::one(RIM, Expr::symbol("a")));
-    Ok(Step::new("Slope", "f'(r)", derivative, why))
+    Ok(Step::new("Slope", "f'(r)", equivalent::slope(solution)?, why))
 }
 
 fn equivalent_profile(solution: &Solution, relations: &Relations) -> Step {

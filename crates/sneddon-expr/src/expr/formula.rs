@@ -1,6 +1,6 @@
 //! Formulas: plain expressions, piecewise expressions, integrals, and sums of these.
 
-use super::{Bindings, Expr, Symbol, derivative::derivative, error::ExprError};
+use super::{Bindings, Expr, Sign, Symbol, derivative::derivative, error::ExprError, sign};
 
 /// A formula: a closed expression, a case distinction, an integral, or a sum or multiple of formulas.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -201,6 +201,30 @@ impl Formula {
                 let integrand = Box::new(Self::Closed(Expr::product(inside)));
                 Self::Integral { integrand, variable, lower, upper }.scaled(&Expr::product(outside))
             }
+        }
+    }
+
+    /// The formula without pieces that are known to lie on one side of the variable, which a breakpoint may contain after a
+    /// substitution, as in a < a/2.
+    pub fn without_decided_pieces(self) -> Self {
+        match self {
+            Self::Sum(parts) => Self::sum(parts.into_iter().map(Self::without_decided_pieces)),
+            Self::Scaled(factor, inner) => inner.without_decided_pieces().scaled(&factor),
+            Self::Piecewise { variable, pieces, mut last } => {
+                let mut left = Vec::new();
+                for (value, end) in pieces {
+                    match sign(&(&end - Expr::from(variable.clone()))) {
+                        Sign::Negative | Sign::Zero => {}
+                        Sign::Positive => {
+                            *last = value;
+                            break;
+                        }
+                        Sign::Unknown => left.push((value, end)),
+                    }
+                }
+                if left.is_empty() { *last } else { Self::Piecewise { variable, pieces: left, last } }
+            }
+            Self::Closed(_) | Self::Integral { .. } => self,
         }
     }
 

@@ -60,15 +60,34 @@ impl Symbol {
         Self(Arc::from(name))
     }
 
-    /// Its name.
+    /// A symbol that is printed with the given name but differs from the symbol of that name, as no name that is read can end in an
+    /// apostrophe: a constant beside a variable that the field calls the same.
+    ///
+    /// ```
+    /// use sneddon_expr::expr::{Bindings, Expr, Symbol};
+    /// let rim = Expr::from(Symbol::homonym("a"));
+    /// let quotient = Expr::symbol("a") / &rim;
+    /// assert_eq!(quotient.to_string(), "a/a");
+    /// assert_eq!(Bindings::one("a", Expr::integer(2)).apply(&quotient).to_string(), "2/a");
+    /// ```
+    pub fn homonym(name: &str) -> Self {
+        Self(Arc::from(format!("{name}'")))
+    }
+
+    /// Its name, by which it is compared.
     pub fn name(&self) -> &str {
         &self.0
+    }
+
+    /// The name under which it is printed.
+    pub fn shown(&self) -> &str {
+        self.0.trim_end_matches('\'')
     }
 }
 
 impl fmt::Display for Symbol {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(self.shown())
     }
 }
 

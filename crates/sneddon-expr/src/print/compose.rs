@@ -204,7 +204,7 @@ fn unit(base: &Expr, style: Style, bare: bool, power: Option<Math>) -> Math {
             Math::Number { mantissa: digits.mantissa, exponent: digits.exponent }
         }
         Node::Constant(constant) => Math::Constant(*constant),
-        Node::Symbol(name) => Math::Name(name.name().to_owned()),
+        Node::Symbol(name) => Math::Name(name.shown().to_owned()),
         Node::Function(function, arguments) => Math::Call(call(*function, arguments, style, bare, power)),
         Node::Power(..) | Node::Product(_) | Node::Sum(_) => parenthesised(expr(base, style)),
     }
