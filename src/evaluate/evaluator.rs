@@ -87,9 +87,10 @@ pub(crate) struct NumericChain {
     outside: OnceLock<Part>,
 }
 
-/// The closed expressions of one quantity, one per interval of the contact, and the part that remains to be integrated.
+/// The closed expressions of one quantity, one per interval of the contact and `None` where it is 0, each compiled where a contact
+/// first ends in its interval; and the part that remains to be integrated.
 pub(crate) struct Part {
-    pub(crate) closed: Vec<Option<ClosedForm>>,
+    closed: Vec<OnceLock<Option<ClosedForm>>>,
     pub(crate) open: NumericProfile,
 }
 
@@ -344,11 +345,10 @@ impl<'a> Evaluator<'a> {
     pub(crate) fn closed_forms(&self, quantity: Superposed, contact: f64) -> Result<Option<Vec<&ClosedForm>>, TransformError> {
         let mut forms = Vec::new();
         for index in 0..self.chains.len() {
-            let part = self.part(index, quantity)?;
-            if !part.open.is_empty() {
+            if !self.part(index, quantity)?.open.is_empty() {
                 return Ok(None);
             }
-            forms.extend(part.closed.get(self.interval(index, contact)).and_then(Option::as_ref));
+            forms.extend(self.closed_form(index, self.interval(index, contact), quantity)?);
         }
         Ok(Some(forms))
     }
@@ -427,24 +427,34 @@ impl<'a> Evaluator<'a> {
         if let Some(ready) = cell.get() {
             return Ok(ready);
         }
+        let open = chain.remainder(|term| quantity.is_open(term));
+        let closed = chain.intervals.iter().map(|_| OnceLock::new()).collect();
+        let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
+        // Expressions that were compiled after the budget was exhausted are meaningless.
+        work::check()?;
+        Ok(cell.get_or_init(|| part))
+    }
+
+    /// The closed form of a chain for a contact that ends in an interval; `None` if it is 0.
+    pub(crate) fn closed_form(&self, index: usize, interval: usize, quantity: Superposed) -> Result<Option<&ClosedForm>, TransformError> {
+        let (Some(cell), Some(chain)) = (self.part(index, quantity)?.closed.get(interval), self.solution.chains.get(index)) else {
+            return Ok(None);
+        };
+        if let Some(ready) = cell.get() {
+            return Ok(ready.as_ref());
+        }
         let inputs: &[&str] = match quantity {
             Superposed::Equivalent => &["x"],
             Superposed::Force => &["a"],
             Superposed::Pressure | Superposed::Outside => &["r", "a"],
         };
         let symbols: Vec<Symbol> = inputs.iter().map(|name| Symbol::new(name)).collect();
-        let mut closed = Vec::new();
-        for interval in 0..chain.intervals.len() {
-            let expr = self.bindings.apply(&chain.closed(interval, quantity, |pair| &pair.evaluated));
-            let second =
-                if has_30_digits(&expr) { expr.clone() } else { self.bindings.apply(&chain.closed(interval, quantity, for_second_pass)) };
-            closed.push(if expr.is_zero() { None } else { Some(ClosedForm::with_second(&expr, second, &symbols)?) });
-        }
-        let open = chain.remainder(|term| quantity.is_open(term));
-        let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
-        // Expressions that were compiled after the budget was exhausted are meaningless.
+        let expr = self.bindings.apply(&chain.closed(interval, quantity, |pair| &pair.evaluated));
+        let second =
+            if has_30_digits(&expr) { expr.clone() } else { self.bindings.apply(&chain.closed(interval, quantity, for_second_pass)) };
+        let form = if expr.is_zero() { None } else { Some(ClosedForm::with_second(&expr, second, &symbols)?) };
         work::check()?;
-        Ok(cell.get_or_init(|| part))
+        Ok(cell.get_or_init(|| form).as_ref())
     }
 }
 

@@ -153,7 +153,7 @@ impl Evaluator<'_> {
         if let Some(buffer) = wanted_too.into_iter().flatten().chain([out.values.len()]).find(|length| *length != points.len()) {
             return Err(TransformError::Buffer { points: points.len(), buffer });
         }
-        let forms = self.forms(wanted)?;
+        let forms = self.forms(wanted, points)?;
         let plan = match (&forms, wanted) {
             (Some(forms), Wanted::Superposed(quantity, radius)) if out.is_plain() => {
                 let tapes = forms.iter().flat_map(|own| own.forms.iter().flatten()).map(|form| form.tape());
@@ -200,12 +200,13 @@ impl Evaluator<'_> {
         Ok(())
     }
 
-    /// The closed forms, if they alone give the result; `None` if every point needs scalar evaluation.
-    fn forms(&self, wanted: Wanted) -> Result<Option<Vec<Forms<'_>>>, TransformError> {
+    /// The closed forms of the intervals in which the points lie, if they alone give the result; `None` if every point needs scalar
+    /// evaluation.
+    fn forms(&self, wanted: Wanted, points: &[f64]) -> Result<Option<Vec<Forms<'_>>>, TransformError> {
         if matches!(self.method, Method::Quadrature | Method::Only(_)) {
             return Ok(None);
         }
-        let Wanted::Superposed(quantity, _) = wanted else {
+        let Wanted::Superposed(quantity, radius) = wanted else {
             let chains = self.height_forms()?.chains.iter();
             let list = chains.map(|(breakpoints, pieces)| Forms {
                 breakpoints: breakpoints.iter().copied().map(Bounded::exact).collect(),
@@ -214,13 +215,19 @@ impl Evaluator<'_> {
             });
             return Ok(Some(list.collect()));
         };
+        let (lowest, highest) = match radius {
+            Some(a) => (a, a),
+            None if self.chains.iter().all(|own| own.breakpoints.is_empty()) => (0.0, 0.0),
+            None => ends(points),
+        };
         let mut list = Vec::new();
         for (index, chain) in self.chains.iter().enumerate() {
-            let part = self.part(index, quantity)?;
-            if !part.open.is_empty() {
+            if !self.part(index, quantity)?.open.is_empty() {
                 return Ok(None);
             }
-            let forms = part.closed.iter().map(Option::as_ref).collect();
+            let (first, last) = (self.interval(index, lowest), self.interval(index, highest));
+            let form = |interval: usize| if interval < first { Ok(None) } else { self.closed_form(index, interval, quantity) };
+            let forms = (0..=last).map(form).collect::<Result<Vec<_>, _>>()?;
             list.push(Forms { breakpoints: chain.breakpoints.clone(), closed_below: false, forms });
         }
         Ok(Some(list))

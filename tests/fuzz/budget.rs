@@ -333,15 +333,37 @@ fn the_work_grows_little_faster_than_the_profile() {
     }
 }
 
-/// Factors of its f′ compare by their innermost parts: some 90 million comparisons, each of which takes less than a step.
+/// The factors of its f′ differ in their innermost parts only: compared part by part, they took 156 million steps, and by their
+/// levels first they take 75.
 #[test]
-fn sixty_four_nested_roots_are_within_the_default_budget() {
+fn the_factors_of_nested_roots_are_compared_by_their_levels() {
     let text = (0..64).fold("1+r^2".to_owned(), |inner, _| format!("1+sqrt({inner})"));
     let (found, steps) = counted(|| {
         let solution = derive(&Profile::new(&parse::profile(&text).unwrap())?)?;
         Ok::<_, TransformError>((solution.equivalent_profile(), solution.force(), solution.pressure()))
     });
-    assert!(found.is_ok() && steps < Budget::DEFAULT.count(), "{steps} steps: {:?}", found.err());
+    assert!(found.is_ok() && steps < 80_000_000, "{steps} steps: {:?}", found.err());
+}
+
+/// A number needs the formula of one interval, and every root is shown to be analytic at the axis once: 100 pieces and 64 roots took
+/// 1.0 and 4.4 million steps, and the work grew with the square of their number.
+#[test]
+fn the_work_for_a_number_grows_little_faster_than_the_profile() {
+    let pieces = |n: usize| {
+        let inner: String = (1..n).map(|i| format!(", {i}*(r-{i})+{}, r<{}", i * (i - 1) / 2, i + 1)).collect();
+        format!("piecewise(0, r<1{inner}, {n}*(r-{n})+{})", n * (n - 1) / 2)
+    };
+    let roots = |n: usize| (0..n).fold("1+r^2".to_owned(), |inner, _| format!("1+sqrt({inner})"));
+    for (few, many, at, power) in
+        [(pieces(25), pieces(50), 0.7, 1.0), (pieces(25), pieces(50), 24.5, 1.0), (roots(16), roots(32), 0.7, 1.4)]
+    {
+        let steps = |text: &str| {
+            let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+            counted(|| Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(at).unwrap()).1 as f64
+        };
+        let (few, many) = (steps(&few), steps(&many));
+        assert!((many / few).log2() < power, "{few} steps, then {many}");
+    }
 }
 
 /// Quotients whose derivative has a polynomial of degree 8 in its denominators, in some fifty terms: each kernel is

@@ -62,8 +62,7 @@ impl Evaluator<'_> {
         let mut slots = Vec::new();
         for index in 0..self.chains.len() {
             let part = self.part(index, quantity)?;
-            let interval = self.interval(index, contact);
-            if let Some(form) = part.closed.get(interval).and_then(Option::as_ref) {
+            if let Some(form) = self.closed_form(index, self.interval(index, contact), quantity)? {
                 let abandoned = abandoned.filter(|_| form.tape().is_special());
                 let found = in_time(Abandoned::ClosedForm, abandoned, CLOSED_FORM_STEPS, || form.in_doubles(&exact, &mut slots));
                 let Some(value) = found else { return Ok(None) };

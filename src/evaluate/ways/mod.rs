@@ -245,7 +245,7 @@ fn in_parts(_: &Way, evaluator: &Evaluator<'_>, ask: Ask) -> Result<Option<Estim
     let (mut open, mut forms) = (Estimate::exact(0.0), Vec::new());
     for index in 0..evaluator.chains.len() {
         let part = evaluator.part(index, quantity)?;
-        forms.extend(part.closed.get(evaluator.interval(index, ask.reach())).and_then(Option::as_ref));
+        forms.extend(evaluator.closed_form(index, evaluator.interval(index, ask.reach()), quantity)?);
         if !part.open.is_empty() {
             let Some(found) = part.open.answer(ask, evaluator.tolerance)? else { return Ok(None) };
             open = open + found;

@@ -24,6 +24,13 @@ const BESSEL: [&str; 2] = ["besselj", "besseli"];
 
 /// The parity in `radius`; `None` if it is neither, or not seen.
 pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
+    let mut branched = Vec::new();
+    let found = parity_of(expr, radius, &mut branched)?;
+    (branched.is_empty() || are_analytic(&branched, radius)).then_some(found)
+}
+
+/// The parity if the expressions that are added to `branched`, which may have a branch point, are analytic around the axis.
+fn parity_of(expr: &Expr, radius: &Symbol, branched: &mut Vec<Expr>) -> Option<Parity> {
     if !expr.contains(radius) {
         return Some(Parity::Even);
     }
@@ -31,25 +38,28 @@ pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
         Node::Number(_) | Node::Constant(_) => Some(Parity::Even),
         Node::Symbol(_) => Some(Parity::Odd),
         Node::Sum(terms) => {
-            let mut all = terms.iter().map(|term| parity(term, radius));
+            let mut all = terms.iter().map(|term| parity_of(term, radius, branched));
             let first = all.next()??;
             all.all(|own| own == Some(first)).then_some(first)
         }
         Node::Product(factors) => factors.iter().try_fold(Parity::Even, |so_far, factor| {
-            let own = parity(factor, radius)?;
+            let own = parity_of(factor, radius, branched)?;
             Some(if own == so_far { Parity::Even } else { Parity::Odd })
         }),
-        Node::Power(base, exponent) => match (parity(base, radius)?, exponent.as_number()) {
+        Node::Power(base, exponent) => match (parity_of(base, radius, branched)?, exponent.as_number()) {
             (Parity::Even, Some(power)) if power.is_integer() => Some(Parity::Even),
             // √(r² + r⁴) is an even expression and continues to r√(1 + r²).
-            (Parity::Even, _) => (parity(exponent, radius)? == Parity::Even && is_analytic(expr, radius)).then_some(Parity::Even),
+            (Parity::Even, _) => {
+                branched.push(expr.clone());
+                parity_of(exponent, radius, branched).filter(|own| *own == Parity::Even)
+            }
             (Parity::Odd, Some(power)) if power.is_integer() => {
                 Some(if (power.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
             }
             (Parity::Odd, _) => None,
         },
         Node::Function(function, arguments) => {
-            let own: Vec<Parity> = arguments.iter().map(|a| parity(a, radius)).collect::<Option<_>>()?;
+            let own: Vec<Parity> = arguments.iter().map(|a| parity_of(a, radius, branched)).collect::<Option<_>>()?;
             match own.as_slice() {
                 [Parity::Odd] if ODD.contains(&function.name()) => Some(Parity::Odd),
                 [Parity::Odd] if EVEN.contains(&function.name()) => Some(Parity::Even),
@@ -59,19 +69,22 @@ pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
                     Some(if (order.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
                 }
                 all => {
-                    let entire = ENTIRE.contains(&function.name());
-                    (all.iter().all(|p| *p == Parity::Even) && (entire || is_analytic(expr, radius))).then_some(Parity::Even)
+                    if !ENTIRE.contains(&function.name()) {
+                        branched.push(expr.clone());
+                    }
+                    all.iter().all(|p| *p == Parity::Even).then_some(Parity::Even)
                 }
             }
         }
     }
 }
 
-/// Returns true if an enclosure shows that an expression in r alone is analytic around r = 0, where a function may have a branch
-/// point.
-fn is_analytic(expr: &Expr, radius: &Symbol) -> bool {
+/// Returns true if enclosures show that expressions in r alone are analytic around r = 0, where a function may have a branch point.
+/// One tape computes what they share once.
+fn are_analytic(expressions: &[Expr], radius: &Symbol) -> bool {
     const NEAR: f64 = 1e-30;
     let around = Region::new((-NEAR, NEAR), (-NEAR, NEAR));
-    let tape = Tape::compile(std::slice::from_ref(expr), std::slice::from_ref(radius));
-    tape.ok().and_then(|tape| tape.run(&mut RegionAlgebra, &[around], &mut Vec::new())).is_some_and(|own| own.largest().is_finite())
+    let tape = Tape::compile(expressions, std::slice::from_ref(radius));
+    let found = tape.ok().and_then(|tape| tape.run_all(&mut RegionAlgebra, &[around], &mut Vec::new()));
+    found.is_some_and(|all| all.iter().all(|own| own.largest().is_finite()))
 }

@@ -24,7 +24,11 @@ impl Ord for Expr {
     }
 }
 
-/// Kinds in the order of [`Node`], then operands one by one; a shared tree equals itself without a look inside.
+/// Trees of at most this many levels are ordered by content alone.
+const SHALLOW: u32 = 32;
+
+/// Kinds in the order of [`Node`], then operands one by one; a shared tree equals itself without a look inside, and deep trees are
+/// ordered by their levels first: the factors of nested roots differ in their innermost parts only.
 ///
 /// Comparisons of order count as work; tests of equality do not, because their number in a hash table is random.
 /// One function and one frame per level, so that the deepest expression that is read compares on a small stack.
@@ -34,6 +38,10 @@ fn compare<const COUNTED: bool>(left: &Expr, right: &Expr) -> Ordering {
     }
     if COUNTED {
         work::spend(1);
+    }
+    let levels = [left, right].map(|own| own.levels().max(SHALLOW));
+    if levels[0] != levels[1] {
+        return levels[0].cmp(&levels[1]);
     }
     let (left, right): (&[Expr], &[Expr]) = match (left.node(), right.node()) {
         (Node::Number(l), Node::Number(r)) => return l.cmp(r),

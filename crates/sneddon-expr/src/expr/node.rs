@@ -20,7 +20,14 @@ use std::sync::Arc;
 // Equal trees hash equally: `compare` and the derived hash both look at the content alone.
 #[allow(clippy::derived_hash_with_manual_eq)]
 #[derive(Clone, Hash)]
-pub struct Expr(Arc<Node>);
+pub struct Expr(Arc<Tree>);
+
+/// A node and the number of levels from it down to its deepest leaf.
+#[derive(Hash)]
+struct Tree {
+    node: Node,
+    levels: u32,
+}
 
 /// The kinds of node; obtained by matching on [`Expr::node`], never built directly.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -64,11 +71,11 @@ impl Symbol {
     /// apostrophe: a constant beside a variable that the field calls the same.
     ///
     /// ```
-    /// use sneddon_expr::expr::{Bindings, Expr, Symbol};
+    /// use sneddon_expr::{expr::{Bindings, Expr, Symbol}, print::text_expr};
     /// let rim = Expr::from(Symbol::homonym("a"));
     /// let quotient = Expr::symbol("a") / &rim;
-    /// assert_eq!(quotient.to_string(), "a/a");
-    /// assert_eq!(Bindings::one("a", Expr::integer(2)).apply(&quotient).to_string(), "2/a");
+    /// assert_eq!(text_expr(&quotient), "a/a");
+    /// assert_eq!(Bindings::one("a", Expr::integer(2)).apply(&quotient), Expr::integer(2) / rim);
     /// ```
     pub fn homonym(name: &str) -> Self {
         Self(Arc::from(format!("{name}'")))
@@ -98,17 +105,25 @@ const CHILD: u64 = 4;
 
 impl Expr {
     pub(super) fn raw(node: Node) -> Self {
-        let children = match &node {
-            Node::Function(_, list) | Node::Product(list) | Node::Sum(list) => list.len(),
-            _ => 0,
+        let (children, levels) = match &node {
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => (0, 0),
+            Node::Power(base, exponent) => (0, base.levels().max(exponent.levels())),
+            Node::Function(_, list) | Node::Product(list) | Node::Sum(list) => {
+                (list.len(), list.iter().map(Self::levels).max().unwrap_or_default())
+            }
         };
         work::spend(NODE + CHILD * children as u64);
-        Self(Arc::new(node))
+        Self(Arc::new(Tree { node, levels: levels.saturating_add(1) }))
+    }
+
+    /// The number of levels of the tree.
+    pub(super) fn levels(&self) -> u32 {
+        self.0.levels
     }
 
     /// The node at the top of the tree.
     pub fn node(&self) -> &Node {
-        &self.0
+        &self.0.node
     }
 
     /// The address of the shared node, for tables that recognise shared subtrees within one run.
