@@ -18,7 +18,7 @@ mod units;
 
 use crate::report;
 use clap::{Parser, Subcommand};
-use commands::{code, compare, completions, derive, eval, invert, plot, reference, rules, scene, solve, tradeoff, validate};
+use commands::{code, compare, completions, derive, eval, invert, kappa, plot, reference, rules, scene, solve, tradeoff, validate};
 use failure::Failure;
 use std::process::ExitCode;
 
@@ -54,6 +54,7 @@ enum Command {
     Code(code::Arguments),
     Plot(plot::Arguments),
     Tradeoff(tradeoff::Arguments),
+    Kappa(kappa::Arguments),
     Rules(rules::Arguments),
     Solve(solve::Arguments),
     Reference(reference::Arguments),
@@ -111,6 +112,7 @@ pub fn main() -> ExitCode {
         Command::Code(own) => own.budget.run(|| code::run(&own)),
         Command::Plot(own) => own.budget.run(|| plot::run(&own)),
         Command::Tradeoff(own) => tradeoff::run(&own),
+        Command::Kappa(own) => kappa::run(&own),
         Command::Rules(own) => rules::run(&own),
         Command::Solve(own) => own.budget.run(|| solve::run(&own)),
         Command::Reference(own) => own.budget.run(|| reference::run(&own)),

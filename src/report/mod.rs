@@ -15,6 +15,8 @@ pub mod page;
 mod palette;
 #[cfg(feature = "cli")]
 pub mod picture;
+#[cfg(feature = "data")]
+pub mod power_constants;
 mod record;
 #[cfg(feature = "data")]
 mod reference;

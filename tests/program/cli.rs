@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use serde_json::Value;
+use sneddon::parse;
 use sneddon_checks::seeds::cases;
 use std::fs;
 use std::io::Write;
@@ -254,6 +255,34 @@ fn text_is_made_to_be_read() {
     let words: Vec<Vec<&str>> = table.lines().map(|line| line.split_whitespace().collect()).collect();
     assert!(words.contains(&vec!["x", "g", "error", "method"]), "{table}");
     assert!(words.iter().any(|line| line.starts_with(&["0.5", "0.5"])), "{table}");
+}
+
+/// κ_n against 30-digit values of mpmath, and against the formula that a power-law profile has.
+#[test]
+fn kappa_tabulates_the_constants_of_powers() {
+    let answer = json(&["kappa", "--at", "0.5,1.5,2.5,7.3,121,1e5", "--json"]);
+    let expected = [
+        1.311_028_777_146_059_9,
+        1.797_210_352_103_388_3,
+        2.185_047_961_910_1,
+        3.503_877_742_323_193,
+        13.814_969_044_106_28,
+        396.333_720_593_664,
+    ];
+    for (point, expected) in answer["points"].as_array().unwrap().iter().zip(expected) {
+        let (value, error) = (point["value"].as_f64().unwrap(), point["error_estimate"].as_f64().unwrap());
+        assert!((value - expected).abs() <= error && error < 4e-15 * expected, "{point}: expected {expected}");
+    }
+    let exact = json(&["kappa", "--at", "0:9:10", "--json"]);
+    for (n, point) in exact["points"].as_array().unwrap().iter().enumerate().skip(1) {
+        let g = json(&["derive", &format!("r^{n}"), "--quantity", "g", "--json"]);
+        let power = if n == 1 { "x".to_owned() } else { format!("x^{n}") };
+        let (of_g, kappa) = (g["g"]["text"].as_str().unwrap(), point["exact"].as_str().unwrap());
+        assert_eq!(parse::formula(of_g), parse::formula(&format!("({kappa})*{power}")), "n = {n}");
+    }
+    assert!(run(&["kappa", "--at", "2"]).stdout.contains("2  2        0      2"), "{}", run(&["kappa", "--at", "2"]).stdout);
+    refused(b"", &["kappa", "--at", "-1"], &["the point -1 is negative"]);
+    refused(b"", &["kappa", "--at", "1 um"], &["is a length, not a plain number"]);
 }
 
 #[test]

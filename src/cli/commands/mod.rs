@@ -9,6 +9,7 @@ pub(super) mod completions;
 pub(super) mod derive;
 pub(super) mod eval;
 pub(super) mod invert;
+pub(super) mod kappa;
 pub(super) mod plot;
 pub(super) mod reference;
 pub(super) mod rules;

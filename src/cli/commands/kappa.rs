@@ -1,0 +1,69 @@
+//! `sneddon kappa`: the constants of power-law profiles.
+
+use crate::cli::output::{Destination, Endings};
+use crate::cli::precision::PrecisionArguments;
+use crate::cli::units::Units;
+use crate::cli::{Failure, Outcome, points};
+use crate::eval::constant_value;
+use crate::expr::{Bindings, Expr, Node, Number};
+use crate::num::Estimate;
+use crate::report::power_constants::{self, PowerConstant};
+use crate::scene::Dimension;
+use crate::transform::rules::kappa;
+use std::path::PathBuf;
+
+/// Tabulates the constants of power-law profiles: f(r) = C*r^n has g(x) = kappa_n*C*x^n.
+///
+/// kappa_n = sqrt(pi)*gamma(n/2 + 1)/gamma(n/2 + 1/2), with kappa_1 = pi/2 and kappa_2 = 2.
+#[derive(clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(in crate::cli) struct Arguments {
+    /// Exponents n, at least 0: 1,1.5,2 or start:stop:count or log:start:stop:count.
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    at: String,
+    /// Writes JSON.
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// Writes comma-separated values.
+    #[arg(long)]
+    csv: bool,
+    /// Writes to this file instead of stdout; the extension selects the format: .txt, .csv or .json.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    precision: PrecisionArguments,
+}
+
+const EXAMPLES: &str = "Examples:
+  sneddon kappa --at 0.5:4:8
+  sneddon kappa --at 1,1.5,2,3 --json";
+
+#[derive(Clone, Copy, PartialEq)]
+enum Format {
+    Text,
+    Csv,
+    Json,
+}
+
+const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
+
+pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
+    let digits = arguments.precision.digits(answer.format() != Format::Json)?;
+    let exponents = points::read(&arguments.at, &Units::of(&[], &[], None), Dimension::NONE)?;
+    let constant = |n: f64| {
+        let unknown = || Failure::new(format!("kappa_n has no value at n = {n:?}"));
+        let form = kappa(&Expr::number(Number::from_f64(n).ok_or_else(unknown)?));
+        let value = constant_value(&form, &Bindings::default()).map_err(|_| unknown())?;
+        let exact = Some(form).filter(|form| !matches!(form.node(), Node::Function(..)));
+        Ok(PowerConstant { exponent: n, value: digits.of(Estimate::from_bounded(value, 0)), exact })
+    };
+    let list = exponents.into_iter().map(constant).collect::<Result<Vec<_>, Failure>>()?;
+    answer.write(|format, out| match format {
+        Format::Json => power_constants::as_json(&list, out),
+        Format::Csv => power_constants::as_csv(&list, out),
+        Format::Text => power_constants::as_text(&list, out),
+    })?;
+    Ok(Outcome::Done)
+}
