@@ -60,9 +60,9 @@ pub(super) struct TypesettingArguments {
     /// Writes a complete document that compiles, for latex, typst, markdown or mathml.
     #[arg(long)]
     standalone: bool,
-    /// Width of a column in characters, from 20 to 1000; 51 suits a paper in two columns [default: 72; text is not broken].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(20..=1000))]
-    width: Option<u16>,
+    /// Width of a column in characters, from 20 to 1000, or with a unit, as 246pt or 8.5cm; 51 suits a paper in two columns [default: 72; text is not broken].
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    width: Option<String>,
     /// Renames symbols in the output, such as E=E_r,d=\delta.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     symbols: Vec<String>,
@@ -91,7 +91,8 @@ impl TypesettingArguments {
             return Err(Failure::new("--standalone requires a document format, not text or JSON")
                 .help("add --format latex, typst, markdown or mathml"));
         }
-        Ok(page::Style { standalone: self.standalone, width: self.width.map(usize::from) })
+        let width = self.width.as_deref().map(characters).transpose()?;
+        Ok(page::Style { standalone: self.standalone, width })
     }
 
     /// Returns the changes to the formulas in the output for a profile.
@@ -135,6 +136,20 @@ impl TypesettingArguments {
         }
         Ok(Renaming::new(pairs))
     }
+}
+
+/// Reads the width of a column in characters, of which a column of 345 pt has 72.
+fn characters(text: &str) -> Result<usize, Failure> {
+    const UNITS: [(&str, f64); 5] = [("pt", 1.0), ("mm", 72.27 / 25.4), ("cm", 72.27 / 2.54), ("in", 72.27), ("", 345.0 / 72.0)];
+    let typed = text.trim();
+    let points = UNITS.iter().find_map(|(unit, points)| Some(typed.strip_suffix(unit)?.trim().parse::<f64>().ok()? * points));
+    // Room for rounding: 95.83 pt are 20 characters.
+    let count = points.map(|points| (points / (345.0 / 72.0) + 1e-3).floor()).filter(|count| (20.0..=1000.0).contains(count));
+    count.map(|count| count as usize).ok_or_else(|| {
+        Failure::new(format!("--width {typed} is not the width of a column"))
+            .help("expected 20 to 1000 characters, or a width such as 246pt, 86mm, 8.6cm or 3.4in")
+            .at("--width", text, 0..text.len())
+    })
 }
 
 /// The symbols in the output of the program.

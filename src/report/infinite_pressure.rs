@@ -17,7 +17,7 @@ pub(super) fn note(profile: &Profile) -> Option<Prose> {
         };
         (before, radius, if radius.is_zero() { " (the apex)" } else { "" })
     });
-    let start = Prose::read("$f'$ jumps at ");
+    let start = Prose::read("$f'(r)$ jumps at ");
     let list = named.fold(start, |prose, (before, radius, after)| prose.then(before).then("$r$ = ").formula(radius.clone()).then(after));
     let list = if found.len() > MOST_NAMED { list.then(" and further radii") } else { list };
     (!found.is_empty()).then(|| list.then("; $p$ is infinite there"))

@@ -39,7 +39,7 @@ impl Kind {
 
     fn sentence(self) -> &'static str {
         match self {
-            Self::OpenProfile => "the integral in $p(r)$ is over $f'$, because a part of $g(x)$ has no closed form in the catalogue",
+            Self::OpenProfile => "the integral in $p(r)$ is over $f'(r)$, because a part of $g(x)$ has no closed form in the catalogue",
             Self::Bessel => "the integral in $p(r)$ is an incomplete integral of Bessel functions, for which no closed form is known",
             Self::Elliptic => {
                 "the integral in $p(r)$ is an integral of elliptic integrals over their modulus, for which no closed form is known"

@@ -2,7 +2,7 @@
 
 use super::{infinite_pressure, open_pressure};
 use crate::contact::{Asked, Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
-use crate::expr::{Expr, Formula};
+use crate::expr::{Condition, Expr, Formula, Relation};
 use crate::print::{Presentation, Prose};
 use crate::transform::{Check, Derived, Profile, TransformError};
 use std::borrow::Cow;
@@ -89,13 +89,11 @@ impl Derivation<'_> {
 
     /// Returns notes about the formulas.
     pub fn notes(&self) -> Vec<Prose> {
-        let mut notes = vec![
-            "the formulas apply for $x$ >= 0; $g$ is even",
-            "$E$ is the effective modulus E*: 1/E* = (1 - ν_1²)/E_1 + (1 - ν_2²)/E_2 for the moduli and Poisson's ratios of the two bodies",
-            "$p$ = -$sigma_zz$ is positive in compression and 0 for $r$ > $a$",
-        ];
+        let mut notes = Vec::new();
         if self.relations.pressure.is_none() {
-            notes.push("$f'$ is infinite at a breakpoint and $g$ jumps there, or $g$ is not known to be continuous: $p(r)$ has no formula");
+            notes.push(
+                "$f'(r)$ is infinite at a breakpoint and $g$ jumps there, or $g$ is not known to be continuous: $p(r)$ has no formula",
+            );
         }
         if self.has_rim() {
             notes.push("$a$ is the radius of the rim at every depth");
@@ -105,7 +103,8 @@ impl Derivation<'_> {
         let pressure = self.relations.pressure.as_ref().filter(|_| self.asked.is_empty() || self.asked.contains(&Quantity::Pressure));
         let reasons = pressure.map_or_else(Vec::new, |own| open_pressure::reasons(&own.formula));
         let infinite = pressure.and_then(|_| infinite_pressure::note(self.profile));
-        let all = notes.into_iter().map(Prose::read).chain(reasons).chain(infinite).chain(rounding(self.presentation));
+        let notes = notes.into_iter().map(Prose::read);
+        let all = conventions().into_iter().chain(notes).chain(reasons).chain(infinite).chain(rounding(self.presentation));
         all.map(|own| own.presented(self.presentation)).collect()
     }
 
@@ -118,6 +117,21 @@ impl Derivation<'_> {
     pub(super) fn has_rim(&self) -> bool {
         matches!(self.edge, Edge::Rim(_))
     }
+}
+
+/// The conventions of every answer.
+fn conventions() -> [Prose; 3] {
+    let share = |body: &str| (Expr::one() - Expr::symbol(&format!("nu_{body}")).power(2)) / Expr::symbol(&format!("E_{body}"));
+    let modulus = Condition::equal(Expr::one() / Expr::symbol("E"), share("1") + share("2"));
+    let positive = Condition { left: Expr::zero(), relation: Relation::LessOrEqual, right: Expr::symbol("x") };
+    [
+        Prose::words("the formulas apply for ").condition(positive).then("; $g$ is even"),
+        Prose::read("$E$ is the effective modulus: ").condition(modulus).then(" for the moduli and Poisson's ratios of the two bodies"),
+        Prose::default()
+            .condition(Condition::equal(Expr::symbol("p"), -Expr::symbol("sigma_zz")))
+            .then(" is positive in compression and 0 for ")
+            .condition(Condition::less(Expr::symbol("a"), Expr::symbol("r"))),
+    ]
 }
 
 /// Returns a note about rounded formulas.

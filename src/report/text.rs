@@ -3,7 +3,7 @@
 use super::{Compared, Evaluation, Unchecked};
 use crate::num::{Bound, Estimate};
 use crate::print;
-use crate::transform::{Check, Derived, Reading, Rule, Status, Verdict};
+use crate::transform::{Check, Reading, Rule, Verdict};
 use std::io::{self, Write};
 
 /// Writes the numbers of one quantity as a table.
@@ -131,20 +131,6 @@ pub fn rules(rules: &[&Rule], out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "  source {}", rule.reference.join("; "))?;
     }
     Ok(())
-}
-
-/// The line under a formula: its status, rules and references.
-pub(super) fn sources(derived: &Derived) -> String {
-    let rules = match derived.rules.as_slice() {
-        [] => String::new(),
-        [rule] => format!(" | rule {rule}"),
-        rules => format!(" | rules {}", rules.join(", ")),
-    };
-    let reference = if derived.reference.is_empty() { String::new() } else { format!(" | {}", derived.reference.join("; ")) };
-    // An integral is quadrature itself.
-    let is_open = derived.compared == Some(false) && derived.status != Status::Numeric;
-    let compared = if is_open { ", not compared with quadrature" } else { "" };
-    format!("{}{compared}{rules}{reference}", derived.status.name())
 }
 
 /// How a check ended.

@@ -4,6 +4,7 @@ mod arrays;
 mod budgets;
 mod cli;
 mod code;
+mod definitions;
 mod docs;
 mod endings;
 mod pictures;

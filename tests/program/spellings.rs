@@ -181,7 +181,7 @@ fn a_kink_at_a_share_of_the_rim() {
     let full = [kink, ["--steps=full"].as_slice()].concat();
     for (arguments, wanted) in [
         (kink.as_slice(), "pi/3*a <= d"),
-        (kink, "f' jumps at r = a/2"),
+        (kink, "f'(r) jumps at r = a/2"),
         (&full, "f'(r) = piecewise(0, r < a/2, 1)"),
         (&["derive", "piecewise(0,r<a/3,r^2)", "--depth", "1"], "the profile jumps by a^2/9 at r = a/3"),
         (&["derive", "a_rim*r^2", "--depth", "1"], "f(r) = a_rim*r^2"),

@@ -81,9 +81,14 @@ fn formulas_are_broken_at_the_width() {
 #[test]
 fn documents_are_whole() {
     let latex = answer(&["derive", "r^2/(2*R)", "--format", "latex", "--standalone"]);
-    for part in
-        ["\\documentclass", "\\begin{document}", "\\label{eq:F}", "\\bibitem{PopovHess2015}", "@book{PopovHess2015", "\\end{document}"]
-    {
+    for part in [
+        "\\documentclass",
+        "\\begin{document}",
+        "\\label{eq:r-2-2-R:F}",
+        "\\bibitem{PopovHess2015}",
+        "@book{PopovHess2015",
+        "\\end{document}",
+    ] {
         assert!(latex.contains(part), "{part}");
     }
     assert_eq!(latex.matches("\\begin{").count(), latex.matches("\\end{").count());

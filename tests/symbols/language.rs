@@ -96,7 +96,7 @@ fn has_idle_one(latex: &str) -> bool {
     let tokens: Vec<&str> = latex.split(' ').collect();
     let begins_factor = |next: &str| {
         next.starts_with(|c: char| c.is_ascii_alphabetic())
-            || ["\\sin", "\\frac", "\\sqrt", "\\int", "\\left", "\\theta", "\\pi", "\\operatorname"]
+            || ["\\sin", "\\frac", "\\sqrt", "\\int", "\\left", "\\theta", "\\pi", "\\operatorname", "\\mathrm"]
                 .iter()
                 .any(|factor| next.starts_with(factor))
     };
@@ -186,7 +186,7 @@ fn general_hypergeometric_functions_keep_their_lists() {
     let text = "hyper([1/2, 1], [3/2], -x^2/b^2)";
     let formula = parse::formula(text).unwrap();
     assert_eq!(print::text(&formula), text);
-    assert_eq!(print::latex(&formula), r"{}_{2}F_{1}\left(\frac{1}{2}, 1; \frac{3}{2}; -\frac{x^{2}}{b^{2}}\right)");
+    assert_eq!(print::latex(&formula), r"{}_{2}\mathrm{F}_{1}\left(\frac{1}{2}, 1; \frac{3}{2}; -\frac{x^{2}}{b^{2}}\right)");
 }
 
 #[test]

@@ -74,7 +74,7 @@ pub(super) fn force_definition(edge: &Edge) -> Formula {
 }
 
 /// The reason why p(r) may have no formula.
-pub(super) const NO_PRESSURE: &str = "$g$ may jump where $f'$ is infinite: $p(r)$ has no formula here";
+pub(super) const NO_PRESSURE: &str = "$g$ may jump where $f'(r)$ is infinite: $p(r)$ has no formula here";
 
 fn pressure(edge: &Edge, relations: &Relations) -> Step {
     let mut steps = Vec::new();

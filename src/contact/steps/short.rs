@@ -41,7 +41,7 @@ pub fn short_steps(typed: &Formula, solution: &Solution, edge: &Edge, relations:
 /// The short derivation from g, a formula over x, to f.
 pub fn short_inverse_steps(equivalent: &Formula, found: &Derived, at_axis: &Expr) -> Vec<Step> {
     let why =
-        Prose::read("The definition of $g$ is an Abel integral over $f'$, and its solution is $f(r)$ = ").formula(inverse::definition());
+        Prose::read("The definition of $g$ is an Abel integral over $f'(r)$, and its solution is $f(r)$ = ").formula(inverse::definition());
     vec![inverse::given(equivalent, at_axis), result("Profile", "f(r)", found, closed_by(why, found))]
 }
 

@@ -17,7 +17,7 @@ pub(super) static RATIONAL: Rule = Rule {
     pressure: None,
     parameters: &[Parameter { name: "h", lowest: 0.1, highest: 4.0 }, Parameter { name: "w", lowest: 0.3, highest: 4.0 }],
     guard: "f′ = c·r^m/(w ± r)^k on [b, c) with whole m ≥ 0 and k ≥ 1, w ± r not 0 there",
-    reference: &["integration by parts of ∫ (w ± r)^(−k)/√(x²−r²) dr", "DLMF 19.2.17 (R_C)"],
+    reference: &["integration by parts", "DLMF 19.2.17 (R_C)"],
     specializes: None,
     apply: |term| apply(term, false),
 };
@@ -31,7 +31,7 @@ pub(super) static ROOT: Rule = Rule {
     pressure: None,
     parameters: &[Parameter { name: "h", lowest: 0.1, highest: 4.0 }, Parameter { name: "w", lowest: 0.3, highest: 4.0 }],
     guard: "f′ = c·r^m·(w ± r)^(k/2) on [b, c) with whole m ≥ 0 and odd k, w ± r > 0 there",
-    reference: &["integration by parts of ∫ (w ± r)^(k/2)/√(x²−r²) dr", "DLMF 19.16.1, 19.16.5 (R_F, R_D)"],
+    reference: &["integration by parts", "DLMF 19.16.1, 19.16.5 (R_F, R_D)"],
     specializes: None,
     apply: |term| apply(term, true),
 };

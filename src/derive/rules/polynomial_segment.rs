@@ -21,7 +21,7 @@ pub(super) static RULE: Rule = Rule {
         Parameter { name: "b", lowest: 0.2, highest: 2.0 },
     ],
     guard: "f′ is a polynomial in r on [b, c), 0 ≤ b < c ≤ ∞; the pressure closes where f′ is odd",
-    reference: &["Popov & Heß (3.28)–(3.35)", "integration by parts of ∫ r^m/√(x²−r²) dr"],
+    reference: &["Popov & Heß (3.28)–(3.35)", "integration by parts"],
     specializes: None,
     apply,
 };

@@ -29,7 +29,7 @@ pub(super) static ON_SEGMENT: Rule = Rule {
     pressure: None,
     parameters: &[Parameter { name: "C", lowest: 0.1, highest: 4.0 }, Parameter { name: "b", lowest: 0.2, highest: 2.0 }],
     guard: "f′ = c·r^m·ln(r) on [b, c) with whole m; for odd m only m > 0",
-    reference: &["integration by parts of ∫ r^m ln(r)/√(x²−r²) dr", "Clausen's function for even m"],
+    reference: &["integration by parts", "Clausen's function for even m"],
     specializes: None,
     apply: on_segment,
 };

@@ -24,7 +24,7 @@ pub(super) static NEGATIVE: Rule = Rule {
         Parameter { name: "b", lowest: 0.2, highest: 2.0 },
     ],
     guard: "f′ = c·r^m on [b, c) with whole m < 0 and b > 0; the pressure closes for m = −1 and m = −2",
-    reference: &["integration by parts of ∫ r^m/√(x²−r²) dr", "DLMF 19.25(i)"],
+    reference: &["integration by parts", "DLMF 19.25(i)"],
     specializes: None,
     apply: negative,
 };

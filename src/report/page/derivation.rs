@@ -1,5 +1,6 @@
 //! The page of a derivation: one equation per quantity, then conditions, notes and the check.
 
+use super::sources::Sources;
 use super::{Block, Page, definitions};
 use crate::contact::Quantity;
 use crate::expr::Formula;
@@ -10,10 +11,10 @@ impl Page {
     /// Creates the page of the result of `derive`.
     pub fn of_derivation(record: &Derivation<'_>) -> Self {
         let presentation = record.presentation;
-        let mut page = Self { title: "Derived relations".to_owned(), is_text: false, radius: presentation.name("a"), blocks: Vec::new() };
+        let mut page = Self::new("Derived relations", false, presentation);
         // A requested f is listed among the other quantities.
         if !record.asked.contains(&Quantity::Profile) {
-            page.equation("f", &presentation.name("f(r)"), &presentation.formula(record.formula()), Prose::default());
+            page.equation("f", &presentation.name("f(r)"), &presentation.formula(record.formula()), Sources::default());
         }
         if let Some(shift) = record.shift() {
             let remark = Prose::read("$f(0)$ = ").formula(shift.clone()).then(" is subtracted, so that $f$ starts at 0");
@@ -23,7 +24,7 @@ impl Page {
         for entry in record.entries() {
             match entry.derived {
                 Some(derived) => {
-                    let sources = Prose::words(&text::sources(&derived));
+                    let sources = Sources::of(&derived);
                     page.equation(entry.key, &presentation.name(entry.left), &presentation.formula(&derived.formula), sources);
                     shown.push(derived.formula.clone());
                 }

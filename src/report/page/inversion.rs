@@ -1,6 +1,7 @@
 //! The page of an inversion: the input, f(r), conditions, notes and the check; also step by step.
 
 use super::Page;
+use super::sources::Sources;
 use crate::contact::Step;
 use crate::expr::Formula;
 use crate::print::{Presentation, Prose};
@@ -9,18 +10,17 @@ use crate::report::{Inversion, text};
 impl Page {
     /// Creates the page of the result of `invert`.
     pub fn of_inversion(record: &Inversion<'_>, presentation: &Presentation) -> Self {
-        let title = "Profile of an equivalent profile".to_owned();
-        let mut page = Self { title, is_text: false, radius: presentation.name("a"), blocks: Vec::new() };
+        let mut page = Self::new("Profile of an equivalent profile", false, presentation);
         let mut state = |key: &str, left: &str, right: &Formula, sources| {
             page.equation(key, &presentation.name(left), &presentation.formula(right), sources)
         };
         if let Some(wanted) = &record.pressure {
             for (key, left, expr) in [("p", "p(r)", wanted.pressure), ("d", "d", wanted.depth), ("F", "F", wanted.force)] {
-                state(key, left, &expr.clone().into(), Prose::default());
+                state(key, left, &expr.clone().into(), Sources::default());
             }
         }
-        state("g", "g(x)", record.equivalent, Prose::default());
-        state("f", "f(r)", &record.profile.formula, Prose::words(&text::sources(&record.profile)));
+        state("g", "g(x)", record.equivalent, Sources::default());
+        state("f", "f(r)", &record.profile.formula, Sources::of(&record.profile));
         page.close_inversion(record, presentation);
         page
     }

@@ -40,6 +40,9 @@ Springer, Berlin, Heidelberg, 2015. The numbers of equations refer to its chapte
 % }
 % @software{sneddon, title = {sneddon}, note = {symbolic and numeric transform engine for contact mechanics}}";
 
+/// Behind the authors of the book.
+const CITATION: &str = "~\\cite{PopovHess2015}";
+
 /// Writes comments, then one block of aligned equations.
 fn fragment(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
     let mut rows = Vec::new();
@@ -83,10 +86,13 @@ fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
         }
         match block {
             Block::Equation { key, left, right, range, sources } => {
-                let label = if key.is_empty() { String::new() } else { format!("\\label{{eq:{key}}}") };
+                let label = if key.is_empty() { String::new() } else { format!("\\label{{eq:{}{key}}}", page.mark) };
                 equation(&label, &NOTATION.name(left), &lines(left, right, range.as_ref(), NOTATION, style.width), out)?;
-                if !sources.is_empty() {
-                    writeln!(out, "\\noindent{{\\footnotesize {}}}\\par", sources.written(NOTATION))?;
+                // Only a complete document has the entry that is cited.
+                let citation = if style.standalone { CITATION } else { "" };
+                if let Some(sources) = sources.sentence(citation) {
+                    let sources = print::latex_words(&sources).replace(&print::latex_words(CITATION), CITATION);
+                    writeln!(out, "\\noindent{{\\footnotesize {sources}}}\\par")?;
                 }
             }
             Block::Where(parts) => {

@@ -25,8 +25,8 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
                     }
                 };
                 writeln!(out, "```math\n{body}\n```")?;
-                if !sources.is_empty() {
-                    writeln!(out, "\n{}", sources.written(Notation::Text))?;
+                if let Some(sources) = sources.sentence("") {
+                    writeln!(out, "\n{sources}")?;
                 }
             }
             Block::Where(parts) => {

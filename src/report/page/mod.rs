@@ -8,12 +8,14 @@ mod inversion;
 mod latex;
 mod markdown;
 mod mathml;
+mod sources;
 mod steps;
 mod text;
 mod typst;
 
 use crate::expr::{Expr, Formula};
-use crate::print::{Notation, Prose};
+use crate::print::{self, Notation, Presentation, Prose};
+use sources::Sources;
 use std::io::{self, Write};
 
 /// A page.
@@ -23,13 +25,15 @@ pub struct Page {
     is_text: bool,
     /// The symbol of the contact radius.
     radius: String,
+    /// The beginning of the labels, from the first formula, so that two derivations have no label in common.
+    mark: String,
     blocks: Vec<Block>,
 }
 
 #[derive(Clone)]
 enum Block {
     /// An equation with the key of its quantity, the range in which it applies if that is not everywhere, and its sources.
-    Equation { key: String, left: String, right: Formula, range: Option<Range>, sources: Prose },
+    Equation { key: String, left: String, right: Formula, range: Option<Range>, sources: Sources },
     /// The definitions of names in the equations before.
     Where(Vec<(String, Formula)>),
     /// Text between the equations and below the last one.
@@ -98,7 +102,14 @@ impl Page {
         }
     }
 
-    fn equation(&mut self, key: &str, left: &str, right: &Formula, sources: Prose) {
+    fn new(title: &str, is_text: bool, presentation: &Presentation) -> Self {
+        Self { title: title.to_owned(), is_text, radius: presentation.name("a"), mark: String::new(), blocks: Vec::new() }
+    }
+
+    fn equation(&mut self, key: &str, left: &str, right: &Formula, sources: Sources) {
+        if self.blocks.iter().all(|own| !matches!(own, Block::Equation { .. })) {
+            self.mark = format!("{}:", marked(right));
+        }
         self.blocks.push(Block::Equation { key: key.to_owned(), left: left.to_owned(), right: right.clone(), range: None, sources });
     }
 
@@ -111,6 +122,18 @@ impl Page {
 
     fn heading(&mut self, level: usize, text: &str) {
         self.blocks.push(Block::Heading(level, text.to_owned()));
+    }
+}
+
+/// The letters and digits of a formula, joined by hyphens; a long formula is shortened and its length added.
+fn marked(formula: &Formula) -> String {
+    const LONGEST: usize = 40;
+    let text = print::text(formula);
+    let words: Vec<&str> = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|own| !own.is_empty()).collect();
+    let whole = words.join("-");
+    match whole.get(..LONGEST) {
+        Some(start) => format!("{start}-{}", text.len()),
+        None => whole,
     }
 }
 

@@ -1,5 +1,6 @@
 //! The page of a step-by-step derivation.
 
+use super::sources::Sources;
 use super::{Block, Page};
 use crate::contact::Step;
 use crate::print::{Presentation, Prose};
@@ -16,7 +17,7 @@ impl Page {
 
     /// Creates a page of numbered steps.
     pub fn of_numbered(title: &str, steps: &[Step], presentation: &Presentation) -> Self {
-        let mut page = Self { title: title.to_owned(), is_text: true, radius: presentation.name("a"), blocks: Vec::new() };
+        let mut page = Self::new(title, true, presentation);
         page.steps(steps, "", 1, presentation);
         page
     }
@@ -30,7 +31,7 @@ impl Page {
                     &format!("step-{}", number.replace('.', "-")),
                     &presentation.name(left),
                     &presentation.formula(right),
-                    Prose::default(),
+                    Sources::default(),
                 );
             }
             let mut reason = step.reason.presented(presentation);

@@ -18,8 +18,8 @@ pub(super) fn write(page: &Page, notation: Notation, style: Style, out: &mut dyn
                 let continued = format!("\n{}", " ".repeat(start.chars().count()));
                 let width = style.width.map(|width| width.saturating_sub(indent));
                 writeln!(out, "{start}{}", lines(left, right, range.as_ref(), notation, width).join(&continued))?;
-                if !sources.is_empty() {
-                    writeln!(out, "{}{}", if page.is_text { &space } else { "       " }, sources.written(notation))?;
+                if let Some(sources) = sources.line() {
+                    writeln!(out, "{}{sources}", if page.is_text { &space } else { "       " })?;
                 }
             }
             Block::Where(parts) => {

@@ -1,7 +1,7 @@
 //! Pages in Typst: markup that compiles as a document or inside another document.
 
 use super::{Block, COLUMN, Page, Style, lines};
-use crate::print::Notation;
+use crate::print::{Notation, Prose};
 use std::io::{self, Write};
 
 const NOTATION: Notation = Notation::Typst;
@@ -22,8 +22,8 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
                     [only] => writeln!(out, "$ {} = {only} ${label}", NOTATION.name(left))?,
                     many => writeln!(out, "$ {} &= {} ${label}", NOTATION.name(left), many.join(" \\\n  &quad "))?,
                 }
-                if !sources.is_empty() {
-                    writeln!(out, "{}\n", sources.written(NOTATION))?;
+                if let Some(sources) = sources.sentence("") {
+                    writeln!(out, "{}\n", Prose::words(&sources).written(NOTATION))?;
                 }
             }
             Block::Where(parts) => {

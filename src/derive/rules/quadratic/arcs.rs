@@ -6,7 +6,7 @@ use crate::derive::rules::reading;
 use crate::derive::term::Term;
 use crate::expr::{Expr, Sign, sign};
 
-const PARTS: &str = "integration by parts of ∫ r^m K(r)/√(x²−r²) dr";
+const PARTS: &str = "integration by parts";
 const POSITIVE: &str = "w > 0";
 const OUTWARD: &str = "r ≥ b";
 const INSIDE: &str = "r < R";

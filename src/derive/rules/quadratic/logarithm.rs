@@ -6,7 +6,7 @@ use crate::derive::rules::reading;
 use crate::derive::term::Term;
 use crate::expr::Expr;
 
-const PARTS: &str = "integration by parts of ∫ r^m ln(1 ± r²/ρ²)/√(x²−r²) dr";
+const PARTS: &str = "integration by parts";
 
 pub(in crate::derive::rules) static ABOVE: Rule = Rule {
     id: "log-quadratic",

@@ -10,7 +10,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprf",
         arity: (3, 3),
-        typeset: typeset::italic("R").with_index("F"),
+        typeset: typeset::upright("R").with_index("F"),
         value: |a| ternary(a, special::rf),
         accuracy: Accuracy::Measured(8.0),
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rf_precise)),
@@ -25,7 +25,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprd",
         arity: (3, 3),
-        typeset: typeset::italic("R").with_index("D"),
+        typeset: typeset::upright("R").with_index("D"),
         value: |a| ternary(a, special::rd),
         accuracy: Accuracy::Measured(11.0),
         precise: Some(|a| <[DoubleDouble; 3]>::try_from(a).map_or_else(|_| Precise::nan(), special::rd_precise)),
@@ -37,7 +37,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "elliprc",
         arity: (2, 2),
-        typeset: typeset::italic("R").with_index("C"),
+        typeset: typeset::upright("R").with_index("C"),
         value: |a| binary(a, special::rc),
         accuracy: Accuracy::Measured(6.0),
         precise: Some(|a| <[DoubleDouble; 2]>::try_from(a).map_or_else(|_| Precise::nan(), special::rc_precise)),
@@ -53,7 +53,7 @@ pub(super) static ROWS: &[Row] = &[
     },
     Row {
         name: "ellipk",
-        typeset: typeset::italic("K"),
+        typeset: typeset::upright("K"),
         value: |a| unary(a, special::ellipk),
         accuracy: Accuracy::Measured(6.0),
         precise: Some(|a| match a {
@@ -74,7 +74,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "ellipf",
         arity: (2, 2),
-        typeset: typeset::italic("F").set(Setting::Parameter),
+        typeset: typeset::upright("F").set(Setting::Parameter),
         value: |a| binary(a, special::ellipf),
         accuracy: Accuracy::Measured(8.0),
         precise: Some(|a| match a {
@@ -92,7 +92,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "ellipe",
         arity: (1, 2),
-        typeset: typeset::italic("E").set(Setting::Parameter),
+        typeset: typeset::upright("E").set(Setting::Parameter),
         value: |a| match a {
             [m] => special::ellipe(*m),
             [phi, m] => special::ellipe_inc(*phi, *m),

@@ -33,7 +33,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "hyp1f1",
         arity: (3, 3),
-        typeset: typeset::italic("F").set(Setting::Groups(&[1, 1, 1])),
+        typeset: typeset::upright("F").set(Setting::Groups(&[1, 1, 1])),
         value: |a| match a {
             [a, b, z] => special::hyp1f1(*a, *b, *z),
             _ => f64::NAN,
@@ -62,7 +62,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "hyp2f1",
         arity: (4, 4),
-        typeset: typeset::italic("F").set(Setting::Groups(&[2, 1, 1])),
+        typeset: typeset::upright("F").set(Setting::Groups(&[2, 1, 1])),
         value: |a| match a {
             [a, b, c, z] => special::hyp2f1(*a, *b, *c, *z),
             _ => f64::NAN,
@@ -97,7 +97,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "hyper",
         arity: (3, 64),
-        typeset: typeset::italic("F").set(Setting::CountedGroups),
+        typeset: typeset::upright("F").set(Setting::CountedGroups),
         value: |a| match split(a, |n| *n) {
             Some((upper, lower, z)) => special::hyper(upper, lower, *z),
             None => f64::NAN,

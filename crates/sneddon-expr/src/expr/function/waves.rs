@@ -48,7 +48,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫₀^z cos(πt²/2) dt.
     Row {
         name: "fresnelc",
-        typeset: typeset::italic("C"),
+        typeset: typeset::upright("C"),
         value: |a| unary(a, special::fresnelc),
         accuracy: Accuracy::ROUNDED,
         precise: Some(|a| single(a, special::fresnelc_precise)),
@@ -61,7 +61,7 @@ pub(super) static ROWS: &[Row] = &[
     // ∫₀^z sin(πt²/2) dt.
     Row {
         name: "fresnels",
-        typeset: typeset::italic("S"),
+        typeset: typeset::upright("S"),
         value: |a| unary(a, special::fresnels),
         accuracy: Accuracy::ROUNDED,
         precise: Some(|a| single(a, special::fresnels_precise)),
@@ -74,7 +74,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "besselj",
         arity: (2, 2),
-        typeset: typeset::italic("J").set(Setting::Indexed),
+        typeset: typeset::upright("J").set(Setting::Indexed),
         value: |a| binary(a, special::besselj),
         accuracy: Accuracy::ROUNDED,
         precise: Some(|a| pair(a, special::besselj_precise)),
@@ -87,7 +87,7 @@ pub(super) static ROWS: &[Row] = &[
     Row {
         name: "besseli",
         arity: (2, 2),
-        typeset: typeset::italic("I").set(Setting::Indexed),
+        typeset: typeset::upright("I").set(Setting::Indexed),
         value: |a| binary(a, special::besseli),
         accuracy: Accuracy::ROUNDED,
         precise: Some(|a| pair(a, special::besseli_precise)),

@@ -12,7 +12,9 @@ pub(in crate::print) fn symbol(name: &str) -> String {
         return format!("{}{}({})", symbol(function), "'".repeat(primes), named::arguments(argument, ", ", str::to_owned, symbol));
     }
     let (letter, indices) = parts(name);
-    let indices: Vec<String> = indices.into_iter().map(word).collect();
+    // The components of a stress, as in sigma_zz.
+    let components = |index: &str| index.chars().all(|c| matches!(c, 'r' | 'x' | 'y' | 'z')).then(|| index.to_owned());
+    let indices: Vec<String> = indices.into_iter().map(|own| components(own).unwrap_or_else(|| word(own))).collect();
     if indices.is_empty() { word(letter) } else { format!("{}_{{{}}}", word(letter), indices.join(",")) }
 }
 
@@ -37,6 +39,8 @@ pub(in crate::print) fn letters(letters: Letters) -> String {
         (text, Font::Bold) => format!("\\mathbf{{{text}}}"),
         (text, Font::Italic) => text.to_owned(),
         (text, Font::Upright) if COMMANDS.contains(&text) => format!("\\{text}"),
+        // Without the space of an operator, which would part F from its index in front.
+        (text, Font::Upright) if text.len() == 1 => format!("\\mathrm{{{text}}}"),
         (text, Font::Upright) => format!("\\operatorname{{{text}}}"),
     };
     if letters.index.is_empty() { name } else { format!("{name}_{{{}}}", letters.index) }

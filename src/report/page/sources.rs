@@ -1,0 +1,60 @@
+//! How a formula was found: a line for a terminal, a sentence for a document.
+
+use crate::transform::{Derived, Status};
+
+/// The book whose equations most rules cite.
+const BOOK: &str = "Popov & Heß";
+
+/// The status of a formula, its rules and its references; nothing for a formula that was given.
+#[derive(Clone, Default)]
+pub(super) struct Sources {
+    status: Option<Status>,
+    /// False for a formula that is not an integral and was not compared with quadrature.
+    compared: bool,
+    rules: Vec<&'static str>,
+    references: Vec<&'static str>,
+}
+
+impl Sources {
+    pub(super) fn of(derived: &Derived) -> Self {
+        // An integral is quadrature itself.
+        let compared = derived.compared != Some(false) || derived.status == Status::Numeric;
+        Self { status: Some(derived.status), compared, rules: derived.rules.clone(), references: derived.reference.clone() }
+    }
+
+    /// The words of the command line, as in `exact | rule sphere | Popov & Heß (3.27)`; `None` for a formula that was given.
+    pub(super) fn line(&self) -> Option<String> {
+        let rules = match self.rules.as_slice() {
+            [] => String::new(),
+            [rule] => format!(" | rule {rule}"),
+            rules => format!(" | rules {}", rules.join(", ")),
+        };
+        let references = if self.references.is_empty() { String::new() } else { format!(" | {}", self.references.join("; ")) };
+        let compared = if self.compared { "" } else { ", not compared with quadrature" };
+        Some(format!("{}{compared}{rules}{references}", self.status?.name()))
+    }
+
+    /// A sentence, as in `In closed form: Popov & Heß (3.27), (3.30).`; `None` for a formula that was given.
+    ///
+    /// The equations of the book are one reference, with `citation` behind its authors.
+    pub(super) fn sentence(&self, citation: &str) -> Option<String> {
+        let status = match self.status? {
+            Status::Exact => "In closed form",
+            Status::Partial => "Partly in closed form",
+            Status::Numeric => "Left as an integral",
+        };
+        let compared = if self.compared { "" } else { ", not compared with quadrature" };
+        let equation = |own: &&'static str| own.strip_prefix(BOOK).map(str::trim);
+        let mut equations: Vec<&str> = Vec::new();
+        for own in self.references.iter().filter_map(equation).flat_map(|own| own.split(", ")) {
+            if !equations.contains(&own) {
+                equations.push(own);
+            }
+        }
+        let book = (!equations.is_empty()).then(|| format!("{BOOK}{citation} {}", equations.join(", ")));
+        let others = self.references.iter().filter(|own| equation(own).is_none()).map(|own| (*own).to_owned());
+        let references: Vec<String> = book.into_iter().chain(others).collect();
+        let references = if references.is_empty() { String::new() } else { format!(": {}", references.join("; ")) };
+        Some(format!("{status}{compared}{references}."))
+    }
+}

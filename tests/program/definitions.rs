@@ -1,0 +1,98 @@
+//! Special functions are set upright and defined below the formulas; labels, sources and widths are those of a paper.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+use std::collections::BTreeSet;
+use std::process::Command;
+
+fn written(arguments: &[&str]) -> String {
+    let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(arguments).output().unwrap();
+    assert!(done.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&done.stderr));
+    String::from_utf8(done.stdout).unwrap()
+}
+
+/// The names of functions in LaTeX that are not elementary.
+fn functions(latex: &str) -> BTreeSet<String> {
+    let within = |command: &'static str| latex.split(command).skip(1).filter_map(|rest| rest.split('}').next());
+    let named = ["\\operatorname{", "\\mathrm{", "\\mathbf{"].into_iter().flat_map(within);
+    let greek = ["\\Gamma", "\\psi", "\\chi"].into_iter().filter(|own| latex.contains(own));
+    let elementary = ["arsinh", "arcosh", "artanh", "d"];
+    named.chain(greek).filter(|own| !elementary.contains(own)).map(str::to_owned).collect()
+}
+
+#[test]
+fn every_special_function_of_a_document_is_defined_in_it() {
+    let mut met = BTreeSet::new();
+    for profile in [
+        "C*r^n",
+        "max(0,r^2/(2*R)-h)",
+        "max(0,(r-b)*tan(theta))",
+        "R-sqrt(R^2-r^2)+asin(r/R)",
+        "h*r*exp(-r^2/w^2)",
+        "h*(1-exp(-r^2/w^2))",
+        "h*(1-besselj(0,k*r))",
+        "h*(exp(r/w)-1)",
+        "h*sin(k*r)",
+        "h*sin(r^2/w^2)",
+        "h*ln(1+r^2/w^2)",
+        "h*r*ln(1+r/w)",
+        "h*r*atan(r/w)",
+        "piecewise(0, r<b, r^2*ln(r/b))",
+        "max(0,r^2.5-b^2.5)",
+        "r^2*acosh(1+r/w)",
+        "h*sqrt(1+r/w)",
+        "h*r^2/sqrt(r^4+w^4)",
+    ] {
+        let document = written(&["derive", profile, "--format", "latex", "--standalone"]);
+        let (equations, notes) = document.split_once("\\subsection*{Notes}").unwrap();
+        let used = functions(equations);
+        let missing: Vec<_> = used.difference(&functions(notes)).cloned().collect();
+        assert!(missing.is_empty(), "{profile}: {missing:?} are not defined in {notes}");
+        met.extend(used);
+    }
+    assert!(met.len() >= 12, "{met:?}");
+}
+
+/// The force F and the modulus E* are italic, the elliptic integrals upright; nothing in a document is a word of the command line.
+#[test]
+fn a_document_speaks_as_a_paper_does() {
+    let document = written(&["derive", "max(0,r^2/(2*R)-h)", "--format", "latex", "--standalone"]);
+    for part in
+        ["\\mathrm{F}\\left(", "F(a) =", "In closed form: Popov \\& Heß~\\cite{PopovHess2015} (3.22), (3.25)", "$p = -\\sigma_{zz}$"]
+    {
+        assert!(document.contains(part), "{part}: {document}");
+    }
+    for format in ["latex", "typst", "markdown", "mathml"] {
+        let document = written(&["derive", "R-sqrt(R^2-r^2)", "--format", format, "--standalone"]);
+        assert!(!document.contains(" | ") && document.contains("In closed form: Popov"), "{document}");
+    }
+}
+
+/// A column of 345 pt has 72 characters.
+#[test]
+fn the_width_of_a_column_may_have_a_unit() {
+    let with = |width: &str| written(&["derive", "max(0,r^2/(2*R)-h)", "--format", "latex", "--width", width]);
+    for (width, characters) in [("246pt", "51"), ("8.65cm", "51"), ("86.5 mm", "51"), ("3.4in", "51"), ("345pt", "72")] {
+        assert_eq!(with(width), with(characters), "{width}");
+    }
+    assert_ne!(with("51"), with("72"));
+    for wrong in ["19", "1001", "-5pt", "12 furlongs", "nan", "infpt", "pt", "20pt"] {
+        let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(["derive", "r^2", "--width", wrong]).output().unwrap();
+        let message = String::from_utf8(done.stderr).unwrap();
+        assert!(done.status.code() == Some(2) && message.contains("expected 20 to 1000 characters"), "{wrong}: {message}");
+    }
+}
+
+/// Two derivations in one paper have no label in common.
+#[test]
+fn labels_name_their_derivation() {
+    let labels = |profile: &str| -> Vec<String> {
+        let text = written(&["derive", profile, "--steps", "--format", "latex"]);
+        text.split("\\label{").skip(1).filter_map(|rest| rest.split('}').next()).map(str::to_owned).collect()
+    };
+    let long = "h*ln(1+r^2/w^2)+h*(1-exp(-r^2/w^2))+C*r^4";
+    let lists = [labels("r^2/(2*R)"), labels("r^3/(2*R)"), labels(long), labels(&format!("{long}+C*r^6"))];
+    let all: BTreeSet<&String> = lists.iter().flatten().collect();
+    assert_eq!(all.len(), lists.iter().map(Vec::len).sum::<usize>(), "{lists:?}");
+    assert!(lists.iter().all(|own| own.len() > 5), "{lists:?}");
+}
