@@ -83,6 +83,19 @@ fn the_width_of_a_column_may_have_a_unit() {
     }
 }
 
+/// √2/√(2hR + 2R√(d² + h²)) and √d √(2h − d) are one root each, as in (3.35) of the source.
+#[test]
+fn square_roots_are_joined() {
+    for (profile, key, expected) in [
+        ("max(0,r^2/(2*R)-h)", "a_of_d", "sqrt(R*(h + sqrt(d^2 + h^2)))"),
+        ("max(0,r^2/(2*R)-h)", "F_of_d", "4*E*sqrt(R)*d/(3*sqrt(h + sqrt(d^2 + h^2)))*(2*h + sqrt(d^2 + h^2))"),
+        ("sqrt(d_0)*sqrt(2*h-r)", "f", "sqrt(d_0*(2*h - r))"),
+    ] {
+        let document = written(&["derive", profile, "--quantity", key, "--json"]);
+        assert!(document.contains(&format!("\"text\":\"{expected}")), "{profile}: {key} is not {expected} in {document}");
+    }
+}
+
 /// Two derivations in one paper have no label in common.
 #[test]
 fn labels_name_their_derivation() {

@@ -19,9 +19,10 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
     }
 }
 
-/// The preamble of every document; the fonts contain the letters of the names in the sources.
+/// The preamble of every document; the fonts contain the letters of the names in the sources, and are outlines where they are installed.
 const PREAMBLE: &str = "\\documentclass[10pt]{article}
 \\usepackage[T1]{fontenc}
+\\IfFileExists{lmodern.sty}{\\usepackage{lmodern}}{}
 \\usepackage[utf8]{inputenc}
 \\usepackage{amsmath,amssymb}
 \\allowdisplaybreaks

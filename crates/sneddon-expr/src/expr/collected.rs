@@ -43,6 +43,8 @@ pub fn collected(expr: &Expr) -> Expr {
 /// let (a, b) = (Expr::symbol("a"), Expr::symbol("b"));
 /// let halves = Expr::ratio(1, 2) * &a + Expr::ratio(3, 2) * &b;
 /// assert_eq!(in_lowest_terms(&(Expr::integer(2) * &halves)), &a + Expr::integer(3) * &b);
+/// let half = Expr::integer(2).sqrt() * (Expr::integer(2) * &a + Expr::integer(2) * &b).sqrt();
+/// assert_eq!(in_lowest_terms(&half), Expr::integer(2) * (&a + &b).sqrt());
 /// let root = (Expr::integer(4) * (a.power(2) * b.power(2)) + Expr::integer(4) * a.power(4)).sqrt();
 /// assert_eq!(in_lowest_terms(&root), Expr::integer(2) * &a * (a.power(2) + b.power(2)).sqrt());
 /// ```
@@ -62,7 +64,16 @@ pub fn in_lowest_terms(expr: &Expr) -> Expr {
                 let inside = Expr::sum(sum.terms().iter().map(|term| term * &number));
                 [&rest / &number * in_front(&inside), rest * shared_in_front(&sum)]
             });
-            let shortest = others.min_by_key(digits).filter(|other| digits(other) < digits(&product));
+            // 1/√2 and √(2hR + 2R²) have a factor in common.
+            let powers = product.factors().into_iter().filter_map(|own| match own.node() {
+                Node::Power(base, exponent) if matches!(base.node(), Node::Sum(_)) => {
+                    let inner = shared_in_front(base);
+                    let has_factor = inner != *base && inner.split_coefficient().0.is_positive();
+                    has_factor.then(|| &product / &own * inner.pow(exponent))
+                }
+                _ => None,
+            });
+            let shortest = others.chain(powers).min_by_key(digits).filter(|other| digits(other) < digits(&product));
             // The result may contain new sums with common factors.
             shortest.map_or(product, |other| in_lowest_terms(&other))
         }

@@ -8,6 +8,8 @@ use crate::expr::{Expr, Node, Number, Sign, sign};
 /// Parsing a joined root restores the product, because positive factors are moved out of roots.
 pub(super) fn gather(upper: &mut Vec<Factor>, lower: &mut Vec<Factor>) {
     gather_roots(upper, lower);
+    gather_square_roots(upper);
+    gather_square_roots(lower);
     let symbolic = |factor: &&Factor| factor.exponent.as_number().is_none() && is_reciprocal(&factor.exponent);
     // The largest of the exponents leads: 1/n before 1/(2n).
     let Some(exponent) = upper.iter().chain(lower.iter()).filter(symbolic).map(|f| f.exponent.clone()).max_by_key(weight) else { return };
@@ -79,6 +81,19 @@ fn gather_roots(upper: &mut Vec<Factor>, lower: &mut Vec<Factor>) {
     let (above, below) = (take(upper), take(lower));
     let base = Expr::product(above.into_iter().chain(below.iter().map(Expr::recip)));
     upper.push(Factor { base, exponent });
+}
+
+/// Joins the square roots of symbols and numbers with that of a sum: √(d (2h − d)) for √d √(2h − d).
+fn gather_square_roots(side: &mut Vec<Factor>) {
+    let is_root = |own: &&Factor| own.exponent == Expr::ratio(1, 2);
+    let is_sum = |own: &&Factor| matches!(own.base.node(), Node::Sum(_));
+    if side.iter().filter(is_root).filter(is_sum).count() != 1 {
+        return;
+    }
+    let joins = |own: &Factor| is_root(&own) && matches!(own.base.node(), Node::Sum(_) | Node::Symbol(_) | Node::Number(_));
+    let (joined, kept): (Vec<Factor>, Vec<Factor>) = side.drain(..).partition(joins);
+    *side = kept;
+    side.push(Factor { base: Expr::product(joined.into_iter().map(|own| own.base)), exponent: Expr::ratio(1, 2) });
 }
 
 fn half(exponent: &Expr) -> Expr {
