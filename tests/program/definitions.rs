@@ -96,6 +96,19 @@ fn square_roots_are_joined() {
     }
 }
 
+/// A part that depends on the variable of integration is a function of it, also where it does so through another part.
+#[test]
+fn parts_of_integrands_are_functions() {
+    let text = written(&["derive", "r^3*ln(r)*exp(-r^2)", "--quantity", "p", "--format", "unicode"]);
+    let rows: Vec<&str> = text.lines().skip_while(|line| !line.starts_with("where")).take_while(|line| !line.is_empty()).collect();
+    assert!(text.contains(" ds") && rows.len() > 3, "{text}");
+    for row in rows {
+        let (left, right) = row.split_once(" = ").unwrap();
+        let depends = right.split(|c: char| !c.is_alphanumeric()).any(|own| own == "s");
+        assert!(depends == left.ends_with("(s)"), "{row}");
+    }
+}
+
 /// Two derivations in one paper have no label in common.
 #[test]
 fn labels_name_their_derivation() {

@@ -51,7 +51,7 @@ impl Names {
 
     /// The formula with names for parts if one of its lines is wider than `width` letters, and the definitions of the names that are new.
     ///
-    /// Parts of integrands may contain the variable of integration. Replacing the names by their definitions restores the formula.
+    /// A part of an integrand that contains the variable of integration is named as a function of it, as q(x). Replacing the names by their definitions restores the formula.
     pub fn shortened(&mut self, right: &Formula, notation: Notation, width: usize) -> (Formula, Vec<(String, Formula)>) {
         let fits = |own: &Formula| notation.widest(own, width) <= width;
         let small = |own: &Formula| own.expressions().into_iter().map(|expr| expr.size_up_to(SIZE)).sum::<usize>() < SIZE;
@@ -62,18 +62,25 @@ impl Names {
         for (part, name) in &self.known {
             shown = with_name(&shown, part, name);
         }
+        let mut variables = BTreeSet::new();
+        add_variables(right, &mut variables);
         let mut new: Vec<(Symbol, Formula)> = Vec::new();
         let mut refused = Vec::new();
         while new.len() < MOST {
             let all = || std::iter::once(&shown).chain(new.iter().map(|(_, own)| own));
             let Some(wide) = all().find(|own| !fits(own)) else { break };
             let Some(part) = best_part(wide, &all().collect::<Vec<_>>(), &refused, notation, width) else { break };
-            let name = self.name_for(&part);
+            let letter = self.letter_for(&part);
+            // Also through other names, as in M(s)² − r².
+            let inner = with_definitions(&part, &self.known);
+            let arguments: Vec<&str> = variables.iter().filter(|own| inner.contains(own)).map(Symbol::name).collect();
+            let name =
+                if arguments.is_empty() { Symbol::new(&letter) } else { Symbol::new(&format!("{letter}({})", arguments.join(", "))) };
             let restored = Bindings::one(name.name(), part.clone());
             let changed: Vec<Formula> = all().map(|own| with_name(own, &part, &name)).collect();
             // A root of a square of the name is not the name if the part may be negative.
             if all().zip(&changed).any(|(before, after)| after.substitute(&restored) != *before) {
-                self.taken.remove(name.name());
+                self.taken.remove(&letter);
                 refused.push(part);
                 continue;
             }
@@ -86,8 +93,8 @@ impl Names {
         (shown, new.into_iter().map(|(name, definition)| (name.name().to_owned(), definition)).collect())
     }
 
-    /// A name for a part: M for a maximum, m or n for a minimum, φ for an angle, else the next free letter.
-    fn name_for(&mut self, part: &Expr) -> Symbol {
+    /// The letter for a part: M for a maximum, m or n for a minimum, φ for an angle, else the next free letter.
+    fn letter_for(&mut self, part: &Expr) -> String {
         let usual: &[&str] = match part.node() {
             Node::Function(function, _) => match function.name() {
                 "max" => &["M"],
@@ -101,7 +108,36 @@ impl Names {
         let numbered = (1..).map(|index| format!("q_{index}"));
         let name = letters.chain(numbered).find(|own| !self.taken.contains(own)).unwrap_or_default();
         self.taken.insert(name.clone());
-        Symbol::new(&name)
+        name
+    }
+}
+
+/// The part with the definitions of the names in it, the last of which may contain those before.
+fn with_definitions(part: &Expr, known: &[(Expr, Symbol)]) -> Expr {
+    let all: Bindings = known.iter().map(|(definition, name)| (name.name(), definition.clone())).collect();
+    let mut whole = part.clone();
+    for _ in known {
+        if whole.symbols().iter().all(|own| all.get(own).is_none()) {
+            break;
+        }
+        whole = all.apply(&whole);
+    }
+    whole
+}
+
+/// Adds the variables of integration of a formula.
+fn add_variables(formula: &Formula, found: &mut BTreeSet<Symbol>) {
+    match formula {
+        Formula::Closed(_) => {}
+        Formula::Sum(parts) => parts.iter().for_each(|own| add_variables(own, found)),
+        Formula::Scaled(_, inner) => add_variables(inner, found),
+        Formula::Piecewise { pieces, last, .. } => {
+            pieces.iter().map(|own| &own.0).chain([&**last]).for_each(|own| add_variables(own, found))
+        }
+        Formula::Integral { integrand, variable, .. } => {
+            found.insert(variable.clone());
+            add_variables(integrand, found);
+        }
     }
 }
 
