@@ -91,6 +91,10 @@ impl Math {
                 let power = exponent.map_or(0.0, |own| 17.2 + SCRIPT * digits(&own.to_string()));
                 digits(mantissa) + power
             }
+            Self::Name(name) if name.contains('(') => {
+                // The value of a function.
+                name.split(['(', ')', ',']).map(|own| Self::Name(own.trim().to_owned()).points()).sum::<f64>() + 8.0
+            }
             Self::Name(name) => {
                 // An index is small.
                 let words = name.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
