@@ -92,6 +92,21 @@ fn named_parts_fit_and_mean_the_same() {
     assert!(wide >= 40 && compared >= 15, "{wide} {compared}");
 }
 
+/// A pressure of two pieces stays wider than 44 letters, whatever is named; its parts fit all the same.
+#[test]
+fn parts_fit_where_the_whole_does_not() {
+    let profile = "piecewise(R-sqrt(R^2-r^2), r<b, R-sqrt(R^2-b^2)+(r-b)*b/sqrt(R^2-b^2))";
+    let document: serde_json::Value = serde_json::from_str(&answer(&["derive", profile, "--json"])).unwrap();
+    let whole = formula(document["p"]["text"].as_str().unwrap());
+    let mut names = Names::avoiding(["a", "d", "F", "p", "E"]);
+    names.avoid_symbols(&whole);
+    let (short, parts) = names.shortened(&whole, Notation::Latex, 44);
+    assert!(Notation::Latex.widest(&short, 44) > 44 && parts.len() > 5, "{}", print::latex(&short));
+    for (name, own) in parts {
+        assert!(Notation::Latex.widest(&own, 44) <= 44, "{name} = {}", print::latex(&own));
+    }
+}
+
 /// A name is neither a parameter nor a quantity, and m is left to elliptic integrals.
 #[test]
 fn names_of_parts_are_free() {

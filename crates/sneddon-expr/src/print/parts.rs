@@ -68,8 +68,10 @@ impl Names {
         let mut refused = Vec::new();
         while new.len() < MOST {
             let all = || std::iter::once(&shown).chain(new.iter().map(|(_, own)| own));
-            let Some(wide) = all().find(|own| !fits(own)) else { break };
-            let Some(part) = best_part(wide, &all().collect::<Vec<_>>(), &refused, notation, width) else { break };
+            let formulas: Vec<&Formula> = all().collect();
+            // A formula without a part to be named may stay wide; the others are shortened all the same.
+            let mut wide = all().filter(|own| !fits(own));
+            let Some(part) = wide.find_map(|own| best_part(own, &formulas, &refused, notation, width)) else { break };
             let letter = self.letter_for(&part);
             // Also through other names, as in M(s)² − r².
             let inner = with_definitions(&part, &self.known);
