@@ -26,6 +26,23 @@ pub(super) fn print(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Res
 /// The file extensions that a command supports, each with its format.
 pub(super) type Endings<F> = [(&'static str, F)];
 
+/// The formats of a table.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Tabular {
+    Text,
+    Csv,
+    Json,
+}
+
+impl Tabular {
+    pub(super) const ENDINGS: &Endings<Self> = &[("txt", Self::Text), ("csv", Self::Csv), ("json", Self::Json)];
+
+    /// Returns the format that an option demands, if any.
+    pub(super) fn demanded(json: bool, csv: bool) -> Option<Self> {
+        json.then_some(Self::Json).or(csv.then_some(Self::Csv))
+    }
+}
+
 /// Parses the name of a format; for a file extension such as `tex`, the error suggests the name.
 #[derive(Clone)]
 pub(super) struct Formats<F: 'static>(pub(super) &'static Endings<F>);

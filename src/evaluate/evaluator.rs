@@ -430,7 +430,7 @@ impl<'a> Evaluator<'a> {
         let open = chain.remainder(|term| quantity.is_open(term));
         let closed = chain.intervals.iter().map(|_| OnceLock::new()).collect();
         let part = Part { closed, open: NumericProfile::new(&open, &self.bindings)? };
-        // Expressions that were compiled after the budget was exhausted are meaningless.
+        // What was built after the budget was exhausted is meaningless, here and below.
         work::check()?;
         Ok(cell.get_or_init(|| part))
     }

@@ -60,31 +60,19 @@ impl Kind {
 /// Returns the notes for a pressure with integrals; none for a closed form.
 pub(super) fn reasons(pressure: &Formula) -> Vec<Prose> {
     let mut found = BTreeSet::new();
-    in_formula(pressure, &mut found);
-    found.into_iter().map(|kind| Prose::read(kind.sentence())).collect()
-}
-
-fn in_formula(formula: &Formula, found: &mut BTreeSet<Kind>) {
-    match formula {
-        Formula::Closed(_) => {}
-        Formula::Sum(parts) => parts.iter().for_each(|part| in_formula(part, found)),
-        Formula::Scaled(_, inner) => in_formula(inner, found),
-        Formula::Piecewise { pieces, last, .. } => {
-            pieces.iter().for_each(|(value, _)| in_formula(value, found));
-            in_formula(last, found);
-        }
+    for (integrand, variable) in pressure.integrals() {
         // Integrals over g′ have the variable x; integrals over f′ have another variable.
-        Formula::Integral { variable, .. } if variable.name() != "x" => {
+        if variable.name() != "x" {
             found.insert(Kind::OpenProfile);
+            continue;
         }
-        Formula::Integral { integrand, variable, .. } => {
-            let mut own = BTreeSet::new();
-            if let Formula::Closed(expr) = integrand.as_ref() {
-                in_expression(expr, variable, &mut own);
-            }
-            found.extend(if own.is_empty() { BTreeSet::from([Kind::Algebraic]) } else { own });
+        let mut own = BTreeSet::new();
+        if let Formula::Closed(expr) = integrand {
+            in_expression(expr, variable, &mut own);
         }
+        found.extend(if own.is_empty() { BTreeSet::from([Kind::Algebraic]) } else { own });
     }
+    found.into_iter().map(|kind| Prose::read(kind.sentence())).collect()
 }
 
 /// Adds the kinds of the outermost functions of the variable.

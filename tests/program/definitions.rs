@@ -83,7 +83,7 @@ fn the_width_of_a_column_may_have_a_unit() {
     }
 }
 
-/// √2/√(2hR + 2R√(d² + h²)) and √d √(2h − d) are one root each, as in (3.35) of the source.
+/// √2/√(2hR + 2R√(d² + h²)) and √d √(2h − d) are one root each.
 #[test]
 fn square_roots_are_joined() {
     for (profile, key, expected) in [

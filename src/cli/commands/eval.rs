@@ -1,7 +1,7 @@
 //! `sneddon eval`: the numbers of one quantity.
 
 use crate::cli::failure::warn;
-use crate::cli::output::{Destination, Endings};
+use crate::cli::output::{Destination, Tabular};
 use crate::cli::precision::PrecisionArguments;
 use crate::cli::quantities::Quantities;
 use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
@@ -126,22 +126,13 @@ impl TypedValueParser for Methods {
     }
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum Format {
-    Text,
-    Csv,
-    Json,
-}
-
-const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
-
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
-    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
-    if arguments.explain && answer.format() == Format::Csv {
+    let flag = Tabular::demanded(arguments.json, arguments.csv);
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Tabular::Text, Tabular::ENDINGS)?;
+    if arguments.explain && answer.format() == Tabular::Csv {
         return Err(Failure::new("CSV has no place for the ways of --explain").help("expected -o FILE.txt or FILE.json"));
     }
-    let digits = arguments.precision.digits(answer.format() != Format::Json)?;
+    let digits = arguments.precision.digits(answer.format() != Tabular::Json)?;
     let quantity = arguments.quantity;
     let dimension = quantity.coordinate_dimension();
     let lengths =
@@ -265,9 +256,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         },
     };
     answer.write(|format, out| match format {
-        Format::Json => report::json::evaluation(&record, out),
-        Format::Csv => report::text::evaluation_as_csv(&record, out),
-        Format::Text => report::text::evaluation(&record, out),
+        Tabular::Json => report::json::evaluation(&record, out),
+        Tabular::Csv => report::text::evaluation_as_csv(&record, out),
+        Tabular::Text => report::text::evaluation(&record, out),
     })?;
     warn_of_missing_values(&record.readings);
     if record.is_cut() {

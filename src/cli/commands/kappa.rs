@@ -1,6 +1,6 @@
 //! `sneddon kappa`: the constants of power-law profiles.
 
-use crate::cli::output::{Destination, Endings};
+use crate::cli::output::{Destination, Tabular};
 use crate::cli::precision::PrecisionArguments;
 use crate::cli::units::Units;
 use crate::cli::{Failure, Outcome, points};
@@ -38,19 +38,10 @@ const EXAMPLES: &str = "Examples:
   sneddon kappa --at 0.5:4:8
   sneddon kappa --at 1,1.5,2,3 --json";
 
-#[derive(Clone, Copy, PartialEq)]
-enum Format {
-    Text,
-    Csv,
-    Json,
-}
-
-const ENDINGS: &Endings<Format> = &[("txt", Format::Text), ("csv", Format::Csv), ("json", Format::Json)];
-
 pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let flag = arguments.json.then_some(Format::Json).or(arguments.csv.then_some(Format::Csv));
-    let answer = Destination::choose(arguments.output.as_deref(), flag, Format::Text, ENDINGS)?;
-    let digits = arguments.precision.digits(answer.format() != Format::Json)?;
+    let flag = Tabular::demanded(arguments.json, arguments.csv);
+    let answer = Destination::choose(arguments.output.as_deref(), flag, Tabular::Text, Tabular::ENDINGS)?;
+    let digits = arguments.precision.digits(answer.format() != Tabular::Json)?;
     let exponents = points::read(&arguments.at, &Units::of(&[], &[], None), Dimension::NONE)?;
     let constant = |n: f64| {
         let unknown = || Failure::new(format!("kappa_n has no value at n = {n:?}"));
@@ -61,9 +52,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let list = exponents.into_iter().map(constant).collect::<Result<Vec<_>, Failure>>()?;
     answer.write(|format, out| match format {
-        Format::Json => power_constants::as_json(&list, out),
-        Format::Csv => power_constants::as_csv(&list, out),
-        Format::Text => power_constants::as_text(&list, out),
+        Tabular::Json => power_constants::as_json(&list, out),
+        Tabular::Csv => power_constants::as_csv(&list, out),
+        Tabular::Text => power_constants::as_text(&list, out),
     })?;
     Ok(Outcome::Done)
 }

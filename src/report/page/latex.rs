@@ -91,8 +91,7 @@ fn text(page: &Page, style: Style, out: &mut dyn Write) -> io::Result<()> {
                 equation(&label, &NOTATION.name(left), &lines(left, right, range.as_ref(), NOTATION, style.width), out)?;
                 // Only a complete document has the entry that is cited.
                 let citation = if style.standalone { CITATION } else { "" };
-                if let Some(sources) = sources.sentence(citation) {
-                    let sources = print::latex_words(&sources).replace(&print::latex_words(CITATION), CITATION);
+                if let Some(sources) = sources.sentence(citation, print::latex_words) {
                     writeln!(out, "\\noindent{{\\footnotesize {sources}}}\\par")?;
                 }
             }

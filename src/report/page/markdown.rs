@@ -25,7 +25,7 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
                     }
                 };
                 writeln!(out, "```math\n{body}\n```")?;
-                if let Some(sources) = sources.sentence("") {
+                if let Some(sources) = sources.sentence("", str::to_owned) {
                     writeln!(out, "\n{sources}")?;
                 }
             }

@@ -31,8 +31,8 @@ fn article(page: &Page, out: &mut dyn Write) -> io::Result<()> {
         match block {
             Block::Equation { left, right, range, sources, .. } => {
                 writeln!(out, "{}", mathml_equation(left, right, range.as_ref().map(|own| (own.variable.as_str(), &own.from))))?;
-                if let Some(sources) = sources.sentence("") {
-                    writeln!(out, "<p class=\"sources\">{}</p>", escaped(&sources))?;
+                if let Some(sources) = sources.sentence("", escaped) {
+                    writeln!(out, "<p class=\"sources\">{}</p>", sources)?;
                 }
             }
             Block::Where(parts) => {

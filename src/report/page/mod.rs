@@ -107,7 +107,7 @@ impl Page {
     }
 
     fn equation(&mut self, key: &str, left: &str, right: &Formula, sources: Sources) {
-        if self.blocks.iter().all(|own| !matches!(own, Block::Equation { .. })) {
+        if self.mark.is_empty() {
             self.mark = format!("{}:", marked(right));
         }
         self.blocks.push(Block::Equation { key: key.to_owned(), left: left.to_owned(), right: right.clone(), range: None, sources });

@@ -34,11 +34,13 @@ impl Sources {
         Some(format!("{}{compared}{rules}{references}", self.status?.name()))
     }
 
-    /// A sentence, as in `In closed form: Popov & Heß (3.27), (3.30).`; `None` for a formula that was given.
+    /// A sentence, as in `In closed form: Popov & Heß (3.27), (3.30).`, with its words written by `escape`; `None` for a formula that
+    /// was given, such as the depth under a rim.
     ///
     /// The equations of the book are one reference, with `citation` behind its authors.
-    pub(super) fn sentence(&self, citation: &str) -> Option<String> {
+    pub(super) fn sentence(&self, citation: &str, escape: impl Fn(&str) -> String) -> Option<String> {
         let status = match self.status? {
+            Status::Exact if self.references.is_empty() => return None,
             Status::Exact => "In closed form",
             Status::Partial => "Partly in closed form",
             Status::Numeric => "Left as an integral",
@@ -51,8 +53,8 @@ impl Sources {
                 equations.push(own);
             }
         }
-        let book = (!equations.is_empty()).then(|| format!("{BOOK}{citation} {}", equations.join(", ")));
-        let others = self.references.iter().filter(|own| equation(own).is_none()).map(|own| (*own).to_owned());
+        let book = (!equations.is_empty()).then(|| format!("{}{citation} {}", escape(BOOK), escape(&equations.join(", "))));
+        let others = self.references.iter().filter(|own| equation(own).is_none()).map(|own| escape(own));
         let references: Vec<String> = book.into_iter().chain(others).collect();
         let references = if references.is_empty() { String::new() } else { format!(": {}", references.join("; ")) };
         Some(format!("{status}{compared}{references}."))

@@ -22,8 +22,8 @@ pub(super) fn write(page: &Page, style: Style, out: &mut dyn Write) -> io::Resul
                     [only] => writeln!(out, "$ {} = {only} ${label}", NOTATION.name(left))?,
                     many => writeln!(out, "$ {} &= {} ${label}", NOTATION.name(left), many.join(" \\\n  &quad "))?,
                 }
-                if let Some(sources) = sources.sentence("") {
-                    writeln!(out, "{}\n", Prose::words(&sources).written(NOTATION))?;
+                if let Some(sources) = sources.sentence("", |words| Prose::words(words).written(NOTATION)) {
+                    writeln!(out, "{sources}\n")?;
                 }
             }
             Block::Where(parts) => {

@@ -228,6 +228,19 @@ impl Formula {
         }
     }
 
+    /// The integrals of the formula, each as its integrand and its variable; not those within an integrand.
+    pub fn integrals(&self) -> Vec<(&Self, &Symbol)> {
+        match self {
+            Self::Closed(_) => Vec::new(),
+            Self::Sum(parts) => parts.iter().flat_map(Self::integrals).collect(),
+            Self::Scaled(_, inner) => inner.integrals(),
+            Self::Piecewise { pieces, last, .. } => {
+                pieces.iter().map(|own| &own.0).chain([last.as_ref()]).flat_map(Self::integrals).collect()
+            }
+            Self::Integral { integrand, variable, .. } => vec![(integrand.as_ref(), variable)],
+        }
+    }
+
     /// Every expression in the formula: closed parts, factors, breakpoints and limits.
     pub fn expressions(&self) -> Vec<&Expr> {
         match self {

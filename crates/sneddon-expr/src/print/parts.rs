@@ -51,7 +51,8 @@ impl Names {
 
     /// The formula with names for parts if one of its lines is wider than `width` letters, and the definitions of the names that are new.
     ///
-    /// A part of an integrand that contains the variable of integration is named as a function of it, as q(x). Replacing the names by their definitions restores the formula.
+    /// A part of an integrand that contains the variable of integration is named as a function of it, as q(x). Replacing the names by
+    /// their definitions restores the formula.
     pub fn shortened(&mut self, right: &Formula, notation: Notation, width: usize) -> (Formula, Vec<(String, Formula)>) {
         let fits = |own: &Formula| notation.widest(own, width) <= width;
         let small = |own: &Formula| own.expressions().into_iter().map(|expr| expr.size_up_to(SIZE)).sum::<usize>() < SIZE;
@@ -62,8 +63,7 @@ impl Names {
         for (part, name) in &self.known {
             shown = with_name(&shown, part, name);
         }
-        let mut variables = BTreeSet::new();
-        add_variables(right, &mut variables);
+        let variables = variables(right);
         let mut new: Vec<(Symbol, Formula)> = Vec::new();
         let mut refused = Vec::new();
         while new.len() < MOST {
@@ -127,20 +127,14 @@ fn with_definitions(part: &Expr, known: &[(Expr, Symbol)]) -> Expr {
     whole
 }
 
-/// Adds the variables of integration of a formula.
-fn add_variables(formula: &Formula, found: &mut BTreeSet<Symbol>) {
-    match formula {
-        Formula::Closed(_) => {}
-        Formula::Sum(parts) => parts.iter().for_each(|own| add_variables(own, found)),
-        Formula::Scaled(_, inner) => add_variables(inner, found),
-        Formula::Piecewise { pieces, last, .. } => {
-            pieces.iter().map(|own| &own.0).chain([&**last]).for_each(|own| add_variables(own, found))
-        }
-        Formula::Integral { integrand, variable, .. } => {
-            found.insert(variable.clone());
-            add_variables(integrand, found);
-        }
+/// The variables of integration of a formula.
+fn variables(formula: &Formula) -> BTreeSet<Symbol> {
+    let (mut found, mut left) = (BTreeSet::new(), formula.integrals());
+    while let Some((integrand, variable)) = left.pop() {
+        found.insert(variable.clone());
+        left.extend(integrand.integrals());
     }
+    found
 }
 
 fn has_elliptic(expr: &Expr) -> bool {

@@ -87,10 +87,10 @@ fn gather_roots(upper: &mut Vec<Factor>, lower: &mut Vec<Factor>) {
 fn gather_square_roots(side: &mut Vec<Factor>) {
     let is_root = |own: &&Factor| own.exponent == Expr::ratio(1, 2);
     let is_sum = |own: &&Factor| matches!(own.base.node(), Node::Sum(_));
-    if side.iter().filter(is_root).filter(is_sum).count() != 1 {
+    let joins = |own: &Factor| is_root(&own) && matches!(own.base.node(), Node::Sum(_) | Node::Symbol(_) | Node::Number(_));
+    if side.iter().filter(is_root).filter(is_sum).count() != 1 || side.iter().filter(|own| joins(own)).count() < 2 {
         return;
     }
-    let joins = |own: &Factor| is_root(&own) && matches!(own.base.node(), Node::Sum(_) | Node::Symbol(_) | Node::Number(_));
     let (joined, kept): (Vec<Factor>, Vec<Factor>) = side.drain(..).partition(joins);
     *side = kept;
     side.push(Factor { base: Expr::product(joined.into_iter().map(|own| own.base)), exponent: Expr::ratio(1, 2) });

@@ -26,7 +26,7 @@ const R: Parameter = Parameter { name: "R", lowest: 3.2, highest: 6.0 };
 const B: Parameter = Parameter { name: "b", lowest: 0.2, highest: 2.0 };
 const C: Parameter = Parameter { name: "c", lowest: 0.2, highest: 2.0 };
 
-const RECURRENCE: &str = "recurrence in the exponent for ∫ r^m (ρ² ± r²)^p/√(x²−r²) dr";
+const RECURRENCE: &str = "recurrence in the exponent";
 
 /// An empty rule, used as the base for rules with common fields.
 const BLANK: Rule = Rule {
