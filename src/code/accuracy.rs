@@ -1,8 +1,11 @@
 //! How accurate a program is: its routines run with an error bound that grows with every operation.
 
+mod first_order;
+
 use super::tree::{Comparison, LENGTH, NAN, Operator, Routine, Statement, Test, Value};
 use crate::expr::Function;
 use crate::num::Bounded;
+use first_order::{Operation, Record};
 
 /// Assumed errors of elementary functions in units in the last place: the largest known errors of the GNU C library in double
 /// precision (`sysdeps/x86_64/fpu/libm-test-ulps`).
@@ -21,17 +24,25 @@ pub(super) const ELEMENTARY: [&str; 24] = [
     "abs", "max", "min", "pow", "floor", NAN, "inf",
 ];
 
-/// Runs routines; `ulps` is the assumed accuracy of functions of the language's library.
+/// Runs routines; `library` gives the assumed accuracy of functions of the language's library.
 pub(super) struct Machine<'a> {
-    pub(super) routines: &'a [Routine],
-    pub(super) library: &'a dyn Fn(&str) -> Option<f64>,
+    routines: &'a [Routine],
+    library: &'a dyn Fn(&str) -> Option<f64>,
     steps: usize,
+    record: Option<Record>,
+}
+
+/// A result with its running bound, and its place in the record.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Traced {
+    pub(super) bounded: Bounded,
+    place: usize,
 }
 
 /// The variables and arrays of a running routine; there are too few for a map to pay off.
 struct Variables<'a> {
-    numbers: Vec<(&'a str, Bounded)>,
-    arrays: Vec<(&'a str, Vec<Bounded>)>,
+    numbers: Vec<(&'a str, Traced)>,
+    arrays: Vec<(&'a str, Vec<Traced>)>,
 }
 
 /// Whether two names are equal; those of variables differ in their last digits, which are compared first.
@@ -41,31 +52,63 @@ fn same(one: &str, other: &str) -> bool {
 }
 
 impl<'a> Variables<'a> {
-    fn set(&mut self, name: &'a str, value: Bounded) {
+    fn set(&mut self, name: &'a str, value: Traced) {
         match self.numbers.iter_mut().rev().find(|(own, _)| same(own, name)) {
             Some((_, old)) => *old = value,
             None => self.numbers.push((name, value)),
         }
     }
 
-    fn element(&mut self, name: &str, index: Bounded) -> Option<&mut Bounded> {
+    fn element(&mut self, name: &str, index: Traced) -> Option<&mut Traced> {
         let (_, own) = self.arrays.iter_mut().find(|(own, _)| same(own, name))?;
-        own.get_mut(index.value as usize)
+        own.get_mut(index.bounded.value as usize)
     }
 }
 
 impl<'a> Machine<'a> {
     pub(super) fn new(routines: &'a [Routine], library: &'a dyn Fn(&str) -> Option<f64>) -> Self {
-        Self { routines, library, steps: 0 }
+        Self { routines, library, steps: 0, record: None }
     }
 
-    /// The value of a routine at exact arguments, with its bound; `None` if it does not end or calls what is unknown.
-    pub(super) fn run(&mut self, name: &str, arguments: &[f64]) -> Option<Bounded> {
+    /// The value of a routine at exact arguments, with its running bound; `None` if it does not end or calls what is unknown.
+    pub(super) fn traced(&mut self, name: &str, arguments: &[f64]) -> Option<Traced> {
         self.steps = 0;
-        self.routine(name, arguments.iter().copied().map(Bounded::exact).collect())
+        let arguments = arguments.iter().map(|own| self.leaf(Bounded::exact(*own))).collect();
+        self.routine(name, arguments)
     }
 
-    fn routine(&mut self, name: &str, arguments: Vec<Bounded>) -> Option<Bounded> {
+    /// Starts a new record: the operations of all runs from here on belong to it.
+    pub(super) fn start_record(&mut self) {
+        self.record = Some(Record::default());
+    }
+
+    /// A bound on the error of the sum of results times factors: the sum of running bounds, or that to first order if there is a
+    /// record and it is smaller.
+    pub(super) fn error(&self, sum: &[(Traced, f64)]) -> f64 {
+        let running = sum.iter().map(|(own, factor)| own.bounded.error * factor.abs()).sum();
+        let places: Vec<(usize, f64)> = sum.iter().map(|(own, factor)| (own.place, *factor)).collect();
+        self.record.as_ref().and_then(|record| record.error(&places)).map_or(running, |own| own.min(running))
+    }
+
+    fn leaf(&mut self, bounded: Bounded) -> Traced {
+        let place = self.record.as_mut().map_or(0, |record| record.leaf(bounded));
+        Traced { bounded, place }
+    }
+
+    fn operation(
+        &mut self,
+        operation: Operation<'_>,
+        operands: &[Traced],
+        bounded: Bounded,
+        own: impl Fn(&[Bounded]) -> Bounded,
+    ) -> Traced {
+        let Some(record) = &mut self.record else { return Traced { bounded, place: 0 } };
+        let (places, numbers): (Vec<usize>, Vec<Bounded>) = operands.iter().map(|operand| (operand.place, operand.bounded)).unzip();
+        let place = record.operation(operation, &places, &numbers, bounded, own);
+        Traced { bounded, place }
+    }
+
+    fn routine(&mut self, name: &str, arguments: Vec<Traced>) -> Option<Traced> {
         let routine = self.routines.iter().find(|own| own.name == name)?;
         let numbers = routine.parameters.iter().map(String::as_str).zip(arguments).collect();
         let mut variables = Variables { numbers, arrays: Vec::new() };
@@ -73,7 +116,7 @@ impl<'a> Machine<'a> {
     }
 
     /// Runs statements; `Some(None)` where none of them returned.
-    fn block(&mut self, list: &'a [Statement], variables: &mut Variables<'a>) -> Option<Option<Bounded>> {
+    fn block(&mut self, list: &'a [Statement], variables: &mut Variables<'a>) -> Option<Option<Traced>> {
         for own in list {
             self.steps += 1;
             if self.steps > MOST_STEPS {
@@ -86,7 +129,8 @@ impl<'a> Machine<'a> {
                     None
                 }
                 Statement::Array(name) => {
-                    variables.arrays.push((name, vec![Bounded::exact(0.0); LENGTH]));
+                    let zero = self.leaf(Bounded::exact(0.0));
+                    variables.arrays.push((name, vec![zero; LENGTH]));
                     None
                 }
                 Statement::SetElement(name, index, value) => {
@@ -118,7 +162,7 @@ impl<'a> Machine<'a> {
     fn test(&mut self, test: &'a Test, variables: &mut Variables<'a>) -> Option<bool> {
         Some(match test {
             Test::Compare(comparison, left, right) => {
-                let (left, right) = (self.value(left, variables)?.value, self.value(right, variables)?.value);
+                let (left, right) = (self.value(left, variables)?.bounded.value, self.value(right, variables)?.bounded.value);
                 match comparison {
                     Comparison::Less => left < right,
                     Comparison::LessOrEqual => left <= right,
@@ -147,10 +191,10 @@ impl<'a> Machine<'a> {
         })
     }
 
-    fn value(&mut self, value: &'a Value, variables: &mut Variables<'a>) -> Option<Bounded> {
+    fn value(&mut self, value: &'a Value, variables: &mut Variables<'a>) -> Option<Traced> {
         Some(match value {
-            Value::Number(number, true) => Bounded::exact(*number),
-            Value::Number(number, false) => Bounded::rounded(*number),
+            Value::Number(number, true) => self.leaf(Bounded::exact(*number)),
+            Value::Number(number, false) => self.leaf(Bounded::rounded(*number)),
             Value::Name(name) => variables.numbers.iter().rev().find(|(own, _)| same(own, name))?.1,
             Value::Element(name, index) => {
                 let index = self.value(index, variables)?;
@@ -158,63 +202,77 @@ impl<'a> Machine<'a> {
             }
             Value::Binary(operator, left, right) => {
                 let (left, right) = (self.value(left, variables)?, self.value(right, variables)?);
-                match operator {
-                    Operator::Add => left + right,
-                    Operator::Subtract => left - right,
-                    Operator::Multiply => product(left, right),
-                    Operator::Divide => quotient(left, right),
-                }
+                let bounded = binary(*operator, left.bounded, right.bounded);
+                self.operation(Operation::Binary(*operator), &[left, right], bounded, |own| match own {
+                    [left, right] => binary(*operator, *left, *right),
+                    _ => bounded,
+                })
             }
             Value::Call(name, arguments) => {
                 let arguments = arguments.iter().map(|own| self.value(own, variables)).collect::<Option<Vec<_>>>()?;
                 if self.routines.iter().any(|own| own.name == *name) {
-                    self.routine(name, arguments)?
-                } else {
-                    self.function(name, &arguments)?
+                    return self.routine(name, arguments);
                 }
+                match (name.as_str(), arguments.as_slice()) {
+                    ("max", [a, b]) => return Some(if a.bounded.value >= b.bounded.value { *a } else { *b }),
+                    ("min", [a, b]) => return Some(if a.bounded.value <= b.bounded.value { *a } else { *b }),
+                    _ => {}
+                }
+                let numbers: Vec<Bounded> = arguments.iter().map(|own| own.bounded).collect();
+                let library = self.library;
+                let bounded = function(library, name, &numbers)?;
+                self.operation(Operation::Call(name), &arguments, bounded, |own| function(library, name, own).unwrap_or(bounded))
             }
         })
     }
+}
 
-    fn function(&self, name: &str, arguments: &[Bounded]) -> Option<Bounded> {
-        let elementary: Option<fn(f64) -> f64> = match name {
-            "exp" => Some(f64::exp),
-            "log" => Some(f64::ln),
-            "log1p" => Some(f64::ln_1p),
-            "expm1" => Some(f64::exp_m1),
-            "sin" => Some(f64::sin),
-            "cos" => Some(f64::cos),
-            "tan" => Some(f64::tan),
-            "asin" => Some(f64::asin),
-            "acos" => Some(f64::acos),
-            "atan" => Some(f64::atan),
-            "sinh" => Some(f64::sinh),
-            "cosh" => Some(f64::cosh),
-            "tanh" => Some(f64::tanh),
-            "asinh" => Some(f64::asinh),
-            "atanh" => Some(f64::atanh),
-            _ => None,
-        };
-        match (name, arguments) {
-            ("sqrt", [a]) => Some(a.sqrt()),
-            // One unit is counted by the power itself.
-            ("pow", [a, b]) => Some(a.powf(*b).apply(|z| z, ELEMENTARY_ULPS - 1.0)),
-            ("abs", [a]) => Some(Bounded { value: a.value.abs(), error: a.error }),
-            ("max", [a, b]) => Some(if a.value >= b.value { *a } else { *b }),
-            ("min", [a, b]) => Some(if a.value <= b.value { *a } else { *b }),
-            ("floor", [a]) => Some(Bounded::exact(a.value.floor())),
-            (NAN, []) => Some(Bounded::exact(f64::NAN)),
-            ("inf", []) => Some(Bounded::exact(f64::INFINITY)),
-            ("atan2", [a, b]) => Some(arctangent(*a, *b)),
-            ("sinh" | "cosh" | "tanh" | "asinh" | "atanh", [a]) => elementary.map(|f| a.apply(f, HYPERBOLIC_ULPS)),
-            (_, [a]) if elementary.is_some() => elementary.map(|f| a.apply(f, ELEMENTARY_ULPS)),
-            _ => {
-                let (row, ulps) = (Function::named(name)?.row(), (self.library)(name)?);
-                Some(match arguments {
-                    [only] => only.apply(|z| (row.value)(&[z]), row.ulps() + ulps),
-                    _ => Bounded::apply_many(row.value, arguments, row.ulps() + ulps),
-                })
-            }
+fn binary(operator: Operator, left: Bounded, right: Bounded) -> Bounded {
+    match operator {
+        Operator::Add => left + right,
+        Operator::Subtract => left - right,
+        Operator::Multiply => product(left, right),
+        Operator::Divide => quotient(left, right),
+    }
+}
+
+/// The value of a function of the language or of its library.
+fn function(library: &dyn Fn(&str) -> Option<f64>, name: &str, arguments: &[Bounded]) -> Option<Bounded> {
+    let elementary: Option<fn(f64) -> f64> = match name {
+        "exp" => Some(f64::exp),
+        "log" => Some(f64::ln),
+        "log1p" => Some(f64::ln_1p),
+        "expm1" => Some(f64::exp_m1),
+        "sin" => Some(f64::sin),
+        "cos" => Some(f64::cos),
+        "tan" => Some(f64::tan),
+        "asin" => Some(f64::asin),
+        "acos" => Some(f64::acos),
+        "atan" => Some(f64::atan),
+        "sinh" => Some(f64::sinh),
+        "cosh" => Some(f64::cosh),
+        "tanh" => Some(f64::tanh),
+        "asinh" => Some(f64::asinh),
+        "atanh" => Some(f64::atanh),
+        _ => None,
+    };
+    match (name, arguments) {
+        ("sqrt", [a]) => Some(a.sqrt()),
+        // One unit is counted by the power itself.
+        ("pow", [a, b]) => Some(a.powf(*b).apply(|z| z, ELEMENTARY_ULPS - 1.0)),
+        ("abs", [a]) => Some(Bounded { value: a.value.abs(), error: a.error }),
+        ("floor", [a]) => Some(Bounded::exact(a.value.floor())),
+        (NAN, []) => Some(Bounded::exact(f64::NAN)),
+        ("inf", []) => Some(Bounded::exact(f64::INFINITY)),
+        ("atan2", [a, b]) => Some(arctangent(*a, *b)),
+        ("sinh" | "cosh" | "tanh" | "asinh" | "atanh", [a]) => elementary.map(|f| a.apply(f, HYPERBOLIC_ULPS)),
+        (_, [a]) if elementary.is_some() => elementary.map(|f| a.apply(f, ELEMENTARY_ULPS)),
+        _ => {
+            let (row, ulps) = (Function::named(name)?.row(), library(name)?);
+            Some(match arguments {
+                [only] => only.apply(|z| (row.value)(&[z]), row.ulps() + ulps),
+                _ => Bounded::apply_many(row.value, arguments, row.ulps() + ulps),
+            })
         }
     }
 }

@@ -3,8 +3,9 @@
 use super::CodeError;
 use super::accuracy::{ASSUMED, Machine};
 use super::program::{Claim, Program, is_of_depth, needs_modulus, routine_name, series_of};
-use super::truth::{STEP, Truth, spacing};
+use super::truth::{STEP, Truth, beyond, spacing};
 use crate::contact::Quantity;
+use crate::num::Bounded;
 use crate::transform::{Evaluator, Sampler, Solution, reach};
 
 /// Sets of parameters.
@@ -27,7 +28,7 @@ pub(super) fn claimed(mut program: Program, solution: &Solution) -> Program {
     for quantity in program.quantities.clone() {
         let claim = of(&program, quantity, solution);
         program.claims.push((quantity, claim));
-        let lines = text(&program, claim, quantity);
+        let lines = claim.map_or_else(Vec::new, |claim| text(&program, claim, quantity));
         if let Some(routine) = program.routines.iter_mut().find(|own| own.name == routine_name(quantity)) {
             routine.comment.extend(lines);
         }
@@ -49,8 +50,16 @@ impl Program {
         largest.0 < largest.1
     }
 
-    /// Refuses a function that loses its digits somewhere.
+    /// Refuses a function that loses its digits somewhere, and one that was compared with no value.
     pub(super) fn honest(self) -> Result<Self, CodeError> {
+        if let Some((quantity, _)) = self.claims.iter().find(|(_, claim)| claim.is_none()) {
+            let quantity = *quantity;
+            return Err(if is_of_depth(quantity) {
+                CodeError::NoDepth { quantity: quantity.key() }
+            } else {
+                CodeError::NoValue { quantity: quantity.key() }
+            });
+        }
         let lost = self.claims.iter().find_map(|(quantity, claim)| Some((*quantity, claim.filter(|own| own.ulps > REFUSED)?)));
         match lost {
             Some((quantity, claim)) => Err(CodeError::Inaccurate {
@@ -64,10 +73,7 @@ impl Program {
     }
 }
 
-fn text(program: &Program, claim: Option<Claim>, quantity: Quantity) -> Vec<String> {
-    let Some(claim) = claim else {
-        return vec!["Accuracy: nothing is claimed, because no point with a bound was found.".to_owned()];
-    };
+fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     let mut assumed = vec![ASSUMED.to_owned()];
     for name in &program.library {
         if let Some((written, ulps)) = program.language.target().library(name) {
@@ -132,21 +138,18 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         range = (range.0.max(ends.0), range.1.min(ends.1));
         for place in list {
             for coordinates in arguments_at(quantity, place, truth.contact.evaluator()) {
-                let seen = if is_solved {
-                    solved(&mut machine, &truth, place)
-                } else {
-                    let modulus: &[f64] = if needs_modulus(quantity) { &[1.0] } else { &[] };
-                    let arguments = [&coordinates, modulus, &truth.values].concat();
-                    let own = machine.run(&routine_name(quantity), &arguments);
-                    own.and_then(|own| truth.ulps(own, &coordinates, place))
-                };
-                let Some(ulps) = seen else { continue };
+                let Some(ulps) = error_at(&mut machine, &truth, is_solved, &coordinates, place) else { continue };
                 found.push(Found { ulps, place, coordinates, draw: truths.len() });
             }
         }
         truths.push(truth);
     }
     let whole = |ulps: f64| (ulps * ROOM).ceil();
+    for own in found.iter_mut().filter(|own| whole(own.ulps) > PLAIN) {
+        machine.start_record();
+        let refined = error_at(&mut machine, truths.get(own.draw)?, is_solved, &own.coordinates, own.place);
+        own.ulps = refined.map_or(own.ulps, |refined| refined.min(own.ulps));
+    }
     found.sort_by(|one, other| other.ulps.total_cmp(&one.ulps));
     let worst = found.first()?;
     let claim = Claim { ulps: whole(worst.ulps), condition: None, points: found.len(), range, worst_at: worst.place };
@@ -167,6 +170,17 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         }
     }
     Some(Claim { ulps: whole(relative), condition: Some(largest), worst_at, ..claim })
+}
+
+/// The error in ulps at a point: the running bound, or the one to first order if the machine keeps a record.
+fn error_at(machine: &mut Machine<'_>, truth: &Truth<'_>, is_solved: bool, coordinates: &[f64], place: f64) -> Option<f64> {
+    if is_solved {
+        return solved(machine, truth, place);
+    }
+    let modulus: &[f64] = if needs_modulus(truth.quantity) { &[1.0] } else { &[] };
+    let own = machine.traced(&routine_name(truth.quantity), &[coordinates, modulus, &truth.values].concat())?;
+    let error = machine.error(&[(own, 1.0)]);
+    truth.ulps(Bounded { value: own.bounded.value, error }, coordinates, place)
 }
 
 /// Radii over the decades of a claim and their ends, next to breakpoints, and next to the end of the profile.
@@ -211,21 +225,24 @@ fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Ve
 }
 
 /// The error in ulps of the radius a with g(a) = d, which an error of g moves by that error over g′. For F(a) + 2a (d − g(a)), the
-/// error of the root counts in second order only. Errors of g and F are their running bounds, or their differences from the values
-/// of the program.
+/// error of the root counts in second order only. Errors of g and F are their bounds, or their differences from the values of the
+/// program.
 fn solved(machine: &mut Machine<'_>, truth: &Truth<'_>, a: f64) -> Option<f64> {
-    let mut at = |routine: &str, arguments: &[f64]| machine.run(routine, &[arguments, &truth.values].concat());
+    let mut at = |routine: &str, arguments: &[f64]| machine.traced(routine, &[arguments, &truth.values].concat());
     let (own, more, less) = (at("sneddon_g", &[a])?, at("sneddon_g", &[a * (1.0 + STEP)])?, at("sneddon_g", &[a * (1.0 - STEP)])?);
-    let slope = (more.value - less.value) / (2.0 * STEP * a);
-    if !(slope > 0.0 && own.value > 0.0) {
+    let slope = (more.bounded.value - less.bounded.value) / (2.0 * STEP * a);
+    if !(slope > 0.0 && own.bounded.value > 0.0) {
         return None;
     }
-    let of_g = own.error.max(truth.difference(Quantity::Equivalent, own, a)?) + spacing(own.value);
+    let force = if truth.quantity == Quantity::Radius { None } else { Some(at("sneddon_F", &[a, 1.0])?) };
+    let exact = truth.exact(Quantity::Equivalent, a)?;
+    let of_g = machine.error(&[(own, 1.0)]).max(beyond(own.bounded.value - exact.value, exact.error)) + spacing(exact.value);
     let of_root = of_g / slope + 2.0 * spacing(a);
-    if truth.quantity == Quantity::Radius {
-        return Some(of_root / spacing(a));
-    }
-    let force = at("sneddon_F", &[a, 1.0])?;
-    let of_force = force.error.max(truth.difference(Quantity::Force, force, a)?);
-    Some((of_force + 2.0 * a * of_g + slope * of_root * of_root) / spacing(force.value) + 2.0)
+    let Some(force) = force else { return Some(of_root / spacing(a)) };
+    let exact_force = truth.exact(Quantity::Force, a)?;
+    // The depth is the same for the code and for the truth, so that only g and F differ.
+    let difference = (force.bounded.value - exact_force.value) - 2.0 * a * (own.bounded.value - exact.value);
+    let bound = machine.error(&[(force, 1.0), (own, -2.0 * a)]).max(beyond(difference, exact_force.error + 2.0 * a * exact.error));
+    // Next to the root d - g(a) is exact; the rest are the roundings of its product and of the sum.
+    Some((bound + slope * of_root * of_root) / spacing(exact_force.value) + 2.0)
 }

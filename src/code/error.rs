@@ -36,6 +36,18 @@ pub enum CodeError {
         /// The bound.
         ulps: f64,
     },
+    /// g is negative or 0.
+    #[error("{quantity} is a function of the depth d > 0, and g is positive at none of the radii that were tried")]
+    NoDepth {
+        /// The symbol of the quantity.
+        quantity: &'static str,
+    },
+    /// The values of the code could not be compared.
+    #[error("the accuracy of {quantity} is unknown, because it has no value with a bound at any of the points that were tried")]
+    NoValue {
+        /// The symbol of the quantity.
+        quantity: &'static str,
+    },
     /// The profile has no contact of this kind.
     #[error(transparent)]
     Contact(#[from] ContactError),
@@ -56,7 +68,10 @@ impl CodeError {
         match self {
             Self::NotClosed { .. } => "choose quantities that derive shows without an integral, or compute with eval",
             Self::Function { .. } => "choose another --lang or other quantities; --lang python supports the functions of SciPy",
-            Self::Inaccurate { .. } => "compute it with eval, in Python with sneddon.Contact, or choose other quantities",
+            Self::NoDepth { .. } => "choose quantities that are functions of the contact radius: g, F, p, d",
+            Self::Inaccurate { .. } | Self::NoValue { .. } => {
+                "compute it with eval, in Python with sneddon.Contact, or choose other quantities"
+            }
             _ => "expected a profile with a closed form",
         }
     }

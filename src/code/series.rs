@@ -44,7 +44,7 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, sample: &Bi
     };
     let power = if shift == 0.0 { String::new() } else { format!("pow({coordinate}, {shift:?}) * ") };
     let body = format!(
-        "{} {} let _n = 0; let _sum = 0; let _size = 0; let _first = 0; let _small = 0; let _part = 0;
+        "{} {} let _n = 0; let _sum = 0; let _lost = 0; let _total = 0; let _size = 0; let _first = 0; let _small = 0; let _part = 0;
         let _kappa = {first:?}; let _next = {second:?}; let _after = 0;
         while _n < {LENGTH} && _small <= {gap} {{
           if _n > 0 {{ {} }}
@@ -52,7 +52,9 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, sample: &Bi
             _part = {total}[_n] * _kappa{weight};
             if _first == 0 {{ _first = abs(_part); }}
             if !(abs(_part) <= {GROWING:?} * _first) {{ return nan(); }}
-            _sum = _sum + _part;
+            _total = _sum + _part;
+            _lost = _lost + ((_sum - _total) + _part);
+            _sum = _total;
             _size = _size + abs(_part);
             if abs(_part) <= 1e-17 * abs(_sum) {{ _small = _small + 1; }} else {{ _small = 0; }}
           }}
@@ -62,7 +64,7 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, sample: &Bi
           _n = _n + 1;
         }}
         if _small <= {gap} || _size > {CANCELLING:?} * abs(_sum) {{ return nan(); }}
-        return {front}{power}_sum;",
+        return {front}{power}(_sum + _lost);",
         if writer.step.contains("_k") { "let _s = 0; let _k = 0;" } else { "" },
         writer.begin,
         writer.step,

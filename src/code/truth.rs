@@ -73,10 +73,9 @@ impl<'a> Truth<'a> {
         Some(reading.bounded())
     }
 
-    /// The deviation of a value of g or F from the reference value beyond its error; `None` without a reference value.
-    pub(super) fn difference(&self, quantity: Quantity, own: Bounded, a: f64) -> Option<f64> {
-        let exact = work::share(LONGEST, || self.value_of(quantity, &self.contact, &[a], a)).flatten();
-        exact.map(|exact| ((own.value - exact.value).abs() - exact.error).max(0.0))
+    /// The reference value of g or F at a radius.
+    pub(super) fn exact(&self, quantity: Quantity, a: f64) -> Option<Bounded> {
+        work::share(LONGEST, || self.value_of(quantity, &self.contact, &[a], a)).flatten()
     }
 
     /// The error of a value of the code in ulps; `None` if unknown.
@@ -89,8 +88,7 @@ impl<'a> Truth<'a> {
         if !own.is_finite() {
             return Some(f64::INFINITY);
         }
-        let difference = ((own.value - exact.value).abs() - exact.error).max(0.0);
-        Some(own.error.max(difference) / spacing(exact.value))
+        Some(own.error.max(beyond(own.value - exact.value, exact.error)) / spacing(exact.value))
     }
 
     /// 1 + Σ |v ∂f/∂v|/|f| over the coordinates, E and the parameters; `None` if a neighbouring value is unknown.
@@ -143,6 +141,11 @@ impl<'a> Truth<'a> {
 
 fn contact<'a>(solution: &'a Solution, bindings: &Bindings) -> Option<Contact<'a>> {
     Some(Contact::new(Evaluator::new(solution, bindings, Method::Auto, TOLERANCE).ok()?, 1.0, None, TOLERANCE))
+}
+
+/// What of a difference from a reference value lies beyond the error of that value.
+pub(super) fn beyond(difference: f64, error: f64) -> f64 {
+    (difference.abs() - error).max(0.0)
 }
 
 /// The distance of neighbouring doubles.

@@ -52,8 +52,6 @@ fn read_entries() -> Vec<Entry> {
 
 /// The largest claim of a catalogue profile, times the condition number where it is conditional.
 const LARGEST_CLAIM: f64 = 16.0;
-/// That of F(d), which is better conditioned than the F(a) that it is computed from: exponential growth has 191, the next 45.
-const LARGEST_CLAIM_OF_DEPTH: f64 = 191.0;
 
 /// The program of a quantity, if the language has it.
 fn program_of(entry: &Entry, own: Quantity, language: Language) -> Option<Program> {
@@ -233,12 +231,13 @@ impl<'a> Near<'a> {
 /// Holds the values that a language printed against the truth; one value for each case.
 fn judge(language: &str, cases: &[Case], output: &str) {
     let mut values = output.lines().map(|line| line.trim().parse::<f64>().unwrap_or_else(|_| panic!("{language}: {line}")));
-    let (mut faults, mut seen) = (Vec::new(), 0);
+    let (mut faults, mut seen, mut largest_share) = (Vec::new(), 0, 0.0_f64);
     for case in cases {
         let value = values.next().expect("a value for each call");
         let spacing = case.truth.hi.abs().next_up() - case.truth.hi.abs();
         let off = ((case.truth.hi - value) + case.truth.lo).abs() / spacing;
         seen += 1;
+        largest_share = largest_share.max(off / case.ulps);
         if off.is_nan() || off > case.ulps {
             faults.push(format!(
                 "{} {:?} = {value:e}, not {:e}: {off:.2} ulp, claimed {:.2}",
@@ -248,6 +247,9 @@ fn judge(language: &str, cases: &[Case], output: &str) {
     }
     assert!(faults.is_empty(), "{language}: {} of {seen}\n{}", faults.len(), faults.join("\n"));
     assert!(seen > 600 / cases_of(60, 1), "{language}: {seen} values only");
+    // Claims that are a quarter of these would be broken; the samples of the other languages are smaller.
+    let is_tight = largest_share > 0.25 || !["C", "Rust"].contains(&language);
+    assert!(is_tight, "{language}: no error is more than {largest_share:.3} of its claim");
 }
 
 fn place(name: &str) -> PathBuf {
@@ -289,8 +291,7 @@ fn catalogue(language: Language, first: usize, every: usize) -> (Vec<(String, St
             let Some(made) = program_of(entry, own, language) else { continue };
             let is_extra = ["sine", "saturating"].contains(&entry.id.as_str());
             let claim = made.claims()[0].1.map_or(0.0, |own| own.ulps);
-            let largest = if own == Quantity::ForceOfDepth { LARGEST_CLAIM_OF_DEPTH } else { LARGEST_CLAIM };
-            assert!(is_extra || claim <= largest, "{} {}: a claim of {claim} ulp", entry.id, own.key());
+            assert!(is_extra || claim <= LARGEST_CLAIM, "{} {}: a claim of {claim} ulp", entry.id, own.key());
             let module = format!("m{}", sources.len());
             all.extend(cases(entry, &near, &module, own, &made));
             sources.push((module, write(&made)));
@@ -488,6 +489,8 @@ fn what_cannot_be_written_is_an_error() {
     assert!(code("ln(cosh(r))", Quantity::Force, Language::C).contains("the formula of F contains an integral"));
     assert!(code("ln(cosh(r))", Quantity::Radius, Language::C).contains("contains an integral"));
     assert!(code("ln(cosh(r))", Quantity::ForceOfDepth, Language::C).contains("contains an integral"));
+    assert!(code("-r^2/R", Quantity::Radius, Language::C).contains("g is positive at none of the radii"));
+    assert!(code("h", Quantity::Equivalent, Language::C).contains("the accuracy of g is unknown"));
     assert!(code("sin(r^2)", Quantity::Equivalent, Language::C).contains("the function fresnelc, which cannot be written in C"));
 }
 
