@@ -42,7 +42,7 @@ impl Builder<'_> {
             narrow.push_str(&format!("if g({name}) >= d {{ _last = min(_last, {name}); }} "));
             places.push(name);
         }
-        let domain = "if !(d >= 0 && d <= 1e300) { return nan(); } if d == 0 { return _low; }";
+        let domain = "if !(d >= 0 && d <= 1.7976931348623157e308) { return nan(); } if d == 0 { return _low; }";
         let last = match limit {
             Some(limit) => {
                 body.push(Statement::Let("_end".to_owned(), limit));

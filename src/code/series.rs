@@ -5,7 +5,7 @@
 
 use super::tree::LENGTH;
 use crate::eval::{Series, power_series};
-use crate::expr::{Bindings, Expr, Node, Number, Symbol, derivative, leading_term};
+use crate::expr::{Bindings, Expr, FirstPower, Node, Number, Symbol, derivative, leading_term};
 use crate::num::kappa::kappa;
 
 /// The text of a routine in the language of the stable forms, and the constants that precede it.
@@ -226,6 +226,7 @@ impl Writer {
             }
             Node::Function(function, arguments) => match arguments.as_slice() {
                 [argument] => self.call(function.name(), argument)?,
+                [order, argument] => self.of_order(function.name(), order, argument)?,
                 _ => return None,
             },
             Node::Number(_) | Node::Constant(_) => return None,
@@ -361,8 +362,49 @@ impl Writer {
                 self.begins_beyond_zero(argument).is_none().then_some(())?;
                 self.integral(&u, &slope, "0")
             }
+            "dawson" => self.dawson(argument, &u),
             _ => None,
         }
+    }
+
+    /// Dawson's integral D of a series without a constant term, from D′ = 1 − 2 u D.
+    fn dawson(&mut self, argument: &Expr, u: &str) -> Option<String> {
+        self.begins_beyond_zero(argument).is_none().then_some(())?;
+        let slope = self.array()?;
+        self.begin.push_str(&format!(" {slope}[0] = 1;"));
+        let dawson = self.integral(u, &slope, "0")?;
+        let next = Self::convolved(&slope, ("1", "_n"), &format!("{u}[_k] * {dawson}[_n - _k]"), "-2 * _s");
+        self.step.push_str(&format!(" {next}"));
+        Some(dawson)
+    }
+
+    /// Bessel and Struve functions of whole orders at z = c r^m, whose powers follow from one another.
+    fn of_order(&mut self, name: &str, order: &Expr, argument: &Expr) -> Option<String> {
+        let FirstPower { order, exponent, coefficient, sign } = FirstPower::new(name, order)?;
+        let (mut m, mut rest) = (0, Vec::new());
+        for factor in argument.factors() {
+            let (base, power) = factor.split_power();
+            match base.as_symbol() == Some(&self.radius) {
+                true => m += power.as_integer()?,
+                false => rest.push(factor),
+            }
+        }
+        let rest = Expr::product(rest);
+        let least = exponent * m;
+        if rest.contains(&self.radius) || !(1..=MOST_FACTORS).contains(&m) || least >= i64::try_from(LENGTH).ok()? {
+            return None;
+        }
+        let z = rest * self.coordinate.power(m);
+        let first = self.constant(&(coefficient * z.power(exponent)));
+        let square = self.constant(&(Expr::integer(sign) * z.power(2)));
+        let series = self.array()?;
+        self.begin.push_str(&format!(" {series}[{least}] = {first};"));
+        // The power j of z is the power j m of r.
+        let (two, squared, less, second) = (2 * m, m * m, m * m * order * order, least + 2 * m);
+        self.step.push_str(&format!(
+            " if _n >= {second} {{ {series}[_n] = {square} * {series}[_n - {two}] * ({squared} / (_n * _n - {less})); }}"
+        ));
+        Some(series)
     }
 
     fn exponential(&mut self, u: &str) -> Option<String> {

@@ -65,10 +65,11 @@ impl Expansion {
                 factors.iter().try_fold(first, |total, factor| Some(self.product(&total, &self.series(factor)?)))
             }
             Node::Power(base, exponent) if !exponent.contains(&self.radius) => self.power(self.series(base)?, exponent),
-            Node::Function(function, arguments) => {
-                let [argument] = arguments.as_slice() else { return None };
-                self.composed(|inner| Expr::function(*function, vec![inner]), self.series(argument)?)
-            }
+            Node::Function(function, arguments) => match arguments.as_slice() {
+                [argument] => self.composed(|inner| Expr::function(*function, vec![inner]), self.series(argument)?),
+                [order, argument] => self.in_powers(&FirstPower::new(function.name(), order)?, self.series(argument)?),
+                _ => None,
+            },
             Node::Power(..) | Node::Number(_) | Node::Constant(_) => None,
         }
     }
@@ -137,6 +138,26 @@ impl Expansion {
         Some(Series { shift, coefficients: powers.into_iter().map(|own| own * &scale).collect() })
     }
 
+    /// A function with known powers of a series that vanishes at the axis.
+    fn in_powers(&self, first: &FirstPower, argument: Series) -> Option<Series> {
+        let u = argument.stripped()?;
+        if u.shift <= Number::integer(0) {
+            return None;
+        }
+        let square = self.product(&u, &u);
+        let (mut coefficient, mut exponent) = (first.coefficient.clone(), first.exponent);
+        let mut power = (0..exponent).fold(self.constant(Expr::one()), |power, _| self.product(&power, &u));
+        let mut total = self.constant(Expr::zero());
+        for _ in 0..self.length {
+            let coefficients = power.coefficients.iter().map(|own| own * &coefficient).collect();
+            total = self.sum(total, Series { shift: power.shift.clone(), coefficients })?;
+            exponent += 2;
+            coefficient = coefficient * Expr::ratio(first.sign, exponent * exponent - first.order * first.order);
+            power = self.product(&power, &square);
+        }
+        Some(total)
+    }
+
     /// Σ F⁽ⁿ⁾(c₀)/n! (u − c₀)ⁿ, c₀ the value of u at the axis.
     fn composed(&self, function: impl Fn(Expr) -> Expr, argument: Series) -> Option<Series> {
         let mut inner = argument;
@@ -172,6 +193,51 @@ impl Expansion {
             total = self.sum(total, term)?;
         }
         Some(total)
+    }
+}
+
+/// What a Bessel or Struve function of a whole order ν is next to z = 0: c z^e, e its exponent, plus further powers e + 2, e + 4, …
+///
+/// The coefficient of every power j follows from that of j − 2 by the factor ±1/(j² − ν²), with the sign given here
+/// (DLMF 10.2.2, 10.25.2, 11.2.1 and 11.2.2).
+#[derive(Clone, Debug, PartialEq)]
+pub struct FirstPower {
+    /// The order ν ≥ 0.
+    pub order: i64,
+    /// The least power of z.
+    pub exponent: i64,
+    /// Its coefficient.
+    pub coefficient: Expr,
+    /// The sign of the factor: −1 for J and H, 1 for I and L.
+    pub sign: i64,
+}
+
+/// Functions of larger orders are not expanded.
+const LARGEST_ORDER: i64 = 32;
+
+impl FirstPower {
+    /// The first power of the function with this name; `None` for other functions and other orders.
+    ///
+    /// ```
+    /// use sneddon_expr::expr::{Expr, FirstPower};
+    /// let first = FirstPower::new("struveh", &Expr::zero()).unwrap();
+    /// assert_eq!((first.coefficient, first.exponent), (Expr::integer(2) / Expr::pi(), 1));
+    /// ```
+    pub fn new(name: &str, order: &Expr) -> Option<Self> {
+        let order = order.as_integer().filter(|n| (0..=LARGEST_ORDER).contains(n))?;
+        let is_bessel = matches!(name, "besselj" | "besseli");
+        let exponent = match name {
+            "besselj" | "besseli" => order,
+            "struveh" | "struvel" => order + 1,
+            _ => return None,
+        };
+        // 2^e ν!, or 2^e Γ(3/2) Γ(ν + 3/2).
+        let below: Vec<Expr> = match is_bessel {
+            true => (1..=order).map(Expr::integer).collect(),
+            false => (0..=order).map(|i| Expr::ratio(2 * i + 1, 2)).chain([Expr::pi() / Expr::integer(2)]).collect(),
+        };
+        let coefficient = Expr::one() / (Expr::integer(2).power(exponent) * Expr::product(below));
+        Some(Self { order, exponent, coefficient, sign: if name.ends_with(['j', 'h']) { -1 } else { 1 } })
     }
 }
 

@@ -27,7 +27,7 @@ pub use error::ExprError;
 pub use formula::{Condition, Formula, Relation};
 pub(crate) use function::has_value;
 pub use function::{Function, Growth, Row, SliceLaw, undefined_constant};
-pub use leading::{LeadingTerm, leading_term};
+pub use leading::{FirstPower, LeadingTerm, leading_term};
 pub use node::{Constant, Expr, Node, Symbol};
 pub use number::Number;
 pub use shown::{has_30_digits, shown, shown_as_mathematics, shown_to_30_digits, shown_with_logarithms};

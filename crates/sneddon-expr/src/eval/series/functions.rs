@@ -40,16 +40,18 @@ impl Frame {
                         self.sum(&self.constant(Bounded::rounded(std::f64::consts::FRAC_PI_2)), &negative)
                     }
                     "erf" => self.erf(&u, function),
+                    "dawson" if u.first_bound() == 0.0 => self.dawson(&u),
                     _ => unknown(),
                 }
             }
-            [order, argument] if matches!(name, "besselj" | "besseli") => {
+            [order, argument] if matches!(name, "besselj" | "besseli" | "struveh" | "struvel") => {
                 let Some(n) = order.as_integer().filter(|n| (0..=1000).contains(n)) else { return unknown() };
                 let u = self.plain(&self.series(argument)?)?;
                 if u.first_bound() != 0.0 {
                     return unknown();
                 }
-                self.bessel(&u, n as f64, if name == "besselj" { -1.0 } else { 1.0 })
+                let sign = if name.ends_with(['j', 'h']) { -1.0 } else { 1.0 };
+                if name.starts_with("bessel") { self.bessel(&u, n as f64, sign) } else { self.struve(&u, n as f64, sign) }
             }
             [..] => unknown(),
         }
@@ -253,22 +255,42 @@ impl Frame {
         Ok(Series { shift: 0.0, coefficients: integrated(value, &quotient), rest: rest.collect() })
     }
 
-    /// J_n(u) or I_n(u) for u₀ = 0: (u/2)^n Σ (±u²/4)^k/(k! (n+k)!).
+    /// J_n(u) or I_n(u) for u₀ = 0: (u/2)^n/n! Σ (±u²/4)^k n!/(k! (n+k)!).
     fn bessel(&self, u: &Series, n: f64, sign: f64) -> Result<Series, SeriesError> {
-        let quarter = self.scaled(&self.product(u, u), Bounded::exact(0.25 * sign));
-        let mut total = self.constant(Bounded::exact(1.0));
-        for k in (1..=self.length / 2 + 1).rev() {
-            let k = k as f64;
-            let step = Bounded::exact(1.0) / (Bounded::exact(k) * Bounded::exact(n + k));
-            total = self.sum(&self.constant(Bounded::exact(1.0)), &self.scaled(&self.product(&quarter, &total), step))?;
-        }
-        // The loop has bounded a polynomial; the majorant of all terms is at most e^(δ²/4/(n+1)).
-        total.rest = u.rest.iter().map(|delta| widened((0.25 * delta * delta / (n + 1.0)).exp_m1())).collect();
         let mut front = self.constant(Bounded::exact(1.0));
         for k in 1..=n as u32 {
             front = self.product(&front, &self.scaled(u, Bounded::exact(0.5) / Bounded::exact(f64::from(k))));
         }
-        Ok(self.product(&front, &total))
+        let step = |k: f64| Bounded::exact(k) * Bounded::exact(n + k);
+        Ok(self.product(&front, &self.by_ratio(u, 0.25 * sign, step, 0.25 / (n + 1.0))?))
+    }
+
+    /// H_n(u) or L_n(u) for u₀ = 0: the front (u/2)^(n+1)/(Γ(3/2) Γ(n + 3/2)) times Σ (±u²/4)^k/((3/2)_k (n + 3/2)_k).
+    fn struve(&self, u: &Series, n: f64, sign: f64) -> Result<Series, SeriesError> {
+        let mut front = self.scaled(u, Bounded::exact(2.0) / Bounded::rounded(std::f64::consts::PI));
+        for k in 1..=n as u32 {
+            front = self.product(&front, &self.scaled(u, Bounded::exact(1.0) / Bounded::exact(2.0 * f64::from(k) + 1.0)));
+        }
+        let step = |k: f64| Bounded::exact(k + 0.5) * Bounded::exact(n + k + 0.5);
+        Ok(self.product(&front, &self.by_ratio(u, 0.25 * sign, step, 0.25 / (n + 1.5))?))
+    }
+
+    /// Dawson's integral for u₀ = 0: u Σ (−u²)^k/(3/2)_k.
+    fn dawson(&self, u: &Series) -> Result<Series, SeriesError> {
+        Ok(self.product(u, &self.by_ratio(u, -1.0, |k| Bounded::exact(k + 0.5), 1.0)?))
+    }
+
+    /// Σ (c u²)^k/(s₁ s₂ … s_k) for u₀ = 0, of which every term is at most (growth u²)^k/k! in magnitude.
+    fn by_ratio(&self, u: &Series, c: f64, step: impl Fn(f64) -> Bounded, growth: f64) -> Result<Series, SeriesError> {
+        let square = self.scaled(&self.product(u, u), Bounded::exact(c));
+        let one = self.constant(Bounded::exact(1.0));
+        let mut total = one.clone();
+        for k in (1..=self.length / 2 + 1).rev() {
+            total = self.sum(&one, &self.scaled(&self.product(&square, &total), Bounded::exact(1.0) / step(k as f64)))?;
+        }
+        // The loop has bounded a polynomial; this is the majorant of all terms.
+        total.rest = u.rest.iter().map(|delta| widened((growth * delta * delta).exp_m1())).collect();
+        Ok(total)
     }
 
     /// u′, as coefficients; its bounds are not used.
