@@ -1,5 +1,7 @@
 //! From an expression to statements: the walk of the evaluation, written down; equal parts become one variable.
 
+mod elliptic;
+
 use super::tree::{Operator, Statement, Value};
 use crate::eval::{Algebra, EvalError, PreciseAlgebra, walk};
 use crate::expr::{Expr, Function};
@@ -75,6 +77,11 @@ impl Recorder {
         }
     }
 
+    /// Whether a value is a constant that is exactly this number.
+    fn is(&self, place: u32, value: f64) -> bool {
+        self.known(place).is_some_and(|known| known.value.hi == value && known.value.lo == 0.0)
+    }
+
     /// The constant that an operation on constants gives, where its 30 digits are good ones.
     fn folded(&mut self, operands: &[u32], compute: impl Fn(&[Precise]) -> Precise) -> Option<u32> {
         let known = operands.iter().map(|own| self.known(*own)).collect::<Option<Vec<_>>>()?;
@@ -105,7 +112,7 @@ impl Recorder {
 
     /// The routines and functions that a function of the table is written with.
     fn written(&mut self, name: &'static str, arguments: &[u32]) -> u32 {
-        let is = |own: u32, value: f64| self.known(own).is_some_and(|known| known.value.hi == value && known.value.lo == 0.0);
+        let is = |own: u32, value: f64| self.is(own, value);
         let whole = |own: u32| self.known(own).is_some_and(|n| n.value.lo == 0.0 && n.value.hi.fract() == 0.0 && n.value.hi >= 0.0);
         match (name, arguments) {
             ("ln", _) => self.named("log", arguments),
@@ -114,6 +121,7 @@ impl Recorder {
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 0.0) => self.named("angle_between_force", &[*b, *c, *x]),
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 1.0) && is(*b, 0.0) => self.named("cubic_to", &[*c, *x]),
             ("pressure_power", [n, ..]) if !whole(*n) => self.named("pressure_power with a fractional exponent", arguments),
+            ("ellipe", [_, _]) => self.named("ellipe_incomplete", arguments),
             ("besseli", [n, x]) if whole(*n) => self.named("bessel_i", &[*n, *x]),
             (_, [n, x]) if is(*n, 0.0) || is(*n, 1.0) => {
                 let form = OF_ORDERS_0_AND_1.iter().find(|own| own.0 == name).map_or(name, |own| own.1);
@@ -211,7 +219,7 @@ impl Algebra for Recorder {
     }
 
     fn subtract(&mut self, a: u32, b: u32) -> u32 {
-        self.difference(a, b).unwrap_or_else(|| self.binary(Operator::Subtract, a, b))
+        self.difference(a, b).or_else(|| elliptic::difference(self, a, b)).unwrap_or_else(|| self.binary(Operator::Subtract, a, b))
     }
 
     fn multiply(&mut self, a: u32, b: u32) -> u32 {
