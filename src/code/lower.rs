@@ -122,6 +122,14 @@ impl Recorder {
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 1.0) && is(*b, 0.0) => self.named("cubic_to", &[*c, *x]),
             ("pressure_power", [n, ..]) if !whole(*n) => self.named("pressure_power with a fractional exponent", arguments),
             ("ellipe", [_, _]) => self.named("ellipe_incomplete", arguments),
+            ("fresnelc", [z]) => {
+                let kind = self.number(0.0);
+                self.named("fresnel", &[kind, *z])
+            }
+            ("fresnels", [z]) => {
+                let kind = self.number(1.0);
+                self.named("fresnel", &[kind, *z])
+            }
             ("besseli", [n, x]) if whole(*n) => self.named("bessel_i", &[*n, *x]),
             (_, [n, x]) if is(*n, 0.0) || is(*n, 1.0) => {
                 let form = OF_ORDERS_0_AND_1.iter().find(|own| own.0 == name).map_or(name, |own| own.1);
