@@ -108,11 +108,10 @@ impl<'a> Truth<'a> {
             let at = |factor: f64| -> Vec<f64> {
                 coordinates.iter().enumerate().map(|(i, own)| if i == index { own * factor } else { *own }).collect()
             };
-            total += steepest(
-                STEPS
-                    .into_iter()
-                    .map(|step| (step, share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place))))),
-            )?;
+            total +=
+                steepest(STEPS.into_iter().map(|step| {
+                    (step, share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place))))
+                }))?;
         }
         if self.moved.is_none() {
             self.moved = Some(self.moved_parameters());
