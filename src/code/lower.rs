@@ -1,6 +1,8 @@
 //! From an expression to statements: the walk of the evaluation, written down; equal parts become one variable.
 
+mod beta;
 mod elliptic;
+mod equal;
 
 use super::tree::{Operator, Statement, Value};
 use crate::eval::{Algebra, EvalError, PreciseAlgebra, walk};
@@ -120,7 +122,12 @@ impl Recorder {
             ("shifted_power_between", [k, b, c, x]) if is(*k, 1.0) && is(*b, 0.0) => self.named("linear_to", &[*c, *x]),
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 0.0) => self.named("angle_between_force", &[*b, *c, *x]),
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 1.0) && is(*b, 0.0) => self.named("cubic_to", &[*c, *x]),
-            ("pressure_power", [n, ..]) if !whole(*n) => self.named("pressure_power with a fractional exponent", arguments),
+            ("pressure_power", [n, ..]) if !whole(*n) => self.named("pressure_power_real", arguments),
+            ("hyp2f1", [a, b, c, z]) if is(*a, 1.0) || is(*a, 2.0) => self.named("hyp2f1_of_whole", &[*b, *a, *c, *z]),
+            ("hyp2f1", [_, b, ..]) if is(*b, 1.0) || is(*b, 2.0) => self.named("hyp2f1_of_whole", arguments),
+            ("betainc", [a, b, start, end]) if is(*start, 0.0) => {
+                beta::from_zero(self, *a, *b, *end).unwrap_or_else(|| self.named(name, arguments))
+            }
             ("ellipe", [_, _]) => self.named("ellipe_incomplete", arguments),
             ("fresnelc", [z]) => {
                 let kind = self.number(0.0);

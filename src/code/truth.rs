@@ -8,7 +8,8 @@ use crate::transform::{Evaluator, Method, Solution};
 
 /// The step of relative differences.
 pub(super) const STEP: f64 = 1e-6;
-/// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step.
+/// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step. Where that
+/// one changes the value by less than a thousandth, it is not.
 const STEPS: [f64; 4] = [STEP, 1e-9, 1e-12, f64::EPSILON];
 /// The last of them, to the next double, counts only where the others show at least this much: elsewhere, it shows rounding errors.
 const STEEP: f64 = 1e10;
@@ -108,17 +109,16 @@ impl<'a> Truth<'a> {
             let at = |factor: f64| -> Vec<f64> {
                 coordinates.iter().enumerate().map(|(i, own)| if i == index { own * factor } else { *own }).collect()
             };
-            total +=
-                steepest(STEPS.into_iter().map(|step| {
-                    (step, share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place))))
-                }))?;
+            let change = |step: f64| share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place)));
+            total += steepest(STEPS.into_iter(), change)?;
         }
         if self.moved.is_none() {
             self.moved = Some(self.moved_parameters());
         }
         for moved in self.moved.iter().flatten() {
             let at = |pair: &[Contact<'a>; 2]| pair.each_ref().map(|own| self.value(own, coordinates, place));
-            total += steepest(moved.iter().map(|(step, pair)| (*step, share(*step, at(pair)))))?;
+            let change = |wanted: f64| moved.iter().find(|(step, _)| *step == wanted).and_then(|(step, pair)| share(*step, at(pair)));
+            total += steepest(moved.iter().map(|own| own.0), change)?;
         }
         Some(total)
     }
@@ -142,14 +142,17 @@ impl<'a> Truth<'a> {
     }
 }
 
-/// The largest of the changes over their steps; `None` if it is unknown.
-fn steepest(shares: impl Iterator<Item = (f64, Option<f64>)>) -> Option<f64> {
+/// The largest of the changes over the steps; `None` if it is unknown.
+fn steepest(steps: impl Iterator<Item = f64>, change: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let mut most: Option<f64> = None;
-    for (step, own) in shares {
+    for step in steps {
+        if step < STEP && most.is_some_and(|most| most * STEP < 1e-3) {
+            break;
+        }
         if step > f64::EPSILON {
-            most = most.into_iter().chain(own).reduce(f64::max);
+            most = most.into_iter().chain(change(step)).reduce(f64::max);
         } else if most.is_none_or(|most| most > STEEP) {
-            most = Some(own?.max(most.unwrap_or(0.0)));
+            most = Some(change(step)?.max(most.unwrap_or(0.0)));
         }
     }
     most

@@ -3,6 +3,7 @@
 //! With the parameter m, F - E is m times the integral of sin(t)^2/sqrt(1 - m sin(t)^2), and (1 - m) F - E is -m times that of
 //! cos(t)^2/sqrt(1 - m sin(t)^2).
 
+use super::equal::equal;
 use super::{Recorder, Step};
 use crate::code::tree::Operator;
 use crate::eval::Algebra;
@@ -88,32 +89,4 @@ fn terms(recorder: &Recorder, place: u32) -> Vec<u32> {
         Some(Step::Binary(Operator::Add, one, other)) => [terms(recorder, *one), terms(recorder, *other)].concat(),
         _ => vec![place],
     }
-}
-
-/// Whether two values are the same function of the inputs, judged at a few of them.
-fn equal(recorder: &Recorder, one: u32, other: u32) -> bool {
-    (0..3).all(|set| match (value(recorder, one, set), value(recorder, other, set)) {
-        (Some(one), Some(other)) => (one - other).abs() <= 1e-10 * one.abs(),
-        _ => false,
-    })
-}
-
-/// A value for inputs without a relation to one another; `None` for other functions than the square root.
-fn value(recorder: &Recorder, place: u32, set: usize) -> Option<f64> {
-    let input = |index: usize| 0.3 + (2.399_963 * (index + 5 * set) as f64).sin().powi(2);
-    Some(match recorder.steps.get(place as usize)? {
-        Step::Constant(hi, ..) => f64::from_bits(*hi),
-        Step::Input(index) => input(*index),
-        Step::Binary(operator, one, other) => {
-            let (one, other) = (value(recorder, *one, set)?, value(recorder, *other, set)?);
-            match operator {
-                Operator::Add => one + other,
-                Operator::Subtract => one - other,
-                Operator::Multiply => one * other,
-                Operator::Divide => one / other,
-            }
-        }
-        Step::Call("sqrt", arguments) => value(recorder, *arguments.first()?, set)?.sqrt(),
-        Step::Call(..) => return None,
-    })
 }
