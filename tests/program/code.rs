@@ -4,6 +4,8 @@
 //! are installed, and a line on stderr says which of them were not.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used)]
 
+mod special;
+
 use serde_json::Value;
 use sneddon::code::inner::identifiers;
 use sneddon::code::{CodeError, Language, Program, QUANTITIES, program, write};
@@ -50,23 +52,6 @@ fn read_entries() -> Vec<Entry> {
     ]);
     list.as_array().unwrap().iter().chain(more.as_array().unwrap()).map(entry).collect()
 }
-
-/// Profiles with elliptic, Fresnel and hypergeometric functions, which the catalogue lacks, the quantities that are compared, and their
-/// largest claim.
-const SPECIAL: [(&str, &str, &[(&str, &str)], &[Quantity], f64); 11] = [
-    ("arsinh", "h*asinh(r/b)", &[("b", "0.8"), ("h", "0.4")], G_AND_F, 16.0),
-    ("arcsine", "h*asin(r/R)", &[("R", "1.7"), ("h", "0.4")], G_AND_F, 16.0),
-    ("worn arsinh", "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))", &[("b", "1.3"), ("c", "0.4"), ("h", "0.4")], G_AND_F, 48.0),
-    ("arctangent", "h*atan(r/w)", &[("h", "0.4"), ("w", "1.3")], &[Quantity::Pressure], 40.0),
-    ("quadratic wave", "A*sin(k*r^2)+B*(1-cos(k*r^2))", &[("A", "0.4"), ("B", "0.3"), ("k", "1.1")], G_AND_F, 24.0),
-    ("even arsinh", "h*(r*asinh(r/w)-sqrt(w^2+r^2)+w)", &[("h", "0.4"), ("w", "1.3")], G_AND_F, 16.0),
-    ("binomial", "h*((1+r^2/b^2)^p-1)", &[("b", "0.8"), ("h", "0.4"), ("p", "1.35")], G_AND_F, 16.0),
-    ("binomial below", "h*(1-(1-r^2/R^2)^p)", &[("R", "1.7"), ("h", "0.4"), ("p", "1.35")], G_AND_F, 16.0),
-    ("worn power", "piecewise(0, r<b, C*(r^n-b^n))", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
-    ("power to an end", "piecewise(C*r^n, r<b, C*b^n)", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
-    ("shifted power", "piecewise(0, r<b, C*(r-b)^n)", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
-];
-const G_AND_F: &[Quantity] = &[Quantity::Equivalent, Quantity::Force];
 
 /// The largest claim of a catalogue profile, times the condition number where it is conditional.
 const LARGEST_CLAIM: f64 = 16.0;
@@ -265,7 +250,6 @@ fn judge(language: &str, cases: &[Case], output: &str) {
         }
     }
     assert!(faults.is_empty(), "{language}: {} of {seen}\n{}", faults.len(), faults.join("\n"));
-    assert!(seen > 600 / cases_of(60, 1), "{language}: {seen} values only");
 }
 
 fn place(name: &str) -> PathBuf {
@@ -314,6 +298,7 @@ fn catalogue(language: Language, first: usize, every: usize) -> (Vec<(String, St
             sources.push((module, write(&made)));
         }
     }
+    assert!(all.len() > 600 / cases_of(60, 1), "{language:?}: {} values only", all.len());
     (sources, all)
 }
 
@@ -337,30 +322,6 @@ fn judge_c(name: &str, sources: &[(String, String)], cases: &[Case]) {
     fs::write(place.join("all.c"), text).unwrap();
     run("cc", &["-std=c99", "-Wall", "-Wextra", "-Werror", cases_of("-O1", "-O2"), "all.c", "-lm", "-o", "all"], &place);
     judge("C", cases, &run("./all", &[], &place));
-}
-
-#[test]
-fn special_functions_are_as_accurate_in_c_as_they_claim() {
-    let (mut sources, mut all) = (Vec::new(), Vec::new());
-    for (number, (id, text, values, quantities, largest)) in SPECIAL.into_iter().enumerate() {
-        let params: serde_json::Map<String, Value> = values.iter().map(|(name, value)| ((*name).to_owned(), (*value).into())).collect();
-        let entry = entry(&serde_json::json!({"id": id, "f": text, "params": params}));
-        let near = Near::new(&entry);
-        for (index, own) in quantities.iter().enumerate() {
-            if !takes(number + index, 2) {
-                continue;
-            }
-            let made = program_of(&entry, *own, Language::C).unwrap_or_else(|| panic!("{id} {} is not written", own.key()));
-            let claim = made.claims()[0].1.unwrap().ulps;
-            assert!(claim <= largest, "{id} {}: a claim of {claim} ulp", own.key());
-            let module = format!("m{}", sources.len());
-            let cases = cases(&entry, &near, &module, *own, &made);
-            assert!(cases.len() > 2, "{id} {}: {} values", own.key(), cases.len());
-            all.extend(cases);
-            sources.push((module, write(&made)));
-        }
-    }
-    judge_c("special", &sources, &all);
 }
 
 #[test]
