@@ -1,5 +1,9 @@
 //! From an expression to statements: the walk of the evaluation, written down; equal parts become one variable.
 
+mod beta;
+mod elliptic;
+mod equal;
+
 use super::tree::{Operator, Statement, Value};
 use crate::eval::{Algebra, EvalError, PreciseAlgebra, walk};
 use crate::expr::{Expr, Function};
@@ -75,6 +79,11 @@ impl Recorder {
         }
     }
 
+    /// Whether a value is a constant that is exactly this number.
+    fn is(&self, place: u32, value: f64) -> bool {
+        self.known(place).is_some_and(|known| known.value.hi == value && known.value.lo == 0.0)
+    }
+
     /// The constant that an operation on constants gives, where its 30 digits are good ones.
     fn folded(&mut self, operands: &[u32], compute: impl Fn(&[Precise]) -> Precise) -> Option<u32> {
         let known = operands.iter().map(|own| self.known(*own)).collect::<Option<Vec<_>>>()?;
@@ -105,7 +114,7 @@ impl Recorder {
 
     /// The routines and functions that a function of the table is written with.
     fn written(&mut self, name: &'static str, arguments: &[u32]) -> u32 {
-        let is = |own: u32, value: f64| self.known(own).is_some_and(|known| known.value.hi == value && known.value.lo == 0.0);
+        let is = |own: u32, value: f64| self.is(own, value);
         let whole = |own: u32| self.known(own).is_some_and(|n| n.value.lo == 0.0 && n.value.hi.fract() == 0.0 && n.value.hi >= 0.0);
         match (name, arguments) {
             ("ln", _) => self.named("log", arguments),
@@ -113,7 +122,21 @@ impl Recorder {
             ("shifted_power_between", [k, b, c, x]) if is(*k, 1.0) && is(*b, 0.0) => self.named("linear_to", &[*c, *x]),
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 0.0) => self.named("angle_between_force", &[*b, *c, *x]),
             ("shifted_power_force_between", [k, b, c, x]) if is(*k, 1.0) && is(*b, 0.0) => self.named("cubic_to", &[*c, *x]),
-            ("pressure_power", [n, ..]) if !whole(*n) => self.named("pressure_power with a fractional exponent", arguments),
+            ("pressure_power", [n, ..]) if !whole(*n) => self.named("pressure_power_real", arguments),
+            ("hyp2f1", [a, b, c, z]) if is(*a, 1.0) || is(*a, 2.0) => self.named("hyp2f1_of_whole", &[*b, *a, *c, *z]),
+            ("hyp2f1", [_, b, ..]) if is(*b, 1.0) || is(*b, 2.0) => self.named("hyp2f1_of_whole", arguments),
+            ("betainc", [a, b, start, end]) if is(*start, 0.0) => {
+                beta::from_zero(self, *a, *b, *end).unwrap_or_else(|| self.named(name, arguments))
+            }
+            ("ellipe", [_, _]) => self.named("ellipe_incomplete", arguments),
+            ("fresnelc", [z]) => {
+                let kind = self.number(0.0);
+                self.named("fresnel", &[kind, *z])
+            }
+            ("fresnels", [z]) => {
+                let kind = self.number(1.0);
+                self.named("fresnel", &[kind, *z])
+            }
             ("besseli", [n, x]) if whole(*n) => self.named("bessel_i", &[*n, *x]),
             (_, [n, x]) if is(*n, 0.0) || is(*n, 1.0) => {
                 let form = OF_ORDERS_0_AND_1.iter().find(|own| own.0 == name).map_or(name, |own| own.1);
@@ -211,7 +234,7 @@ impl Algebra for Recorder {
     }
 
     fn subtract(&mut self, a: u32, b: u32) -> u32 {
-        self.difference(a, b).unwrap_or_else(|| self.binary(Operator::Subtract, a, b))
+        self.difference(a, b).or_else(|| elliptic::difference(self, a, b)).unwrap_or_else(|| self.binary(Operator::Subtract, a, b))
     }
 
     fn multiply(&mut self, a: u32, b: u32) -> u32 {

@@ -1,7 +1,7 @@
 //! Code in other languages: the closed forms of a profile as functions that keep their digits, with a bound on their error.
 //!
 //! An expression is walked as it is for numbers, in its evaluated form, and becomes a small program (`tree.rs`); the stable forms that it
-//! calls are written down once in a language of their own (`forms.txt`); every target writes that program with its own words.
+//! calls are written down once in a language of their own (`forms.txt`, `special.txt`); every target writes that program with its own words.
 //! The same program runs with running error bounds (`accuracy.rs`), and the largest of them is what its comment claims.
 
 mod accuracy;
@@ -25,8 +25,8 @@ pub use error::CodeError;
 pub use languages::write;
 pub use program::{Claim, Language, Program};
 
-/// The stable forms.
-const FORMS: &str = include_str!("forms.txt");
+/// The stable forms, and the special functions.
+const FORMS: &str = concat!(include_str!("forms.txt"), include_str!("special.txt"));
 
 /// Private parts that tests in `tests/` look at; not part of the interface.
 #[doc(hidden)]

@@ -8,8 +8,11 @@ use crate::transform::{Evaluator, Method, Solution};
 
 /// The step of relative differences.
 pub(super) const STEP: f64 = 1e-6;
-/// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step.
-const STEPS: [f64; 3] = [STEP, 1e-9, 1e-12];
+/// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step. Where that
+/// one changes the value by less than a thousandth, it is not.
+const STEPS: [f64; 4] = [STEP, 1e-9, 1e-12, f64::EPSILON];
+/// The last of them, to the next double, counts only where the others show at least this much: elsewhere, it shows rounding errors.
+const STEEP: f64 = 1e10;
 /// Steps of work after which a value is abandoned.
 const LONGEST: u64 = 200_000;
 /// The tolerance of the reference values.
@@ -104,18 +107,16 @@ impl<'a> Truth<'a> {
             let at = |factor: f64| -> Vec<f64> {
                 coordinates.iter().enumerate().map(|(i, own)| if i == index { own * factor } else { *own }).collect()
             };
-            let shares = STEPS
-                .into_iter()
-                .filter_map(|step| share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place))));
-            total += shares.reduce(f64::max)?;
+            let change = |step: f64| share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place)));
+            total += steepest(STEPS.into_iter(), change)?;
         }
         if self.moved.is_none() {
             self.moved = Some(self.moved_parameters());
         }
         for moved in self.moved.iter().flatten() {
-            let shares =
-                moved.iter().filter_map(|(step, pair)| share(*step, pair.each_ref().map(|own| self.value(own, coordinates, place))));
-            total += shares.reduce(f64::max)?;
+            let at = |pair: &[Contact<'a>; 2]| pair.each_ref().map(|own| self.value(own, coordinates, place));
+            let change = |wanted: f64| moved.iter().find(|(step, _)| *step == wanted).and_then(|(step, pair)| share(*step, at(pair)));
+            total += steepest(moved.iter().map(|own| own.0), change)?;
         }
         Some(total)
     }
@@ -137,6 +138,22 @@ impl<'a> Truth<'a> {
         };
         self.names.iter().zip(&self.values).map(moved).collect()
     }
+}
+
+/// The largest of the changes over the steps; `None` if it is unknown.
+fn steepest(steps: impl Iterator<Item = f64>, change: impl Fn(f64) -> Option<f64>) -> Option<f64> {
+    let mut most: Option<f64> = None;
+    for step in steps {
+        if step < STEP && most.is_some_and(|most| most * STEP < 1e-3) {
+            break;
+        }
+        if step > f64::EPSILON {
+            most = most.into_iter().chain(change(step)).reduce(f64::max);
+        } else if most.is_none_or(|most| most > STEEP) {
+            most = Some(change(step)?.max(most.unwrap_or(0.0)));
+        }
+    }
+    most
 }
 
 fn contact<'a>(solution: &'a Solution, bindings: &Bindings) -> Option<Contact<'a>> {

@@ -8,7 +8,7 @@ use crate::code::tree::LENGTH;
 pub(super) struct Python;
 
 /// Non-elementary functions with their assumed accuracy.
-const LIBRARY: [(&str, &str, f64); 10] = [
+const LIBRARY: [(&str, &str, f64); 9] = [
     ("erf", "math.erf", 2.0),
     ("gamma", "math.gamma", 12.0),
     ("besselj", "scipy.special.jv", 64.0),
@@ -16,7 +16,6 @@ const LIBRARY: [(&str, &str, f64); 10] = [
     ("besseli_scaled", "scipy.special.ive", 64.0),
     ("struveh", "scipy.special.struve", 64.0),
     ("struvel", "scipy.special.modstruve", 64.0),
-    ("digamma", "scipy.special.digamma", 32.0),
     ("hyp1f1", "scipy.special.hyp1f1", 256.0),
     ("erfi", "scipy.special.erfi", 16.0),
 ];

@@ -1,0 +1,51 @@
+//! Profiles whose formulas have special functions that the languages lack: they are written with the functions.
+
+use super::{Near, cases, entry, judge_c, program_of};
+use serde_json::Value;
+use sneddon::code::{Language, write};
+use sneddon::contact::Quantity;
+use sneddon_checks::seeds::takes;
+
+/// A name, a profile, its parameters, quantities and a claim.
+type Special = (&'static str, &'static str, &'static [(&'static str, &'static str)], &'static [Quantity], f64);
+
+/// Profiles with elliptic, Fresnel and hypergeometric functions, which the catalogue lacks, the quantities that are compared, and their
+/// largest claim.
+const SPECIAL: [Special; 11] = [
+    ("arsinh", "h*asinh(r/b)", &[("b", "0.8"), ("h", "0.4")], G_AND_F, 16.0),
+    ("arcsine", "h*asin(r/R)", &[("R", "1.7"), ("h", "0.4")], G_AND_F, 16.0),
+    ("worn arsinh", "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))", &[("b", "1.3"), ("c", "0.4"), ("h", "0.4")], G_AND_F, 48.0),
+    ("arctangent", "h*atan(r/w)", &[("h", "0.4"), ("w", "1.3")], &[Quantity::Pressure], 40.0),
+    ("quadratic wave", "A*sin(k*r^2)+B*(1-cos(k*r^2))", &[("A", "0.4"), ("B", "0.3"), ("k", "1.1")], G_AND_F, 24.0),
+    ("even arsinh", "h*(r*asinh(r/w)-sqrt(w^2+r^2)+w)", &[("h", "0.4"), ("w", "1.3")], G_AND_F, 16.0),
+    ("binomial", "h*((1+r^2/b^2)^p-1)", &[("b", "0.8"), ("h", "0.4"), ("p", "1.35")], G_AND_F, 16.0),
+    ("binomial below", "h*(1-(1-r^2/R^2)^p)", &[("R", "1.7"), ("h", "0.4"), ("p", "1.35")], G_AND_F, 16.0),
+    ("worn power", "piecewise(0, r<b, C*(r^n-b^n))", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
+    ("power to an end", "piecewise(C*r^n, r<b, C*b^n)", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
+    ("shifted power", "piecewise(0, r<b, C*(r-b)^n)", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
+];
+const G_AND_F: &[Quantity] = &[Quantity::Equivalent, Quantity::Force];
+
+#[test]
+fn special_functions_are_as_accurate_in_c_as_they_claim() {
+    let (mut sources, mut all) = (Vec::new(), Vec::new());
+    for (number, (id, text, values, quantities, largest)) in SPECIAL.into_iter().enumerate() {
+        let params: serde_json::Map<String, Value> = values.iter().map(|(name, value)| ((*name).to_owned(), (*value).into())).collect();
+        let entry = entry(&serde_json::json!({"id": id, "f": text, "params": params}));
+        let near = Near::new(&entry);
+        for (index, own) in quantities.iter().enumerate() {
+            if !takes(number + index, 2) {
+                continue;
+            }
+            let made = program_of(&entry, *own, Language::C).unwrap_or_else(|| panic!("{id} {} is not written", own.key()));
+            let claim = made.claims()[0].1.unwrap().ulps;
+            assert!(claim <= largest, "{id} {}: a claim of {claim} ulp", own.key());
+            let module = format!("m{}", sources.len());
+            let cases = cases(&entry, &near, &module, *own, &made);
+            assert!(cases.len() > 2, "{id} {}: {} values", own.key(), cases.len());
+            all.extend(cases);
+            sources.push((module, write(&made)));
+        }
+    }
+    judge_c("special", &sources, &all);
+}
