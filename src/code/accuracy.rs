@@ -29,7 +29,7 @@ pub(super) struct Machine<'a> {
     routines: &'a [Routine],
     library: &'a dyn Fn(&str) -> Option<f64>,
     steps: usize,
-    record: Option<Record>,
+    record: Option<Record<'a>>,
 }
 
 /// A result with its running bound, and its place in the record.
@@ -97,14 +97,14 @@ impl<'a> Machine<'a> {
 
     fn operation(
         &mut self,
-        operation: Operation<'_>,
+        operation: Operation<'a>,
         operands: &[Traced],
         bounded: Bounded,
         own: impl Fn(&[Bounded]) -> Bounded,
     ) -> Traced {
         let Some(record) = &mut self.record else { return Traced { bounded, place: 0 } };
-        let (places, numbers): (Vec<usize>, Vec<Bounded>) = operands.iter().map(|operand| (operand.place, operand.bounded)).unzip();
-        let place = record.operation(operation, &places, &numbers, bounded, own);
+        let operands: Vec<(usize, Bounded)> = operands.iter().map(|operand| (operand.place, operand.bounded)).collect();
+        let place = record.operation(operation, &operands, bounded, own);
         Traced { bounded, place }
     }
 

@@ -113,7 +113,9 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
 
 /// An error at one point, in ulps.
 struct Found {
+    /// The running bound, or the one to first order.
     ulps: f64,
+    is_refined: bool,
     place: f64,
     coordinates: Vec<f64>,
     /// The set of parameters.
@@ -136,37 +138,53 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
             list = rising(list, truth.contact.evaluator());
         }
         range = (range.0.max(ends.0), range.1.min(ends.1));
-        for place in list {
-            for coordinates in arguments_at(quantity, place, truth.contact.evaluator()) {
-                let Some(ulps) = error_at(&mut machine, &truth, is_solved, &coordinates, place) else { continue };
-                found.push(Found { ulps, place, coordinates, draw: truths.len() });
-            }
+        for (index, place) in list.into_iter().enumerate() {
+            let Some(coordinates) = arguments_at(quantity, place, index, truth.contact.evaluator()) else { continue };
+            let Some(ulps) = error_at(&mut machine, &truth, is_solved, &coordinates, place) else { continue };
+            found.push(Found { ulps, is_refined: false, place, coordinates, draw: truths.len() });
         }
         truths.push(truth);
     }
-    let whole = |ulps: f64| (ulps * ROOM).ceil();
-    for own in found.iter_mut().filter(|own| whole(own.ulps) > PLAIN) {
-        machine.start_record();
-        let refined = error_at(&mut machine, truths.get(own.draw)?, is_solved, &own.coordinates, own.place);
-        own.ulps = refined.map_or(own.ulps, |refined| refined.min(own.ulps));
-    }
     found.sort_by(|one, other| other.ulps.total_cmp(&one.ulps));
-    let worst = found.first()?;
-    let claim = Claim { ulps: whole(worst.ulps), condition: None, points: found.len(), range, worst_at: worst.place };
+    let mut refined = |own: &mut Found, truth: &Truth<'_>| {
+        if !std::mem::replace(&mut own.is_refined, true) {
+            machine.start_record();
+            let ulps = error_at(&mut machine, truth, is_solved, &own.coordinates, own.place);
+            own.ulps = ulps.map_or(own.ulps, |ulps| ulps.min(own.ulps));
+        }
+        own.ulps
+    };
+    let whole = |ulps: f64| (ulps * ROOM).ceil();
+    let mut claim = Claim { ulps: 0.0, condition: None, points: found.len(), range, worst_at: found.first()?.place };
+    for own in &mut found {
+        // The running bounds fall from here on.
+        let is_last = whole(own.ulps) <= PLAIN;
+        let ulps = if is_last { own.ulps } else { refined(own, truths.get(own.draw)?) };
+        if whole(ulps) > claim.ulps {
+            claim = Claim { ulps: whole(ulps), worst_at: own.place, ..claim };
+        }
+        if is_last || claim.ulps > PLAIN {
+            break;
+        }
+    }
     if claim.ulps <= PLAIN {
         return Some(claim);
     }
-    let (mut relative, mut largest, mut worst_at) = (0.0_f64, 1.0_f64, worst.place);
-    for own in &found {
+    let (mut relative, mut largest, mut worst_at) = (0.0_f64, 1.0_f64, claim.worst_at);
+    for own in &mut found {
         // Condition numbers are 1 or more.
-        if own.ulps <= relative {
+        if !own.is_refined && own.ulps <= relative {
             break;
         }
         let truth = truths.get_mut(own.draw)?;
+        let ulps = refined(own, truth);
+        if ulps <= relative {
+            continue;
+        }
         let Some(condition) = truth.condition(&own.coordinates, own.place) else { continue };
         largest = largest.max(condition);
-        if own.ulps / condition > relative {
-            (relative, worst_at) = (own.ulps / condition, own.place);
+        if ulps / condition > relative {
+            (relative, worst_at) = (ulps / condition, own.place);
         }
     }
     Some(Claim { ulps: whole(relative), condition: Some(largest), worst_at, ..claim })
@@ -213,14 +231,18 @@ fn rising(mut list: Vec<f64>, evaluator: &Evaluator<'_>) -> Vec<f64> {
         .collect()
 }
 
-fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Vec<Vec<f64>> {
+/// The parts of the contact radius at which pressures are compared, by turns.
+const PARTS: [f64; 6] = [1e-4, 0.7, 0.1, 0.95, 0.4, 0.9999];
+
+/// The arguments that belong to the radius with this index; `None` if there are none.
+fn arguments_at(quantity: Quantity, place: f64, index: usize, evaluator: &Evaluator<'_>) -> Option<Vec<f64>> {
     match quantity {
-        Quantity::Pressure => [1e-4, 0.1, 0.4, 0.7, 0.95, 0.9999].map(|part| vec![place * part, place]).to_vec(),
+        Quantity::Pressure => PARTS.get(index % PARTS.len()).map(|part| vec![place * part, place]),
         Quantity::Radius | Quantity::ForceOfDepth => match evaluator.slope(place) {
-            Ok(depth) if depth.estimate.value > 0.0 => vec![vec![depth.estimate.value]],
-            _ => Vec::new(),
+            Ok(depth) if depth.estimate.value > 0.0 => Some(vec![depth.estimate.value]),
+            _ => None,
         },
-        _ => vec![vec![place]],
+        _ => Some(vec![place]),
     }
 }
 
@@ -228,9 +250,10 @@ fn arguments_at(quantity: Quantity, place: f64, evaluator: &Evaluator<'_>) -> Ve
 /// error of the root counts in second order only. Errors of g and F are their bounds, or their differences from the values of the
 /// program.
 fn solved(machine: &mut Machine<'_>, truth: &Truth<'_>, a: f64) -> Option<f64> {
+    let [more, less] = [1.0 + STEP, 1.0 - STEP].map(|factor| truth.exact(Quantity::Equivalent, a * factor));
+    let slope = (more?.value - less?.value) / (2.0 * STEP * a);
     let mut at = |routine: &str, arguments: &[f64]| machine.traced(routine, &[arguments, &truth.values].concat());
-    let (own, more, less) = (at("sneddon_g", &[a])?, at("sneddon_g", &[a * (1.0 + STEP)])?, at("sneddon_g", &[a * (1.0 - STEP)])?);
-    let slope = (more.bounded.value - less.bounded.value) / (2.0 * STEP * a);
+    let own = at("sneddon_g", &[a])?;
     if !(slope > 0.0 && own.bounded.value > 0.0) {
         return None;
     }

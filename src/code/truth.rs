@@ -8,8 +8,8 @@ use crate::transform::{Evaluator, Method, Solution};
 
 /// The step of relative differences.
 pub(super) const STEP: f64 = 1e-6;
-/// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step. Where that
-/// one changes the value by less than a thousandth, it is not.
+/// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step. Where two
+/// of them agree, they are not.
 const STEPS: [f64; 4] = [STEP, 1e-9, 1e-12, f64::EPSILON];
 /// The last of them, to the next double, counts only where the others show at least this much: elsewhere, it shows rounding errors.
 const STEEP: f64 = 1e10;
@@ -144,11 +144,12 @@ impl<'a> Truth<'a> {
 fn steepest(steps: impl Iterator<Item = f64>, change: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let mut most: Option<f64> = None;
     for step in steps {
-        if step < STEP && most.is_some_and(|most| most * STEP < 1e-3) {
-            break;
-        }
         if step > f64::EPSILON {
-            most = most.into_iter().chain(change(step)).reduce(f64::max);
+            let Some(own) = change(step) else { continue };
+            if most.is_some_and(|most| own < 2.0 * most && most < 2.0 * own) {
+                return most.map(|most| most.max(own));
+            }
+            most = Some(most.map_or(own, |most| most.max(own)));
         } else if most.is_none_or(|most| most > STEEP) {
             most = Some(change(step)?.max(most.unwrap_or(0.0)));
         }

@@ -12,9 +12,9 @@ const SMALL: f64 = 1e-4;
 /// A running bound takes the error of every operation as independent. Here an argument k·a that is rounded once, and occurs in
 /// two terms that depend on it with opposite signs, counts with their difference.
 #[derive(Default)]
-pub(super) struct Record {
+pub(super) struct Record<'a> {
     nodes: Vec<Node>,
-    places: HashMap<Key, usize>,
+    places: HashMap<Key<'a>, usize>,
 }
 
 struct Node {
@@ -24,22 +24,25 @@ struct Node {
     operands: Vec<(usize, f64)>,
 }
 
+/// The most operands of operations that are recognized when they occur again.
+const FEW: usize = 2;
+
 #[derive(PartialEq, Eq, Hash)]
-enum Key {
+enum Key<'a> {
     /// The bits of the value and of its error.
     Leaf(u64, u64),
-    Operation(String, Vec<usize>),
+    Operation(Operation<'a>, [usize; FEW]),
 }
 
 /// What is computed.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Operation<'a> {
     Binary(Operator),
     /// A function of the language or its library.
     Call(&'a str),
 }
 
-impl Record {
+impl<'a> Record<'a> {
     /// The place of a number that has no operands.
     pub(super) fn leaf(&mut self, own: Bounded) -> usize {
         self.place(Key::Leaf(own.value.to_bits(), own.error.to_bits()), || Node { own: own.error, operands: Vec::new() })
@@ -48,36 +51,37 @@ impl Record {
     /// The place of a result with its running bound; `compute` gives the result of operands.
     pub(super) fn operation(
         &mut self,
-        operation: Operation<'_>,
-        operands: &[usize],
-        numbers: &[Bounded],
+        operation: Operation<'a>,
+        operands: &[(usize, Bounded)],
         result: Bounded,
         compute: impl Fn(&[Bounded]) -> Bounded,
     ) -> usize {
-        let name = match operation {
-            Operation::Binary(operator) => format!("{operator:?}"),
-            Operation::Call(name) => name.to_owned(),
-        };
-        let mut sorted = operands.to_vec();
-        if matches!(operation, Operation::Binary(Operator::Add | Operator::Multiply)) {
-            sorted.sort_unstable();
-        }
-        self.place(Key::Operation(name, sorted), || {
+        let node = || {
             let is_linear = matches!(operation, Operation::Binary(Operator::Add | Operator::Subtract));
-            let is_close = numbers.iter().all(|own| own.error <= SMALL * extent(operation, own.value));
-            let slopes = if is_linear || is_close { derivatives(operation, numbers, result.value) } else { None };
+            let is_close = operands.iter().all(|(_, own)| own.error <= SMALL * extent(operation, own.value));
+            let slopes = if is_linear || is_close { derivatives(operation, operands, result.value) } else { None };
             match slopes.filter(|list| list.iter().all(|own| own.is_finite())) {
                 Some(slopes) => {
-                    let exact: Vec<Bounded> = numbers.iter().map(|own| Bounded::exact(own.value)).collect();
-                    Node { own: compute(&exact).error, operands: operands.iter().copied().zip(slopes).collect() }
+                    let exact: Vec<Bounded> = operands.iter().map(|(_, own)| Bounded::exact(own.value)).collect();
+                    Node { own: compute(&exact).error, operands: operands.iter().map(|own| own.0).zip(slopes).collect() }
                 }
                 // The running bound contains the errors of the operands.
                 None => Node { own: result.error, operands: Vec::new() },
             }
-        })
+        };
+        let mut places = [usize::MAX; FEW];
+        if operands.len() > FEW {
+            self.nodes.push(node());
+            return self.nodes.len() - 1;
+        }
+        places.iter_mut().zip(operands).for_each(|(place, own)| *place = own.0);
+        if matches!(operation, Operation::Binary(Operator::Add | Operator::Multiply)) {
+            places.sort_unstable();
+        }
+        self.place(Key::Operation(operation, places), node)
     }
 
-    fn place(&mut self, key: Key, node: impl FnOnce() -> Node) -> usize {
+    fn place(&mut self, key: Key<'a>, node: impl FnOnce() -> Node) -> usize {
         let next = self.nodes.len();
         let place = *self.places.entry(key).or_insert(next);
         if place == next {
@@ -119,8 +123,8 @@ fn extent(operation: Operation<'_>, value: f64) -> f64 {
 }
 
 /// The derivatives by the operands; `None` for functions whose derivative is not known here.
-fn derivatives(operation: Operation<'_>, operands: &[Bounded], result: f64) -> Option<Vec<f64>> {
-    let values: Vec<f64> = operands.iter().map(|own| own.value).collect();
+fn derivatives(operation: Operation<'_>, operands: &[(usize, Bounded)], result: f64) -> Option<Vec<f64>> {
+    let values: Vec<f64> = operands.iter().map(|own| own.1.value).collect();
     Some(match (operation, values.as_slice()) {
         (Operation::Binary(operator), [a, b]) => match operator {
             Operator::Add => vec![1.0, 1.0],
@@ -129,7 +133,7 @@ fn derivatives(operation: Operation<'_>, operands: &[Bounded], result: f64) -> O
             Operator::Divide => vec![1.0 / b, -result / b],
         },
         (Operation::Call("pow"), [a, b]) => {
-            let is_exact = operands.get(1).is_some_and(|own| own.error == 0.0);
+            let is_exact = operands.get(1).is_some_and(|own| own.1.error == 0.0);
             vec![b * result / a, if is_exact { 0.0 } else { result * a.ln() }]
         }
         (Operation::Call("atan2"), [a, b]) => {
