@@ -1,5 +1,9 @@
 //! From a solution to a program: a routine for every quantity, with its domain, its pieces and its comment.
 
+mod dimensions;
+
+pub(super) use dimensions::Dimension;
+
 use super::accuracy::ELEMENTARY;
 use super::claim;
 use super::lower::{Names, lowered};
@@ -59,17 +63,20 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         names.insert(own.to_owned(), own.to_owned());
     }
     let arguments: Vec<String> = parameters.iter().map(|(_, own)| own.clone()).collect();
+    let chains = &solution.profile.chains;
+    let lengths: Vec<&Expr> = chains.iter().flat_map(|own| own.pieces.iter().chain(&own.breakpoints)).collect();
+    let dimensions = dimensions::dimensions(&lengths, &symbols);
     let build = |in_series: &[Quantity]| {
         let (names, arguments, in_series) = (names.clone(), arguments.clone(), in_series.to_vec());
+        let dimensions = dimensions.clone();
         let mut builder =
             Builder { solution, names, arguments, counter: 0, routines: Vec::new(), forms: forms.clone(), language, in_series };
         for quantity in quantities {
             builder.quantity(*quantity)?;
         }
         let library = builder.library();
-        let angles = angles(solution, &parameters);
         let (routines, quantities, profile, parameters) = (builder.routines, quantities.to_vec(), profile.to_owned(), parameters.clone());
-        let program = Program { language, routines, quantities, parameters, library, angles, profile, claims: Vec::new() };
+        let program = Program { language, routines, quantities, parameters, library, dimensions, profile, shape: None, claims: Vec::new() };
         Ok::<Program, CodeError>(claim::claimed(program, solution))
     };
     let closed = build(&[])?;
@@ -87,22 +94,6 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         count if count == in_series.len() => other.honest(),
         _ => build(&better)?.honest(),
     }
-}
-
-/// Parameters that occur in a sine, cosine or tangent.
-fn angles(solution: &Solution, parameters: &[(String, String)]) -> Vec<String> {
-    fn is_angle(expr: &Expr, name: &str) -> bool {
-        match expr.node() {
-            Node::Function(function, arguments) if matches!(function.name(), "sin" | "cos" | "tan") => {
-                matches!(arguments.as_slice(), [only] if only.as_symbol().is_some_and(|own| own.name() == name))
-            }
-            _ => expr.children().into_iter().any(|own| is_angle(own, name)),
-        }
-    }
-    let mut slopes = solution.chains.iter().flat_map(|chain| &chain.intervals).map(|interval| &interval.slope);
-    let slopes: Vec<&Expr> = slopes.by_ref().collect();
-    let found = parameters.iter().filter(|(symbol, _)| slopes.iter().any(|own| is_angle(own, symbol)));
-    found.map(|(_, identifier)| identifier.clone()).collect()
 }
 
 pub(super) struct Builder<'a> {

@@ -1,7 +1,8 @@
 //! The program of a profile: its routines, their parameters and claims.
 
+use super::build::Dimension;
 use super::tree::Routine;
-use crate::contact::{Dimension, Quantity};
+use crate::contact::Quantity;
 
 /// The routines that compute the quantities of a profile.
 #[derive(Clone, Debug)]
@@ -15,15 +16,27 @@ pub struct Program {
     pub(super) parameters: Vec<(String, String)>,
     /// The functions of the language's library that are called.
     pub(super) library: Vec<String>,
-    /// The identifiers of parameters that are angles in radians.
-    pub(super) angles: Vec<String>,
+    /// What each parameter measures.
+    pub(super) dimensions: Vec<Dimension>,
     /// f(r) as text.
     pub(super) profile: String,
+    /// The name and the title of the shape, if it is a named one.
+    pub(super) shape: Option<(String, String)>,
     pub(super) claims: Vec<(Quantity, Option<Claim>)>,
+}
+
+impl Program {
+    /// Sets the name and the title of the shape, which models for fits show.
+    #[must_use]
+    pub fn named(mut self, name: &str, title: &str) -> Self {
+        self.shape = Some((name.to_owned(), title.to_owned()));
+        self
+    }
 }
 
 /// Whether the effective modulus is an argument.
 pub(super) fn needs_modulus(quantity: Quantity) -> bool {
+    use crate::contact::Dimension;
     [Dimension::FORCE, Dimension::PRESSURE].contains(&quantity.dimension())
 }
 

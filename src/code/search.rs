@@ -63,13 +63,13 @@ impl Builder<'_> {
 }
 
 /// Halves inward until |g| has been below d six times, then steps outward to the first radius with g ≥ d: by factors of two while g is small,
-/// else by a quarter; a maximum of g that was passed is searched by golden sections.
+/// else by a quarter; a maximum of g that was passed, or that may lie before the end, is searched by golden sections.
 const SEARCH_OUTWARD: &str = "let _reach = min(d, _last - _low); let _below = 0;
     while _below < 6 && _reach > 1e-300 {
       if abs(g(_low + _reach)) < d { _below = _below + 1; }
       _reach = 0.5 * _reach;
     }
-    let _inner = _low; let _left = _low; let _mid = _low; let _high = _low + _reach; let _found = 0;
+    let _inner = _low; let _left = _low; let _mid = _low; let _high = _low + _reach; let _found = 0; let _passed = 0;
     let _at_left = 0; let _at_low = 0; let _at_high = g(_high);
     if _at_high >= d { _found = 1; }
     while _found == 0 && _high < _last {
@@ -78,7 +78,10 @@ const SEARCH_OUTWARD: &str = "let _reach = min(d, _last - _low); let _below = 0;
       _high = min(_inner + _reach, _last);
       _at_high = g(_high);
       if _at_high >= d { _found = 1; }
-      if _found == 0 && _at_low > _at_high && _at_left <= _at_low {
+      _passed = 0;
+      if _high >= _last { _passed = 1; }
+      if _at_low > _at_high && _at_left <= _at_low { _passed = 1; }
+      if _found == 0 && _passed > 0 {
         let _from = _left; let _to = _high; let _k = 0;
         while _found == 0 && _k < 60 {
           let _one = _from + 0.38196601125010515 * (_to - _from);

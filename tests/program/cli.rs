@@ -819,6 +819,25 @@ fn functions_that_do_not_exist_are_near_or_foreign() {
     }
 }
 
+/// A model for nanite has the name of its shape and the units of its parameters.
+#[test]
+fn models_for_nanite_have_the_key_and_the_units_of_their_shape() {
+    let cases = [
+        ("R-sqrt(R^2-r^2)", "sneddon_sphere", "sphere (sneddon)", r#"["Pa", "m", "", "m", "N"]"#),
+        ("r/tan(alpha)", "sneddon_cone_alpha", "cone (sneddon)", r#"["Pa", "rad", "", "m", "N"]"#),
+        ("C*r^n", "sneddon_power", "power law (sneddon)", r#"["Pa", "SI", "", "", "m", "N"]"#),
+        ("c_2*r^2+c_0*sqrt(r)+h*r", "sneddon_", "f(r) = c_2*r^2 + h*r + c_0*sqrt(r)", r#"["Pa", "m^0.5", "m^-1", "", "", "m", "N"]"#),
+        ("piecewise(0, r<b, k*(r-b)^2)", "sneddon_", "f(r) = piecewise(", r#"["Pa", "m", "m^-1", "", "m", "N"]"#),
+    ];
+    for (profile, key, name, units) in cases {
+        let text = run(&["code", profile, "--lang", "nanite"]).stdout;
+        let line = |start: &str| text.lines().find(|own| own.starts_with(start)).unwrap_or_else(|| panic!("{profile}: no {start}"));
+        assert!(line("model_key = ").contains(&format!("\"{key}")), "{profile}: {}", line("model_key"));
+        assert!(line("model_name = ").contains(name), "{profile}: {}", line("model_name"));
+        assert_eq!(line("parameter_units = "), format!("parameter_units = {units}"), "{profile}");
+    }
+}
+
 /// Class "a file that is named for another language".
 #[test]
 fn code_for_a_file_of_another_language_is_refused() {

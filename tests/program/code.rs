@@ -570,6 +570,18 @@ fn the_search_finds_the_root_before_a_kink() {
     assert_in_c("kink", "piecewise(r^2, r<b, k*(r-b)+b^2)", &[Quantity::Radius], &conditions);
 }
 
+/// g has its maximum, 1.1684, just before the end of the profile, where it is 1.1118: depths between them have a contact radius (mpmath).
+#[test]
+fn the_search_finds_the_root_before_a_maximum_at_the_end() {
+    let radii = [(1.11, 1.500601063369778), (1.1388, 1.543155608607756), (1.1649, 1.600092587454632), (1.168, 1.61296406515)];
+    let conditions: Vec<String> = radii
+        .into_iter()
+        .map(|(d, a)| format!("fabs(sneddon_a({d}, 1.7, 0.7, 1.35) - {a:?}) < 1e-13"))
+        .chain(["isnan(sneddon_a(1.17, 1.7, 0.7, 1.35))".to_owned()])
+        .collect();
+    assert_in_c("maximum", "h*(1-(1-r^2/R^2)^p)", &[Quantity::Radius], &conditions);
+}
+
 #[test]
 fn every_name_is_an_identifier_and_no_two_are_equal() {
     let symbols: Vec<Symbol> = ["R", "r_", "int", "t1", "_x", "é\n*/", "A", "a_0", "A_0"].map(Symbol::new).to_vec();

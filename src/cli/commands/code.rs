@@ -6,7 +6,9 @@ use crate::cli::quantities::{Quantities, demand};
 use crate::cli::{Failure, Outcome, budget, file, input};
 use crate::code::{CodeError, Language, QUANTITIES, program, write};
 use crate::contact::{ContactError, Quantity};
-use crate::{print, transform};
+use crate::expr::Formula;
+use crate::scene::{SHAPES, Way};
+use crate::{parse, print, transform};
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
 
@@ -85,6 +87,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         CodeError::Transform(own) => failed(own.into()),
         other => Failure::new(other.to_string()).help(other.accepted()),
     })?;
+    let code = match named(&typed.formula.substitute(&settings.exact())) {
+        Some((key, title)) => code.named(&key, title),
+        None => code,
+    };
     let text = write(&code);
     let write = |out: &mut dyn std::io::Write| out.write_all(text.as_bytes());
     match target {
@@ -92,6 +98,19 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         None => output::print(write)?,
     }
     Ok(Outcome::Done)
+}
+
+/// Returns the key and the title of the named shape that a profile is, in the symbols of that shape; a second set of symbols is a part
+/// of the key.
+fn named(formula: &Formula) -> Option<(String, &'static str)> {
+    let is_own = |way: &&Way| parse::profile(way.f).is_ok_and(|own| own == *formula);
+    let shapes = SHAPES.iter().filter(|shape| shape.rim.is_none());
+    let (shape, way) = shapes.flat_map(|shape| shape.ways.iter().map(move |way| (shape, way))).find(|(_, way)| is_own(way))?;
+    let is_first = shape.ways.first().is_some_and(|own| std::ptr::eq(own, way));
+    let symbols = way.parameters.iter().filter(|_| !is_first).map(|own| format!("-{}", own.name));
+    let key = std::iter::once(shape.name.to_owned()).chain(symbols).collect();
+    // The title without its explanation.
+    Some((key, shape.title.split([',', ':', '(']).next().unwrap_or(shape.title).trim()))
 }
 
 /// Returns the languages whose files have this extension, or `None` for an extension of none.

@@ -2,6 +2,7 @@
 
 use super::python::{Python, imports, routines};
 use super::{Target, comment, decimal, head};
+use crate::code::build::Dimension;
 use crate::code::program::{Program, routine_name};
 use crate::contact::Quantity;
 
@@ -16,15 +17,13 @@ pub(super) fn file(program: &Program) -> String {
     let listed = |own: &dyn Fn(&str) -> String| identifiers.iter().map(|name| own(name)).collect::<String>();
     let keys = listed(&|name| format!(" {name},"));
     let strings = listed(&|name| format!(" \"{name}\","));
-    let is_angle = |name: &str| program.angles.iter().any(|own| own == name);
-    let defaults = listed(&|name| {
-        let (value, most) = if is_angle(name) { (0.35, ", max=1.57") } else { (1e-6, "") };
-        format!("    params.add(\"{name}\", value={}, min=1e-12{most}, vary=False)\n", decimal(value))
+    let own: Vec<(&str, Unit)> = identifiers.iter().copied().zip(program.dimensions.iter().map(unit)).collect();
+    let listed_units = |write: &dyn Fn(&str, &Unit) -> String| own.iter().map(|(name, unit)| write(name, unit)).collect::<String>();
+    let defaults = listed_units(&|name, unit| {
+        format!("    params.add(\"{name}\", value={}, min=1e-12{}, vary=False)\n", decimal(unit.default), unit.most)
     });
-    let units = listed(&|name| format!(" \"{}\",", if is_angle(name) { "rad" } else { "SI" }));
-    let documented = listed(&|name| {
-        format!("    {name}: float\n        Parameter of the profile{}\n", if is_angle(name) { " [rad]" } else { ", in SI units" })
-    });
+    let units = listed_units(&|_, unit| format!(" \"{}\",", unit.name));
+    let documented = listed_units(&|name, unit| format!("    {name}: float\n        Parameter of the shape [{}]\n", unit.named()));
     // Not the text of the profile: a name of a parameter may be of any kind.
     let described: Vec<String> = program
         .routines
@@ -101,17 +100,53 @@ valid_axes_y = [\"force\"]
     text
 }
 
+/// The unit of a parameter, and the value that a fit starts from.
+struct Unit {
+    name: String,
+    default: f64,
+    /// An upper bound, as an argument of lmfit.
+    most: &'static str,
+}
+
+impl Unit {
+    fn named(&self) -> &str {
+        if self.name.is_empty() { "no unit" } else { &self.name }
+    }
+}
+
+/// The size of tips: a micrometre.
+const MICROMETRE: f64 = 1e-6;
+
+fn unit(dimension: &Dimension) -> Unit {
+    let own = |name: &str, default: f64| Unit { name: name.to_owned(), default, most: "" };
+    match dimension {
+        Dimension::Angle => Unit { most: ", max=1.57", ..own("rad", 0.35) },
+        Dimension::Open => own("SI", 1.0),
+        Dimension::Length(exponent) => match *exponent {
+            0.0 => own("", 1.0),
+            1.0 => own("m", MICROMETRE),
+            exponent => own(&format!("m^{exponent}"), MICROMETRE.powf(exponent)),
+        },
+    }
+}
+
 /// The longest name that is shown.
 const LONGEST_NAME: usize = 60;
 
-/// The name that programs show: the shape as typed, without what would end a string.
+/// The name that programs show: that of the shape, else the shape as typed, without what would end a string.
 fn name(program: &Program) -> String {
+    if let Some((_, title)) = &program.shape {
+        return format!("{title} (sneddon)");
+    }
     let plain = program.profile.chars().filter(|own| own.is_ascii_graphic() && !matches!(own, '"' | '\\') || *own == ' ');
     format!("f(r) = {}", plain.take(LONGEST_NAME).collect::<String>())
 }
 
-/// A key of the model that differs from profile to profile.
+/// A key of the model: the name of the shape, else a number that differs from profile to profile.
 fn key(program: &Program) -> String {
+    if let Some((name, _)) = &program.shape {
+        return format!("sneddon_{}", name.replace('-', "_"));
+    }
     // FNV-1a.
     let hash = program.profile.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |own, byte| (own ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
     format!("sneddon_{:08x}", hash >> 32)
