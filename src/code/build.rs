@@ -13,7 +13,7 @@ use super::program::{Program, is_of_depth, needs_modulus, routine_name, series_o
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, FORMS, names, read};
 use crate::contact::{Edge, Explicit, Quantity, explicit, relations};
-use crate::expr::{Bindings, Condition, Expr, Node, Relation};
+use crate::expr::{Bindings, Condition, Expr, Node, Relation, Symbol};
 use crate::print;
 use crate::transform::{Derived, EvaluatedChain, Solution, Superposed};
 
@@ -131,7 +131,8 @@ impl Builder<'_> {
                 None => {
                     references = vec!["g(a) = d solved for a by a bracketed search"];
                     self.quantity(Quantity::Equivalent)?;
-                    body = self.search()?;
+                    body = self.guard(domain.0.clone());
+                    body.extend(self.search()?);
                 }
             },
             Quantity::Depth => {
@@ -268,10 +269,12 @@ impl Builder<'_> {
             tests.extend([compare(Comparison::Greater, own, 0.0), largest(own)]);
             words.push(format!("{own} > 0"));
         }
-        if !is_of_depth(quantity) {
-            let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
-            self.conditions(&self.solution.conditions.clone(), coordinate, &mut tests, &mut words)?;
-        }
+        // Conditions on the radius do not apply to a depth; those on the parameters, as b < R, do.
+        let radius = Symbol::new("r");
+        let applies = |own: &&Condition| !is_of_depth(quantity) || !(own.left.contains(&radius) || own.right.contains(&radius));
+        let conditions: Vec<Condition> = self.solution.conditions.iter().filter(applies).cloned().collect();
+        let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
+        self.conditions(&conditions, coordinate, &mut tests, &mut words)?;
         Ok((tests, words))
     }
 

@@ -86,7 +86,7 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     };
     let (from, to) = claim.range;
     let coordinate = if quantity == Quantity::Pressure || is_of_depth(quantity) { "a" } else { quantity.coordinate() };
-    let to = if to.is_finite() { format!("{to:.0e}") } else { "the end of the domain".to_owned() };
+    let to = if to.is_finite() { at_most(to) } else { "the end of the domain".to_owned() };
     let parameters = if program.parameters.is_empty() { "" } else { " and parameters between 1/4 and 4" };
     let mut lines = vec![format!(
         "Accuracy: at most {} ulp{times} for {coordinate} from {from:.0e} to {to}{parameters}, for {}.",
@@ -111,6 +111,13 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     lines
 }
 
+/// A number with one digit, rounded downward.
+fn at_most(value: f64) -> String {
+    let nearest = format!("{value:.0e}");
+    let is_above = nearest.parse().is_ok_and(|own: f64| own > value);
+    if is_above { format!("{:.0e}", value - 0.5 * 10f64.powf(value.log10().floor())) } else { nearest }
+}
+
 /// An error at one point, in ulps.
 struct Found {
     /// The running bound, or the one to first order.
@@ -133,9 +140,12 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
     let mut range = (0.0_f64, f64::INFINITY);
     for _ in 0..if program.parameters.is_empty() { 1 } else { DRAWS } {
         let Some(truth) = sampler.parameters(solution).and_then(|own| Truth::new(solution, quantity, &own, program)) else { continue };
-        let (mut list, ends) = places(&mut sampler, truth.contact.evaluator());
+        let (mut list, mut ends) = places(&mut sampler, truth.contact.evaluator());
         if is_of_depth(quantity) {
+            let furthest = list.iter().copied().fold(0.0, f64::max);
             list = rising(list, truth.contact.evaluator());
+            // Beyond a maximum of g no depth has its first root.
+            ends.1 = list.last().copied().filter(|last| *last < furthest).unwrap_or(ends.1);
         }
         range = (range.0.max(ends.0), range.1.min(ends.1));
         for (index, place) in list.into_iter().enumerate() {

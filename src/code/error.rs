@@ -67,7 +67,7 @@ impl CodeError {
     pub fn accepted(&self) -> &'static str {
         match self {
             Self::NotClosed { .. } => "choose quantities that derive shows without an integral, or compute with eval",
-            Self::Function { .. } => "choose another --lang or other quantities; --lang python supports the functions of SciPy",
+            Self::Function { .. } => "choose another --lang or other quantities, or compute with eval",
             Self::NoDepth { .. } => "choose quantities that are functions of the contact radius: g, F, p, d",
             Self::Inaccurate { .. } | Self::NoValue { .. } => {
                 "compute it with eval, in Python with sneddon.Contact, or choose other quantities"

@@ -836,6 +836,9 @@ fn models_for_nanite_have_the_key_and_the_units_of_their_shape() {
         assert!(line("model_name = ").contains(name), "{profile}: {}", line("model_name"));
         assert_eq!(line("parameter_units = "), format!("parameter_units = {units}"), "{profile}");
     }
+    let sphere = ["code", "R-sqrt(R^2-r^2)", "--lang", "nanite", "--set"];
+    refused(b"", &[&sphere[..], &["R=5 um"]].concat(), &["is in SI units, but the lengths of --set are in um"]);
+    assert_eq!(run(&[&sphere[..], &["R=5e-6 m"]].concat()).code, 0);
 }
 
 /// Class "a file that is named for another language".

@@ -562,6 +562,14 @@ fn the_search_ends_at_every_depth() {
     assert_in_c("search", "piecewise(0, r<b, sqrt(R^2-b^2)-sqrt(R^2-r^2))", &[Quantity::ForceOfDepth], &conditions);
 }
 
+/// A depth of 0 has a contact radius only for parameters in their domain.
+#[test]
+fn the_search_checks_the_parameters_first() {
+    let conditions = ["sneddon_a(0.0, 5.0, 0.8) == 0.8", "isnan(sneddon_a(0.0, -5.0, -0.8))", "isnan(sneddon_a(0.0, 5.0, 6.0))"];
+    let shape = "piecewise(0, r<b, sqrt(R^2-b^2)-sqrt(R^2-r^2))";
+    assert_in_c("parameters", shape, &[Quantity::Radius], &conditions.map(str::to_owned));
+}
+
 /// g decreases beyond the kink, where it is 2b²: at smaller depths the contact radius is that of the inner paraboloid, √(d/2).
 #[test]
 fn the_search_finds_the_root_before_a_kink() {

@@ -7,7 +7,7 @@ use crate::cli::{Failure, Outcome, budget, file, input};
 use crate::code::{CodeError, Language, QUANTITIES, program, write};
 use crate::contact::{ContactError, Quantity};
 use crate::expr::Formula;
-use crate::scene::{SHAPES, Way};
+use crate::scene::{Dimension, SHAPES, Way};
 use crate::{parse, print, transform};
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
@@ -73,6 +73,11 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         warn("a nanite model contains F(d) only; other quantities are not written");
     }
     let units = arguments.profile.units(&[], None);
+    let length = units.name(Dimension::LENGTH);
+    if arguments.lang == Lang::Nanite && !["", "m"].contains(&length.as_str()) {
+        let message = format!("a model for nanite is in SI units, but the lengths of --set are in {length}");
+        return Err(Failure::new(message).help("expected lengths in metres, such as R=5e-6 or R=\"5e-6 m\""));
+    }
     units.tell();
     let (typed, settings) = arguments.profile.read(&units)?;
     let shown = print::text(&typed.formula.substitute(&settings.exact()));

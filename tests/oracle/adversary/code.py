@@ -19,8 +19,8 @@ from types import SimpleNamespace
 
 import shapes
 
-# At large radii waves are shorter than the first step.
-STEPS = (1e-6, 1e-9, 1e-13)
+# At large radii waves are shorter than the first step; the last one leads to the next double.
+STEPS = (1e-6, 1e-9, 1e-13, 2.0**-52)
 SECONDS = 60
 FACTORS = (1e-9, 1e-6, 1e-3, 0.03, 0.1, 0.3, 0.5, 0.77, 0.93, 1.0)
 PROFILES = pathlib.Path(__file__).parents[2] / "data" / "profiles.json"
