@@ -2,7 +2,7 @@
 
 use super::build::Dimension;
 use super::tree::Routine;
-use crate::contact::Quantity;
+use crate::contact::{self, Quantity};
 
 /// The routines that compute the quantities of a profile.
 #[derive(Clone, Debug)]
@@ -36,8 +36,7 @@ impl Program {
 
 /// Whether the effective modulus is an argument.
 pub(super) fn needs_modulus(quantity: Quantity) -> bool {
-    use crate::contact::Dimension;
-    [Dimension::FORCE, Dimension::PRESSURE].contains(&quantity.dimension())
+    [contact::Dimension::FORCE, contact::Dimension::PRESSURE].contains(&quantity.dimension())
 }
 
 /// Whether a quantity is a function of the depth.

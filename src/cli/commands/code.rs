@@ -80,7 +80,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     units.tell();
     let (typed, settings) = arguments.profile.read(&units)?;
-    let shown = print::text(&typed.formula.substitute(&settings.exact()));
+    let formula = typed.formula.substitute(&settings.exact());
+    let shown = print::text(&formula);
     let failed = |error: ContactError| Failure::profile(&typed.text, &error);
     let profile = settings.exact_profile(&typed).map_err(|error| failed(error.into()))?;
     let solution = transform::derive(&profile).map_err(|error| failed(error.into()))?;
@@ -92,7 +93,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         CodeError::Transform(own) => failed(own.into()),
         other => Failure::new(other.to_string()).help(other.accepted()),
     })?;
-    let code = match named(&typed.formula.substitute(&settings.exact())) {
+    let code = match named(&formula) {
         Some((key, title)) => code.named(&key, title),
         None => code,
     };
