@@ -50,7 +50,7 @@ def get_parameter_defaults():
 def _force_at(depth, modulus{arguments}):
     try:
         return {force}(depth, modulus{arguments})
-    except ArithmeticError:
+    except (ArithmeticError, ValueError):
         return math.nan
 
 

@@ -20,6 +20,10 @@ const LIBRARY: [(&str, &str, f64); 9] = [
     ("erfi", "scipy.special.erfi", 16.0),
 ];
 
+/// Functions of `math` that raise `OverflowError` where the other languages return an infinity, as a search for a radius needs it.
+const OVERFLOWING: [&str; 5] = ["exp", "expm1", "sinh", "cosh", "pow"];
+const OR_INFINITE: &str = "_or_infinite";
+
 const RESERVED: &str = " False None True and as assert async await break class continue def del elif else except finally for from global if \
 import in is lambda nonlocal not or pass raise return try while with yield match case type _ math scipy abs max min float print range int \
 np numpy lmfit delta force params contact_point baseline ";
@@ -54,6 +58,7 @@ impl Target for Python {
             _ => match self.library(name) {
                 Some((written, _)) if written.starts_with("scipy") => format!("float({written}({list}))"),
                 Some((written, _)) => format!("{written}({list})"),
+                None if OVERFLOWING.contains(&name) => format!("{OR_INFINITE}(math.{name}, {list})"),
                 None if ELEMENTARY.contains(&name) => format!("math.{name}({list})"),
                 None => format!("{}({list})", self.spelled(name)),
             },
@@ -132,15 +137,25 @@ pub(super) fn routines(program: &Program) -> String {
         let lines = if program.is_public(routine) { Vec::new() } else { routine.comment.clone() };
         text.push_str(&format!("\n\n{}def {}({list}):\n{body}", comment(&lines, "# "), Python.spelled(&routine.name)));
     }
-    text
+    if text.contains(OR_INFINITE) { format!("{DEFINED}{text}") } else { text }
 }
+
+const DEFINED: &str = "
+
+def _or_infinite(function, x, *exponent):
+    try:
+        return function(x, *exponent)
+    except OverflowError:
+        is_odd = function is math.sinh or (function is math.pow and exponent[0] % 2.0 == 1.0)
+        return -math.inf if x < 0.0 and is_odd else math.inf
+";
 
 const CHECKED: &str = "
 
 def _checked(function, *arguments):
     try:
         value = function(*map(float, arguments))
-    except ArithmeticError:
+    except (ArithmeticError, ValueError):
         value = math.nan
     if math.isfinite(value):
         return value

@@ -1,11 +1,13 @@
-"""Compares generated C with the program: python3 code.py PROGRAM typed FIRST COUNT, or python3 code.py PROGRAM catalogue PLACES.
+"""Compares generated code with the program: python3 code.py PROGRAM typed FIRST COUNT PLACES, or python3 code.py PROGRAM catalogue PLACES.
 
-The functions for g, F, p, a(d) and F(d) that `sneddon code --lang c` writes are compiled and called: those of typed profiles at a dozen
-radii over nine decades, those of the catalogue at random places over the whole range of their claim.
+The functions for g, F, p, d(a), a(d) and F(d) that `sneddon code` writes are compiled and called, those of typed profiles and those of the
+catalogue, at random places over the whole range of their claim, whose logarithms are uniform, in C and in those of rust, fortran, python
+and octave that `--lang` lists after it.
 A value is a fault if it is not a number, or if it differs from that of `sneddon eval` by more than its claim, times the condition number
 1 + sum |v df/dv|/|f| where the claim says so, and the bound of `eval`.
-Needs cc and the GNU Scientific Library.
+Needs cc and the GNU Scientific Library, and the compilers and interpreters of the other languages.
 """
+import argparse
 import json
 import math
 import pathlib
@@ -21,11 +23,80 @@ import shapes
 
 # At large radii waves are shorter than the first step; the last one leads to the next double.
 STEPS = (1e-6, 1e-9, 1e-13, 2.0**-52)
-SECONDS = 60
-FACTORS = (1e-9, 1e-6, 1e-3, 0.03, 0.1, 0.3, 0.5, 0.77, 0.93, 1.0)
+SECONDS = 600
 PROFILES = pathlib.Path(__file__).parents[2] / "data" / "profiles.json"
 # The most places in one call of `eval`, whose list of places is one argument.
 MOST = 2000
+# Contact radii of a pressure.
+RADII = 20
+
+C = """
+#include <stdio.h>
+int main(void)
+{
+    double v[WIDTH];
+    for (;;) {
+        for (int i = 0; i < WIDTH; i++) {
+            if (scanf("%lf", &v[i]) != 1) { return 0; }
+        }
+        printf("%.17g\\n", sneddon_NAME(ARGUMENTS));
+    }
+}
+"""
+RUST = """
+fn main() {
+    for line in std::io::stdin().lines() {
+        let v: Vec<f64> = line.unwrap().split(' ').map(|own| own.parse().unwrap()).collect();
+        println!("{:?}", sneddon_NAME(ARGUMENTS).unwrap_or(f64::NAN));
+    }
+}
+"""
+FORTRAN = """
+program main
+    use sneddon
+    implicit none
+    double precision :: v(WIDTH)
+    integer :: state
+    do
+        read (*, *, iostat=state) v
+        if (state /= 0) exit
+        print '(es26.17e3)', sneddon_NAME(ARGUMENTS)
+    end do
+end program main
+"""
+PYTHON = """
+import sys
+for line in sys.stdin:
+    try:
+        print(repr(NAME(*map(float, line.split()))))
+    except ValueError:
+        print("nan")
+"""
+OCTAVE = """
+v = load("places.txt");
+for i = 1:rows(v)
+    printf("%.17g\\n", sneddon_NAME(ARGUMENTS));
+end
+"""
+# Name for `--lang`; ending; what follows the functions; compiler, if any; what runs it; the first argument and what separates them.
+LANGUAGES = {
+    "c": ("c", C, "cc -O1 -ffp-contract=off own.c -lgsl -lgslcblas -lm -o own", "./own", "v[{}]", 0),
+    "rust": ("rs", RUST, "rustc -O --cap-lints allow own.rs -o own", "./own", "v[{}]", 0),
+    "fortran": ("f90", FORTRAN, "gfortran -O1 -ffp-contract=off own.f90 -o own", "./own", "v({})", 1),
+    "python": ("py", PYTHON, None, f"{sys.executable} own.py", None, 0),
+    "octave": ("m", OCTAVE, None, "octave --quiet own.m", "v(i, {})", 1),
+}
+
+
+def written(program, profile, quantity, language):
+    """Return the text in a language and its claim: ulps, whether they count times the condition number, first and last radius."""
+    name = "matlab" if language == "octave" else language
+    done = subprocess.run([program, "code", profile.text, "--lang", name, "--quantity", quantity], capture_output=True, text=True)
+    if done.returncode != 0:
+        return None, None
+    line = re.sub(r"\n *(?://+|#|!|%)+ *", " ", done.stdout)
+    ulps, times, first, last = re.findall(r"at most ([\d.e+]+) ulp( times)?[^.]* from ([\d.e+-]+) to ([\d.e+-]*)", line)[-1]
+    return done.stdout, (float(ulps), bool(times), float(first), float(last) if last else None)
 
 
 def evaluated(program, profile, quantity, places, radius):
@@ -37,51 +108,50 @@ def evaluated(program, profile, quantity, places, radius):
         command = [program, "eval", profile.text, "--quantity", quantity, "--at", at, "--json", *more]
         out = subprocess.run(command + shapes.settings(profile), capture_output=True, text=True).stdout
         found += json.loads(out).get("points", []) if out.strip() else []
-    return [own for own in found if own.get("value") is not None]
+    return [{**own, "radius": radius} for own in found if own.get("value") is not None]
 
 
-def calls(text, profile, quantity, found, radius):
-    """Return the arguments of every call, those of the point first and then those of its neighbours."""
+def names_of(text, quantity):
+    """Return the arguments of the C function as symbols of the formula."""
     names = re.search(rf"^double sneddon_{quantity}\(([^)]*)\)", text, re.M).group(1).replace("double ", "").split(", ")
     renamed = re.search(r"^// Names: (.*)\.$", text, re.M)
     symbols = dict(own.split(" is ") for own in renamed.group(1).split(", ")) if renamed else {}
-    known = {"E": 1.0, "a": radius} if quantity == "p" else {"E": 1.0}
-    for point in found:
-        coordinate = names[0]
-        base = [point["at"] if own == coordinate else known.get(own) or float(profile.values[symbols.get(own, own)]) for own in names]
-        moved = [[*base[:i], base[i] * (1 + sign * step), *base[i + 1:]] for i in range(len(base)) for step in STEPS for sign in (1, -1)]
-        yield [base, *moved]
+    return [symbols.get(own, own) for own in names]
 
 
-def values_of(folder, text, quantity, groups):
-    """Return what the compiled function gives for the arguments, or None if it does not end."""
-    source, numbers = folder / "own.c", [own for group in groups for own in group]
-    if not numbers:
-        return iter(())
-    width = len(numbers[0])
-    (folder / "places.txt").write_text("\n".join(" ".join(map(repr, own)) for own in numbers))
-    arguments = ", ".join(f"v[{i}]" for i in range(width))
-    source.write_text(text + f"""
-#include <stdio.h>
-int main(void)
-{{
-    double v[{width}];
-    for (;;) {{
-        for (int i = 0; i < {width}; i++) {{
-            if (scanf("%lf", &v[i]) != 1) {{ return 0; }}
-        }}
-        printf("%.17g\\n", sneddon_{quantity}({arguments}));
-    }}
-}}
-""")
-    compiler = ["cc", "-O1", "-ffp-contract=off", source, "-lgsl", "-lgslcblas", "-lm", "-o", folder / "own"]
-    subprocess.run(compiler, check=True, capture_output=True)
+def arguments(names, profile, quantity, point):
+    """Return the arguments of the call at a point."""
+    known = {"E": 1.0, "a": point["radius"]} if quantity == "p" else {"E": 1.0}
+    return [point["at"] if i == 0 else known.get(own) or float(profile.values[own]) for i, own in enumerate(names)]
+
+
+def neighbours(base):
+    """Return the arguments next to `base`."""
+    return [[*base[:i], base[i] * (1 + sign * step), *base[i + 1:]] for i in range(len(base)) for step in STEPS for sign in (1, -1)]
+
+
+def values_of(folder, language, text, quantity, calls):
+    """Return what the function gives for the arguments of each call, or None if it does not end."""
+    ending, after, compiler, run, argument, first = LANGUAGES[language]
+    if not calls:
+        return []
+    width = len(calls[0])
+    (folder / "places.txt").write_text("\n".join(" ".join(map(repr, own)) for own in calls) + "\n")
+    listed = ", ".join(argument.format(i + first) for i in range(width)) if argument else ""
+    after = after.replace("WIDTH", str(width)).replace("NAME", quantity).replace("ARGUMENTS", listed)
+    # A file of Octave that begins with a function is called by the name of that function.
+    (folder / f"own.{ending}").write_text(("1;\n" if language == "octave" else "") + text + after)
+    if compiler:
+        subprocess.run(compiler.split(), check=True, capture_output=True, cwd=folder)
     try:
         with (folder / "places.txt").open() as places:
-            out = subprocess.run([folder / "own"], stdin=places, capture_output=True, text=True, timeout=SECONDS).stdout
+            done = subprocess.run(run.split(), stdin=places, capture_output=True, text=True, timeout=SECONDS, cwd=folder)
     except subprocess.TimeoutExpired:
         return None
-    return iter(map(float, out.split()))
+    values = list(map(float, done.stdout.split()))
+    if len(values) != len(calls):
+        raise RuntimeError(f"{language}: {len(values)} values of {len(calls)}: {done.stderr}")
+    return values
 
 
 def condition_number(own, moved):
@@ -92,75 +162,96 @@ def condition_number(own, moved):
     return 1 + sum(largest) / abs(own) if own else 1
 
 
-def attack(program, profile, folder, count, radii_of):
-    """Compare the functions of one profile; `radii_of` gives the radii from the range of the claim."""
-    for quantity in ("g", "F", "p", "a", "F_of_d"):
-        command = [program, "code", profile.text, "--lang", "c", "--quantity", quantity]
-        written = subprocess.run(command, capture_output=True, text=True)
-        if written.returncode != 0:
+def points_of(program, profile, quantity, number, claim, chance):
+    """Return what `eval` says at random places in the range of a claim."""
+    _, _, first, last = claim
+    last = last or 1e12 * first
+
+    def drawn(number, most=last):
+        return [first * (most / first) ** chance.random() for _ in range(number)]
+
+    if quantity == "p":
+        groups = [(radius, drawn(-(-number // RADII), radius)) for radius in drawn(min(RADII, number))]
+        return [own for radius, places in groups for own in evaluated(program, profile, "p", places, radius)]
+    places = drawn(number)
+    if quantity in ("a", "F_of_d"):
+        places = [own["value"] for own in evaluated(program, profile, "g", places, None) if own["value"] > 0]
+    return evaluated(program, profile, "g" if quantity == "d" else quantity, places, None)
+
+
+def attack(program, profile, folder, options, count, chance):
+    """Compare the functions of one profile."""
+    for quantity in ("g", "F", "p", "d", "a", "F_of_d"):
+        text, claim = written(program, profile, quantity, "c")
+        if text is None:
             count["refused"] += 1
             continue
-        text = written.stdout
-        claim = re.findall(r"at most ([\d.e+]+) ulp( times)?[^.]* from ([\d.e+-]+) to ([\d.e+-]*)", re.sub(r"\n// ", " ", text))[-1]
-        radii, radius = radii_of(float(claim[2]), float(claim[3]) if claim[3] else None)
-        places = radii if quantity in "gF" else [own for own in radii if own < radius]
-        if quantity in ("a", "F_of_d"):
-            places = [own["value"] for own in evaluated(program, profile, "g", radii, radius) if own["value"] > 0]
-        found = evaluated(program, profile, quantity, places, radius) if places else []
-        groups = list(calls(text, profile, quantity, found, radius))
-        count["functions"] += 1
-        values = values_of(folder, text, quantity, groups)
-
-        def fault(what):
-            count["faults"] += 1
-            print(f"{what}: {quantity} of {profile.text} {profile.values}", flush=True)
-
-        if values is None:
-            fault("no end")
-            continue
-        for point, group in zip(found, groups):
-            own, *moved = [next(values) for _ in group]
-            true = point["value"]
-            if true == 0:
+        found = points_of(program, profile, quantity, options.places, claim, chance)
+        names = names_of(text, quantity)
+        calls = [arguments(names, profile, quantity, point) for point in found]
+        conditions = None
+        for language in ["c", *options.lang]:
+            text, claim = written(program, profile, quantity, language)
+            if text is None:
+                count[f"{language}: refused"] += 1
                 continue
-            count["values"] += 1
-            condition = condition_number(own, moved)
-            allowed = float(claim[0]) * (1.01 * condition if claim[1] else 1) * math.ulp(true) + point["error_estimate"]
-            # Next to the greatest depth that a profile reaches, its neighbour has no radius.
-            if math.isnan(allowed):
-                count["without a condition number"] += 1
-            elif not abs(own - true) <= allowed:
-                fault(f"{own!r} at {point['at']!r}, not {true!r} within {allowed:.1e}")
+
+            def fault(what):
+                count[f"{language}: faults"] += 1
+                print(f"{language}: {what}: {quantity} of {profile.text} {profile.values}", flush=True)
+
+            count[f"{language}: functions"] += 1
+            values = values_of(folder, language, text, quantity, calls)
+            if values is None:
+                fault("no end")
+                continue
+            if conditions is None:
+                near = values_of(folder, "c", text, quantity, [own for base in calls for own in neighbours(base)])
+                width = len(near) // len(values) if values else 0
+                conditions = [condition_number(own, near[width * i:width * (i + 1)]) for i, own in enumerate(values)]
+            judge(values, found, conditions, claim, fault, count, language)
 
 
-def typed(program, first, number, folder, count):
-    """Attack typed profiles."""
-    for seed in range(first, first + number):
-        profile = shapes.typed(seed)
-        radius = max(profile.places)
-        attack(program, profile, folder, count, lambda *_: ([radius * own for own in FACTORS] + profile.places, radius))
-
-
-def catalogue(program, number, folder, count):
-    """Attack the catalogue at many places, whose logarithms are uniform; the pressures at the middle of the range."""
-    for entry in json.loads(PROFILES.read_text()):
-        profile = SimpleNamespace(text=entry["f"], values={name: float(own) for name, own in entry["params"].items()}, places=[])
-        chance = random.Random(entry["id"])
-
-        def radii(least, most):
-            end = most or 1e12 * least
-            places = [least * (end / least) ** chance.random() for _ in range(number)]
-            return places, math.sqrt(least * end)
-
-        attack(program, profile, folder, count, radii)
+def judge(values, found, conditions, claim, fault, count, language):
+    """Compare the values of a function with those of `eval`."""
+    ulps, times, *_ = claim
+    largest = 0.0
+    for own, point, condition in zip(values, found, conditions):
+        true = point["value"]
+        if true == 0:
+            continue
+        count[f"{language}: values"] += 1
+        claimed = ulps * (1.01 * condition if times else 1) * math.ulp(true)
+        # Next to the greatest depth that a profile reaches, its neighbour has no radius.
+        if math.isnan(claimed):
+            count["without a condition number"] += 1
+        elif not abs(own - true) <= claimed + point["error_estimate"]:
+            fault(f"{own!r} at {point['at']!r}, not {true!r} within {claimed + point['error_estimate']:.1e}")
+        else:
+            largest = max(largest, (abs(own - true) - point["error_estimate"]) / claimed)
+    count[f"{language}: functions with an error above a quarter of the claim"] += largest > 0.25
 
 
 def main():
-    program, what, *numbers = sys.argv[1:]
+    parser = argparse.ArgumentParser(usage="code.py PROGRAM catalogue PLACES | typed FIRST COUNT PLACES  [--lang LANGUAGES]")
+    parser.add_argument("program")
+    parser.add_argument("what", choices=["typed", "catalogue"])
+    parser.add_argument("numbers", type=int, nargs="+")
+    parser.add_argument("--lang", type=lambda own: own.split(","), default=[])
+    options = parser.parse_intermixed_args()
+    options.places = options.numbers[-1]
+    if options.what == "typed":
+        first, number, _ = options.numbers
+        profiles = [shapes.typed(seed) for seed in range(first, first + number)]
+    else:
+        entries = json.loads(PROFILES.read_text())
+        profiles = [SimpleNamespace(text=own["f"], values={name: float(v) for name, v in own["params"].items()}) for own in entries]
     count = Counter()
     with tempfile.TemporaryDirectory() as folder:
-        {"typed": typed, "catalogue": catalogue}[what](program, *map(int, numbers), pathlib.Path(folder), count)
-    print(f"{what} {' '.join(numbers)}: {dict(sorted(count.items()))}")
+        for profile in profiles:
+            chance = random.Random(profile.text)
+            attack(options.program, profile, pathlib.Path(folder), options, count, chance)
+    print(f"{options.what} {' '.join(map(str, options.numbers))}: {dict(sorted(count.items()))}")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,69 @@
+//! The search for the contact radius in generated code: steep and slow profiles, kinks, maxima, ends of domains.
+
+use super::{assert_in_c, is_installed, place, run};
+use sneddon::code::{Language, program, write};
+use sneddon::contact::Quantity;
+use sneddon::parse;
+use sneddon::transform::{Profile, derive};
+use std::fs;
+
+/// At small depths the contact radius of a worn sphere rounds to b, and F(d) = 2 E* b d.
+#[test]
+fn the_search_ends_at_every_depth() {
+    let mut conditions = Vec::new();
+    for b in [0.5, 0.5_f64.next_up(), 0.3, 0.3_f64.next_up(), 0.7] {
+        for d in [1e-12, 1e-20, 1e-100, 1e-290] {
+            let flat = 3.0 * b * d;
+            conditions.push(format!("fabs(sneddon_F_of_d({d:e}, 1.5, 1.0, {b:?}) - {flat:e}) < 1e-15*{flat:e}"));
+        }
+    }
+    assert_in_c("search", "piecewise(0, r<b, sqrt(R^2-b^2)-sqrt(R^2-r^2))", &[Quantity::ForceOfDepth], &conditions);
+}
+
+/// A depth of 0 has a contact radius only for parameters in their domain.
+#[test]
+fn the_search_checks_the_parameters_first() {
+    let conditions = ["sneddon_a(0.0, 5.0, 0.8) == 0.8", "isnan(sneddon_a(0.0, -5.0, -0.8))", "isnan(sneddon_a(0.0, 5.0, 6.0))"];
+    let shape = "piecewise(0, r<b, sqrt(R^2-b^2)-sqrt(R^2-r^2))";
+    assert_in_c("parameters", shape, &[Quantity::Radius], &conditions.map(str::to_owned));
+}
+
+/// g decreases beyond the kink, where it is 2b²: at smaller depths the contact radius is that of the inner paraboloid, √(d/2).
+#[test]
+fn the_search_finds_the_root_before_a_kink() {
+    let depths = [1e-9, 0.1, 0.3, 0.41, 0.44, 0.47, 0.499];
+    let conditions = depths.map(|d| format!("fabs(sneddon_a({d}, 0.5, 0.35) - sqrt({d}/2.0)) < 1e-16"));
+    assert_in_c("kink", "piecewise(r^2, r<b, k*(r-b)+b^2)", &[Quantity::Radius], &conditions);
+}
+
+/// g has its maximum, 1.1684, just before the end of the profile, where it is 1.1118: depths between them have a contact radius (mpmath).
+#[test]
+fn the_search_finds_the_root_before_a_maximum_at_the_end() {
+    let radii = [(1.11, 1.500601063369778), (1.1388, 1.543155608607756), (1.1649, 1.600092587454632), (1.168, 1.61296406515)];
+    let conditions: Vec<String> = radii
+        .into_iter()
+        .map(|(d, a)| format!("fabs(sneddon_a({d}, 1.7, 0.7, 1.35) - {a:?}) < 1e-13"))
+        .chain(["isnan(sneddon_a(1.17, 1.7, 0.7, 1.35))".to_owned()])
+        .collect();
+    assert_in_c("maximum", "h*(1-(1-r^2/R^2)^p)", &[Quantity::Radius], &conditions);
+}
+
+/// Python raises `OverflowError` where a step of the search overflows; the other languages have an infinity there.
+///
+/// The references are roots by mpmath with 40 digits, of 64/315 x¹⁰ + 35π/96 x⁷ - 3π/20 x³ + x² = 1e98 and of √π h x/w exp(x²/w²) erf(x/w) = 1e290.
+#[test]
+fn the_search_overflows_in_python() {
+    if !is_installed("python3") {
+        return;
+    }
+    let cases = [
+        ("polynomial", "r^10/20+r^7/3-r^3/5+r^2/2", "1e98", "7399682026.846388"),
+        ("grown", "h*(exp(r^2/w^2)-1)", "1e290, 0.4, 1.3", "33.51993536806811"),
+    ];
+    for (name, shape, arguments, radius) in cases {
+        let solution = derive(&Profile::new(&parse::profile(shape).unwrap()).unwrap()).unwrap();
+        let place = place(name);
+        fs::write(place.join("a.py"), write(&program(&solution, &[Quantity::Radius], Language::Python, shape).unwrap())).unwrap();
+        run("python3", &["-B", "-c", &format!("import a; x = a.a({arguments}); assert abs(x/{radius} - 1.0) < 1e-14, x")], &place);
+    }
+}
