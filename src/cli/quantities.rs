@@ -41,12 +41,18 @@ impl TypedValueParser for Quantities {
 }
 
 impl Quantities {
-    /// Returns the quantity with the shortest title that contains every word of a text, such as `force` or `contact_radius`.
+    /// Returns the quantity with a key or a left side in other letters, such as `F_of_D` or `F(d)`, or else that with the shortest title
+    /// that contains every word of a text, such as `force` or `contact_radius`.
     fn meant(&self, typed: &str) -> Option<Quantity> {
+        let plain = typed.replace(' ', "");
+        let all = || Quantity::ALL.iter().copied().filter(|own| (self.0)(*own).is_ok());
+        if let Some(own) = all().find(|own| own.left(false) == plain).or_else(|| all().find(|own| own.key().eq_ignore_ascii_case(&plain))) {
+            return Some(own);
+        }
         let typed = typed.to_lowercase();
         let words = || typed.split(|own: char| !own.is_alphanumeric()).filter(|own| !own.is_empty());
-        let has = |own: &&Quantity| words().next().is_some() && words().all(|word| own.title().split(' ').any(|other| other == word));
-        Quantity::ALL.iter().filter(|own| (self.0)(**own).is_ok()).filter(has).min_by_key(|own| own.title().len()).copied()
+        let has = |own: &Quantity| words().next().is_some() && words().all(|word| own.title().split(' ').any(|other| other == word));
+        all().filter(has).min_by_key(|own| own.title().len())
     }
 }
 

@@ -2,14 +2,14 @@
 
 mod dimensions;
 
-pub(super) use dimensions::Dimension;
+pub(super) use dimensions::ParameterDimension;
 
 use super::accuracy::ELEMENTARY;
 use super::claim;
 use super::lower::{Names, lowered};
 use super::program::Claim;
 use super::program::Language;
-use super::program::{Program, is_of_depth, needs_modulus, routine_name, series_of};
+use super::program::{Program, is_of_depth, needs_modulus, routine_name, series_of, unit};
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, FORMS, names, read};
 use crate::contact::{Edge, Explicit, Quantity, explicit, relations};
@@ -25,15 +25,6 @@ pub const QUANTITIES: [Quantity; 6] =
 pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
     let radius = quantity.needs_radius().then_some("a");
     std::iter::once(quantity.coordinate()).chain(radius).collect()
-}
-
-/// The unit, in words.
-fn unit(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::Force | Quantity::ForceOfDepth => "Units: lengths in one unit, E a pressure; F in the unit of E times length squared.",
-        Quantity::Pressure => "Units: lengths in one unit, E a pressure; p in the unit of E.",
-        _ => "Units: all lengths and the result in the same unit.",
-    }
 }
 
 /// Builds the program of a profile for a language.
@@ -66,9 +57,10 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     let chains = &solution.profile.chains;
     let lengths: Vec<&Expr> = chains.iter().flat_map(|own| own.pieces.iter().chain(&own.breakpoints)).collect();
     let dimensions = dimensions::dimensions(&lengths, &symbols);
+    let starting_values = dimensions::starting_values(&dimensions, &symbols, &solution.conditions);
     let build = |in_series: &[Quantity]| {
         let (names, arguments, in_series) = (names.clone(), arguments.clone(), in_series.to_vec());
-        let dimensions = dimensions.clone();
+        let (dimensions, starting_values) = (dimensions.clone(), starting_values.clone());
         let mut builder =
             Builder { solution, names, arguments, counter: 0, routines: Vec::new(), forms: forms.clone(), language, in_series };
         for quantity in quantities {
@@ -76,7 +68,8 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         }
         let library = builder.library();
         let (routines, quantities, profile, parameters) = (builder.routines, quantities.to_vec(), profile.to_owned(), parameters.clone());
-        let program = Program { language, routines, quantities, parameters, library, dimensions, profile, shape: None, claims: Vec::new() };
+        let (shape, claims) = (None, Vec::new());
+        let program = Program { language, routines, quantities, parameters, library, dimensions, starting_values, profile, shape, claims };
         Ok::<Program, CodeError>(claim::claimed(program, solution))
     };
     let closed = build(&[])?;
@@ -182,7 +175,7 @@ impl Builder<'_> {
         }
         comment.push(format!("Source: {}.", references.join("; ")));
         comment.push(format!("Domain: {}.", domain.1.join(", ")));
-        comment.push(unit(quantity).to_owned());
+        comment.push(unit(quantity, None));
         let mut routine = Routine { name: routine_name(quantity), parameters: arguments, body, comment };
         if quantity == Quantity::ForceOfDepth && routine.calls().contains(&routine_name(Quantity::Force)) {
             routine.comment.push("Computed as F(a) + 2*E*a*(d - g(a)), in which an error of a counts in second order only.".to_owned());
@@ -261,6 +254,9 @@ impl Builder<'_> {
             tests.extend([compare(Comparison::GreaterOrEqual, own, 0.0), largest(own)]);
             words.push(format!("{own} >= 0"));
         }
+        if is_of_depth(quantity) && explicit(self.solution).is_none() {
+            words.push("d at most the largest value of g".to_owned());
+        }
         let mut positive = self.arguments.clone();
         if needs_modulus(quantity) {
             positive.insert(0, "E".to_owned());
@@ -272,7 +268,8 @@ impl Builder<'_> {
         // Conditions on the radius do not apply to a depth; those on the parameters, as b < R, do.
         let radius = Symbol::new("r");
         let applies = |own: &&Condition| !is_of_depth(quantity) || !(own.left.contains(&radius) || own.right.contains(&radius));
-        let conditions: Vec<Condition> = self.solution.conditions.iter().filter(applies).cloned().collect();
+        let is_new = |own: &&Condition| !(own.left.is_zero() && own.relation == Relation::Less && own.right.as_symbol().is_some());
+        let conditions: Vec<Condition> = self.solution.conditions.iter().filter(applies).filter(is_new).cloned().collect();
         let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
         self.conditions(&conditions, coordinate, &mut tests, &mut words)?;
         Ok((tests, words))

@@ -23,7 +23,7 @@ mod truth;
 pub use build::{QUANTITIES, program};
 pub use error::CodeError;
 pub use languages::write;
-pub use program::{Claim, Language, Program};
+pub use program::{Claim, Language, NamedShape, Program};
 
 /// The stable forms, and the special functions.
 const FORMS: &str = concat!(include_str!("forms.txt"), include_str!("special.txt"));

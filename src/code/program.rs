@@ -1,6 +1,6 @@
 //! The program of a profile: its routines, their parameters and claims.
 
-use super::build::Dimension;
+use super::build::ParameterDimension;
 use super::tree::Routine;
 use crate::contact::{self, Quantity};
 
@@ -17,20 +17,60 @@ pub struct Program {
     /// The functions of the language's library that are called.
     pub(super) library: Vec<String>,
     /// What each parameter measures.
-    pub(super) dimensions: Vec<Dimension>,
+    pub(super) dimensions: Vec<ParameterDimension>,
+    /// Values of the parameters under which the conditions on them hold, in metres and radians.
+    pub(super) starting_values: Vec<f64>,
     /// f(r) as text.
     pub(super) profile: String,
-    /// The name and the title of the shape, if it is a named one.
-    pub(super) shape: Option<(String, String)>,
+    /// The shape, if it is a named one.
+    pub(super) shape: Option<NamedShape>,
     pub(super) claims: Vec<(Quantity, Option<Claim>)>,
 }
 
+/// A named shape, as models for fits show it.
+#[derive(Clone, Debug)]
+pub struct NamedShape {
+    /// The name.
+    pub name: String,
+    /// A phrase that describes the shape.
+    pub title: String,
+    /// The parameters with their descriptions.
+    pub meanings: Vec<(String, String)>,
+}
+
 impl Program {
-    /// Sets the name and the title of the shape, which models for fits show.
+    /// Sets the shape, which models for fits show.
     #[must_use]
-    pub fn named(mut self, name: &str, title: &str) -> Self {
-        self.shape = Some((name.to_owned(), title.to_owned()));
+    pub fn named(mut self, shape: NamedShape) -> Self {
+        self.shape = Some(shape);
         self
+    }
+
+    /// Sets the unit of lengths, which comments state; without it, all lengths are in one unit.
+    #[must_use]
+    pub fn with_length_unit(mut self, length: &str) -> Self {
+        for quantity in self.quantities.clone() {
+            let of_quantity = self.routines.iter_mut().filter(|own| own.name == routine_name(quantity));
+            let lines = of_quantity.flat_map(|own| &mut own.comment).filter(|own| **own == unit(quantity, None));
+            lines.for_each(|own| *own = unit(quantity, Some(length)));
+        }
+        self
+    }
+}
+
+/// The units, in words, with the unit of lengths if it is known.
+pub(super) fn unit(quantity: Quantity, length: Option<&str>) -> String {
+    let lengths = length.map_or_else(|| "lengths in one unit".to_owned(), |own| format!("lengths in {own}"));
+    let area = length.map_or_else(|| "length squared".to_owned(), |own| format!("{own}^2"));
+    match quantity {
+        Quantity::Force | Quantity::ForceOfDepth => {
+            format!("Units: {lengths}; E is the effective modulus, a pressure; F in the unit of E times {area}.")
+        }
+        Quantity::Pressure => format!("Units: {lengths}; E is the effective modulus, a pressure; p in the unit of E."),
+        _ => length.map_or_else(
+            || "Units: all lengths and the result in the same unit.".to_owned(),
+            |own| format!("Units: all lengths in {own}."),
+        ),
     }
 }
 

@@ -470,7 +470,11 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// # Errors
     /// As [`Self::contact_radius`] and [`Self::force`].
     pub fn force_of_depth(&self, depth: f64) -> Result<Reading, ContactError> {
-        through(self.contact_radius(depth)?, |a| self.force(a))
+        let radius = self.contact_radius(depth)?;
+        let gap = |a: f64| Ok(Estimate::exact(depth) + self.evaluator.slope(a)?.estimate.scaled(-1.0));
+        let force = self.with_depth(Some(depth));
+        let corrected = |a: f64| force.force(a);
+        to_second_order(&radius, corrected, gap, 2.0 * self.effective_modulus).unwrap_or_else(|| through(radius, |a| self.force(a)))
     }
 
     /// d(F), the depth at the contact radius a(F).
@@ -478,7 +482,15 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// # Errors
     /// As [`Self::radius_under_force`] and [`Self::depth`].
     pub fn depth_of_force(&self, force: f64) -> Result<Reading, ContactError> {
-        through(self.radius_under_force(force)?, |a| self.depth(a))
+        let radius = self.radius_under_force(force)?;
+        let lack = |a: f64| Ok(Estimate::exact(force) + self.force(a)?.estimate.scaled(-1.0));
+        let a = radius.estimate.value;
+        let stiffness = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus) * Bounded::exact(a);
+        let corrected = |a: f64| {
+            let own = self.depth(a)?;
+            Ok(Reading { estimate: own.estimate + lack(a)?.times(Bounded::exact(1.0) / stiffness), ..own })
+        };
+        to_second_order(&radius, corrected, lack, 1.0 / (stiffness.value * a)).unwrap_or_else(|| through(radius, |a| self.depth(a)))
     }
 }
 
@@ -486,6 +498,34 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
 pub(super) fn over_area(force: Estimate, a: Bounded) -> Estimate {
     let reciprocal = |length: Bounded| Bounded::exact(1.0) / length;
     force.times(reciprocal(a)).times(reciprocal(Bounded::rounded(PI) * a))
+}
+
+/// Evaluates F or d at a radius with an error, in a form that is right to second order in that error: F(a) + 2E*a (d − g(a)), or
+/// g(a) + (F − F(a))/(2E*a). Both are off by `weight` times ∫ (x − a) of the derivative of the load, hence by at most `weight` times the error
+/// of the radius times `residual`, the distance of the load from that at the radius.
+///
+/// Returns `None` where the radius has no error, or where a value is missing or not finite.
+fn to_second_order(
+    radius: &Reading,
+    corrected: impl Fn(f64) -> Result<Reading, ContactError>,
+    residual: impl Fn(f64) -> Result<Estimate, ContactError>,
+    weight: f64,
+) -> Option<Result<Reading, ContactError>> {
+    let Estimate { value: a, error, bound, .. } = radius.estimate;
+    if a == 0.0 || error == 0.0 {
+        return None;
+    }
+    let (step, _) = step_of(a, error);
+    let own = corrected(a).ok()?;
+    let off = |place: f64| residual(place).ok().map(|own| own.value.abs() + own.error);
+    // Near the end of the profile, only one side may be available.
+    let (here, below) = (off(a)?, off((a - step).max(0.0))?);
+    let above = off(a + step).unwrap_or(2.0 * below);
+    let spread = here.max(below).max(above);
+    let estimate = Estimate { error: (own.estimate.error + weight * error * spread) * (1.0 + 8.0 * f64::EPSILON), ..own.estimate };
+    let method = if radius.method == "root" { radius.method } else { own.method };
+    let is_finite = estimate.value.is_finite() && estimate.error.is_finite();
+    is_finite.then(|| Ok(Reading { estimate: estimate.resting_on(bound), method }))
 }
 
 /// Evaluates a quantity at a radius with an error; the change of the quantity within that error is added to the error.

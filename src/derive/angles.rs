@@ -108,7 +108,8 @@ pub(crate) fn largest(expr: &Expr, parameter: &Symbol) -> Option<f64> {
     multiples.reduce(f64::max).map(|multiple| std::f64::consts::FRAC_PI_2 / multiple)
 }
 
-fn has_angle(expr: &Expr) -> bool {
+/// True if the expression has the sine, cosine or tangent of a slope angle.
+pub(crate) fn has_angle(expr: &Expr) -> bool {
     is_angle(expr) || expr.children().into_iter().any(has_angle)
 }
 
@@ -177,6 +178,40 @@ fn algebraic(expr: &Expr) -> Option<Expr> {
     let replaced = map_calls(expr, &|call| values.iter().find(|(known, _)| *known == call).map(|(_, value)| value.clone()));
     // Sums under roots are collected, so that R² − R²(1 − c²) is (Rc)².
     Some(expanded_under_roots(&replaced))
+}
+
+/// The expression with cos u for √(1 − sin² u) and sin u for √(1 − cos² u), assuming acute slope angles u.
+///
+/// Rules take roots of differences of limits: √(R² − b²) with b = R sin θ is R cos θ, which does not cancel.
+pub(crate) fn without_roots(expr: &Expr) -> Expr {
+    let all = |list: &[Expr]| list.iter().map(without_roots).collect::<Vec<_>>();
+    match expr.node() {
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Power(base, exponent) => match squared_complement(base) {
+            Some((factor, function)) => factor.pow(exponent) * function.pow(&(Expr::integer(2) * exponent)),
+            None => without_roots(base).pow(exponent),
+        },
+        Node::Function(function, arguments) => Expr::function(*function, all(arguments)),
+        Node::Product(factors) => Expr::product(all(factors)),
+        Node::Sum(terms) => Expr::sum(all(terms)),
+    }
+}
+
+/// The factor c and the cosine of c − c sin² u, or the sine of c − c cos² u.
+fn squared_complement(sum: &Expr) -> Option<(Expr, Expr)> {
+    let Node::Sum(terms) = sum.node() else { return None };
+    let [one, other] = terms.as_slice() else { return None };
+    let complement = |part: &Expr| {
+        let (base, exponent) = part.split_power();
+        let Node::Function(function, arguments) = base.node() else { return None };
+        let name = match function.name() {
+            "sin" => "cos",
+            "cos" => "sin",
+            _ => return None,
+        };
+        (exponent == Expr::integer(2) && is_angle(&base)).then(|| Expr::call(name, arguments.clone()))
+    };
+    [(one, other), (other, one)].into_iter().find_map(|(whole, part)| Some((whole.clone(), complement(&-(part / whole))?)))
 }
 
 fn expanded_under_roots(expr: &Expr) -> Expr {

@@ -1,7 +1,7 @@
 //! What a rule is: one family of exact solutions, as data plus one function.
 
 use crate::derive::term::Term;
-use crate::expr::{Condition, Expr};
+use crate::expr::{Condition, Expr, shown_as_mathematics};
 use crate::integrate::segment::Segment;
 
 /// One family of exact solutions.
@@ -72,6 +72,21 @@ pub struct Pair {
     pub shown: Expr,
     /// Free of cancellation.
     pub evaluated: Expr,
+}
+
+impl Answer {
+    /// Every formula replaced by the result of `form`; printed ones have no stable functions, inside which `form` finds nothing.
+    #[must_use]
+    pub(crate) fn map(&self, form: &dyn Fn(&Expr) -> Expr) -> Self {
+        let pair = |own: &Pair| Pair { shown: form(&shown_as_mathematics(&own.shown)), evaluated: form(&own.evaluated) };
+        let branches = |own: &Branches| Branches { within: pair(&own.within), beyond: pair(&own.beyond) };
+        Self {
+            slope: branches(&self.slope),
+            force: branches(&self.force),
+            pressure: self.pressure.as_ref().map(branches),
+            conditions: self.conditions.clone(),
+        }
+    }
 }
 
 impl Pair {

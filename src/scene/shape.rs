@@ -171,7 +171,7 @@ pub const SHAPES: &[Shape] = &[
         title: "cone that ends in a sphere, without a kink",
         source: "pieces of Popov & Heß (3.43) and (3.71)",
         ways: &[Way {
-            f: "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), (r-R*sin(theta))*tan(theta)+R-sqrt(R^2-R^2*sin(theta)^2))",
+            f: "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), (r-R*sin(theta))*tan(theta)+R-R*cos(theta))",
             parameters: &[p("R", "0.2 um", "radius of the tip"), p("theta", "12 deg", "angle between flank and surface")],
         }],
         rim: None,

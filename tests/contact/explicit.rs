@@ -129,3 +129,33 @@ fn forces_at_a_depth_are_within_their_bounds() {
         }
     }
 }
+
+/// Class "next to a flat an error of a in the last place is a large change of F and d": both are right to second order in that error.
+///
+/// References are roots by mpmath with 60 digits. The last number is the largest relative bound, which grows where a rounds to b.
+#[test]
+fn loads_just_beyond_a_flat_keep_their_digits() {
+    let forces = [
+        (1e-12, "1.999999999999999959773303e-12", 1e-12),
+        (1e-9, "2.000000000000000132563183e-9", 1.3e-15),
+        (1e-6, "0.000002000000000007999909496076", 4e-16),
+        (1e-3, "0.002000007999852805418669166", 4e-16),
+        (0.1, "0.206897172813088859446577", 4e-16),
+    ];
+    let depths = [
+        (1e-12, "4.999999999999999899433233e-13", 2e-12),
+        (1e-9, "5.000000000000000306407957e-10", 2.3e-15),
+        (1e-6, "0.0000004999999999994999773740597", 4e-16),
+        (1e-3, "0.0004999995000037999650039209", 4e-16),
+        (0.1, "0.04953403518082417742618519", 4e-16),
+    ];
+    let solution = derived_with("piecewise(0, r<1, sqrt(24)-sqrt(25-r^2))", &[]);
+    let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-13).unwrap();
+    let contact = Contact::new(evaluator, 1.0, None, 1e-13);
+    let all = forces.map(|own| (contact.force_of_depth(own.0), own)).into_iter();
+    for (found, (load, truth, most)) in all.chain(depths.map(|own| (contact.depth_of_force(own.0), own))) {
+        let found = found.unwrap().estimate;
+        assert!(Decimal::read(truth).distance(found.value) <= found.error, "{load}: {found:?}, not {truth}");
+        assert!(found.relative_error() < most, "{load}: {found:?}");
+    }
+}

@@ -824,7 +824,7 @@ fn functions_that_do_not_exist_are_near_or_foreign() {
 fn models_for_nanite_have_the_key_and_the_units_of_their_shape() {
     let cases = [
         ("R-sqrt(R^2-r^2)", "sneddon_sphere", "sphere (sneddon)", r#"["Pa", "m", "", "m", "N"]"#),
-        ("r/tan(alpha)", "sneddon_cone_alpha", "cone (sneddon)", r#"["Pa", "rad", "", "m", "N"]"#),
+        ("r/tan(alpha)", "sneddon_cone_alpha", "cone with alpha (sneddon)", r#"["Pa", "rad", "", "m", "N"]"#),
         ("C*r^n", "sneddon_power", "power law (sneddon)", r#"["Pa", "SI", "", "", "m", "N"]"#),
         ("c_2*r^2+c_0*sqrt(r)+h*r", "sneddon_", "f(r) = c_2*r^2 + h*r + c_0*sqrt(r)", r#"["Pa", "m^0.5", "m^-1", "", "", "m", "N"]"#),
         ("piecewise(0, r<b, k*(r-b)^2)", "sneddon_", "f(r) = piecewise(", r#"["Pa", "m", "m^-1", "", "m", "N"]"#),
@@ -836,9 +836,28 @@ fn models_for_nanite_have_the_key_and_the_units_of_their_shape() {
         assert!(line("model_name = ").contains(name), "{profile}: {}", line("model_name"));
         assert_eq!(line("parameter_units = "), format!("parameter_units = {units}"), "{profile}");
     }
+    let cap = run(&["code", "--shape", "cone-with-spherical-cap", "--lang", "nanite"]).stdout;
+    let names = r#"["Young's Modulus", "Radius of the tip", "Angle between flank and surface", "Poisson's Ratio","#;
+    assert!(cap.contains(&format!("parameter_names = {names}")), "{cap}");
+    // The starting values satisfy b < R.
+    let worn = run(&["code", "piecewise(0, r<b, sqrt(R^2-b^2)-sqrt(R^2-r^2))", "--lang", "nanite"]).stdout;
+    assert!(worn.contains("\"R\", value=4e-6") && worn.contains("\"b\", value=1e-6"), "{worn}");
     let sphere = ["code", "R-sqrt(R^2-r^2)", "--lang", "nanite", "--set"];
     refused(b"", &[&sphere[..], &["R=5 um"]].concat(), &["is in SI units, but the lengths of --set are in um"]);
     assert_eq!(run(&[&sphere[..], &["R=5e-6 m"]].concat()).code, 0);
+}
+
+/// Comments of generated code state the unit of lengths, E, the conditions once and the largest depth; `octave` is MATLAB.
+#[test]
+fn comments_of_code_state_units_and_the_domain() {
+    let worn = "piecewise(0, r<b, sqrt(R^2-b^2)-sqrt(R^2-r^2))";
+    let text = run(&["code", worn, "--quantity", "F_of_d", "--lang", "octave"]).stdout;
+    assert!(text.contains("% Domain: d >= 0, d at most the largest value of g, E > 0, R > 0, b > 0, b < R.\n"), "{text}");
+    assert!(text.contains("% Units: lengths in one unit; E is the effective modulus, a pressure;"), "{text}");
+    let text = run(&["code", worn, "--set", "R=5 um", "--quantity", "g,F", "--lang", "c"]).stdout;
+    assert!(text.contains("// Units: all lengths in um.\n") && text.contains("F in the unit of E times um^2.\n"), "{text}");
+    let text = run(&["code", "--shape", "cone-with-spherical-cap", "--quantity", "g", "--lang", "c"]).stdout;
+    assert!(text.contains("// Domain: x >= 0, R > 0, theta > 0, theta < pi/2.\n"), "{text}");
 }
 
 /// Class "a file that is named for another language".

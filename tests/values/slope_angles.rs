@@ -1,9 +1,10 @@
 //! Tips whose flanks are given by slope angles: kinks and joins are found for symbolic angles, and numbers agree with mpmath.
 #![allow(clippy::unwrap_used, clippy::panic, clippy::expect_used, clippy::excessive_precision)]
 
+use sneddon::contact::{Edge, relations};
 use sneddon::expr::{Bindings, Expr};
-use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, check, derive};
+use sneddon::{parse, print};
 
 /// Profile, x, g(x) and F(x)/E* at theta = 0.3, R = 2, h = 0.2, b = 0.5: the defining integrals with 40 digits, split at the kink.
 const VALUES: &[(&str, f64, f64, f64)] = &[
@@ -133,5 +134,21 @@ fn identities_of_trigonometric_constants_are_proven() {
     for jump in ["sin(theta)^2 - cos(theta)^2", "tan(theta) - sin(theta)", "sqrt(1 - sin(theta)^2) - sin(theta)"] {
         let text = format!("piecewise(r, r<b, r + b*({jump}))");
         assert!(Profile::new(&parse::profile(&text).unwrap()).is_err(), "{text}");
+    }
+}
+
+/// Class "a limit that is a multiple of a sine or cosine": √(R² − (R sin θ)²) is printed as R cos θ.
+#[test]
+fn roots_of_sines_and_cosines_are_cosines_and_sines() {
+    let cases = [
+        ("piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), (r-R*sin(theta))*tan(theta)+R-R*cos(theta))", "R*cos(theta)", "sqrt(1 - "),
+        ("piecewise(0, r<R*cos(theta), R*sin(theta)-sqrt(R^2-r^2))", "R*sin(theta)", "sqrt(1 - "),
+        ("piecewise(0, r<b*sin(theta), sqrt(b^2-b^2*sin(theta)^2)-sqrt(b^2-r^2))", "b*cos(theta)", "sqrt(1 - "),
+    ];
+    for (text, has, lacks) in cases {
+        let profile = Profile::new(&parse::profile(text).unwrap()).unwrap();
+        let force = relations(&derive(&profile).unwrap(), &Edge::Smooth).unwrap().force;
+        let shown = print::text(&force.formula);
+        assert!(shown.contains(has) && !shown.contains(lacks), "{text}: {shown}");
     }
 }

@@ -4,15 +4,16 @@ use crate::cli::failure::warn;
 use crate::cli::output;
 use crate::cli::quantities::{Quantities, demand};
 use crate::cli::{Failure, Outcome, budget, file, input};
-use crate::code::{CodeError, Language, QUANTITIES, program, write};
+use crate::code::{CodeError, Language, NamedShape, QUANTITIES, program, write};
 use crate::contact::{ContactError, Quantity};
 use crate::expr::Formula;
 use crate::scene::{Dimension, SHAPES, Way};
 use crate::{parse, print, transform};
 use clap::ValueEnum;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
-/// Generates source code that evaluates the closed forms g, F, p, d, a(d) and F(d), each with an error bound.
+/// Generates source code that evaluates the closed forms g, F, p, d, a(d) and F(d), and states the accuracy of each function.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(in crate::cli) struct Arguments {
@@ -41,6 +42,7 @@ enum Lang {
     C,
     Fortran,
     Python,
+    #[value(alias = "octave")]
     Matlab,
     Rust,
     Nanite,
@@ -94,10 +96,10 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         other => Failure::new(other.to_string()).help(other.accepted()),
     })?;
     let code = match named(&formula) {
-        Some((key, title)) => code.named(&key, title),
+        Some(shape) => code.named(shape),
         None => code,
     };
-    let text = write(&code);
+    let text = write(&if length.is_empty() { code } else { code.with_length_unit(&length) });
     let write = |out: &mut dyn std::io::Write| out.write_all(text.as_bytes());
     match target {
         Some(target) => target.fill(write)?,
@@ -106,17 +108,20 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Done)
 }
 
-/// Returns the key and the title of the named shape that a profile is, in the symbols of that shape; a second set of symbols is a part
-/// of the key.
-fn named(formula: &Formula) -> Option<(String, &'static str)> {
+/// Returns the named shape that a profile is, in the symbols of that shape; a second set of symbols is a part of its name and title.
+fn named(formula: &Formula) -> Option<NamedShape> {
     let is_own = |way: &&Way| parse::profile(way.f).is_ok_and(|own| own == *formula);
     let shapes = SHAPES.iter().filter(|shape| shape.rim.is_none());
     let (shape, way) = shapes.flat_map(|shape| shape.ways.iter().map(move |way| (shape, way))).find(|(_, way)| is_own(way))?;
     let is_first = shape.ways.first().is_some_and(|own| std::ptr::eq(own, way));
-    let symbols = way.parameters.iter().filter(|_| !is_first).map(|own| format!("-{}", own.name));
-    let key = std::iter::once(shape.name.to_owned()).chain(symbols).collect();
+    let symbols: Vec<&str> = way.parameters.iter().filter(|_| !is_first).map(|own| own.name).collect();
     // The title without its explanation.
-    Some((key, shape.title.split([',', ':', '(']).next().unwrap_or(shape.title).trim()))
+    let title = shape.title.split([',', ':', '(']).next().unwrap_or(shape.title).trim();
+    Some(NamedShape {
+        name: std::iter::once(shape.name).chain(symbols.iter().copied()).collect::<Vec<_>>().join("-"),
+        title: if symbols.is_empty() { title.to_owned() } else { format!("{title} with {}", symbols.join(", ")) },
+        meanings: way.parameters.iter().map(|own| (own.name.to_owned(), own.meaning.to_owned())).collect(),
+    })
 }
 
 /// Returns the languages whose files have this extension, or `None` for an extension of none.
@@ -147,5 +152,6 @@ fn quantities(arguments: &Arguments) -> Vec<Quantity> {
 
 /// Checks whether `code` supports a quantity.
 fn written(quantity: Quantity) -> Result<(), &'static str> {
-    if QUANTITIES.contains(&quantity) { Ok(()) } else { Err("code writes only g, F, p, d, a and F_of_d") }
+    static REASON: LazyLock<String> = LazyLock::new(|| format!("code writes only {}", QUANTITIES.map(Quantity::key).join(", ")));
+    if QUANTITIES.contains(&quantity) { Ok(()) } else { Err(&REASON) }
 }

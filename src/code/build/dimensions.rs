@@ -1,10 +1,10 @@
 //! Dimensions of parameters: which power of a length each must be for f(r) to be a length.
 
-use crate::expr::{Expr, Node, Symbol};
+use crate::expr::{Bindings, Condition, Expr, Node, Number, Symbol};
 
 /// What a parameter measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::code) enum Dimension {
+pub(in crate::code) enum ParameterDimension {
     /// An angle in radians, as the argument of a trigonometric function.
     Angle,
     /// A power of a length, with its exponent; 0 for a plain number.
@@ -17,7 +17,7 @@ pub(in crate::code) enum Dimension {
 const NONE: f64 = 1.0 / 1_073_741_824.0;
 
 /// The dimensions of parameters for which every one of these expressions is a length.
-pub(in crate::code) fn dimensions(lengths: &[&Expr], parameters: &[Symbol]) -> Vec<Dimension> {
+pub(in crate::code) fn dimensions(lengths: &[&Expr], parameters: &[Symbol]) -> Vec<ParameterDimension> {
     let mut system = System { parameters, unknowns: parameters.len(), equations: Vec::new() };
     for own in lengths {
         let found = system.of(own);
@@ -29,11 +29,42 @@ pub(in crate::code) fn dimensions(lengths: &[&Expr], parameters: &[Symbol]) -> V
         .iter()
         .zip(solved)
         .map(|(symbol, own)| match own {
-            Some(exponent) if exponent.abs() < NONE && is_angle(symbol) => Dimension::Angle,
-            Some(exponent) => Dimension::Length((exponent / NONE).round() * NONE),
-            None => Dimension::Open,
+            Some(exponent) if exponent.abs() < NONE && is_angle(symbol) => ParameterDimension::Angle,
+            Some(exponent) => ParameterDimension::Length((exponent / NONE).round() * NONE),
+            None => ParameterDimension::Open,
         })
         .collect()
+}
+
+/// The size of tips: a micrometre.
+const MICROMETRE: f64 = 1e-6;
+/// Parameters whose factors are tried together.
+const MOST_PARAMETERS: usize = 6;
+/// Factors of lengths by turns, for conditions such as b < R.
+const FACTORS: [f64; 3] = [1.0, 4.0, 0.25];
+
+/// Values of the parameters for which no condition on them alone is known to fail: lengths of about a micrometre.
+pub(in crate::code) fn starting_values(dimensions: &[ParameterDimension], parameters: &[Symbol], conditions: &[Condition]) -> Vec<f64> {
+    let values = |pattern: usize| -> Vec<f64> {
+        let mut rest = pattern;
+        let one = |dimension: &ParameterDimension| match dimension {
+            ParameterDimension::Angle => 0.35,
+            ParameterDimension::Open => 1.0,
+            ParameterDimension::Length(exponent) => {
+                let factor = FACTORS[rest % FACTORS.len()];
+                rest /= FACTORS.len();
+                (factor * MICROMETRE).powf(*exponent)
+            }
+        };
+        dimensions.iter().map(one).collect()
+    };
+    let holds = |values: &Vec<f64>| {
+        let pairs = parameters.iter().zip(values).filter_map(|(own, value)| Some((own.name(), Expr::number(Number::from_f64(*value)?))));
+        let bindings: Bindings = pairs.collect();
+        conditions.iter().all(|own| own.substitute(&bindings).decided() != Some(false))
+    };
+    let patterns = FACTORS.len().pow(dimensions.len().min(MOST_PARAMETERS) as u32);
+    (0..patterns).map(values).find(holds).unwrap_or_else(|| values(0))
 }
 
 /// Whether a parameter is the argument of a sine, cosine or tangent.

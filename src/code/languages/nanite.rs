@@ -2,7 +2,7 @@
 
 use super::python::{Python, imports, routines};
 use super::{Target, comment, decimal, head};
-use crate::code::build::Dimension;
+use crate::code::build::ParameterDimension;
 use crate::code::program::{Program, routine_name};
 use crate::contact::Quantity;
 
@@ -17,13 +17,18 @@ pub(super) fn file(program: &Program) -> String {
     let listed = |own: &dyn Fn(&str) -> String| identifiers.iter().map(|name| own(name)).collect::<String>();
     let keys = listed(&|name| format!(" {name},"));
     let strings = listed(&|name| format!(" \"{name}\","));
-    let own: Vec<(&str, Unit)> = identifiers.iter().copied().zip(program.dimensions.iter().map(unit)).collect();
-    let listed_units = |write: &dyn Fn(&str, &Unit) -> String| own.iter().map(|(name, unit)| write(name, unit)).collect::<String>();
-    let defaults = listed_units(&|name, unit| {
-        format!("    params.add(\"{name}\", value={}, min=1e-12{}, vary=False)\n", decimal(unit.default), unit.most)
+    let own: Vec<Shown<'_>> = shown(program);
+    let of_all = |write: &dyn Fn(&Shown<'_>) -> String| own.iter().map(write).collect::<String>();
+    let defaults = of_all(&|own| {
+        let most = if own.unit == "rad" { ", max=1.57" } else { "" };
+        format!("    params.add(\"{}\", value={}, min=1e-12{most}, vary=False)\n", own.identifier, decimal(own.starting_value))
     });
-    let units = listed_units(&|_, unit| format!(" \"{}\",", unit.name));
-    let documented = listed_units(&|name, unit| format!("    {name}: float\n        Parameter of the shape [{}]\n", unit.named()));
+    let units = of_all(&|own| format!(" \"{}\",", own.unit));
+    let titles = of_all(&|own| format!(" \"{}\",", own.title()));
+    let documented = of_all(&|own| {
+        let unit = if own.unit.is_empty() { "no unit" } else { &own.unit };
+        format!("    {}: float\n        {} [{unit}]\n", own.identifier, own.meaning.unwrap_or("Parameter of the shape"))
+    });
     // Not the text of the profile: a name of a parameter may be of any kind.
     let described: Vec<String> = program
         .routines
@@ -89,7 +94,7 @@ model_func = indentation_force
 model_key = \"{key}\"
 model_name = \"{name}\"
 parameter_keys = [\"E\",{strings} \"nu\", \"contact_point\", \"baseline\"]
-parameter_names = [\"Young's Modulus\",{strings} \"Poisson's Ratio\", \"Contact Point\", \"Force Baseline\"]
+parameter_names = [\"Young's Modulus\",{titles} \"Poisson's Ratio\", \"Contact Point\", \"Force Baseline\"]
 parameter_units = [\"Pa\",{units} \"\", \"m\", \"N\"]
 valid_axes_x = [\"tip position\"]
 valid_axes_y = [\"force\"]
@@ -100,33 +105,45 @@ valid_axes_y = [\"force\"]
     text
 }
 
-/// The unit of a parameter, and the value that a fit starts from.
-struct Unit {
-    name: String,
-    default: f64,
-    /// An upper bound, as an argument of lmfit.
-    most: &'static str,
+/// A parameter as a model shows it.
+struct Shown<'a> {
+    identifier: &'a str,
+    meaning: Option<&'a str>,
+    unit: String,
+    starting_value: f64,
 }
 
-impl Unit {
-    fn named(&self) -> &str {
-        if self.name.is_empty() { "no unit" } else { &self.name }
+impl Shown<'_> {
+    /// The description in the manner of other models, or the identifier.
+    fn title(&self) -> String {
+        let Some(meaning) = self.meaning else { return self.identifier.to_owned() };
+        let mut letters = meaning.chars();
+        letters.next().map(|own| own.to_uppercase().chain(letters).collect()).unwrap_or_default()
     }
 }
 
-/// The size of tips: a micrometre.
-const MICROMETRE: f64 = 1e-6;
+fn shown(program: &Program) -> Vec<Shown<'_>> {
+    let meaning = |symbol: &str| {
+        let meanings = program.shape.iter().flat_map(|own| &own.meanings);
+        meanings.into_iter().find(|(name, _)| name == symbol).map(|(_, own)| own.as_str())
+    };
+    let all = program.parameters.iter().zip(&program.dimensions).zip(&program.starting_values);
+    all.map(|(((symbol, identifier), dimension), starting_value)| Shown {
+        identifier,
+        meaning: meaning(symbol),
+        unit: unit(dimension),
+        starting_value: *starting_value,
+    })
+    .collect()
+}
 
-fn unit(dimension: &Dimension) -> Unit {
-    let own = |name: &str, default: f64| Unit { name: name.to_owned(), default, most: "" };
+fn unit(dimension: &ParameterDimension) -> String {
     match dimension {
-        Dimension::Angle => Unit { most: ", max=1.57", ..own("rad", 0.35) },
-        Dimension::Open => own("SI", 1.0),
-        Dimension::Length(exponent) => match *exponent {
-            0.0 => own("", 1.0),
-            1.0 => own("m", MICROMETRE),
-            exponent => own(&format!("m^{exponent}"), MICROMETRE.powf(exponent)),
-        },
+        ParameterDimension::Angle => "rad".to_owned(),
+        ParameterDimension::Open => "SI".to_owned(),
+        ParameterDimension::Length(0.0) => String::new(),
+        ParameterDimension::Length(1.0) => "m".to_owned(),
+        ParameterDimension::Length(exponent) => format!("m^{exponent}"),
     }
 }
 
@@ -135,8 +152,8 @@ const LONGEST_NAME: usize = 60;
 
 /// The name that programs show: that of the shape, else the shape as typed, without what would end a string.
 fn name(program: &Program) -> String {
-    if let Some((_, title)) = &program.shape {
-        return format!("{title} (sneddon)");
+    if let Some(shape) = &program.shape {
+        return format!("{} (sneddon)", shape.title);
     }
     let plain = program.profile.chars().filter(|own| own.is_ascii_graphic() && !matches!(own, '"' | '\\') || *own == ' ');
     format!("f(r) = {}", plain.take(LONGEST_NAME).collect::<String>())
@@ -144,8 +161,8 @@ fn name(program: &Program) -> String {
 
 /// A key of the model: the name of the shape, else a number that differs from profile to profile.
 fn key(program: &Program) -> String {
-    if let Some((name, _)) = &program.shape {
-        return format!("sneddon_{}", name.replace('-', "_"));
+    if let Some(shape) = &program.shape {
+        return format!("sneddon_{}", shape.name.replace('-', "_"));
     }
     // FNV-1a.
     let hash = program.profile.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |own, byte| (own ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));

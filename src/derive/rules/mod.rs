@@ -29,6 +29,7 @@ mod wave;
 pub use outside::outside;
 pub use power::kappa;
 
+use crate::derive::angles;
 use crate::derive::rule::{Answer, Rule};
 use crate::derive::term::Term;
 use crate::num::work;
@@ -124,6 +125,9 @@ pub fn answer(term: &Term) -> Option<(&'static Rule, Answer)> {
     };
     let answers: Vec<(&'static Rule, Answer)> = RULES.iter().filter(|rule| rule.id != GENERAL.id).filter_map(|rule| apply(rule)).collect();
     let general: Vec<&str> = answers.iter().filter_map(|(rule, _)| rule.specializes).collect();
-    let nicest = answers.into_iter().find(|(rule, _)| !general.contains(&rule.id));
-    nicest.or_else(|| apply(GENERAL))
+    let nicest = answers.into_iter().find(|(rule, _)| !general.contains(&rule.id)).or_else(|| apply(GENERAL));
+    if !angles::has_angle(&term.segment.lower) && !term.segment.upper.as_ref().is_some_and(angles::has_angle) {
+        return nicest;
+    }
+    nicest.map(|(rule, own)| (rule, own.map(&angles::without_roots)))
 }

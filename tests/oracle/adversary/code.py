@@ -3,6 +3,7 @@
 The functions for g, F, p, d(a), a(d) and F(d) that `sneddon code` writes are compiled and called, those of typed profiles and those of the
 catalogue, at random places over the whole range of their claim, whose logarithms are uniform, in C and in those of rust, fortran, python
 and octave that `--lang` lists after it.
+With `--scale 1e-6` the catalogue is in metres, with tips of micrometres.
 A value is a fault if it is not a number, or if it differs from that of `sneddon eval` by more than its claim, times the condition number
 1 + sum |v df/dv|/|f| where the claim says so, and the bound of `eval`.
 Needs cc and the GNU Scientific Library, and the compilers and interpreters of the other languages.
@@ -162,10 +163,10 @@ def condition_number(own, moved):
     return 1 + sum(largest) / abs(own) if own else 1
 
 
-def points_of(program, profile, quantity, number, claim, chance):
+def points_of(program, profile, quantity, number, claim, chance, scale):
     """Return what `eval` says at random places in the range of a claim."""
     _, _, first, last = claim
-    last = last or 1e12 * first
+    first, last = scale * first, scale * (last or 1e12 * first)
 
     def drawn(number, most=last):
         return [first * (most / first) ** chance.random() for _ in range(number)]
@@ -186,7 +187,7 @@ def attack(program, profile, folder, options, count, chance):
         if text is None:
             count["refused"] += 1
             continue
-        found = points_of(program, profile, quantity, options.places, claim, chance)
+        found = points_of(program, profile, quantity, options.places, claim, chance, options.scale)
         names = names_of(text, quantity)
         calls = [arguments(names, profile, quantity, point) for point in found]
         conditions = None
@@ -212,6 +213,20 @@ def attack(program, profile, folder, options, count, chance):
             judge(values, found, conditions, claim, fault, count, language)
 
 
+def in_unit(program, profile, scale):
+    """Return the profile with its lengths in a unit that is `scale` long, or None if a model for nanite has no units for them."""
+    model = subprocess.run([program, "code", profile.text, "--lang", "nanite"], capture_output=True, text=True).stdout
+    found = {name: re.search(rf"^parameter_{name} = (.*)$", model, re.M) for name in ("keys", "units")}
+    if not all(found.values()):
+        return None
+    units = dict(zip(*(json.loads(own.group(1)) for own in found.values())))
+    if any(units.get(name, "SI") == "SI" for name in profile.values):
+        return None
+    exponents = {name: {"": 0.0, "rad": 0.0, "m": 1.0}.get(units[name]) for name in profile.values}
+    exponents = {name: float(units[name][2:]) if own is None else own for name, own in exponents.items()}
+    return SimpleNamespace(text=profile.text, values={name: own * scale ** exponents[name] for name, own in profile.values.items()})
+
+
 def judge(values, found, conditions, claim, fault, count, language):
     """Compare the values of a function with those of `eval`."""
     ulps, times, *_ = claim
@@ -233,11 +248,12 @@ def judge(values, found, conditions, claim, fault, count, language):
 
 
 def main():
-    parser = argparse.ArgumentParser(usage="code.py PROGRAM catalogue PLACES | typed FIRST COUNT PLACES  [--lang LANGUAGES]")
+    parser = argparse.ArgumentParser(usage="code.py PROGRAM catalogue PLACES | typed FIRST COUNT PLACES  [--lang LANGUAGES] [--scale LENGTH]")
     parser.add_argument("program")
     parser.add_argument("what", choices=["typed", "catalogue"])
     parser.add_argument("numbers", type=int, nargs="+")
     parser.add_argument("--lang", type=lambda own: own.split(","), default=[])
+    parser.add_argument("--scale", type=float, default=1.0)
     options = parser.parse_intermixed_args()
     options.places = options.numbers[-1]
     if options.what == "typed":
@@ -246,6 +262,8 @@ def main():
     else:
         entries = json.loads(PROFILES.read_text())
         profiles = [SimpleNamespace(text=own["f"], values={name: float(v) for name, v in own["params"].items()}) for own in entries]
+        if options.scale != 1.0:
+            profiles = [own for own in (in_unit(options.program, profile, options.scale) for profile in profiles) if own]
     count = Counter()
     with tempfile.TemporaryDirectory() as folder:
         for profile in profiles:

@@ -9,9 +9,9 @@ use sneddon_checks::seeds::takes;
 /// A name, a profile, its parameters, quantities and a claim.
 type Special = (&'static str, &'static str, &'static [(&'static str, &'static str)], &'static [Quantity], f64);
 
-/// Profiles with elliptic, Fresnel and hypergeometric functions, which the catalogue lacks, the quantities that are compared, and their
-/// largest claim.
-const SPECIAL: [Special; 11] = [
+/// Profiles with elliptic, Fresnel and hypergeometric functions and with slope angles, which the catalogue lacks, the quantities that are
+/// compared, and their largest claim.
+const SPECIAL: [Special; 12] = [
     ("arsinh", "h*asinh(r/b)", &[("b", "0.8"), ("h", "0.4")], G_AND_F, 16.0),
     ("arcsine", "h*asin(r/R)", &[("R", "1.7"), ("h", "0.4")], G_AND_F, 16.0),
     ("worn arsinh", "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))", &[("b", "1.3"), ("c", "0.4"), ("h", "0.4")], G_AND_F, 48.0),
@@ -23,6 +23,14 @@ const SPECIAL: [Special; 11] = [
     ("worn power", "piecewise(0, r<b, C*(r^n-b^n))", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
     ("power to an end", "piecewise(C*r^n, r<b, C*b^n)", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
     ("shifted power", "piecewise(0, r<b, C*(r-b)^n)", &[("C", "0.9"), ("b", "0.3"), ("n", "1.7")], G_AND_F, 16.0),
+    // 6328 where the difference of x² and (R sin θ)² is not factored.
+    (
+        "spherical cap",
+        "piecewise(R-sqrt(R^2-r^2), r<R*sin(theta), (r-R*sin(theta))*tan(theta)+R-R*cos(theta))",
+        &[("R", "1.7"), ("theta", "0.3")],
+        &[Quantity::Equivalent, Quantity::Force, Quantity::ForceOfDepth],
+        16.0,
+    ),
 ];
 const G_AND_F: &[Quantity] = &[Quantity::Equivalent, Quantity::Force];
 

@@ -307,12 +307,12 @@ fn difference_of_squares(terms: &[Expr]) -> Option<(Expr, Expr)> {
     Some((monomial_root(&plus)?, monomial_root(&minus)?))
 }
 
-/// The exact square root of a number times even powers of symbols.
+/// The exact square root of a number times even powers of symbols and functions.
 fn monomial_root(expr: &Expr) -> Option<Expr> {
     let factors = expr.factors();
     let roots = factors.iter().map(|factor| match factor.node() {
         Node::Number(number) => number.root(2).map(Expr::number),
-        Node::Power(base, exponent) if base.as_symbol().is_some() => {
+        Node::Power(base, exponent) if matches!(base.node(), Node::Symbol(_) | Node::Function(..)) => {
             let n = exponent.as_integer()?;
             (n % 2 == 0).then(|| base.power(n / 2))
         }
