@@ -70,9 +70,9 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         let (routines, quantities, profile, parameters) = (builder.routines, quantities.to_vec(), profile.to_owned(), parameters.clone());
         let (shape, claims) = (None, Vec::new());
         let program = Program { language, routines, quantities, parameters, library, dimensions, starting_values, profile, shape, claims };
-        Ok::<Program, CodeError>(claim::claimed(program, solution))
+        Ok::<Program, CodeError>(program)
     };
-    let closed = build(&[])?;
+    let closed = claim::claimed(build(&[])?, solution);
     // Use a series near the axis only where it improves the accuracy, because it costs code and time.
     let mut in_series: Vec<Quantity> = closed.poor().into_iter().flat_map(series_of).copied().collect();
     in_series.sort_by_key(|own| own.key());
@@ -81,11 +81,15 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         return closed.honest();
     }
     let other = build(&in_series)?;
+    if other.computes_as(&closed) {
+        return closed.honest();
+    }
+    let other = claim::claimed(other, solution);
     let better: Vec<Quantity> = in_series.iter().copied().filter(|own| other.has_smaller_claims(&closed, *own)).collect();
     match better.len() {
         0 => closed.honest(),
         count if count == in_series.len() => other.honest(),
-        _ => build(&better)?.honest(),
+        _ => claim::claimed(build(&better)?, solution).honest(),
     }
 }
 

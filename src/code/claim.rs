@@ -3,8 +3,8 @@
 use super::CodeError;
 use super::accuracy::{ASSUMED, Machine};
 use super::program::{Claim, Program, is_of_depth, needs_modulus, routine_name, series_of};
-use super::truth::{STEP, Truth, beyond, spacing};
-use crate::contact::Quantity;
+use super::truth::{Truth, beyond, spacing};
+use crate::contact::{Contact, Quantity};
 use crate::num::Bounded;
 use crate::transform::{Evaluator, Sampler, Solution, reach};
 
@@ -80,7 +80,7 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
             assumed.push(format!("{written} right to {ulps} ulp"));
         }
     }
-    let times = match claim.condition {
+    let times = match claim.conditional {
         Some(_) => " times the condition number",
         None => "",
     };
@@ -93,10 +93,10 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
         claim.ulps,
         assumed.join(" and ")
     )];
-    if let Some(condition) = claim.condition {
+    if let Some(largest) = claim.conditional {
         lines.push(format!(
-            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v; it was {} at most.",
-            if condition < 1e6 { format!("{condition:.0}") } else { format!("{condition:.0e}") }
+            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v. With it, the bound was {} ulp at most.",
+            if largest < 1e6 { format!("{largest:.0}") } else { format!("{largest:.0e}") }
         ));
     }
     let what = match quantity {
@@ -143,7 +143,7 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         let (mut list, mut ends) = places(&mut sampler, truth.contact.evaluator());
         if is_of_depth(quantity) {
             let furthest = list.iter().copied().fold(0.0, f64::max);
-            list = rising(list, truth.contact.evaluator());
+            list = rising(list, &truth.contact);
             // Beyond a maximum of g no depth has its first root.
             ends.1 = list.last().copied().filter(|last| *last < furthest).unwrap_or(ends.1);
         }
@@ -165,7 +165,7 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         own.ulps
     };
     let whole = |ulps: f64| (ulps * ROOM).ceil();
-    let mut claim = Claim { ulps: 0.0, condition: None, points: found.len(), range, worst_at: found.first()?.place };
+    let mut claim = Claim { ulps: 0.0, conditional: None, points: found.len(), range, worst_at: found.first()?.place };
     for own in &mut found {
         // The running bounds fall from here on.
         let is_last = whole(own.ulps) <= PLAIN;
@@ -180,7 +180,7 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
     if claim.ulps <= PLAIN {
         return Some(claim);
     }
-    let (mut relative, mut largest, mut worst_at) = (0.0_f64, 1.0_f64, claim.worst_at);
+    let (mut relative, mut largest, mut worst_at) = (0.0_f64, 0.0_f64, claim.worst_at);
     for own in &mut found {
         // Condition numbers are 1 or more.
         if !own.is_refined && own.ulps <= relative {
@@ -191,13 +191,14 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         if ulps <= relative {
             continue;
         }
-        let Some(condition) = truth.condition(&own.coordinates, own.place) else { continue };
-        largest = largest.max(condition);
+        // A larger condition number changes nothing.
+        let Some(condition) = truth.condition(&own.coordinates, own.place, ulps / relative) else { continue };
+        largest = largest.max(ulps);
         if ulps / condition > relative {
             (relative, worst_at) = (ulps / condition, own.place);
         }
     }
-    Some(Claim { ulps: whole(relative), condition: Some(largest), worst_at, ..claim })
+    Some(Claim { ulps: whole(relative), conditional: Some(whole(largest)), worst_at, ..claim })
 }
 
 /// The error in ulps at a point: the running bound, or the one to first order if the machine keeps a record.
@@ -229,17 +230,25 @@ fn places(sampler: &mut Sampler, evaluator: &Evaluator<'_>) -> (Vec<f64>, (f64, 
 }
 
 /// Returns the places from the first one with g > 0 up to the first maximum of g: each is the contact radius of its depth.
-fn rising(mut list: Vec<f64>, evaluator: &Evaluator<'_>) -> Vec<f64> {
+fn rising(mut list: Vec<f64>, contact: &Contact<'_>) -> Vec<f64> {
     list.sort_by(f64::total_cmp);
-    let depth = |place: f64| evaluator.slope(place).map_or(f64::NAN, |own| own.estimate.value);
+    let depth = |place: f64| contact.evaluator().slope(place).map_or(f64::NAN, |own| own.estimate.value);
     let mut before = 0.0;
-    list.into_iter()
+    let mut places: Vec<f64> = list
+        .into_iter()
         .map(|place| (place, depth(place)))
         .skip_while(|(_, own)| *own <= 0.0)
         .take_while(|(_, own)| *own >= std::mem::replace(&mut before, *own))
         .map(|(place, _)| place)
-        .collect()
+        .collect();
+    // A maximum between two places hides where g is larger at the second one.
+    let is_first = |place: &f64| contact.contact_radius(depth(*place)).is_ok_and(|own| own.estimate.value >= place * (1.0 - HALF_WAY));
+    places.truncate(places.partition_point(is_first));
+    places
 }
+
+/// A root is another one if it lies nearer to the axis by this part.
+const HALF_WAY: f64 = 1e-3;
 
 /// The parts of the contact radius at which pressures are compared, by turns.
 const PARTS: [f64; 6] = [1e-4, 0.7, 0.1, 0.95, 0.4, 0.9999];
@@ -260,8 +269,7 @@ fn arguments_at(quantity: Quantity, place: f64, index: usize, evaluator: &Evalua
 /// error of the root counts in second order only. Errors of g and F are their bounds, or their differences from the values of the
 /// program.
 fn solved(machine: &mut Machine<'_>, truth: &Truth<'_>, a: f64) -> Option<f64> {
-    let [more, less] = [1.0 + STEP, 1.0 - STEP].map(|factor| truth.exact(Quantity::Equivalent, a * factor));
-    let slope = (more?.value - less?.value) / (2.0 * STEP * a);
+    let slope = truth.slope(a)?;
     let mut at = |routine: &str, arguments: &[f64]| machine.traced(routine, &[arguments, &truth.values].concat());
     let own = at("sneddon_g", &[a])?;
     if !(slope > 0.0 && own.bounded.value > 0.0) {

@@ -125,9 +125,7 @@ impl Recorder {
             ("pressure_power", [n, ..]) if !whole(*n) => self.named("pressure_power_real", arguments),
             ("hyp2f1", [a, b, c, z]) if is(*a, 1.0) || is(*a, 2.0) => self.named("hyp2f1_of_whole", &[*b, *a, *c, *z]),
             ("hyp2f1", [_, b, ..]) if is(*b, 1.0) || is(*b, 2.0) => self.named("hyp2f1_of_whole", arguments),
-            ("betainc", [a, b, start, end]) if is(*start, 0.0) => {
-                beta::from_zero(self, *a, *b, *end).unwrap_or_else(|| self.named(name, arguments))
-            }
+            ("betainc", [a, b, start, end]) if is(*start, 0.0) => beta::from_zero(self, *a, *b, *end),
             ("ellipe", [_, _]) => self.named("ellipe_incomplete", arguments),
             ("fresnelc", [z]) => {
                 let kind = self.number(0.0);
@@ -259,6 +257,11 @@ impl Algebra for Recorder {
     }
 
     fn real_power(&mut self, a: u32, nearest: f64, rest: Precise) -> u32 {
+        if let Some(constant) =
+            self.folded(&[a], |own| own.first().map_or(Precise::nan(), |a| PreciseAlgebra.real_power(*a, nearest, rest)))
+        {
+            return constant;
+        }
         // a^(n + t) = a^n (1 + t ln a) to all digits: t is below half an ulp of n.
         let (exponent, rest, one) = (self.number(nearest), self.constant(rest), self.number(1.0));
         let power = self.power(a, exponent);

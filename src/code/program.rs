@@ -74,6 +74,14 @@ pub(super) fn unit(quantity: Quantity, length: Option<&str>) -> String {
     }
 }
 
+impl Program {
+    /// Whether two programs have the same operations.
+    pub(super) fn computes_as(&self, other: &Self) -> bool {
+        let bodies = |own: &Self| own.routines.iter().map(|own| own.body.clone()).collect::<Vec<_>>();
+        bodies(self) == bodies(other)
+    }
+}
+
 /// Whether the effective modulus is an argument.
 pub(super) fn needs_modulus(quantity: Quantity) -> bool {
     [contact::Dimension::FORCE, contact::Dimension::PRESSURE].contains(&quantity.dimension())
@@ -103,8 +111,8 @@ pub(super) fn routine_name(quantity: Quantity) -> String {
 pub struct Claim {
     /// Units in the last place.
     pub ulps: f64,
-    /// Where the ulps are times the condition number: the largest one at the points.
-    pub condition: Option<f64>,
+    /// Where the ulps are times the condition number: the largest bound at the points, with that number.
+    pub conditional: Option<f64>,
     /// At how many points.
     pub points: usize,
     /// The coordinates between which the points lie; the second one is infinite if the points reach to the end of the profile.

@@ -25,7 +25,7 @@ const SEEN: usize = 80;
 /// Terms may be this much larger than their sum.
 const CANCELLING: f64 = 32.0;
 /// Terms may grow by this factor beyond the first one.
-const GROWING: f64 = 16.0;
+const GROWING: f64 = 1e6;
 
 /// The series of the first pieces of a profile at `coordinate`; `None` if no recurrence is known.
 ///

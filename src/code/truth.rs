@@ -66,7 +66,7 @@ impl<'a> Truth<'a> {
             }
             (Quantity::Radius, [d]) => {
                 // One step of Newton's method, which is accurate to second order because `place` is near the root.
-                let rise = (g(place * (1.0 + STEP))?.value - g(place * (1.0 - STEP))?.value) / (2.0 * STEP * place);
+                let rise = slope(contact, place, g)?;
                 let depth = g(place)?;
                 let step = (d - depth.value) / rise;
                 return Some(Bounded::checked(place + step, depth.error / rise.abs() + STEP * step.abs() + spacing(place)));
@@ -74,6 +74,11 @@ impl<'a> Truth<'a> {
             _ => return None,
         };
         Some(reading.bounded())
+    }
+
+    /// g′ at a radius.
+    pub(super) fn slope(&self, a: f64) -> Option<f64> {
+        slope(&self.contact, a, |x| self.exact(Quantity::Equivalent, x))
     }
 
     /// The reference value of g or F at a radius.
@@ -94,8 +99,9 @@ impl<'a> Truth<'a> {
         Some(own.error.max(beyond(own.value - exact.value, exact.error)) / spacing(exact.value))
     }
 
-    /// 1 + Σ |v ∂f/∂v|/|f| over the coordinates, E and the parameters; `None` if a neighbouring value is unknown.
-    pub(super) fn condition(&mut self, coordinates: &[f64], place: f64) -> Option<f64> {
+    /// 1 + Σ |v ∂f/∂v|/|f| over the coordinates, E and the parameters, or a part of the sum that is at least `enough`; `None` if a
+    /// neighbouring value is unknown.
+    pub(super) fn condition(&mut self, coordinates: &[f64], place: f64, enough: f64) -> Option<f64> {
         let mut total = if needs_modulus(self.quantity) { 2.0 } else { 1.0 };
         let Bounded { value, .. } = self.value(&self.contact, coordinates, place)?;
         // Use the larger change of both sides, which have the same sign at the crest of a short wave.
@@ -110,6 +116,9 @@ impl<'a> Truth<'a> {
             let change = |step: f64| share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place)));
             total += steepest(STEPS.into_iter(), change)?;
         }
+        if total >= enough {
+            return Some(total);
+        }
         if self.moved.is_none() {
             self.moved = Some(self.moved_parameters());
         }
@@ -117,6 +126,9 @@ impl<'a> Truth<'a> {
             let at = |pair: &[Contact<'a>; 2]| pair.each_ref().map(|own| self.value(own, coordinates, place));
             let change = |wanted: f64| moved.iter().find(|(step, _)| *step == wanted).and_then(|(step, pair)| share(*step, at(pair)));
             total += steepest(moved.iter().map(|own| own.0), change)?;
+            if total >= enough {
+                break;
+            }
         }
         Some(total)
     }
@@ -138,6 +150,14 @@ impl<'a> Truth<'a> {
         };
         self.names.iter().zip(&self.values).map(moved).collect()
     }
+}
+
+/// g′ at a radius by a difference, which does not reach beyond a kink: next to it, g may be steep.
+fn slope(contact: &Contact<'_>, a: f64, g: impl Fn(f64) -> Option<Bounded>) -> Option<f64> {
+    let kinks = contact.evaluator().breakpoints_below(a * (1.0 + STEP));
+    let step = kinks.into_iter().map(|kink| 0.25 * (a - kink).abs()).filter(|gap| *gap > 0.0).fold(STEP * a, f64::min);
+    let (above, below) = (a + step, a - step);
+    Some((g(above)?.value - g(below)?.value) / (above - below))
 }
 
 /// The largest of the changes over the steps; `None` if it is unknown.

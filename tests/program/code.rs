@@ -94,7 +94,7 @@ fn cases(entry: &Entry, near: &Near<'_>, module: &str, own: Quantity, made: &Pro
     let end = reach(evaluator);
     // The condition number itself is known to some digits.
     let claimed = |coordinates: &[f64], place: f64, more: f64| {
-        (claim.ulps + more) * claim.condition.map_or(1.0, |_| 1.01 * near.condition(own, coordinates, place))
+        (claim.ulps + more) * claim.conditional.map_or(1.0, |_| 1.01 * near.condition(own, coordinates, place))
     };
     let mut list = Vec::new();
     // Integrals of mpmath over 24 decades of the radius.

@@ -1,33 +1,46 @@
 //! The incomplete Beta function of a segment from b to x, with b^2/x^2 from the lengths.
 
-use super::equal::equal;
+use super::equal::{CLOSE, samples};
 use super::{Recorder, Step};
+use crate::code::tree::Operator;
 use crate::eval::Algebra;
 
-/// The integral of t^(a - 1) (1 - t)^(b - 1) from 0 to the given end, if the end or 1 less it is the square of a ratio of lengths: a
-/// difference from 1 would lose its digits where the end is next to 1.
-pub(super) fn from_zero(recorder: &mut Recorder, a: u32, b: u32, end: u32) -> Option<u32> {
+/// The integral of t^(a - 1) (1 - t)^(b - 1) from 0 to the given end.
+///
+/// 1 less the end is needed as well; it is not computed as a difference where that would lose its digits. If the end or 1 less it is the
+/// square of a ratio of lengths, the other one is computed from these lengths, and if the end is a difference from 1, its subtrahend is used.
+pub(super) fn from_zero(recorder: &mut Recorder, a: u32, b: u32, end: u32) -> u32 {
     let one = recorder.number(1.0);
-    let rest = recorder.subtract(one, end);
-    if let Some((short, long)) = ratio(recorder, rest) {
+    let subtrahend = match recorder.steps.get(end as usize) {
+        Some(Step::Binary(Operator::Subtract, whole, part)) if *whole == one => Some(*part),
+        _ => None,
+    };
+    let difference = subtrahend.unwrap_or_else(|| recorder.subtract(one, end));
+    let rest = if let Some((short, long)) = ratio(recorder, difference) {
         let quotient = recorder.divide(short, long);
-        let rest = recorder.multiply(quotient, quotient);
-        return Some(recorder.named("betainc_from_zero", &[a, b, end, rest]));
-    }
-    let (short, long) = ratio(recorder, end)?;
-    let (gap, sum) = (recorder.subtract(long, short), recorder.add(long, short));
-    let (first, second) = (recorder.divide(gap, long), recorder.divide(sum, long));
-    let rest = recorder.multiply(first, second);
-    Some(recorder.named("betainc_from_zero", &[a, b, end, rest]))
+        recorder.multiply(quotient, quotient)
+    } else if let Some((short, long)) = ratio(recorder, end) {
+        let (gap, sum) = (recorder.subtract(long, short), recorder.add(long, short));
+        let (first, second) = (recorder.divide(gap, long), recorder.divide(sum, long));
+        recorder.multiply(first, second)
+    } else {
+        difference
+    };
+    recorder.named("betainc_from_zero", &[a, b, end, rest])
 }
 
-/// Two inputs or constants, the square of whose ratio is a value.
-fn ratio(recorder: &mut Recorder, value: u32) -> Option<(u32, u32)> {
-    let is_length = |own: &Step| matches!(own, Step::Input(_) | Step::Constant(..));
-    let lengths: Vec<u32> = (0..).zip(&recorder.steps).filter(|(_, own)| is_length(own)).map(|(place, _)| place).collect();
-    lengths.iter().flat_map(|short| lengths.iter().map(move |long| (*short, *long))).find(|(short, long)| {
-        let ratio = recorder.divide(*short, *long);
-        let square = recorder.multiply(ratio, ratio);
-        equal(recorder, square, value)
-    })
+/// The most values that are taken for lengths.
+const MOST_LENGTHS: usize = 64;
+
+/// Two values, the square of whose ratio is a value; the last ones, because powers are corrected after they are computed.
+fn ratio(recorder: &Recorder, value: u32) -> Option<(u32, u32)> {
+    let places = (0..).zip(&recorder.steps).map(|(place, _)| place).take(MOST_LENGTHS);
+    let lengths: Vec<(u32, Vec<f64>)> = places.filter_map(|place| Some((place, samples(recorder, place)?))).collect();
+    let squares = samples(recorder, value)?;
+    let is_ratio = |short: &[f64], long: &[f64]| {
+        let all = short.iter().zip(long).zip(&squares);
+        all.into_iter().all(|((short, long), square)| ((short / long).powi(2) - square).abs() <= CLOSE * square.abs())
+    };
+    let pairs = lengths.iter().rev().flat_map(|short| lengths.iter().rev().map(move |long| (short, long)));
+    pairs.into_iter().find(|(short, long)| is_ratio(&short.1, &long.1)).map(|(short, long)| (short.0, long.0))
 }

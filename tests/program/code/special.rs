@@ -11,7 +11,7 @@ type Special = (&'static str, &'static str, &'static [(&'static str, &'static st
 
 /// Profiles with elliptic, Fresnel and hypergeometric functions and with slope angles, which the catalogue lacks, the quantities that are
 /// compared, and their largest claim.
-const SPECIAL: [Special; 12] = [
+const SPECIAL: [Special; 16] = [
     ("arsinh", "h*asinh(r/b)", &[("b", "0.8"), ("h", "0.4")], G_AND_F, 16.0),
     ("arcsine", "h*asin(r/R)", &[("R", "1.7"), ("h", "0.4")], G_AND_F, 16.0),
     ("worn arsinh", "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))", &[("b", "1.3"), ("c", "0.4"), ("h", "0.4")], G_AND_F, 48.0),
@@ -31,7 +31,12 @@ const SPECIAL: [Special; 12] = [
         &[Quantity::Equivalent, Quantity::Force, Quantity::ForceOfDepth],
         16.0,
     ),
+    ("fractional cusp", "abs(r^1.2-b)", &[("b", "0.3")], G_AND_F, 17.0),
+    ("worn arctangent", "piecewise(0, r<b, h*(atan(r/w)-atan(b/w)))", &[("b", "0.3"), ("h", "0.4"), ("w", "1.3")], FORCES, 64.0),
+    ("grown polynomial", "r^2*h+(exp(r)-1)*r^5", &[("h", "0.4")], FORCES, 16.0),
+    ("truncated cone of numbers", "piecewise(0, r<0.9, r-0.9)", &[], &[Quantity::Radius], 7.0),
 ];
+const FORCES: &[Quantity] = &[Quantity::Force, Quantity::ForceOfDepth];
 const G_AND_F: &[Quantity] = &[Quantity::Equivalent, Quantity::Force];
 
 #[test]

@@ -1,9 +1,12 @@
 //! Integrals of powers of r − b over a segment, with about 30 digits.
 
+use super::atan2;
 use crate::double_double::{DoubleDouble, Precise};
 
 /// Bound on the error of the series, in units of 2^-104: a hundred sums at most.
 const SERIES: f64 = 100.0;
+/// Bound on the error of the angle, in the same units: at most 1.3 against mpmath at 20,000 pairs of ends.
+const ANGLE: f64 = 4.0;
 /// Larger powers on a segment with an upper end are left to double precision.
 const LARGEST: u32 = 24;
 
@@ -62,12 +65,17 @@ fn open(k: u32, b: DoubleDouble, x: DoubleDouble) -> Precise {
     if height.hi.is_nan() || height.hi <= 0.0 {
         return Precise::exact(0.0);
     }
+    if k == 0 {
+        // acos(b/x) from the sides of its triangle, which keeps the digits of x − b.
+        let (short, long) = (height.div(x), x.add(b).div(x));
+        return Precise::relative(atan2(short.mul(long).sqrt(), b.div(x)), ANGLE);
+    }
     let height = Precise::relative(height, 1.0);
     let across = Precise { value: x.scale(2.0), error: 0.0 };
     let series = Precise::relative(series(k, height.div(across).value), SERIES);
     let beta = (1..=k)
         .fold(Precise::exact(2.0), |beta, j| beta.mul(Precise::exact(2.0 * f64::from(j))).div(Precise::exact(2.0 * f64::from(j) + 1.0)));
-    let power = if k == 0 { Precise::exact(1.0) } else { height.pow(Precise::exact(f64::from(k))) };
+    let power = height.pow(Precise::exact(f64::from(k)));
     power.mul(height.div(across).sqrt()).mul(beta).mul(series)
 }
 

@@ -137,6 +137,7 @@ impl Place<'_> {
                 let sine = self.x.power(2) * (upper.power(2) - self.lower.power(2)) / (upper * &b + self.lower * &c);
                 Expr::call("atan", [sine / (self.lower * upper + b * c)])
             }
+            (false, None) if self.stable => Expr::call("angle_from", [self.lower.clone(), self.x.clone()]),
             (false, _) => self.difference(arc),
         }
     }
