@@ -168,7 +168,11 @@ impl Settings {
                     [only] => format!("it has {only}"),
                     many => format!("it has {}", many.iter().map(Symbol::name).collect::<Vec<_>>().join(", ")),
                 };
-                let help = if name.trim() == "E" { "E is the effective modulus, and not a parameter of the shape" } else { form };
+                let help = if name.trim() == "E" {
+                    "E is the effective modulus, and not a parameter of the shape; generated functions have it as an argument"
+                } else {
+                    form
+                };
                 return Err(Failure::new(format!("the profile has no parameter {}; {own}", name.trim())).help(help));
             };
             if settings.iter().any(|known| known.symbol == symbol) {

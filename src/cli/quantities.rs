@@ -44,9 +44,11 @@ impl Quantities {
     /// Returns the quantity with a key or a left side in other letters, such as `F_of_D` or `F(d)`, or else that with the shortest title
     /// that contains every word of a text, such as `force` or `contact_radius`.
     fn meant(&self, typed: &str) -> Option<Quantity> {
-        let plain = typed.replace(' ', "");
+        let letters = |text: &str| text.chars().filter(char::is_ascii_alphanumeric).collect::<String>();
+        let plain = letters(typed);
         let all = || Quantity::ALL.iter().copied().filter(|own| (self.0)(*own).is_ok());
-        if let Some(own) = all().find(|own| own.left(false) == plain).or_else(|| all().find(|own| own.key().eq_ignore_ascii_case(&plain))) {
+        let of_side = all().find(|own| letters(own.left(false)) == plain);
+        if let Some(own) = of_side.or_else(|| all().find(|own| letters(own.key()).eq_ignore_ascii_case(&plain))) {
             return Some(own);
         }
         let typed = typed.to_lowercase();

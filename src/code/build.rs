@@ -9,17 +9,13 @@ use super::claim;
 use super::lower::{Names, lowered};
 use super::program::Claim;
 use super::program::Language;
-use super::program::{Program, is_of_depth, needs_modulus, routine_name, series_of, unit};
+use super::program::{Program, QUANTITIES, is_of_depth, needs_modulus, routine_name, series_of, unit};
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, FORMS, names, read};
 use crate::contact::{Edge, Explicit, Quantity, explicit, relations};
 use crate::expr::{Bindings, Condition, Expr, Node, Relation, Symbol};
 use crate::print;
 use crate::transform::{Derived, EvaluatedChain, Solution, Superposed};
-
-/// The quantities for which code can be generated.
-pub const QUANTITIES: [Quantity; 6] =
-    [Quantity::Equivalent, Quantity::Force, Quantity::Pressure, Quantity::Depth, Quantity::Radius, Quantity::ForceOfDepth];
 
 /// The coordinates of a quantity, in the order of the arguments.
 pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {

@@ -87,7 +87,7 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     let (from, to) = claim.range;
     let coordinate = if quantity == Quantity::Pressure || is_of_depth(quantity) { "a" } else { quantity.coordinate() };
     let to = if to.is_finite() { at_most(to) } else { "the end of the domain".to_owned() };
-    let parameters = if program.parameters.is_empty() { "" } else { " and parameters between 1/4 and 4" };
+    let parameters = if program.parameters.is_empty() { "" } else { " and parameters between 1/4 and 4 in any unit of length" };
     let mut lines = vec![format!(
         "Accuracy: at most {} ulp{times} for {coordinate} from {from:.0e} to {to}{parameters}, for {}.",
         claim.ulps,
@@ -95,7 +95,7 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     )];
     if let Some(largest) = claim.conditional {
         lines.push(format!(
-            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v. With it, the bound was {} ulp at most.",
+            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v. With it, the bound was at most {} ulp.",
             if largest < 1e6 { format!("{largest:.0}") } else { format!("{largest:.0e}") }
         ));
     }

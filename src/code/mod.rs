@@ -20,10 +20,10 @@ mod summed;
 mod tree;
 mod truth;
 
-pub use build::{QUANTITIES, program};
+pub use build::program;
 pub use error::CodeError;
 pub use languages::write;
-pub use program::{Claim, Language, NamedShape, Program};
+pub use program::{Claim, Language, NamedShape, Program, QUANTITIES};
 
 /// The stable forms, and the special functions.
 const FORMS: &str = concat!(include_str!("forms.txt"), include_str!("special.txt"));

@@ -4,6 +4,10 @@ use super::build::ParameterDimension;
 use super::tree::Routine;
 use crate::contact::{self, Quantity};
 
+/// The quantities for which code can be generated.
+pub const QUANTITIES: [Quantity; 6] =
+    [Quantity::Equivalent, Quantity::Force, Quantity::Pressure, Quantity::Depth, Quantity::Radius, Quantity::ForceOfDepth];
+
 /// The routines that compute the quantities of a profile.
 #[derive(Clone, Debug)]
 pub struct Program {
@@ -49,7 +53,7 @@ impl Program {
     /// Sets the unit of lengths, which comments state; without it, all lengths are in one unit.
     #[must_use]
     pub fn with_length_unit(mut self, length: &str) -> Self {
-        for quantity in self.quantities.clone() {
+        for quantity in QUANTITIES {
             let of_quantity = self.routines.iter_mut().filter(|own| own.name == routine_name(quantity));
             let lines = of_quantity.flat_map(|own| &mut own.comment).filter(|own| **own == unit(quantity, None));
             lines.for_each(|own| *own = unit(quantity, Some(length)));

@@ -49,6 +49,7 @@ const RELATIVES: &[(&str, &[(Kind, &str)])] = &[
     ("hyperboloid", &[(Kind::Paraboloid, "b^2/h"), (Kind::Cone, "h/b")]),
     ("truncated-cone", &[(Kind::Cone, "tan(theta)"), (Kind::Flat, "b")]),
     ("truncated-paraboloid", &[(Kind::Paraboloid, "R"), (Kind::Flat, "b")]),
+    ("worn-sphere", &[(Kind::Paraboloid, "R"), (Kind::Flat, "b")]),
     ("cone-with-spherical-cap", &[(Kind::Cone, "tan(theta)"), (Kind::Paraboloid, "R")]),
     ("cone-with-parabolic-cap", &[(Kind::Cone, "tan(theta)"), (Kind::Paraboloid, "R"), (Kind::Paraboloid, "b/tan(theta)")]),
     ("paraboloid-with-parabolic-cap", &[(Kind::Paraboloid, "P"), (Kind::Paraboloid, "R")]),

@@ -158,11 +158,21 @@ pub const SHAPES: &[Shape] = &[
     },
     Shape {
         name: "truncated-paraboloid",
-        title: "paraboloid with a flat end, a worn sphere",
+        title: "paraboloid with a flat end: a worn sphere for a contact that is small compared with R",
         source: "Popov & Heß (3.29)–(3.35)",
         ways: &[Way {
             f: "piecewise(0, r<b, (r^2-b^2)/(2*R))",
             parameters: &[p("b", "1 um", "radius of the flat end"), p("R", "10 um", "radius of curvature")],
+        }],
+        rim: None,
+    },
+    Shape {
+        name: "worn-sphere",
+        title: "sphere with a flat end, exactly",
+        source: "pieces of Popov & Heß (3.71)–(3.78)",
+        ways: &[Way {
+            f: "piecewise(0, r<b, sqrt(R^2-b^2)-sqrt(R^2-r^2))",
+            parameters: &[p("b", "1 um", "radius of the flat end"), p("R", "10 um", "radius of the sphere")],
         }],
         rim: None,
     },
@@ -269,7 +279,8 @@ const OTHER_NAMES: &[(&str, &str)] = &[
     ("spheroconical", "cone-with-spherical-cap"),
     ("worn-cone", "truncated-cone"),
     ("frustum", "truncated-cone"),
-    ("worn-sphere", "truncated-paraboloid"),
+    ("truncated-sphere", "worn-sphere"),
+    ("worn-paraboloid", "truncated-paraboloid"),
     ("ball", "sphere"),
     ("pyramid", "berkovich"),
     ("area-function", "oliver-pharr"),

@@ -847,6 +847,15 @@ fn models_for_nanite_have_the_key_and_the_units_of_their_shape() {
     assert_eq!(run(&[&sphere[..], &["R=5e-6 m"]].concat()).code, 0);
 }
 
+/// Class "a quantity as it is written in formulas".
+#[test]
+fn quantities_are_suggested_by_their_letters() {
+    for typed in ["F(d)", "Fd", "F_d", "f_of_D"] {
+        refused(b"", &["code", "r^2", "--lang", "c", "--quantity", typed], &["did you mean F_of_d?"]);
+    }
+    refused(b"", &["eval", "r^2", "--at", "1", "--quantity", "a(d)"], &["did you mean a?"]);
+}
+
 /// Comments of generated code state the unit of lengths, E, the conditions once and the largest depth; `octave` is MATLAB.
 #[test]
 fn comments_of_code_state_units_and_the_domain() {
@@ -856,6 +865,9 @@ fn comments_of_code_state_units_and_the_domain() {
     assert!(text.contains("% Units: lengths in one unit; E is the effective modulus, a pressure;"), "{text}");
     let text = run(&["code", worn, "--set", "R=5 um", "--quantity", "g,F", "--lang", "c"]).stdout;
     assert!(text.contains("// Units: all lengths in um.\n") && text.contains("F in the unit of E times um^2.\n"), "{text}");
+    // The helpers, which are not requested, state the unit too; names of languages ignore case.
+    let text = run(&["code", "--shape", "worn-sphere", "--set", "R=5 um", "--quantity", "F_of_d", "--lang", "C"]).stdout;
+    assert!(text.contains("// Units: all lengths in um.\n") && !text.contains("the same unit"), "{text}");
     let text = run(&["code", "--shape", "cone-with-spherical-cap", "--quantity", "g", "--lang", "c"]).stdout;
     assert!(text.contains("// Domain: x >= 0, R > 0, theta > 0, theta < pi/2.\n"), "{text}");
 }

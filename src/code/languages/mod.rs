@@ -255,7 +255,7 @@ pub(super) fn head(program: &Program) -> Vec<String> {
     let mut lines = vec![
         format!("Contact of a rigid axisymmetric indenter with the shape f(r) = {}.", program.profile),
         format!(
-            "Written by sneddon {}; the functions are in closed form, operations are ordered to avoid cancellation.",
+            "Written by sneddon {} from closed forms of g and F, with operations in an order that avoids cancellation.",
             env!("CARGO_PKG_VERSION")
         ),
     ];

@@ -29,12 +29,13 @@ pub(super) fn file(program: &Program) -> String {
         let unit = if own.unit.is_empty() { "no unit" } else { &own.unit };
         format!("    {}: float\n        {} [{unit}]\n", own.identifier, own.meaning.unwrap_or("Parameter of the shape"))
     });
-    // Not the text of the profile: a name of a parameter may be of any kind.
+    // E of the function is the effective modulus, and that of the model Young's modulus.
     let described: Vec<String> = program
         .routines
         .iter()
         .filter(|own| own.name == routine_name(Quantity::ForceOfDepth))
         .flat_map(|own| own.comment.clone())
+        .filter(|own| !own.starts_with("Units: "))
         .collect();
     let described = comment(&described, "    ").replace('"', " ");
     let arguments = identifiers.iter().map(|own| format!(", {own}")).collect::<String>();
@@ -60,7 +61,7 @@ def _force_at(depth, modulus{arguments}):
 
 
 def indentation_force(delta, E,{keys} nu, contact_point=0, baseline=0):
-    r\"\"\"Force of an indenter with a closed form of the equivalent profile
+    r\"\"\"Force of a rigid indenter: {title}
 
 {described}
     Parameters
@@ -99,6 +100,7 @@ parameter_units = [\"Pa\",{units} \"\", \"m\", \"N\"]
 valid_axes_x = [\"tip position\"]
 valid_axes_y = [\"force\"]
 ",
+        title = title(program),
         key = key(program),
         name = name(program),
     ));
@@ -150,10 +152,16 @@ fn unit(dimension: &ParameterDimension) -> String {
 /// The longest name that is shown.
 const LONGEST_NAME: usize = 60;
 
-/// The name that programs show: that of the shape, else the shape as typed, without what would end a string.
+/// The name that programs show.
 fn name(program: &Program) -> String {
+    let own = if program.shape.is_some() { " (sneddon)" } else { "" };
+    format!("{}{own}", title(program))
+}
+
+/// The title of the shape, else the shape as typed, without what would end a string.
+fn title(program: &Program) -> String {
     if let Some(shape) = &program.shape {
-        return format!("{} (sneddon)", shape.title);
+        return shape.title.clone();
     }
     let plain = program.profile.chars().filter(|own| own.is_ascii_graphic() && !matches!(own, '"' | '\\') || *own == ' ');
     format!("f(r) = {}", plain.take(LONGEST_NAME).collect::<String>())
