@@ -242,13 +242,13 @@ fn rising(mut list: Vec<f64>, contact: &Contact<'_>) -> Vec<f64> {
         .map(|(place, _)| place)
         .collect();
     // A maximum between two places hides where g is larger at the second one.
-    let is_first = |place: &f64| contact.contact_radius(depth(*place)).is_ok_and(|own| own.estimate.value >= place * (1.0 - HALF_WAY));
+    let is_first = |place: &f64| contact.contact_radius(depth(*place)).is_ok_and(|own| own.estimate.value >= place * (1.0 - APART));
     places.truncate(places.partition_point(is_first));
     places
 }
 
 /// A root is another one if it lies nearer to the axis by this part.
-const HALF_WAY: f64 = 1e-3;
+const APART: f64 = 1e-3;
 
 /// The parts of the contact radius at which pressures are compared, by turns.
 const PARTS: [f64; 6] = [1e-4, 0.7, 0.1, 0.95, 0.4, 0.9999];
