@@ -5,7 +5,7 @@ use super::accuracy::{ASSUMED, Machine};
 use super::program::{Claim, Program, is_of_depth, needs_modulus, routine_name, series_of};
 use super::truth::{Truth, beyond, spacing};
 use crate::contact::{Contact, Quantity};
-use crate::num::Bounded;
+use crate::num::{Bounded, work};
 use crate::transform::{Evaluator, Sampler, Solution, reach};
 
 /// Sets of parameters.
@@ -95,7 +95,7 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     )];
     if let Some(largest) = claim.conditional {
         lines.push(format!(
-            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v. With it, the bound was at most {} ulp.",
+            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v. With it, the largest bound was {} ulp.",
             if largest < 1e6 { format!("{largest:.0}") } else { format!("{largest:.0e}") }
         ));
     }
@@ -242,11 +242,17 @@ fn rising(mut list: Vec<f64>, contact: &Contact<'_>) -> Vec<f64> {
         .map(|(place, _)| place)
         .collect();
     // A maximum between two places hides where g is larger at the second one.
-    let is_first = |place: &f64| contact.contact_radius(depth(*place)).is_ok_and(|own| own.estimate.value >= place * (1.0 - APART));
+    let is_first = |place: &f64| {
+        let found = work::share(SEARCH, || contact.contact_radius(depth(*place)));
+        // A search that takes too long shows nothing.
+        found.is_none_or(|own| own.is_ok_and(|own| own.estimate.value >= place * (1.0 - APART)))
+    };
     places.truncate(places.partition_point(is_first));
     places
 }
 
+/// Steps of work after which a search for the first root is abandoned.
+const SEARCH: u64 = 500_000;
 /// A root is another one if it lies nearer to the axis by this part.
 const APART: f64 = 1e-3;
 
