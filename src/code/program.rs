@@ -81,8 +81,7 @@ pub(super) fn unit(quantity: Quantity, length: Option<&str>) -> String {
 impl Program {
     /// Whether two programs have the same operations.
     pub(super) fn computes_as(&self, other: &Self) -> bool {
-        let bodies = |own: &Self| own.routines.iter().map(|own| own.body.clone()).collect::<Vec<_>>();
-        bodies(self) == bodies(other)
+        self.routines.iter().map(|own| &own.body).eq(other.routines.iter().map(|own| &own.body))
     }
 }
 

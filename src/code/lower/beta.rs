@@ -1,6 +1,6 @@
 //! The incomplete Beta function of a segment from b to x, with b^2/x^2 from the lengths.
 
-use super::equal::{CLOSE, samples};
+use super::equal::{CLOSE, SETS, samples};
 use super::{Recorder, Step};
 use crate::code::tree::Operator;
 use crate::eval::Algebra;
@@ -34,9 +34,9 @@ const MOST_LENGTHS: usize = 64;
 
 /// Two values, the square of whose ratio is a value; the last ones, because powers are corrected after they are computed.
 fn ratio(recorder: &Recorder, value: u32) -> Option<(u32, u32)> {
-    let places = (0..).zip(&recorder.steps).map(|(place, _)| place).take(MOST_LENGTHS);
-    let lengths: Vec<(u32, Vec<f64>)> = places.filter_map(|place| Some((place, samples(recorder, place)?))).collect();
-    let squares = samples(recorder, value)?;
+    let all = samples(recorder);
+    let squares = all.get(value as usize).copied().flatten()?;
+    let lengths: Vec<(u32, [f64; SETS])> = (0..).zip(all).take(MOST_LENGTHS).filter_map(|(place, own)| Some((place, own?))).collect();
     let is_ratio = |short: &[f64], long: &[f64]| {
         let all = short.iter().zip(long).zip(&squares);
         all.into_iter().all(|((short, long), square)| ((short / long).powi(2) - square).abs() <= CLOSE * square.abs())
