@@ -133,6 +133,11 @@ impl<'a> Machine<'a> {
                     variables.arrays.push((name, vec![zero; LENGTH]));
                     None
                 }
+                Statement::Table(name, values) => {
+                    let values = values.iter().map(|own| self.leaf(Bounded::rounded(*own))).collect();
+                    variables.arrays.push((name, values));
+                    None
+                }
                 Statement::SetElement(name, index, value) => {
                     let (index, value) = (self.value(index, variables)?, self.value(value, variables)?);
                     *variables.element(name, index)? = value;

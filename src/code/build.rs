@@ -7,9 +7,7 @@ pub(super) use dimensions::ParameterDimension;
 use super::accuracy::ELEMENTARY;
 use super::claim;
 use super::lower::{Names, lowered};
-use super::program::Claim;
-use super::program::Language;
-use super::program::{Program, QUANTITIES, is_of_depth, needs_modulus, routine_name, series_of, unit};
+use super::program::{Claim, Language, Program, QUANTITIES, Sum, is_of_depth, needs_modulus, routine_name, series_of, unit};
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, FORMS, names, read};
 use crate::contact::{Edge, Explicit, Quantity, explicit, relations};
@@ -54,11 +52,10 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     let lengths: Vec<&Expr> = chains.iter().flat_map(|own| own.pieces.iter().chain(&own.breakpoints)).collect();
     let dimensions = dimensions::dimensions(&lengths, &symbols);
     let starting_values = dimensions::starting_values(&dimensions, &symbols, &solution.conditions);
-    let build = |in_series: &[Quantity]| {
-        let (names, arguments, in_series) = (names.clone(), arguments.clone(), in_series.to_vec());
+    let build = |sums: &[(Quantity, Sum)]| {
+        let (names, arguments, sums) = (names.clone(), arguments.clone(), sums.to_vec());
         let (dimensions, starting_values) = (dimensions.clone(), starting_values.clone());
-        let mut builder =
-            Builder { solution, names, arguments, counter: 0, routines: Vec::new(), forms: forms.clone(), language, in_series };
+        let mut builder = Builder { solution, names, arguments, counter: 0, routines: Vec::new(), forms: forms.clone(), language, sums };
         for quantity in quantities {
             builder.quantity(*quantity)?;
         }
@@ -68,37 +65,39 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         let program = Program { language, routines, quantities, parameters, library, dimensions, starting_values, profile, shape, claims };
         Ok::<Program, CodeError>(program)
     };
-    let closed = claim::claimed(build(&[])?, solution);
-    // Use a series near the axis only where it improves the accuracy, because it costs code and time.
-    let mut in_series: Vec<Quantity> = closed.poor().into_iter().flat_map(series_of).copied().collect();
-    in_series.sort_by_key(|own| own.key());
-    in_series.dedup();
-    if in_series.is_empty() {
-        return closed.honest();
+    // Use sums only where they improve the accuracy, because they cost code and time.
+    let mut best = claim::claimed(build(&[])?, solution);
+    let mut sums: Vec<(Quantity, Sum)> = Vec::new();
+    for sum in [Sum::Series, Sum::Quadrature, Sum::Clustered] {
+        let mut poor: Vec<Quantity> = best.poor().into_iter().flat_map(series_of).copied().collect();
+        poor.sort_by_key(|own| own.key());
+        poor.dedup();
+        let with = |list: &[Quantity]| sums.iter().copied().chain(list.iter().map(|own| (*own, sum))).collect::<Vec<_>>();
+        let other = build(&with(&poor))?;
+        if other.computes_as(&best) {
+            continue;
+        }
+        let other = claim::claimed(other, solution);
+        let better: Vec<Quantity> = poor.iter().copied().filter(|own| other.has_smaller_claims(&best, *own)).collect();
+        if better.is_empty() {
+            continue;
+        }
+        sums = with(&better);
+        best = if better.len() == poor.len() { other } else { claim::claimed(build(&sums)?, solution) };
     }
-    let other = build(&in_series)?;
-    if other.computes_as(&closed) {
-        return closed.honest();
-    }
-    let other = claim::claimed(other, solution);
-    let better: Vec<Quantity> = in_series.iter().copied().filter(|own| other.has_smaller_claims(&closed, *own)).collect();
-    match better.len() {
-        0 => closed.honest(),
-        count if count == in_series.len() => other.honest(),
-        _ => claim::claimed(build(&better)?, solution).honest(),
-    }
+    best.honest()
 }
 
 pub(super) struct Builder<'a> {
     pub(super) solution: &'a Solution,
-    names: Names,
+    pub(super) names: Names,
     pub(super) arguments: Vec<String>,
     pub(super) counter: usize,
     pub(super) routines: Vec<Routine>,
     forms: Vec<Routine>,
     language: Language,
-    /// The quantities that are computed by a series near the axis.
-    in_series: Vec<Quantity>,
+    /// The quantities that are computed by sums where these converge fast.
+    sums: Vec<(Quantity, Sum)>,
 }
 
 impl Builder<'_> {
@@ -153,14 +152,12 @@ impl Builder<'_> {
                     _ => compare(Comparison::Equal, "x", 0.0),
                 };
                 body.push(when(edge, Value::Number(0.0, true)));
-                let series = self.in_series.contains(&quantity);
-                let gaussians = if series { self.sum_of_gaussians(quantity, &factor)? } else { None };
+                let sums: Vec<Sum> = self.sums.iter().filter(|own| own.0 == quantity).map(|own| own.1).collect();
+                let gaussians = if sums.is_empty() { None } else { self.sum_of_gaussians(quantity, &factor)? };
                 if let Some(gaussians) = gaussians {
                     body.extend(gaussians);
                 } else {
-                    if series {
-                        body.extend(self.next_to_the_axis(quantity)?);
-                    }
+                    body.extend(self.summed(quantity, &sums)?);
                     let chains = self.solution.evaluated(kind).ok_or(CodeError::NotClosed { quantity: quantity.key() })?;
                     body.extend(self.chains(quantity, &chains, &factor)?);
                 }

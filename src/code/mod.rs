@@ -1,7 +1,7 @@
 //! Code in other languages: the closed forms of a profile as functions that keep their digits, with a bound on their error.
 //!
 //! An expression is walked as it is for numbers, in its evaluated form, and becomes a small program (`tree.rs`); the stable forms that it
-//! calls are written down once in a language of their own (`forms.txt`, `special.txt`); every target writes that program with its own words.
+//! calls are written down once in a language of their own (`forms.txt`, `special.txt`, `quadrature.txt`); every target writes that program with its own words.
 //! The same program runs with running error bounds (`accuracy.rs`), and the largest of them is what its comment claims.
 
 mod accuracy;
@@ -26,7 +26,7 @@ pub use languages::write;
 pub use program::{Claim, Language, NamedShape, Program, QUANTITIES};
 
 /// The stable forms, and the special functions.
-const FORMS: &str = concat!(include_str!("forms.txt"), include_str!("special.txt"));
+const FORMS: &str = concat!(include_str!("forms.txt"), include_str!("special.txt"), include_str!("quadrature.txt"));
 
 /// Private parts that tests in `tests/` look at; not part of the interface.
 #[doc(hidden)]

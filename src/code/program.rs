@@ -104,6 +104,17 @@ pub(super) fn series_of(quantity: Quantity) -> &'static [Quantity] {
     }
 }
 
+/// A sum from which g or F is computed where it converges fast.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sum {
+    /// The power series at the axis.
+    Series,
+    /// The Gauss–Kronrod rule.
+    Quadrature,
+    /// The same with points that lie densely at both ends.
+    Clustered,
+}
+
 /// The name of the routine of a quantity.
 pub(super) fn routine_name(quantity: Quantity) -> String {
     format!("sneddon_{}", quantity.key())

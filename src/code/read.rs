@@ -133,6 +133,7 @@ impl Reader {
                 Statement::Let(name, self.sum()?)
             }
             "array" => Statement::Array(self.word()?),
+            "table" => self.table()?,
             _ if self.takes("[") => {
                 let index = self.sum()?;
                 self.expect("]")?;
@@ -146,6 +147,20 @@ impl Reader {
         };
         self.expect(";")?;
         Some(read)
+    }
+
+    fn table(&mut self) -> Option<Statement> {
+        let name = self.word()?;
+        self.expect("=")?;
+        let mut values = Vec::new();
+        loop {
+            let Token::Number(value) = self.tokens.get(self.at)? else { return None };
+            values.push(*value);
+            self.at += 1;
+            if !self.takes(",") {
+                return Some(Statement::Table(name, values));
+            }
+        }
     }
 
     /// Comparisons joined by && or by ||, never by both; `!` precedes a comparison in parentheses.

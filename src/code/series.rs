@@ -22,15 +22,18 @@ const MOST_FACTORS: i64 = 32;
 const MOST_ARRAYS: usize = 24;
 /// The coefficients among which gaps are sought.
 const SEEN: usize = 80;
-/// Terms may be this much larger than their sum.
-const CANCELLING: f64 = 32.0;
+/// Terms may be this much larger than their sum, alone and where a quadrature follows.
+const CANCELLING: [f64; 2] = [32.0, 4.0];
 /// Terms may grow by this factor beyond the first one.
 const GROWING: f64 = 1e6;
 
 /// The series of the first pieces of a profile at `coordinate`; `None` if no recurrence is known.
 ///
-/// `is_force` selects F/(2E*) instead of g; `sample` has numbers for the parameters, from which the gaps between powers are read.
-pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, sample: &Bindings) -> Option<SeriesText> {
+/// `is_force` selects F/(2E*) instead of g; `is_alone` says that no quadrature follows; `sample` has numbers for the parameters, from
+/// which the gaps between powers are read.
+pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, is_alone: bool, sample: &Bindings) -> Option<SeriesText> {
+    let [alone, followed] = CANCELLING;
+    let cancelling = if is_alone { alone } else { followed };
     let gap = gap(&sample.apply(profile))?;
     let mut writer = Writer::new(coordinate);
     let (shift, total) = writer.total(profile)?;
@@ -63,7 +66,7 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, sample: &Bi
           _next = _after;
           _n = _n + 1;
         }}
-        if _small <= {gap} || _size > {CANCELLING:?} * abs(_sum) {{ return nan(); }}
+        if _small <= {gap} || _size > {cancelling:?} * abs(_sum) {{ return nan(); }}
         return {front}{power}(_sum + _lost);",
         if writer.step.contains("_k") { "let _s = 0; let _k = 0;" } else { "" },
         writer.begin,

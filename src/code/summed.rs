@@ -1,26 +1,92 @@
 //! Functions computed as sums at run time: power series near the axis, and Gaussian terms at every radius.
 
+mod quadrature;
+
 use super::build::{Builder, coordinates, when};
-use super::lower::Names;
-use super::program::routine_name;
+use super::lower::{Names, lowered};
+use super::program::{Sum, routine_name};
 use super::tree::{Comparison, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, gaussian, read, series};
 use crate::contact::Quantity;
-use crate::expr::Expr;
+use crate::expr::{Expr, collected};
 use crate::transform::Sampler;
 
-/// The variable of the sum of a series; this name is reserved, so no parameter has it.
-const SUM: &str = "t1000";
+/// The number of the first variable for a sum.
+const FIRST_SUM: usize = 1000;
+
+/// The statements of a body.
+fn read_body(text: &str) -> Result<Vec<Statement>, CodeError> {
+    let routine = read::routines(&format!("fn sum() {{ {text} }}")).and_then(|list| list.into_iter().next());
+    Ok(routine.ok_or(CodeError::Forms)?.body)
+}
 
 impl Builder<'_> {
-    /// Adds the routine that sums the series of a quantity, and returns the statements that use it where it converges.
-    pub(super) fn next_to_the_axis(&mut self, quantity: Quantity) -> Result<Vec<Statement>, CodeError> {
+    /// Adds the routines that sum the series of a quantity, or its quadrature, and returns the statements that use them in this order.
+    pub(super) fn summed(&mut self, quantity: Quantity, ways: &[Sum]) -> Result<Vec<Statement>, CodeError> {
         let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
         let profile = Expr::sum(self.solution.profile.chains.iter().filter_map(|own| own.pieces.first().cloned()));
         let is_force = quantity == Quantity::Force;
-        let Some(sample) = Sampler::new(1).parameters(self.solution) else { return Ok(Vec::new()) };
-        let Some(found) = series::text(&profile, coordinate, is_force, &sample) else { return Ok(Vec::new()) };
+        let parameters: Vec<String> = std::iter::once(coordinate.to_owned()).chain(self.arguments.iter().cloned()).collect();
+        let mut used = Vec::new();
+        for way in ways {
+            self.counter = 0;
+            let body = match way {
+                Sum::Series => self.series(&profile, coordinate, is_force, *ways == [Sum::Series])?,
+                Sum::Quadrature => self.quadrature(coordinate, is_force, "kronrod")?,
+                Sum::Clustered => self.quadrature(coordinate, is_force, "clustered")?,
+            };
+            let Some(body) = body else { continue };
+            let of = if is_force { "F/(2 E)" } else { "g" };
+            let (ending, comment) = match way {
+                Sum::Series => ("series", format!("The power series of {of} at {coordinate} = 0; NaN where it does not converge fast.")),
+                Sum::Quadrature => ("quadrature", format!("The integral for {of} by a Gauss-Kronrod rule; NaN where it is not accurate.")),
+                Sum::Clustered => {
+                    ("clustered", format!("The integral for {of} by a rule with dense points at the ends; NaN where it is not accurate."))
+                }
+            };
+            let routine = Routine {
+                name: format!("{}_{ending}", routine_name(quantity)),
+                parameters: parameters.clone(),
+                body: self.numbered(body),
+                comment: vec![comment],
+            };
+            self.needed(&routine, quantity)?;
+            let call = Value::Call(routine.name.clone(), parameters.iter().map(|own| Value::name(own)).collect());
+            self.routines.push(routine);
+            // These names are reserved, so no parameter has them.
+            let name = format!("t{}", FIRST_SUM + *way as usize);
+            let times = |left: Value, right: Value| Value::binary(Operator::Multiply, left, right);
+            let value = Value::name(&name);
+            let result = if is_force { times(times(Value::Number(2.0, true), Value::name("E")), value.clone()) } else { value.clone() };
+            let is_finite = Test::Compare(Comparison::LessOrEqual, Value::call("abs", vec![value]), Value::Number(f64::MAX, true));
+            let statements = vec![Statement::Let(name, call), when(is_finite, result)];
+            self.counter = 0;
+            used.extend(if *way == Sum::Series { self.in_first_pieces(coordinate, statements)? } else { statements });
+        }
         self.counter = 0;
+        Ok(used)
+    }
+
+    /// The statements, executed where the coordinate lies in the first piece of every chain.
+    fn in_first_pieces(&mut self, coordinate: &str, list: Vec<Statement>) -> Result<Vec<Statement>, CodeError> {
+        let (mut tests, mut statements) = (Vec::new(), Vec::new());
+        for chain in &self.solution.profile.chains {
+            let Some(end) = chain.breakpoints.first() else { continue };
+            let (before, end) = self.lowered(end)?;
+            statements.extend(before);
+            tests.push(Test::Compare(Comparison::LessOrEqual, Value::name(coordinate), end));
+        }
+        match tests.is_empty() {
+            true => statements.extend(list),
+            false => statements.push(Statement::If(Test::All(tests), list, Vec::new())),
+        }
+        Ok(statements)
+    }
+
+    /// The body of the routine that sums a series; `None` if no recurrence of its coefficients is known.
+    fn series(&mut self, profile: &Expr, coordinate: &str, is_force: bool, is_alone: bool) -> Result<Option<Vec<Statement>>, CodeError> {
+        let Some(sample) = Sampler::new(1).parameters(self.solution) else { return Ok(None) };
+        let Some(found) = series::text(profile, coordinate, is_force, is_alone, &sample) else { return Ok(None) };
         let (mut body, mut renaming) = (Vec::new(), Names::new());
         for (name, constant) in &found.constants {
             let (statements, value) = self.lowered(constant)?;
@@ -30,40 +96,38 @@ impl Builder<'_> {
                 value => body.push(Statement::Let(name.clone(), value)),
             }
         }
-        let text = format!("fn series() {{ {} }}", found.body);
-        let routine = read::routines(&text).and_then(|list| list.into_iter().next()).ok_or(CodeError::Forms)?;
-        body.extend(routine.body.iter().map(|own| own.renamed(&renaming)));
-        let parameters: Vec<String> = std::iter::once(coordinate.to_owned()).chain(self.arguments.iter().cloned()).collect();
-        let what = if is_force { "The power series of F/(2 E)" } else { "The power series of g" };
-        let routine = Routine {
-            name: format!("{}_series", routine_name(quantity)),
-            parameters: parameters.clone(),
-            body: self.numbered(body),
-            comment: vec![format!("{what} at {coordinate} = 0; NaN where it does not converge fast.")],
-        };
-        self.needed(&routine, quantity)?;
-        let call = Value::Call(routine.name.clone(), parameters.iter().map(|own| Value::name(own)).collect());
-        self.routines.push(routine);
-        self.counter = 0;
-        // Use the first pieces only.
-        let mut tests = Vec::new();
-        let mut statements = Vec::new();
+        body.extend(read_body(&found.body)?.iter().map(|own| own.renamed(&renaming)));
+        Ok(Some(body))
+    }
+
+    /// The body of the routine that integrates f′ over every piece; `None` if f′ is not a formula.
+    fn quadrature(&mut self, coordinate: &str, is_force: bool, rule: &str) -> Result<Option<Vec<Statement>>, CodeError> {
+        let mut names = self.names.clone();
+        names.insert("r".to_owned(), "_r".to_owned());
+        let mut body = quadrature::VARIABLES.map(|own| Statement::Let(own.to_owned(), Value::Number(0.0, true))).to_vec();
         for chain in &self.solution.profile.chains {
-            let Some(end) = chain.breakpoints.first() else { continue };
-            let (before, end) = self.lowered(end)?;
-            statements.extend(before);
-            tests.push(Test::Compare(Comparison::LessOrEqual, Value::name(coordinate), end));
+            let Ok(slopes) = chain.slopes() else { return Ok(None) };
+            let mut ends = Vec::new();
+            for own in &chain.breakpoints {
+                let (statements, value) = self.lowered(own)?;
+                self.counter += 1;
+                ends.push(format!("t{}", self.counter));
+                body.extend(statements.into_iter().chain(ends.last().map(|name| Statement::Let(name.clone(), value))));
+            }
+            for (index, slope) in slopes.iter().enumerate().filter(|own| !own.1.is_zero()) {
+                let (statements, value) = lowered(&collected(slope), &names, &mut self.counter)?;
+                let lower = index.checked_sub(1).and_then(|before| ends.get(before)).cloned();
+                let extent = quadrature::Extent { lower, upper: ends.get(index).cloned() };
+                let mut piece = read_body(&quadrature::piece(coordinate, is_force, rule, &extent))?;
+                for own in &mut piece {
+                    own.replace(&Value::name(quadrature::MARK), &statements, &value);
+                }
+                body.extend(piece);
+            }
         }
-        let times = |left: Value, right: Value| Value::binary(Operator::Multiply, left, right);
-        let value = Value::name(SUM);
-        let result = if is_force { times(times(Value::Number(2.0, true), Value::name("E")), value.clone()) } else { value.clone() };
-        let is_finite = Test::Compare(Comparison::LessOrEqual, Value::call("abs", vec![value]), Value::Number(f64::MAX, true));
-        let used = vec![Statement::Let(SUM.to_owned(), call), when(is_finite, result)];
-        match tests.is_empty() {
-            true => statements.extend(used),
-            false => statements.push(Statement::If(Test::All(tests), used, Vec::new())),
-        }
-        Ok(statements)
+        let front = if is_force { format!("{coordinate} * {coordinate}") } else { coordinate.to_owned() };
+        body.extend(read_body(&format!("return {front} * _integral;"))?);
+        Ok(Some(body))
     }
 
     /// Returns the statements that sum Gaussian terms, if the profile has no other terms; `None` for g without powers of r, whose

@@ -50,6 +50,8 @@ pub(super) enum Statement {
     Set(String, Value),
     /// A new array of [`LENGTH`] zeros.
     Array(String),
+    /// A new array with these numbers, which do not change.
+    Table(String, Vec<f64>),
     /// A new value of an element of an array.
     SetElement(String, Value, Value),
     If(Test, Vec<Statement>, Vec<Statement>),
@@ -134,7 +136,7 @@ impl Statement {
         let mut block = |list: &[Statement]| list.iter().for_each(|own| own.visit(see));
         match self {
             Self::Let(_, value) | Self::Set(_, value) | Self::Return(value) => value.visit(see),
-            Self::Array(_) => {}
+            Self::Array(_) | Self::Table(..) => {}
             Self::SetElement(_, index, value) => {
                 index.visit(see);
                 value.visit(see);
@@ -151,13 +153,24 @@ impl Statement {
         }
     }
 
+    /// Sets `value` where `mark` is assigned, after the statements that compute it.
+    pub(super) fn replace(&mut self, mark: &Value, before: &[Statement], value: &Value) {
+        let (Self::If(_, yes, _) | Self::While(_, yes)) = self else { return };
+        let place = yes.iter().position(|own| matches!(own, Self::Set(_, own) if own == mark));
+        if let Some((place, Self::Set(_, own))) = place.and_then(|place| Some((place, yes.get_mut(place)?))) {
+            *own = value.clone();
+            yes.splice(place..place, before.iter().cloned());
+        }
+        yes.iter_mut().for_each(|own| own.replace(mark, before, value));
+    }
+
     /// Visits every statement in it, itself first.
     pub(super) fn steps(&self, see: &mut impl FnMut(&Statement)) {
         see(self);
         match self {
             Self::If(_, yes, no) => yes.iter().chain(no).for_each(|own| own.steps(see)),
             Self::While(_, body) => body.iter().for_each(|own| own.steps(see)),
-            Self::Let(..) | Self::Set(..) | Self::Return(_) | Self::Array(_) | Self::SetElement(..) => {}
+            Self::Let(..) | Self::Set(..) | Self::Return(_) | Self::Array(_) | Self::Table(..) | Self::SetElement(..) => {}
         }
     }
 }
@@ -185,6 +198,19 @@ impl Routine {
     /// The arrays that it makes.
     pub(super) fn arrays(&self) -> Vec<String> {
         self.names(|own| if let Statement::Array(name) = own { Some(name) } else { None })
+    }
+
+    /// The tables that it makes, with the number of their elements.
+    pub(super) fn tables(&self) -> Vec<(String, usize)> {
+        let mut found = Vec::new();
+        self.body.iter().for_each(|own| {
+            own.steps(&mut |own| {
+                if let Statement::Table(name, values) = own {
+                    found.push((name.clone(), values.len()));
+                }
+            })
+        });
+        found
     }
 
     /// The variables that change.
@@ -250,6 +276,7 @@ impl Statement {
             Self::While(test, body) => Self::While(test.renamed(renaming), every(body)),
             Self::Return(value) => Self::Return(value.renamed(renaming)),
             Self::Array(name) => Self::Array(new_name(name, renaming)),
+            Self::Table(name, values) => Self::Table(new_name(name, renaming), values.clone()),
             Self::SetElement(name, index, value) => {
                 Self::SetElement(new_name(name, renaming), index.renamed(renaming), value.renamed(renaming))
             }

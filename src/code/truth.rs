@@ -13,6 +13,8 @@ pub(super) const STEP: f64 = 1e-6;
 const STEPS: [f64; 4] = [STEP, 1e-9, 1e-12, f64::EPSILON];
 /// The last of them, to the next double, counts only where the others show at least this much: elsewhere, it shows rounding errors.
 const STEEP: f64 = 1e10;
+/// Two changes of f that agree are those of a slope where the first one is at most this part of f.
+const LINEAR: f64 = 0.1;
 /// Steps of work after which a value is abandoned.
 const LONGEST: u64 = 200_000;
 /// The tolerance of the reference values.
@@ -160,16 +162,19 @@ fn slope(contact: &Contact<'_>, a: f64, g: impl Fn(f64) -> Option<Bounded>) -> O
     Some((g(above)?.value - g(below)?.value) / (above - below))
 }
 
-/// The largest of the changes over the steps; `None` if it is unknown.
+/// The largest of the changes over the steps, up to two that agree; `None` if it is unknown.
 fn steepest(steps: impl Iterator<Item = f64>, change: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let mut most: Option<f64> = None;
+    let mut before = f64::INFINITY;
     for step in steps {
         if step > f64::EPSILON {
             let Some(own) = change(step) else { continue };
-            if most.is_some_and(|most| own < 2.0 * most && most < 2.0 * own) {
+            // Steps longer than a wave may agree by accident.
+            if most.is_some_and(|most| own < 2.0 * most && most < 2.0 * own && most * before < LINEAR) {
                 return most.map(|most| most.max(own));
             }
             most = Some(most.map_or(own, |most| most.max(own)));
+            before = step;
         } else if most.is_none_or(|most| most > STEEP) {
             most = Some(change(step)?.max(most.unwrap_or(0.0)));
         }

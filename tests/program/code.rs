@@ -54,6 +54,9 @@ fn read_entries() -> Vec<Entry> {
         {"id": "modified", "f": "A*(besseli(0,k*r)-1)+C*besseli(1,k*r)", "params": {"A": "0.4", "C": "0.3", "k": "1.1"}},
         {"id": "struve", "f": "h*(2/pi*k*r-struveh(0,k*r))", "params": {"h": "0.4", "k": "1.1"}},
         {"id": "dawson", "f": "h*(r/w-dawson(r/w))", "params": {"h": "0.4", "w": "1.3"}},
+        // Quadrature between the power series and the closed form, with one rule and with the other.
+        {"id": "fraction", "f": "h*r/(w+r)", "params": {"h": "0.4", "w": "1.3"}},
+        {"id": "two fractions", "f": "r^2/(w+r)-r*h/(h+r)", "params": {"h": "1.7", "w": "2.5"}},
     ]);
     list.as_array().unwrap().iter().chain(more.as_array().unwrap()).map(entry).collect()
 }

@@ -81,6 +81,10 @@ impl Target for C {
         format!("double {name}[{LENGTH}] = {{0.0}};")
     }
 
+    fn table(&self, name: &str, count: usize) -> (String, &'static str, &'static str) {
+        (format!("static const double {name}[{count}] = {{"), "};", "")
+    }
+
     fn element(&self, name: &str, index: &str) -> String {
         match whole(index) {
             Some(whole) => format!("{name}[{whole}]"),

@@ -80,6 +80,10 @@ impl Target for Fortran {
         format!("{name} = 0.0_dp")
     }
 
+    fn table(&self, name: &str, _count: usize) -> (String, &'static str, &'static str) {
+        (format!("{name} = ["), "]", " &")
+    }
+
     fn element(&self, name: &str, index: &str) -> String {
         match whole(index) {
             Some(whole) => format!("{name}({whole})"),
@@ -111,6 +115,9 @@ impl Target for Fortran {
             }
             for own in routine.arrays() {
                 declared.push_str(&format!("    real(dp) :: {own}(0:{})\n", LENGTH - 1));
+            }
+            for (own, count) in routine.tables() {
+                declared.push_str(&format!("    real(dp) :: {own}(0:{})\n", count - 1));
             }
             text.push_str(&format!(
                 "\n{}pure recursive function {name}({list}) result(t0)\n{declared}{body}end function {name}\n",

@@ -68,6 +68,10 @@ impl Target for Matlab {
         format!("{name} = zeros(1, {LENGTH});")
     }
 
+    fn table(&self, name: &str, _count: usize) -> (String, &'static str, &'static str) {
+        (format!("{name} = ["), "];", " ...")
+    }
+
     fn element(&self, name: &str, index: &str) -> String {
         format!("{name}({index} + 1)")
     }

@@ -77,6 +77,8 @@ pub(super) trait Target: Sync {
     fn declare(&self, name: &str, value: &str, changes: bool) -> String;
     /// A new array of zeros; empty if arrays are declared at the beginning.
     fn array(&self, name: &str) -> String;
+    /// What precedes and follows the numbers of a constant array with this many elements, and what continues a line.
+    fn table(&self, name: &str, count: usize) -> (String, &'static str, &'static str);
     fn element(&self, name: &str, index: &str) -> String;
     fn assign(&self, name: &str, value: &str) -> String;
     /// The lines that return a value.
@@ -87,6 +89,8 @@ pub(super) trait Target: Sync {
 
 /// Spaces of one level.
 const INDENT: &str = "    ";
+/// Numbers of a table in one line.
+const PER_LINE: usize = 4;
 /// Maximum width of comments.
 const WIDTH: usize = 110;
 
@@ -188,6 +192,17 @@ pub(super) fn block(list: &[Statement], level: usize, changed: &[String], target
             Statement::Let(name, own) => line(&target.declare(name, &value(own, target), changed.contains(name))),
             Statement::Set(name, own) => line(&target.assign(name, &value(own, target))),
             Statement::Array(name) => line(&target.array(name)),
+            Statement::Table(name, values) => {
+                let (begin, end, continued) = target.table(name, values.len());
+                line(&format!("{begin}{continued}"));
+                let rows: Vec<String> =
+                    values.chunks(PER_LINE).map(|row| row.iter().map(|own| target.number(*own)).collect::<Vec<_>>().join(", ")).collect();
+                for (index, row) in rows.iter().enumerate() {
+                    let comma = if index + 1 < rows.len() { "," } else { "" };
+                    line(&format!("{INDENT}{row}{comma}{continued}"));
+                }
+                line(end);
+            }
             Statement::SetElement(name, index, own) => {
                 line(&target.assign(&target.element(name, &value(index, target)), &value(own, target)))
             }

@@ -86,6 +86,10 @@ impl Target for Python {
         format!("{name} = [0.0]*{LENGTH}")
     }
 
+    fn table(&self, name: &str, _count: usize) -> (String, &'static str, &'static str) {
+        (format!("{name} = ("), ")", "")
+    }
+
     fn element(&self, name: &str, index: &str) -> String {
         match whole(index) {
             Some(whole) => format!("{name}[{whole}]"),

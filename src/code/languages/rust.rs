@@ -63,6 +63,10 @@ impl Target for Rust {
         format!("let mut {name} = [0.0_f64; {LENGTH}];")
     }
 
+    fn table(&self, name: &str, _count: usize) -> (String, &'static str, &'static str) {
+        (format!("let {name} = ["), "];", "")
+    }
+
     fn element(&self, name: &str, index: &str) -> String {
         match whole(index) {
             Some(whole) => format!("{name}[{whole}]"),
