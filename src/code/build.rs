@@ -9,6 +9,7 @@ use super::claim;
 use super::lower::{Names, lowered};
 use super::program::{Claim, Language, Program, QUANTITIES, Sum, is_of_depth, needs_modulus, routine_name, series_of, unit};
 use super::tree::{Comparison, NAN, Operator, Routine, Statement, Test, Value};
+use super::truth::References;
 use super::{CodeError, FORMS, names, read};
 use crate::contact::{Edge, Explicit, Quantity, explicit, relations};
 use crate::expr::{Bindings, Condition, Expr, Node, Relation, Symbol};
@@ -66,7 +67,9 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         Ok::<Program, CodeError>(program)
     };
     // Use sums only where they improve the accuracy, because they cost code and time.
-    let mut best = claim::claimed(build(&[])?, solution);
+    let references = References::default();
+    let claimed = |own: Program, other: Option<&Program>| claim::claimed(own, solution, &references, other);
+    let mut best = claimed(build(&[])?, None);
     let mut sums: Vec<(Quantity, Sum)> = Vec::new();
     for sum in [Sum::Series, Sum::Quadrature, Sum::Clustered] {
         let mut poor: Vec<Quantity> = best.poor().into_iter().flat_map(series_of).copied().collect();
@@ -77,13 +80,13 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         if other.computes_as(&best) {
             continue;
         }
-        let other = claim::claimed(other, solution);
+        let other = claimed(other, Some(&best));
         let better: Vec<Quantity> = poor.iter().copied().filter(|own| other.has_smaller_claims(&best, *own)).collect();
         if better.is_empty() {
             continue;
         }
         sums = with(&better);
-        best = if better.len() == poor.len() { other } else { claim::claimed(build(&sums)?, solution) };
+        best = if better.len() == poor.len() { other } else { claimed(build(&sums)?, None) };
     }
     best.honest()
 }

@@ -3,7 +3,7 @@
 use super::CodeError;
 use super::accuracy::{ASSUMED, Machine};
 use super::program::{Claim, Program, is_of_depth, needs_modulus, routine_name, series_of};
-use super::truth::{Truth, beyond, spacing};
+use super::truth::{References, Truth, beyond, spacing};
 use crate::contact::{Contact, Quantity};
 use crate::num::{Bounded, work};
 use crate::transform::{Evaluator, Sampler, Solution, reach};
@@ -23,10 +23,12 @@ const PER_DECADE: f64 = 2.0;
 /// Functions with a larger claim are refused.
 const REFUSED: f64 = 1e4;
 
-/// Finds the claims and writes them into the comments of the routines.
-pub(super) fn claimed(mut program: Program, solution: &Solution) -> Program {
+/// Finds the claims and writes them into the comments of the routines; a claim that is not smaller than that of the other program is
+/// not followed to its end.
+pub(super) fn claimed(mut program: Program, solution: &Solution, references: &References, other: Option<&Program>) -> Program {
     for quantity in program.quantities.clone() {
-        let claim = of(&program, quantity, solution);
+        let before = other.and_then(|own| own.claims.iter().find(|(of, _)| *of == quantity)?.1);
+        let claim = of(&program, quantity, solution, references, before);
         program.claims.push((quantity, claim));
         let lines = claim.map_or_else(Vec::new, |claim| text(&program, claim, quantity));
         if let Some(routine) = program.routines.iter_mut().find(|own| own.name == routine_name(quantity)) {
@@ -130,7 +132,7 @@ struct Found {
 }
 
 /// The claim of a quantity; `None` if no point gives a bound.
-fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Claim> {
+fn of(program: &Program, quantity: Quantity, solution: &Solution, references: &References, before: Option<Claim>) -> Option<Claim> {
     let library = |name: &str| program.language.target().library(name).map(|(_, ulps)| ulps);
     let mut machine = Machine::new(&program.routines, &library);
     let is_solved = program.is_solved(quantity);
@@ -139,7 +141,9 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
     // Of all draws; infinite if the profile ends.
     let mut range = (0.0_f64, f64::INFINITY);
     for _ in 0..if program.parameters.is_empty() { 1 } else { DRAWS } {
-        let Some(truth) = sampler.parameters(solution).and_then(|own| Truth::new(solution, quantity, &own, program)) else { continue };
+        let Some(truth) = sampler.parameters(solution).and_then(|own| Truth::new(solution, quantity, &own, program, references)) else {
+            continue;
+        };
         let (mut list, mut ends) = places(&mut sampler, truth.contact.evaluator());
         if is_of_depth(quantity) {
             let furthest = list.iter().copied().fold(0.0, f64::max);
@@ -181,6 +185,10 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         return Some(claim);
     }
     let (mut relative, mut largest, mut worst_at) = (0.0_f64, 0.0_f64, claim.worst_at);
+    // Begin with the place that decided before.
+    if let Some(place) = before.and_then(|before| found.iter().position(|own| own.place == before.worst_at)) {
+        found[..=place].rotate_right(1);
+    }
     for own in &mut found {
         // Condition numbers are 1 or more.
         if !own.is_refined && own.ulps <= relative {
@@ -196,6 +204,10 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution) -> Option<Clai
         largest = largest.max(ulps);
         if ulps / condition > relative {
             (relative, worst_at) = (ulps / condition, own.place);
+        }
+        // What is not better than the other program, or refused, need not be known to its end.
+        if whole(relative) >= before.map_or(REFUSED, |before| before.ulps.min(REFUSED)) {
+            break;
         }
     }
     Some(Claim { ulps: whole(relative), conditional: Some(whole(largest)), worst_at, ..claim })

@@ -25,7 +25,7 @@ pub enum CodeError {
         language: &'static str,
     },
     /// The generated function would be inaccurate.
-    #[error("{quantity} at {coordinate} = {at:.1e} would be off by up to {ulps:.0e} units in the last place times its condition number")]
+    #[error("{quantity} at {coordinate} = {at:.1e} would be off by {ulps:.0e} units in the last place times its condition number")]
     Inaccurate {
         /// The symbol of the quantity.
         quantity: &'static str,

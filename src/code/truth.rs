@@ -5,6 +5,8 @@ use crate::contact::{Contact, Quantity};
 use crate::expr::{Bindings, Expr, Number};
 use crate::num::{Bounded, work};
 use crate::transform::{Evaluator, Method, Solution};
+use std::cell::RefCell;
+use std::collections::HashMap;
 
 /// The step of relative differences.
 pub(super) const STEP: f64 = 1e-6;
@@ -22,6 +24,17 @@ const TOLERANCE: f64 = 1e-13;
 /// Values nearer to 0, and values above the reciprocal, are not compared.
 const LEAST: f64 = 1e-280;
 
+/// What a value is for: the quantity, and the bits of the parameters, of the coordinates and of the radius that belongs to them.
+type Key = (&'static str, Vec<u64>);
+
+/// Reference values and condition numbers that were computed before: programs for one profile are compared at the same places.
+#[derive(Default)]
+pub(super) struct References {
+    values: RefCell<HashMap<Key, Option<Bounded>>>,
+    /// Condition numbers, and whether the whole sum is computed.
+    conditions: RefCell<HashMap<Key, (f64, bool)>>,
+}
+
 /// The reference values of a quantity, for one set of parameters.
 pub(super) struct Truth<'a> {
     pub(super) quantity: Quantity,
@@ -33,24 +46,49 @@ pub(super) struct Truth<'a> {
     names: Vec<String>,
     /// Contacts with one parameter increased and decreased, created when needed.
     moved: Option<Vec<Vec<Moved<'a>>>>,
+    references: &'a References,
 }
 
 /// A relative step of a parameter, and the contacts on both sides.
 type Moved<'a> = (f64, [Contact<'a>; 2]);
 
 impl<'a> Truth<'a> {
-    pub(super) fn new(solution: &'a Solution, quantity: Quantity, bindings: &Bindings, program: &Program) -> Option<Self> {
+    pub(super) fn new(
+        solution: &'a Solution,
+        quantity: Quantity,
+        bindings: &Bindings,
+        program: &Program,
+        references: &'a References,
+    ) -> Option<Self> {
         let contact = contact(solution, bindings)?;
         let value =
             |name: &str| bindings.iter().find(|(own, _)| own.name() == name).and_then(|(_, own)| own.as_number().map(|n| n.to_f64()));
         let values = program.parameters.iter().map(|(own, _)| value(own)).collect::<Option<Vec<f64>>>()?;
         let names = program.parameters.iter().map(|(own, _)| own.clone()).collect();
-        Some(Self { quantity, solution, bindings: bindings.clone(), contact, values, names, moved: None })
+        Some(Self { quantity, solution, bindings: bindings.clone(), contact, values, names, moved: None, references })
+    }
+
+    fn key(&self, quantity: Quantity, coordinates: &[f64], place: f64) -> Key {
+        (quantity.key(), self.values.iter().chain(coordinates).chain([&place]).map(|own| own.to_bits()).collect())
     }
 
     /// The value at coordinates that correspond to a radius near `place`.
-    fn value(&self, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
-        work::share(LONGEST, || self.value_of(self.quantity, contact, coordinates, place)).flatten()
+    fn value(&self, coordinates: &[f64], place: f64) -> Option<Bounded> {
+        self.known(self.quantity, coordinates, place)
+    }
+
+    fn known(&self, quantity: Quantity, coordinates: &[f64], place: f64) -> Option<Bounded> {
+        let key = self.key(quantity, coordinates, place);
+        if let Some(known) = self.references.values.borrow().get(&key) {
+            return *known;
+        }
+        let found = self.computed(quantity, &self.contact, coordinates, place);
+        self.references.values.borrow_mut().insert(key, found);
+        found
+    }
+
+    fn computed(&self, quantity: Quantity, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
+        work::share(LONGEST, || self.value_of(quantity, contact, coordinates, place)).flatten()
     }
 
     fn value_of(&self, quantity: Quantity, contact: &Contact<'_>, coordinates: &[f64], place: f64) -> Option<Bounded> {
@@ -85,12 +123,12 @@ impl<'a> Truth<'a> {
 
     /// The reference value of g or F at a radius.
     pub(super) fn exact(&self, quantity: Quantity, a: f64) -> Option<Bounded> {
-        work::share(LONGEST, || self.value_of(quantity, &self.contact, &[a], a)).flatten()
+        self.known(quantity, &[a], a)
     }
 
     /// The error of a value of the code in ulps; `None` if unknown.
     pub(super) fn ulps(&self, own: Bounded, coordinates: &[f64], place: f64) -> Option<f64> {
-        let exact = self.value(&self.contact, coordinates, place)?;
+        let exact = self.value(coordinates, place)?;
         // Skip numbers near the ends of the range of doubles, where ulps differ.
         if !(exact.value.abs() > LEAST && exact.value.abs() < 1.0 / LEAST) || exact.error > 1e-6 * exact.value.abs() {
             return None;
@@ -104,8 +142,20 @@ impl<'a> Truth<'a> {
     /// 1 + Σ |v ∂f/∂v|/|f| over the coordinates, E and the parameters, or a part of the sum that is at least `enough`; `None` if a
     /// neighbouring value is unknown.
     pub(super) fn condition(&mut self, coordinates: &[f64], place: f64, enough: f64) -> Option<f64> {
+        let key = self.key(self.quantity, coordinates, place);
+        if let Some((known, is_whole)) = self.references.conditions.borrow().get(&key).copied()
+            && (is_whole || known >= enough)
+        {
+            return Some(known);
+        }
+        let found = self.condition_up_to(coordinates, place, enough)?;
+        self.references.conditions.borrow_mut().insert(key, (found, found < enough));
+        Some(found)
+    }
+
+    fn condition_up_to(&mut self, coordinates: &[f64], place: f64, enough: f64) -> Option<f64> {
         let mut total = if needs_modulus(self.quantity) { 2.0 } else { 1.0 };
-        let Bounded { value, .. } = self.value(&self.contact, coordinates, place)?;
+        let Bounded { value, .. } = self.value(coordinates, place)?;
         // Use the larger change of both sides, which have the same sign at the crest of a short wave.
         let share = |step: f64, pair: [Option<Bounded>; 2]| {
             let changes = pair.into_iter().flatten().map(|own| (own.value - value).abs() / (step * value.abs()));
@@ -115,7 +165,7 @@ impl<'a> Truth<'a> {
             let at = |factor: f64| -> Vec<f64> {
                 coordinates.iter().enumerate().map(|(i, own)| if i == index { own * factor } else { *own }).collect()
             };
-            let change = |step: f64| share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&self.contact, &at(factor), place)));
+            let change = |step: f64| share(step, [1.0 + step, 1.0 - step].map(|factor| self.value(&at(factor), place)));
             total += steepest(STEPS.into_iter(), change)?;
         }
         if total >= enough {
@@ -125,7 +175,7 @@ impl<'a> Truth<'a> {
             self.moved = Some(self.moved_parameters());
         }
         for moved in self.moved.iter().flatten() {
-            let at = |pair: &[Contact<'a>; 2]| pair.each_ref().map(|own| self.value(own, coordinates, place));
+            let at = |pair: &[Contact<'a>; 2]| pair.each_ref().map(|own| self.computed(self.quantity, own, coordinates, place));
             let change = |wanted: f64| moved.iter().find(|(step, _)| *step == wanted).and_then(|(step, pair)| share(*step, at(pair)));
             total += steepest(moved.iter().map(|own| own.0), change)?;
             if total >= enough {
