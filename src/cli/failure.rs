@@ -49,7 +49,7 @@ const DOTS: &str = " ...";
 fn advice(error: &ContactError) -> Option<String> {
     let ContactError::Transform(error) = error else { return None };
     match error {
-        TransformError::Flat => Some("give the depth of the punch with --depth, as a number or the symbol d".to_owned()),
+        TransformError::Flat => Some("derive and eval take the depth of a punch with --depth, as a number or the symbol d".to_owned()),
         TransformError::Kinks { .. } => Some("set the parameters with --set, or write the pieces with piecewise(…)".to_owned()),
         TransformError::Expression(ExprError::UnknownOrder { .. }) => Some("set the values of the parameters with --set".to_owned()),
         TransformError::CurveTooRough { .. } => Some("use that tolerance, a smaller range, or --method quadrature".to_owned()),

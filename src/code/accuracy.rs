@@ -13,7 +13,7 @@ const ELEMENTARY_ULPS: f64 = 1.0;
 /// Assumed errors of hyperbolic functions and their inverses, from the same table.
 const HYPERBOLIC_ULPS: f64 = 2.0;
 /// The assumptions as stated in generated files.
-pub(super) const ASSUMED: &str = "elementary functions right to 1 ulp and hyperbolic ones to 2 ulp";
+pub(super) const ASSUMED: &str = "elementary functions accurate to 1 ulp and hyperbolic ones to 2 ulp";
 
 /// The most operations of one run.
 const MOST_STEPS: usize = 400_000;

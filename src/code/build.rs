@@ -36,6 +36,19 @@ pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
 /// # Errors
 /// [`CodeError`] if a quantity is not closed, or if a function cannot be written in the language.
 pub fn program(solution: &Solution, quantities: &[Quantity], language: Language, profile: &str) -> Result<Program, CodeError> {
+    let mut solution = solution.clone();
+    let angles = solution.profile.angle_conditions();
+    let follows = |own: &Condition| match own.right.node() {
+        Node::Function(function, arguments) if matches!(function.name(), "sin" | "cos" | "tan") => {
+            own.left.is_zero() && arguments.iter().all(|angle| angles.contains(&Condition::less(Expr::zero(), angle.clone())))
+        }
+        _ => false,
+    };
+    solution.conditions.retain(|own| !follows(own));
+    solution.conditions.extend(angles);
+    solution.conditions.sort();
+    solution.conditions.dedup();
+    let solution = &solution;
     let symbols = solution.profile.parameters();
     let forms = read::routines(FORMS).ok_or(CodeError::Forms)?;
     let target = language.target();
@@ -119,7 +132,10 @@ impl Builder<'_> {
                 Some(found) => {
                     self.conditions(&found.conditions, "d", &mut domain.0, &mut domain.1)?;
                     body.extend(self.guard(domain.0));
-                    body.push(when(compare(Comparison::Equal, "d", 0.0), Value::Number(0.0, true)));
+                    // A worn tip touches with its flat, for which the formula has a value.
+                    if self.solution.profile.chains.iter().all(|own| own.breakpoints.is_empty()) {
+                        body.push(when(compare(Comparison::Equal, "d", 0.0), Value::Number(0.0, true)));
+                    }
                     let value = self.explicit(&found, &mut body)?;
                     body.push(Statement::Return(value));
                 }
@@ -175,6 +191,11 @@ impl Builder<'_> {
         }
         comment.push(format!("Source: {}.", references.join("; ")));
         comment.push(format!("Domain: {}.", domain.1.join(", ")));
+        let infinite = if quantity == Quantity::Pressure { self.solution.profile.jumps() } else { Vec::new() };
+        if !infinite.is_empty() {
+            let radii: Vec<String> = infinite.iter().map(|own| format!("r = {}", print::text_expr(own))).collect();
+            comment.push(format!("The pressure is infinite at {}, where the result is infinite or not a number.", radii.join(" and at ")));
+        }
         comment.push(unit(quantity, None));
         let mut routine = Routine { name: routine_name(quantity), parameters: arguments, body, comment };
         if quantity == Quantity::ForceOfDepth && routine.calls().contains(&routine_name(Quantity::Force)) {

@@ -79,7 +79,7 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     let mut assumed = vec![ASSUMED.to_owned()];
     for name in &program.library {
         if let Some((written, ulps)) = program.language.target().library(name) {
-            assumed.push(format!("{written} right to {ulps} ulp"));
+            assumed.push(format!("{written} accurate to {ulps} ulp"));
         }
     }
     let times = match claim.conditional {
@@ -97,12 +97,12 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     )];
     if let Some(largest) = claim.conditional {
         lines.push(format!(
-            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v. With it, the largest bound was {} ulp.",
+            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v. Where it is large, the bound was up to {} ulp.",
             if largest < 1e6 { format!("{largest:.0}") } else { format!("{largest:.0e}") }
         ));
     }
     let what = match quantity {
-        Quantity::Radius | Quantity::ForceOfDepth => "depths that belong to radii",
+        Quantity::Radius | Quantity::ForceOfDepth => "depths g(a) of radii a",
         Quantity::Pressure => "radii r < a",
         _ => "points",
     };

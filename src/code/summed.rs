@@ -38,11 +38,22 @@ impl Builder<'_> {
             let Some(body) = body else { continue };
             let of = if is_force { "F/(2 E)" } else { "g" };
             let (ending, comment) = match way {
-                Sum::Series => ("series", format!("The power series of {of} at {coordinate} = 0; NaN where it does not converge fast.")),
-                Sum::Quadrature => ("quadrature", format!("The integral for {of} by a Gauss-Kronrod rule; NaN where it is not accurate.")),
-                Sum::Clustered => {
-                    ("clustered", format!("The integral for {of} by a rule with dense points at the ends; NaN where it is not accurate."))
-                }
+                Sum::Series => (
+                    "series",
+                    format!(
+                        "The power series of {of} at {coordinate} = 0; NaN where it does not converge fast and another formula is used."
+                    ),
+                ),
+                Sum::Quadrature => (
+                    "quadrature",
+                    format!("The integral for {of} by a Gauss-Kronrod rule; NaN where it is not accurate and another formula is used."),
+                ),
+                Sum::Clustered => (
+                    "clustered",
+                    format!(
+                        "The integral for {of} by a rule with dense points at the ends; NaN where it is not accurate and another formula is used."
+                    ),
+                ),
             };
             let routine = Routine {
                 name: format!("{}_{ending}", routine_name(quantity)),

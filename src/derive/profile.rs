@@ -134,6 +134,11 @@ impl Profile {
         self.typed.symbols().into_iter().filter(|s| s.name() != "r").collect()
     }
 
+    /// The conditions 0 < u < π/2 for the slope angles u, which generated code checks.
+    pub(crate) fn angle_conditions(&self) -> Vec<Condition> {
+        angles::conditions(self.chains.iter().flat_map(|chain| chain.breakpoints.iter().chain(&chain.pieces)))
+    }
+
     /// True if f does not depend on r.
     pub fn is_flat(&self) -> bool {
         let radius = Symbol::new("r");

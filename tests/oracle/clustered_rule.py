@@ -35,11 +35,11 @@ def main():
     gauss = roots(legendre_coefficients(30))
     nodes = sorted(gauss + roots(stieltjes(30)))
     own, own_gauss = weights(nodes), weights(gauss)
-    for name, rule, what in [("kronrod", plain, ""), ("clustered", clustered, " that lie densely at both ends")]:
+    for name, rule, what in [("kronrod", plain, ""), ("clustered", clustered, ", densely at both ends")]:
         places, found = rule(nodes, own)
-        table(f"{name}_place", f"The places in (0, 1) of a Gauss-Kronrod rule of 61 points{what}.", places)
-        table(f"{name}_weight", "The weights at these places.", found)
-        table(f"{name}_gauss", "The weights of the Gauss rule of 30 points at every second place.", rule(gauss, own_gauss)[1])
+        table(f"{name}_place", f"The places in (0, 1) of the Gauss-Kronrod rule of 61 points{what}.", places)
+        table(f"{name}_weight", f"The weights of the Gauss-Kronrod rule of 61 points{what}.", found)
+        table(f"{name}_gauss", f"The weights of the Gauss rule of 30 points at every second place{what}.", rule(gauss, own_gauss)[1])
 
 
 if __name__ == "__main__":

@@ -67,3 +67,25 @@ fn the_search_overflows_in_python() {
         run("python3", &["-B", "-c", &format!("import a; x = a.a({arguments}); assert abs(x/{radius} - 1.0) < 1e-14, x")], &place);
     }
 }
+
+/// At no depth a worn tip touches with its flat, whose radius is b; a sharp one touches at a point.
+#[test]
+fn the_radius_at_no_depth_is_that_of_the_flat() {
+    let flat = ["sneddon_a(0.0, 2.0, 0.75) == 0.75", "sneddon_F_of_d(0.0, 1.0, 2.0, 0.75) == 0.0"].map(str::to_owned);
+    let quantities = [Quantity::Radius, Quantity::ForceOfDepth];
+    assert_in_c("flat", "piecewise(0, r<b, (r^2-b^2)/(2*R))", &quantities, &flat);
+    assert_in_c("point", "r^2/(2*R)", &quantities, &["sneddon_a(0.0, 2.0) == 0.0".to_owned()]);
+}
+
+/// tan θ is positive for θ = 3.5 again, which is no slope.
+#[test]
+fn angles_are_acute() {
+    let values = |angle: f64| {
+        let calls = [format!("g(1.0, {angle})"), format!("F(1.0, 1.0, {angle})"), format!("F_of_d(1.0, 1.0, {angle})")];
+        calls.map(|own| format!("isnan(sneddon_{own})"))
+    };
+    let quantities = [Quantity::Equivalent, Quantity::Force, Quantity::ForceOfDepth];
+    let acute = values(1.5).map(|own| format!("!{own}"));
+    let conditions: Vec<String> = acute.into_iter().chain(values(2.0)).chain(values(3.5)).collect();
+    assert_in_c("angles", "r*tan(theta)", &quantities, &conditions);
+}
