@@ -43,17 +43,17 @@ impl Builder<'_> {
             places.push(name);
         }
         let domain = "if !(d >= 0 && d <= 1.7976931348623157e308) { return nan(); } if d == 0 { return _low; }";
-        let last = match limit {
+        let (last, at_end) = match limit {
             Some(limit) => {
                 body.push(Statement::Let("_end".to_owned(), limit));
-                "_end * 0.99999999999999989"
+                ("_end * 0.99999999999999989", AT_END)
             }
-            None => "1e300",
+            None => ("1e300", ""),
         };
         let list = self.arguments.join(", ");
         let comma = if list.is_empty() { "" } else { ", " };
         let profile_at = |at: &str| format!("sneddon_g({at}{comma}{list})");
-        let text = format!("fn search() {{ {domain} let _last = {last}; {narrow} {SEARCH_OUTWARD} {SEARCH} }}");
+        let text = format!("fn search() {{ {domain} let _last = {last}; {narrow} {SEARCH_OUTWARD} {SEARCH} }}").replace("AT_END", at_end);
         let text = places.iter().fold(text, |text, at| text.replace(&format!("g({at})"), &profile_at(at)));
         let routine = read::routines(&text).and_then(|list| list.into_iter().next()).ok_or(CodeError::Forms)?;
         body.extend(routine.body);
@@ -94,7 +94,13 @@ const SEARCH_OUTWARD: &str = "let _reach = min(d, _last - _low); let _below = 0;
         if _found > 0 { _low = _left; _high = _mid; }
       }
     }
-    if _found == 0 { return nan(); }";
+    if _found == 0 {
+      AT_END
+      return nan();
+    }";
+
+/// At the end of the domain g may be rounded to less than the depth that belongs to it.
+const AT_END: &str = "if _at_high * 1.0000000000000036 >= d { return _high; }";
 
 /// Illinois steps; the end of the bracket whose g is nearer to d is the radius.
 const SEARCH: &str = "_below = g(_low) - d; let _above = g(_high) - d; let _n = 0; let _side = 0;

@@ -68,6 +68,18 @@ fn the_search_overflows_in_python() {
     }
 }
 
+/// At the last double below R, g(a) is 22.892499233290874 within a rounding; mpmath has F = 96.80698970165 there.
+#[test]
+fn the_search_reaches_the_end_of_the_profile() {
+    let (depth, radii) = ("22.892499233290874", "2.114382311559954, 2.1143820299444025");
+    let conditions = [
+        format!("sneddon_a({depth}, {radii}) == 2.1143823115599535"),
+        format!("fabs(sneddon_F_of_d({depth}, 1.0, {radii}) - 96.80698970165) < 1e-9"),
+    ];
+    let shape = "piecewise(0, r<b, sqrt(R^2-b^2)-sqrt(R^2-r^2))";
+    assert_in_c("end", shape, &[Quantity::Radius, Quantity::ForceOfDepth], &conditions);
+}
+
 /// At no depth a worn tip touches with its flat, whose radius is b; a sharp one touches at a point.
 #[test]
 fn the_radius_at_no_depth_is_that_of_the_flat() {
