@@ -36,19 +36,7 @@ pub(super) fn coordinates(quantity: Quantity) -> Vec<&'static str> {
 /// # Errors
 /// [`CodeError`] if a quantity is not closed, or if a function cannot be written in the language.
 pub fn program(solution: &Solution, quantities: &[Quantity], language: Language, profile: &str) -> Result<Program, CodeError> {
-    let mut solution = solution.clone();
-    let angles = solution.profile.angle_conditions();
-    let follows = |own: &Condition| match own.right.node() {
-        Node::Function(function, arguments) if matches!(function.name(), "sin" | "cos" | "tan") => {
-            own.left.is_zero() && arguments.iter().all(|angle| angles.contains(&Condition::less(Expr::zero(), angle.clone())))
-        }
-        _ => false,
-    };
-    solution.conditions.retain(|own| !follows(own));
-    solution.conditions.extend(angles);
-    solution.conditions.sort();
-    solution.conditions.dedup();
-    let solution = &solution;
+    let solution = &with_acute_angles(solution);
     let symbols = solution.profile.parameters();
     let forms = read::routines(FORMS).ok_or(CodeError::Forms)?;
     let target = language.target();
@@ -102,6 +90,23 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
         best = if better.len() == poor.len() { other } else { claimed(build(&sums)?, None) };
     }
     best.honest()
+}
+
+/// The solution with the conditions that slope angles are acute, from which tan θ > 0 follows.
+fn with_acute_angles(solution: &Solution) -> Solution {
+    let mut solution = solution.clone();
+    let angles = solution.profile.angle_conditions();
+    let follows = |own: &Condition| match own.right.node() {
+        Node::Function(function, arguments) if matches!(function.name(), "sin" | "cos" | "tan") => {
+            own.left.is_zero() && arguments.iter().all(|angle| angles.contains(&Condition::less(Expr::zero(), angle.clone())))
+        }
+        _ => false,
+    };
+    solution.conditions.retain(|own| !follows(own));
+    solution.conditions.extend(angles);
+    solution.conditions.sort();
+    solution.conditions.dedup();
+    solution
 }
 
 pub(super) struct Builder<'a> {

@@ -1,4 +1,4 @@
-//! Functions computed as sums at run time: power series near the axis, and Gaussian terms at every radius.
+//! Functions computed as sums at run time: power series near the axis, quadrature beyond it, and Gaussian terms at every radius.
 
 mod quadrature;
 
