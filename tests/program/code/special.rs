@@ -34,7 +34,7 @@ const SPECIAL: [Special; 21] = [
     ("fractional cusp", "abs(r^1.2-b)", &[("b", "0.3")], G_AND_F, 17.0),
     ("worn arctangent", "piecewise(0, r<b, h*(atan(r/w)-atan(b/w)))", &[("b", "0.3"), ("h", "0.4"), ("w", "1.3")], FORCES, 64.0),
     ("grown polynomial", "r^2*h+(exp(r)-1)*r^5", &[("h", "0.4")], FORCES, 16.0),
-    // 64 and 23 with the power series and the closed form alone.
+    // 51 for F of the fraction with the power series and the closed form alone.
     ("fraction", "r/(w+r)", &[("w", "1.3")], FORCES, 16.0),
     ("power of a fraction", "(h*r^2/(w^2+r^2))^3", &[("h", "0.4"), ("w", "1.3")], &[Quantity::ForceOfDepth], 16.0),
     ("difference of waves", "h*(k*r-sin(k*r))", &[("h", "0.4"), ("k", "2.2")], G_AND_F, 16.0),
