@@ -23,12 +23,12 @@ const PER_DECADE: f64 = 2.0;
 /// Functions with a larger claim are refused.
 const REFUSED: f64 = 1e4;
 
-/// Finds the claims and writes them into the comments of the routines; a claim that is not smaller than that of the other program is
-/// not followed to its end.
+/// Finds the claims and writes them into the comments of the routines. The search for a claim stops where it reaches the largest claim
+/// of the other program, which is then the better one.
 pub(super) fn claimed(mut program: Program, solution: &Solution, references: &References, other: Option<&Program>) -> Program {
     for quantity in program.quantities.clone() {
-        let before = other.and_then(|own| own.claims.iter().find(|(of, _)| *of == quantity)?.1);
-        let claim = of(&program, quantity, solution, references, before);
+        let begin = other.and_then(|own| Some(own.claims.iter().find(|(of, _)| *of == quantity)?.1?.worst_at));
+        let claim = of(&program, quantity, solution, references, begin, other.map_or(f64::INFINITY, Program::largest_claim));
         program.claims.push((quantity, claim));
         let lines = claim.map_or_else(Vec::new, |claim| text(&program, claim, quantity));
         if let Some(routine) = program.routines.iter_mut().find(|own| own.name == routine_name(quantity)) {
@@ -42,6 +42,11 @@ impl Program {
     /// The quantities that claim more than [`PLAIN`] units, or that have no claim.
     pub(super) fn poor(&self) -> Vec<Quantity> {
         self.claims.iter().filter(|own| own.1.is_none_or(|claim| claim.ulps > PLAIN)).map(|own| own.0).collect()
+    }
+
+    /// The largest claim; infinite if one is unknown.
+    fn largest_claim(&self) -> f64 {
+        self.claims.iter().map(|(_, claim)| claim.map_or(f64::INFINITY, |own| own.ulps)).fold(0.0, f64::max)
     }
 
     /// Whether the largest claim among the quantities computed from this one is smaller than in another program.
@@ -131,8 +136,16 @@ struct Found {
     draw: usize,
 }
 
-/// The claim of a quantity; `None` if no point gives a bound.
-fn of(program: &Program, quantity: Quantity, solution: &Solution, references: &References, before: Option<Claim>) -> Option<Claim> {
+/// The claim of a quantity, or a smaller number that is at least `enough`, or too large to be accepted; `None` if no point gives a bound.
+/// The place `begin` is judged first.
+fn of(
+    program: &Program,
+    quantity: Quantity,
+    solution: &Solution,
+    references: &References,
+    begin: Option<f64>,
+    enough: f64,
+) -> Option<Claim> {
     let library = |name: &str| program.language.target().library(name).map(|(_, ulps)| ulps);
     let mut machine = Machine::new(&program.routines, &library);
     let is_solved = program.is_solved(quantity);
@@ -185,9 +198,8 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution, references: &R
         return Some(claim);
     }
     let (mut relative, mut largest, mut worst_at) = (0.0_f64, 0.0_f64, claim.worst_at);
-    // Begin with the place that decided before.
-    if let Some(place) = before.and_then(|before| found.iter().position(|own| own.place == before.worst_at)) {
-        found[..=place].rotate_right(1);
+    if let Some(first) = begin.and_then(|begin| found.iter().position(|own| own.place == begin)) {
+        found[..=first].rotate_right(1);
     }
     for own in &mut found {
         // Condition numbers are 1 or more.
@@ -205,8 +217,7 @@ fn of(program: &Program, quantity: Quantity, solution: &Solution, references: &R
         if ulps / condition > relative {
             (relative, worst_at) = (ulps / condition, own.place);
         }
-        // What is not better than the other program, or refused, need not be known to its end.
-        if whole(relative) >= before.map_or(REFUSED, |before| before.ulps.min(REFUSED)) {
+        if whole(relative) >= enough || whole(relative) > REFUSED {
             break;
         }
     }

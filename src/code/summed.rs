@@ -131,7 +131,7 @@ impl Builder<'_> {
                 let extent = quadrature::Extent { lower, upper: ends.get(index).cloned() };
                 let mut piece = read_body(&quadrature::piece(coordinate, is_force, rule, &extent))?;
                 for own in &mut piece {
-                    own.replace(&Value::name(quadrature::MARK), &statements, &value);
+                    own.replace(&Value::name(quadrature::PLACEHOLDER), &statements, &value);
                 }
                 body.extend(piece);
             }

@@ -153,15 +153,15 @@ impl Statement {
         }
     }
 
-    /// Sets `value` where `mark` is assigned, after the statements that compute it.
-    pub(super) fn replace(&mut self, mark: &Value, before: &[Statement], value: &Value) {
+    /// Replaces the assignment of `placeholder` by that of `value`, preceded by the statements that compute it.
+    pub(super) fn replace(&mut self, placeholder: &Value, before: &[Statement], value: &Value) {
         let (Self::If(_, yes, _) | Self::While(_, yes)) = self else { return };
-        let place = yes.iter().position(|own| matches!(own, Self::Set(_, own) if own == mark));
+        let place = yes.iter().position(|own| matches!(own, Self::Set(_, own) if own == placeholder));
         if let Some((place, Self::Set(_, own))) = place.and_then(|place| Some((place, yes.get_mut(place)?))) {
             *own = value.clone();
             yes.splice(place..place, before.iter().cloned());
         }
-        yes.iter_mut().for_each(|own| own.replace(mark, before, value));
+        yes.iter_mut().for_each(|own| own.replace(placeholder, before, value));
     }
 
     /// Visits every statement in it, itself first.

@@ -14,13 +14,13 @@ pub(super) struct Extent {
     pub(super) upper: Option<String>,
 }
 
-/// The variables of the statements.
+/// The variables that the statements assign.
 pub(super) const VARIABLES: [&str; 13] =
     ["_integral", "_start", "_width", "_k", "_sine", "_r", "_slope", "_part", "_gauss", "_size", "_total", "_sum", "_lost"];
-/// The name that stands for f′ at `_r`.
-pub(super) const MARK: &str = "mark";
+/// The placeholder for the value of f′ at `_r`.
+pub(super) const PLACEHOLDER: &str = "placeholder";
 
-/// The statements that add the integral over a piece by a rule to `_integral`, with [`MARK`] for f′ at `_r`.
+/// The statements that add the integral over a piece by a rule to `_integral`, with [`PLACEHOLDER`] for f′ at `_r`.
 pub(super) fn piece(coordinate: &str, is_force: bool, rule: &str, extent: &Extent) -> String {
     let weight = if is_force { " * _sine * _sine" } else { "" };
     let (start, mut width) = match &extent.lower {
@@ -38,7 +38,7 @@ pub(super) fn piece(coordinate: &str, is_force: bool, rule: &str, extent: &Exten
         while _k <= 60 {{
           _sine = sin(_start + _width * {rule}_place(_k));
           _r = {coordinate} * _sine;
-          _slope = {MARK};
+          _slope = {PLACEHOLDER};
           _part = _slope{weight};
           if floor(0.5 * _k) < 0.5 * _k {{ _gauss = _gauss + {rule}_gauss(0.5 * (_k - 1)) * _part; }}
           _part = {rule}_weight(_k) * _part;

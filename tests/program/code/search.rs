@@ -89,7 +89,7 @@ fn the_radius_at_no_depth_is_that_of_the_flat() {
     assert_in_c("point", "r^2/(2*R)", &quantities, &["sneddon_a(0.0, 2.0) == 0.0".to_owned()]);
 }
 
-/// tan θ is positive for θ = 3.5 again, which is no slope.
+/// Slope angles of π/2 or more are outside the domain, including those with a positive tangent, such as 3.5.
 #[test]
 fn angles_are_acute() {
     let values = |angle: f64| {
