@@ -262,7 +262,7 @@ fn function(library: &dyn Fn(&str) -> Option<f64>, name: &str, arguments: &[Boun
         _ => None,
     };
     match (name, arguments) {
-        ("sqrt", [a]) => Some(a.sqrt()),
+        ("sqrt", [a]) => Some(root(*a)),
         // One unit is counted by the power itself.
         ("pow", [a, b]) => Some(a.powf(*b).apply(|z| z, ELEMENTARY_ULPS - 1.0)),
         ("abs", [a]) => Some(Bounded { value: a.value.abs(), error: a.error }),
@@ -301,6 +301,15 @@ fn quotient(a: Bounded, b: Bounded) -> Bounded {
     let carried = (a.error + whole.value.abs() * b.error + rest) / (b.value.abs() - b.error);
     let own = Bounded::checked(whole.value, carried * (1.0 + 4.0 * f64::EPSILON));
     if b.error < b.value.abs() && PLAIN.contains(&whole.value.abs()) && own.error < whole.error { own } else { whole }
+}
+
+/// A square root with the actual rounding error instead of half a unit.
+fn root(a: Bounded) -> Bounded {
+    let whole = a.sqrt();
+    let rest = (0.5 * whole.value.mul_add(-whole.value, a.value) / whole.value).abs();
+    let carried = 0.5 * a.error / (whole.value * (1.0 - a.error / a.value));
+    let own = Bounded::checked(whole.value, (carried + rest) * (1.0 + 4.0 * f64::EPSILON));
+    if a.error < 0.5 * a.value && PLAIN.contains(&a.value) && own.error < whole.error { own } else { whole }
 }
 
 /// The angle of the point (b, a): it moves by at most the angle of the arguments' errors.

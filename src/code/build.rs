@@ -72,7 +72,7 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     let claimed = |own: Program, other: Option<&Program>| claim::claimed(own, solution, &references, other);
     let mut best = claimed(build(&[])?, None);
     let mut sums: Vec<(Quantity, Sum)> = Vec::new();
-    for sum in [Sum::Series, Sum::Quadrature, Sum::Clustered] {
+    for sum in [Sum::Series, Sum::Quadrature, Sum::Graded] {
         let mut poor: Vec<Quantity> = best.poor().into_iter().flat_map(series_of).copied().collect();
         poor.sort_by_key(|own| own.key());
         poor.dedup();

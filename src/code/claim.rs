@@ -102,7 +102,7 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     )];
     if let Some(largest) = claim.conditional {
         lines.push(format!(
-            "The condition number is 1 + the sum of |v df/dv|/|f| over the arguments v. Where it is large, the bound was up to {} ulp.",
+            "The condition number is k + the sum of |v dq/dv|/|q| over the arguments v of the result q, where k is 1 or, if larger, the relative change of q for a relative change of f'(r) by 1 with the least favourable sign at every r. Where it is large, the bound was up to {} ulp.",
             if largest < 1e6 { format!("{largest:.0}") } else { format!("{largest:.0e}") }
         ));
     }

@@ -3,6 +3,7 @@
 mod beta;
 mod elliptic;
 mod equal;
+mod limits;
 
 use super::tree::{Operator, Statement, Value};
 use crate::eval::{Algebra, EvalError, PreciseAlgebra, walk};
@@ -169,6 +170,11 @@ impl Recorder {
         Some(self.multiply(x, mean))
     }
 
+    fn negative(&mut self, a: u32) -> u32 {
+        let factor = self.number(-1.0);
+        self.multiply(factor, a)
+    }
+
     /// Variables for what is used more than once or is long, and the value at the end.
     fn statements(&self, root: u32, inputs: &[String], counter: &mut usize) -> (Vec<Statement>, Value) {
         let mut uses = vec![0_usize; self.steps.len()];
@@ -228,11 +234,14 @@ impl Algebra for Recorder {
     }
 
     fn add(&mut self, a: u32, b: u32) -> u32 {
-        self.binary(Operator::Add, a, b)
+        limits::sum(self, a, b, false).unwrap_or_else(|| self.binary(Operator::Add, a, b))
     }
 
     fn subtract(&mut self, a: u32, b: u32) -> u32 {
-        self.difference(a, b).or_else(|| elliptic::difference(self, a, b)).unwrap_or_else(|| self.binary(Operator::Subtract, a, b))
+        self.difference(a, b)
+            .or_else(|| elliptic::difference(self, a, b))
+            .or_else(|| limits::sum(self, a, b, true))
+            .unwrap_or_else(|| self.binary(Operator::Subtract, a, b))
     }
 
     fn multiply(&mut self, a: u32, b: u32) -> u32 {

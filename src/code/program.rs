@@ -111,8 +111,8 @@ pub(super) enum Sum {
     Series,
     /// The Gauss–Kronrod rule.
     Quadrature,
-    /// The same with points that lie densely at both ends.
-    Clustered,
+    /// The same on intervals that shrink toward both ends.
+    Graded,
 }
 
 /// The name of the routine of a quantity.

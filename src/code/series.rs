@@ -23,7 +23,7 @@ const MOST_ARRAYS: usize = 24;
 /// The coefficients among which gaps are sought.
 const SEEN: usize = 80;
 /// Terms may be this much larger than their sum, alone and where a quadrature follows.
-const CANCELLING: [f64; 2] = [32.0, 4.0];
+const CANCELLING: [f64; 2] = [32.0, 2.0];
 /// Terms may grow by this factor beyond the first one.
 const GROWING: f64 = 1e6;
 

@@ -32,8 +32,8 @@ impl Builder<'_> {
             self.counter = 0;
             let body = match way {
                 Sum::Series => self.series(&profile, coordinate, is_force, *ways == [Sum::Series])?,
-                Sum::Quadrature => self.quadrature(coordinate, is_force, "kronrod")?,
-                Sum::Clustered => self.quadrature(coordinate, is_force, "clustered")?,
+                Sum::Quadrature => self.quadrature(coordinate, is_force, false)?,
+                Sum::Graded => self.quadrature(coordinate, is_force, true)?,
             };
             let Some(body) = body else { continue };
             let of = if is_force { "F/(2 E)" } else { "g" };
@@ -48,10 +48,10 @@ impl Builder<'_> {
                     "quadrature",
                     format!("The integral for {of} by a Gauss-Kronrod rule; NaN where it is not accurate and another formula is used."),
                 ),
-                Sum::Clustered => (
-                    "clustered",
+                Sum::Graded => (
+                    "graded",
                     format!(
-                        "The integral for {of} by a rule with dense points at the ends; NaN where it is not accurate and another formula is used."
+                        "The integral for {of} by a Gauss-Kronrod rule on intervals that shrink toward the ends; NaN where it is not accurate and another formula is used."
                     ),
                 ),
             };
@@ -112,10 +112,11 @@ impl Builder<'_> {
     }
 
     /// The body of the routine that integrates f′ over every piece; `None` if f′ is not a formula.
-    fn quadrature(&mut self, coordinate: &str, is_force: bool, rule: &str) -> Result<Option<Vec<Statement>>, CodeError> {
+    fn quadrature(&mut self, coordinate: &str, is_force: bool, is_graded: bool) -> Result<Option<Vec<Statement>>, CodeError> {
         let mut names = self.names.clone();
         names.insert("r".to_owned(), "_r".to_owned());
-        let mut body = quadrature::VARIABLES.map(|own| Statement::Let(own.to_owned(), Value::Number(0.0, true))).to_vec();
+        let zero = |own: &str| Statement::Let(own.to_owned(), Value::Number(0.0, true));
+        let mut body: Vec<Statement> = quadrature::variables(is_graded).map(zero).collect();
         for chain in &self.solution.profile.chains {
             let Ok(slopes) = chain.slopes() else { return Ok(None) };
             let mut ends = Vec::new();
@@ -129,7 +130,7 @@ impl Builder<'_> {
                 let (statements, value) = lowered(&collected(slope), &names, &mut self.counter)?;
                 let lower = index.checked_sub(1).and_then(|before| ends.get(before)).cloned();
                 let extent = quadrature::Extent { lower, upper: ends.get(index).cloned() };
-                let mut piece = read_body(&quadrature::piece(coordinate, is_force, rule, &extent))?;
+                let mut piece = read_body(&quadrature::piece(coordinate, is_force, is_graded, &extent))?;
                 for own in &mut piece {
                     own.replace(&Value::name(quadrature::PLACEHOLDER), &statements, &value);
                 }
@@ -137,7 +138,7 @@ impl Builder<'_> {
             }
         }
         let front = if is_force { format!("{coordinate} * {coordinate}") } else { coordinate.to_owned() };
-        body.extend(read_body(&format!("return {front} * _integral;"))?);
+        body.extend(read_body(&quadrature::result(&front))?);
         Ok(Some(body))
     }
 
