@@ -110,6 +110,13 @@ impl<'a> Machine<'a> {
 
     fn routine(&mut self, name: &str, arguments: Vec<Traced>) -> Option<Traced> {
         let routine = self.routines.iter().find(|own| own.name == name)?;
+        // A table is read at one place instead of copied.
+        if let ([Statement::Table(_, values), Statement::Return(Value::Element(..))], [index]) =
+            (routine.body.as_slice(), arguments.as_slice())
+        {
+            let value = *values.get(index.bounded.value as usize)?;
+            return Some(self.leaf(Bounded::rounded(value)));
+        }
         let numbers = routine.parameters.iter().map(String::as_str).zip(arguments).collect();
         let mut variables = Variables { numbers, arrays: Vec::new() };
         self.block(&routine.body, &mut variables)?
@@ -117,11 +124,20 @@ impl<'a> Machine<'a> {
 
     /// Runs statements; `Some(None)` where none of them returned.
     fn block(&mut self, list: &'a [Statement], variables: &mut Variables<'a>) -> Option<Option<Traced>> {
-        for own in list {
+        let mut rest = list;
+        while let [own, more @ ..] = rest {
             self.steps += 1;
             if self.steps > MOST_STEPS {
                 return None;
             }
+            if let ([first, second, third, more @ ..], true) = (rest, self.record.is_none())
+                && let Some(accumulation) = Accumulation::of([first, second, third])
+            {
+                self.accumulated(&accumulation, variables)?;
+                rest = more;
+                continue;
+            }
+            rest = more;
             let done = match own {
                 Statement::Let(name, value) | Statement::Set(name, value) => {
                     let value = self.value(value, variables)?;
@@ -162,6 +178,26 @@ impl<'a> Machine<'a> {
             }
         }
         Some(None)
+    }
+
+    /// Adds a term to a compensated sum: the error of the sum counts with the rest, which contains its roundings.
+    fn accumulated(&mut self, own: &Accumulation<'a>, variables: &mut Variables<'a>) -> Option<()> {
+        let (sum, rest) = (self.value(own.sum, variables)?.bounded, self.value(own.rest, variables)?.bounded);
+        let term = self.value(own.term, variables)?.bounded;
+        let next = Bounded::exact(sum.value) + Bounded::exact(term.value);
+        let lost = (sum.value - next.value) + term.value;
+        // The rounding error of the sum, up to the sign, which the rest contains as far as it is computed exactly.
+        let missed = (next.error - lost.abs()).abs();
+        let total = rest + Bounded::exact(lost);
+        let total = Bounded::checked(total.value, total.error + sum.error + term.error + missed);
+        let set = |name: &'a str, value: Bounded, machine: &mut Self, variables: &mut Variables<'a>| {
+            let own = machine.leaf(value);
+            variables.set(name, own);
+        };
+        set(own.total_name, Bounded::exact(next.value), self, variables);
+        set(own.rest_name, total, self, variables);
+        set(own.sum_name, Bounded::exact(next.value), self, variables);
+        Some(())
     }
 
     fn test(&mut self, test: &'a Test, variables: &mut Variables<'a>) -> Option<bool> {
@@ -229,6 +265,35 @@ impl<'a> Machine<'a> {
                 self.operation(Operation::Call(name), &arguments, bounded, |own| function(library, name, own).unwrap_or(bounded))
             }
         })
+    }
+}
+
+/// The three statements of a compensated sum: `total = sum + term; rest = rest + ((sum - total) + term); sum = total`.
+struct Accumulation<'a> {
+    total_name: &'a str,
+    rest_name: &'a str,
+    sum_name: &'a str,
+    sum: &'a Value,
+    rest: &'a Value,
+    term: &'a Value,
+}
+
+impl<'a> Accumulation<'a> {
+    fn of(statements: [&'a Statement; 3]) -> Option<Self> {
+        let [
+            Statement::Let(total_name, Value::Binary(Operator::Add, sum, term))
+            | Statement::Set(total_name, Value::Binary(Operator::Add, sum, term)),
+            Statement::Set(rest_name, Value::Binary(Operator::Add, rest, lost)),
+            Statement::Set(sum_name, Value::Name(last)),
+        ] = statements
+        else {
+            return None;
+        };
+        let Value::Binary(Operator::Add, less, again) = &**lost else { return None };
+        let Value::Binary(Operator::Subtract, before, total) = &**less else { return None };
+        let is = |value: &Value, name: &str| matches!(value, Value::Name(own) if own == name);
+        let fits = is(sum, sum_name) && is(rest, rest_name) && is(before, sum_name) && is(total, total_name) && last == total_name;
+        (fits && again == term && matches!(**term, Value::Name(_))).then_some(Self { total_name, rest_name, sum_name, sum, rest, term })
     }
 }
 

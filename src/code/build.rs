@@ -72,7 +72,7 @@ pub fn program(solution: &Solution, quantities: &[Quantity], language: Language,
     let claimed = |own: Program, other: Option<&Program>| claim::claimed(own, solution, &references, other);
     let mut best = claimed(build(&[])?, None);
     let mut sums: Vec<(Quantity, Sum)> = Vec::new();
-    for sum in [Sum::Series, Sum::Quadrature, Sum::Graded] {
+    for sum in [Sum::Series, Sum::Quadrature] {
         let mut poor: Vec<Quantity> = best.poor().into_iter().flat_map(series_of).copied().collect();
         poor.sort_by_key(|own| own.key());
         poor.dedup();
@@ -115,8 +115,8 @@ pub(super) struct Builder<'a> {
     pub(super) arguments: Vec<String>,
     pub(super) counter: usize,
     pub(super) routines: Vec<Routine>,
-    forms: Vec<Routine>,
-    language: Language,
+    pub(super) forms: Vec<Routine>,
+    pub(super) language: Language,
     /// The quantities that are computed by sums where these converge fast.
     sums: Vec<(Quantity, Sum)>,
 }

@@ -102,7 +102,7 @@ fn text(program: &Program, claim: Claim, quantity: Quantity) -> Vec<String> {
     )];
     if let Some(largest) = claim.conditional {
         lines.push(format!(
-            "The condition number is k + the sum of |v dq/dv|/|q| over the arguments v of the result q, where k is 1 or, if larger, the relative change of q for a relative change of f'(r) by 1 with the least favourable sign at every r. Where it is large, the bound was up to {} ulp.",
+            "The condition number is k + the sum of |v dq/dv|/|q| over the arguments v of the result q and over the coefficients of f(r) that are rounded to doubles. Here k is the largest relative change of q per relative change of f'(r), whose sign may differ from one r to the next, and at least 1. Where it is large, the bound was up to {} ulp.",
             if largest < 1e6 { format!("{largest:.0}") } else { format!("{largest:.0e}") }
         ));
     }
@@ -207,12 +207,10 @@ fn of(
             break;
         }
         let truth = truths.get_mut(own.draw)?;
-        let ulps = refined(own, truth);
-        if ulps <= relative {
-            continue;
-        }
         // A larger condition number changes nothing.
-        let Some(condition) = truth.condition(&own.coordinates, own.place, ulps / relative) else { continue };
+        let Some(condition) = truth.condition(&own.coordinates, own.place, own.ulps / relative) else { continue };
+        // The bound to first order takes longer.
+        let ulps = if own.ulps <= relative * condition { own.ulps } else { refined(own, truth) };
         largest = largest.max(ulps);
         if ulps / condition > relative {
             (relative, worst_at) = (ulps / condition, own.place);

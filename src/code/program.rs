@@ -111,8 +111,6 @@ pub(super) enum Sum {
     Series,
     /// The Gauss–Kronrod rule.
     Quadrature,
-    /// The same on intervals that shrink toward both ends.
-    Graded,
 }
 
 /// The name of the routine of a quantity.

@@ -2,13 +2,14 @@
 
 mod quadrature;
 
+use super::accuracy::Machine;
 use super::build::{Builder, coordinates, when};
 use super::lower::{Names, lowered};
 use super::program::{Sum, routine_name};
 use super::tree::{Comparison, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, gaussian, read, series};
 use crate::contact::Quantity;
-use crate::expr::{Expr, collected};
+use crate::expr::{Expr, Number, Symbol, collected};
 use crate::transform::Sampler;
 
 /// The number of the first variable for a sum.
@@ -32,8 +33,7 @@ impl Builder<'_> {
             self.counter = 0;
             let body = match way {
                 Sum::Series => self.series(&profile, coordinate, is_force, *ways == [Sum::Series])?,
-                Sum::Quadrature => self.quadrature(coordinate, is_force, false)?,
-                Sum::Graded => self.quadrature(coordinate, is_force, true)?,
+                Sum::Quadrature => self.quadrature(coordinate, is_force)?,
             };
             let Some(body) = body else { continue };
             let of = if is_force { "F/(2 E)" } else { "g" };
@@ -47,12 +47,6 @@ impl Builder<'_> {
                 Sum::Quadrature => (
                     "quadrature",
                     format!("The integral for {of} by a Gauss-Kronrod rule; NaN where it is not accurate and another formula is used."),
-                ),
-                Sum::Graded => (
-                    "graded",
-                    format!(
-                        "The integral for {of} by a Gauss-Kronrod rule on intervals that shrink toward the ends; NaN where it is not accurate and another formula is used."
-                    ),
                 ),
             };
             let routine = Routine {
@@ -112,11 +106,11 @@ impl Builder<'_> {
     }
 
     /// The body of the routine that integrates f′ over every piece; `None` if f′ is not a formula.
-    fn quadrature(&mut self, coordinate: &str, is_force: bool, is_graded: bool) -> Result<Option<Vec<Statement>>, CodeError> {
+    fn quadrature(&mut self, coordinate: &str, is_force: bool) -> Result<Option<Vec<Statement>>, CodeError> {
         let mut names = self.names.clone();
         names.insert("r".to_owned(), "_r".to_owned());
         let zero = |own: &str| Statement::Let(own.to_owned(), Value::Number(0.0, true));
-        let mut body: Vec<Statement> = quadrature::variables(is_graded).map(zero).collect();
+        let mut body: Vec<Statement> = quadrature::VARIABLES.map(zero).to_vec();
         for chain in &self.solution.profile.chains {
             let Ok(slopes) = chain.slopes() else { return Ok(None) };
             let mut ends = Vec::new();
@@ -127,10 +121,10 @@ impl Builder<'_> {
                 body.extend(statements.into_iter().chain(ends.last().map(|name| Statement::Let(name.clone(), value))));
             }
             for (index, slope) in slopes.iter().enumerate().filter(|own| !own.1.is_zero()) {
-                let (statements, value) = lowered(&collected(slope), &names, &mut self.counter)?;
+                let (statements, value) = self.f_prime(slope, &names)?;
                 let lower = index.checked_sub(1).and_then(|before| ends.get(before)).cloned();
                 let extent = quadrature::Extent { lower, upper: ends.get(index).cloned() };
-                let mut piece = read_body(&quadrature::piece(coordinate, is_force, is_graded, &extent))?;
+                let mut piece = read_body(&quadrature::piece(coordinate, is_force, &extent))?;
                 for own in &mut piece {
                     own.replace(&Value::name(quadrature::PLACEHOLDER), &statements, &value);
                 }
@@ -140,6 +134,43 @@ impl Builder<'_> {
         let front = if is_force { format!("{coordinate} * {coordinate}") } else { coordinate.to_owned() };
         body.extend(read_body(&quadrature::result(&front))?);
         Ok(Some(body))
+    }
+
+    /// The statements that compute f′ at `_r`, and its value: from the derivative with its factors collected or as it is, whichever has
+    /// the smaller running bounds over six decades.
+    fn f_prime(&mut self, slope: &Expr, names: &Names) -> Result<(Vec<Statement>, Value), CodeError> {
+        let sample = Sampler::new(1).parameters(self.solution).unwrap_or_default();
+        let number = |own: &Symbol| sample.apply(&Expr::from(own.clone())).as_number().map_or(f64::NAN, Number::to_f64);
+        let numbers: Vec<f64> = self.solution.profile.parameters().iter().map(number).collect();
+        let parameters: Vec<String> = std::iter::once("_r".to_owned()).chain(self.arguments.iter().cloned()).collect();
+        let mut best: Option<(f64, usize, (Vec<Statement>, Value))> = None;
+        for own in [collected(slope), slope.clone()] {
+            let mut counter = self.counter;
+            let (statements, value) = lowered(&own, names, &mut counter)?;
+            let body = statements.iter().cloned().chain([Statement::Return(value.clone())]).collect();
+            let routine = Routine { name: "f_prime".to_owned(), parameters: parameters.clone(), body, comment: Vec::new() };
+            let bound = self.bound(routine, &numbers);
+            if best.as_ref().is_none_or(|(least, ..)| bound < *least) {
+                best = Some((bound, counter, (statements, value)));
+            }
+        }
+        let (_, counter, found) = best.ok_or(CodeError::Forms)?;
+        self.counter = counter;
+        Ok(found)
+    }
+
+    /// The sum of the logarithms of relative running bounds of a routine of r.
+    fn bound(&self, routine: Routine, numbers: &[f64]) -> f64 {
+        let name = routine.name.clone();
+        let routines: Vec<Routine> = self.forms.iter().cloned().chain([routine]).collect();
+        let library = |name: &str| self.language.target().library(name).map(|(_, ulps)| ulps);
+        let mut machine = Machine::new(&routines, &library);
+        let relative = |r: f64| {
+            machine.start_record();
+            let own = machine.traced(&name, &[&[r], numbers].concat())?;
+            Some((machine.error(&[(own, 1.0)]) / own.bounded.value.abs()).clamp(f64::EPSILON, 1.0).ln())
+        };
+        (-12..=12).map(|step| 10f64.powf(0.25 * f64::from(step))).filter_map(relative).filter(|own| own.is_finite()).sum()
     }
 
     /// Returns the statements that sum Gaussian terms, if the profile has no other terms; `None` for g without powers of r, whose

@@ -1,11 +1,13 @@
 //! Reference values for the generated code: errors in ulps, and condition numbers.
 
+mod slopes;
+
 use super::program::{Program, needs_modulus};
 use crate::contact::{Contact, Quantity};
-use crate::eval::{FloatAlgebra, Tape};
-use crate::expr::{Bindings, Expr, Number, Symbol};
+use crate::expr::{Bindings, Expr, Number};
 use crate::num::{Bounded, work};
-use crate::transform::{Chain, Evaluator, Method, Solution};
+use crate::transform::{Evaluator, Method, Solution};
+use slopes::Slopes;
 use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -155,8 +157,8 @@ impl<'a> Truth<'a> {
         Some(own.error.max(beyond(own.value - exact.value, exact.error)) / spacing(exact.value))
     }
 
-    /// k + Σ |v ∂q/∂v|/|q| over the coordinates, E and the parameters of the quantity q, with k = max(1, [`Self::of_shape`]), or a part
-    /// of the sum that is at least `enough`; `None` if a neighbouring value is unknown.
+    /// [`Self::of_shape`] + Σ |v ∂q/∂v|/|q| over the coordinates, E and the parameters of the quantity q, or a part of the sum that is
+    /// at least `enough`; `None` if a neighbouring value is unknown.
     pub(super) fn condition(&mut self, coordinates: &[f64], place: f64, enough: f64) -> Option<f64> {
         let key = self.key(self.quantity, coordinates, place);
         if let Some((known, is_whole)) = self.references.conditions.borrow().get(&key).copied()
@@ -171,7 +173,7 @@ impl<'a> Truth<'a> {
 
     fn condition_up_to(&mut self, coordinates: &[f64], place: f64, enough: f64) -> Option<f64> {
         let Bounded { value, .. } = self.value(coordinates, place)?;
-        let mut total = self.of_shape(value, place).max(1.0) + if needs_modulus(self.quantity) { 1.0 } else { 0.0 };
+        let mut total = self.of_shape(value, place) + if needs_modulus(self.quantity) { 1.0 } else { 0.0 };
         // Use the larger change of both sides, which have the same sign at the crest of a short wave.
         let share = |step: f64, pair: [Option<Bounded>; 2]| {
             let changes = pair.into_iter().flatten().map(|own| (own.value - value).abs() / (step * value.abs()));
@@ -201,40 +203,39 @@ impl<'a> Truth<'a> {
         Some(total)
     }
 
-    /// The largest relative change of the value where f′(r) changes by the factor 1 ± ε, with any sign at every r, divided by ε; 0 for
-    /// pressures, for which there is no bound.
+    /// k + the part of the sum over the coefficients of terms of f(r) that are rounded to doubles; 1 for pressures.
     ///
-    /// With r = a sin θ, it is ∫ |f′| w(θ) dθ over the value of the same integral without magnitudes, to about a tenth.
+    /// k is the largest relative change of the value per relative change of f′(r), whose sign may differ from one r to the next, and at
+    /// least 1. With r = a sin θ, changes are integrals over θ like the value itself; they are computed to about a hundredth.
     fn of_shape(&self, value: f64, place: f64) -> f64 {
         if self.quantity == Quantity::Pressure {
-            return 0.0;
+            return 1.0;
         }
-        let weight = |sine: f64| match self.quantity {
-            Quantity::Force => 2.0 * place * place * sine * sine,
-            // At the depth d, a change of g moves the radius.
-            Quantity::ForceOfDepth => 2.0 * place * place * (1.0 - sine * sine),
+        let front = match self.quantity {
+            Quantity::Force | Quantity::ForceOfDepth => 2.0 * place * place,
+            Quantity::Radius => place / self.slope(place).unwrap_or(f64::INFINITY),
             _ => place,
         };
-        // Angles that lie densely at both ends, and the steps between them.
+        let weight = |sine: f64| match self.quantity {
+            Quantity::Force => sine * sine,
+            // At the depth d, a change of g moves the radius.
+            Quantity::ForceOfDepth => 1.0 - sine * sine,
+            _ => 1.0,
+        };
         let slopes = self.slopes.get_or_init(|| Slopes::new(self.solution, &self.bindings));
-        let mut sum = 0.0;
+        // A double exponential rule: the angles lie densely at both ends.
+        let (mut magnitude, mut parts) = (0.0, vec![0.0; slopes.terms.len()]);
         for step in -MOST_ANGLES..=MOST_ANGLES {
             let at = f64::from(step) / PER_UNIT;
             let part = 1.0 / (1.0 + (-PI * at.sinh()).exp());
             let sine = (FRAC_PI_2 * part).sin();
-            let width = FRAC_PI_2 * PI / PER_UNIT * part * (1.0 - part) * at.cosh();
-            let slope = slopes.at(place * sine).abs();
-            sum += if slope.is_finite() { slope * width * weight(sine) } else { 0.0 };
+            let factor = FRAC_PI_2 * PI / PER_UNIT * part * (1.0 - part) * at.cosh() * weight(sine);
+            let finite = |own: f64| if own.is_finite() { own * factor } else { 0.0 };
+            magnitude += finite(slopes.at(place * sine).abs());
+            parts.iter_mut().zip(&slopes.terms).for_each(|(sum, term)| *sum += finite(term.at(place * sine)));
         }
-        let change = match self.quantity {
-            Quantity::Radius => match self.slope(place) {
-                Some(slope) => sum / slope,
-                None => 0.0,
-            },
-            _ => sum,
-        };
-        let found = change / value.abs();
-        if found.is_finite() { found } else { 0.0 }
+        let change = |own: f64| Some((front * own / value).abs()).filter(|own| own.is_finite()).unwrap_or(0.0);
+        change(magnitude).max(1.0) + parts.into_iter().map(change).sum::<f64>()
     }
 
     fn moved_parameters(&self) -> Vec<Vec<Moved<'a>>> {
@@ -253,30 +254,6 @@ impl<'a> Truth<'a> {
             STEPS.into_iter().filter_map(pair).collect()
         };
         self.names.iter().zip(&self.values).map(moved).collect()
-    }
-}
-
-/// f′ of every chain, piece by piece, in doubles.
-struct Slopes(Vec<(Vec<f64>, Vec<Tape>)>);
-
-impl Slopes {
-    fn new(solution: &Solution, bindings: &Bindings) -> Self {
-        let radius = [Symbol::new("r")];
-        let compiled = |own: &Expr| Tape::compile(&[bindings.apply(own)], &radius).ok();
-        let chain = |own: &Chain| {
-            let ends = own.breakpoints.iter().map(|own| Some(bindings.apply(own).as_number()?.to_f64())).collect::<Option<_>>()?;
-            Some((ends, own.slopes().ok()?.iter().map(compiled).collect::<Option<_>>()?))
-        };
-        Self(solution.profile.chains.iter().filter_map(chain).collect())
-    }
-
-    fn at(&self, r: f64) -> f64 {
-        let mut slots = Vec::new();
-        let mut of = |(ends, tapes): &(Vec<f64>, Vec<Tape>)| {
-            let tape = tapes.get(ends.partition_point(|end| *end < r))?;
-            tape.run(&mut FloatAlgebra, &[r], &mut slots)
-        };
-        self.0.iter().filter_map(&mut of).sum()
     }
 }
 

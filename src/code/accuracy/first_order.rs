@@ -58,7 +58,13 @@ impl<'a> Record<'a> {
     ) -> usize {
         let node = || {
             let is_linear = matches!(operation, Operation::Binary(Operator::Add | Operator::Subtract));
-            let is_close = operands.iter().all(|(_, own)| own.error <= SMALL * extent(operation, own.value));
+            let mut close = operands.iter().map(|(_, own)| own.error <= SMALL * extent(operation, own.value));
+            let is_close = match operation {
+                // The rest of second order is small if one factor has a small error, or the divisor.
+                Operation::Binary(Operator::Multiply) => close.any(|own| own),
+                Operation::Binary(Operator::Divide) => close.nth(1).unwrap_or(false),
+                _ => close.all(|own| own),
+            };
             let slopes = if is_linear || is_close { derivatives(operation, operands, result.value) } else { None };
             match slopes.filter(|list| list.iter().all(|own| own.is_finite())) {
                 Some(slopes) => {
