@@ -262,20 +262,28 @@ fn rising(mut list: Vec<f64>, contact: &Contact<'_>) -> Vec<f64> {
         .take_while(|(_, own)| *own >= std::mem::replace(&mut before, *own))
         .map(|(place, _)| place)
         .collect();
-    // A maximum between two places hides where g is larger at the second one.
+    // A maximum between two places hides where g is larger at the second one: waves show between them, and a search finds the rest.
     let is_first = |place: &f64| {
         let found = work::share(SEARCH, || contact.contact_radius(depth(*place)));
         // A search that takes too long shows nothing.
         found.is_none_or(|own| own.is_ok_and(|own| own.estimate.value >= place * (1.0 - APART)))
     };
+    let falls = |pair: &[f64]| {
+        let [from, to] = pair else { return false };
+        let at = |i: u32| depth(from + (to - from) * f64::from(i) / f64::from(BETWEEN));
+        work::share(SEARCH / 5, || (0..BETWEEN).any(|i| at(i + 1) < at(i))).unwrap_or(false)
+    };
+    places.truncate(places.windows(2).position(falls).map_or(places.len(), |before| before + 1));
     places.truncate(places.partition_point(is_first));
     places
 }
 
+/// Intervals between two places in which g is compared.
+const BETWEEN: u32 = 32;
 /// Steps of work after which a search for the first root is abandoned.
 const SEARCH: u64 = 500_000;
-/// A root is another one if it lies nearer to the axis by this part.
-const APART: f64 = 1e-3;
+/// A root is another one if it lies nearer to the axis by this part: far out, the waves of g are short beside the radius.
+const APART: f64 = 1e-9;
 
 /// The parts of the contact radius at which pressures are compared, by turns.
 const PARTS: [f64; 6] = [1e-4, 0.7, 0.1, 0.95, 0.4, 0.9999];

@@ -131,8 +131,7 @@ impl Builder<'_> {
                 body.extend(piece);
             }
         }
-        let front = if is_force { format!("{coordinate} * {coordinate}") } else { coordinate.to_owned() };
-        body.extend(read_body(&quadrature::result(&front))?);
+        body.extend(read_body(&quadrature::result(coordinate, is_force))?);
         Ok(Some(body))
     }
 

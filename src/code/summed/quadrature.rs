@@ -9,7 +9,7 @@
 const ALIKE: f64 = 1e-14;
 /// Those for the upper half of a piece, where roots may lie next to its end, differ by at most this part.
 const ALIKE_AT_THE_END: f64 = 2e-15;
-/// The intervals end where their scale falls below this, the fortieth power of 1/8.
+/// The rule gives up where the intervals fall below this part of the piece, the fortieth power of 1/8.
 const LEAST_SCALE: f64 = 1e-36;
 /// An interval with less than this part of the sum is the last one.
 const NEGLIGIBLE: f64 = 1e-18;
@@ -95,6 +95,7 @@ pub(super) fn piece(coordinate: &str, is_force: bool, extent: &Extent) -> String
             _scale = _from;
             if _length < {NEGLIGIBLE:?} * _size {{ _scale = 0; }}
           }}
+          if _scale > 0 {{ return nan(); }}
           _side = _side + 1;
         }}"
     );
@@ -104,7 +105,10 @@ pub(super) fn piece(coordinate: &str, is_force: bool, extent: &Extent) -> String
     }
 }
 
-/// The statements after those of all pieces, with `front` for the factor of the integral.
-pub(super) fn result(front: &str) -> String {
-    format!("if !(_doubt <= {ALIKE:?} * _size) {{ return nan(); }} return {front} * (_integral + _rest);")
+/// The statements after those of all pieces.
+pub(super) fn result(coordinate: &str, is_force: bool) -> String {
+    let whole = format!("{coordinate} * (_integral + _rest)");
+    // The square of a large radius overflows.
+    let result = if is_force { format!("{coordinate} * ({whole})") } else { whole };
+    format!("if !(_doubt <= {ALIKE:?} * _size) {{ return nan(); }} return {result};")
 }

@@ -101,3 +101,18 @@ fn angles_are_acute() {
     let conditions: Vec<String> = acute.into_iter().chain(values(2.0)).chain(values(3.5)).collect();
     assert_in_c("angles", "r*tan(theta)", &quantities, &conditions);
 }
+
+/// g = 3π/2 x (1 - J₀(x)) falls beyond x = 4.624, where 1 - J₀ + x J₁ = 0, and rises far out between its waves. A claim beyond the first
+/// maximum held at no depth with several contact radii.
+#[test]
+fn claims_of_contact_radii_end_at_the_first_maximum() {
+    for text in ["(r - sin(r))*3", "0.96*(r-sin(r))"] {
+        let solution = derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap();
+        for quantity in [Quantity::Radius, Quantity::ForceOfDepth] {
+            let made = write(&program(&solution, &[quantity], Language::C, text).unwrap());
+            let range = made.split("for a from ").nth(1).unwrap();
+            let end: f64 = range.split("to ").nth(1).unwrap().split(',').next().unwrap().trim().parse().unwrap();
+            assert!((1.0..4.624).contains(&end), "{text} {}: {end}", quantity.key());
+        }
+    }
+}

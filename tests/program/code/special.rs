@@ -103,3 +103,16 @@ fn the_condition_number_counts_the_cancellation_in_the_integral() {
         .collect();
     assert_in_c("pit", text, &[Quantity::Equivalent], &conditions);
 }
+
+/// f rises to 1 within a few units of length, which no interval of the quadrature shows at the largest radii.
+#[test]
+fn a_feature_far_below_the_contact_radius_is_not_missed() {
+    let text = "(1-1/(1+r^2))^3";
+    let own = entry(&serde_json::json!({"id": "far", "f": text, "params": {}}));
+    let near = Near::new(&own);
+    let conditions: Vec<String> = [1e9, 1e20, 1e40]
+        .into_iter()
+        .map(|x: f64| format!("fabs(sneddon_g({x:?})/{:?} - 1.0) < 4e-15", near.evaluator.slope(x).unwrap().estimate.value))
+        .collect();
+    assert_in_c("far", text, &[Quantity::Equivalent], &conditions);
+}
