@@ -206,7 +206,7 @@ impl<'a> Truth<'a> {
     /// k + the part of the sum over the coefficients of terms of f(r) that are rounded to doubles; 1 for pressures.
     ///
     /// k is the largest relative change of the value per relative change of f′(r), whose sign may differ from one r to the next, and at
-    /// least 1. With r = a sin θ, changes are integrals over θ like the value itself; they are computed to about a hundredth.
+    /// least 1. With r = a sin θ, changes are integrals over θ like the value itself, of which a few digits are enough.
     fn of_shape(&self, value: f64, place: f64) -> f64 {
         if self.quantity == Quantity::Pressure {
             return 1.0;
