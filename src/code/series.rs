@@ -77,15 +77,20 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, is_alone: b
     Some(SeriesText { constants: writer.constants, body })
 }
 
-/// The largest distance between powers of r with a coefficient, in the profile or in a part of it: where the terms of one part
-/// are negligible, those of another, which come less often, may not be.
+/// The largest distance between powers of r with a coefficient, in the profile or in a part of it, and between the leading powers of the
+/// terms of a sum: where the terms of one part are negligible, those of another, which come less often or later, may not be.
 fn gap(profile: &Expr) -> Option<usize> {
     let groups = power_series(profile, SEEN, &[]).ok()?;
     let widest = |own: &Series| {
         let places: Vec<usize> = own.coefficients.iter().enumerate().filter(|(_, c)| c.value.abs() > c.error).map(|(n, _)| n).collect();
         places.windows(2).map(|pair| pair[1] - pair[0]).max().unwrap_or(1)
     };
-    let own = groups.iter().map(widest).max()?;
+    let mut own = groups.iter().map(widest).max()?;
+    if let Node::Sum(terms) = profile.node() {
+        let leads: Vec<f64> = terms.iter().filter_map(|term| Some(leading_term(term)?.exponent.to_f64())).collect();
+        let (first, last) = leads.iter().fold((f64::INFINITY, 0.0_f64), |ends, lead| (ends.0.min(*lead), ends.1.max(*lead)));
+        own = own.max((last - first).max(0.0).ceil() as usize);
+    }
     Some(profile.children().into_iter().filter_map(gap).fold(own, usize::max))
 }
 

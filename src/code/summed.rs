@@ -9,7 +9,7 @@ use super::program::{Sum, routine_name};
 use super::tree::{Comparison, Operator, Routine, Statement, Test, Value};
 use super::{CodeError, gaussian, read, series};
 use crate::contact::Quantity;
-use crate::expr::{Expr, Number, Symbol, collected};
+use crate::expr::{Expr, Number, Symbol, collected, over_one_denominator};
 use crate::transform::Sampler;
 
 /// The number of the first variable for a sum.
@@ -135,15 +135,15 @@ impl Builder<'_> {
         Ok(Some(body))
     }
 
-    /// The statements that compute f′ at `_r`, and its value: from the derivative with its factors collected or as it is, whichever has
-    /// the smaller running bounds over six decades.
+    /// The statements that compute f′ at `_r`, and its value: from the derivative with its factors collected, as it is, or over one
+    /// denominator, whichever has the smallest running bounds over six decades.
     fn f_prime(&mut self, slope: &Expr, names: &Names) -> Result<(Vec<Statement>, Value), CodeError> {
         let sample = Sampler::new(1).parameters(self.solution).unwrap_or_default();
         let number = |own: &Symbol| sample.apply(&Expr::from(own.clone())).as_number().map_or(f64::NAN, Number::to_f64);
         let numbers: Vec<f64> = self.solution.profile.parameters().iter().map(number).collect();
         let parameters: Vec<String> = std::iter::once("_r".to_owned()).chain(self.arguments.iter().cloned()).collect();
         let mut best: Option<(f64, usize, (Vec<Statement>, Value))> = None;
-        for own in [collected(slope), slope.clone()] {
+        for own in [collected(slope), slope.clone()].into_iter().chain(over_one_denominator(slope)) {
             let mut counter = self.counter;
             let (statements, value) = lowered(&own, names, &mut counter)?;
             let body = statements.iter().cloned().chain([Statement::Return(value.clone())]).collect();

@@ -11,7 +11,7 @@ type Special = (&'static str, &'static str, &'static [(&'static str, &'static st
 
 /// Profiles with elliptic, Fresnel and hypergeometric functions and with slope angles, which the catalogue lacks, the quantities that are
 /// compared, and their largest claim.
-const SPECIAL: [Special; 26] = [
+const SPECIAL: [Special; 28] = [
     ("arsinh", "h*asinh(r/b)", &[("b", "0.8"), ("h", "0.4")], G_AND_F, 16.0),
     ("arcsine", "h*asin(r/R)", &[("R", "1.7"), ("h", "0.4")], G_AND_F, 16.0),
     ("worn arsinh", "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))", &[("b", "1.3"), ("c", "0.4"), ("h", "0.4")], G_AND_F, 16.0),
@@ -48,6 +48,10 @@ const SPECIAL: [Special; 26] = [
     ("cusp far inside", "sqrt(1+abs(r-b)/w)-1", &[("b", "0.3"), ("w", "1.3")], G_AND_F, 16.0),
     // 26 where the piece beyond a near kink gave up, because the small differences r - b are noise there.
     ("kink in a fraction", "r^2/(1+r^2)+piecewise(0, r<b, h*(r-b)^2)", &[("b", "0.3"), ("h", "0.4")], FORCES, 16.0),
+    // 854 where the power series ends before the power of r, whose term it then misses.
+    ("wave and a high power", "1-besselj(0,k*r)+h*r^10", &[("h", "0.4"), ("k", "2.2")], G_AND_F, 16.0),
+    // 475 where the fractions of f' cancel.
+    ("difference of fractions", "r^2/(2.59+r)-(r-ln(1+r))", &[], G_AND_F, 16.0),
     ("saturating of numbers", "1-exp(-r)", &[], G_AND_F, 16.0),
     ("truncated cone of numbers", "piecewise(0, r<0.9, r-0.9)", &[], &[Quantity::Radius], 7.0),
 ];

@@ -29,11 +29,26 @@ pub fn collected(expr: &Expr) -> Expr {
     let Some(terms) = products(expr, &|_| true) else { return expr.clone() };
     let size = |own: &Expr| own.size_up_to(SIZE);
     let mut result = grouped(&terms);
-    if let Some(other) = over_one_root(&terms).map(|terms| grouped(&terms)).filter(|other| size(other) < size(&result)) {
+    if let Some(other) = over_one_root(&terms, false).map(|terms| grouped(&terms)).filter(|other| size(other) < size(&result)) {
         result = other;
     }
     // Keep the form stated by the rule unless the result is shorter by at least a sixth.
     if 6 * size(&result) <= 5 * size(expr) { result } else { expr.clone() }
+}
+
+/// The sum over one denominator, with its numerator multiplied out and collected; `None` if it has one already, or would be too long.
+///
+/// Where fractions cancel, the numerator shows what is left:
+/// ```
+/// use sneddon_expr::expr::{Expr, over_one_denominator};
+/// let r = Expr::symbol("r");
+/// // 1 - 1/(1+r) = r/(1+r)
+/// let sum = Expr::one() - (Expr::one() + &r).power(-1);
+/// assert_eq!(over_one_denominator(&sum), Some(&r / (Expr::one() + &r)));
+/// ```
+pub fn over_one_denominator(expr: &Expr) -> Option<Expr> {
+    let terms = products(expr, &|_| true)?;
+    over_one_root(&terms, true).map(|terms| grouped(&terms))
 }
 
 /// Moves common numeric factors of sums to the front where the result is shorter, and common powers out of roots.
@@ -132,10 +147,11 @@ fn grouped(terms: &[Expr]) -> Expr {
     in_front(&Expr::sum(parts))
 }
 
-/// The terms with every power of a sum lowered by whole steps to the lowest that occurs: q^(−1/2) is q q^(−3/2).
+/// The terms with every power of a sum lowered by whole steps to the lowest that occurs: q^(−1/2) is q q^(−3/2), and if `all` of the
+/// terms get the denominator, 1 is q q^(−1).
 ///
 /// `None` if nothing is lowered, or the terms would be too many.
-fn over_one_root(terms: &[Expr]) -> Option<Vec<Expr>> {
+fn over_one_root(terms: &[Expr], all: bool) -> Option<Vec<Expr>> {
     let powers = |term: &Expr| -> Vec<(Expr, Expr)> {
         let pairs = term.factors().iter().map(Expr::split_power).collect::<Vec<_>>();
         pairs.into_iter().filter(|(base, power)| matches!(base.node(), Node::Sum(_)) && power.as_number().is_some()).collect()
@@ -152,12 +168,15 @@ fn over_one_root(terms: &[Expr]) -> Option<Vec<Expr>> {
     let mut changed = false;
     for term in terms {
         let mut products = vec![term.clone()];
-        for (base, power) in powers(term) {
-            let steps = lowest.iter().filter(|(own, _)| *own == base).find_map(|(_, least)| (&power - least).as_integer())?;
+        let own_powers = powers(term);
+        for (base, least) in &lowest {
+            let own = own_powers.iter().filter(|(own, _)| own == base).find_map(|(_, power)| (power - least).as_integer());
+            let absent = if all { least.as_integer().map_or(0, |least| -least) } else { 0 };
+            let steps = own.unwrap_or(absent);
             changed |= steps > 0;
             for _ in 0..steps {
                 let inner = base.terms();
-                products = products.iter().flat_map(|left| inner.iter().map(|right| left / &base * right).collect::<Vec<_>>()).collect();
+                products = products.iter().flat_map(|left| inner.iter().map(|right| left / base * right).collect::<Vec<_>>()).collect();
                 if products.len() + lowered.len() > TERMS {
                     return None;
                 }

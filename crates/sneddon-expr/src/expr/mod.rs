@@ -21,7 +21,7 @@ mod sign;
 mod substitute;
 
 pub use balanced::balanced;
-pub use collected::{collected, in_lowest_terms, joined_powers, multiplied_out};
+pub use collected::{collected, in_lowest_terms, joined_powers, multiplied_out, over_one_denominator};
 pub use derivative::derivative;
 pub use error::ExprError;
 pub use formula::{Condition, Formula, Relation};
