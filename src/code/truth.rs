@@ -15,10 +15,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The step of relative differences.
 pub(super) const STEP: f64 = 1e-6;
 /// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step. Where two
-/// of them agree, they are not.
+/// of them agree, they are not. The last one is to the next double.
 const STEPS: [f64; 4] = [STEP, 1e-9, 1e-12, f64::EPSILON];
-/// The last of them, to the next double, counts only where the others show at least this much: elsewhere, it shows rounding errors.
-const STEEP: f64 = 1e10;
 /// Two changes of f that agree are those of a slope where the first one is at most this part of f.
 const LINEAR: f64 = 0.1;
 /// Steps of the double exponential rule for [`Truth::of_shape`] in a unit, and on both sides.
@@ -172,11 +170,11 @@ impl<'a> Truth<'a> {
     }
 
     fn condition_up_to(&mut self, coordinates: &[f64], place: f64, enough: f64) -> Option<f64> {
-        let Bounded { value, .. } = self.value(coordinates, place)?;
+        let Bounded { value, error } = self.value(coordinates, place)?;
         let mut total = self.of_shape(value, place) + if needs_modulus(self.quantity) { 1.0 } else { 0.0 };
-        // Use the larger change of both sides, which have the same sign at the crest of a short wave.
+        // Use the larger change of both sides, which have the same sign at the crest of a short wave, as far as it is no error.
         let share = |step: f64, pair: [Option<Bounded>; 2]| {
-            let changes = pair.into_iter().flatten().map(|own| (own.value - value).abs() / (step * value.abs()));
+            let changes = pair.into_iter().flatten().map(|own| beyond(own.value - value, own.error + error) / (step * value.abs()));
             changes.filter(|own| own.is_finite()).reduce(f64::max)
         };
         for index in 0..coordinates.len() {
@@ -270,17 +268,13 @@ fn steepest(steps: impl Iterator<Item = f64>, change: impl Fn(f64) -> Option<f64
     let mut most: Option<f64> = None;
     let mut before = f64::INFINITY;
     for step in steps {
-        if step > f64::EPSILON {
-            let Some(own) = change(step) else { continue };
-            // Steps longer than a wave may agree by accident.
-            if most.is_some_and(|most| own < 2.0 * most && most < 2.0 * own && most * before < LINEAR) {
-                return most.map(|most| most.max(own));
-            }
-            most = Some(most.map_or(own, |most| most.max(own)));
-            before = step;
-        } else if most.is_none_or(|most| most > STEEP) {
-            most = Some(change(step)?.max(most.unwrap_or(0.0)));
+        let Some(own) = change(step) else { continue };
+        // Steps longer than a wave may agree by accident.
+        if most.is_some_and(|most| own < 2.0 * most && most < 2.0 * own && most * before < LINEAR) {
+            return most.map(|most| most.max(own));
         }
+        most = Some(most.map_or(own, |most| most.max(own)));
+        before = step;
     }
     most
 }

@@ -5,7 +5,7 @@ use crate::derive::engine::expanded_or_same;
 use crate::derive::rules::abel;
 use crate::derive::solved::{SolvedChain, SolvedTerm};
 use crate::derive::superposed::Superposed;
-use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, in_lowest_terms, shown};
+use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, in_lowest_terms, shown, shown_as_mathematics};
 use crate::integrate::error::TransformError;
 use crate::integrate::source::ends::{Growth, growth};
 
@@ -289,10 +289,10 @@ fn has_closed_part(formula: &Formula) -> bool {
     }
 }
 
-/// Collects like terms in the closed parts of a formula.
+/// Collects like terms in the closed parts of a formula, where functions for stable evaluation are the standard ones.
 fn with_collected(formula: Formula) -> Formula {
     match formula {
-        Formula::Closed(expr) => Formula::Closed(collected(&expr)),
+        Formula::Closed(expr) => Formula::Closed(collected(&shown_as_mathematics(&expr))),
         Formula::Sum(parts) => Formula::Sum(parts.into_iter().map(with_collected).collect()),
         other => other,
     }

@@ -1,4 +1,4 @@
-//! Differences from a constant that a value approaches: k - k sqrt(1 - u), k exp(u) - k, k - k/(1 + u).
+//! Differences from a constant that a value approaches: k - k sqrt(1 - u), k exp(u) - k, k - k/(1 + u), k - k cos(u).
 
 use super::{Recorder, Step};
 use crate::code::tree::Operator;
@@ -76,7 +76,7 @@ fn limit(recorder: &Recorder, place: u32) -> Option<Precise> {
         Step::Binary(Operator::Multiply, one, other) => Some(PreciseAlgebra.multiply(at(one)?, at(other)?)),
         Step::Binary(Operator::Divide, one, other) => Some(PreciseAlgebra.divide(recorder.known(*one)?, at(other)?)),
         Step::Call("sqrt", arguments) => Some(PreciseAlgebra.square_root(at(arguments.first()?)?)),
-        Step::Call("exp", _) => Some(Precise::exact(1.0)),
+        Step::Call("exp" | "cos" | "cosh", _) => Some(Precise::exact(1.0)),
         _ => None,
     }
     .filter(|own| own.is_finite() && own.value.hi != 0.0)
@@ -136,6 +136,14 @@ fn below(recorder: &mut Recorder, place: u32) -> Option<Term> {
             (recorder.divide(rest, both), is_negative)
         }
         Step::Call("exp", arguments) => (recorder.named("expm1", &arguments), true),
+        // 1 - cos(u) = 2 sin(u/2)^2
+        Step::Call(name @ ("cos" | "cosh"), arguments) => {
+            let (two, half) = (recorder.number(2.0), recorder.number(0.5));
+            let argument = recorder.multiply(half, *arguments.first()?);
+            let wave = recorder.named(if name == "cos" { "sin" } else { "sinh" }, &[argument]);
+            let square = recorder.multiply(wave, wave);
+            (recorder.multiply(two, square), name == "cosh")
+        }
         _ => return None,
     })
 }

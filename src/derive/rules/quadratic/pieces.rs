@@ -156,7 +156,8 @@ impl Place<'_> {
                 let drop = (upper.power(2) - self.lower.power(2)) * (shrinking(Self::root) + shrinking(Self::leg));
                 Expr::call("ln", [Expr::one() + drop / side(upper)])
             }
-            _ => self.difference(|end| Expr::call(if self.plus() { "atan" } else { "atanh" }, [self.leg(end) / self.root(end)])),
+            _ if self.plus() => self.difference(|end| Expr::call("atan", [self.leg(end) / self.root(end)])),
+            _ => artanh_of_legs(self.lower, &self.x, self.length()),
         }
     }
 
@@ -219,7 +220,7 @@ impl Place<'_> {
                 return Expr::call("ln", [Expr::one() + square]);
             }
             (Kernel::Arctangent, true) => "atan",
-            (Kernel::Arctangent, false) => "atanh",
+            (Kernel::Arctangent, false) => return artanh_of_legs(&Expr::zero(), end, self.length()),
             (Kernel::Arcsine, true) => "asinh",
             (Kernel::Arcsine, false) => "asin",
         };
@@ -238,4 +239,12 @@ impl Place<'_> {
             (Kernel::Arcsine, false) => Expr::call("legendre_chi2", [x / length]),
         }
     }
+}
+
+/// artanh(√(x²−b²)/√(ρ²−b²)), accurate next to x = ρ.
+pub(super) fn artanh_of_legs(b: &Expr, x: &Expr, length: Expr) -> Expr {
+    if b.is_zero() {
+        return Expr::call("artanh_ratio", [x.clone(), length]);
+    }
+    Expr::call("worn_sphere_slope", [b.clone(), x.clone(), length])
 }

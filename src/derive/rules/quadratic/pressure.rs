@@ -2,7 +2,7 @@
 
 use super::laurent::{Laurent, Values, Variable};
 use super::moments::{Moment, Piece};
-use super::pieces::Field;
+use super::pieces::{Field, artanh_of_legs};
 use crate::derive::rule::{Branches, Pair};
 use crate::expr::{Expr, normal};
 use Variable::{AtEnd, Length, Square};
@@ -28,12 +28,17 @@ pub(super) fn rooted(form: &Moment, field: &Field) -> Option<Branches> {
     }
     let (r, a, length) = (Expr::symbol("r"), Expr::symbol("a"), field.square_length.sqrt());
     let c = (&field.square_length + Expr::integer(sigma) * r.power(2)).sqrt();
-    let (name, known) = if sigma > 0 { ("atan", "hyperboloid_pressure") } else { ("atanh", "sphere_pressure") };
+    let known = if sigma > 0 { "hyperboloid_pressure" } else { "sphere_pressure" };
+    let (arc, end) = if sigma > 0 {
+        (Expr::call("atan", [leg() / &c]), Expr::call("atan", [&a / &length]))
+    } else {
+        (artanh_of_legs(&r, &a, length.clone()), artanh_of_legs(&Expr::zero(), &a, length.clone()))
+    };
     let terms = [
-        expression(&total.known, field) * Expr::call(known, [r, a.clone(), length.clone()]),
-        expression(&total.arc, field) * Expr::call(name, [leg() / &c]) / c,
+        expression(&total.known, field) * Expr::call(known, [r, a, length]),
+        expression(&total.arc, field) * arc / c,
         expression(&total.root, field) * leg(),
-        expression(&total.end, field) * leg() * Expr::call(name, [a / length]),
+        expression(&total.end, field) * leg() * end,
     ];
     Some(collected(&terms))
 }
