@@ -5,7 +5,9 @@ use crate::derive::engine::expanded_or_same;
 use crate::derive::rules::abel;
 use crate::derive::solved::{SolvedChain, SolvedTerm};
 use crate::derive::superposed::Superposed;
-use crate::expr::{Bindings, Expr, Formula, Symbol, collected, derivative, in_lowest_terms, shown, shown_as_mathematics};
+use crate::expr::{
+    Bindings, Expr, Formula, Node, Number, Relation, Symbol, collected, derivative, in_lowest_terms, shown, shown_as_mathematics,
+};
 use crate::integrate::error::TransformError;
 use crate::integrate::source::ends::{Growth, growth};
 
@@ -120,13 +122,46 @@ impl Solution {
             Status::Numeric if split => Status::Partial,
             other => other,
         };
+        let positive = self.positive_differences();
         Derived {
-            formula: formula.scaled(factor).map(&in_lowest_terms).with_constants_in_front(),
+            formula: formula.scaled(factor).map(&|own| in_lowest_terms(&without_squares(own, &positive))).with_constants_in_front(),
             status,
             compared,
             split,
             rules,
             reference: references,
+        }
+    }
+}
+
+impl Solution {
+    /// What is positive by a condition on the parameters, with its square.
+    fn positive_differences(&self) -> Vec<(Expr, Expr)> {
+        let differences = self.conditions.iter().filter(|own| own.relation == Relation::Less).map(|own| &own.right - &own.left);
+        differences.filter(|own| own.terms().len() == 2).map(|own| (expanded_or_same(&own.power(2), "r"), own)).collect()
+    }
+}
+
+/// The expression with √(R² − 2hR + h²) replaced by R − h where h < R.
+fn without_squares(expr: &Expr, positive: &[(Expr, Expr)]) -> Expr {
+    let inner = |own: &Expr| without_squares(own, positive);
+    match expr.node() {
+        _ if positive.is_empty() => expr.clone(),
+        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
+        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(inner).collect()),
+        Node::Product(factors) => Expr::product(factors.iter().map(inner)),
+        Node::Sum(terms) => Expr::sum(terms.iter().map(inner)),
+        Node::Power(base, exponent) => {
+            let first = |own: &Expr| own.terms().first().map(|term| term.split_coefficient().0).unwrap_or_else(|| Number::integer(1));
+            let square = (exponent.as_integer().is_none() && matches!(base.node(), Node::Sum(_))).then(|| expanded_or_same(base, "r"));
+            let root = square.and_then(|square| {
+                positive.iter().find_map(|(own, root)| {
+                    let factor = Expr::number(first(&square)) / Expr::number(first(own));
+                    (expanded_or_same(&(own * &factor), "r") == square)
+                        .then(|| root.pow(&(Expr::integer(2) * exponent)) * factor.pow(exponent))
+                })
+            });
+            root.unwrap_or_else(|| inner(base).pow(&inner(exponent)))
         }
     }
 }

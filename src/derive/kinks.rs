@@ -1,5 +1,7 @@
 //! The kinks of abs, min and max: located exactly where the equation solves, numerically where it has no parameters.
 
+mod inversion;
+
 use crate::derive::angles;
 use crate::derive::angles::Positive;
 use crate::derive::chain::Chain;
@@ -8,6 +10,7 @@ use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape, WideAlgebra};
 use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, shown_to_30_digits};
 use crate::integrate::error::TransformError;
 use crate::num::{Bounded, Precise, Wide};
+use inversion::Crossing;
 use std::cell::RefCell;
 
 /// The largest number of kinks that are resolved in one chain.
@@ -21,19 +24,24 @@ pub(crate) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
     breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
 }
 
+/// A chain without abs, min and max, and the breakpoints at which it has their kinks: there, its pieces meet.
+pub(crate) struct Resolved {
+    pub(crate) chain: Chain,
+    pub(crate) kinks: Vec<Expr>,
+}
+
 /// Replaces every abs, min and max that depends on r by pieces.
 ///
 /// Of kinks without end, such as those of |sin r|, the first ones are located; a condition says how far they reach.
 ///
 /// # Errors
 /// [`TransformError::Kinks`] if a kink cannot be located.
-pub(crate) fn resolve(mut chain: Chain, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
+pub(crate) fn resolve(mut chain: Chain, conditions: &mut Vec<Condition>) -> Result<Resolved, TransformError> {
+    let mut kinks = Vec::new();
     for _ in 0..MOST_KINKS {
         let found = chain.pieces.iter().enumerate().find_map(|(i, piece)| Some((i, find(piece)?)));
-        let Some((index, (function, arguments))) = found else { return Ok(chain) };
-        if let Some(end) = split(&mut chain, index, function, &arguments)? {
-            conditions.push(Condition::less(Expr::symbol("r"), end));
-        }
+        let Some((index, (function, arguments))) = found else { return Ok(Resolved { chain, kinks }) };
+        kinks.extend(split(&mut chain, index, function, &arguments, conditions)?);
     }
     Err(TransformError::TooManyPieces { limit: MOST_KINKS })
 }
@@ -67,8 +75,15 @@ fn find(expr: &Expr) -> Option<Kink> {
     }
 }
 
-/// Splits one piece at the sign changes of the deciding difference, and says up to where they are known, if not throughout.
-fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]) -> Result<Option<Expr>, TransformError> {
+/// Splits one piece at the sign changes of the deciding difference, which it returns. A condition says up to where they are known, if not
+/// throughout.
+fn split(
+    chain: &mut Chain,
+    index: usize,
+    function: Function,
+    arguments: &[Expr],
+    conditions: &mut Vec<Condition>,
+) -> Result<Vec<Expr>, TransformError> {
     let name = function.name();
     // abs(u) is u where u > 0; max(u, v) is u where u − v > 0; min(u, v) is v there.
     let (difference, above, below) = match (name, arguments) {
@@ -82,8 +97,14 @@ fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]
     let Some(piece) = chain.pieces.get(index).cloned() else { return Err(failure(name, "the piece is missing")) };
     let constants = Positive::of(&difference);
     let found = sign_changes(&constants.replaced(&difference), name).or_else(|_| sign_changes(&difference, name))?;
-    let Changes { roots, starts: mut positive, end } = found;
+    let Changes { roots, starts: mut positive, end, conditions: needed } = found;
     let roots: Vec<Expr> = roots.iter().map(|root| constants.restored(root)).collect();
+    conditions.extend(needed.into_iter().map(|own| Condition {
+        left: constants.restored(&own.left),
+        right: constants.restored(&own.right),
+        ..own
+    }));
+    conditions.extend(end.map(|end| Condition::less(Expr::symbol("r"), end)));
     // Keep the roots inside the piece; those before it flip the sign that holds at its lower end.
     let mut inside = Vec::new();
     for root in roots {
@@ -108,8 +129,8 @@ fn split(chain: &mut Chain, index: usize, function: Function, arguments: &[Expr]
         positive = !positive;
     }
     chain.pieces.splice(index..=index, pieces);
-    chain.breakpoints.splice(index..index, inside);
-    Ok(end)
+    chain.breakpoints.splice(index..index, inside.iter().cloned());
+    Ok(inside)
 }
 
 /// The order of two breakpoints: proven, numeric, or an error.
@@ -137,11 +158,13 @@ struct Changes {
     starts: bool,
     /// Up to where all of them are known, if not throughout.
     end: Option<Expr>,
+    /// What must hold for the parameters so that these are the changes.
+    conditions: Vec<Condition>,
 }
 
 impl Changes {
     fn all(roots: Vec<Expr>, starts: bool) -> Self {
-        Self { roots, starts, end: None }
+        Self { roots, starts, end: None, conditions: Vec::new() }
     }
 }
 
@@ -177,6 +200,13 @@ fn sign_changes(difference: &Expr, name: &'static str) -> Result<Changes, Transf
     }
     if let Some((roots, starts)) = quadratic(&expanded, &radius) {
         return Ok(Changes::all(roots, starts));
+    }
+    if let Some((crossing, conditions)) = inversion::crossing(difference, &radius) {
+        let changes = match crossing {
+            Crossing::At { place, is_rising } => Changes::all(vec![place], !is_rising),
+            Crossing::Never { is_positive } => Changes::all(Vec::new(), is_positive),
+        };
+        return Ok(Changes { conditions, ..changes });
     }
     let others: Vec<Symbol> = expanded.symbols().into_iter().filter(|s| *s != radius).collect();
     if !others.is_empty() {
@@ -318,7 +348,7 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
     match starts {
         Some(starts) => {
             let roots = roots.into_iter().map(|root| located(root, name)).collect::<Result<_, _>>()?;
-            Ok(Changes { roots, starts, end })
+            Ok(Changes { end, ..Changes::all(roots, starts) })
         }
         None => Err(failure(name, "the sign of its argument is known nowhere")),
     }

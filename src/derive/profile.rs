@@ -4,7 +4,8 @@ use crate::derive::chain::Chain;
 use crate::derive::domain::demand::Demand;
 use crate::derive::domain::demands;
 use crate::derive::domain::numeric_sign::numeric_sign;
-use crate::derive::{angles, domain, kinks};
+use crate::derive::kinks::{Resolved, groups, resolve};
+use crate::derive::{angles, domain};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, undefined_constant};
 use crate::integrate::error::TransformError;
@@ -68,7 +69,7 @@ impl Profile {
         // Summands with separate kinks are separate chains, so that unrelated kinks need not be ordered.
         let (together, mut apart) = (Expr::sum(closed), Vec::new());
         if !together.is_zero() || chains.is_empty() {
-            apart = kinks::groups(&together).into_iter().map(whole).collect();
+            apart = groups(&together).into_iter().map(whole).collect();
         }
         let split = apart.into_iter().map(|chain| examined(chain, &radius, &mut conditions)).collect::<Result<Vec<_>, _>>();
         let mut resolved = match split {
@@ -195,17 +196,18 @@ impl Chain {
         Ok(())
     }
 
-    /// Neighbouring pieces must meet: a difference at an admissible point is a jump unless it is proven to be zero.
-    fn refuse_jumps(&self, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
+    /// Neighbouring pieces must meet, as those at kinks do: a difference at an admissible point is a jump unless it is proven to be zero.
+    fn refuse_jumps(&self, radius: &Symbol, kinks: &[Expr], conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
         for ((before, beyond), at) in self.pieces.iter().zip(self.pieces.iter().skip(1)).zip(&self.breakpoints) {
+            if kinks.contains(at) {
+                continue;
+            }
             let place = Bindings::one(radius.name(), at.clone());
             let jump = place.apply(beyond) - place.apply(before);
             if angles::is_proven_zero(&jump, radius) {
                 continue;
             }
             match domain::vanishes_at_random_points(&jump) {
-                // No condition can be stated at a breakpoint that was located numerically.
-                Some(true) if kinks::is_approximate(at) => {}
                 Some(true) => conditions.push(Condition::equal(place.apply(before), place.apply(beyond))),
                 Some(false) => return Err(TransformError::Jump { at: print::text_expr(at), jump: print::text_expr(&jump) }),
                 None => return Err(TransformError::NotReal { detail: print::text_expr(&jump) }),
@@ -217,12 +219,12 @@ impl Chain {
 
 /// Resolves the kinks of a chain and checks that its breakpoints increase and its pieces meet.
 fn examined(chain: Chain, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
-    let chain = kinks::resolve(chain, conditions)?;
+    let Resolved { chain, kinks } = resolve(chain, conditions)?;
     if chain.pieces.len() > MOST_PIECES {
         return Err(TransformError::TooManyPieces { limit: MOST_PIECES });
     }
     chain.refuse_disorder(conditions)?;
-    chain.refuse_jumps(radius, conditions)?;
+    chain.refuse_jumps(radius, &kinks, conditions)?;
     Ok(chain)
 }
 

@@ -11,13 +11,14 @@ use crate::evaluate::curve::PressureCurve;
 use crate::evaluate::local_polynomials::PolynomialCache;
 use crate::evaluate::ways::Way;
 use crate::evaluate::ways::best::{Best, by_quadrature};
-use crate::expr::{Bindings, Expr, Symbol, has_30_digits};
+use crate::expr::{Bindings, Condition, Expr, Relation, Symbol, has_30_digits};
 use crate::integrate::admit::{beyond_the_edge, finite_and_not_negative, tolerance_in_range};
 use crate::integrate::ask::Ask;
 use crate::integrate::error::TransformError;
 use crate::integrate::integral::NumericProfile;
 use crate::integrate::segment::Segment;
 use crate::num::{Bounded, Estimate, Precise, work};
+use crate::print::text_condition;
 use std::sync::{Arc, OnceLock};
 
 /// Ends of the profile with a smaller relative distance are identified.
@@ -107,9 +108,15 @@ impl<'a> Evaluator<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`TransformError::Evaluation`] if a parameter has no value; [`TransformError::Statement`] for a tolerance outside (0, 1).
+    /// [`TransformError::Evaluation`] if a parameter has no value; [`TransformError::ConditionFails`] if the values break a condition of
+    /// the profile on its parameters; [`TransformError::Statement`] for a tolerance outside (0, 1).
     pub fn new(solution: &'a Solution, bindings: &Bindings, method: Method, tolerance: f64) -> Result<Self, TransformError> {
         tolerance_in_range(tolerance)?;
+        // The conditions on slope angles keep signs in formulas, which numbers do not need.
+        let is_needed = |own: &Condition| !solution.profile.angle_conditions().contains(own);
+        if let Some(broken) = solution.profile.conditions.iter().find(|own| is_broken(own, bindings) && is_needed(own)) {
+            return Err(TransformError::ConditionFails { condition: text_condition(broken) });
+        }
         let number = |expr: &Expr| constant_value(expr, bindings).map(|b| b.value);
         let mut chains = Vec::new();
         for chain in &solution.chains {
@@ -467,4 +474,13 @@ fn finite(reading: Option<Reading>, symbol: &'static str, at: f64) -> Result<Rea
         Some(reading) if reading.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol, at }),
         _ => Err(TransformError::OutOfDomain { symbol, at, limit: String::new() }),
     }
+}
+
+/// Whether an order of two expressions of the parameters is proven to be the other one; conditions on r are judged at every radius.
+fn is_broken(condition: &Condition, bindings: &Bindings) -> bool {
+    let (Ok(left), Ok(right)) = (constant_value(&condition.left, bindings), constant_value(&condition.right, bindings)) else {
+        return false;
+    };
+    let difference = left - right;
+    condition.relation != Relation::Equal && difference.value > difference.error
 }

@@ -19,6 +19,7 @@ mod singular;
 mod slices;
 mod slope_angles;
 mod slopes;
+mod solved_kinks;
 mod sufficient;
 mod tables;
 mod typed;

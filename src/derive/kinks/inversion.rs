@@ -1,0 +1,205 @@
+//! The sign change of a difference in which r occurs once, by inverting the functions around it from the outside inward.
+
+use crate::derive::angles;
+use crate::expr::normal;
+use crate::expr::{Bindings, Condition, Expr, Node, Sign, Symbol, multiplied_out, over_one_denominator};
+use std::collections::BTreeMap;
+
+/// The sign of a difference on r > 0, if it changes at most once.
+pub(super) enum Crossing {
+    /// It changes at this place, from negative to positive if it rises.
+    At { place: Expr, is_rising: bool },
+    /// It has one sign.
+    Never { is_positive: bool },
+}
+
+/// The sign change of a difference, and the conditions on parameters under which the change exists; `None` if it does not solve.
+pub(super) fn crossing(difference: &Expr, radius: &Symbol) -> Option<(Crossing, Vec<Condition>)> {
+    let mut conditions = Vec::new();
+    let (power, is_rising) = match solved(difference, radius, &mut conditions)? {
+        Solved::Root { power, is_rising } => (power, is_rising),
+        Solved::Never { is_positive } => return Some((Crossing::Never { is_positive }, conditions)),
+    };
+    // The root is positive if the sign at the axis differs from that beyond the root.
+    let at_axis = tidy(&Bindings::one(radius.name(), Expr::zero()).apply(difference), radius);
+    let exists = match sign(&at_axis) {
+        Some(own) => (own == Sign::Negative) == is_rising,
+        None => is_above(&power.0, &Expr::zero(), &mut conditions)?,
+    };
+    let value = over_one_denominator(&power.0).unwrap_or(power.0);
+    let (content, rest) = symbols_in_front(&value);
+    let place = (content * rest).pow(&power.1.recip());
+    Some((if exists { Crossing::At { place, is_rising } } else { Crossing::Never { is_positive: is_rising } }, conditions))
+}
+
+/// The change of an increasing or a decreasing function.
+enum Solved {
+    /// At the radius whose power has this value, if that is positive: r^m = value.
+    Root {
+        power: (Expr, Expr),
+        is_rising: bool,
+    },
+    Never {
+        is_positive: bool,
+    },
+}
+
+impl Solved {
+    /// That of the opposite difference.
+    fn negated(self) -> Self {
+        match self {
+            Self::Root { power, is_rising } => Self::Root { power, is_rising: !is_rising },
+            Self::Never { is_positive } => Self::Never { is_positive: !is_positive },
+        }
+    }
+}
+
+fn solved(difference: &Expr, radius: &Symbol, conditions: &mut Vec<Condition>) -> Option<Solved> {
+    // Partial fractions separate r²/(r² + w²), but also make two terms of a root.
+    [multiplied_out(difference), tidy(difference, radius)].iter().find_map(|own| {
+        let mut needed = Vec::new();
+        let found = solved_as_it_is(own, radius, &mut needed)?;
+        conditions.append(&mut needed);
+        Some(found)
+    })
+}
+
+fn solved_as_it_is(difference: &Expr, radius: &Symbol, conditions: &mut Vec<Condition>) -> Option<Solved> {
+    let mut parts: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
+    for term in difference.terms() {
+        let (own, free): (Vec<Expr>, Vec<Expr>) = term.factors().into_iter().partition(|factor| factor.contains(radius));
+        parts.entry(Expr::product(own)).or_default().push(Expr::product(free));
+    }
+    let constant = parts.remove(&Expr::one()).map_or_else(Expr::zero, Expr::sum);
+    let parts: Vec<(Expr, Expr)> = parts.into_iter().map(|(own, list)| (own, Expr::sum(list))).collect();
+    match parts.as_slice() {
+        [(function, factor)] => {
+            let target = tidy(&(-constant / factor), radius);
+            let is_positive = sign(factor)? == Sign::Positive;
+            let found = inverted(function, target, radius, conditions)?;
+            Some(if is_positive { found } else { found.negated() })
+        }
+        [one, two] => quadratic(one, two, &constant, radius),
+        _ => None,
+    }
+}
+
+/// Of K(r) − `target`, for a power or a function K.
+fn inverted(function: &Expr, target: Expr, radius: &Symbol, conditions: &mut Vec<Condition>) -> Option<Solved> {
+    let (base, exponent) = function.split_power();
+    if base.as_symbol() == Some(radius) {
+        let is_rising = sign(&exponent)? == Sign::Positive;
+        return is_rising.then_some(Solved::Root { power: (target, exponent), is_rising });
+    }
+    let (zero, one, quarter) = (Expr::zero(), Expr::one(), Expr::pi() / Expr::integer(2));
+    let inverse = |name: &'static str| Expr::call(name, [target.clone()]);
+    // The argument, its value at the change, and the ends of the range of K.
+    let (argument, value, [least, most]) = match base.node() {
+        _ if base == Expr::euler() => (exponent.clone(), inverse("ln"), [Some(zero), None]),
+        _ if exponent.contains(radius) => return None,
+        Node::Sum(_) => {
+            // Whole powers of what may be negative are not monotone.
+            if exponent.as_integer().is_some() && sign(&base)? == Sign::Negative {
+                return None;
+            }
+            (base.clone(), target.pow(&exponent.recip()), [Some(zero), None])
+        }
+        Node::Function(outer, arguments) if exponent.is_one() => {
+            let [argument] = arguments.as_slice() else { return None };
+            let (value, range) = match outer.name() {
+                "ln" => (inverse("exp"), [None, None]),
+                "asinh" => (inverse("sinh"), [None, None]),
+                "sinh" => (inverse("asinh"), [None, None]),
+                "atanh" => (inverse("tanh"), [None, None]),
+                "atan" => (inverse("tan"), [Some(-&quarter), Some(quarter)]),
+                "asin" => (inverse("sin"), [Some(-&quarter), Some(quarter)]),
+                "tanh" => (inverse("atanh"), [Some(-&one), Some(one)]),
+                "acosh" => (inverse("cosh"), [Some(zero), None]),
+                "cosh" if sign(argument)? == Sign::Positive => (inverse("acosh"), [Some(one), None]),
+                _ => return None,
+            };
+            (argument.clone(), value, range)
+        }
+        _ => return None,
+    };
+    for (end, is_positive) in [(least.map(|least| &target - least), true), (most.map(|most| most - &target), false)] {
+        if let Some(within) = end
+            && !is_above(&within, &Expr::zero(), conditions)?
+        {
+            return Some(Solved::Never { is_positive });
+        }
+    }
+    let falls = matches!(base.node(), Node::Sum(_)) && sign(&exponent)? == Sign::Negative;
+    let found = solved(&(argument - value), radius, conditions)?;
+    Some(if falls { found.negated() } else { found })
+}
+
+/// Of b r^m + a r^(2m) + c with a and c of opposite signs.
+fn quadratic(one: &(Expr, Expr), two: &(Expr, Expr), c: &Expr, radius: &Symbol) -> Option<Solved> {
+    let order = |own: &(Expr, Expr)| {
+        let (base, exponent) = own.0.split_power();
+        (base.as_symbol() == Some(radius)).then_some(exponent)
+    };
+    let twice = |own: &Expr| Expr::integer(2) * own;
+    let (m, n) = (order(one)?, order(two)?);
+    let (m, b, a) = if twice(&m) == n {
+        (m, &one.1, &two.1)
+    } else if twice(&n) == m {
+        (n, &two.1, &one.1)
+    } else {
+        return None;
+    };
+    let (is_rising, of_c) = (sign(a)? == Sign::Positive, sign(c)?);
+    if (of_c == Sign::Negative) != is_rising || sign(&m)? != Sign::Positive {
+        return None;
+    }
+    let [a, b, c] = if is_rising { [a.clone(), b.clone(), c.clone()] } else { [-a, -b, -c] };
+    let root = tidy(&(b.power(2) - Expr::integer(4) * &a * &c), radius).sqrt();
+    // Without a difference where the sign of b is known.
+    let value = if sign(&b) == Some(Sign::Positive) { -twice(&c) / (&b + root) } else { (root - &b) / twice(&a) };
+    Some(Solved::Root { power: (value, m), is_rising })
+}
+
+/// Whether one value lies above another one, which becomes a condition if it depends on the parameters; `None` if it is unknown.
+fn is_above(value: &Expr, bound: &Expr, conditions: &mut Vec<Condition>) -> Option<bool> {
+    let difference = value - bound;
+    match angles::known_sign(&difference) {
+        Sign::Unknown if difference.symbols().is_empty() => None,
+        // A root that is real.
+        Sign::Unknown if matches!(difference.node(), Node::Power(_, exponent) if exponent.as_integer().is_none()) => Some(true),
+        Sign::Unknown => {
+            let (below, above): (Vec<Expr>, Vec<Expr>) =
+                cleared(&difference).into_iter().partition(|own| own.split_coefficient().0.is_negative());
+            conditions.push(Condition::less(-Expr::sum(below), Expr::sum(above)));
+            Some(true)
+        }
+        known => Some(known == Sign::Positive),
+    }
+}
+
+/// The terms without positive factors that all of them have, and without denominators.
+fn cleared(sum: &Expr) -> Vec<Expr> {
+    let (content, rest) = symbols_in_front(sum);
+    let rest = if sign(&content) == Some(Sign::Positive) { rest } else { sum.clone() };
+    let divisor = |own: &Expr| own.factors().into_iter().find(|factor| sign(&factor.split_power().1) == Some(Sign::Negative));
+    match rest.terms().iter().find_map(divisor).filter(|own| sign(own) == Some(Sign::Positive)) {
+        Some(own) => cleared(&Expr::sum(rest.terms().iter().map(|term| term / &own))),
+        None => rest.terms(),
+    }
+}
+
+/// The symbols and functions that all terms of a sum have as factors, and the sum without them.
+fn symbols_in_front(sum: &Expr) -> (Expr, Expr) {
+    let (content, rest) = normal::common_content(&sum.terms());
+    let (number, content) = content.split_coefficient();
+    (content, Expr::sum(rest.iter().map(|term| term * Expr::number(number.clone()))))
+}
+
+/// The sign if it is known and not 0.
+fn sign(expr: &Expr) -> Option<Sign> {
+    Some(angles::known_sign(expr)).filter(|own| matches!(own, Sign::Positive | Sign::Negative))
+}
+
+fn tidy(expr: &Expr, radius: &Symbol) -> Expr {
+    normal::expanded(expr, radius).unwrap_or_else(|_| expr.clone())
+}
