@@ -3,8 +3,8 @@
 use sneddon::expr::{Symbol, derivative};
 use sneddon::parse;
 use sneddon::print;
-use sneddon::transform::{Evaluator, Method, Profile, Solution, derive};
-use sneddon_checks::formulas::{bindings, number, relative, typed};
+use sneddon::transform::{Evaluator, Method};
+use sneddon_checks::formulas::{bindings, derived, number, relative, typed};
 use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
 use std::f64::consts::FRAC_PI_2;
@@ -30,10 +30,6 @@ const ROWS: [(&str, &[&str]); 18] = [
     ("r^2/(2*R)+c*r/w-u", &[]),
     ("c*((1+r^2/w^2)^(2/3)-1)-u", &[]),
 ];
-
-fn solution(text: &str) -> Solution {
-    derive(&Profile::new(&parse::profile(text).unwrap()).unwrap()).unwrap()
-}
 
 /// The first root on r > 0 of a function that increases or decreases up to the end of its domain.
 fn root(text: &str, values: &[(&'static str, f64)]) -> Option<f64> {
@@ -76,7 +72,7 @@ fn kinks_of_functions_in_which_r_occurs_once_solve() {
     let mut compared = 0;
     for (difference, conditions) in ROWS {
         let profile = format!("max({difference}, 0)");
-        let general = solution(&profile);
+        let general = derived(&profile);
         let stated: Vec<String> = general.conditions.iter().map(print::text_condition).collect();
         for own in conditions {
             assert!(stated.iter().any(|other| other == own), "{profile}: {own} is not among {stated:?}");
@@ -112,7 +108,7 @@ fn kinks_of_functions_in_which_r_occurs_once_solve() {
 /// Of a sphere that is worn flat to the height h, the kink is no decimal, and the root of (R - h)² is R - h.
 #[test]
 fn a_worn_sphere_may_be_typed_with_the_height_that_is_missing() {
-    let formula = |text: &str| print::text(&solution(text).equivalent_profile().formula);
+    let formula = |text: &str| print::text(&derived(text).equivalent_profile().formula);
     assert_eq!(formula("max(0,R-sqrt(R^2-r^2)-h)"), "piecewise(0, x < sqrt(2*h*R - h^2), x*atanh(sqrt(x^2 - 2*h*R + h^2)/(R - h)))");
     assert_eq!(formula("max(0,5-sqrt(25-r^2)-0.3)"), "piecewise(0, x < sqrt(291)/10, x*atanh(sqrt(100*x^2 - 291)/47))");
 }
