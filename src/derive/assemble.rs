@@ -153,7 +153,7 @@ fn without_squares(expr: &Expr, positive: &[(Expr, Expr)]) -> Expr {
         Node::Sum(terms) => Expr::sum(terms.iter().map(inner)),
         Node::Power(base, exponent) => {
             let first = |own: &Expr| own.terms().first().map(|term| term.split_coefficient().0).unwrap_or_else(|| Number::integer(1));
-            let square = (exponent.as_integer().is_none() && matches!(base.node(), Node::Sum(_))).then(|| expanded_or_same(base, "r"));
+            let square = matches!(base.node(), Node::Sum(_)).then(|| expanded_or_same(base, "r"));
             let root = square.and_then(|square| {
                 positive.iter().find_map(|(own, root)| {
                     let factor = Expr::number(first(&square)) / Expr::number(first(own));
