@@ -152,14 +152,12 @@ fn without_squares(expr: &Expr, positive: &[(Expr, Expr)]) -> Expr {
         Node::Product(factors) => Expr::product(factors.iter().map(inner)),
         Node::Sum(terms) => Expr::sum(terms.iter().map(inner)),
         Node::Power(base, exponent) => {
-            let first = |own: &Expr| own.terms().first().map(|term| term.split_coefficient().0).unwrap_or_else(|| Number::integer(1));
-            let square = matches!(base.node(), Node::Sum(_)).then(|| expanded_or_same(base, "r"));
-            let root = square.and_then(|square| {
-                positive.iter().find_map(|(own, root)| {
-                    let factor = Expr::number(first(&square)) / Expr::number(first(own));
-                    (expanded_or_same(&(own * &factor), "r") == square)
-                        .then(|| root.pow(&(Expr::integer(2) * exponent)) * factor.pow(exponent))
-                })
+            let first = |own: &Expr| own.terms().first().map_or_else(|| Number::integer(1), |term| term.split_coefficient().0);
+            let root = positive.iter().filter(|(own, _)| own.symbols() == base.symbols()).find_map(|(own, root)| {
+                let square = expanded_or_same(base, "r");
+                let factor = Expr::number(first(&square)) / Expr::number(first(own));
+                let is_square = expanded_or_same(&(own * &factor), "r") == square;
+                is_square.then(|| root.pow(&(Expr::integer(2) * exponent)) * factor.pow(exponent))
             });
             root.unwrap_or_else(|| inner(base).pow(&inner(exponent)))
         }
