@@ -33,7 +33,7 @@ pub mod inner {
 ///
 /// A profile is an expression for the shape f(r), such as r^2/(2*R); any name other than r is a positive parameter.
 #[derive(Parser)]
-// Examples are commands to copy, which do not wrap, whatever features of clap a build has.
+// Examples are commands to copy: they must not wrap, even in a build where another crate enables `wrap_help` of clap.
 #[command(name = "sneddon", version, propagate_version = false, after_help = EXAMPLES, term_width = 0)]
 struct Arguments {
     #[command(subcommand)]

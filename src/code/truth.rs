@@ -172,7 +172,7 @@ impl<'a> Truth<'a> {
     fn condition_up_to(&mut self, coordinates: &[f64], place: f64, enough: f64) -> Option<f64> {
         let Bounded { value, error } = self.value(coordinates, place)?;
         let mut total = self.of_shape(value, place) + if needs_modulus(self.quantity) { 1.0 } else { 0.0 };
-        // Use the larger change of both sides, which have the same sign at the crest of a short wave, as far as it is no error.
+        // Use the larger change: at the crest of a short wave, one side may show none. What errors of the values explain does not count.
         let share = |step: f64, pair: [Option<Bounded>; 2]| {
             let changes = pair.into_iter().flatten().map(|own| beyond(own.value - value, own.error + error) / (step * value.abs()));
             changes.filter(|own| own.is_finite()).reduce(f64::max)

@@ -135,7 +135,7 @@ impl Solution {
 }
 
 impl Solution {
-    /// What is positive by a condition on the parameters, with its square.
+    /// The differences that are positive by a condition on the parameters, each preceded by its square.
     fn positive_differences(&self) -> Vec<(Expr, Expr)> {
         let differences = self.conditions.iter().filter(|own| own.relation == Relation::Less).map(|own| &own.right - &own.left);
         differences.filter(|own| own.terms().len() == 2).map(|own| (expanded_or_same(&own.power(2), "r"), own)).collect()

@@ -24,7 +24,7 @@ pub(crate) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
     breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
 }
 
-/// A chain without abs, min and max, and the breakpoints at which it has their kinks: there, its pieces meet.
+/// A chain without abs, min and max, and the breakpoints at their kinks, at which the pieces meet.
 pub(crate) struct Resolved {
     pub(crate) chain: Chain,
     pub(crate) kinks: Vec<Expr>,

@@ -96,8 +96,7 @@ fn square_roots_are_joined() {
     }
 }
 
-/// A part that depends on the variable of integration is a function of it, also where it does so through another part.
-/// The rule of the sphere and that of the other roots state artanh in different forms, which are one function in a formula.
+/// The rules for the sphere and for other roots evaluate artanh in different forms; a formula contains it once.
 #[test]
 fn functions_of_several_rules_are_collected() {
     for profile in ["h*(1-(1-(r/R)^2)^(3/2))", "r^2*(R-sqrt(R^2-r^2))", "(R-sqrt(R^2-r^2))^3", "(R-sqrt(R^2-r^2))^5"] {
@@ -108,6 +107,7 @@ fn functions_of_several_rules_are_collected() {
     }
 }
 
+/// A part that depends on the variable of integration is a function of it, also where it does so through another part.
 #[test]
 fn parts_of_integrands_are_functions() {
     let text = written(&["derive", "r^3*ln(r)*exp(-r^2)", "--quantity", "p", "--format", "unicode"]);

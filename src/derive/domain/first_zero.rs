@@ -164,8 +164,8 @@ fn of_powers(sum: &Expr, radius: &Symbol, places: &mut Vec<Expr>) {
     }
 }
 
-/// The arguments, not below zero where there are several, at which a function has a value.
-fn inverses<'a>(name: &str, arguments: &[&'a Expr], value: &Expr) -> Vec<(&'a Expr, Expr)> {
+/// The arguments, not below zero where there are several, at which a function has a value; that of the principal inverse is the first.
+pub(crate) fn inverses<'a>(name: &str, arguments: &[&'a Expr], value: &Expr) -> Vec<(&'a Expr, Expr)> {
     let call = |name: &'static str| Expr::call(name, [value.clone()]);
     let (argument, values) = match (name, arguments) {
         ("sin", [u]) if value.is_zero() => (*u, vec![Expr::zero(), Expr::pi()]),

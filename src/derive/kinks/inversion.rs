@@ -1,6 +1,7 @@
 //! The sign change of a difference in which r occurs once, by inverting the functions around it from the outside inward.
 
 use crate::derive::angles;
+use crate::derive::domain::first_zero::inverses;
 use crate::expr::normal;
 use crate::expr::{Bindings, Condition, Expr, Node, Sign, Symbol, multiplied_out, over_one_denominator};
 use std::collections::BTreeMap;
@@ -32,7 +33,7 @@ pub(super) fn crossing(difference: &Expr, radius: &Symbol) -> Option<(Crossing, 
     Some((if exists { Crossing::At { place, is_rising } } else { Crossing::Never { is_positive: is_rising } }, conditions))
 }
 
-/// The change of an increasing or a decreasing function.
+/// Where an increasing or a decreasing function changes its sign.
 enum Solved {
     /// At the radius whose power has this value, if that is positive: r^m = value.
     Root {
@@ -92,10 +93,9 @@ fn inverted(function: &Expr, target: Expr, radius: &Symbol, conditions: &mut Vec
         return is_rising.then_some(Solved::Root { power: (target, exponent), is_rising });
     }
     let (zero, one, quarter) = (Expr::zero(), Expr::one(), Expr::pi() / Expr::integer(2));
-    let inverse = |name: &'static str| Expr::call(name, [target.clone()]);
     // The argument, its value at the change, and the ends of the range of K.
     let (argument, value, [least, most]) = match base.node() {
-        _ if base == Expr::euler() => (exponent.clone(), inverse("ln"), [Some(zero), None]),
+        _ if base == Expr::euler() => (exponent.clone(), Expr::call("ln", [target.clone()]), [Some(zero), None]),
         _ if exponent.contains(radius) => return None,
         Node::Sum(_) => {
             // Whole powers of what may be negative are not monotone.
@@ -106,18 +106,15 @@ fn inverted(function: &Expr, target: Expr, radius: &Symbol, conditions: &mut Vec
         }
         Node::Function(outer, arguments) if exponent.is_one() => {
             let [argument] = arguments.as_slice() else { return None };
-            let (value, range) = match outer.name() {
-                "ln" => (inverse("exp"), [None, None]),
-                "asinh" => (inverse("sinh"), [None, None]),
-                "sinh" => (inverse("asinh"), [None, None]),
-                "atanh" => (inverse("tanh"), [None, None]),
-                "atan" => (inverse("tan"), [Some(-&quarter), Some(quarter)]),
-                "asin" => (inverse("sin"), [Some(-&quarter), Some(quarter)]),
-                "tanh" => (inverse("atanh"), [Some(-&one), Some(one)]),
-                "acosh" => (inverse("cosh"), [Some(zero), None]),
-                "cosh" if sign(argument)? == Sign::Positive => (inverse("acosh"), [Some(one), None]),
+            let range = match outer.name() {
+                "ln" | "asinh" | "sinh" | "atanh" => [None, None],
+                "atan" | "asin" => [Some(-&quarter), Some(quarter)],
+                "tanh" => [Some(-&one), Some(one)],
+                "acosh" => [Some(zero), None],
+                "cosh" if sign(argument)? == Sign::Positive => [Some(one), None],
                 _ => return None,
             };
+            let (_, value) = inverses(outer.name(), &[argument], &target).into_iter().next()?;
             (argument.clone(), value, range)
         }
         _ => return None,
@@ -155,7 +152,7 @@ fn quadratic(one: &(Expr, Expr), two: &(Expr, Expr), c: &Expr, radius: &Symbol) 
     }
     let [a, b, c] = if is_rising { [a.clone(), b.clone(), c.clone()] } else { [-a, -b, -c] };
     let root = tidy(&(b.power(2) - Expr::integer(4) * &a * &c), radius).sqrt();
-    // Without a difference where the sign of b is known.
+    // For positive b, this form does not subtract.
     let value = if sign(&b) == Some(Sign::Positive) { -twice(&c) / (&b + root) } else { (root - &b) / twice(&a) };
     Some(Solved::Root { power: (value, m), is_rising })
 }
@@ -165,7 +162,7 @@ fn is_above(value: &Expr, bound: &Expr, conditions: &mut Vec<Condition>) -> Opti
     let difference = value - bound;
     match angles::known_sign(&difference) {
         Sign::Unknown if difference.symbols().is_empty() => None,
-        // A root that is real.
+        // A root is positive where it is real, and the domain of the profile states where that is.
         Sign::Unknown if matches!(difference.node(), Node::Power(_, exponent) if exponent.as_integer().is_none()) => Some(true),
         Sign::Unknown => {
             let (below, above): (Vec<Expr>, Vec<Expr>) =
