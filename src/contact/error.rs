@@ -33,8 +33,16 @@ pub enum ContactError {
         /// Why not.
         reason: &'static str,
     },
-    /// No contact radius belongs to the force.
-    #[error("no contact radius belongs to F = {force:?}: {reason}")]
+    /// No contact radius was found for the depth, although there may be one.
+    #[error("no contact radius was found for d = {depth:?}: {reason}")]
+    NotFound {
+        /// The indentation depth.
+        depth: f64,
+        /// Where the search ended.
+        reason: &'static str,
+    },
+    /// No contact radius was found for the force.
+    #[error("no contact radius was found for F = {force:?}: {reason}")]
     ForceUnreachable {
         /// The normal force.
         force: f64,

@@ -1,6 +1,6 @@
 //! The contact radius under a given force with a smooth edge: the root of F(a) = F.
 
-use super::radius::{Certain, Radii, root};
+use super::radius::{Absence, Certain, Radii, root};
 use super::{Contact, ContactError};
 use crate::num::Estimate;
 use crate::transform::{Quantities, Reading, TransformError};
@@ -29,8 +29,8 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             return Ok(Reading { estimate: Estimate::exact(start), method: "exact" });
         }
         let unreachable = |reason| ContactError::ForceUnreachable { force, reason };
-        if force.is_nan() || force < 0.0 {
-            return Err(unreachable("the force is not positive; expected F >= 0"));
+        if !(force > 0.0 && force.is_finite()) {
+            return Err(unreachable("expected a finite force F >= 0"));
         }
         let (mut evaluations, mut way) = (0, "");
         let mut height = |a: f64| match self.force(a) {
@@ -44,11 +44,13 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
             Err(ContactError::Transform(other)) => Err(other),
             Err(_) => Err(TransformError::NotComputable { at: a }),
         };
-        let found = root(&mut height, &Radii::default(), force, start, self.evaluator().limit()).map_err(|error| match error {
-            ContactError::Unreachable { reason, .. } => unreachable(reason),
-            other => other,
-        })?;
-        let (a, Certain { reach, bound, .. }) = found.map_err(unreachable)?;
+        let found =
+            root(&mut height, &|| None, &Radii::default(), force, start, self.evaluator().limit()).map_err(|error| match error {
+                ContactError::Unreachable { reason, .. } => unreachable(reason),
+                other => other,
+            })?;
+        let (a, Certain { reach, bound, .. }) =
+            found.map_err(|(Absence::Proven(reason) | Absence::Unproven(reason))| unreachable(reason))?;
         Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
     }
 }

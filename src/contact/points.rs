@@ -105,6 +105,14 @@ impl<P: Quantities + ?Sized> Quantities for Expanded<P> {
         self.profile.flat_radius()
     }
 
+    fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        self.profile.f_prime_over(lower, upper)
+    }
+
+    fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
+        self.profile.power_at_axis(radius)
+    }
+
     fn squared_gap(&self, a: f64, depth: Bounded) -> Option<Result<Reading, TransformError>> {
         self.profile.squared_gap(a, depth)
     }

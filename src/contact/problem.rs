@@ -439,7 +439,8 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// The result does not depend on the unit of length.
     ///
     /// # Errors
-    /// [`ContactError::Unreachable`] if no sample of g reaches d.
+    /// [`ContactError::Unreachable`] if enclosures of f′ prove that g stays below d, [`ContactError::NotFound`] if no sample of g
+    /// reaches d and there is no proof.
     pub fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
         match &self.inverse {
             Inverse::Explicit { explicit, only } => match explicit.contact_radius_at(depth) {

@@ -1,5 +1,7 @@
 //! The contact radius at a given depth: the first root of g(a) = d, independent of the unit of length.
 
+pub(super) mod unreachable;
+
 use super::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
 use crate::num::{Bound, Estimate, work};
@@ -34,7 +36,7 @@ const NEAREST_TO_FLAT: f64 = 1e-14;
 /// Smallest radius tried for depths below the first sample.
 const LEAST: f64 = 1e-290;
 /// Largest radius sampled on an unbounded profile.
-const FARTHEST: f64 = 1e60;
+const FARTHEST: f64 = 1e150;
 /// Number of decades sampled toward the end of a bounded profile.
 const ENDS: i32 = 15;
 /// An interval is bisected if ln g deviates by more than this from the power law of its neighbours.
@@ -45,6 +47,8 @@ const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
 const STEPS: u32 = 60;
 /// The search ends after this many consecutive samples whose error exceeds their value.
 const LOST: u32 = 3;
+/// Number of steps after which a search tries to prove that there is no radius.
+const EXPENSIVE: u64 = 1_000_000;
 /// Maximum number of further radii searched for an accurate value of g.
 const LEAP: usize = 20;
 /// Ratio of depths below which the smaller one is negligible.
@@ -55,10 +59,10 @@ const IDLE: u32 = 8;
 /// a(d) with its error.
 ///
 /// # Errors
-/// [`ContactError::Unreachable`] if no sample of g reaches the depth.
+/// [`ContactError::Unreachable`] if g is proven to stay below the depth, [`ContactError::NotFound`] if no sample of g reaches it.
 pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: &Radii, depth: f64) -> Result<Reading, ContactError> {
-    if depth < 0.0 {
-        return Err(ContactError::Unreachable { depth, reason: "the depth is negative; expected d >= 0" });
+    if !(depth >= 0.0 && depth.is_finite()) {
+        return Err(ContactError::Unreachable { depth, reason: "expected a finite depth d >= 0" });
     }
     let evaluator = contact.evaluator();
     // g vanishes on the flat part of a worn tip, so the root lies beyond it.
@@ -77,31 +81,43 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
         Err(TransformError::Overflow { .. }) => Ok(Estimate::exact(f64::INFINITY)),
         Err(other) => Err(other),
     };
-    let found = root(&mut height, radii, depth, start, limit)?;
-    let (a, Certain { reach, bound, .. }) = found.map_err(|reason| ContactError::Unreachable { depth, reason })?;
+    let stays_below = || unreachable::stays_below(evaluator, depth);
+    let found = root(&mut height, &stays_below, radii, depth, start, limit)?;
+    let (a, Certain { reach, bound, .. }) = found.map_err(|absence| match absence {
+        Absence::Proven(reason) => ContactError::Unreachable { depth, reason },
+        Absence::Unproven(reason) => ContactError::NotFound { depth, reason },
+    })?;
     Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
 }
 
-/// The smallest radius at which a function reaches a value, with its error; or the reason why there is none.
+/// Why a search found no radius.
+pub(super) enum Absence {
+    /// It is proven that there is none.
+    Proven(&'static str),
+    /// There may be one.
+    Unproven(&'static str),
+}
+
+/// The smallest radius at which a function reaches a value, with its error; or the reason why none was found.
+///
+/// `stays_below` tries to prove that there is none, and says so. It is called when g loses its digits or the search becomes expensive,
+/// or at its end.
 pub(super) fn root(
     height: &mut dyn FnMut(f64) -> Result<Estimate, TransformError>,
+    stays_below: &dyn Fn() -> Option<&'static str>,
     radii: &Radii,
     target: f64,
     start: f64,
     limit: f64,
-) -> Result<Result<(f64, Certain), &'static str>, ContactError> {
+) -> Result<Result<(f64, Certain), Absence>, ContactError> {
     let mut with_digits = |a: f64| {
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
-    let mut look = Look { height: &mut with_digits, start, places: outward(start, limit), refused: None };
-    let found = look.bracket(radii, target)?;
-    let Some((lower, upper)) = found else {
-        return Ok(Err(if limit.is_finite() {
-            "g does not reach it before the profile ends"
-        } else {
-            "g does not reach it at any radius that was tried"
-        }));
+    let mut look = Look { height: &mut with_digits, stays_below, start, places: outward(start, limit), refused: None };
+    let (lower, upper) = match look.bracket(radii, target)? {
+        Ok(found) => found,
+        Err(absence) => return Ok(Err(absence)),
     };
     let mut gap = |a: f64| if a <= start { Ok(-target) } else { height(a).map(|own| own.value - target) };
     let a = bracketed(&mut gap, lower, upper, &RootOptions::default())?.x;
@@ -109,7 +125,9 @@ pub(super) fn root(
         let own = height(a)?;
         Ok(if own.value.is_finite() { own + Estimate::exact(-target) } else { own })
     };
-    Ok(certain(&mut gap, a, start, limit)?.map(|certain| (a, certain)).ok_or("the errors of g are too large to show where g reaches it"))
+    Ok(certain(&mut gap, a, start, limit)?
+        .map(|certain| (a, certain))
+        .ok_or(Absence::Unproven("the errors are too large to show where it is reached")))
 }
 
 /// The neighbourhood of a root beyond which the sign of an increasing function is certain.
@@ -148,6 +166,7 @@ pub(super) fn certain(
 /// Samples g outward from the flat part of the tip.
 struct Look<'a> {
     height: &'a mut dyn FnMut(f64) -> Result<f64, TransformError>,
+    stays_below: &'a dyn Fn() -> Option<&'static str>,
     start: f64,
     /// The radii to sample, in increasing order.
     places: Vec<f64>,
@@ -181,7 +200,9 @@ impl Look<'_> {
     }
 
     /// The first pair of adjacent radii between which g reaches the depth.
-    fn bracket(&mut self, radii: &Radii, depth: f64) -> Result<Option<(f64, f64)>, ContactError> {
+    fn bracket(&mut self, radii: &Radii, depth: f64) -> Result<Result<(f64, f64), Absence>, ContactError> {
+        let begin = work::left();
+        let mut asked = false;
         let mut seen = radii.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
         let mut from = 0;
         let place = loop {
@@ -196,6 +217,13 @@ impl Look<'_> {
                 match seen.skipped.clone().filter(|_| seen.places.is_empty()) {
                     Some(error) => return Err(error.into()),
                     None => break None,
+                }
+            }
+            if !asked && (seen.lost > 0 || begin.saturating_sub(work::left()) > EXPENSIVE) {
+                asked = true;
+                if let Some(reason) = (self.stays_below)() {
+                    *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
+                    return Ok(Err(Absence::Proven(reason)));
                 }
             }
             // A local maximum may be inserted before the last two samples.
@@ -216,14 +244,16 @@ impl Look<'_> {
         let found = place.and_then(|place| Some((place, seen.places.get(place)?.0)));
         let Some((place, upper)) = found else {
             *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
-            return Ok(None);
+            let proof = if asked { None } else { (self.stays_below)() };
+            let absence = proof.map_or(Absence::Unproven("it is not reached at any radius that was tried"), Absence::Proven);
+            return Ok(Err(absence));
         };
         let before = place.checked_sub(1).and_then(|before| seen.places.get(before)).map(|own| own.0);
         *radii.0.lock().unwrap_or_else(PoisonError::into_inner) = seen;
         match before {
-            Some(lower) => Ok(Some((lower, upper))),
-            None if self.start > 0.0 => Ok(Some((self.start, upper))),
-            None => self.inward(upper, depth).map(Some),
+            Some(lower) => Ok(Ok((lower, upper))),
+            None if self.start > 0.0 => Ok(Ok((self.start, upper))),
+            None => self.inward(upper, depth).map(Ok),
         }
     }
 

@@ -80,6 +80,16 @@ pub trait Quantities: Send + Sync {
         Ok(flat)
     }
 
+    /// Bounds on f′ between two radii that have no breakpoint between them; `None` if unknown.
+    fn f_prime_over(&self, _lower: f64, _upper: f64) -> Option<(f64, f64)> {
+        None
+    }
+
+    /// Numbers s > −1 and M such that |f′| ≤ M r^s from the axis to a radius that no breakpoint precedes; `None` if unknown.
+    fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
+        self.f_prime_over(0.0, radius).map(|(low, high)| (0.0, low.abs().max(high.abs())))
+    }
+
     /// The pressures under a contact of radius a as one expansion, for profiles that have one.
     fn pressure_curve(&self, _a: f64) -> Option<PressureCurve<'static>> {
         None
@@ -118,6 +128,20 @@ impl Quantities for Evaluator<'_> {
 
     fn height(&self, r: f64) -> Result<Reading, TransformError> {
         Self::height(self, r)
+    }
+
+    fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        // Terms that cancel may be collected in one of the forms.
+        let found = self.typed().ok()?.f_prime_over(lower, upper);
+        let Ok(recognised) = self.recognised() else { return found };
+        match (found, recognised.f_prime_over(lower, upper)) {
+            (Some(one), Some(other)) => Some((one.0.max(other.0), one.1.min(other.1))),
+            (one, other) => one.or(other),
+        }
+    }
+
+    fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
+        self.typed().ok()?.power_at_axis(radius)
     }
 
     fn pressure_curve(&self, a: f64) -> Option<PressureCurve<'static>> {

@@ -141,6 +141,21 @@ impl Quantities for Superposition<'_> {
         self.parts.iter().try_fold(f64::INFINITY, |least, part| Ok(part.flat_radius()?.min(least)))
     }
 
+    fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        self.parts.iter().try_fold((0.0, 0.0), |(low, high): (f64, f64), part| {
+            let own = part.f_prime_over(lower, upper)?;
+            Some(((low + own.0).next_down(), (high + own.1).next_up()))
+        })
+    }
+
+    fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
+        self.parts.iter().try_fold((0.0, 0.0), |(s, most): (f64, f64), part| {
+            let (power, own) = part.power_at_axis(radius)?;
+            let least = s.min(power);
+            Some((least, most * radius.powf(s - least) + own * radius.powf(power - least)))
+        })
+    }
+
     /// A Gauss rule between consecutive breakpoints, in √(x − b), in which g is smooth except for roots at earlier breakpoints.
     fn squared_gap(&self, a: f64, depth: Bounded) -> Option<Result<Reading, TransformError>> {
         if let [only] = self.parts.as_slice() {

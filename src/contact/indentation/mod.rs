@@ -16,6 +16,7 @@ pub use errors::Estimates;
 pub use naming::{Naming, in_unit};
 pub use verdict::{Finding, Severity};
 
+use super::radius::unreachable::stays_below;
 use super::{Contact, ContactError, Explicit, explicit};
 use crate::expr::{Bindings, Symbol};
 use crate::num::work;
@@ -353,11 +354,11 @@ impl<'a> Indentation<'a> {
         let nothing = found.is_empty() && candidates.is_empty();
         candidates.splice(0..0, found);
         if nothing {
-            return Ok(unreachable(format!(
-                "no contact radius belongs to d = {}: g stays below this depth as far as {}",
-                self.naming.length(depth),
-                self.how_far()
-            )));
+            let named = self.naming.length(depth);
+            return Ok(unreachable(match stays_below(self.contact.evaluator(), depth) {
+                Some(reason) => format!("no contact radius belongs to d = {named}: {reason}"),
+                None => format!("no contact radius was found for d = {named}: g does not reach this depth as far as {}", self.how_far()),
+            }));
         }
         Ok(self.chosen(&candidates))
     }
@@ -385,7 +386,7 @@ impl<'a> Indentation<'a> {
         candidates.splice(0..0, found);
         if nothing {
             return Ok(unreachable(format!(
-                "no contact radius belongs to F = {}: it is not reached as far as {}",
+                "no contact radius was found for F = {}: it is not reached as far as {}",
                 self.naming.force(force),
                 self.how_far()
             )));

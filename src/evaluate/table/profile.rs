@@ -6,6 +6,7 @@ use super::tree::{Moments, Tree, rule};
 use super::{Cubic, TableProfile};
 use crate::evaluate::evaluator::Reading;
 use crate::evaluate::quantities::Quantities;
+use crate::evaluate::slopes::Slopes;
 use crate::integrate::error::TransformError;
 use crate::num::{Bounded, Estimate, Exhausted, work};
 
@@ -134,6 +135,10 @@ impl Quantities for TableProfile {
     fn flat_radius(&self) -> Result<f64, TransformError> {
         let flat = |piece: &&Cubic| piece.coefficients[1..].iter().all(|c| *c == 0.0);
         Ok(self.pieces.iter().take_while(flat).last().map_or(0.0, |piece| piece.upper))
+    }
+
+    fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        Slopes::over(self, lower, upper).map(|own| own.slope)
     }
 
     /// A Gauss rule per piece in √(x − b), in which g is smooth up to the roots of the pieces before.

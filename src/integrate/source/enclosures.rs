@@ -1,8 +1,8 @@
 //! Bounds on f′ and (r f′)′ in parts of the complex plane, by tapes that are compiled for enclosures.
 
-use crate::eval::{RegionAlgebra, Tape};
+use crate::eval::{IntervalAlgebra, RegionAlgebra, Tape};
 use crate::expr::{Expr, Node, Symbol};
-use crate::integrate::integral::{NumericSegment, shifted};
+use crate::integrate::integral::{NumericProfile, NumericSegment, shifted};
 use crate::integrate::source::leading_power::LeadingPower;
 use crate::integrate::source::slope::Numbers;
 use crate::num::{Region, work};
@@ -17,6 +17,14 @@ impl NumericSegment {
             Numbers::Tape(_) => enclosed(self.enclosing(), delta, slots),
             own => own.largest(delta, slots),
         }
+    }
+
+    /// Bounds on f′ for δ between two numbers; `None` if unknown.
+    fn slope_over(&self, from: f64, to: f64) -> Option<(f64, f64)> {
+        let (delta, mut slots) = (Region::interval(from, to), Vec::new());
+        let own = self.enclosing()?.run(&mut IntervalAlgebra, &[delta], &mut slots)?;
+        // Magnitudes have bounds where intermediate values leave the range of doubles.
+        own.real_range().or_else(|| Some(self.largest_slope(delta, &mut slots)).filter(|most| most.is_finite()).map(|most| (-most, most)))
     }
 
     /// The same for (r f′)′.
@@ -104,6 +112,37 @@ impl NumericSegment {
 }
 
 /// A bound on the magnitude by a tape for enclosures.
+impl NumericProfile {
+    /// Bounds on f′ between two radii that have no breakpoint between them; `None` if unknown.
+    pub(crate) fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
+        let reaches = |own: &&NumericSegment| own.lower.value < upper && own.upper.is_none_or(|end| end.value > lower);
+        self.segments.iter().filter(reaches).try_fold((0.0, 0.0), |(low, high): (f64, f64), own| {
+            let start = own.lower.value;
+            let (from, to) = (lower - start, upper - start);
+            let found = if start == 0.0 { own.slope_over(from, to) } else { own.slope_over(from.next_down().max(0.0), to.next_up()) }?;
+            Some(((low + found.0).next_down(), (high + found.1).next_up()))
+        })
+    }
+}
+
+impl NumericProfile {
+    /// Numbers s > −1 and M such that |f′| ≤ M δ^s up to r, which no breakpoint precedes; `None` if unknown.
+    pub(crate) fn power_at_axis(&self, r: f64) -> Option<(f64, f64)> {
+        let (near, mut slots) = (Region::interval(0.0, r), Vec::new());
+        let mut powers = self.segments.iter().filter(|own| own.lower.value < r).map(|own| {
+            let plain = (0.0, own.largest_slope(near, &mut slots));
+            let power = if plain.1.is_finite() { None } else { own.leading_power() };
+            power.map_or(plain, |power| (power.exponent, power.rest_over(near, &mut slots)))
+        });
+        let first = powers.next().unwrap_or((0.0, 0.0));
+        let sum = powers.fold(first, |(s, most), (power, own)| {
+            let least = s.min(power);
+            (least, most * r.powf(s - least) + own * r.powf(power - least))
+        });
+        sum.1.is_finite().then_some(sum)
+    }
+}
+
 fn enclosed(tape: Option<&Tape>, delta: Region, slots: &mut Vec<Region>) -> f64 {
     tape.and_then(|tape| tape.run(&mut RegionAlgebra, &[delta], slots)).map_or(f64::INFINITY, Region::largest)
 }

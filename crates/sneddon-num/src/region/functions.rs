@@ -4,6 +4,9 @@ use super::Region;
 use super::interval::Interval;
 use super::{leaves_the_range, magnitude};
 
+/// For larger x, a double is farther from tanh x than 1 is.
+const NEAR_ONE: f64 = 18.0;
+
 impl Region {
     /// √z, the principal branch: unknown where the rectangle meets (−∞, 0].
     #[must_use]
@@ -111,7 +114,7 @@ impl Region {
     /// tanh z, by |tanh z|² = (cosh 2x − cos 2y)/(cosh 2x + cos 2y), and by |tanh z| ≤ tan |z| for small z.
     #[must_use]
     pub fn tanh(self) -> Self {
-        if self.is_on_the_axis() && self.re.least() < 1.2 {
+        if self.is_on_the_axis() && self.re.least() < NEAR_ONE {
             return self.rising(f64::tanh);
         }
         let (size, turn) = (self.re.scaled(2.0).cosh().low, self.im.scaled(2.0).cos().low);

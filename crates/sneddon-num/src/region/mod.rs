@@ -205,7 +205,11 @@ impl Region {
     #[cold]
     fn or_by_logarithm(self, logarithm: Interval) -> Self {
         let sized = Self::sized_by_logarithm(logarithm);
-        if sized.most < self.largest() { sized } else { Self { logarithm, least: self.least.max(sized.least), ..self } }
+        if sized.most < self.largest() {
+            // The signs of the parts remain known.
+            return Self { re: sized.re.and(self.re), im: sized.im.and(self.im), ..sized };
+        }
+        Self { logarithm, least: self.least.max(sized.least), ..self }
     }
 
     /// 1/z.
@@ -282,7 +286,8 @@ impl Sub for Region {
 impl Mul for Region {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let (re, im) = if self.is_on_the_axis() && other.is_on_the_axis() && self.is_known() && other.is_known() {
+        // A real factor that overflows is still real.
+        let (re, im) = if self.is_on_the_axis() && other.is_on_the_axis() {
             (self.re.multiply(other.re), Interval::point(0.0))
         } else {
             let re = self.re.multiply(other.re).add(self.im.multiply(other.im).negated());

@@ -1,0 +1,227 @@
+//! Proofs that g stays below a depth at every radius, from enclosures of f′.
+
+use super::FARTHEST;
+use crate::num::{Bound, stable::leg, work};
+use crate::transform::Quantities;
+use std::f64::consts::FRAC_PI_2;
+
+/// Maximum number of steps for one proof.
+const PROVING: u64 = 50_000_000;
+/// Maximum number of ranges of radii.
+const MOST_CELLS: usize = 2000;
+/// Smallest width of a range, relative to its radius.
+const NARROWEST: f64 = 1e-9;
+/// Ratio of the ends of the first ranges.
+const DECADE: f64 = 10.0;
+/// Smallest radius from which a proof starts.
+const LEAST: f64 = 1e-290;
+/// Up to the first radius, g is below this fraction of the depth.
+const AT_AXIS: f64 = 1e-4;
+/// The part of a bounded profile that is left out at its end, relative to its radius.
+const LAST: f64 = 8.0 * f64::EPSILON;
+/// Ratio of a radius to the smaller ones for which f′ is bounded by a staircase.
+const NEAR: f64 = 8.0;
+/// Bound on the rounding error of a sum, relative to the sum of the magnitudes.
+const ROUNDING: f64 = 1e-12;
+
+/// The statement that g(x) < `depth` at every radius at which the profile exists, or up to 1e150, if that is proven.
+///
+/// Where f′ lies between L and H from r = l to u, ∫ f′/√(1 − r²/x²) dr over that range lies between L and H times
+/// x (arcsin(u/x) − arcsin(l/x)), and, if f′ does not change its sign, between f(u) − f(l) times the factors 1/√(1 − r²/x²) at both ends.
+/// Ranges whose bounds do not suffice are halved.
+pub(in crate::contact) fn stays_below<P: Quantities + ?Sized>(shape: &P, depth: f64) -> Option<&'static str> {
+    let prove = || Cells::new(shape, depth).is_some_and(|mut cells| cells.prove(shape, depth));
+    let ends = shape.limit().is_finite();
+    let reason = if ends { "g stays below it up to the end of the profile" } else { "g stays below it up to x = 1e150" };
+    work::share(PROVING, prove).is_some_and(|proven| proven).then_some(reason)
+}
+
+/// Radii from `lower` to `upper`, with bounds on f′ and, if f′ does not change its sign, on f(upper) − f(lower).
+#[derive(Clone, Copy)]
+struct Cell {
+    lower: f64,
+    upper: f64,
+    f_prime: (f64, f64),
+    rise: Option<(f64, f64)>,
+    /// A bound on |∫ f′/√(1 − r²/x²) dr| for every larger x, which only the cell at the axis has.
+    most: Option<f64>,
+    /// Whether g is proven to stay below the depth within the cell.
+    proven: bool,
+}
+
+struct Cells(Vec<Cell>);
+
+impl Cell {
+    /// `None` if f′ has no bounds.
+    fn new<P: Quantities + ?Sized>(shape: &P, lower: f64, upper: f64) -> Option<Self> {
+        let f_prime = shape.f_prime_over(lower, upper)?;
+        let height = |r: f64| {
+            let own = shape.height(r).ok()?.estimate;
+            (own.bound == Bound::Proven).then_some((own.value - own.error, own.value + own.error))
+        };
+        let rise = || {
+            let (below, above) = (height(lower)?, height(upper)?);
+            Some(((above.0 - below.1).next_down(), (above.1 - below.0).next_up()))
+        };
+        // f helps where the bounds on f′ are far apart.
+        let has_sign = f_prime.0 >= 0.0 || f_prime.1 <= 0.0;
+        let rise = if has_sign && upper > 1.5 * lower { rise() } else { None };
+        Some(Self { lower, upper, f_prime, rise, most: None, proven: false })
+    }
+
+    /// Bounds on ∫ f′/√(1 − r²/x²) dr over the cell, for every x between two radii beyond it.
+    fn share(&self, from: f64, to: f64) -> (f64, f64) {
+        let Self { lower, upper, f_prime: (low, high), .. } = *self;
+        // The width decreases with x.
+        let (most, least) = (self.width(from) * (1.0 + ROUNDING), self.width(to) * (1.0 - ROUNDING));
+        let mut share = (low * if low < 0.0 { most } else { least }, high * if high > 0.0 { most } else { least });
+        if let Some(most) = self.most {
+            return (-most, most);
+        }
+        if let Some((fall, rise)) = self.rise {
+            let factor = |r: f64, x: f64| x / leg(x, r);
+            let (most, least) = (factor(upper, from) * (1.0 + ROUNDING), factor(lower, to) * (1.0 - ROUNDING));
+            let (fall, rise) = if low >= 0.0 { (fall.max(0.0) * least, rise * most) } else { (fall * most, rise.min(0.0) * least) };
+            share = (share.0.max(fall), share.1.min(rise));
+        }
+        share
+    }
+
+    /// x (arcsin(upper/x) − arcsin(lower/x)).
+    fn width(&self, x: f64) -> f64 {
+        let (one, other) = (self.lower / x, (self.upper / x).min(1.0));
+        // The sine of the difference is (u √(x² − l²) − l √(x² − u²))/x², where √(x² − l²)² − √(x² − u²)² = u² − l².
+        let (far, near) = (leg(x, self.lower) / x, leg(x, self.upper.min(x)) / x);
+        let difference = (other - one) * near + other * ((other - one) * (other + one) / (far + near));
+        x * if difference < 0.5 { difference.asin() } else { other.asin() - one.asin() }
+    }
+}
+
+impl Cells {
+    /// Ranges from the axis to the end of the profile; `None` if f′ has no bounds in one of them.
+    fn new<P: Quantities + ?Sized>(shape: &P, depth: f64) -> Option<Self> {
+        // In the last ulps before the end of a profile, the enclosure of a root is unknown.
+        let end = (shape.limit() * (1.0 - LAST)).min(FARTHEST);
+        let kinks = shape.breakpoints_below(end);
+        let mut first = kinks.first().copied().unwrap_or(end);
+        // Where |f′| ≤ M r^s, |g| ≤ (π/2) M x^(s+1) max(1, 1/(s + 1)), because sin t ≥ 2t/π.
+        let most = loop {
+            let bound = |(s, most): (f64, f64)| FRAC_PI_2 * most * first.powf(s + 1.0) * (1.0 / (s + 1.0)).max(1.0) * (1.0 + ROUNDING);
+            if let Some(most) = shape.power_at_axis(first).map(bound).filter(|most| *most < AT_AXIS * depth) {
+                break most;
+            }
+            first /= DECADE;
+            if first < LEAST || work::is_exhausted() {
+                return None;
+            }
+        };
+        let mut ends = vec![first];
+        ends.extend(std::iter::successors(Some(first), |r| Some(r * DECADE)).skip(1).take_while(|r| *r < end));
+        ends.extend(kinks.into_iter().filter(|r| *r > first));
+        ends.push(end);
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let mut list = vec![Cell {
+            lower: 0.0,
+            upper: first,
+            f_prime: (f64::NEG_INFINITY, f64::INFINITY),
+            rise: None,
+            most: Some(most),
+            proven: true,
+        }];
+        for pair in ends.windows(2) {
+            let [lower, upper] = *pair else { continue };
+            list.push(Cell::new(shape, lower, upper)?);
+        }
+        Some(Self(list))
+    }
+
+    /// Halves ranges until g is proven to stay below the depth in all of them; false if that takes too many.
+    fn prove<P: Quantities + ?Sized>(&mut self, shape: &P, depth: f64) -> bool {
+        loop {
+            let mut split = vec![false; self.0.len()];
+            let mut open = Vec::new();
+            for index in 0..self.0.len() {
+                if self.0.get(index).is_some_and(|own| !own.proven) {
+                    let proven = self.is_below(index, depth, &mut split);
+                    self.0.iter_mut().skip(index).take(1).for_each(|own| own.proven = proven);
+                    if !proven {
+                        open.push(index);
+                    }
+                }
+            }
+            let Some(place) = open.get(open.len() / 2).and_then(|index| self.0.get(*index)) else { return true };
+            if shape.slope(place.upper).is_ok_and(|g| g.estimate.value >= depth) {
+                return false;
+            }
+            let before = self.0.len();
+            let mut list = Vec::with_capacity(2 * before);
+            for (own, split) in self.0.iter().zip(split) {
+                match halved(own).filter(|_| split) {
+                    Some(middle) => {
+                        for (lower, upper) in [(own.lower, middle), (middle, own.upper)] {
+                            let Some(half) = Cell::new(shape, lower, upper) else { return false };
+                            list.push(Cell { proven: own.proven, ..half });
+                        }
+                    }
+                    None => list.push(*own),
+                }
+            }
+            if list.len() == before || list.len() > MOST_CELLS || work::is_exhausted() {
+                return false;
+            }
+            self.0 = list;
+        }
+    }
+
+    /// Whether g is proven to stay below the depth within a cell; otherwise marks the cells whose bounds are the reason.
+    fn is_below(&self, index: usize, depth: f64, split: &mut [bool]) -> bool {
+        let Some(own) = self.0.get(index) else { return true };
+        let (from, to) = (own.lower, own.upper);
+        let below = self.0.get(..index).unwrap_or_default();
+        work::spend(8 * below.len() as u64);
+        let near = below.partition_point(|cell| cell.lower < from / NEAR);
+        let (far, near) = below.split_at_checked(near).unwrap_or_default();
+        // f′ ≤ H_i in cell i gives, by parts, ∫ ≤ x (π/2) H − Σ (H_i − H_{i−1}) x arcsin(l_i/x), in which x arcsin(l/x) decreases.
+        let arc = |l: f64, x: f64| x * (l / x).min(1.0).asin();
+        let end = |high: f64| FRAC_PI_2 * high * if high > 0.0 { to } else { from };
+        let (mut most, mut size, mut range) = (end(own.f_prime.1), 0.0, 0.0);
+        let mut before = 0.0;
+        let mut doubts = Vec::with_capacity(below.len());
+        for cell in near.iter().chain([own]) {
+            let step = cell.f_prime.1 - before;
+            let (most_arc, least_arc) = (arc(cell.lower, from), arc(cell.lower, to));
+            let term = step * if step > 0.0 { least_arc } else { most_arc };
+            range += step.abs() * (most_arc - least_arc);
+            most -= term;
+            size += term.abs();
+            before = cell.f_prime.1;
+        }
+        size += most.abs();
+        for cell in far {
+            let share = cell.share(from, to);
+            most += share.1;
+            size += share.1.abs();
+            doubts.push(share.1 - share.0);
+        }
+        if most + ROUNDING * size < depth {
+            return true;
+        }
+        doubts.extend(near.iter().map(|cell| (cell.f_prime.1 - cell.f_prime.0) * cell.width(from)));
+        // The doubt of the cell itself contains how much the bound varies within it.
+        doubts.push((own.f_prime.1.max(0.0) - own.f_prime.0.min(0.0)) * own.width(to) + range);
+        let total: f64 = doubts.iter().sum();
+        let half = 0.5 * total / doubts.len() as f64;
+        for (mark, _) in split.iter_mut().zip(&doubts).filter(|(_, doubt)| **doubt > half || !doubt.is_finite()) {
+            *mark = true;
+        }
+        false
+    }
+}
+
+/// The point at which a range is split: the logarithmic middle of a wide range.
+fn halved(cell: &Cell) -> Option<f64> {
+    let Cell { lower, upper, .. } = *cell;
+    let middle = if upper > 4.0 * lower { lower.sqrt() * upper.sqrt() } else { 0.5 * lower + 0.5 * upper };
+    (lower > 0.0 && middle > lower && middle < upper && upper - lower > NARROWEST * upper).then_some(middle)
+}
