@@ -7,10 +7,14 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Maximum number of steps for one proof.
 const PROVING: u64 = 50_000_000;
+/// Maximum number of steps for a value of g in a proof.
+const CHEAP: u64 = 500_000;
 /// Maximum number of ranges of radii.
 const MOST_CELLS: usize = 2000;
 /// Smallest width of a range, relative to its radius.
 const NARROWEST: f64 = 1e-9;
+/// Maximum number of times that a first range is halved until f′ has bounds.
+const HALVINGS: u32 = 5;
 /// Ratio of the ends of the first ranges.
 const DECADE: f64 = 10.0;
 /// Smallest radius from which a proof starts.
@@ -131,7 +135,7 @@ impl Cells {
         }];
         for pair in ends.windows(2) {
             let [lower, upper] = *pair else { continue };
-            list.push(Cell::new(shape, lower, upper)?);
+            list.extend(enclosed(shape, lower, upper, HALVINGS)?);
         }
         Some(Self(list))
     }
@@ -151,13 +155,15 @@ impl Cells {
                 }
             }
             let Some(place) = open.get(open.len() / 2).and_then(|index| self.0.get(*index)) else { return true };
-            if shape.slope(place.upper).is_ok_and(|g| g.estimate.value >= depth) {
+            // If g is cheap there, a value may show that the depth is reached.
+            let reaches = || shape.slope(place.upper).is_ok_and(|g| g.estimate.value >= depth);
+            if work::share(CHEAP, reaches) == Some(true) {
                 return false;
             }
             let before = self.0.len();
             let mut list = Vec::with_capacity(2 * before);
             for (own, split) in self.0.iter().zip(split) {
-                match halved(own).filter(|_| split) {
+                match halved(own.lower, own.upper).filter(|_| split) {
                     Some(middle) => {
                         for (lower, upper) in [(own.lower, middle), (middle, own.upper)] {
                             let Some(half) = Cell::new(shape, lower, upper) else { return false };
@@ -219,9 +225,19 @@ impl Cells {
     }
 }
 
+/// The range between two radii, or its halves if f′ has no bounds in the whole of it, because intermediate values overflow.
+fn enclosed<P: Quantities + ?Sized>(shape: &P, lower: f64, upper: f64, halvings: u32) -> Option<Vec<Cell>> {
+    if let Some(own) = Cell::new(shape, lower, upper) {
+        return Some(vec![own]);
+    }
+    let middle = halved(lower, upper).filter(|_| halvings > 0)?;
+    let mut list = enclosed(shape, lower, middle, halvings - 1)?;
+    list.extend(enclosed(shape, middle, upper, halvings - 1)?);
+    Some(list)
+}
+
 /// The point at which a range is split: the logarithmic middle of a wide range.
-fn halved(cell: &Cell) -> Option<f64> {
-    let Cell { lower, upper, .. } = *cell;
+fn halved(lower: f64, upper: f64) -> Option<f64> {
     let middle = if upper > 4.0 * lower { lower.sqrt() * upper.sqrt() } else { 0.5 * lower + 0.5 * upper };
     (lower > 0.0 && middle > lower && middle < upper && upper - lower > NARROWEST * upper).then_some(middle)
 }
