@@ -75,7 +75,7 @@ pub struct FloatAlgebra;
 
 impl Algebra for FloatAlgebra {
     type Value = f64;
-    const COST: Cost = Cost::new(2, 6, 100);
+    const COST: Cost = Cost::new(3, 28, 100);
     fn constant(&mut self, number: Precise) -> f64 {
         number.value.hi
     }
@@ -111,7 +111,7 @@ pub struct BoundedAlgebra;
 
 impl Algebra for BoundedAlgebra {
     type Value = Bounded;
-    const COST: Cost = Cost::new(4, 32, 180);
+    const COST: Cost = Cost::new(6, 26, 180);
     const STOPS_SPECIAL: bool = true;
     const READS_NUMBERS: bool = true;
     fn kept(tape: &Kept) -> Option<&KeptValues<Bounded>> {
@@ -199,7 +199,7 @@ impl RoundingAlgebra {
 
 impl Algebra for RoundingAlgebra {
     type Value = Bounded;
-    const COST: Cost = Cost::new(4, 8, 180);
+    const COST: Cost = Cost::new(2, 16, 30);
     fn constant(&mut self, number: Precise) -> Bounded {
         BoundedAlgebra.constant(number)
     }
@@ -292,7 +292,7 @@ pub struct RegionAlgebra;
 
 impl Algebra for RegionAlgebra {
     type Value = Region;
-    const COST: Cost = Cost::new(32, 48, 400);
+    const COST: Cost = Cost::new(30, 96, 80);
     fn constant(&mut self, number: Precise) -> Region {
         let (value, error) = (number.value.hi, number.value.lo.abs() + number.error);
         if error == 0.0 { Region::real(value) } else { Region::new(((value - error).next_down(), (value + error).next_up()), (0.0, 0.0)) }
@@ -341,7 +341,7 @@ pub struct IntervalAlgebra;
 
 impl Algebra for IntervalAlgebra {
     type Value = Region;
-    const COST: Cost = Cost::new(28, 50, 400);
+    const COST: Cost = Cost::new(16, 28, 280);
     fn constant(&mut self, number: Precise) -> Region {
         RegionAlgebra.constant(number)
     }

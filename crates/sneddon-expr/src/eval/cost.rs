@@ -1,11 +1,12 @@
 //! The steps of work that one run of a tape takes.
 
 /// Steps of a run of a tape, whatever its operations …
-const RUN: u64 = 5;
-/// … of a run over a block of points …
+const RUN: u64 = 1;
+/// … of a run over a block of points in doubles, and of one with bounds, whose caller prepares the places …
 const BLOCK: u64 = 10;
+const BOUNDED_BLOCK: u64 = 30;
 /// … and of one point of a block with bounds: the caller finds its place and adds its value to a sum.
-const POINT: u64 = 8;
+const POINT: u64 = 6;
 
 /// A number for each kind of operation: how many of them a tape has, or how many quarters of a step one of them takes.
 ///
@@ -22,7 +23,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// The costs for one kind of value, in quarters of a step: measured one by one, then fitted to the kinds of work of that benchmark.
+    /// The costs for one kind of value, in quarters of a step: by `--bench operations`, fitted to the kinds of work of `--bench steps`.
     pub(super) const fn new(arithmetic: u64, elementary: u64, special: u64) -> Self {
         Self { arithmetic, elementary, special }
     }
@@ -39,7 +40,7 @@ impl Cost {
 
     /// The same with bounds.
     pub(super) const fn bounded_block_steps(&self, points: usize) -> u64 {
-        BLOCK + points as u64 * (POINT + self.product(&BOUNDED) / 4)
+        BOUNDED_BLOCK + points as u64 * (POINT + self.product(&BOUNDED) / 4)
     }
 
     const fn product(&self, each: &Self) -> u64 {
@@ -48,6 +49,6 @@ impl Cost {
 }
 
 /// The costs at one point of a block, in doubles …
-const PLAIN: Cost = Cost::new(1, 4, 120);
+const PLAIN: Cost = Cost::new(1, 3, 60);
 /// … and with bounds.
-const BOUNDED: Cost = Cost::new(1, 8, 120);
+const BOUNDED: Cost = Cost::new(1, 4, 40);

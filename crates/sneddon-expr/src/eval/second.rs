@@ -36,7 +36,7 @@ const STEPS: [f64; 4] = [1.0 / (1_u64 << 17) as f64, 1.0 / (1_u64 << 34) as f64,
 
 impl Algebra for PreciseAlgebra {
     type Value = Precise;
-    const COST: Cost = Cost::new(8, 280, 200);
+    const COST: Cost = Cost::new(12, 180, 230);
     const STOPS: bool = true;
     fn kept(tape: &Kept) -> Option<&KeptValues<Precise>> {
         Some(&tape.precise)

@@ -32,7 +32,7 @@ const SEGMENTS: [(&str, f64); 4] =
 
 impl Algebra for WideAlgebra {
     type Value = Wide;
-    const COST: Cost = Cost::new(33, 340, 350);
+    const COST: Cost = Cost::new(84, 420, 320);
     const STOPS: bool = true;
     fn constant(&mut self, number: Precise) -> Wide {
         Wide::new(number)

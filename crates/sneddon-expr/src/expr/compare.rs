@@ -37,7 +37,7 @@ fn compare<const COUNTED: bool>(left: &Expr, right: &Expr) -> Ordering {
         return Ordering::Equal;
     }
     if COUNTED {
-        work::spend(1);
+        work::spend(2);
     }
     let levels = [left, right].map(|own| own.levels().max(SHALLOW));
     if levels[0] != levels[1] {

@@ -8,7 +8,7 @@ use num_traits::{One, ToPrimitive};
 /// Number of leading bits from which quotients are computed.
 const LEADING: u64 = 62;
 /// Steps of work per word of the shorter number; `charge` counts the part that is quadratic in the words.
-const STEPS_PER_WORD: u64 = 150;
+const STEPS_PER_WORD: u64 = 200;
 
 /// Returns the greatest common divisor.
 ///

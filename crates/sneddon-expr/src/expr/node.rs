@@ -99,7 +99,7 @@ impl fmt::Display for Symbol {
 }
 
 /// Steps of work that one node costs, from its construction to its end …
-const NODE: u64 = 16;
+const NODE: u64 = 14;
 /// … and each of its operands, which is sorted and compared.
 const CHILD: u64 = 4;
 

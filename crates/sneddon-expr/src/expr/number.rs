@@ -230,7 +230,7 @@ impl Number {
 
 /// p/q reduced, q > 0; most numbers of a derivation are small enough for this.
 fn fraction(p: i128, q: i128) -> BigRational {
-    work::spend(if q == 1 { 15 } else { 22 });
+    work::spend(if q == 1 { 14 } else { 20 });
     let common = match (u64::try_from(p.unsigned_abs()), u64::try_from(q)) {
         _ if q == 1 => 1,
         // Arithmetic on one word is cheaper than on two.
@@ -400,7 +400,7 @@ fn parts(own: &Number) -> (&BigInt, &BigInt) {
 /// Counts the work of an operation on numbers of many words; false if the budget is used up.
 fn charge(one: &Number, other: &Number) -> bool {
     let words = 1 + (one.bits() + other.bits()) / 64;
-    work::spend(40 + words + words * words / 16);
+    work::spend(75 + words + words * words / 16);
     !work::is_exhausted()
 }
 

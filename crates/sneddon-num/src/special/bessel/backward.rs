@@ -28,7 +28,7 @@ pub(crate) fn backward(f: DoubleDouble, m: u32, z: DoubleDouble, neumann: bool) 
     let turning = z.hi.max(f64::from(m));
     // Beyond the turning point 24 widths are 36 digits.
     let top = 2 * ((turning + 24.0 * turning.cbrt() + 4.0) / 2.0).ceil() as u32;
-    work::spend(20 + 4 * u64::from(top));
+    work::spend(26 + 5 * u64::from(top));
     let weights = weights(f, top / 2);
     let step = DoubleDouble::from(2.0).div(z);
     let (zero, whole) = (DoubleDouble::from(0.0), f.hi == 0.0);

@@ -23,7 +23,7 @@ pub(crate) fn series(upper: &[Ball], lower: &[Ball], z: Ball) -> Ball {
     let largest = upper.iter().chain(lower).fold(0.0_f64, |most, p| most.max(p.hi().abs()));
     let (mut sum, mut term) = (Ball::ONE.value, Ball::ONE.value);
     let (mut doubt, mut error) = (0.0_f64, 0.0_f64);
-    let each = (upper.len() + lower.len()) as u64 + 4;
+    let each = (upper.len() + lower.len()) as u64 / 2 + 3;
     for step in 0..MAX_TERMS {
         work::spend(each);
         if work::is_exhausted() {
