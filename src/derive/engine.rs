@@ -2,6 +2,7 @@
 
 use crate::derive::angles;
 use crate::derive::chain::Chain;
+use crate::derive::domain::demands;
 use crate::derive::kinks;
 use crate::derive::profile::Profile;
 use crate::derive::rules;
@@ -10,10 +11,11 @@ use crate::derive::term;
 use crate::derive::term::Term;
 use crate::derive::verification::{Demotion, Gate, Verification};
 use crate::expr::normal::NormalTerm;
-use crate::expr::{Condition, Expr, Symbol, derivative, normal};
+use crate::expr::{Condition, Expr, Relation, Symbol, derivative, normal};
 use crate::integrate::error::TransformError;
 use crate::integrate::segment::Segment;
 use crate::num::work;
+use std::borrow::Cow;
 
 /// A profile with the solution of every term: exact if a rule applies, otherwise an integral.
 #[derive(Clone)]
@@ -61,13 +63,17 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     }
     for term in chains.iter().flat_map(|chain| &chain.intervals).flat_map(|interval| &interval.terms) {
         if let Some((_, answer)) = &term.answer {
-            conditions.extend(answer.conditions.iter().cloned());
+            // As the profile states its own: b < R for 0 < R - b.
+            let is_sign = |own: &Condition| own.relation == Relation::Less && own.left.is_zero();
+            let stated = |own: &Condition| if is_sign(own) { demands::at_least_zero(&own.right) } else { own.clone() };
+            conditions.extend(answer.conditions.iter().map(stated));
         }
     }
     // The pressure of an open term is an integral over (r f′)′, without which the result would be incomplete.
     for (_, slope) in chains.iter().flat_map(|chain| chain.remainder(SolvedTerm::has_open_pressure)) {
         derivative(&(Expr::symbol("r") * slope), &Symbol::new("r"))?;
     }
+    conditions.extend(demands::of_either_sign(&profile.demands, &conditions));
     conditions.sort();
     conditions.dedup();
     conditions.retain(|c| c.decided() != Some(true));
@@ -145,6 +151,18 @@ fn whole(slope: &Expr, segment: &Segment) -> Term {
 }
 
 impl Solution {
+    /// The solution without the answers of rules that have a broken condition: their terms are left to be integrated.
+    pub(crate) fn without_answers(&self, is_broken: impl Fn(&Condition) -> bool) -> Cow<'_, Self> {
+        let fails = |term: &SolvedTerm| term.answer.as_ref().is_some_and(|(_, own)| own.conditions.iter().any(&is_broken));
+        if !self.terms().any(fails) {
+            return Cow::Borrowed(self);
+        }
+        let mut own = self.clone();
+        let terms = own.chains.iter_mut().flat_map(|chain| &mut chain.intervals).flat_map(|interval| &mut interval.terms);
+        terms.filter(|term| fails(term)).for_each(|term| term.answer = None);
+        Cow::Owned(own)
+    }
+
     /// Warnings about closed forms that were rejected.
     pub fn warnings(&self) -> Vec<String> {
         self.verification.demoted.iter().map(Demotion::text).collect()

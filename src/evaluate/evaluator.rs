@@ -19,6 +19,7 @@ use crate::integrate::integral::NumericProfile;
 use crate::integrate::segment::Segment;
 use crate::num::{Bounded, Estimate, Precise, work};
 use crate::print::text_condition;
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 /// Ends of the profile with a smaller relative distance are identified.
@@ -59,7 +60,7 @@ impl Reading {
 
 /// A solution with numbers for its parameters, compiled for many points; it may be shared between threads.
 pub struct Evaluator<'a> {
-    pub(crate) solution: &'a Solution,
+    pub(crate) solution: Cow<'a, Solution>,
     pub(crate) bindings: Bindings,
     pub(crate) chains: Vec<NumericChain>,
     pub(crate) limits: Vec<f64>,
@@ -109,7 +110,8 @@ impl<'a> Evaluator<'a> {
     ///
     /// # Errors
     /// [`TransformError::Evaluation`] if a parameter has no value; [`TransformError::ConditionFails`] if the values break a condition of
-    /// the profile on its parameters; [`TransformError::Statement`] for a tolerance outside (0, 1).
+    /// the profile on its parameters; [`TransformError::Statement`] for a tolerance outside (0, 1). Closed forms whose own conditions
+    /// the values break are not used: their terms are integrated.
     pub fn new(solution: &'a Solution, bindings: &Bindings, method: Method, tolerance: f64) -> Result<Self, TransformError> {
         tolerance_in_range(tolerance)?;
         // The conditions on slope angles keep signs in formulas, which numbers do not need.
@@ -117,6 +119,7 @@ impl<'a> Evaluator<'a> {
         if let Some(broken) = solution.profile.conditions.iter().find(|own| is_broken(own, bindings) && is_needed(own)) {
             return Err(TransformError::ConditionFails { condition: text_condition(broken) });
         }
+        let solution = solution.without_answers(|own| is_broken(own, bindings));
         let number = |expr: &Expr| constant_value(expr, bindings).map(|b| b.value);
         let mut chains = Vec::new();
         for chain in &solution.chains {
@@ -130,12 +133,13 @@ impl<'a> Evaluator<'a> {
             });
         }
         let limits = solution.profile.limits().map(number).collect::<Result<_, _>>()?;
+        let barriers = solution.profile.demands.iter().map(|own| Barrier::new(own, bindings)).collect::<Result<_, _>>()?;
         Ok(Self {
             solution,
             bindings: bindings.clone(),
             chains,
             limits,
-            barriers: solution.profile.demands.iter().map(|own| Barrier::new(own, bindings)).collect::<Result<_, _>>()?,
+            barriers,
             end: OnceLock::new(),
             typed: OnceLock::new(),
             recognised: OnceLock::new(),

@@ -15,6 +15,7 @@ mod quadrature_counts;
 mod random_profiles;
 mod second;
 mod series;
+mod signs;
 mod singular;
 mod slices;
 mod slope_angles;

@@ -171,8 +171,28 @@ fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
     Ok(conditions)
 }
 
+/// Up to where divisors keep their sign that may have either sign at first, under the other conditions.
+pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Vec<Condition> {
+    let mut found = Vec::new();
+    for Demand { expr, zero, either_sign, lower, upper } in demands {
+        if !either_sign || starting_sign(expr, lower).is_some() {
+            continue;
+        }
+        let start = Bindings::one("r", lower.clone()).apply(expr);
+        let is_given = |own: &Expr| conditions.iter().any(|given| given.relation == Relation::Less && (&given.right - &given.left) == *own);
+        let from = [expr.clone(), -expr].into_iter().zip([start.clone(), -&start]).find(|(_, start)| is_given(start));
+        match from.map(|(expr, _)| first_zero(&expr, lower, *zero)) {
+            Some(Some(limit)) => found.extend(below(limit, upper.as_ref())),
+            // It keeps the sign that is given, as far as samples show.
+            Some(None) => {}
+            None => found.push(Condition::less(Expr::zero(), start * expr)),
+        }
+    }
+    found
+}
+
 /// 0 < expr, solved for a parameter where that leaves a parameter alone on either side, as in b < R.
-fn at_least_zero(expr: &Expr) -> Condition {
+pub(crate) fn at_least_zero(expr: &Expr) -> Condition {
     for symbol in expr.symbols() {
         let Ok(terms) = normal::normal_terms(expr, &symbol) else { continue };
         let [one, other] = terms.as_slice() else { continue };

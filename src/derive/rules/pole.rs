@@ -1,6 +1,7 @@
 //! Integrals of powers of w ± r over √(x²−r²), shared by the linear families.
 
 use super::combination::{Combination, Form};
+use crate::derive::domain::demands::at_least_zero;
 use crate::expr::{Condition, Expr, Sign, sign};
 use crate::integrate::segment::Segment;
 use std::cell::RefCell;
@@ -56,13 +57,14 @@ impl Pole {
                 Sign::Negative => true,
                 Sign::Zero | Sign::Unknown => return None,
             },
-            Sign::Unknown if sign(beta) != Sign::Unknown => {
-                conditions.push(Condition::less(Expr::zero(), offset.clone()));
-                false
-            }
+            // R − b − r is typed for b < R, and R − b + r as well.
+            Sign::Unknown if sign(beta) != Sign::Unknown => sign(beta) == Sign::Negative,
             Sign::Unknown | Sign::Zero => return None,
         };
         let w = if above { -offset } else { offset };
+        if sign(&w) == Sign::Unknown {
+            conditions.push(at_least_zero(&w));
+        }
         if above {
             conditions.push(Condition::less(segment.upper.clone().unwrap_or_else(|| Expr::symbol("r")), w.clone()));
         }
