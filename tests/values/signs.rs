@@ -75,6 +75,7 @@ fn conditions_name_the_pole_of_a_difference() {
         ("r/(R-b-r)", &["b < R", "r < R - b"]),
         ("ln(R-b-r)", &["b < R", "r < R - b"]),
         ("1/(R-b-r^2)", &["b < R", "r < sqrt(R - b)"]),
+        ("1/(R^2-b^2-r^2)", &["b < R", "r < sqrt(R^2 - b^2)"]),
         ("tanh(r)/(R-b-r^3)", &["0 < (R - b)*(R - r^3 - b)"]),
     ] {
         let shown: Vec<String> = solution(text).conditions.iter().map(print::text_condition).collect();

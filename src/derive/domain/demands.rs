@@ -179,7 +179,7 @@ pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Ve
             continue;
         }
         let start = Bindings::one("r", lower.clone()).apply(expr);
-        let is_given = |own: &Expr| conditions.iter().any(|given| given.relation == Relation::Less && (&given.right - &given.left) == *own);
+        let is_given = |own: &Expr| conditions.contains(&at_least_zero(own));
         let from = [expr.clone(), -expr].into_iter().zip([start.clone(), -&start]).find(|(_, start)| is_given(start));
         match from.map(|(expr, _)| first_zero(&expr, lower, *zero)) {
             Some(Some(limit)) => found.extend(below(limit, upper.as_ref())),
