@@ -32,6 +32,7 @@ pub(crate) use crate::integrate::admit::finite_and_not_negative;
 pub use crate::integrate::error::TransformError;
 pub use crate::integrate::integral::NumericProfile;
 pub use crate::integrate::segment::Segment;
+pub(crate) use crate::integrate::source::enclosures::sum_of_ranges;
 pub use crate::integrate::source::slope::SlopeSource;
 pub use crate::integrate::table_error::TableError;
 

@@ -25,7 +25,7 @@ pub enum ContactError {
         /// The missing input, and how to specify it.
         needs: &'static str,
     },
-    /// No contact radius belongs to the load.
+    /// No contact radius exists for the depth.
     #[error("no contact radius belongs to d = {depth:?}: {reason}")]
     Unreachable {
         /// The indentation depth.
@@ -33,7 +33,7 @@ pub enum ContactError {
         /// Why not.
         reason: &'static str,
     },
-    /// No contact radius was found for the depth, although there may be one.
+    /// The search found no contact radius for the depth, but cannot exclude one.
     #[error("no contact radius was found for d = {depth:?}: {reason}")]
     NotFound {
         /// The indentation depth.

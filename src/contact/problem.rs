@@ -439,8 +439,8 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// The result does not depend on the unit of length.
     ///
     /// # Errors
-    /// [`ContactError::Unreachable`] if enclosures of f′ prove that g stays below d, [`ContactError::NotFound`] if no sample of g
-    /// reaches d and there is no proof.
+    /// [`ContactError::Unreachable`] if no contact radius exists, which enclosures of f′ prove; [`ContactError::NotFound`] if the search
+    /// finds none but cannot exclude one.
     pub fn contact_radius(&self, depth: f64) -> Result<Reading, ContactError> {
         match &self.inverse {
             Inverse::Explicit { explicit, only } => match explicit.contact_radius_at(depth) {

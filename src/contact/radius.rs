@@ -35,7 +35,7 @@ const NEAREST: f64 = 1e-40;
 const NEAREST_TO_FLAT: f64 = 1e-14;
 /// Smallest radius tried for depths below the first sample.
 const LEAST: f64 = 1e-290;
-/// Largest radius sampled on an unbounded profile.
+/// Largest radius sampled on an unbounded profile, which the message of a proof names.
 const FARTHEST: f64 = 1e150;
 /// Number of decades sampled toward the end of a bounded profile.
 const ENDS: i32 = 15;
@@ -47,7 +47,7 @@ const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
 const STEPS: u32 = 60;
 /// The search ends after this many consecutive samples whose error exceeds their value.
 const LOST: u32 = 3;
-/// Number of steps after which a search tries to prove that there is no radius.
+/// A search that has taken this many steps attempts to prove that no radius exists.
 const EXPENSIVE: u64 = 1_000_000;
 /// Maximum number of further radii searched for an accurate value of g.
 const LEAP: usize = 20;
@@ -59,7 +59,7 @@ const IDLE: u32 = 8;
 /// a(d) with its error.
 ///
 /// # Errors
-/// [`ContactError::Unreachable`] if g is proven to stay below the depth, [`ContactError::NotFound`] if no sample of g reaches it.
+/// [`ContactError::Unreachable`] if no contact radius exists, [`ContactError::NotFound`] if the search finds none but cannot exclude one.
 pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: &Radii, depth: f64) -> Result<Reading, ContactError> {
     if !(depth >= 0.0 && depth.is_finite()) {
         return Err(ContactError::Unreachable { depth, reason: "expected a finite depth d >= 0" });
@@ -90,18 +90,18 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
     Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
 }
 
-/// Why a search found no radius.
+/// The reason why a search found no radius.
 pub(super) enum Absence {
-    /// It is proven that there is none.
+    /// No radius exists.
     Proven(&'static str),
-    /// There may be one.
+    /// A radius may exist.
     Unproven(&'static str),
 }
 
 /// The smallest radius at which a function reaches a value, with its error; or the reason why none was found.
 ///
-/// `stays_below` tries to prove that there is none, and says so. It is called when g loses its digits or the search becomes expensive,
-/// or at its end.
+/// `stays_below` returns the reason if it proves that no radius exists. It is called at most once: when a value has no digits, when the
+/// search has become expensive, or at the end of the search.
 pub(super) fn root(
     height: &mut dyn FnMut(f64) -> Result<Estimate, TransformError>,
     stays_below: &dyn Fn() -> Option<&'static str>,

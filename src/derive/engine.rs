@@ -63,7 +63,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     }
     for term in chains.iter().flat_map(|chain| &chain.intervals).flat_map(|interval| &interval.terms) {
         if let Some((_, answer)) = &term.answer {
-            // As the profile states its own: b < R for 0 < R - b.
+            // State signs as the profile does: b < R instead of 0 < R − b.
             let is_sign = |own: &Condition| own.relation == Relation::Less && own.left.is_zero();
             let stated = |own: &Condition| if is_sign(own) { demands::at_least_zero(&own.right) } else { own.clone() };
             conditions.extend(answer.conditions.iter().map(stated));
@@ -151,7 +151,7 @@ fn whole(slope: &Expr, segment: &Segment) -> Term {
 }
 
 impl Solution {
-    /// The solution without the answers of rules that have a broken condition: their terms are left to be integrated.
+    /// Returns the solution without the answers whose conditions are broken; their terms are integrated instead.
     pub(crate) fn without_answers(&self, is_broken: impl Fn(&Condition) -> bool) -> Cow<'_, Self> {
         let fails = |term: &SolvedTerm| term.answer.as_ref().is_some_and(|(_, own)| own.conditions.iter().any(&is_broken));
         if !self.terms().any(fails) {

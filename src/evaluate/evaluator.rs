@@ -480,7 +480,7 @@ fn finite(reading: Option<Reading>, symbol: &'static str, at: f64) -> Result<Rea
     }
 }
 
-/// Whether an order of two expressions of the parameters is proven to be the other one; conditions on r are judged at every radius.
+/// Whether the parameters certainly break a condition; conditions that contain r are checked at each radius instead.
 fn is_broken(condition: &Condition, bindings: &Bindings) -> bool {
     let (Ok(left), Ok(right)) = (constant_value(&condition.left, bindings), constant_value(&condition.right, bindings)) else {
         return false;

@@ -131,7 +131,7 @@ impl Quantities for Evaluator<'_> {
     }
 
     fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
-        // Terms that cancel may be collected in one of the forms.
+        // One form may have collected terms that cancel in the other.
         let found = self.typed().ok()?.f_prime_over(lower, upper);
         let Ok(recognised) = self.recognised() else { return found };
         match (found, recognised.f_prime_over(lower, upper)) {

@@ -4,6 +4,7 @@ use crate::evaluate::curve::PressureCurve;
 use crate::evaluate::evaluator::Reading;
 use crate::evaluate::quantities::Quantities;
 use crate::integrate::error::TransformError;
+use crate::integrate::source::enclosures::{sum_of_powers, sum_of_ranges};
 use crate::num::legendre::rule_of;
 use crate::num::{Bounded, Estimate};
 use std::sync::Arc;
@@ -142,18 +143,11 @@ impl Quantities for Superposition<'_> {
     }
 
     fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
-        self.parts.iter().try_fold((0.0, 0.0), |(low, high): (f64, f64), part| {
-            let own = part.f_prime_over(lower, upper)?;
-            Some(((low + own.0).next_down(), (high + own.1).next_up()))
-        })
+        sum_of_ranges(self.parts.iter().map(|part| part.f_prime_over(lower, upper)))
     }
 
     fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
-        self.parts.iter().try_fold((0.0, 0.0), |(s, most): (f64, f64), part| {
-            let (power, own) = part.power_at_axis(radius)?;
-            let least = s.min(power);
-            Some((least, most * radius.powf(s - least) + own * radius.powf(power - least)))
-        })
+        sum_of_powers(self.parts.iter().map(|part| part.power_at_axis(radius)), radius)
     }
 
     /// A Gauss rule between consecutive breakpoints, in √(x − b), in which g is smooth except for roots at earlier breakpoints.

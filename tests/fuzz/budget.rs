@@ -321,7 +321,7 @@ fn the_work_grows_little_faster_than_the_profile() {
         ("powers", |n| repeated(n, "I*r^(I+1)", "+"), 1.6),
         ("logarithms", |n| repeated(n, "ln(1+r/I)", "+"), 1.1),
         ("kinks", |n| repeated(n, "max(0,r-I)", "+"), 1.1),
-        // n coefficients of n digits, too.
+        // The product has n coefficients of up to n digits.
         ("factors", |n| repeated(n, "(r+I)", "*"), 2.1),
         ("binomials", |n| format!("(1+r)^{n}"), 1.85),
         // The written form has n coefficients of n digits.

@@ -1,5 +1,5 @@
-//! Numbers of solutions in which the sign of an offset such as R − b depends on the parameters: closed forms of one sign are not used
-//! for the other.
+//! Solutions in which the sign of an offset such as R − b depends on the parameters: a closed form for one sign is not used for the
+//! other.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use sneddon::expr::{Bindings, Expr};
@@ -66,7 +66,7 @@ fn closed_forms_hold_for_either_sign_of_an_offset() {
     assert!(compared >= 150 && exact >= 60, "{compared} numbers, {exact} from closed forms");
 }
 
-/// The conditions name the pole where the sign of the divisor at the axis is given, and that it keeps its sign where it is not.
+/// The conditions name the pole if they also imply the sign of the divisor at the axis; otherwise they state that it keeps its sign.
 #[test]
 fn conditions_name_the_pole_of_a_difference() {
     for (text, expected) in [

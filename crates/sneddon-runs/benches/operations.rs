@@ -1,4 +1,4 @@
-//! Nanoseconds per operation of a tape for every kind of value, beside which the costs in `sneddon-expr` were chosen.
+//! Nanoseconds per operation of a tape for every kind of value, to compare with the costs in `sneddon-expr`.
 
 use sneddon::eval::{
     Algebra, BlockInput, BlockScratch, BoundedAlgebra, FloatAlgebra, IntervalAlgebra, PreciseAlgebra, RegionAlgebra, Tape, WideAlgebra,

@@ -215,7 +215,7 @@ impl Cells {
 }
 
 /// The point at which a range is split: the logarithmic middle of a wide range.
-fn halved(lower: f64, upper: f64) -> Option<f64> {
+pub(in crate::contact) fn halved(lower: f64, upper: f64) -> Option<f64> {
     let middle = if lower > 0.0 && upper > 4.0 * lower { (lower.ln() * 0.5 + upper.ln() * 0.5).exp() } else { 0.5 * (lower + upper) };
     (middle > lower && middle < upper).then_some(middle)
 }

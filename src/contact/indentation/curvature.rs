@@ -3,7 +3,7 @@
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Symbol, derivative};
 use crate::num::Bounded;
-use crate::transform::{ClosedForm, Over, Profile, Slopes, TransformError};
+use crate::transform::{ClosedForm, Over, Profile, Slopes, TransformError, sum_of_ranges};
 use std::sync::{Arc, OnceLock};
 
 /// f′ and (r f′)′ of a profile with numbers for all parameters, and of additional profiles that are not formulas.
@@ -142,12 +142,7 @@ impl<'a> Curvature<'a> {
             pick(pieces).get(index)?.over(lower, upper)
         });
         let others = self.others.iter().map(|other| other.over(lower, upper).and_then(&ask));
-        formulas.chain(others).try_fold((0.0, 0.0), |(low, high): (f64, f64), own| {
-            let own = own?;
-            let sum = (low + own.0, high + own.1);
-            // A single part needs no outward rounding.
-            Some(if low == 0.0 && high == 0.0 { own } else { (sum.0.next_down(), sum.1.next_up()) })
-        })
+        sum_of_ranges(formulas.chain(others))
     }
 
     fn total(&self, r: f64, pick: impl Fn(&Pieces) -> &Vec<ClosedForm>, ask: impl Fn(&dyn Slopes) -> Bounded) -> Bounded {

@@ -2,7 +2,7 @@
 //! solution.
 
 mod body;
-mod cells;
+pub(super) mod cells;
 mod curvature;
 mod errors;
 mod landscape;

@@ -1,19 +1,20 @@
 //! Proofs that g stays below a depth at every radius, from enclosures of f′.
 
 use super::FARTHEST;
+use crate::contact::indentation::cells::halved;
 use crate::num::{Bound, stable::leg, work};
 use crate::transform::Quantities;
 use std::f64::consts::FRAC_PI_2;
 
-/// Maximum number of steps for one proof.
+/// Maximum number of steps of one proof.
 const PROVING: u64 = 50_000_000;
-/// Maximum number of steps for a value of g in a proof.
+/// Maximum number of steps of a value of g within a proof.
 const CHEAP: u64 = 500_000;
 /// Maximum number of ranges of radii.
 const MOST_CELLS: usize = 2000;
 /// Smallest width of a range, relative to its radius.
 const NARROWEST: f64 = 1e-9;
-/// Maximum number of times that a first range is halved until f′ has bounds.
+/// Maximum number of times that one of the first ranges is halved where f′ has no bounds.
 const HALVINGS: u32 = 5;
 /// Ratio of the ends of the first ranges.
 const DECADE: f64 = 10.0;
@@ -21,14 +22,15 @@ const DECADE: f64 = 10.0;
 const LEAST: f64 = 1e-290;
 /// Up to the first radius, g is below this fraction of the depth.
 const AT_AXIS: f64 = 1e-4;
-/// The part of a bounded profile that is left out at its end, relative to its radius.
+/// Relative distance from the end of a bounded profile at which a proof ends.
 const LAST: f64 = 8.0 * f64::EPSILON;
-/// Ratio of a radius to the smaller ones for which f′ is bounded by a staircase.
+/// Ratio of x to the smallest radius from which on the bounds on f′ are summed by parts.
 const NEAR: f64 = 8.0;
 /// Bound on the rounding error of a sum, relative to the sum of the magnitudes.
 const ROUNDING: f64 = 1e-12;
 
-/// The statement that g(x) < `depth` at every radius at which the profile exists, or up to 1e150, if that is proven.
+/// Returns the reason why no contact radius belongs to `depth` if enclosures prove that g(x) < `depth`, from the axis to 8 ulp before
+/// the end of a bounded profile, or to 1e150.
 ///
 /// Where f′ lies between L and H from r = l to u, ∫ f′/√(1 − r²/x²) dr over that range lies between L and H times
 /// x (arcsin(u/x) − arcsin(l/x)), and, if f′ does not change its sign, between f(u) − f(l) times the factors 1/√(1 − r²/x²) at both ends.
@@ -67,7 +69,7 @@ impl Cell {
             let (below, above) = (height(lower)?, height(upper)?);
             Some(((above.0 - below.1).next_down(), (above.1 - below.0).next_up()))
         };
-        // f helps where the bounds on f′ are far apart.
+        // In a wide range the difference of f is sharper than the bounds on f′.
         let has_sign = f_prime.0 >= 0.0 || f_prime.1 <= 0.0;
         let rise = if has_sign && upper > 1.5 * lower { rise() } else { None };
         Some(Self { lower, upper, f_prime, rise, most: None, proven: false })
@@ -75,13 +77,13 @@ impl Cell {
 
     /// Bounds on ∫ f′/√(1 − r²/x²) dr over the cell, for every x between two radii beyond it.
     fn share(&self, from: f64, to: f64) -> (f64, f64) {
+        if let Some(most) = self.most {
+            return (-most, most);
+        }
         let Self { lower, upper, f_prime: (low, high), .. } = *self;
         // The width decreases with x.
         let (most, least) = (self.width(from) * (1.0 + ROUNDING), self.width(to) * (1.0 - ROUNDING));
         let mut share = (low * if low < 0.0 { most } else { least }, high * if high > 0.0 { most } else { least });
-        if let Some(most) = self.most {
-            return (-most, most);
-        }
         if let Some((fall, rise)) = self.rise {
             let factor = |r: f64, x: f64| x / leg(x, r);
             let (most, least) = (factor(upper, from) * (1.0 + ROUNDING), factor(lower, to) * (1.0 - ROUNDING));
@@ -104,7 +106,7 @@ impl Cell {
 impl Cells {
     /// Ranges from the axis to the end of the profile; `None` if f′ has no bounds in one of them.
     fn new<P: Quantities + ?Sized>(shape: &P, depth: f64) -> Option<Self> {
-        // In the last ulps before the end of a profile, the enclosure of a root is unknown.
+        // Within a few ulps of the end, rounding may take a radius out of the domain of f′.
         let end = (shape.limit() * (1.0 - LAST)).min(FARTHEST);
         let kinks = shape.breakpoints_below(end);
         let mut first = kinks.first().copied().unwrap_or(end);
@@ -155,7 +157,7 @@ impl Cells {
                 }
             }
             let Some(place) = open.get(open.len() / 2).and_then(|index| self.0.get(*index)) else { return true };
-            // If g is cheap there, a value may show that the depth is reached.
+            // A single value of g, if it is cheap, may show that g reaches the depth.
             let reaches = || shape.slope(place.upper).is_ok_and(|g| g.estimate.value >= depth);
             if work::share(CHEAP, reaches) == Some(true) {
                 return false;
@@ -163,7 +165,7 @@ impl Cells {
             let before = self.0.len();
             let mut list = Vec::with_capacity(2 * before);
             for (own, split) in self.0.iter().zip(split) {
-                match halved(own.lower, own.upper).filter(|_| split) {
+                match middle(own.lower, own.upper).filter(|_| split) {
                     Some(middle) => {
                         for (lower, upper) in [(own.lower, middle), (middle, own.upper)] {
                             let Some(half) = Cell::new(shape, lower, upper) else { return false };
@@ -180,7 +182,7 @@ impl Cells {
         }
     }
 
-    /// Whether g is proven to stay below the depth within a cell; otherwise marks the cells whose bounds are the reason.
+    /// Whether g is proven to stay below the depth within a cell; otherwise marks the cells with the widest bounds to be halved.
     fn is_below(&self, index: usize, depth: f64, split: &mut [bool]) -> bool {
         let Some(own) = self.0.get(index) else { return true };
         let (from, to) = (own.lower, own.upper);
@@ -214,7 +216,7 @@ impl Cells {
             return true;
         }
         doubts.extend(near.iter().map(|cell| (cell.f_prime.1 - cell.f_prime.0) * cell.width(from)));
-        // The doubt of the cell itself contains how much the bound varies within it.
+        // Within the cell itself, the bound also varies with x.
         doubts.push((own.f_prime.1.max(0.0) - own.f_prime.0.min(0.0)) * own.width(to) + range);
         let total: f64 = doubts.iter().sum();
         let half = 0.5 * total / doubts.len() as f64;
@@ -225,19 +227,18 @@ impl Cells {
     }
 }
 
-/// The range between two radii, or its halves if f′ has no bounds in the whole of it, because intermediate values overflow.
+/// Cells that cover a range, which is halved where f′ has no bounds, for example because an intermediate value overflows.
 fn enclosed<P: Quantities + ?Sized>(shape: &P, lower: f64, upper: f64, halvings: u32) -> Option<Vec<Cell>> {
     if let Some(own) = Cell::new(shape, lower, upper) {
         return Some(vec![own]);
     }
-    let middle = halved(lower, upper).filter(|_| halvings > 0)?;
+    let middle = middle(lower, upper).filter(|_| halvings > 0)?;
     let mut list = enclosed(shape, lower, middle, halvings - 1)?;
     list.extend(enclosed(shape, middle, upper, halvings - 1)?);
     Some(list)
 }
 
-/// The point at which a range is split: the logarithmic middle of a wide range.
-fn halved(lower: f64, upper: f64) -> Option<f64> {
-    let middle = if upper > 4.0 * lower { lower.sqrt() * upper.sqrt() } else { 0.5 * lower + 0.5 * upper };
-    (lower > 0.0 && middle > lower && middle < upper && upper - lower > NARROWEST * upper).then_some(middle)
+/// The radius at which a range is halved; `None` for the range at the axis and for ranges that are too narrow.
+fn middle(lower: f64, upper: f64) -> Option<f64> {
+    halved(lower, upper).filter(|_| lower > 0.0 && upper - lower > NARROWEST * upper)
 }

@@ -171,7 +171,9 @@ fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
     Ok(conditions)
 }
 
-/// Up to where divisors keep their sign that may have either sign at first, under the other conditions.
+/// The conditions under which divisors keep the sign that they have at the lower end of a piece, where it depends on the parameters.
+///
+/// If `conditions` imply the sign, the condition is r < limit, the first zero; otherwise 0 < D(lower) D(r).
 pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Vec<Condition> {
     let mut found = Vec::new();
     for Demand { expr, zero, either_sign, lower, upper } in demands {
@@ -183,7 +185,7 @@ pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Ve
         let from = [expr.clone(), -expr].into_iter().zip([start.clone(), -&start]).find(|(_, start)| is_given(start));
         match from.map(|(expr, _)| first_zero(&expr, lower, *zero)) {
             Some(Some(limit)) => found.extend(below(limit, upper.as_ref())),
-            // It keeps the sign that is given, as far as samples show.
+            // No zero was found for this sign.
             Some(None) => {}
             None => found.push(Condition::less(Expr::zero(), start * expr)),
         }

@@ -57,7 +57,7 @@ impl Pole {
                 Sign::Negative => true,
                 Sign::Zero | Sign::Unknown => return None,
             },
-            // R − b − r is typed for b < R, and R − b + r as well.
+            // Assume that the constant term is positive: R − b − r and R − b + r are usually meant for b < R.
             Sign::Unknown if sign(beta) != Sign::Unknown => sign(beta) == Sign::Negative,
             Sign::Unknown | Sign::Zero => return None,
         };

@@ -111,38 +111,46 @@ impl NumericSegment {
     }
 }
 
-/// A bound on the magnitude by a tape for enclosures.
 impl NumericProfile {
     /// Bounds on f′ between two radii that have no breakpoint between them; `None` if unknown.
     pub(crate) fn f_prime_over(&self, lower: f64, upper: f64) -> Option<(f64, f64)> {
         let reaches = |own: &&NumericSegment| own.lower.value < upper && own.upper.is_none_or(|end| end.value > lower);
-        self.segments.iter().filter(reaches).try_fold((0.0, 0.0), |(low, high): (f64, f64), own| {
+        sum_of_ranges(self.segments.iter().filter(reaches).map(|own| {
             let start = own.lower.value;
             let (from, to) = (lower - start, upper - start);
-            let found = if start == 0.0 { own.slope_over(from, to) } else { own.slope_over(from.next_down().max(0.0), to.next_up()) }?;
-            Some(((low + found.0).next_down(), (high + found.1).next_up()))
-        })
+            if start == 0.0 { own.slope_over(from, to) } else { own.slope_over(from.next_down().max(0.0), to.next_up()) }
+        }))
     }
-}
 
-impl NumericProfile {
-    /// Numbers s > −1 and M such that |f′| ≤ M δ^s up to r, which no breakpoint precedes; `None` if unknown.
-    pub(crate) fn power_at_axis(&self, r: f64) -> Option<(f64, f64)> {
-        let (near, mut slots) = (Region::interval(0.0, r), Vec::new());
-        let mut powers = self.segments.iter().filter(|own| own.lower.value < r).map(|own| {
+    /// Numbers s > −1 and M such that |f′| ≤ M r^s from the axis to a radius that no breakpoint precedes; `None` if unknown.
+    pub(crate) fn power_at_axis(&self, radius: f64) -> Option<(f64, f64)> {
+        let (near, mut slots) = (Region::interval(0.0, radius), Vec::new());
+        let powers = self.segments.iter().filter(|own| own.lower.value < radius).map(|own| {
             let plain = (0.0, own.largest_slope(near, &mut slots));
             let power = if plain.1.is_finite() { None } else { own.leading_power() };
-            power.map_or(plain, |power| (power.exponent, power.rest_over(near, &mut slots)))
+            let (s, most) = power.map_or(plain, |power| (power.exponent, power.rest_over(near, &mut slots)));
+            most.is_finite().then_some((s, most))
         });
-        let first = powers.next().unwrap_or((0.0, 0.0));
-        let sum = powers.fold(first, |(s, most), (power, own)| {
-            let least = s.min(power);
-            (least, most * r.powf(s - least) + own * r.powf(power - least))
-        });
-        sum.1.is_finite().then_some(sum)
+        sum_of_powers(powers, radius)
     }
 }
 
+/// Bounds on a sum from bounds on its terms, rounded outwards; `None` if one is unknown.
+pub(crate) fn sum_of_ranges(ranges: impl Iterator<Item = Option<(f64, f64)>>) -> Option<(f64, f64)> {
+    let sum = |one: (f64, f64), other: (f64, f64)| ((one.0 + other.0).next_down(), (one.1 + other.1).next_up());
+    ranges.reduce(|one, other| Some(sum(one?, other?))).unwrap_or(Some((0.0, 0.0)))
+}
+
+/// Numbers s and M such that a sum is at most M r^s up to a radius, from such numbers for its terms; `None` if one is unknown.
+pub(crate) fn sum_of_powers(powers: impl Iterator<Item = Option<(f64, f64)>>, radius: f64) -> Option<(f64, f64)> {
+    let sum = |(s, most): (f64, f64), (power, own): (f64, f64)| {
+        let least = s.min(power);
+        (least, most * radius.powf(s - least) + own * radius.powf(power - least))
+    };
+    powers.reduce(|one, other| Some(sum(one?, other?))).unwrap_or(Some((0.0, 0.0)))
+}
+
+/// A bound on the magnitude by a tape for enclosures.
 fn enclosed(tape: Option<&Tape>, delta: Region, slots: &mut Vec<Region>) -> f64 {
     tape.and_then(|tape| tape.run(&mut RegionAlgebra, &[delta], slots)).map_or(f64::INFINITY, Region::largest)
 }

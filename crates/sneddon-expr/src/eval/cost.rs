@@ -23,7 +23,8 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// The costs for one kind of value, in quarters of a step: by `--bench operations`, fitted to the kinds of work of `--bench steps`.
+    /// The costs for one kind of value, in quarters of a step, fitted to the times of `--bench steps`; `--bench operations` measures
+    /// single operations.
     pub(super) const fn new(arithmetic: u64, elementary: u64, special: u64) -> Self {
         Self { arithmetic, elementary, special }
     }

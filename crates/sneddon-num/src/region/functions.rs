@@ -4,7 +4,7 @@ use super::Region;
 use super::interval::Interval;
 use super::{leaves_the_range, magnitude};
 
-/// For larger x, a double is farther from tanh x than 1 is.
+/// From here on, 1 − tanh x is smaller than the rounding error of tanh x.
 const NEAR_ONE: f64 = 18.0;
 
 impl Region {

@@ -286,7 +286,7 @@ impl Sub for Region {
 impl Mul for Region {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        // A real factor that overflows is still real.
+        // The product of real numbers is real, even if a factor overflows.
         let (re, im) = if self.is_on_the_axis() && other.is_on_the_axis() {
             (self.re.multiply(other.re), Interval::point(0.0))
         } else {
