@@ -5,7 +5,7 @@
 
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Condition, Expr, Node, Sign, Symbol, normal};
+use crate::expr::{Bindings, Condition, Expr, Node, Sign, Symbol, normal, rewritten};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -146,17 +146,7 @@ fn collect(expr: &Expr, calls: &mut Vec<Expr>) {
 
 /// Replaces such constants by the result of `form`.
 fn map_calls(expr: &Expr, form: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
-    if is_angle(expr) {
-        return form(expr).unwrap_or_else(|| expr.clone());
-    }
-    let all = |list: &[Expr]| list.iter().map(|part| map_calls(part, form)).collect::<Vec<_>>();
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Power(base, exponent) => map_calls(base, form).pow(&map_calls(exponent, form)),
-        Node::Function(function, arguments) => Expr::function(*function, all(arguments)),
-        Node::Product(factors) => Expr::product(all(factors)),
-        Node::Sum(terms) => Expr::sum(all(terms)),
-    }
+    rewritten(expr, &|own, _| is_angle(own).then(|| form(own).unwrap_or_else(|| own.clone())))
 }
 
 /// The expression over the cosines of the smallest angles in it: sin θ = √(1 − c²), cos 2θ = 2c² − 1.
@@ -184,17 +174,11 @@ fn algebraic(expr: &Expr) -> Option<Expr> {
 ///
 /// Rules take roots of differences of limits: √(R² − b²) with b = R sin θ is R cos θ, which does not cancel.
 pub(crate) fn without_roots(expr: &Expr) -> Expr {
-    let all = |list: &[Expr]| list.iter().map(without_roots).collect::<Vec<_>>();
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Power(base, exponent) => match squared_complement(base) {
-            Some((factor, function)) => factor.pow(exponent) * function.pow(&(Expr::integer(2) * exponent)),
-            None => without_roots(base).pow(exponent),
-        },
-        Node::Function(function, arguments) => Expr::function(*function, all(arguments)),
-        Node::Product(factors) => Expr::product(all(factors)),
-        Node::Sum(terms) => Expr::sum(all(terms)),
-    }
+    rewritten(expr, &|own, _| {
+        let Node::Power(base, exponent) = own.node() else { return None };
+        let (factor, function) = squared_complement(base)?;
+        Some(factor.pow(exponent) * function.pow(&(Expr::integer(2) * exponent)))
+    })
 }
 
 /// The factor c and the cosine of c − c sin² u, or the sine of c − c cos² u.
@@ -215,18 +199,11 @@ fn squared_complement(sum: &Expr) -> Option<(Expr, Expr)> {
 }
 
 fn expanded_under_roots(expr: &Expr) -> Expr {
-    let radius = Symbol::new("r");
-    let all = |list: &[Expr]| list.iter().map(expanded_under_roots).collect::<Vec<_>>();
-    match expr.node() {
-        Node::Power(base, exponent) => {
-            let base = expanded_under_roots(base);
-            normal::expanded(&base, &radius).unwrap_or(base).pow(exponent)
-        }
-        Node::Product(factors) => Expr::product(all(factors)),
-        Node::Sum(terms) => Expr::sum(all(terms)),
-        Node::Function(function, arguments) => Expr::function(*function, all(arguments)),
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-    }
+    rewritten(expr, &|own, again| {
+        let Node::Power(base, exponent) = own.node() else { return None };
+        let base = again(base);
+        Some(normal::expanded(&base, &Symbol::new("r")).unwrap_or(base).pow(exponent))
+    })
 }
 
 /// For every base of an angle, such as θ, the largest number of which all its factors are integer multiples.

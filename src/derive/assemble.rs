@@ -3,13 +3,15 @@
 use crate::derive::engine::Solution;
 use crate::derive::engine::expanded_or_same;
 use crate::derive::rules::abel;
-use crate::derive::solved::{SolvedChain, SolvedTerm};
+use crate::derive::solved::{SolvedChain, SolvedInterval, SolvedTerm};
 use crate::derive::superposed::Superposed;
 use crate::expr::{
-    Bindings, Expr, Formula, Node, Number, Relation, Symbol, collected, derivative, in_lowest_terms, shown, shown_as_mathematics,
+    Bindings, Expr, Formula, Node, Number, Relation, Symbol, collected, derivative, in_lowest_terms, rewritten, shown, shown_as_mathematics,
 };
 use crate::integrate::error::TransformError;
+use crate::integrate::segment::Segment;
 use crate::integrate::source::ends::{Growth, growth};
+use std::borrow::Cow;
 
 /// Sizes of expressions are compared up to this number of nodes.
 const SIZE: usize = 10_000;
@@ -110,7 +112,7 @@ impl Solution {
             _ => Status::Partial,
         };
         let (mut formulas, mut split) = (Vec::new(), false);
-        for chain in &self.chains {
+        for chain in self.chains.iter().flat_map(SolvedChain::parts) {
             let open = if quantity == Superposed::Pressure { chain.open_pressures(self) } else { Vec::new() };
             split |= open.iter().any(has_closed_part);
             formulas.push(chain.formula(quantity, variable, open));
@@ -144,30 +146,43 @@ impl Solution {
 
 /// The expression with √(R² − 2hR + h²) replaced by R − h where h < R.
 fn without_squares(expr: &Expr, positive: &[(Expr, Expr)]) -> Expr {
-    let inner = |own: &Expr| without_squares(own, positive);
-    match expr.node() {
-        _ if positive.is_empty() => expr.clone(),
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(inner).collect()),
-        Node::Product(factors) => Expr::product(factors.iter().map(inner)),
-        Node::Sum(terms) => Expr::sum(terms.iter().map(inner)),
-        Node::Power(base, exponent) => {
-            let first = |own: &Expr| own.terms().first().map_or_else(|| Number::integer(1), |term| term.split_coefficient().0);
-            let root = positive.iter().filter(|(own, _)| own.symbols() == base.symbols()).find_map(|(own, root)| {
-                let square = expanded_or_same(base, "r");
-                let factor = Expr::number(first(&square)) / Expr::number(first(own));
-                let is_square = expanded_or_same(&(own * &factor), "r") == square;
-                is_square.then(|| root.pow(&(Expr::integer(2) * exponent)) * factor.pow(exponent))
-            });
-            root.unwrap_or_else(|| inner(base).pow(&inner(exponent)))
-        }
+    if positive.is_empty() {
+        return expr.clone();
     }
+    rewritten(expr, &|own, _| {
+        let Node::Power(base, exponent) = own.node() else { return None };
+        let first = |own: &Expr| own.terms().first().map_or_else(|| Number::integer(1), |term| term.split_coefficient().0);
+        positive.iter().filter(|(own, _)| own.symbols() == base.symbols()).find_map(|(own, root)| {
+            let square = expanded_or_same(base, "r");
+            let factor = Expr::number(first(&square)) / Expr::number(first(own));
+            let is_square = expanded_or_same(&(own * &factor), "r") == square;
+            is_square.then(|| root.pow(&(Expr::integer(2) * exponent)) * factor.pow(exponent))
+        })
+    })
 }
 
-/// From this number of intervals on g′ is not added up for each of them.
+/// Formulas of chains with at most this number of intervals are added up for each interval.
 const MANY: usize = 8;
 
 impl SolvedChain {
+    /// The chains that are added up for each interval: the chain itself or, where it has many intervals, one chain for each of
+    /// them, because sums for each interval grow with the square of their number.
+    fn parts(&self) -> Vec<Cow<'_, Self>> {
+        if self.intervals.len() <= MANY {
+            return vec![Cow::Borrowed(self)];
+        }
+        let alone = |own: &SolvedInterval| {
+            let Segment { lower, upper } = own.segment.clone();
+            let begin = Some(lower).filter(|lower| !lower.is_zero());
+            let without = |segment| SolvedInterval { segment, slope: Expr::zero(), terms: Vec::new() };
+            let before = begin.clone().map(|end| without(Segment { lower: Expr::zero(), upper: Some(end) }));
+            let after = upper.clone().map(|lower| without(Segment { lower, upper: None }));
+            let intervals = before.into_iter().chain([own.clone()]).chain(after).collect();
+            Self { breakpoints: begin.into_iter().chain(upper).collect(), intervals }
+        };
+        self.intervals.iter().filter(|own| !own.terms.is_empty()).map(|own| Cow::Owned(alone(own))).collect()
+    }
+
     /// The formula, interval by interval, with the parts of a pressure that rules leave open.
     fn formula(&self, quantity: Superposed, variable: &str, pressures: Vec<Formula>) -> Formula {
         let mut pressures = pressures.into_iter();
@@ -246,7 +261,7 @@ impl SolvedChain {
     }
 
     /// ∫ g′(x)/√(x²−r²) dx for the contacts that end on each interval: over the intervals below the end with all that g′ is
-    /// there, or, where these are many, over what every interval adds, within it and beyond it.
+    /// there.
     fn open_pressures_from_slopes(&self, slopes: &[[Expr; 2]]) -> Vec<Formula> {
         let (x, r, a) = (Expr::symbol("x"), Expr::symbol("r"), Expr::symbol("a"));
         let root = (x.power(2) - r.power(2)).sqrt();
@@ -262,7 +277,6 @@ impl SolvedChain {
             Formula::sum([Formula::Closed(closed)].into_iter().chain(open))
         };
         let begin = |index: usize| index.checked_sub(1).and_then(|i| self.breakpoints.get(i));
-        let apart = slopes.len() > MANY;
         let shorter = |slope: Expr| {
             let expanded = expanded_or_same(&slope, "x");
             if expanded.size_up_to(SIZE) <= slope.size_up_to(SIZE) { expanded } else { slope }
@@ -270,15 +284,11 @@ impl SolvedChain {
         let (mut ended, mut before) = (Vec::new(), Vec::new());
         let mut all = Vec::with_capacity(slopes.len());
         for (index, [within, beyond]) in slopes.iter().enumerate() {
-            let slope = if apart { within.clone() } else { shorter(Expr::sum(before.iter().chain([within]).cloned())) };
+            let slope = shorter(Expr::sum(before.iter().chain([within]).cloned()));
             all.push(Formula::sum(ended.iter().cloned().chain([part(&slope, begin(index), None)])));
             let end = self.breakpoints.get(index);
             ended.push(part(&slope, begin(index), end));
-            if apart {
-                ended.push(part(beyond, end, None));
-            } else {
-                before.push(beyond.clone());
-            }
+            before.push(beyond.clone());
         }
         all
     }

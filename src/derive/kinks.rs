@@ -7,7 +7,7 @@ use crate::derive::angles::Positive;
 use crate::derive::chain::Chain;
 use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape, WideAlgebra};
-use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, shown_to_30_digits};
+use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, rewritten, shown_to_30_digits};
 use crate::integrate::error::TransformError;
 use crate::num::{Bounded, Precise, Wide};
 use inversion::Crossing;
@@ -416,14 +416,5 @@ fn bisect(value: &mut impl FnMut(f64) -> Bounded, mut lower: f64, mut upper: f64
 
 /// The expression with every occurrence of `target` replaced.
 fn replace(expr: &Expr, target: &Expr, by: &Expr) -> Expr {
-    if expr == target {
-        return by.clone();
-    }
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Power(base, exponent) => replace(base, target, by).pow(&replace(exponent, target, by)),
-        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(|a| replace(a, target, by)).collect()),
-        Node::Product(factors) => Expr::product(factors.iter().map(|f| replace(f, target, by))),
-        Node::Sum(terms) => Expr::sum(terms.iter().map(|t| replace(t, target, by))),
-    }
+    rewritten(expr, &|own, _| (own == target).then(|| by.clone()))
 }

@@ -1,7 +1,7 @@
 //! The fallback: every quantity as one integral over f′, by quadrature.
 
 use crate::eval::{Tape, constant_value};
-use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal};
+use crate::expr::{Bindings, Expr, Node, Symbol, balanced, derivative, joined_powers, normal, rewritten};
 use crate::integrate::abel::angle_substitution::NEAR_THE_LIMIT;
 use crate::integrate::ask::{BISECTION, By, GAUSS, NESTED, PIECES, by, not_this_way};
 use crate::integrate::error::TransformError;
@@ -474,30 +474,21 @@ pub(crate) fn prepared(slope: &Expr, bindings: &Bindings) -> Expr {
 /// rounding, so that neither r − b nor 3r² − 3b² cancels.
 pub(crate) fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
     const HIGHEST: usize = 6;
-    let again = |own: &Expr| shifted(own, lower, delta);
     let radius = Symbol::new("r");
-    if !expr.contains(&radius) {
-        return expr.clone();
-    }
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) => expr.clone(),
-        Node::Symbol(_) => lower + delta,
-        Node::Power(base, exponent) => again(base).pow(&again(exponent)),
-        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(again).collect()),
-        Node::Product(factors) => Expr::product(factors.iter().map(again)),
-        Node::Sum(terms) => {
-            let vanishing = Some(expr)
-                .filter(|expr| is_typed_polynomial(expr, &radius))
-                .and_then(|expr| normal::polynomial_coefficients(expr, &radius))
+    rewritten(expr, &|own, _| match own.node() {
+        _ if !own.contains(&radius) => Some(own.clone()),
+        Node::Symbol(_) => Some(lower + delta),
+        Node::Sum(_) => {
+            let vanishing = Some(own)
+                .filter(|own| is_typed_polynomial(own, &radius))
+                .and_then(|own| normal::polynomial_coefficients(own, &radius))
                 .filter(|list| list.len() <= HIGHEST)
                 .and_then(|list| normal::shifted_coefficients(&list, lower, &radius))
-                .filter(|list| list.first().is_some_and(|(k, _)| *k > 0));
-            match vanishing {
-                Some(list) => Expr::sum(list.iter().map(|(k, c)| c * delta.power(*k))),
-                None => Expr::sum(terms.iter().map(again)),
-            }
+                .filter(|list| list.first().is_some_and(|(k, _)| *k > 0))?;
+            Some(Expr::sum(vanishing.iter().map(|(k, c)| c * delta.power(*k))))
         }
-    }
+        _ => None,
+    })
 }
 
 /// True for polynomials in the variable, checked without expansion: sums, products and integer powers of it and of constants.

@@ -5,7 +5,7 @@ use crate::derive::rule::{Answer, Branches, Pair, Parameter, Rule};
 use crate::derive::term::Term;
 use crate::expr::function::elliptic_moment_parts;
 use crate::expr::normal;
-use crate::expr::{Expr, Sign, Symbol, derivative, sign};
+use crate::expr::{Expr, Number, Sign, Symbol, derivative, sign};
 use crate::num::work;
 
 pub(super) static RULE: Rule = Rule {
@@ -106,29 +106,33 @@ fn shown_arc(b: &Expr, c: Option<&Expr>, x: &Expr) -> Expr {
 fn moments(coefficients: &[Expr], shift: usize, b: &Expr, c: Option<&Expr>, x: &Expr, arc: &Expr) -> Expr {
     let highest = coefficients.len() + shift;
     let angle_parts = angle_coefficients(highest, x);
-    let combine = |list: &[Expr]| {
-        let terms = coefficients.iter().enumerate().map(|(m, c)| c * list.get(m + shift).cloned().unwrap_or_else(Expr::zero));
-        tidy(&Expr::sum(terms))
+    let angle = tidy(&Expr::sum(coefficients.iter().zip(angle_parts.iter().skip(shift)).map(|(c, part)| c * part)));
+    let combine = |parts: &[Vec<Expr>]| {
+        let products = coefficients.iter().zip(parts.iter().skip(shift)).flat_map(|(c, list)| list.iter().map(move |part| c * part));
+        tidy(&Expr::sum(products))
     };
-    let angle = combine(&angle_parts);
     let root = |end: &Expr| (x.power(2) - end.power(2)).sqrt();
-    let mut terms = vec![root(b) * combine(&root_coefficients(highest, b, x))];
+    let mut terms = vec![root(b) * combine(&root_parts(highest, b, x))];
     if let Some(c) = c {
-        terms.push(-(root(c) * combine(&root_coefficients(highest, c, x))));
+        terms.push(-(root(c) * combine(&root_parts(highest, c, x))));
     }
     terms.push(angle * arc);
     Expr::sum(terms)
 }
 
-/// The factor of √(x²−e²) in J_m, for every m: α_m = ((m−1) x² α_(m−2) + e^(m−1))/m.
-fn root_coefficients(highest: usize, end: &Expr, x: &Expr) -> Vec<Expr> {
-    let mut list = vec![Expr::zero(), Expr::one()];
-    for m in 2..=highest as i64 {
-        let before = list.get(m as usize - 2).cloned().unwrap_or_else(Expr::zero);
-        let own = if end.is_zero() { Expr::zero() } else { end.power(m - 1) };
-        list.push(tidy(&((Expr::integer(m - 1) * x.power(2) * before + own) / Expr::integer(m))));
+/// The terms of the factor of √(x²−e²) in J_m, for every m: α_m = ((m−1) x² α_(m−2) + e^(m−1))/m, a polynomial in x² and e.
+fn root_parts(highest: usize, end: &Expr, x: &Expr) -> Vec<Vec<Expr>> {
+    let mut numbers = vec![Vec::new(), vec![Number::integer(1)]];
+    for m in 2..=highest {
+        let factor = Number::ratio(m as i64 - 1, m as i64);
+        let before = numbers.get(m - 2).into_iter().flatten().map(|own| own * &factor);
+        numbers.push([Number::ratio(1, m as i64)].into_iter().chain(before).collect());
     }
-    list
+    let part = |m: usize, (j, number): (usize, &Number)| {
+        let (of_x, of_end) = (2 * j as i64, m as i64 - 1 - 2 * j as i64);
+        Expr::product([Expr::number(number.clone()), x.power(of_x), end.power(of_end)])
+    };
+    numbers.iter().enumerate().map(|(m, list)| list.iter().enumerate().map(|own| part(m, own)).collect()).collect()
 }
 
 /// The factor of the angle in J_m: β_m = (m−1)/m x² β_(m−2), β_0 = 1.
@@ -170,8 +174,8 @@ fn power_pressure(coefficients: &[Expr]) -> Pair {
 fn worn_pressure(coefficients: &[Expr], b: &Expr) -> Option<Pair> {
     let symbol = Symbol::new("x");
     let x = Expr::from(symbol.clone());
-    let roots = root_coefficients(coefficients.len(), b, &x);
-    let alpha = Expr::sum(coefficients.iter().zip(&roots).map(|(c, root)| c * root));
+    let roots = root_parts(coefficients.len(), b, &x);
+    let alpha = Expr::sum(coefficients.iter().zip(&roots).flat_map(|(c, parts)| parts.iter().map(move |part| c * part)));
     // g′ √(x²−b²) = (x²−b²)(α + x α′) + x² α
     let numerator = (x.power(2) - b.power(2)) * (&alpha + &x * derivative(&alpha, &symbol).ok()?) + x.power(2) * &alpha;
     let list = normal::polynomial_coefficients(&numerator, &symbol)?;

@@ -1,6 +1,6 @@
 //! Polynomials inside functions, written around the place where they are shortest: (r − b)² again, where it was multiplied out.
 
-use crate::expr::{Expr, Node, Number, Symbol, normal};
+use crate::expr::{Expr, Node, Number, Symbol, normal, rewritten};
 use crate::integrate::integral::is_typed_polynomial;
 
 /// The same function of r, with every polynomial in an exponent, a base or an argument written in powers of r − s, where that has fewer
@@ -11,29 +11,22 @@ use crate::integrate::integral::is_typed_polynomial;
 /// −10¹² (r − 1)² has both.
 pub fn centred(expr: &Expr) -> Expr {
     let radius = Symbol::new("r");
-    rewritten(expr, &radius, false)
+    let inside = |expr: &Expr| {
+        rewritten(expr, &|own, _| match own.node() {
+            _ if !own.contains(&radius) => Some(own.clone()),
+            Node::Sum(terms) => around_its_centre(own, terms.len(), &radius),
+            _ => None,
+        })
+    };
+    rewritten(expr, &|own, _| match own.node() {
+        Node::Power(base, exponent) => Some(inside(base).pow(&inside(exponent))),
+        Node::Function(function, arguments) => Some(Expr::function(*function, arguments.iter().map(inside).collect())),
+        _ => None,
+    })
 }
 
 /// The highest degree that is looked at.
 const HIGHEST: usize = 12;
-
-fn rewritten(expr: &Expr, radius: &Symbol, is_inside: bool) -> Expr {
-    if !expr.contains(radius) {
-        return expr.clone();
-    }
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Power(base, exponent) => rewritten(base, radius, true).pow(&rewritten(exponent, radius, true)),
-        Node::Function(function, arguments) => {
-            Expr::function(*function, arguments.iter().map(|argument| rewritten(argument, radius, true)).collect())
-        }
-        Node::Product(factors) => Expr::product(factors.iter().map(|factor| rewritten(factor, radius, is_inside))),
-        Node::Sum(terms) => {
-            let shorter = if is_inside { around_its_centre(expr, terms.len(), radius) } else { None };
-            shorter.unwrap_or_else(|| Expr::sum(terms.iter().map(|term| rewritten(term, radius, is_inside))))
-        }
-    }
-}
 
 /// The polynomial in powers of r − s, where these are fewer than `terms`.
 fn around_its_centre(sum: &Expr, terms: usize, radius: &Symbol) -> Option<Expr> {

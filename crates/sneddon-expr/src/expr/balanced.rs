@@ -1,6 +1,6 @@
 //! Quotients of growing exponentials, rewritten so that numerator and denominator do not overflow together.
 
-use super::{Expr, Node, Sign, Symbol, sign};
+use super::{Expr, Node, Sign, Symbol, rewritten, sign};
 
 /// An equal expression in which exponential growth e^u of a numerator is moved into a denominator that grows as well:
 /// e^u/(1 + e^u)² becomes 1/(4 cosh²(u/2)), and sinh u/cosh² u becomes tanh u/cosh u. If a denominator then overflows, the
@@ -16,13 +16,11 @@ pub fn balanced(expr: &Expr) -> Expr {
     if !divides_by_growth(expr) {
         return expr.clone();
     }
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Power(base, exponent) => balanced(base).pow(exponent),
-        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(balanced).collect()),
-        Node::Sum(terms) => Expr::sum(terms.iter().map(balanced)),
-        Node::Product(factors) => quotient(factors.iter().map(balanced).collect()),
-    }
+    rewritten(expr, &|own, again| match own.node() {
+        Node::Power(base, exponent) => Some(again(base).pow(exponent)),
+        Node::Product(factors) => Some(quotient(factors.iter().map(again).collect())),
+        _ => None,
+    })
 }
 
 /// True if a denominator grows exponentially.

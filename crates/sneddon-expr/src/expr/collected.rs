@@ -1,9 +1,10 @@
 //! Sums in the form of a textbook: one coefficient for each root or function, common factors in front.
 
-use super::{Expr, Node, Number, Symbol};
+use super::{Expr, Node, Number, Symbol, rewritten};
 use num_bigint::BigInt;
 use num_traits::One;
-use std::collections::BTreeMap;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, HashMap};
 
 /// Larger sums are left unchanged.
 const TERMS: usize = 120;
@@ -64,63 +65,90 @@ pub fn over_one_denominator(expr: &Expr) -> Option<Expr> {
 /// assert_eq!(in_lowest_terms(&root), Expr::integer(2) * &a * (a.power(2) + b.power(2)).sqrt());
 /// ```
 pub fn in_lowest_terms(expr: &Expr) -> Expr {
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(in_lowest_terms).collect()),
-        Node::Sum(terms) => Expr::sum(terms.iter().map(in_lowest_terms)),
-        Node::Power(base, exponent) => out_of_power(&in_lowest_terms(base), exponent),
+    let digits = Digits::default();
+    rewritten(expr, &|own, again| match own.node() {
+        Node::Power(base, exponent) => Some(digits.out_of_power(&again(base), exponent)),
         Node::Product(factors) => {
-            let product = Expr::product(factors.iter().map(in_lowest_terms));
-            let number = Expr::number(product.split_coefficient().0);
-            let sums = product.factors().into_iter().filter(|own| matches!(own.node(), Node::Sum(_)));
-            // Keep halves and thirds apart, with the number in front multiplied into the sum, unless the result is longer.
-            let others = sums.flat_map(|sum| {
-                let rest = &product / &sum;
-                let inside = Expr::sum(sum.terms().iter().map(|term| term * &number));
-                [&rest / &number * in_front(&inside), rest * shared_in_front(&sum)]
-            });
-            // 1/√2 and √(2hR + 2R²) have a factor in common.
-            let powers = product.factors().into_iter().filter_map(|own| match own.node() {
+            let product = Expr::product(factors.iter().map(&mut *again));
+            // The result may contain new sums with common factors.
+            Some(digits.shorter_product(&product).map_or(product, |other| again(&other)))
+        }
+        _ => None,
+    })
+}
+
+/// How much there is to read in the parts of an expression, many of which occur repeatedly: the digits of all numbers but 1, and
+/// the symbols.
+#[derive(Default)]
+struct Digits(RefCell<HashMap<Expr, usize>>);
+
+impl Digits {
+    /// The product with the common numeric factor of one of its sums in front, if that is shorter.
+    fn shorter_product(&self, product: &Expr) -> Option<Expr> {
+        let number = Expr::number(product.split_coefficient().0);
+        let mut others = Vec::new();
+        for factor in product.factors() {
+            let rest = || product / &factor;
+            match factor.node() {
+                // Keep halves and thirds apart, with the number in front multiplied into the sum, unless the result is longer.
+                Node::Sum(terms) => {
+                    let inside = Expr::sum(terms.iter().map(|term| term * &number));
+                    let outside = in_front(&inside);
+                    if !outside.factors().contains(&factor) {
+                        others.push(rest() / &number * outside);
+                    }
+                    let outside = shared_in_front(&factor);
+                    if outside != factor {
+                        others.push(rest() * outside);
+                    }
+                }
+                // 1/√2 and √(2hR + 2R²) have a factor in common.
                 Node::Power(base, exponent) if matches!(base.node(), Node::Sum(_)) => {
                     let inner = shared_in_front(base);
-                    let has_factor = inner != *base && inner.split_coefficient().0.is_positive();
-                    has_factor.then(|| &product / &own * inner.pow(exponent))
+                    if inner != *base && inner.split_coefficient().0.is_positive() {
+                        others.push(rest() * inner.pow(exponent));
+                    }
                 }
-                _ => None,
-            });
-            let shortest = others.chain(powers).min_by_key(digits).filter(|other| digits(other) < digits(&product));
-            // The result may contain new sums with common factors.
-            shortest.map_or(product, |other| in_lowest_terms(&other))
+                _ => {}
+            }
         }
+        let shortest = others.into_iter().min_by_key(|own| self.of(own))?;
+        (self.of(&shortest) < self.of(product)).then_some(shortest)
     }
-}
 
-/// The power of a sum with the common factor of its terms outside, unless a root of a number would remain.
-fn out_of_power(base: &Expr, exponent: &Expr) -> Expr {
-    let plain = base.pow(exponent);
-    if !matches!(base.node(), Node::Sum(_)) {
-        return plain;
-    }
-    let inner = shared_in_front(base);
-    let (number, _) = inner.split_coefficient();
-    let in_front = number.is_positive() && Expr::number(number).pow(exponent).as_number().is_some();
-    // Only positive factors leave the root.
-    let other = inner.pow(exponent);
-    if in_front && digits(&other) < digits(&plain) { other } else { plain }
-}
-
-/// How much there is to read: the digits of all numbers but 1, and the symbols.
-fn digits(expr: &Expr) -> usize {
-    match expr.node() {
-        Node::Number(number) => {
-            let length = |own: &BigInt| if own.magnitude().is_one() { 0 } else { own.to_string().len() };
-            length(number.value().numer()) + length(number.value().denom())
+    /// The power of a sum with the common factor of its terms outside, unless a root of a number would remain.
+    fn out_of_power(&self, base: &Expr, exponent: &Expr) -> Expr {
+        let plain = base.pow(exponent);
+        let inner = if matches!(base.node(), Node::Sum(_)) { shared_in_front(base) } else { base.clone() };
+        if inner == *base {
+            return plain;
         }
-        Node::Constant(_) | Node::Symbol(_) => 1,
-        Node::Function(_, list) => 1 + list.iter().map(digits).sum::<usize>(),
-        Node::Sum(list) => list.iter().map(digits).sum(),
-        Node::Product(list) => list.iter().map(digits).sum(),
-        Node::Power(base, exponent) => digits(base) + digits(exponent),
+        let (number, _) = inner.split_coefficient();
+        let in_front = number.is_positive() && Expr::number(number).pow(exponent).as_number().is_some();
+        // Only positive factors leave the root.
+        let other = inner.pow(exponent);
+        if in_front && self.of(&other) < self.of(&plain) { other } else { plain }
+    }
+
+    fn of(&self, expr: &Expr) -> usize {
+        if let Some(known) = self.0.borrow().get(expr) {
+            return *known;
+        }
+        let found = match expr.node() {
+            Node::Number(number) => {
+                let length = |own: &BigInt| if own.magnitude().is_one() { 0 } else { own.to_string().len() };
+                length(number.value().numer()) + length(number.value().denom())
+            }
+            Node::Constant(_) | Node::Symbol(_) => 1,
+            Node::Function(..) => 1 + self.of_all(expr),
+            Node::Sum(_) | Node::Product(_) | Node::Power(..) => self.of_all(expr),
+        };
+        self.0.borrow_mut().insert(expr.clone(), found);
+        found
+    }
+
+    fn of_all(&self, expr: &Expr) -> usize {
+        expr.children().into_iter().map(|own| self.of(own)).sum()
     }
 }
 

@@ -6,7 +6,7 @@ use std::cmp::Ordering;
 
 impl PartialEq for Expr {
     fn eq(&self, other: &Self) -> bool {
-        compare::<false>(self, other) == Ordering::Equal
+        self.content_hash() == other.content_hash() && compare::<false>(self, other) == Ordering::Equal
     }
 }
 

@@ -2,7 +2,9 @@
 
 use super::{Function, Number, build};
 use crate::num::work;
+use std::collections::BTreeSet;
 use std::fmt;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
 
@@ -17,16 +19,25 @@ use std::sync::Arc;
 /// assert_eq!(&r * &r, r.power(2));
 /// assert_eq!(&r + &r - Expr::integer(2) * &r, Expr::zero());
 /// ```
-// Equal trees hash equally: `compare` and the derived hash both look at the content alone.
-#[allow(clippy::derived_hash_with_manual_eq)]
-#[derive(Clone, Hash)]
+#[derive(Clone)]
 pub struct Expr(Arc<Tree>);
 
-/// A node and the number of levels from it down to its deepest leaf.
-#[derive(Hash)]
+/// A node with what is known of the whole tree below it.
 struct Tree {
     node: Node,
+    /// The number of levels down to the deepest leaf.
     levels: u32,
+    /// A hash of the content.
+    hash: u64,
+    /// The symbols that occur, sorted by name; shared with an operand that has the same.
+    symbols: Option<Arc<[Symbol]>>,
+}
+
+/// Equal trees hash equally: the hash is one of the content alone.
+impl Hash for Expr {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u64(self.0.hash);
+    }
 }
 
 /// The kinds of node; obtained by matching on [`Expr::node`], never built directly.
@@ -105,15 +116,23 @@ const CHILD: u64 = 4;
 
 impl Expr {
     pub(super) fn raw(node: Node) -> Self {
-        let (children, levels) = match &node {
-            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => (0, 0),
-            Node::Power(base, exponent) => (0, base.levels().max(exponent.levels())),
+        let mut hasher = DefaultHasher::new();
+        node.hash(&mut hasher);
+        let (children, levels, symbols) = match &node {
+            Node::Number(_) | Node::Constant(_) => (0, 0, None),
+            Node::Symbol(symbol) => (0, 0, Some(Arc::from([symbol.clone()]))),
+            Node::Power(base, exponent) => (0, base.levels().max(exponent.levels()), symbols_of([base, exponent].into_iter())),
             Node::Function(_, list) | Node::Product(list) | Node::Sum(list) => {
-                (list.len(), list.iter().map(Self::levels).max().unwrap_or_default())
+                (list.len(), list.iter().map(Self::levels).max().unwrap_or_default(), symbols_of(list.iter()))
             }
         };
         work::spend(NODE + CHILD * children as u64);
-        Self(Arc::new(Tree { node, levels: levels.saturating_add(1) }))
+        Self(Arc::new(Tree { hash: hasher.finish(), symbols, levels: levels.saturating_add(1), node }))
+    }
+
+    /// The hash of the content.
+    pub(super) fn content_hash(&self) -> u64 {
+        self.0.hash
     }
 
     /// The number of levels of the tree.
@@ -258,26 +277,12 @@ impl Expr {
 
     /// True if the symbol occurs.
     pub fn contains(&self, symbol: &Symbol) -> bool {
-        match self.node() {
-            Node::Symbol(own) => own == symbol,
-            _ => self.children().into_iter().any(|child| child.contains(symbol)),
-        }
+        self.0.symbols.as_ref().is_some_and(|own| own.binary_search(symbol).is_ok())
     }
 
     /// Every symbol that occurs, sorted by name.
-    pub fn symbols(&self) -> std::collections::BTreeSet<Symbol> {
-        let mut found = std::collections::BTreeSet::new();
-        self.collect_symbols(&mut found);
-        found
-    }
-
-    fn collect_symbols(&self, found: &mut std::collections::BTreeSet<Symbol>) {
-        match self.node() {
-            Node::Symbol(symbol) => {
-                found.insert(symbol.clone());
-            }
-            _ => self.children().into_iter().for_each(|child| child.collect_symbols(found)),
-        }
+    pub fn symbols(&self) -> BTreeSet<Symbol> {
+        self.0.symbols.iter().flat_map(|own| own.iter()).cloned().collect()
     }
 
     /// The number of nodes, counted up to `limit`.
@@ -317,6 +322,17 @@ impl Expr {
             _ => vec![self.clone()],
         }
     }
+}
+
+/// The symbols of all operands.
+fn symbols_of<'a>(operands: impl Iterator<Item = &'a Expr> + Clone) -> Option<Arc<[Symbol]>> {
+    let sets = operands.filter_map(|own| own.0.symbols.as_ref());
+    let most = sets.clone().max_by_key(|own| own.len())?;
+    let is_part = |own: &Arc<[Symbol]>| Arc::ptr_eq(own, most) || own.iter().all(|symbol| most.binary_search(symbol).is_ok());
+    if sets.clone().all(is_part) {
+        return Some(Arc::clone(most));
+    }
+    Some(sets.flat_map(|own| own.iter()).collect::<BTreeSet<_>>().into_iter().cloned().collect())
 }
 
 impl fmt::Debug for Expr {

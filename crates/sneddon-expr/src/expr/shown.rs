@@ -1,7 +1,6 @@
 //! The displayed form: functions that exist only for stable evaluation are replaced by equivalent standard expressions.
 
-use super::{Expr, Node, Row};
-use crate::num::work;
+use super::{Expr, Node, Row, rewritten};
 
 /// The expression that is printed for `expr`; parts without such functions are unchanged.
 ///
@@ -11,12 +10,12 @@ use crate::num::work;
 /// assert_eq!(shown(&stable), Expr::call("atanh", [Expr::symbol("x") / Expr::symbol("R")]));
 /// ```
 pub fn shown(expr: &Expr) -> Expr {
-    replaced(expr, &|row, a| row.shown.map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
+    replaced(expr, &|row, a| row.shown.map(|rule| rule(a)))
 }
 
 /// The expression for mathematical notation, where functions with a symbol are kept.
 pub fn shown_as_mathematics(expr: &Expr) -> Expr {
-    replaced(expr, &|row, a| row.shown.filter(|_| !row.has_sign).map(|rule| rule(a))).unwrap_or_else(|| expr.clone())
+    replaced(expr, &|row, a| row.shown.filter(|_| !row.has_sign).map(|rule| rule(a)))
 }
 
 /// The same with inverse hyperbolic functions as logarithms.
@@ -37,7 +36,7 @@ pub fn shown_with_logarithms(expr: &Expr) -> Expr {
         ("atanh", [z]) => ln((Expr::one() + z) / (Expr::one() - z)).map(|own| own / Expr::integer(2)),
         _ => row.shown.filter(|_| !row.has_sign).map(|rule| rule(a)),
     };
-    replaced(expr, &form).unwrap_or_else(|| expr.clone())
+    replaced(expr, &form)
 }
 
 /// The expression that is evaluated with 30 digits: functions without a 30-digit value are replaced by equivalent expressions,
@@ -47,7 +46,7 @@ pub fn shown_to_30_digits(expr: &Expr) -> Expr {
         let rule = row.shown.filter(|_| row.precise.is_none())?;
         Some(shown_to_30_digits(&rule(a))).filter(has_30_digits)
     };
-    replaced(expr, &form).unwrap_or_else(|| expr.clone())
+    replaced(expr, &form)
 }
 
 /// Whether every function in the expression has a value with 30 digits.
@@ -63,36 +62,11 @@ pub fn has_30_digits(expr: &Expr) -> bool {
 /// The replacement of a function at the given arguments, if any.
 type Form<'a> = &'a dyn Fn(&Row, &[Expr]) -> Option<Expr>;
 
-/// The rewritten expression; `None` if nothing changes.
-fn replaced(expr: &Expr, form: Form<'_>) -> Option<Expr> {
-    if work::is_stopped() {
-        return None;
-    }
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => None,
-        Node::Power(base, exponent) => {
-            let (new_base, new_exponent) = (replaced(base, form), replaced(exponent, form));
-            if new_base.is_none() && new_exponent.is_none() {
-                return None;
-            }
-            Some(new_base.as_ref().unwrap_or(base).pow(new_exponent.as_ref().unwrap_or(exponent)))
-        }
-        Node::Function(function, arguments) => {
-            let inner = all_replaced(arguments, form);
-            match form(function.row(), inner.as_deref().unwrap_or(arguments)) {
-                Some(here) => Some(replaced(&here, form).unwrap_or(here)),
-                None => inner.map(|arguments| Expr::function(*function, arguments)),
-            }
-        }
-        Node::Product(factors) => all_replaced(factors, form).map(Expr::product),
-        Node::Sum(terms) => all_replaced(terms, form).map(Expr::sum),
-    }
-}
-
-fn all_replaced(parts: &[Expr], form: Form<'_>) -> Option<Vec<Expr>> {
-    let new: Vec<Option<Expr>> = parts.iter().map(|part| replaced(part, form)).collect();
-    if new.iter().all(Option::is_none) {
-        return None;
-    }
-    Some(new.into_iter().zip(parts).map(|(new, old)| new.unwrap_or_else(|| old.clone())).collect())
+fn replaced(expr: &Expr, form: Form<'_>) -> Expr {
+    rewritten(expr, &|own, again| {
+        let Node::Function(function, arguments) = own.node() else { return None };
+        let inner: Vec<Expr> = arguments.iter().map(&mut *again).collect();
+        let here = form(function.row(), &inner)?;
+        Some(again(&here))
+    })
 }

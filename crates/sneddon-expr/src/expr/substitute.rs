@@ -1,7 +1,7 @@
-//! Replacing symbols by expressions, all at once.
+//! Replacing symbols and other parts of an expression, each distinct part once.
 
 use super::{Expr, Node, Symbol};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Symbols and what replaces them; the replacement happens in one sweep and is canonical again.
 ///
@@ -42,22 +42,66 @@ impl Bindings {
 
     /// The expression with every bound symbol replaced.
     pub fn apply(&self, expr: &Expr) -> Expr {
-        if self.0.is_empty() {
-            return expr.clone();
-        }
-        match expr.node() {
-            Node::Number(_) | Node::Constant(_) => expr.clone(),
-            Node::Symbol(symbol) => self.0.get(symbol).cloned().unwrap_or_else(|| expr.clone()),
-            Node::Power(base, exponent) => self.apply(base).pow(&self.apply(exponent)),
-            Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(|a| self.apply(a)).collect()),
-            Node::Product(factors) => Expr::product(factors.iter().map(|f| self.apply(f))),
-            Node::Sum(terms) => Expr::sum(terms.iter().map(|t| self.apply(t))),
-        }
+        rewritten(expr, &|own, _| match own.as_symbol() {
+            Some(symbol) => self.0.get(symbol).cloned(),
+            None if self.0.keys().any(|symbol| own.contains(symbol)) => None,
+            None => Some(own.clone()),
+        })
     }
 }
 
 impl<'a> FromIterator<(&'a str, Expr)> for Bindings {
     fn from_iter<I: IntoIterator<Item = (&'a str, Expr)>>(pairs: I) -> Self {
         Self(pairs.into_iter().map(|(name, value)| (Symbol::new(name), value)).collect())
+    }
+}
+
+/// What a part becomes, given how its own parts are rewritten; `None` if only its operands change.
+pub type Rule<'a> = dyn Fn(&Expr, &mut dyn FnMut(&Expr) -> Expr) -> Option<Expr> + 'a;
+
+/// The expression with every part rewritten by the rule, each distinct part once.
+///
+/// ```
+/// use sneddon_expr::expr::{Expr, rewritten};
+/// let (a, b) = (Expr::symbol("a"), Expr::symbol("b"));
+/// let sum = Expr::call("sin", [a.clone()]) + a.power(2);
+/// let renamed = rewritten(&sum, &|own, _| (*own == a).then(|| b.clone()));
+/// assert_eq!(renamed, Expr::call("sin", [b.clone()]) + b.power(2));
+/// // The exponents stay as they are.
+/// let bases = rewritten(&a.pow(&a), &|own, again| match own.node() {
+///     sneddon_expr::expr::Node::Power(base, exponent) => Some(again(base).pow(exponent)),
+///     _ => (*own == a).then(|| b.clone()),
+/// });
+/// assert_eq!(bases, b.pow(&a));
+/// ```
+pub fn rewritten(expr: &Expr, rule: &Rule<'_>) -> Expr {
+    once(expr, rule, &mut HashMap::new())
+}
+
+fn once(expr: &Expr, rule: &Rule<'_>, known: &mut HashMap<Expr, Expr>) -> Expr {
+    if let Some(found) = known.get(expr) {
+        return found.clone();
+    }
+    let found = match rule(expr, &mut |own| once(own, rule, known)) {
+        Some(found) => found,
+        None => with_operands(expr, &mut |own| once(own, rule, known)),
+    };
+    known.insert(expr.clone(), found.clone());
+    found
+}
+
+/// The same node over other operands; the expression itself where none of them changes.
+fn with_operands(expr: &Expr, of: &mut dyn FnMut(&Expr) -> Expr) -> Expr {
+    let old = expr.children();
+    let new: Vec<Expr> = old.iter().map(|own| of(own)).collect();
+    if old.iter().zip(&new).all(|(old, new)| old.address() == new.address()) {
+        return expr.clone();
+    }
+    match (expr.node(), new.as_slice()) {
+        (Node::Power(..), [base, exponent]) => base.pow(exponent),
+        (Node::Function(function, _), _) => Expr::function(*function, new),
+        (Node::Product(_), _) => Expr::product(new),
+        (Node::Sum(_), _) => Expr::sum(new),
+        _ => expr.clone(),
     }
 }

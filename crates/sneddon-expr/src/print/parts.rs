@@ -1,7 +1,7 @@
 //! Names for the parts of formulas that are too wide for their line.
 
 use super::Notation;
-use crate::expr::{Bindings, Expr, Formula, Node, Number, Symbol, shown_as_mathematics};
+use crate::expr::{Bindings, Expr, Formula, Node, Number, Symbol, rewritten, shown_as_mathematics};
 use std::collections::{BTreeSet, HashMap};
 
 /// Maximum number of names for one formula.
@@ -218,21 +218,9 @@ fn with_name(formula: &Formula, part: &Expr, name: &Symbol) -> Formula {
 }
 
 fn with_name_in(expr: &Expr, part: &Expr, name: &Expr) -> Expr {
-    if expr == part {
-        return name.clone();
-    }
-    let inside = |own: &Expr| with_name_in(own, part, name);
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Power(base, exponent) => match part.node() {
-            Node::Power(own, root) if own == base => match (exponent / root).as_integer() {
-                Some(n) => name.power(n),
-                None => inside(base).pow(&inside(exponent)),
-            },
-            _ => inside(base).pow(&inside(exponent)),
-        },
-        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(inside).collect()),
-        Node::Product(factors) => Expr::product(factors.iter().map(inside)),
-        Node::Sum(terms) => Expr::sum(terms.iter().map(inside)),
-    }
+    rewritten(expr, &|own, _| match (own.node(), part.node()) {
+        _ if own == part => Some(name.clone()),
+        (Node::Power(base, exponent), Node::Power(other, root)) if base == other => (exponent / root).as_integer().map(|n| name.power(n)),
+        _ => None,
+    })
 }

@@ -1,6 +1,6 @@
 //! Formulas with decimals and rounded numbers, which are read and not computed with.
 
-use crate::expr::{Expr, Node, Number};
+use crate::expr::{Expr, Node, Number, rewritten};
 use crate::num::{DoubleDouble, precise};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -129,14 +129,7 @@ impl Rounding {
 
 /// The expression with long fractions as decimals.
 pub(super) fn with_decimals(expr: &Expr) -> Expr {
-    match expr.node() {
-        Node::Number(number) => Expr::number(number.with_decimals()),
-        Node::Constant(_) | Node::Symbol(_) => expr.clone(),
-        Node::Function(function, arguments) => Expr::function(*function, arguments.iter().map(with_decimals).collect()),
-        Node::Sum(terms) => Expr::sum(terms.iter().map(with_decimals)),
-        Node::Product(factors) => Expr::product(factors.iter().map(with_decimals)),
-        Node::Power(base, exponent) => with_decimals(base).pow(&with_decimals(exponent)),
-    }
+    rewritten(expr, &|own, _| own.as_number().map(|number| Expr::number(number.with_decimals())))
 }
 
 /// Base and exponent of a number or of a power of a positive number.

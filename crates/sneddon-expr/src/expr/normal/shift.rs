@@ -1,7 +1,7 @@
 //! Polynomials about another point.
 
-use super::expanded;
-use crate::expr::{Bindings, Expr, Symbol, derivative};
+use super::{expanded, is_sum};
+use crate::expr::{Expr, Symbol};
 
 /// The coefficients of Σ c_m v^m in powers of v − b, without zeros: pairs of k and P^(k)(b)/k!; `None` if they cannot be
 /// expanded.
@@ -14,17 +14,15 @@ use crate::expr::{Bindings, Expr, Symbol, derivative};
 /// assert_eq!(list, [(1, Expr::integer(2) * b), (2, Expr::one())]);
 /// ```
 pub fn shifted_coefficients(coefficients: &[Expr], b: &Expr, variable: &Symbol) -> Option<Vec<(i64, Expr)>> {
-    let v = Expr::from(variable.clone());
-    let mut polynomial = Expr::sum(coefficients.iter().enumerate().map(|(m, c)| c * v.power(m as i64)));
-    let place = Bindings::one(variable.name(), b.clone());
-    let (mut result, mut factorial) = (Vec::new(), Expr::one());
-    for k in 0..coefficients.len() as i64 {
-        let value = expanded(&place.apply(&polynomial), variable).ok()?;
-        if !value.is_zero() {
-            result.push((k, value / &factorial));
+    let tidy = |own: Expr| if own.factors().iter().any(is_sum) { expanded(&own, variable).ok() } else { Some(own) };
+    let mut list = coefficients.iter().cloned().map(tidy).collect::<Option<Vec<_>>>()?;
+    // Synthetic division by v − b, once for each coefficient.
+    for k in 0..list.len() {
+        let mut carried = Expr::zero();
+        for own in list.iter_mut().skip(k).rev() {
+            carried = tidy(&*own + tidy(b * carried)?)?;
+            *own = carried.clone();
         }
-        polynomial = expanded(&derivative(&polynomial, variable).ok()?, variable).ok()?;
-        factorial = factorial * Expr::integer(k + 1);
     }
-    Some(result)
+    Some((0..).zip(list).filter(|(_, value)| !value.is_zero()).collect())
 }
