@@ -442,7 +442,7 @@ impl Builder<'_> {
 }
 
 fn has_sum(expr: &Expr) -> bool {
-    matches!(expr.node(), Node::Sum(_)) || expr.children().into_iter().any(has_sum)
+    expr.parts().any(|own| matches!(own.node(), Node::Sum(_)))
 }
 
 fn compare(comparison: Comparison, name: &str, number: f64) -> Test {

@@ -110,7 +110,7 @@ pub(crate) fn largest(expr: &Expr, parameter: &Symbol) -> Option<f64> {
 
 /// True if the expression has the sine, cosine or tangent of a slope angle.
 pub(crate) fn has_angle(expr: &Expr) -> bool {
-    is_angle(expr) || expr.children().into_iter().any(has_angle)
+    expr.parts().any(is_angle)
 }
 
 /// True for the sine, cosine or tangent of an angle that is constant and may be acute.

@@ -243,8 +243,7 @@ fn quadratic(expanded: &Expr, radius: &Symbol) -> Option<(Vec<Expr>, bool)> {
 
 /// True if a place was located numerically, so that no formula over it is exact.
 pub(crate) fn is_approximate(expr: &Expr) -> bool {
-    matches!(expr.node(), Node::Function(function, _) if function.name() == "approximate")
-        || expr.children().into_iter().any(is_approximate)
+    expr.parts().any(|own| matches!(own.node(), Node::Function(function, _) if function.name() == "approximate"))
 }
 
 /// Most kinks that are located numerically.

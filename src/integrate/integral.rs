@@ -93,7 +93,8 @@ impl NumericProfile {
             let tape = compile_shifted(&slope_expr, &lower_expr)?;
             let slope = Numbers::Tape(tape);
             // Cancellation in a polynomial of high degree must not count as a singularity.
-            let singular = !is_typed_polynomial(&slope_expr, &Symbol::new("r")) && is_singular(&slope, lower.value, upper.map(|u| u.value));
+            let singular =
+                typed_degree(&slope_expr, &Symbol::new("r")).is_none() && is_singular(&slope, lower.value, upper.map(|u| u.value));
             let scale = upper.map_or(1.0, |upper| upper.value);
             let ragged = lower_expr.is_zero() && matches!(&slope, Numbers::Tape(tape) if is_ragged(&slope_expr, tape, singular, scale));
             let odd = parity(&slope_expr, &Symbol::new("r")) == Some(Parity::Odd);
@@ -480,9 +481,8 @@ pub(crate) fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
         Node::Symbol(_) => Some(lower + delta),
         Node::Sum(_) => {
             let vanishing = Some(own)
-                .filter(|own| is_typed_polynomial(own, &radius))
+                .filter(|own| typed_degree(own, &radius).is_some_and(|degree| degree < HIGHEST))
                 .and_then(|own| normal::polynomial_coefficients(own, &radius))
-                .filter(|list| list.len() <= HIGHEST)
                 .and_then(|list| normal::shifted_coefficients(&list, lower, &radius))
                 .filter(|list| list.first().is_some_and(|(k, _)| *k > 0))?;
             Some(Expr::sum(vanishing.iter().map(|(k, c)| c * delta.power(*k))))
@@ -491,13 +491,19 @@ pub(crate) fn shifted(expr: &Expr, lower: &Expr, delta: &Expr) -> Expr {
     })
 }
 
-/// True for polynomials in the variable, checked without expansion: sums, products and integer powers of it and of constants.
-pub(crate) fn is_typed_polynomial(expr: &Expr, variable: &Symbol) -> bool {
+/// The degree of a polynomial in the variable as it is typed, of which expansion may cancel the highest terms; `None` for what is not a
+/// sum, product or integer power of the variable and of constants.
+pub(crate) fn typed_degree(expr: &Expr, variable: &Symbol) -> Option<usize> {
     match expr.node() {
-        Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => true,
-        Node::Sum(list) | Node::Product(list) => list.iter().all(|own| is_typed_polynomial(own, variable)),
-        Node::Power(base, exponent) if exponent.as_integer().is_some_and(|n| n > 0) => is_typed_polynomial(base, variable),
-        Node::Power(..) | Node::Function(..) => !expr.contains(variable),
+        _ if !expr.contains(variable) => Some(0),
+        Node::Symbol(_) => Some(1),
+        Node::Sum(list) => list.iter().try_fold(0, |degree, own| Some(degree.max(typed_degree(own, variable)?))),
+        Node::Product(list) => list.iter().try_fold(0_usize, |degree, own| Some(degree.saturating_add(typed_degree(own, variable)?))),
+        Node::Power(base, exponent) => {
+            let n = exponent.as_integer().and_then(|n| usize::try_from(n).ok())?;
+            Some(typed_degree(base, variable)?.saturating_mul(n))
+        }
+        Node::Number(_) | Node::Constant(_) | Node::Function(..) => None,
     }
 }
 

@@ -78,7 +78,7 @@ fn leading(slope: &Expr) -> Option<Expr> {
 
 /// True if a power with a negative exponent, or a logarithm, has a base that vanishes at the axis.
 fn is_singular(expr: &Expr, at_axis: &Bindings) -> bool {
-    let own = match expr.node() {
+    expr.parts().any(|own| match own.node() {
         Node::Power(base, exponent) => {
             base.contains(&Symbol::new("r"))
                 && exponent.as_number().is_none_or(|own| !own.is_integer() || own.is_negative())
@@ -87,11 +87,10 @@ fn is_singular(expr: &Expr, at_axis: &Bindings) -> bool {
         Node::Function(function, arguments) => match function.name() {
             "sqrt" | "exp" | "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh" | "asin" | "atan" | "asinh" | "atanh" | "erf" => false,
             "ln" => arguments.iter().any(|own| at_axis.apply(own).is_zero()),
-            _ => expr.contains(&Symbol::new("r")),
+            _ => own.contains(&Symbol::new("r")),
         },
         _ => false,
-    };
-    own || expr.children().into_iter().any(|child| is_singular(child, at_axis))
+    })
 }
 
 /// c and m of c r^m.

@@ -152,12 +152,11 @@ fn probe(expr: &Expr, r: f64) -> Probe {
 /// False if something vanishes at the axis under a power that may be negative, or in a logarithm.
 fn is_regular(expr: &Expr) -> bool {
     let vanishes = |inner: &Expr| Bindings::one("r", Expr::zero()).apply(inner).is_zero();
-    let own = match expr.node() {
+    expr.parts().all(|own| match own.node() {
         Node::Power(base, exponent) => sign(exponent) == Sign::Positive || !vanishes(base),
         Node::Function(function, arguments) => function.name() != "ln" || !arguments.iter().any(vanishes),
         _ => true,
-    };
-    own && expr.children().into_iter().all(is_regular)
+    })
 }
 
 /// True where the expression vanishes within its error bound at 32 random admissible points; `None` where it is real at none.

@@ -185,18 +185,16 @@ fn exponent_of_square(kernel: &Expr) -> Option<Expr> {
 ///
 /// The recognition form of such functions is expensive to compute and longer than `slope`.
 fn may_close(slope: &Expr) -> bool {
-    let own = match slope.node() {
-        _ if !slope.contains(&Symbol::new("x")) => return true,
+    slope.parts().filter(|own| own.contains(&Symbol::new("x"))).all(|own| match own.node() {
         Node::Function(function, arguments) => {
             function.name() == "exp" || is_logarithm_or_inverse(function) && !arguments.iter().any(has_root)
         }
         _ => true,
-    };
-    own && slope.children().into_iter().all(may_close)
+    })
 }
 
 fn has_root(expr: &Expr) -> bool {
-    matches!(expr.node(), Node::Power(_, exponent) if exponent.as_integer().is_none()) || expr.children().into_iter().any(has_root)
+    expr.parts().any(|own| matches!(own.node(), Node::Power(_, exponent) if exponent.as_integer().is_none()))
 }
 
 fn is_logarithm_or_inverse(function: &Function) -> bool {
@@ -205,11 +203,9 @@ fn is_logarithm_or_inverse(function: &Function) -> bool {
 
 /// Returns true if `kernel` consists of powers, roots, logarithms and inverse functions of x.
 fn is_elementary(kernel: &Expr) -> bool {
-    let own = match kernel.node() {
-        _ if !kernel.contains(&Symbol::new("x")) => return true,
+    kernel.parts().filter(|own| own.contains(&Symbol::new("x"))).all(|own| match own.node() {
         Node::Function(function, _) => is_logarithm_or_inverse(function),
         Node::Power(_, exponent) => exponent.as_number().is_some(),
         _ => true,
-    };
-    own && kernel.children().into_iter().all(is_elementary)
+    })
 }

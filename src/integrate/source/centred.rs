@@ -1,7 +1,7 @@
 //! Polynomials inside functions, written around the place where they are shortest: (r − b)² again, where it was multiplied out.
 
-use crate::expr::{Expr, Node, Number, Symbol, normal, rewritten};
-use crate::integrate::integral::is_typed_polynomial;
+use crate::expr::{Expr, Node, Number, Rewriting, Symbol, normal, rewritten};
+use crate::integrate::integral::typed_degree;
 
 /// The same function of r, with every polynomial in an exponent, a base or an argument written in powers of r − s, where that has fewer
 /// terms than it has in powers of r.
@@ -11,16 +11,15 @@ use crate::integrate::integral::is_typed_polynomial;
 /// −10¹² (r − 1)² has both.
 pub fn centred(expr: &Expr) -> Expr {
     let radius = Symbol::new("r");
-    let inside = |expr: &Expr| {
-        rewritten(expr, &|own, _| match own.node() {
-            _ if !own.contains(&radius) => Some(own.clone()),
-            Node::Sum(terms) => around_its_centre(own, terms.len(), &radius),
-            _ => None,
-        })
+    let shorter = |own: &Expr, _: &dyn Fn(&Expr) -> Expr| match own.node() {
+        _ if !own.contains(&radius) => Some(own.clone()),
+        Node::Sum(terms) => around_its_centre(own, terms.len(), &radius),
+        _ => None,
     };
+    let inside = Rewriting::new(&shorter);
     rewritten(expr, &|own, _| match own.node() {
-        Node::Power(base, exponent) => Some(inside(base).pow(&inside(exponent))),
-        Node::Function(function, arguments) => Some(Expr::function(*function, arguments.iter().map(inside).collect())),
+        Node::Power(base, exponent) => Some(inside.of(base).pow(&inside.of(exponent))),
+        Node::Function(function, arguments) => Some(Expr::function(*function, arguments.iter().map(|own| inside.of(own)).collect())),
         _ => None,
     })
 }
@@ -31,10 +30,8 @@ const HIGHEST: usize = 12;
 /// The polynomial in powers of r − s, where these are fewer than `terms`.
 fn around_its_centre(sum: &Expr, terms: usize, radius: &Symbol) -> Option<Expr> {
     // Expanding other expressions would be expensive.
-    if !is_typed_polynomial(sum, radius) {
-        return None;
-    }
-    let coefficients = normal::polynomial_coefficients(sum, radius).filter(|list| (3..=HIGHEST + 1).contains(&list.len()))?;
+    typed_degree(sum, radius).filter(|degree| *degree <= HIGHEST)?;
+    let coefficients = normal::polynomial_coefficients(sum, radius).filter(|list| list.len() >= 3)?;
     let numbers = coefficients.iter().map(Expr::as_number).collect::<Option<Vec<&Number>>>()?;
     let [.., before, highest] = numbers.as_slice() else { return None };
     if before.is_zero() || highest.is_zero() {

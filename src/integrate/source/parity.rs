@@ -3,6 +3,7 @@
 use crate::eval::{RegionAlgebra, Tape};
 use crate::expr::{Expr, Node, Symbol};
 use crate::num::Region;
+use std::collections::HashMap;
 
 /// The behaviour of a function when r changes its sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,55 +25,73 @@ const BESSEL: [&str; 2] = ["besselj", "besseli"];
 
 /// The parity in `radius`; `None` if it is neither, or not seen.
 pub fn parity(expr: &Expr, radius: &Symbol) -> Option<Parity> {
-    let mut branched = Vec::new();
-    let found = parity_of(expr, radius, &mut branched)?;
-    (branched.is_empty() || are_analytic(&branched, radius)).then_some(found)
+    let mut parities = Parities { radius, known: HashMap::new(), branched: Vec::new() };
+    let found = parities.of(expr)?;
+    (parities.branched.is_empty() || are_analytic(&parities.branched, radius)).then_some(found)
 }
 
-/// The parity if the expressions that are added to `branched`, which may have a branch point, are analytic around the axis.
-fn parity_of(expr: &Expr, radius: &Symbol, branched: &mut Vec<Expr>) -> Option<Parity> {
-    if !expr.contains(radius) {
-        return Some(Parity::Even);
-    }
-    match expr.node() {
-        Node::Number(_) | Node::Constant(_) => Some(Parity::Even),
-        Node::Symbol(_) => Some(Parity::Odd),
-        Node::Sum(terms) => {
-            let mut all = terms.iter().map(|term| parity_of(term, radius, branched));
-            let first = all.next()??;
-            all.all(|own| own == Some(first)).then_some(first)
+/// The parities of the parts of an expression if those that may have a branch point are analytic around the axis.
+struct Parities<'a> {
+    radius: &'a Symbol,
+    known: HashMap<Expr, Option<Parity>>,
+    /// The parts that may have a branch point.
+    branched: Vec<Expr>,
+}
+
+impl Parities<'_> {
+    fn of(&mut self, expr: &Expr) -> Option<Parity> {
+        if !expr.contains(self.radius) {
+            return Some(Parity::Even);
         }
-        Node::Product(factors) => factors.iter().try_fold(Parity::Even, |so_far, factor| {
-            let own = parity_of(factor, radius, branched)?;
-            Some(if own == so_far { Parity::Even } else { Parity::Odd })
-        }),
-        Node::Power(base, exponent) => match (parity_of(base, radius, branched)?, exponent.as_number()) {
-            (Parity::Even, Some(power)) if power.is_integer() => Some(Parity::Even),
-            // √(r² + r⁴) is an even expression and continues to r√(1 + r²).
-            (Parity::Even, _) => {
-                branched.push(expr.clone());
-                parity_of(exponent, radius, branched).filter(|own| *own == Parity::Even)
+        if let Some(known) = self.known.get(expr) {
+            return *known;
+        }
+        let found = self.of_node(expr);
+        self.known.insert(expr.clone(), found);
+        found
+    }
+
+    fn of_node(&mut self, expr: &Expr) -> Option<Parity> {
+        match expr.node() {
+            Node::Number(_) | Node::Constant(_) => Some(Parity::Even),
+            Node::Symbol(_) => Some(Parity::Odd),
+            Node::Sum(terms) => {
+                let mut all = terms.iter().map(|term| self.of(term));
+                let first = all.next()??;
+                all.all(|own| own == Some(first)).then_some(first)
             }
-            (Parity::Odd, Some(power)) if power.is_integer() => {
-                Some(if (power.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
-            }
-            (Parity::Odd, _) => None,
-        },
-        Node::Function(function, arguments) => {
-            let own: Vec<Parity> = arguments.iter().map(|a| parity_of(a, radius, branched)).collect::<Option<_>>()?;
-            match own.as_slice() {
-                [Parity::Odd] if ODD.contains(&function.name()) => Some(Parity::Odd),
-                [Parity::Odd] if EVEN.contains(&function.name()) => Some(Parity::Even),
-                // J_n(−z) = (−1)ⁿ J_n(z), and I_n the same.
-                [Parity::Even, Parity::Odd] if BESSEL.contains(&function.name()) => {
-                    let order = arguments.first()?.as_number().filter(|order| order.is_integer())?;
-                    Some(if (order.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
+            Node::Product(factors) => factors.iter().try_fold(Parity::Even, |so_far, factor| {
+                let own = self.of(factor)?;
+                Some(if own == so_far { Parity::Even } else { Parity::Odd })
+            }),
+            Node::Power(base, exponent) => match (self.of(base)?, exponent.as_number()) {
+                (Parity::Even, Some(power)) if power.is_integer() => Some(Parity::Even),
+                // √(r² + r⁴) is an even expression and continues to r√(1 + r²).
+                (Parity::Even, _) => {
+                    self.branched.push(expr.clone());
+                    self.of(exponent).filter(|own| *own == Parity::Even)
                 }
-                all => {
-                    if !ENTIRE.contains(&function.name()) {
-                        branched.push(expr.clone());
+                (Parity::Odd, Some(power)) if power.is_integer() => {
+                    Some(if (power.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
+                }
+                (Parity::Odd, _) => None,
+            },
+            Node::Function(function, arguments) => {
+                let own: Vec<Parity> = arguments.iter().map(|a| self.of(a)).collect::<Option<_>>()?;
+                match own.as_slice() {
+                    [Parity::Odd] if ODD.contains(&function.name()) => Some(Parity::Odd),
+                    [Parity::Odd] if EVEN.contains(&function.name()) => Some(Parity::Even),
+                    // J_n(−z) = (−1)ⁿ J_n(z), and I_n the same.
+                    [Parity::Even, Parity::Odd] if BESSEL.contains(&function.name()) => {
+                        let order = arguments.first()?.as_number().filter(|order| order.is_integer())?;
+                        Some(if (order.to_f64() / 2.0).fract() == 0.0 { Parity::Even } else { Parity::Odd })
                     }
-                    all.iter().all(|p| *p == Parity::Even).then_some(Parity::Even)
+                    all => {
+                        if !ENTIRE.contains(&function.name()) {
+                            self.branched.push(expr.clone());
+                        }
+                        all.iter().all(|p| *p == Parity::Even).then_some(Parity::Even)
+                    }
                 }
             }
         }

@@ -56,13 +56,18 @@ struct Group {
 /// True if an expression divides by a term that may vanish at the axis, and is inaccurate or has no enclosure there.
 pub(crate) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -> bool {
     let radius = Symbol::new("r");
-    if !divides(slope, &radius, &|_| true) {
+    let divisor = |own: &Expr| match own.node() {
+        Node::Power(base, exponent) if sign(exponent) != Sign::Positive && base.contains(&radius) => Some(base.clone()),
+        _ => None,
+    };
+    let divisors: Vec<Expr> = slope.parts().filter_map(divisor).collect();
+    if divisors.is_empty() {
         return false;
     }
     // An expression that is regular at the axis although its parts are not has no enclosure.
     let around = Region::new((-TRIALS[0] * scale, TRIALS[0] * scale), (0.0, 0.0));
     if !singular
-        && divides(slope, &radius, &|base| may_vanish(base, &radius))
+        && one_may_vanish(&divisors, &radius)
         && !tape.run(&mut RegionAlgebra, &[around], &mut Vec::new()).is_some_and(|own| own.largest().is_finite())
     {
         return true;
@@ -76,29 +81,24 @@ pub(crate) fn is_ragged(slope: &Expr, tape: &Tape, singular: bool, scale: f64) -
     })
 }
 
-/// Returns true if r occurs in a base that satisfies `is_meant`, with an exponent that is or may be negative.
-fn divides(expr: &Expr, radius: &Symbol, is_meant: &impl Fn(&Expr) -> bool) -> bool {
-    let own = match expr.node() {
-        Node::Power(base, exponent) => sign(exponent) != Sign::Positive && base.contains(radius) && is_meant(base),
-        _ => false,
-    };
-    own || expr.children().into_iter().any(|child| divides(child, radius, is_meant))
-}
-
-/// Returns false if the value at r = 0 is finite and differs from 0 by more than its error.
+/// Returns false if the value of every expression at r = 0 is finite and differs from 0 by more than its error.
 ///
 /// If the value does not exist, as for r ln r, the value near the axis decides: it must not be small relative to one further
 /// away.
-fn may_vanish(expr: &Expr, radius: &Symbol) -> bool {
+fn one_may_vanish(expressions: &[Expr], radius: &Symbol) -> bool {
     const NEAR: f64 = 1e-30;
-    let Ok(tape) = Tape::compile(std::slice::from_ref(expr), std::slice::from_ref(radius)) else { return true };
-    let value = |r: f64| tape.run(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut Vec::new()).filter(|own| own.is_finite());
-    let is_small = |own: Bounded, least: f64| own.value.abs() <= own.error.max(least);
-    match (value(0.0), value(NEAR), value(TRIALS[0])) {
-        (Some(own), ..) => is_small(own, 0.0),
-        (None, Some(near), Some(far)) => is_small(near, TRIALS[0] * far.value.abs()),
-        _ => true,
-    }
+    let Ok(tape) = Tape::compile(expressions, std::slice::from_ref(radius)) else { return true };
+    let values = |r: f64| tape.run_all(&mut BoundedAlgebra, &[Bounded::exact(r)], &mut Vec::new()).unwrap_or_default();
+    let (at_axis, near, far) = (values(0.0), values(NEAR), values(TRIALS[0]));
+    let is_small = |own: &Bounded, least: f64| own.value.abs() <= own.error.max(least);
+    (0..expressions.len()).any(|index| {
+        let known = |list: &[Bounded]| list.get(index).copied().filter(|own| own.is_finite());
+        match (known(&at_axis), known(&near), known(&far)) {
+            (Some(own), ..) => is_small(&own, 0.0),
+            (None, Some(near), Some(far)) => is_small(&near, TRIALS[0] * far.value.abs()),
+            _ => true,
+        }
+    })
 }
 
 impl AxisSeries {

@@ -15,20 +15,13 @@ pub(super) fn of(formulas: &[Formula]) -> Vec<Prose> {
 
 /// Adds the names of the functions in an expression as shown, and how many parameters a hypergeometric function has.
 fn in_expression(expr: &Expr, found: &mut BTreeSet<(&'static str, [i64; 2])>) {
-    /// Larger expressions are not searched.
-    const SIZE: usize = 10_000;
-    fn every(expr: &Expr, found: &mut BTreeSet<(&'static str, [i64; 2])>) {
-        if let Node::Function(function, arguments) = expr.node() {
+    for own in shown_as_mathematics(expr).parts() {
+        if let Node::Function(function, arguments) = own.node() {
             // E of two arguments is the incomplete integral.
             let is_incomplete = function.name() == "ellipe" && arguments.len() > 1;
             let size = |place: usize| arguments.get(place).filter(|_| function.name() == HYPERGEOMETRIC).and_then(Expr::as_integer);
             found.insert((if is_incomplete { INCOMPLETE } else { function.name() }, [0, 1].map(|place| size(place).unwrap_or(0))));
         }
-        expr.children().into_iter().for_each(|child| every(child, found));
-    }
-    let shown = shown_as_mathematics(expr);
-    if shown.size_up_to(SIZE) < SIZE {
-        every(&shown, found);
     }
 }
 

@@ -25,19 +25,19 @@ pub fn balanced(expr: &Expr) -> Expr {
 
 /// True if a denominator grows exponentially.
 fn divides_by_growth(expr: &Expr) -> bool {
-    let own = match expr.node() {
+    expr.parts().any(|own| match own.node() {
         Node::Power(base, exponent) => exponent.as_number().is_some_and(|own| own.is_negative()) && grows(base),
         _ => false,
-    };
-    own || expr.children().into_iter().any(divides_by_growth)
+    })
 }
 
 fn grows(expr: &Expr) -> bool {
-    let own = |name: &str, argument: &Expr| matches!(name, "exp" | "cosh") && argument.contains(&Symbol::new("r"));
-    match expr.node() {
-        Node::Function(function, arguments) if arguments.iter().any(|argument| own(function.name(), argument)) => true,
-        _ => expr.children().into_iter().any(grows),
-    }
+    expr.parts().any(|own| match own.node() {
+        Node::Function(function, arguments) => {
+            matches!(function.name(), "exp" | "cosh") && arguments.iter().any(|argument| argument.contains(&Symbol::new("r")))
+        }
+        _ => false,
+    })
 }
 
 /// The product with its exponentials moved into the denominators that grow with them.

@@ -69,7 +69,7 @@ pub fn in_lowest_terms(expr: &Expr) -> Expr {
     rewritten(expr, &|own, again| match own.node() {
         Node::Power(base, exponent) => Some(digits.out_of_power(&again(base), exponent)),
         Node::Product(factors) => {
-            let product = Expr::product(factors.iter().map(&mut *again));
+            let product = Expr::product(factors.iter().map(again));
             // The result may contain new sums with common factors.
             Some(digits.shorter_product(&product).map_or(product, |other| again(&other)))
         }

@@ -1,6 +1,6 @@
 //! Exact differentiation by the rules of sums, products, powers and the function table.
 
-use super::{Expr, ExprError, Node, Symbol};
+use super::{Expr, ExprError, Function, Node, Symbol};
 use std::collections::HashMap;
 
 /// d(`expr`)/d(`symbol`).
@@ -34,46 +34,60 @@ impl Derivatives<'_> {
         if let Some(known) = self.known.get(expr) {
             return Ok(known.clone());
         }
-        let found = match expr.node() {
-            Node::Number(_) | Node::Constant(_) => Expr::zero(),
-            Node::Symbol(own) => {
-                if own == self.symbol {
-                    Expr::one()
-                } else {
-                    Expr::zero()
-                }
+        let (mut factors, inner) = self.chain(expr)?;
+        let found = if inner == *expr {
+            self.of_node(expr)?
+        } else {
+            factors.push(self.of(&inner)?);
+            Expr::product(factors)
+        };
+        self.known.insert(expr.clone(), found.clone());
+        Ok(found)
+    }
+
+    /// The factors of the chain rule down to the first part that depends on the symbol in several operands, and that part.
+    ///
+    /// Multiplied level by level, they would be sorted again for each level.
+    fn chain(&self, expr: &Expr) -> Result<(Vec<Expr>, Expr), ExprError> {
+        let (mut factors, mut own) = (Vec::new(), expr.clone());
+        loop {
+            let children = own.children();
+            let mut dependent = children.iter().enumerate().filter(|(_, child)| child.contains(self.symbol));
+            let (Some((i, inner)), None) = (dependent.next(), dependent.next()) else { return Ok((factors, own)) };
+            match own.node() {
+                Node::Power(base, exponent) if i == 0 => factors.extend([exponent.clone(), base.pow(&(exponent - Expr::one()))]),
+                Node::Power(base, _) => factors.extend([own.clone(), Expr::call("ln", [base.clone()])]),
+                Node::Function(function, arguments) => factors.push(outer(*function, arguments, i)?),
+                Node::Product(list) => factors.extend(list.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, other)| other.clone())),
+                Node::Sum(_) => {}
+                Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => return Ok((factors, own)),
             }
-            Node::Sum(terms) => Expr::sum(terms.iter().map(|term| self.of(term)).collect::<Result<Vec<_>, _>>()?),
-            Node::Product(factors) => self.of_product(factors)?,
+            own = (*inner).clone();
+        }
+    }
+
+    fn of_node(&mut self, expr: &Expr) -> Result<Expr, ExprError> {
+        match expr.node() {
+            // It contains the symbol.
+            Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => Ok(Expr::one()),
+            Node::Sum(terms) => Ok(Expr::sum(terms.iter().map(|term| self.of(term)).collect::<Result<Vec<_>, _>>()?)),
+            Node::Product(factors) => self.of_product(factors),
             Node::Power(base, exponent) => {
-                let mut terms = Vec::new();
-                if base.contains(self.symbol) {
-                    terms.push(Expr::product([exponent.clone(), base.pow(&(exponent - Expr::one())), self.of(base)?]));
-                }
-                if exponent.contains(self.symbol) {
-                    terms.push(Expr::product([expr.clone(), Expr::call("ln", [base.clone()]), self.of(exponent)?]));
-                }
-                Expr::sum(terms)
+                let of_base = Expr::product([exponent.clone(), base.pow(&(exponent - Expr::one())), self.of(base)?]);
+                let of_exponent = Expr::product([expr.clone(), Expr::call("ln", [base.clone()]), self.of(exponent)?]);
+                Ok(of_base + of_exponent)
             }
             Node::Function(function, arguments) => {
                 let mut terms = Vec::new();
                 for (i, argument) in arguments.iter().enumerate() {
                     let inner = self.of(argument)?;
-                    if inner.is_zero() {
-                        continue;
+                    if !inner.is_zero() {
+                        terms.push(outer(*function, arguments, i)? * inner);
                     }
-                    let row = function.row();
-                    let outer = row
-                        .derivative
-                        .and_then(|rule| rule(arguments, i))
-                        .ok_or(ExprError::NoDerivative { function: row.name, argument: i + 1 })?;
-                    terms.push(outer * inner);
                 }
-                Expr::sum(terms)
+                Ok(Expr::sum(terms))
             }
-        };
-        self.known.insert(expr.clone(), found.clone());
-        Ok(found)
+        }
     }
 
     fn of_product(&mut self, factors: &[Expr]) -> Result<Expr, ExprError> {
@@ -94,6 +108,13 @@ impl Derivatives<'_> {
         };
         Ok(Expr::sum(terms.into_iter().map(|term| &outside * term)))
     }
+}
+
+/// The derivative of a function with respect to its i-th argument.
+fn outer(function: Function, arguments: &[Expr], i: usize) -> Result<Expr, ExprError> {
+    let row = function.row();
+    let found = row.derivative.and_then(|rule| rule(arguments, i));
+    found.ok_or(ExprError::NoDerivative { function: row.name, argument: i + 1 })
 }
 
 /// Longer products are halved: (AB)′ = A′B + AB′ has n log n factors, and the sum over all factors n².

@@ -264,10 +264,9 @@ fn is_zero(expr: &Expr) -> bool {
 
 /// False if a derivative at the place divides by zero or takes the logarithm of zero.
 fn is_finite(expr: &Expr) -> bool {
-    let own = match expr.node() {
+    expr.parts().all(|own| match own.node() {
         Node::Power(base, exponent) => !base.is_zero() || sign(exponent) == Sign::Positive,
         Node::Function(function, arguments) => function.name() != "ln" || !arguments.iter().any(Expr::is_zero),
         _ => true,
-    };
-    own && expr.children().into_iter().all(is_finite)
+    })
 }

@@ -2,7 +2,7 @@
 
 use super::{Function, Number, build};
 use crate::num::work;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -273,6 +273,27 @@ impl Expr {
             Node::Power(base, exponent) => vec![base, exponent],
             Node::Function(_, arguments) | Node::Product(arguments) | Node::Sum(arguments) => arguments.iter().collect(),
         }
+    }
+
+    /// The expression and all expressions in it, each distinct one once, from the outside in.
+    ///
+    /// ```
+    /// use sneddon_expr::expr::Expr;
+    /// let x = Expr::symbol("x");
+    /// let twice = Expr::call("sin", [x.clone()]) + Expr::call("cos", [x.clone()]);
+    /// assert_eq!(twice.parts().filter(|own| **own == x).count(), 1);
+    /// ```
+    pub fn parts(&self) -> impl Iterator<Item = &Self> {
+        let (mut pending, mut seen) = (vec![self], HashSet::new());
+        std::iter::from_fn(move || {
+            loop {
+                let own = pending.pop()?;
+                if seen.insert(own) {
+                    pending.extend(own.children().into_iter().rev());
+                    return Some(own);
+                }
+            }
+        })
     }
 
     /// True if the symbol occurs.

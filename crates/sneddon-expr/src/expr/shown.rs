@@ -65,7 +65,7 @@ type Form<'a> = &'a dyn Fn(&Row, &[Expr]) -> Option<Expr>;
 fn replaced(expr: &Expr, form: Form<'_>) -> Expr {
     rewritten(expr, &|own, again| {
         let Node::Function(function, arguments) = own.node() else { return None };
-        let inner: Vec<Expr> = arguments.iter().map(&mut *again).collect();
+        let inner: Vec<Expr> = arguments.iter().map(again).collect();
         let here = form(function.row(), &inner)?;
         Some(again(&here))
     })

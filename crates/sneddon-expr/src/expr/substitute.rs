@@ -1,6 +1,7 @@
 //! Replacing symbols and other parts of an expression, each distinct part once.
 
 use super::{Expr, Node, Symbol};
+use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 
 /// Symbols and what replaces them; the replacement happens in one sweep and is canonical again.
@@ -57,41 +58,54 @@ impl<'a> FromIterator<(&'a str, Expr)> for Bindings {
 }
 
 /// What a part becomes, given how its own parts are rewritten; `None` if only its operands change.
-pub type Rule<'a> = dyn Fn(&Expr, &mut dyn FnMut(&Expr) -> Expr) -> Option<Expr> + 'a;
+pub type Rule<'a> = dyn Fn(&Expr, &dyn Fn(&Expr) -> Expr) -> Option<Expr> + 'a;
 
 /// The expression with every part rewritten by the rule, each distinct part once.
 ///
 /// ```
-/// use sneddon_expr::expr::{Expr, rewritten};
+/// use sneddon_expr::expr::{Expr, Node, rewritten};
 /// let (a, b) = (Expr::symbol("a"), Expr::symbol("b"));
 /// let sum = Expr::call("sin", [a.clone()]) + a.power(2);
 /// let renamed = rewritten(&sum, &|own, _| (*own == a).then(|| b.clone()));
 /// assert_eq!(renamed, Expr::call("sin", [b.clone()]) + b.power(2));
 /// // The exponents stay as they are.
 /// let bases = rewritten(&a.pow(&a), &|own, again| match own.node() {
-///     sneddon_expr::expr::Node::Power(base, exponent) => Some(again(base).pow(exponent)),
+///     Node::Power(base, exponent) => Some(again(base).pow(exponent)),
 ///     _ => (*own == a).then(|| b.clone()),
 /// });
 /// assert_eq!(bases, b.pow(&a));
 /// ```
 pub fn rewritten(expr: &Expr, rule: &Rule<'_>) -> Expr {
-    once(expr, rule, &mut HashMap::new())
+    Rewriting::new(rule).of(expr)
 }
 
-fn once(expr: &Expr, rule: &Rule<'_>, known: &mut HashMap<Expr, Expr>) -> Expr {
-    if let Some(found) = known.get(expr) {
-        return found.clone();
+/// A rule and what it made of the parts of several expressions.
+pub struct Rewriting<'a> {
+    rule: &'a Rule<'a>,
+    /// `None` for parts that did not change.
+    known: RefCell<HashMap<Expr, Option<Expr>>>,
+}
+
+impl<'a> Rewriting<'a> {
+    /// The rule before it has rewritten anything.
+    pub fn new(rule: &'a Rule<'a>) -> Self {
+        Self { rule, known: RefCell::default() }
     }
-    let found = match rule(expr, &mut |own| once(own, rule, known)) {
-        Some(found) => found,
-        None => with_operands(expr, &mut |own| once(own, rule, known)),
-    };
-    known.insert(expr.clone(), found.clone());
-    found
+
+    /// The expression with every part rewritten by the rule, each distinct part once.
+    pub fn of(&self, expr: &Expr) -> Expr {
+        if let Some(found) = self.known.borrow().get(expr) {
+            return found.as_ref().unwrap_or(expr).clone();
+        }
+        let again = |own: &Expr| self.of(own);
+        let found = (self.rule)(expr, &again).unwrap_or_else(|| with_operands(expr, &again));
+        self.known.borrow_mut().insert(expr.clone(), Some(&found).filter(|found| found.address() != expr.address()).cloned());
+        found
+    }
 }
 
 /// The same node over other operands; the expression itself where none of them changes.
-fn with_operands(expr: &Expr, of: &mut dyn FnMut(&Expr) -> Expr) -> Expr {
+fn with_operands(expr: &Expr, of: &dyn Fn(&Expr) -> Expr) -> Expr {
     let old = expr.children();
     let new: Vec<Expr> = old.iter().map(|own| of(own)).collect();
     if old.iter().zip(&new).all(|(old, new)| old.address() == new.address()) {

@@ -138,8 +138,7 @@ fn variables(formula: &Formula) -> BTreeSet<Symbol> {
 }
 
 fn has_elliptic(expr: &Expr) -> bool {
-    let is = matches!(expr.node(), Node::Function(function, _) if function.name().starts_with("ellip"));
-    is || expr.children().into_iter().any(has_elliptic)
+    expr.parts().any(|own| matches!(own.node(), Node::Function(function, _) if function.name().starts_with("ellip")))
 }
 
 /// The part of `wide` to be named next: a maximum or minimum that is repeated, else what saves most of all that is repeated, else the part

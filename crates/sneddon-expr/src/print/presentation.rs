@@ -27,10 +27,9 @@ pub struct Presentation {
 impl Presentation {
     /// The default presentation of results for a typed formula: with decimals if it was typed with decimals and without long fractions.
     pub fn of(typed: &Formula) -> Self {
-        fn has(expr: &Expr, property: &dyn Fn(&Number) -> bool) -> bool {
-            expr.as_number().is_some_and(property) || expr.children().into_iter().any(|child| has(child, property))
-        }
-        let any = |property: &dyn Fn(&Number) -> bool| typed.expressions().into_iter().any(|expr| has(expr, property));
+        let any = |property: &dyn Fn(&Number) -> bool| {
+            typed.expressions().into_iter().flat_map(Expr::parts).filter_map(Expr::as_number).any(property)
+        };
         let decimals = any(&Number::has_decimals) && !any(&|own| !own.has_decimals() && !own.is_short());
         Self { decimals, ..Self::default() }
     }
