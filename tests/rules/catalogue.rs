@@ -221,6 +221,45 @@ fn shown_formulas_are_the_numbers() {
     }
 }
 
+/// Formulas of many pieces are sums over the pieces, each of which counts within its interval and beyond it.
+#[test]
+fn formulas_of_many_pieces_are_the_numbers() {
+    let kinds: [fn(&str) -> String; 4] = [
+        |r| format!("C*{r}"),
+        |r| format!("({r})^2/(4*b)"),
+        |r| format!("(-sqrt((15*b)^2-({r})^2))"),
+        // Without a rule for a bounded segment.
+        |r| format!("b*ln(2+sin({r}/b))"),
+    ];
+    // Every piece begins at the height where the one before it ends.
+    let (mut pieces, mut height) = (Vec::new(), "0".to_owned());
+    for i in 0..12 {
+        let (begin, end) = (format!("({i}*b)"), format!("({}*b)", i + 1));
+        pieces.push(format!("{height}+{}-{}", kinds[i % 4]("r"), kinds[i % 4](&begin)));
+        height = format!("({height}+{}-{})", kinds[i % 4](&end), kinds[i % 4](&begin));
+    }
+    let list: Vec<String> = (1..).zip(&pieces).take(11).map(|(i, own)| format!("{own}, r<{i}*b")).collect();
+    let text = format!("piecewise({}, {})", list.join(", "), pieces[11]);
+    let solution = derive(&Profile::new(&parse::profile(&text).unwrap()).unwrap()).unwrap();
+    let (b, c) = (0.25, 0.4);
+    let set: Bindings = [("b", Expr::ratio(1, 4)), ("C", Expr::ratio(2, 5))].into_iter().collect();
+    let own = contact(&solution, &set);
+    let shown = relations(&solution, &Edge::Smooth).unwrap();
+    for x in [0.2, 0.6, 1.3, 1.9, 2.6, 2.9] {
+        for r in [0.3 * x, 0.9 * x] {
+            let at = [("E", 1.0), ("x", x), ("a", x), ("r", r), ("b", b), ("C", c)];
+            for (name, formula, number) in [
+                ("g", &shown.g.formula, own.evaluator().slope(x).unwrap()),
+                ("F", &shown.force.formula, own.force(x).unwrap()),
+                ("p", &shown.pressure.as_ref().unwrap().formula, own.pressure(r, x).unwrap().unwrap()),
+            ] {
+                let (formula, number) = (formulas::value(formula, &at), number.estimate.value);
+                assert!(formulas::relative(formula, number) < 1e-7, "{name} at x = {x}, r = {r}: {formula:e} and {number:e}");
+            }
+        }
+    }
+}
+
 /// The program's own check passes on every profile, with symbols and with numbers.
 #[test]
 fn the_check_passes() {
