@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use sneddon::contact::{Contact, ContactError, Indentation, Load, Reason, Setup, each_point};
-use sneddon::expr::{Bindings, Expr};
+use sneddon::eval::{EvalError, Tape};
+use sneddon::expr::{Bindings, Expr, Sign, Symbol, normal, sign};
 use sneddon::num::special::besseli;
-use sneddon::num::work::{Budget, Exhausted, left, with_deadline, within};
+use sneddon::num::work::{Budget, Exhausted, apart, left, spend, with_deadline, within};
 use sneddon::scene::{Control, Loads, Row, Run, Scene};
 use sneddon::transform::{Evaluator, Method, Profile, TransformError, derive};
 use sneddon::{parse, print, transform};
@@ -52,6 +53,31 @@ fn a_small_budget_is_a_typed_error_and_never_a_formula() {
             ends.push(matches!(found, Err(TransformError::Exhausted(Exhausted { steps: own })) if own == steps));
         }
         assert!(ends[0] && ends[1], "{text}: {ends:?}");
+    }
+}
+
+/// Class "an expression that was cut is 0": constructors beyond the work limit return an expression that stays what it is in every other,
+/// and that nothing takes for a formula.
+#[test]
+fn an_expression_that_was_cut_is_refused() {
+    let x = Expr::symbol("x");
+    let constructors: [&dyn Fn(&Expr) -> Expr; 5] =
+        [&|own| own + Expr::one(), &|own| own * Expr::integer(3), &|own| own.power(2), &|own| Expr::call("sin", [own.clone()]), &|own| {
+            Expr::integer(2).pow(own)
+        }];
+    for build in constructors {
+        let (cut, ..) = apart(1, || {
+            spend(2);
+            build(&x)
+        });
+        assert!(cut.is_cut() && !cut.is_zero() && sign(&cut) == Sign::Unknown);
+        assert!(constructors.iter().all(|build| build(&cut).is_cut()));
+        assert!((&cut - &cut).is_cut() && (Expr::zero() * &cut).is_cut() && cut.power(0).is_cut() && Expr::one().pow(&cut).is_cut());
+        assert_eq!(Tape::compile(std::slice::from_ref(&cut), &[]).err(), Some(EvalError::Cut));
+        assert!(!normal::is_proven_zero(&cut, &Symbol::new("x")));
+        for text in [print::text_expr(&cut), print::unicode(&cut.clone().into()), print::latex(&cut.clone().into())] {
+            assert!(parse::formula(&text).is_err(), "{text}");
+        }
     }
 }
 

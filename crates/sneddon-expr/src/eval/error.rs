@@ -12,6 +12,9 @@ pub enum EvalError {
         /// The symbol.
         name: String,
     },
+    /// The work limit ended the construction of the expression.
+    #[error("the expression is incomplete, because the work limit was reached while it was built")]
+    Cut,
     /// The budget of work is used up.
     #[error(transparent)]
     Exhausted(#[from] Exhausted),

@@ -82,11 +82,11 @@ impl Tape {
         let mut outputs = Vec::new();
         let mut seen: HashMap<Expr, u32> = HashMap::new();
         for expr in expressions {
-            let slot = record(expr, &mut recorder, inputs, &mut seen)?;
-            outputs.push(slot);
+            let slot = record(expr, &mut recorder, inputs, &mut seen);
+            // An expression that was built after the budget was exhausted is meaningless.
+            work::check()?;
+            outputs.push(slot?);
         }
-        // An expression that was built after the budget was exhausted is meaningless.
-        work::check()?;
         recorder.tape.outputs = outputs;
         for operation in &recorder.tape.operations {
             let counts = &mut recorder.tape.kept.counts;

@@ -91,6 +91,7 @@ pub(super) fn walk_with<A: Algebra>(
         Node::Number(number) => Ok(constant(number, algebra)),
         Node::Constant(Constant::Pi) => Ok(algebra.constant(PI)),
         Node::Constant(Constant::Euler) => Ok(algebra.constant(E)),
+        Node::Constant(Constant::Cut) => Err(EvalError::Cut),
         Node::Symbol(symbol) => Err(EvalError::Unbound { name: symbol.name().to_owned() }),
         Node::Function(function, arguments) => {
             if let Some((near_one, beside)) = logarithm_near_one(*function, arguments) {

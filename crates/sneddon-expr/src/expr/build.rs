@@ -4,12 +4,12 @@ use super::{Constant, Expr, Function, Node, Number, Sign, sign};
 use crate::num::work::is_exhausted;
 use std::collections::BTreeMap;
 
-/// The result of a constructor after the budget is exhausted.
+/// The result of a constructor after the budget is exhausted, and of one with such an operand.
 ///
 /// Constructors have no error to return. The smallest expression ends every loop that builds a larger one from the last, and
 /// [`within`](crate::num::work::within) throws away what is made of it.
-fn nothing() -> Expr {
-    Expr::zero()
+fn cut() -> Expr {
+    Expr::raw(Node::Constant(Constant::Cut))
 }
 
 /// The sum of the terms: nested sums flattened, like terms collected, numbers folded.
@@ -21,7 +21,7 @@ pub(super) fn sum(terms: impl IntoIterator<Item = Expr>) -> Expr {
 
 fn sum_of(mut pending: Vec<Expr>) -> Expr {
     if is_exhausted() {
-        return nothing();
+        return cut();
     }
     let mut constant = Number::integer(0);
     let mut collected: BTreeMap<Expr, Number> = BTreeMap::new();
@@ -29,6 +29,7 @@ fn sum_of(mut pending: Vec<Expr>) -> Expr {
     while let Some(term) = pending.pop() {
         match term.node() {
             Node::Number(number) => constant = &constant + number,
+            Node::Constant(Constant::Cut) => return term,
             Node::Sum(inner) => pending.extend(inner.iter().rev().cloned()),
             _ => {
                 let (coefficient, rest) = split_coefficient(&term);
@@ -83,7 +84,7 @@ pub(super) fn product(factors: impl IntoIterator<Item = Expr>) -> Expr {
 
 fn product_of(mut pending: Vec<Expr>) -> Expr {
     if is_exhausted() {
-        return nothing();
+        return cut();
     }
     let mut coefficient = Number::integer(1);
     let mut exponents: BTreeMap<Expr, Vec<Expr>> = BTreeMap::new();
@@ -92,6 +93,7 @@ fn product_of(mut pending: Vec<Expr>) -> Expr {
         while let Some(factor) = pending.pop() {
             match factor.node() {
                 Node::Number(number) => coefficient = &coefficient * number,
+                Node::Constant(Constant::Cut) => return factor,
                 Node::Product(inner) => pending.extend(inner.iter().cloned()),
                 _ => {
                     let (base, exponent) = split_power(&factor);
@@ -157,8 +159,8 @@ fn rejoin(base: &Expr, exponent: &Expr) -> Expr {
 ///
 /// (u^p)^q becomes u^(pq) only for whole q or u proven positive; √(u²) of unknown sign becomes |u|.
 pub(super) fn power(base: &Expr, exponent: &Expr) -> Expr {
-    if is_exhausted() {
-        return nothing();
+    if is_exhausted() || base.is_cut() || exponent.is_cut() {
+        return cut();
     }
     if exponent.is_zero() || base.is_one() {
         return Expr::one();
@@ -326,6 +328,9 @@ fn extract_power(radicand: &Number, rest: i64, k: u32) -> Option<(Number, Number
 
 /// The function of the arguments, folded if its row has a shorter form.
 pub(super) fn function(function: Function, arguments: Vec<Expr>) -> Expr {
+    if is_exhausted() || arguments.iter().any(Expr::is_cut) {
+        return cut();
+    }
     if let Some(folded) = function.row().fold.and_then(|fold| fold(&arguments)) {
         return folded;
     }

@@ -59,13 +59,18 @@ pub enum Node {
     Sum(Vec<Expr>),
 }
 
-/// The two named constants.
+/// The named constants, and what is no number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Constant {
     /// π = 3.14159…
     Pi,
     /// Euler's number e = 2.71828…
     Euler,
+    /// What constructors return beyond the work limit.
+    ///
+    /// It has neither a value nor a sign, no tape is compiled from it, the mark that stands for it in a printed formula is not read back,
+    /// and no sum, product, power or function of it is anything else, so that it never cancels.
+    Cut,
 }
 
 /// The name of a parameter or variable.
@@ -259,6 +264,11 @@ impl Expr {
     /// True for the number 0.
     pub fn is_zero(&self) -> bool {
         self.as_number().is_some_and(Number::is_zero)
+    }
+
+    /// True if the work limit ended the construction; see [`Constant::Cut`].
+    pub fn is_cut(&self) -> bool {
+        matches!(self.node(), Node::Constant(Constant::Cut))
     }
 
     /// True for the number 1.

@@ -41,6 +41,7 @@ pub fn sign(expr: &Expr) -> Sign {
     match expr.node() {
         Node::Number(number) if number.is_zero() => Sign::Zero,
         Node::Number(number) if number.is_negative() => Sign::Negative,
+        Node::Constant(Constant::Cut) => Sign::Unknown,
         Node::Number(_) | Node::Constant(_) | Node::Symbol(_) => Sign::Positive,
         Node::Sum(terms) => terms.iter().map(sign).reduce(|a, b| if a == b { a } else { Sign::Unknown }).unwrap_or(Sign::Zero),
         Node::Product(factors) => factors.iter().map(sign).fold(Sign::Positive, Sign::times),
@@ -79,7 +80,7 @@ fn value(expr: &Expr) -> Option<f64> {
         Node::Number(number) => number.to_f64(),
         Node::Constant(Constant::Pi) => std::f64::consts::PI,
         Node::Constant(Constant::Euler) => std::f64::consts::E,
-        Node::Symbol(_) => return None,
+        Node::Symbol(_) | Node::Constant(Constant::Cut) => return None,
         Node::Power(base, exponent) => value(base)?.powf(value(exponent)?),
         Node::Function(function, arguments) => {
             let arguments = arguments.iter().map(value).collect::<Option<Vec<f64>>>()?;

@@ -15,6 +15,7 @@ pub(in crate::print) fn write(math: &Math) -> String {
         Math::Name(name) => symbol(name),
         Math::Constant(Constant::Pi) => "\\pi".to_owned(),
         Math::Constant(Constant::Euler) => "e".to_owned(),
+        Math::Constant(Constant::Cut) => "?".to_owned(),
         Math::Sum(terms) => signed_terms(terms, "-", write),
         Math::Negative(inner) => format!("-{}", write(inner)),
         Math::Product(factors) => product(factors),

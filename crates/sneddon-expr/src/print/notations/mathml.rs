@@ -40,6 +40,7 @@ pub(in crate::print) fn write(math: &Math) -> String {
         Math::Name(name) => symbol(name),
         Math::Constant(Constant::Pi) => "<mi>π</mi>".to_owned(),
         Math::Constant(Constant::Euler) => "<mi mathvariant=\"normal\">e</mi>".to_owned(),
+        Math::Constant(Constant::Cut) => "<mi>?</mi>".to_owned(),
         Math::Sum(terms) => {
             let mut parts = Vec::with_capacity(2 * terms.len());
             for (place, (negative, term)) in terms.iter().enumerate() {

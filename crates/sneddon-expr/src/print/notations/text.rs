@@ -23,6 +23,7 @@ pub(in crate::print) fn write(math: &Math) -> String {
         Math::Name(name) => name.clone(),
         Math::Constant(Constant::Pi) => "pi".to_owned(),
         Math::Constant(Constant::Euler) => "e".to_owned(),
+        Math::Constant(Constant::Cut) => "?".to_owned(),
         Math::Sum(terms) => signed_terms(terms, "-", |term| at_least(term, Binding::Product)),
         Math::Negative(inner) => format!("-{}", at_least(inner, Binding::Product)),
         Math::Product(factors) => factors.iter().map(|factor| at_least(factor, Binding::Product)).collect::<Vec<_>>().join("*"),
