@@ -2,11 +2,13 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use super::schemas::{faults, schema};
-use serde_json::Value;
+use serde_json::{Value, json};
+use sneddon::parse;
+use sneddon_checks::profiles::{self, Sample};
 use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// Commands of every kind; FILE is a file that exists.
@@ -34,6 +36,25 @@ const COMMANDS: &[&str] = &[
     "plot r^2 --quantity p -o FILE.svg",
 ];
 
+/// Commands for any profile; PROFILE is its text and its parameters.
+const TEMPLATES: &[&str] = &[
+    "derive PROFILE",
+    "derive PROFILE --json",
+    "derive PROFILE --steps",
+    "derive PROFILE --format latex",
+    "derive PROFILE -o FILE.json",
+    "code PROFILE --lang c --quantity g -o FILE.c",
+    "eval PROFILE --quantity g --at 0.1:0.9:5 --json",
+    "eval PROFILE --quantity F --at 0.2,0.7",
+    "eval PROFILE --quantity p --radius 0.8 --at 0:0.7:5 --csv",
+    "eval PROFILE --quantity a --at 0.05,0.4 --json",
+    "compare PROFILE --at 0.3,0.7 --json",
+    "solve scene.toml --json",
+    "solve scene.toml -o FILE.csv",
+    "validate scene.toml rows.csv --json",
+    "reference scene.toml --grid 0:1:4 -o FILE.csv",
+];
+
 #[derive(PartialEq)]
 struct Answer {
     code: i32,
@@ -44,15 +65,49 @@ struct Answer {
 const BEFORE: &str = "as it was";
 
 fn answer(command: &str, budget: f64, round: usize) -> Answer {
+    let words: Vec<&str> = command.split(' ').collect();
+    answered(&words, budget, &place(round))
+}
+
+fn place(round: usize) -> PathBuf {
     let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("budgets").join(round.to_string());
     fs::create_dir_all(&place).unwrap();
-    let words: Vec<&str> = command.split(' ').collect();
+    place
+}
+
+/// The answer of a command of [`TEMPLATES`] for a profile.
+fn answer_for(profile: &Sample, template: &str, budget: f64, place: &Path) -> Answer {
+    let symbols: Vec<_> =
+        parse::profile(&profile.text).map_or_else(|_| Vec::new(), |own| own.expressions().iter().flat_map(|own| own.symbols()).collect());
+    let values: Vec<_> = profile.values.iter().filter(|(name, _)| symbols.iter().any(|own| own.name() == *name)).collect();
+    let sets: Vec<String> = values.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    let mut words: Vec<&str> = Vec::new();
+    for word in template.split(' ') {
+        if word == "PROFILE" {
+            words.extend(sets.iter().flat_map(|set| ["--set", set]).chain([profile.text.as_str()]));
+        } else {
+            words.push(word);
+        }
+    }
+    let parameters: Vec<String> = values.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let scene = format!(
+        "[profile]\nf = \"{}\"\nparameters = {{ {} }}\n[material]\neffective_modulus = 1\n[load]\ndepth = [0.05, 0.4]\n\
+         [outputs]\nquantities = [\"p\"]\nat = {{ start = 0, stop = 0.4, count = 4 }}\n",
+        profile.text,
+        parameters.join(", ")
+    );
+    fs::write(place.join("scene.toml"), scene).unwrap();
+    fs::write(place.join("rows.csv"), "d,F\n0.05,0.01\n0.4,0.2\n").unwrap();
+    answered(&words, budget, place)
+}
+
+fn answered(words: &[&str], budget: f64, place: &Path) -> Answer {
     let file = words.iter().find(|own| own.starts_with("FILE"));
     if let Some(name) = file {
         fs::write(place.join(name), BEFORE).unwrap();
     }
     let budget = format!("{budget:e}");
-    let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(&words).args(["--budget", &budget]).current_dir(&place).output().unwrap();
+    let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(words).args(["--budget", &budget]).current_dir(place).output().unwrap();
     Answer {
         code: done.status.code().unwrap(),
         text: String::from_utf8(done.stdout).unwrap(),
@@ -62,7 +117,8 @@ fn answer(command: &str, budget: f64, round: usize) -> Answer {
 
 /// The first value of a partial document that differs from the whole one.
 fn new(whole: &Value, part: &Value, place: &str) -> Option<String> {
-    const OF_THE_CUT: [&str; 4] = ["complete", "why", "check", "method"];
+    // A point whose neighbour was cut does not use what was found for it.
+    const OF_THE_CUT: [&str; 5] = ["complete", "why", "check", "method", "evaluations"];
     match (whole, part) {
         _ if part.is_null() || whole == part => None,
         // A comparison that was cut has fewer points.
@@ -78,6 +134,16 @@ fn new(whole: &Value, part: &Value, place: &str) -> Option<String> {
                 let absent = Value::Null;
                 new(whole.get(key).unwrap_or(&absent), own, &format!("{place}/{key}")).filter(|_| part.get("value") != Some(&absent))
             })
+        }
+        // A row that was cut says so in a finding.
+        (Value::Array(whole), Value::Array(part)) if part.iter().any(|own| own["rule"] == "unfinished") => {
+            // A summary counts the rows that were finished.
+            let counts = |own: &Value, known: &Value| {
+                own["rows"].is_u64() && known["rule"] == own["rule"] && known["rows"].as_u64() >= own["rows"].as_u64()
+            };
+            let is_known = |own: &Value| whole.iter().any(|known| known == own || counts(own, known));
+            let other = part.iter().find(|own| own["rule"] != "unfinished" && !is_known(own));
+            other.map(|own| format!("{place}: {own}"))
         }
         (Value::Array(whole), Value::Array(part)) if whole.len() == part.len() => {
             whole.iter().zip(part).find_map(|(whole, part)| new(whole, part, &format!("{place}[]")))
@@ -103,7 +169,9 @@ fn foreign(whole: &str, own: &str) -> Option<String> {
     if own.is_empty() || own == whole {
         return None;
     }
-    if let (Ok(whole), Ok(part)) = (serde_json::from_str::<Value>(whole), serde_json::from_str::<Value>(own)) {
+    if let Ok(part) = serde_json::from_str::<Value>(own) {
+        // The large budget shows that the input is refused.
+        let whole = serde_json::from_str::<Value>(whole).unwrap_or_else(|_| json!({ "schema": part["schema"] }));
         if !(part["complete"] == false && part["why"].is_string()) {
             return Some(format!("not marked as incomplete: {own:.300}"));
         }
@@ -137,6 +205,27 @@ fn a_small_budget_gives_the_same_answer_a_part_of_it_or_none() {
 }
 
 /// A point outside the domain or beyond the budget has no value; the others keep theirs.
+/// The same for random profiles, as people type them.
+#[test]
+fn a_small_budget_gives_no_other_answer_for_random_profiles() {
+    let (mut stream, mut cut, mut valid) = (Stream::new(337), 0, 0);
+    for round in 0..cases(12, 340) {
+        let profile = profiles::sample(&mut stream);
+        let place = place(2000 + round);
+        let template = TEMPLATES[round % TEMPLATES.len()];
+        let whole = answer_for(&profile, template, 10.0, &place);
+        valid += u32::from(whole.code == 0);
+        for _ in 0..3 {
+            let budget = 10f64.powf(stream.uniform(-6.0, 0.0));
+            let own = answer_for(&profile, template, budget, &place);
+            cut += u32::from(own.code == 1 && whole.code != 1);
+            let fault = fault(&whole, &own);
+            assert!(fault.is_none(), "{template} of {profile:?} --budget {budget:e}: {}", fault.unwrap());
+        }
+    }
+    assert!(cut > cases(3, 100) && valid > cases(3, 100), "{cut} of {valid} were cut");
+}
+
 #[test]
 fn points_keep_their_values_where_others_have_none() {
     let all = |budget: f64| answer("eval struveh(0,r)*r^2 --quantity p --at 0:0.99:40 --radius 1 --csv", budget, 9999);
