@@ -5,7 +5,7 @@ mod kernels;
 use crate::eval::{BoundedAlgebra, EvalError, constant_value, walk};
 use crate::expr::{Bindings, Condition, Expr, Sign, Symbol, sign};
 use crate::num::{Bounded, Estimate};
-use crate::transform::{ClosedForm, Reading, Solution, Term};
+use crate::transform::{ClosedForm, Reading, Solution, Term, at_least_zero};
 
 /// a(d) and F(d) of a smooth-edged contact, with their conditions.
 #[derive(Clone, Debug)]
@@ -132,13 +132,7 @@ fn worn_paraboloid(term: &Term) -> Option<Explicit> {
 fn positive(expr: &Expr) -> Option<Vec<Condition>> {
     match sign(expr) {
         Sign::Positive => Some(Vec::new()),
-        Sign::Unknown => {
-            // Factors of proven sign decide nothing: 0 < (π/2) tan θ is 0 < tan θ.
-            let factors = expr.factors();
-            let (open, known): (Vec<Expr>, Vec<Expr>) = factors.into_iter().partition(|f| sign(f) == Sign::Unknown);
-            let flip = if sign(&Expr::product(known)) == Sign::Negative { Expr::integer(-1) } else { Expr::one() };
-            Some(vec![Condition::less(Expr::zero(), flip * Expr::product(open))])
-        }
+        Sign::Unknown => Some(vec![at_least_zero(expr)]),
         Sign::Zero | Sign::Negative => None,
     }
 }

@@ -250,3 +250,16 @@ fn other_numbers_of_digits_are_refused() {
         assert_eq!((done.status.code(), done.stdout.len()), (Some(2), 0));
     }
 }
+
+/// 0.5 equals 1/2 and is printed as it was typed, also where the other form occurs beside it.
+#[test]
+fn numbers_keep_their_form_beside_equal_ones() {
+    for (profile, expected) in [
+        ("max(0,r-0.5)", "F(a) = piecewise(0, a < 0.5, E*(a^2*acos(0.5/a) + 0.5*sqrt(a^2 - 0.25)))"),
+        ("abs(r-0.5)+r^1.5", "sqrt(a^2 - 0.25)"),
+    ] {
+        let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(["derive", profile]).output().unwrap();
+        let text = String::from_utf8(done.stdout).unwrap();
+        assert!(text.contains(expected) && !text.contains("(1/2"), "{text}");
+    }
+}

@@ -39,6 +39,11 @@ fn closed_forms_hold_for_either_sign_of_an_offset() {
         "atan(r/(R-b))",
         "atanh(r/(R-b))",
         "sin(r/(R-b))",
+        "1/((R-b)^2+r^2)",
+        "ln((R-b)^2+r^2)",
+        "sqrt((R-b)^2+r^2)",
+        "r*atan(r/(R^2-2*R*b+b^2))",
+        "r^3/((R-b)^2-r^2)",
     ] {
         let solution = solution(text);
         for _ in 0..cases(4, 60) {
@@ -64,6 +69,30 @@ fn closed_forms_hold_for_either_sign_of_an_offset() {
         }
     }
     assert!(compared >= 150 && exact >= 60, "{compared} numbers, {exact} from closed forms");
+}
+
+/// Class "impossible conditions": a square in a divisor is not negative, whatever it was expanded to. `1/((R-b)^2+r^2)` had formulas for
+/// 0 < 2bR − b² − R².
+#[test]
+fn conditions_on_squares_and_divisors_are_possible() {
+    for (text, expected) in [
+        ("1/((R-b)^2+r^2)", &["0 < (R - b)^2"][..]),
+        ("sqrt(R^2-2*R*b+b^2+r^2)", &["0 < (R - b)^2"]),
+        ("-1/(R^2+b^2-2*R*b+r^2)^2", &["0 < (R - b)^2"]),
+        ("1/((R+b)^2+r^2)", &[]),
+    ] {
+        let own = solution(text);
+        let shown: Vec<String> = own.conditions.iter().map(print::text_condition).collect();
+        assert_eq!(shown, expected, "{text}");
+        assert!(own.terms().any(|term| term.answer.is_some()), "{text}");
+    }
+    for (text, expected) in
+        [("r^2/(R-b)", "b < R"), ("r^2*k/(b-R)", "R < b"), ("r^2/(R-b)^2", "0 < (R - b)^2"), ("r*tan(theta)", "0 < tan(theta)")]
+    {
+        let explicit = sneddon::contact::explicit(&solution(text)).unwrap();
+        let shown: Vec<String> = explicit.conditions.iter().map(print::text_condition).collect();
+        assert_eq!(shown, [expected], "{text}");
+    }
 }
 
 /// The conditions name the pole if they also imply the sign of the divisor at the axis; otherwise they state that it keeps its sign.

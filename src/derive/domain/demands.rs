@@ -194,7 +194,33 @@ pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Ve
 }
 
 /// 0 < expr, solved for a parameter where that leaves a parameter alone on either side, as in b < R.
+///
+/// Factors of known sign are dropped, 1/u has the sign of u, and a square must only not be zero.
 pub(crate) fn at_least_zero(expr: &Expr) -> Condition {
+    let (mut open, mut squares) = (Vec::new(), Vec::new());
+    let mut is_negative = false;
+    for factor in expr.factors() {
+        let (base, exponent) = factor.split_power();
+        match (sign(&factor), exponent.as_integer()) {
+            (Sign::Positive, _) => {}
+            (Sign::Negative, _) => is_negative = !is_negative,
+            (_, Some(n)) if n % 2 == 0 => squares.push(base.power(2)),
+            (_, Some(_)) => open.push(base),
+            _ => open.push(factor),
+        }
+    }
+    if open.is_empty() && !is_negative && !squares.is_empty() {
+        return Condition::less(Expr::zero(), Expr::product(squares));
+    }
+    let sides = Expr::product(open.into_iter().chain(squares));
+    let own = if is_negative { -sides } else { sides };
+    if let Some(root) = normal::square_root(&own) {
+        return Condition::less(Expr::zero(), root.power(2));
+    }
+    solved_for_a_parameter(&own).unwrap_or_else(|| Condition::less(Expr::zero(), own))
+}
+
+fn solved_for_a_parameter(expr: &Expr) -> Option<Condition> {
     for symbol in expr.symbols() {
         let Ok(terms) = normal::normal_terms(expr, &symbol) else { continue };
         let [one, other] = terms.as_slice() else { continue };
@@ -208,10 +234,10 @@ pub(crate) fn at_least_zero(expr: &Expr) -> Condition {
             continue;
         }
         let own = Expr::from(symbol);
-        return match sign(&power.coefficient) {
+        return Some(match sign(&power.coefficient) {
             Sign::Negative => Condition::less(own, limit),
             _ => Condition::less(limit, own),
-        };
+        });
     }
-    Condition::less(Expr::zero(), expr.clone())
+    None
 }

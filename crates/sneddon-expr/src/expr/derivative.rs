@@ -23,7 +23,8 @@ pub fn derivative(expr: &Expr, symbol: &Symbol) -> Result<Expr, ExprError> {
 /// The derivatives of the parts of one expression, many of which occur repeatedly.
 struct Derivatives<'a> {
     symbol: &'a Symbol,
-    known: HashMap<Expr, Expr>,
+    /// By address, because 0.5 equals 1/2 and is printed in another way; each part is kept, so that its address is not reused.
+    known: HashMap<usize, (Expr, Expr)>,
 }
 
 impl Derivatives<'_> {
@@ -31,7 +32,7 @@ impl Derivatives<'_> {
         if !expr.contains(self.symbol) {
             return Ok(Expr::zero());
         }
-        if let Some(known) = self.known.get(expr) {
+        if let Some((_, known)) = self.known.get(&expr.address()) {
             return Ok(known.clone());
         }
         let (mut factors, inner) = self.chain(expr)?;
@@ -41,7 +42,7 @@ impl Derivatives<'_> {
             factors.push(self.of(&inner)?);
             Expr::product(factors)
         };
-        self.known.insert(expr.clone(), found.clone());
+        self.known.insert(expr.address(), (expr.clone(), found.clone()));
         Ok(found)
     }
 

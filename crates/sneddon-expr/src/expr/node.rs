@@ -285,7 +285,7 @@ impl Expr {
         }
     }
 
-    /// The expression and all expressions in it, each distinct one once, from the outside in.
+    /// The expression and all expressions in it, each shared one once, from the outside in.
     ///
     /// ```
     /// use sneddon_expr::expr::Expr;
@@ -298,7 +298,7 @@ impl Expr {
         std::iter::from_fn(move || {
             loop {
                 let own = pending.pop()?;
-                if seen.insert(own) {
+                if seen.insert(own.address()) {
                     pending.extend(own.children().into_iter().rev());
                     return Some(own);
                 }

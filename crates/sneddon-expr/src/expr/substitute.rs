@@ -1,4 +1,4 @@
-//! Replacing symbols and other parts of an expression, each distinct part once.
+//! Replacing symbols and other parts of an expression, each shared part once.
 
 use super::{Expr, Node, Symbol};
 use std::cell::RefCell;
@@ -60,7 +60,7 @@ impl<'a> FromIterator<(&'a str, Expr)> for Bindings {
 /// What a part becomes, given how its own parts are rewritten; `None` if only its operands change.
 pub type Rule<'a> = dyn Fn(&Expr, &dyn Fn(&Expr) -> Expr) -> Option<Expr> + 'a;
 
-/// The expression with every part rewritten by the rule, each distinct part once.
+/// The expression with every part rewritten by the rule, each shared part once.
 ///
 /// ```
 /// use sneddon_expr::expr::{Expr, Node, rewritten};
@@ -82,8 +82,8 @@ pub fn rewritten(expr: &Expr, rule: &Rule<'_>) -> Expr {
 /// A rule and what it made of the parts of several expressions.
 pub struct Rewriting<'a> {
     rule: &'a Rule<'a>,
-    /// `None` for parts that did not change.
-    known: RefCell<HashMap<Expr, Option<Expr>>>,
+    /// By address, because 0.5 equals 1/2 and is printed in another way; each part is kept, so that its address is not reused.
+    known: RefCell<HashMap<usize, (Expr, Expr)>>,
 }
 
 impl<'a> Rewriting<'a> {
@@ -92,14 +92,14 @@ impl<'a> Rewriting<'a> {
         Self { rule, known: RefCell::default() }
     }
 
-    /// The expression with every part rewritten by the rule, each distinct part once.
+    /// The expression with every part rewritten by the rule, each shared part once.
     pub fn of(&self, expr: &Expr) -> Expr {
-        if let Some(found) = self.known.borrow().get(expr) {
-            return found.as_ref().unwrap_or(expr).clone();
+        if let Some((_, found)) = self.known.borrow().get(&expr.address()) {
+            return found.clone();
         }
         let again = |own: &Expr| self.of(own);
         let found = (self.rule)(expr, &again).unwrap_or_else(|| with_operands(expr, &again));
-        self.known.borrow_mut().insert(expr.clone(), Some(&found).filter(|found| found.address() != expr.address()).cloned());
+        self.known.borrow_mut().insert(expr.address(), (expr.clone(), found.clone()));
         found
     }
 }

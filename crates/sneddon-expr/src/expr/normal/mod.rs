@@ -109,6 +109,20 @@ pub fn is_proven_zero(expr: &Expr, variable: &Symbol) -> bool {
         || Polynomial::canonical(expr, variable).is_ok_and(|p| p.is_zero())
 }
 
+/// The exact square root of a polynomial in its symbols, up to its sign; `None` if it is no square.
+///
+/// ```
+/// use sneddon_expr::expr::{Expr, normal::square_root};
+/// let (a, b) = (Expr::symbol("a"), Expr::symbol("b"));
+/// let square = a.power(2) - Expr::integer(2) * &a * &b + b.power(2);
+/// assert_eq!(square_root(&square).unwrap().power(2), (&a - &b).power(2));
+/// assert_eq!(square_root(&-square), None);
+/// ```
+pub fn square_root(expr: &Expr) -> Option<Expr> {
+    let polynomial = Polynomial::from_expr(expr, &Symbol::new("r")).ok()?;
+    Some(sparse::square_root(&polynomial)?.to_expr())
+}
+
 /// The coefficients c_k of a polynomial in the variable, by increasing k; `None` if the expression is not a polynomial.
 pub fn polynomial_coefficients(expr: &Expr, variable: &Symbol) -> Option<Vec<Expr>> {
     coefficients(&normal_terms(expr, variable).ok()?)

@@ -174,6 +174,9 @@ fn is_reversed(base: &Polynomial) -> bool {
         match sign(&constant.to_expr()) {
             Sign::Positive => return false,
             Sign::Negative => return true,
+            // (R − b)² + r² keeps its sign.
+            _ if sparse::square_root(&constant).is_some() => return false,
+            _ if sparse::square_root(&constant.scaled(&Number::integer(-1))).is_some() => return true,
             _ => {}
         }
     }
