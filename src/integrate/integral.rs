@@ -566,7 +566,7 @@ pub(crate) fn settled(found: Estimate, at: f64, scale: impl FnOnce() -> f64) -> 
 const LOST: f64 = 0.01;
 /// An error above this fraction of the integral of the magnitude, or of the value if the samples are smaller, indicates a pole or
 /// an unresolved feature instead of rounding noise.
-const BEYOND: f64 = 0.5;
+const BEYOND: f64 = 0.1;
 
 /// The integral of |f| over (0, width) by its values at 32 midpoints.
 pub(crate) fn magnitude(width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {

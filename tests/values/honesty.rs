@@ -3,10 +3,10 @@
 
 use sneddon::contact::{Contact, ContactError};
 use sneddon::expr::Bindings;
-use sneddon::num::Bound;
 use sneddon::num::quadrature::Rule;
 use sneddon::num::special;
 use sneddon::num::work::{self, Budget};
+use sneddon::num::{Bound, Estimate};
 use sneddon::parse;
 use sneddon::transform::{Evaluator, Method, Profile, Reading, Solution, TransformError, derive};
 use sneddon_checks::decimal::Decimal;
@@ -372,4 +372,31 @@ fn integrals_without_a_proof_see_what_is_narrow() {
         // Next to the kink hardly a digit can be promised.
         assert!(quantity == "G" || found.relative_error() < 1e-12, "{text} {quantity}({at}): {found:?}");
     }
+}
+
+/// Class "features many decades below the end": far out, f = arsinh rⁿ is n ln r + ln 2, and g is n ln(2x) + ln 2. Where rⁿ overflows,
+/// quadrature ended at the lowest part of the range that it divided: g of `asinh(r^2)` at 1e78 was 150 ± 41 for 361.
+#[test]
+fn a_quadrature_that_misses_decades_is_refused() {
+    let mut refused = 0;
+    for n in [2, 3, 4] {
+        let solution = solution(&format!("asinh(r^{n})"));
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+        for decade in (15..150).step_by(9) {
+            let x = 10f64.powi(decade);
+            let expected = f64::from(n) * (2.0 * x).ln() + 2f64.ln();
+            match evaluator.slope(x) {
+                Ok(found) => {
+                    let Estimate { value, error, .. } = found.estimate;
+                    assert!(
+                        (value - expected).abs() <= error + 1e-15 * expected,
+                        "asinh(r^{n}) at {x:e}: {value} with {error:e} for {expected}"
+                    );
+                }
+                Err(TransformError::NoDigits { .. }) => refused += 1,
+                Err(other) => panic!("{other}"),
+            }
+        }
+    }
+    assert!(refused < 32, "{refused} refused");
 }

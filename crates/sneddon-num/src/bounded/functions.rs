@@ -232,7 +232,9 @@ pub fn reach_between(mut f: impl FnMut(f64) -> f64, x: Bounded, value: f64) -> f
     if step.is_infinite() {
         return step;
     }
-    while step > nearest {
+    // A step below the spacing of the numbers leads back to the value.
+    let moves = |step: f64| x.value + step != x.value || x.value - step != x.value;
+    while step > nearest && moves(step) {
         for moved in [f(x.value + step), f(x.value - step)] {
             // Points beyond the edge of the domain do not contribute.
             if moved.is_finite() {

@@ -229,6 +229,19 @@ fn exact_arguments_cost_one_evaluation() {
     assert!(sum.error >= 1e-3 && sum.error <= 2.1e-3);
 }
 
+/// An argument of 1e160 with a small relative error took 480 evaluations, all but a few of them at the argument itself.
+#[test]
+fn huge_arguments_cost_few_evaluations() {
+    let calls = std::cell::Cell::new(0);
+    let count = |x: &[f64]| {
+        calls.set(calls.get() + 1);
+        x[0].ln()
+    };
+    let argument = Bounded { value: 1e160, error: 3e144 };
+    let found = Bounded::apply_many(count, &[argument], 1.0);
+    assert!(calls.get() < 10 && found.error < 1e-12, "{calls:?} {found:?}");
+}
+
 /// Between distant ends: a function that decays on both sides, and one that oscillates.
 #[test]
 fn ends_that_are_far_apart_do_not_tell_alone() {
