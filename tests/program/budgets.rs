@@ -235,6 +235,12 @@ fn points_keep_their_values_where_others_have_none() {
     let values = |own: &Answer| own.text.lines().skip(1).filter(|line| !line.contains(",,")).map(str::to_owned).collect::<Vec<_>>();
     let (all, some) = (values(&whole), values(&part));
     assert!(all.len() == 40 && some.len() >= 5 && some.len() < 40 && some.iter().all(|line| all.contains(line)), "{some:?}");
+    // What is only told about all points, here whether g decreases below the largest radius, has a part of the budget left for the answer:
+    // after the search for the radius of 1e4, which does not exist, nothing was written.
+    let radii = answer("eval asinh(r^5) --quantity a --at 0.3,1,1e4 --json", 0.4, 9999);
+    let radii: Value = serde_json::from_str(&radii.text).unwrap();
+    let values: Vec<bool> = radii["points"].as_array().unwrap().iter().map(|own| own["value"].is_f64()).collect();
+    assert_eq!(values, [true, true, false]);
     // A point outside the domain is null and does not affect the other points.
     let sphere = answer("eval R-sqrt(R^2-r^2) --set R=2 --quantity F --at 1,2,3 --json", 3.0, 9999);
     let points: Value = serde_json::from_str(&sphere.text).unwrap();

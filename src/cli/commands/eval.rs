@@ -8,7 +8,7 @@ use crate::cli::{Failure, Outcome, budget, curve, input, points, series};
 use crate::contact::{self, Asked, Contact, ContactError, Explained, Measured, Quantity, Reason};
 use crate::eval::constant_value;
 use crate::expr::Bindings;
-use crate::num::Estimate;
+use crate::num::{Estimate, work};
 use crate::report::{self, Evaluation, Shift, Units};
 use crate::scene::Dimension;
 use crate::transform::{self, Evaluator, Method, Profile, Reading, TransformError, WAYS, Way};
@@ -220,7 +220,8 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         contact::each_point(&at, read).map_err(failed)?
     };
     if depth.is_none() {
-        warn_of_falls(&contact, quantity, &at, radius);
+        let known: Vec<f64> = at.iter().zip(&readings).filter(|(_, reading)| reading.is_ok()).map(|(at, _)| *at).collect();
+        work::part(|| warn_of_falls(&contact, quantity, &known, radius));
     }
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
