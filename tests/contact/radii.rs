@@ -133,6 +133,8 @@ fn waves_and_ends_are_followed() {
         ("max(0,r-1e-6)^2/4e-7", &[1e-9]),
         ("1e-6-sqrt(1e-12-(r-2e-7)^2)", &[1e-9, 3e-6]),
         ("1e-6*acos(1-r/1e-6)-sqrt(2e-6*r-r^2)", &[1e-9, 3e-6]),
+        ("1e-6*(1-(1-(r/1e-6)^3)^(1/3))", &[1e-9, 1.5e-6]),
+        ("2e-9*(1-(1-(r/1e-9)^4)^(1/4))", &[1e-12, 3e-9]),
     ] {
         for depth in depths {
             let (_, back) = radius(text, 1.0, *depth).unwrap_or_else(|error| panic!("{text}: {error}"));

@@ -265,6 +265,21 @@ fn checks_of_high_powers_in_denominators_are_whole() {
 
 /// Class "a long list of expensive pressures is cut": one expansion computes all of them whatever the budget is, and its values agree with
 /// the proven values of single points. A short list does not use it.
+/// Class "the clock stops real commands": large sums and powers are whole within the default budget.
+#[test]
+fn large_profiles_are_whole() {
+    let kinks = |n: usize| (1..=n).map(|i| format!("max(0,r-{i})")).collect::<Vec<_>>().join("+");
+    for words in [
+        vec!["derive", "max(0,r-b)^160", "--json"],
+        vec!["derive", &kinks(150), "--json"],
+        vec!["eval", &kinks(419), "--quantity", "p", "--radius", "400", "--at", "10.5,100.5,399.5", "--json"],
+    ] {
+        let done = Command::new(env!("CARGO_BIN_EXE_sneddon")).args(&words).output().unwrap();
+        let document: Value = serde_json::from_slice(&done.stdout).unwrap();
+        assert!(done.status.success() && document.get("complete").is_none(), "{:.40}: {:?}", words[1], document["why"]);
+    }
+}
+
 #[test]
 fn many_expensive_pressures_come_from_one_expansion() {
     for profile in ["r^2*(1+0.2*besselj(0,9*r)^2*exp(-r))", "besselj(0,r)^2*r"].into_iter().take(cases(1, 2)) {
