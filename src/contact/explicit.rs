@@ -5,7 +5,7 @@ mod kernels;
 use crate::eval::{BoundedAlgebra, EvalError, constant_value, walk};
 use crate::expr::{Bindings, Condition, Expr, Sign, Symbol, sign};
 use crate::num::{Bounded, Estimate};
-use crate::transform::{ClosedForm, Reading, Solution, Term, at_least_zero};
+use crate::transform::{ClosedForm, Reading, Solution, Term, above_zero};
 
 /// a(d) and F(d) of a smooth-edged contact, with their conditions.
 #[derive(Clone, Debug)]
@@ -132,7 +132,7 @@ fn worn_paraboloid(term: &Term) -> Option<Explicit> {
 fn positive(expr: &Expr) -> Option<Vec<Condition>> {
     match sign(expr) {
         Sign::Positive => Some(Vec::new()),
-        Sign::Unknown => Some(vec![at_least_zero(expr)]),
+        Sign::Unknown => Some(vec![above_zero(expr)]),
         Sign::Zero | Sign::Negative => None,
     }
 }

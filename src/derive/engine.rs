@@ -65,7 +65,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
         if let Some((_, answer)) = &term.answer {
             // State signs as the profile does: b < R instead of 0 < R − b.
             let is_sign = |own: &Condition| own.relation == Relation::Less && own.left.is_zero();
-            let stated = |own: &Condition| if is_sign(own) { demands::at_least_zero(&own.right) } else { own.clone() };
+            let stated = |own: &Condition| if is_sign(own) { demands::above_zero(&own.right) } else { own.clone() };
             conditions.extend(answer.conditions.iter().map(stated));
         }
     }

@@ -356,7 +356,7 @@ fn the_work_grows_little_faster_than_the_profile() {
         ("kinks", |n| repeated(n, "max(0,r-I)", "+"), 1.1),
         ("pieces", pieces, 1.1),
         ("nested roots", |n| nested(n, "1+sqrt(U)"), 1.1),
-        ("nested sines", |n| nested(n, "sin(U)"), 1.1),
+        ("nested sines", |n| nested(n, "sin(U)"), 1.0),
         // The product has n coefficients of up to n digits.
         ("factors", |n| repeated(n, "(r+I)", "*"), 1.3),
         ("binomials", |n| format!("(1+r)^{n}"), 0.8),
@@ -371,7 +371,8 @@ fn the_work_grows_little_faster_than_the_profile() {
 }
 
 /// The factors of its f′ differ in their innermost parts only, which are parts of all that contain them: compared part by part, they took
-/// twice as many steps as by their levels first, and rewritten in every place where they occur, they took 83 million.
+/// twice as many steps as by their levels first, and rewritten in every place where they occur, they took
+/// 83 million, without their text.
 #[test]
 fn the_parts_of_nested_roots_are_compared_by_their_levels_and_rewritten_once() {
     let steps = counted(|| formulas(&nested(64, "1+sqrt(U)"))).1;
@@ -386,7 +387,7 @@ fn the_work_for_a_number_grows_little_faster_than_the_profile() {
     for (few, many, at, power) in [
         (pieces(25), pieces(50), 0.7, 1.0),
         (pieces(25), pieces(50), 24.5, 1.0),
-        (roots(20), roots(40), 0.7, 1.0),
+        (roots(20), roots(40), 0.7, 0.8),
         // With twice as many levels, twice as many nodes are needed.
         (sines(40), sines(80), 0.7, 1.7),
     ] {

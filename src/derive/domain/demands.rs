@@ -99,7 +99,7 @@ fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
                 Some(_) => Err(never()),
                 // A divisor of unknown sign must only not be zero.
                 None if demand.either_sign => Ok(Outcome::Holds),
-                None => Ok(Outcome::Holding(at_least_zero(expr))),
+                None => Ok(Outcome::Holding(above_zero(expr))),
             },
         };
     }
@@ -157,7 +157,7 @@ fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
         }
         let start = Bindings::one("r", lower.clone()).apply(expr);
         if sign(&start) == Sign::Unknown && !start.symbols().is_empty() {
-            conditions.push(at_least_zero(&start));
+            conditions.push(above_zero(&start));
         }
     }
     if let Some(limit) = first_zero(expr, lower, *zero) {
@@ -181,7 +181,7 @@ pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Ve
             continue;
         }
         let start = Bindings::one("r", lower.clone()).apply(expr);
-        let is_given = |own: &Expr| conditions.contains(&at_least_zero(own));
+        let is_given = |own: &Expr| conditions.contains(&above_zero(own));
         let from = [expr.clone(), -expr].into_iter().zip([start.clone(), -&start]).find(|(_, start)| is_given(start));
         match from.map(|(expr, _)| first_zero(&expr, lower, *zero)) {
             Some(Some(limit)) => found.extend(below(limit, upper.as_ref())),
@@ -196,7 +196,7 @@ pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Ve
 /// 0 < expr, solved for a parameter where that leaves a parameter alone on either side, as in b < R.
 ///
 /// Factors of known sign are dropped, 1/u has the sign of u, and a square must only not be zero.
-pub(crate) fn at_least_zero(expr: &Expr) -> Condition {
+pub(crate) fn above_zero(expr: &Expr) -> Condition {
     let (mut open, mut squares) = (Vec::new(), Vec::new());
     let mut is_negative = false;
     for factor in expr.factors() {

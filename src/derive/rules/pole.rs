@@ -1,7 +1,7 @@
 //! Integrals of powers of w ± r over √(x²−r²), shared by the linear families.
 
 use super::combination::{Combination, Form};
-use crate::derive::domain::demands::at_least_zero;
+use crate::derive::domain::demands::above_zero;
 use crate::expr::{Condition, Expr, Sign, sign};
 use crate::integrate::segment::Segment;
 use std::cell::RefCell;
@@ -63,7 +63,7 @@ impl Pole {
         };
         let w = if above { -offset } else { offset };
         if sign(&w) == Sign::Unknown {
-            conditions.push(at_least_zero(&w));
+            conditions.push(above_zero(&w));
         }
         if above {
             conditions.push(Condition::less(segment.upper.clone().unwrap_or_else(|| Expr::symbol("r")), w.clone()));

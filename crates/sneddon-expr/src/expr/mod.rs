@@ -33,4 +33,4 @@ pub use number::Number;
 pub use shown::{has_30_digits, shown, shown_as_mathematics, shown_to_30_digits, shown_with_logarithms};
 pub use sign::{Sign, sign};
 pub(crate) use sign::{is_known_below, known_sign};
-pub use substitute::{Bindings, Rewriting, Rule, rewritten};
+pub use substitute::{Bindings, Rewriting, RewritingRule, rewritten};

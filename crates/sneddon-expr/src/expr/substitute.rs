@@ -58,7 +58,7 @@ impl<'a> FromIterator<(&'a str, Expr)> for Bindings {
 }
 
 /// What a part becomes, given how its own parts are rewritten; `None` if only its operands change.
-pub type Rule<'a> = dyn Fn(&Expr, &dyn Fn(&Expr) -> Expr) -> Option<Expr> + 'a;
+pub type RewritingRule<'a> = dyn Fn(&Expr, &dyn Fn(&Expr) -> Expr) -> Option<Expr> + 'a;
 
 /// The expression with every part rewritten by the rule, each shared part once.
 ///
@@ -75,20 +75,20 @@ pub type Rule<'a> = dyn Fn(&Expr, &dyn Fn(&Expr) -> Expr) -> Option<Expr> + 'a;
 /// });
 /// assert_eq!(bases, b.pow(&a));
 /// ```
-pub fn rewritten(expr: &Expr, rule: &Rule<'_>) -> Expr {
+pub fn rewritten(expr: &Expr, rule: &RewritingRule<'_>) -> Expr {
     Rewriting::new(rule).of(expr)
 }
 
 /// A rule and what it made of the parts of several expressions.
 pub struct Rewriting<'a> {
-    rule: &'a Rule<'a>,
+    rule: &'a RewritingRule<'a>,
     /// By address, because 0.5 equals 1/2 and is printed in another way; each part is kept, so that its address is not reused.
     known: RefCell<HashMap<usize, (Expr, Expr)>>,
 }
 
 impl<'a> Rewriting<'a> {
     /// The rule before it has rewritten anything.
-    pub fn new(rule: &'a Rule<'a>) -> Self {
+    pub fn new(rule: &'a RewritingRule<'a>) -> Self {
         Self { rule, known: RefCell::default() }
     }
 
