@@ -132,7 +132,7 @@ fn worn_paraboloid(term: &Term) -> Option<Explicit> {
 fn positive(expr: &Expr) -> Option<Vec<Condition>> {
     match sign(expr) {
         Sign::Positive => Some(Vec::new()),
-        Sign::Unknown => Some(vec![above_zero(expr)]),
+        Sign::Unknown => above_zero(expr).map(|own| vec![own]),
         Sign::Zero | Sign::Negative => None,
     }
 }

@@ -3,7 +3,8 @@
 use crate::derive::angles;
 use crate::derive::chain::Chain;
 use crate::derive::domain::demands;
-use crate::derive::kinks;
+use crate::derive::domain::located::is_approximate;
+use crate::derive::domain::numeric_sign::decided;
 use crate::derive::profile::Profile;
 use crate::derive::rules;
 use crate::derive::solved::{Agreement, SolvedChain, SolvedInterval, SolvedTerm};
@@ -65,7 +66,8 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
         if let Some((_, answer)) = &term.answer {
             // State signs as the profile does: b < R instead of 0 < R − b.
             let is_sign = |own: &Condition| own.relation == Relation::Less && own.left.is_zero();
-            let stated = |own: &Condition| if is_sign(own) { demands::above_zero(&own.right) } else { own.clone() };
+            let stated =
+                |own: &Condition| if is_sign(own) { demands::above_zero(&own.right).unwrap_or_else(|| own.clone()) } else { own.clone() };
             conditions.extend(answer.conditions.iter().map(stated));
         }
     }
@@ -76,7 +78,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     conditions.extend(demands::of_either_sign(&profile.demands, &conditions));
     conditions.sort();
     conditions.dedup();
-    conditions.retain(|c| c.decided() != Some(true));
+    conditions.retain(|own| decided(own) != Some(true));
     Ok(Solution { profile: profile.clone(), chains, conditions, verification })
 }
 
@@ -130,7 +132,7 @@ fn solve_interval(segment: Segment, slope: Expr, parts: Option<Vec<NormalTerm>>)
         None => vec![whole(&slope, &segment)],
     };
     // No formula is exact if a breakpoint was located numerically.
-    let rough = kinks::is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(kinks::is_approximate);
+    let rough = is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(is_approximate);
     let mut length = 0;
     let mut answer = |term: &Term| {
         let found = if rough || length >= rules::LARGEST { None } else { rules::answer(term) };

@@ -5,9 +5,11 @@ mod inversion;
 use crate::derive::angles;
 use crate::derive::angles::Positive;
 use crate::derive::chain::Chain;
+use crate::derive::domain::demands;
+use crate::derive::domain::located::approximate;
 use crate::derive::domain::numeric_sign::numeric_sign;
-use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape, WideAlgebra};
-use crate::expr::{Condition, Expr, Function, Node, Number, Sign, Symbol, normal, rewritten, shown_to_30_digits};
+use crate::eval::{BoundedAlgebra, PreciseAlgebra, Tape, WideAlgebra, constant_value};
+use crate::expr::{Bindings, Condition, Expr, Function, Node, Sign, Symbol, normal, rewritten, shown_to_30_digits};
 use crate::integrate::error::TransformError;
 use crate::num::{Bounded, Precise, Wide};
 use inversion::Crossing;
@@ -24,10 +26,13 @@ pub(crate) fn is_below(breakpoint: Bounded, contact: f64) -> bool {
     breakpoint.value < contact || (breakpoint.error > 0.0 && breakpoint.value - breakpoint.error < contact)
 }
 
-/// A chain without abs, min and max, and the breakpoints at their kinks, at which the pieces meet.
+/// A chain without abs, min and max.
 pub(crate) struct Resolved {
     pub(crate) chain: Chain,
+    /// The breakpoints at kinks, at which the pieces meet.
     pub(crate) kinks: Vec<Expr>,
+    /// For each piece, the arguments of min and max that it does not use: f is defined only where they are, too.
+    pub(crate) unused: Vec<Vec<Expr>>,
 }
 
 /// Replaces every abs, min and max that depends on r by pieces.
@@ -38,10 +43,11 @@ pub(crate) struct Resolved {
 /// [`TransformError::Kinks`] if a kink cannot be located.
 pub(crate) fn resolve(mut chain: Chain, conditions: &mut Vec<Condition>) -> Result<Resolved, TransformError> {
     let mut kinks = Vec::new();
+    let mut unused = vec![Vec::new(); chain.pieces.len()];
     for _ in 0..MOST_KINKS {
         let found = chain.pieces.iter().enumerate().find_map(|(i, piece)| Some((i, find(piece)?)));
-        let Some((index, (function, arguments))) = found else { return Ok(Resolved { chain, kinks }) };
-        kinks.extend(split(&mut chain, index, function, &arguments, conditions)?);
+        let Some((index, (function, arguments))) = found else { return Ok(Resolved { chain, kinks, unused }) };
+        kinks.extend(split(&mut chain, &mut unused, index, function, &arguments, conditions)?);
     }
     Err(TransformError::TooManyPieces { limit: MOST_KINKS })
 }
@@ -79,6 +85,7 @@ fn find(expr: &Expr) -> Option<Kink> {
 /// throughout.
 fn split(
     chain: &mut Chain,
+    unused: &mut Vec<Vec<Expr>>,
     index: usize,
     function: Function,
     arguments: &[Expr],
@@ -96,7 +103,8 @@ fn split(
     let upper = chain.breakpoints.get(index).cloned();
     let Some(piece) = chain.pieces.get(index).cloned() else { return Err(failure(name, "the piece is missing")) };
     let constants = Positive::of(&difference);
-    let found = sign_changes(&constants.replaced(&difference), name).or_else(|_| sign_changes(&difference, name))?;
+    let range = [lower.as_ref().map_or(Some(0.0), number), upper.as_ref().map_or(Some(f64::INFINITY), number)];
+    let found = sign_changes(&constants.replaced(&difference), range, name).or_else(|_| sign_changes(&difference, range, name))?;
     let Changes { roots, starts: mut positive, end, conditions: needed } = found;
     let roots: Vec<Expr> = roots.iter().map(|root| constants.restored(root)).collect();
     conditions.extend(needed.into_iter().map(|own| Condition {
@@ -123,12 +131,18 @@ fn split(
         }
     }
     let target = Expr::function(function, arguments.to_vec());
-    let mut pieces = Vec::new();
+    let others = unused.get(index).cloned().unwrap_or_default();
+    let (mut pieces, mut lists) = (Vec::new(), Vec::new());
     for _ in 0..=inside.len() {
-        pieces.push(replace(&piece, &target, if positive { &above } else { &below }));
+        let (own, other) = if positive { (&above, &below) } else { (&below, &above) };
+        pieces.push(replace(&piece, &target, own));
+        // Both arguments of abs are the same up to their sign.
+        let other = (arguments.len() == 2 && demands::are_made(other)).then(|| other.clone());
+        lists.push(others.iter().cloned().chain(other).collect());
         positive = !positive;
     }
     chain.pieces.splice(index..=index, pieces);
+    unused.splice(index..=index, lists);
     chain.breakpoints.splice(index..index, inside.iter().cloned());
     Ok(inside)
 }
@@ -168,8 +182,13 @@ impl Changes {
     }
 }
 
-/// The sign changes on r > 0.
-fn sign_changes(difference: &Expr, name: &'static str) -> Result<Changes, TransformError> {
+/// The value of a breakpoint, if it has no parameters.
+fn number(place: &Expr) -> Option<f64> {
+    constant_value(place, &Bindings::default()).ok().map(|own| own.value)
+}
+
+/// The sign changes on r > 0. The range is that in which they are needed, where its ends are numbers.
+fn sign_changes(difference: &Expr, range: [Option<f64>; 2], name: &'static str) -> Result<Changes, TransformError> {
     let radius = Symbol::new("r");
     let expanded = normal::expanded(difference, &radius)?;
     match angles::known_sign(&expanded) {
@@ -212,7 +231,7 @@ fn sign_changes(difference: &Expr, name: &'static str) -> Result<Changes, Transf
     if !others.is_empty() {
         return Err(failure(name, &format!("their place depends on {} in a way that does not solve", others[0])));
     }
-    isolate(&expanded, name)
+    isolate(&expanded, range, name)
 }
 
 fn known_sign(expr: &Expr, name: &'static str) -> Result<Sign, TransformError> {
@@ -241,11 +260,6 @@ fn quadratic(expanded: &Expr, radius: &Symbol) -> Option<(Vec<Expr>, bool)> {
     Some((positive.into_iter().filter(|(positive, _)| *positive).map(|(_, root)| root).collect(), starts))
 }
 
-/// True if a place was located numerically, so that no formula over it is exact.
-pub(crate) fn is_approximate(expr: &Expr) -> bool {
-    expr.parts().any(|own| matches!(own.node(), Node::Function(function, _) if function.name() == "approximate"))
-}
-
 /// Most kinks that are located numerically.
 const MOST_LOCATED: usize = 64;
 /// Kinks that are a wave, …
@@ -268,7 +282,7 @@ const IN_A_ROW: u32 = 20;
 const SMALL: f64 = 1e-6;
 
 /// Sign changes of an expression in r alone: a logarithmic scan, then bisection to the last bit.
-fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
+fn isolate(expr: &Expr, range: [Option<f64>; 2], name: &'static str) -> Result<Changes, TransformError> {
     let radius = [Symbol::new("r")];
     let tape = Tape::compile(std::slice::from_ref(expr), &radius)?;
     let precise = Tape::compile(&[shown_to_30_digits(expr)], &radius)?;
@@ -329,8 +343,22 @@ fn isolate(expr: &Expr, name: &'static str) -> Result<Changes, TransformError> {
             let mut sure = |r: f64| Some(value(r)).filter(|own| own.value.abs() > own.error).unwrap_or_else(|| sharper(r));
             let root = bisect(&mut sure, left, r, was);
             let (below, above) = (sure(root * (1.0 - SHARP)), sure(root * (1.0 + SHARP)));
-            if below.value.abs().min(above.value.abs()) > own.value.abs().max(size) {
-                return Err(failure(name, &format!("its argument has a pole near r = {root:?}")));
+            let is_pole = below.value.abs().min(above.value.abs()) > own.value.abs().max(size);
+            if is_pole {
+                let [Some(from), Some(to)] = range else {
+                    return Err(failure(name, &format!("its argument has a pole near r = {root:?}")));
+                };
+                if root >= to * (1.0 - SHARP) {
+                    break;
+                }
+                if root > from * (1.0 + SHARP) {
+                    // The profile ends at the pole.
+                    end = Some(located(root, name)?);
+                    break;
+                }
+                starts = starts.map(|own| !own);
+                before = Some((r, positive, own.value.abs()));
+                continue;
             }
             let certain = below.value.abs() > below.error && above.value.abs() > above.error;
             if !certain || (below.value > 0.0) == (above.value > 0.0) {
@@ -387,12 +415,6 @@ fn narrow_step(roots: &[f64], r: f64) -> Option<f64> {
 /// A place that was found numerically.
 fn located(place: f64, name: &'static str) -> Result<Expr, TransformError> {
     approximate(place).ok_or_else(|| failure(name, "a kink lies out of range"))
-}
-
-/// The shortest decimal of a place that was found numerically, marked as approximate.
-pub(crate) fn approximate(place: f64) -> Option<Expr> {
-    let number = Number::parse_decimal(&format!("{place:?}"))?;
-    Some(Expr::call("approximate", [Expr::number(number)]))
 }
 
 /// Half of the relative width within which a located kink must lie: 30 ulps.

@@ -3,10 +3,10 @@
 use crate::derive::chain::Chain;
 use crate::derive::domain::demand::Demand;
 use crate::derive::domain::demands;
-use crate::derive::domain::numeric_sign::numeric_sign;
+use crate::derive::domain::located::is_approximate;
+use crate::derive::domain::numeric_sign::{decided, is_proven_not_below, numeric_sign};
 use crate::derive::kinks::{Resolved, groups, resolve};
 use crate::derive::{angles, domain};
-use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, undefined_constant};
 use crate::integrate::error::TransformError;
 use crate::num::work;
@@ -80,6 +80,7 @@ impl Profile {
         for chain in chains {
             resolved.push(examined(chain, &radius, &mut conditions)?);
         }
+        let (mut resolved, unused): (Vec<Chain>, Vec<_>) = resolved.into_iter().map(|own| (own.chain, own.unused)).unzip();
         for piece in resolved.iter_mut().flat_map(|chain| &mut chain.pieces) {
             if angles::cancels(piece, &radius) {
                 *piece = Expr::zero();
@@ -92,8 +93,8 @@ impl Profile {
             }
         }
         let mut open = Vec::new();
-        for chain in &resolved {
-            demands::collect(chain, &mut conditions, &mut open)?;
+        for (chain, unused) in resolved.iter().zip(&unused) {
+            demands::collect(chain, unused, &mut conditions, &mut open)?;
         }
         // The order and continuity of the pieces are proven only for acute slope angles.
         if resolved.iter().any(|chain| !chain.breakpoints.is_empty()) {
@@ -101,10 +102,11 @@ impl Profile {
         }
         conditions.sort();
         conditions.dedup();
-        if let Some(failing) = conditions.iter().find(|c| c.decided() == Some(false)) {
+        if let Some(failing) = conditions.iter().find(|own| decided(own) == Some(false)) {
             return Err(TransformError::ConditionFails { condition: print::text_condition(failing) });
         }
-        conditions.retain(|c| c.decided().is_none());
+        conditions.retain(|own| decided(own).is_none());
+        drop_located_limits(&mut conditions);
         let mut profile = Self { typed: formula.clone(), chains: resolved, shift: Expr::sum(shift), conditions, demands: open };
         profile.end_at_limits();
         Ok(profile)
@@ -153,10 +155,12 @@ impl Profile {
     }
 }
 
-/// True if both are numbers and the first is not certainly below the second.
-fn is_proven_not_below(one: &Expr, other: &Expr) -> bool {
-    let difference = constant_value(&(one - other), &Bindings::default());
-    one == other || difference.is_ok_and(|difference| difference.value > difference.error)
+/// Drops the limits of r that were located numerically where another limit is not above them.
+fn drop_located_limits(conditions: &mut Vec<Condition>) {
+    let radius = Expr::symbol("r");
+    let limits: Vec<Expr> = conditions.iter().filter(|own| own.left == radius).map(|own| own.right.clone()).collect();
+    let is_implied = |limit: &Expr| is_approximate(limit) && limits.iter().any(|own| own != limit && is_proven_not_below(limit, own));
+    conditions.retain(|own| own.left != radius || !is_implied(&own.right));
 }
 
 impl Chain {
@@ -218,14 +222,15 @@ impl Chain {
 }
 
 /// Resolves the kinks of a chain and checks that its breakpoints increase and its pieces meet.
-fn examined(chain: Chain, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<Chain, TransformError> {
-    let Resolved { chain, kinks } = resolve(chain, conditions)?;
+fn examined(chain: Chain, radius: &Symbol, conditions: &mut Vec<Condition>) -> Result<Resolved, TransformError> {
+    let resolved = resolve(chain, conditions)?;
+    let Resolved { chain, kinks, .. } = &resolved;
     if chain.pieces.len() > MOST_PIECES {
         return Err(TransformError::TooManyPieces { limit: MOST_PIECES });
     }
     chain.refuse_disorder(conditions)?;
-    chain.refuse_jumps(radius, &kinks, conditions)?;
-    Ok(chain)
+    chain.refuse_jumps(radius, kinks, conditions)?;
+    Ok(resolved)
 }
 
 fn closed(formula: &Formula) -> Result<Expr, TransformError> {

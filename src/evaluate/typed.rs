@@ -1,6 +1,6 @@
 //! The profile as typed, as numbers: f′ of every piece, from its expression or, where that is 0/0 at the axis, from a series of f.
 
-use crate::derive::kinks::is_approximate;
+use crate::derive::domain::located::is_approximate;
 use crate::evaluate::evaluator::Evaluator;
 use crate::expr::{Expr, Symbol, derivative};
 use crate::integrate::error::TransformError;

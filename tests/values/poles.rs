@@ -8,8 +8,10 @@ use sneddon::parse;
 use sneddon::print;
 use sneddon::transform::{Evaluator, Method, Profile, Solution, TransformError, derive};
 use sneddon_checks::decimal::Decimal;
+use sneddon_checks::formulas::typed;
 use sneddon_checks::random::Stream;
 use sneddon_checks::seeds::cases;
+use std::f64::consts::FRAC_PI_2;
 
 fn solution(text: &str) -> Solution {
     derive(&Profile::new(&parse::profile(text).unwrap()).unwrap_or_else(|error| panic!("{text}: {error}"))).unwrap()
@@ -86,6 +88,97 @@ fn every_function_of_a_falling_denominator_ends_at_its_zero() {
         let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
         let before = evaluator.slope(0.9 * end).map(|own| own.estimate);
         assert!(before.is_ok(), "{text} at {:?}: {before:?}", 0.9 * end);
+    }
+}
+
+/// Class "the end of an argument that min or max does not use": f is defined only where all that was typed is. The formulas of
+/// `min(1-sqrt(1-r^2),0.5)` went on to r = 1.8.
+#[test]
+fn profiles_end_where_an_argument_of_min_or_max_does() {
+    let mut stream = Stream::new(0x9a7);
+    // The kink of exp(1/D) is not sharp in doubles, which is refused.
+    let around: Vec<&str> = AROUND.iter().copied().filter(|own| !own.starts_with("exp")).collect();
+    for _ in 0..cases(20, 500) {
+        let ((rising, inverse), around) = (stream.pick(RISING), stream.pick(&around));
+        let (c, w) = (stream.short(0.1, 0.9), stream.log_uniform(1e-9, 1e9));
+        let inner = around.replace('D', &format!("{c:?}-({})", rising.replace('U', &format!("(r/{w:?})"))));
+        let end = w * inverse(c);
+        let height = typed(&inner, &[("r", 0.6 * end)]);
+        let (limit, part) = (stream.pick(&["min", "max"]), stream.pick(&["", "(r/W)^2+", "2*"]).replace('W', &format!("{w:?}")));
+        let text = format!("{part}{limit}({inner},{height:?})");
+        for beyond in [1.001 * end, 3.0 * end] {
+            let place = end_beyond(&text, beyond);
+            assert!(place.is_some_and(|own| (own / end - 1.0).abs() < 1e-13), "{text} at {beyond:?}: {place:?}, {end:?}");
+        }
+        assert_eq!(end_beyond(&text, 0.9 * end), None, "{text}");
+    }
+    for (text, end) in [
+        ("max(0.2,cos(r)^0.5)", FRAC_PI_2),
+        ("min(1-sqrt(1-r^2),0.5)", 1.0),
+        ("min(1,asin(r))", 1.0),
+        ("min(0.4,-ln(1-r))", 1.0),
+        ("r^2+max(sqrt(1-r^2),0.5)", 1.0),
+        ("min(0.3,max(0,1-sqrt(1-r^2)-0.1))", 1.0),
+        ("abs(min(0.3,0.1-sqrt(4-r^2)/20)-0.02)", 2.0),
+    ] {
+        for beyond in [1.0 + 1e-12, 1.8, 4.6, 6.3].map(|own| own * end) {
+            let place = end_beyond(text, beyond);
+            assert!(place.is_some_and(|own| (own / end - 1.0).abs() < 4e-15), "{text} at {beyond:?}: {place:?}");
+        }
+        assert_eq!(end_beyond(text, 0.999 * end), None, "{text}");
+    }
+    // The arguments of a piece count within that piece only.
+    assert_eq!(end_beyond("piecewise(min(1-sqrt(1-r^2),0.1), r<0.9, 0.1)", 1.8), None);
+    for text in ["max(0,sqrt(r-1)-1)", "max(0,ln(r-1))", "max(0.5,acosh(r))"] {
+        assert!(matches!(Profile::new(&parse::profile(text).unwrap()), Err(TransformError::NotReal { .. })), "{text}");
+    }
+}
+
+/// Class "kinks at a pole": abs, min and max of what has a pole. All of these were refused at every radius, or without the place.
+#[test]
+fn profiles_with_kinks_end_at_the_pole_of_an_argument() {
+    for (text, end) in [
+        ("r^2/abs(1.3-r)", 1.3),
+        ("r^2/abs(1.2-r^2)", 1.2f64.sqrt()),
+        ("abs(1.1-r)^(-3/2)", 1.1),
+        ("r^2+ln(abs(1.7-r))", 1.7),
+        ("r^2/max(0,1-r)", 1.0),
+        ("r^2/min(1,2-r)", 2.0),
+        ("r^2/abs(cos(r))", FRAC_PI_2),
+        ("ln(abs(cos(r)))*r", FRAC_PI_2),
+        ("r^2+abs(tan(r))", FRAC_PI_2),
+        ("min(tan(2*r),2)", 0.5 * FRAC_PI_2),
+        ("abs(1/(3-cosh(r)))", 3f64.acosh()),
+        ("max(r,1/(2-r))", 2.0),
+        ("abs(gamma(1.5-r)-0.7)", 1.5),
+        ("r^2/(sin(r)+cos(2*r))", FRAC_PI_2),
+        ("r^2/(1-r*exp(1-r))", 1.0),
+    ] {
+        for beyond in [1.001, 1.7, 4.0].map(|own| own * end) {
+            let place = end_beyond(text, beyond);
+            // A double zero is known to the root of the rounding.
+            assert!(place.is_some_and(|own| (own / end - 1.0).abs() < 3e-8), "{text} at {beyond:?}: {place:?}");
+        }
+        assert_eq!(end_beyond(text, 0.99 * end), None, "{text}");
+    }
+    // Infinite arguments that are not used, or under a factor that is zero there, end nothing.
+    for text in ["min(2,1/abs(1-r))", "abs(r-1)*ln(abs(r-1))", "piecewise(0, r<2.5, max(0,4-4/(r-1))-4/3)", "sqrt(abs(r-1))"] {
+        assert_eq!(end_beyond(text, 2.8), None, "{text}");
+    }
+}
+
+/// Kinks beyond the pole of an argument: the sign is that beyond the pole. mpmath at 30 digits.
+#[test]
+fn a_kink_beyond_a_pole_has_the_right_side() {
+    for (text, at, truth) in [
+        ("min(2,1/abs(1-r))", 2.8, "-1.2712880981185973710253334853516"),
+        ("piecewise(0, r<2.5, max(0,4-4/(r-1))-4/3)", 5.0, "2.7054755050907167248323154567231"),
+        ("piecewise(0, r<2.5, abs(4-4/(r-1))-4/3)", 2.8, "1.8279266752475235881903959692061"),
+    ] {
+        let solution = solution(text);
+        let found = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap().slope(at).unwrap().estimate;
+        let error = Decimal::read(truth).distance(found.value).abs();
+        assert!(error <= found.error, "{text} at {at:?}: {found:?}, true error {error:e}");
     }
 }
 

@@ -86,12 +86,28 @@ fn conditions_on_squares_and_divisors_are_possible() {
         assert_eq!(shown, expected, "{text}");
         assert!(own.terms().any(|term| term.answer.is_some()), "{text}");
     }
-    for (text, expected) in
-        [("r^2/(R-b)", "b < R"), ("r^2*k/(b-R)", "R < b"), ("r^2/(R-b)^2", "0 < (R - b)^2"), ("r*tan(theta)", "0 < tan(theta)")]
-    {
+    for (text, expected) in [
+        ("r^2/(R-b)", "b < R"),
+        ("r^2*k/(b-R)", "R < b"),
+        ("r^2/(R-b)^2", "0 < (R - b)^2"),
+        ("r*tan(theta)", "0 < tan(theta)"),
+        ("r^2/sqrt(R-b)", "b < R"),
+        ("r^2/(b-R)^3", "R < b"),
+        ("r^2/(R^3-3*R^2*b+3*R*b^2-b^3)", "b < R"),
+        ("r*(32*c^5-80*c^4*k+80*c^3*k^2-40*c^2*k^3+10*c*k^4-k^5)", "0 < c - k/2"),
+    ] {
         let explicit = sneddon::contact::explicit(&solution(text)).unwrap();
         let shown: Vec<String> = explicit.conditions.iter().map(print::text_condition).collect();
         assert_eq!(shown, [expected], "{text}");
+    }
+}
+
+/// Class "impossible conditions": a coefficient that is negative for all parameters has no contact radius and no condition.
+#[test]
+fn no_condition_is_stated_that_no_parameters_meet() {
+    for text in ["r^2/(R-b)/(b-R)", "r^2/(2*b*c-b^2-c^2)", "-r*(R-b)^2", "r^3*(k-m)^4*(2*k*m-k^2-m^2)", "r^2*(b-c)/(c-b)^3"] {
+        let own = solution(text);
+        assert!(sneddon::contact::explicit(&own).is_none() && own.conditions.is_empty(), "{text}: {:?}", own.conditions);
     }
 }
 
@@ -106,6 +122,15 @@ fn conditions_name_the_pole_of_a_difference() {
         ("1/(R-b-r^2)", &["b < R", "r < sqrt(R - b)"]),
         ("1/(R^2-b^2-r^2)", &["b < R", "r < sqrt(R^2 - b^2)"]),
         ("tanh(r)/(R-b-r^3)", &["0 < (R - b)*(R - r^3 - b)"]),
+        ("1/(r^2-(k-m)^2)", &["0 < (k - m)^2", "r < abs(k - m)"]),
+        ("r^2/(r^2-k^2+2*k*m-m^2)", &["0 < (k - m)^2", "r < abs(k - m)"]),
+        ("r^4/(r^4-(k-m)^4)", &["0 < (k - m)^2", "r < abs(k - m)"]),
+        ("1/(r^2-(k-m)^4)", &["0 < (k - m)^2", "r < (k - m)^2"]),
+        ("tan(r/(b-c))", &["r < pi/2*abs(b - c)"]),
+        ("ln(cos(2*r/(b-c)))", &["r < pi/4*abs(b - c)"]),
+        ("r^2/max(R-r,c)", &["c < R"]),
+        ("r^2/abs(R-r)", &["r < R"]),
+        ("r^2/max(0,R-r^2)", &["r < sqrt(R)"]),
     ] {
         let shown: Vec<String> = solution(text).conditions.iter().map(print::text_condition).collect();
         assert_eq!(shown, expected, "{text}");

@@ -123,22 +123,48 @@ impl Barrier {
 
     /// The same without proof.
     fn look(&self, from: f64, to: f64) -> Option<f64> {
-        let mut before = from;
+        let fails = |r: f64| certain_sign(self.form.value(&[r])) == Some(-self.sign);
+        let place = |step: u32| from + (to - from) * f64::from(step) / f64::from(PLACES);
+        let size = |r: f64| self.form.value(&[r]).value.abs();
         for step in 1..=PLACES {
-            let at = from + (to - from) * f64::from(step) / f64::from(PLACES);
-            if certain_sign(self.form.value(&[at])) == Some(-self.sign) {
-                let mut beyond = at;
-                while beyond > before * (1.0 + SHORTEST) {
-                    let middle = before + 0.5 * (beyond - before);
-                    let fails = certain_sign(self.form.value(&[middle])) == Some(-self.sign);
-                    *(if fails { &mut beyond } else { &mut before }) = middle;
-                }
-                return Some(before);
+            let (before, at) = (place(step - 1), place(step));
+            if fails(at) {
+                return Some(last_before(before, at, fails));
             }
-            before = at;
+            let is_lowest = self.zero == Zero::Any && step >= 2 && size(before) <= size(place(step - 2)).min(size(at));
+            if is_lowest && let Some(end) = self.double_zero(place(step - 2), at) {
+                return Some(end);
+            }
         }
         None
     }
+
+    /// Where the expression touches zero between two places, or falls below it, by a golden-section search for its smallest size.
+    fn double_zero(&self, from: f64, to: f64) -> Option<f64> {
+        const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        let has_lost_sign = |r: f64| certain_sign(self.form.value(&[r])) != Some(self.sign);
+        let size = |r: f64| self.form.value(&[r]).value.abs();
+        let (mut low, mut high) = (from, to);
+        while high > low * (1.0 + SHORTEST) {
+            let (one, two) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+            match [one, two].into_iter().find(|r| has_lost_sign(*r)) {
+                Some(zero) => return Some(last_before(from, zero, has_lost_sign)),
+                None if size(one) <= size(two) => high = two,
+                None => low = one,
+            }
+        }
+        None
+    }
+}
+
+/// The last place found by bisection before something is the case that is at `to` and not at `from`.
+fn last_before(from: f64, to: f64, is_so: impl Fn(f64) -> bool) -> f64 {
+    let (mut before, mut beyond) = (from, to);
+    while beyond > before * (1.0 + SHORTEST) {
+        let middle = before + 0.5 * (beyond - before);
+        *(if is_so(middle) { &mut beyond } else { &mut before }) = middle;
+    }
+    before
 }
 
 /// 1 or −1 if the bound determines the sign.

@@ -14,4 +14,6 @@ pub(crate) struct Demand {
     /// The ends of the piece.
     pub(crate) lower: Expr,
     pub(crate) upper: Option<Expr>,
+    /// True if f has no finite limit at the upper end.
+    pub(crate) is_unbounded: bool,
 }

@@ -1,24 +1,43 @@
 //! What roots, divisors and functions demand of r: that an expression be positive, up to where it is, and under which conditions.
 
+use crate::derive::angles;
 use crate::derive::chain::Chain;
 use crate::derive::domain::barrier::Barrier;
 use crate::derive::domain::demand::Demand;
-use crate::derive::domain::first_zero::{Zero, fails_somewhere, first_zero, starting_sign};
-use crate::derive::domain::numeric_sign::numeric_sign;
-use crate::derive::{angles, kinks};
+use crate::derive::domain::first_zero::{Zero, fails_somewhere, first_zero, last_root, starting_sign};
+use crate::derive::domain::located::approximate;
+use crate::derive::domain::numeric_sign::{is_proven_not_below, numeric_sign};
+use crate::derive::domain::{sample_bindings, value_at};
+use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Node, Relation, Sign, Symbol, normal, sign};
 use crate::integrate::error::TransformError;
 use crate::print;
 
+/// Random parameters at which a limit of f is looked for.
+const SAMPLES: usize = 4;
+
+/// The highest odd power of a difference that is recognized when it is written out.
+const HIGHEST: usize = 9;
+
 /// Adds what the functions and roots of a chain demand of r, solved for r where that is possible.
+///
+/// `unused` has, for each piece, the arguments of min and max that must have a value although the piece does not contain them.
 ///
 /// # Errors
 /// [`TransformError::NotReal`] if a demand can never be met near the axis.
-pub(crate) fn collect(chain: &Chain, conditions: &mut Vec<Condition>, open: &mut Vec<Demand>) -> Result<(), TransformError> {
-    for (lower, upper, piece) in chain.intervals() {
-        let mut demands = Vec::new();
-        gather(piece, &lower, upper, &mut demands);
-        for demand in demands {
+pub(crate) fn collect(
+    chain: &Chain,
+    unused: &[Vec<Expr>],
+    conditions: &mut Vec<Condition>,
+    open: &mut Vec<Demand>,
+) -> Result<(), TransformError> {
+    for (index, (lower, upper, piece)) in chain.intervals().enumerate() {
+        let (mut demands, before) = (Vec::new(), conditions.len());
+        for own in unused.get(index).into_iter().flatten().chain([piece]) {
+            gather(own, &lower, upper, &mut demands);
+        }
+        let is_unbounded = !demands.is_empty() && upper.is_some_and(|upper| !is_bounded_below(piece, upper));
+        for demand in demands.into_iter().map(|own| Demand { is_unbounded, ..own }) {
             match solve(&demand)? {
                 Outcome::Holds => {}
                 Outcome::Holding(condition) => conditions.push(condition),
@@ -29,8 +48,20 @@ pub(crate) fn collect(chain: &Chain, conditions: &mut Vec<Condition>, open: &mut
                 }
             }
         }
+        let is_end = |own: &Condition| own.left == Expr::symbol("r") && upper.is_some_and(|upper| is_proven_not_below(upper, &own.right));
+        if conditions.get(before..).is_some_and(|own| own.iter().any(is_end)) {
+            // The pieces beyond are not reached.
+            break;
+        }
     }
     Ok(())
+}
+
+/// True if some function, root or divisor of the expression may demand something of r.
+pub(crate) fn are_made(expr: &Expr) -> bool {
+    let mut demands = Vec::new();
+    gather(expr, &Expr::zero(), None, &mut demands);
+    !demands.is_empty()
 }
 
 /// Expressions under fractional powers, in divisors and in restricted functions.
@@ -39,7 +70,7 @@ fn gather(expr: &Expr, lower: &Expr, upper: Option<&Expr>, demands: &mut Vec<Dem
         if sign(expr) != Sign::Positive {
             let negative = either_sign && starts_negative(expr, lower);
             let expr = if negative { -expr } else { expr.clone() };
-            demands.push(Demand { expr, zero, either_sign, lower: lower.clone(), upper: upper.cloned() });
+            demands.push(Demand { expr, zero, either_sign, lower: lower.clone(), upper: upper.cloned(), is_unbounded: false });
         }
     };
     match expr.node() {
@@ -87,7 +118,7 @@ enum Outcome {
 
 /// The proof status of a demand.
 fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
-    let Demand { expr, lower, upper, .. } = demand;
+    let Demand { expr, lower, .. } = demand;
     let radius = Symbol::new("r");
     let never = || TransformError::NotReal { detail: print::text_expr(expr) };
     if !expr.contains(&radius) {
@@ -99,7 +130,7 @@ fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
                 Some(_) => Err(never()),
                 // A divisor of unknown sign must only not be zero.
                 None if demand.either_sign => Ok(Outcome::Holds),
-                None => Ok(Outcome::Holding(above_zero(expr))),
+                None => above_zero(expr).map(Outcome::Holding).ok_or_else(never),
             },
         };
     }
@@ -122,7 +153,7 @@ fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
     match (sign(&constant), sign(&power.coefficient)) {
         (Sign::Positive | Sign::Zero, Sign::Positive) => Ok(Outcome::Holds),
         (Sign::Negative, Sign::Negative) => Err(never()),
-        (Sign::Positive, Sign::Negative) => Ok(below(limit(), upper.as_ref()).map_or(Outcome::Holds, Outcome::Holding)),
+        (Sign::Positive, Sign::Negative) => Ok(end_at(limit(), demand).map_or(Outcome::Holds, Outcome::Holding)),
         (Sign::Negative, Sign::Positive) => match sign(&(lower - limit())) {
             Sign::Positive | Sign::Zero => Ok(Outcome::Holds),
             _ => Ok(Outcome::Holding(Condition::less(limit(), lower.clone()))),
@@ -131,40 +162,54 @@ fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
     }
 }
 
-/// r < limit on a piece; `None` if the piece ends before the limit, or at it.
-fn below(limit: Expr, upper: Option<&Expr>) -> Option<Condition> {
+/// r < limit where a demand is met up to a limit; `None` if its piece ends before the limit, or at it with a finite f.
+fn end_at(limit: Expr, demand: &Demand) -> Option<Condition> {
     let radius = Symbol::new("r");
     let r = Expr::from(radius.clone());
-    let Some(end) = upper else { return Some(Condition::less(r, limit)) };
+    let Some(end) = &demand.upper else { return Some(Condition::less(r, limit)) };
     let room = &limit - end;
+    let is_at_end = || angles::is_proven_zero(&room, &radius) || room.symbols().is_empty();
     match (sign(&room), numeric_sign(&room)) {
-        (Sign::Positive | Sign::Zero, _) | (_, Some(1.0)) => None,
-        _ if angles::is_proven_zero(&room, &radius) || angles::is_proven_below(end, &limit) => None,
+        (Sign::Positive, _) | (_, Some(1.0)) => None,
         (Sign::Negative, _) | (_, Some(_)) => Some(Condition::less(r, limit)),
+        (own, _) if own == Sign::Zero || is_at_end() => {
+            (demand.zero == Zero::Any && demand.is_unbounded).then(|| Condition::less(r, limit))
+        }
+        _ if angles::is_proven_below(end, &limit) => None,
         _ => Some(Condition { left: end.clone(), relation: Relation::LessOrEqual, right: limit }),
     }
 }
 
+/// True if f seems to have a finite limit at the upper end of its piece: its changes towards there become smaller.
+fn is_bounded_below(piece: &Expr, upper: &Expr) -> bool {
+    sample_bindings(&(piece + upper), SAMPLES).iter().all(|set| {
+        let Ok(end) = constant_value(upper, set) else { return false };
+        let [one, two, three] = [1e-4, 1e-8, 1e-12].map(|distance| value_at(piece, set, end.value * (1.0 - distance)));
+        one.is_nan() || two.is_nan() || (three - two).abs() <= 0.9 * (two - one).abs() + 64.0 * f64::EPSILON * two.abs()
+    })
+}
+
 /// The conditions of a demand that is not proven: what its lower end demands of the parameters, and where its first zero is.
 fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
-    let Demand { expr, zero, lower, upper, .. } = demand;
-    let upper = upper.as_ref();
+    let Demand { expr, zero, either_sign, lower, upper, .. } = demand;
     let mut conditions = Vec::new();
-    if starting_sign(expr, lower).is_none() {
-        if demand.either_sign {
+    let starts = starting_sign(expr, lower);
+    if starts.is_none() {
+        if *either_sign {
             // Which sign it has, and where that ends, depends on the parameters.
             return Ok(conditions);
         }
         let start = Bindings::one("r", lower.clone()).apply(expr);
         if sign(&start) == Sign::Unknown && !start.symbols().is_empty() {
-            conditions.push(above_zero(&start));
+            conditions.push(above_zero(&start).ok_or_else(|| TransformError::NotReal { detail: print::text_expr(expr) })?);
         }
     }
+    let expr = if *either_sign && starts == Some(Sign::Negative) { &-expr } else { expr };
     if let Some(limit) = first_zero(expr, lower, *zero) {
-        conditions.extend(below(limit, upper));
+        conditions.extend(end_at(limit, demand));
     } else if expr.symbols().iter().chain(&lower.symbols()).all(|symbol| symbol.name() == "r") {
         let end = Barrier::new(demand, &Bindings::default())?.first_end();
-        conditions.extend(end.and_then(kinks::approximate).map(|end| Condition::less(Expr::symbol("r"), end)));
+        conditions.extend(end.and_then(approximate).map(|end| Condition::less(Expr::symbol("r"), end)));
     } else if upper.is_none() && fails_somewhere(expr, lower) {
         conditions.push(Condition::less(Expr::zero(), expr.clone()));
     }
@@ -176,15 +221,16 @@ fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
 /// If `conditions` imply the sign, the condition is r < limit, the first zero; otherwise 0 < D(lower) D(r).
 pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Vec<Condition> {
     let mut found = Vec::new();
-    for Demand { expr, zero, either_sign, lower, upper } in demands {
+    for demand in demands {
+        let Demand { expr, zero, either_sign, lower, .. } = demand;
         if !either_sign || starting_sign(expr, lower).is_some() {
             continue;
         }
         let start = Bindings::one("r", lower.clone()).apply(expr);
-        let is_given = |own: &Expr| conditions.contains(&above_zero(own));
+        let is_given = |own: &Expr| above_zero(own).is_some_and(|own| conditions.contains(&own));
         let from = [expr.clone(), -expr].into_iter().zip([start.clone(), -&start]).find(|(_, start)| is_given(start));
         match from.map(|(expr, _)| first_zero(&expr, lower, *zero)) {
-            Some(Some(limit)) => found.extend(below(limit, upper.as_ref())),
+            Some(Some(limit)) => found.extend(end_at(limit, demand)),
             // No zero was found for this sign.
             Some(None) => {}
             None => found.push(Condition::less(Expr::zero(), start * expr)),
@@ -193,10 +239,11 @@ pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Ve
     found
 }
 
-/// 0 < expr, solved for a parameter where that leaves a parameter alone on either side, as in b < R.
+/// 0 < expr, solved for a parameter where that leaves a parameter alone on either side, as in b < R; `None` where no parameters meet it.
 ///
-/// Factors of known sign are dropped, 1/u has the sign of u, and a square must only not be zero.
-pub(crate) fn above_zero(expr: &Expr) -> Condition {
+/// Factors of known sign are dropped, every real power of u but a whole one is positive where u is, 1/u has the sign of u, and a square must
+/// only not be zero.
+pub(crate) fn above_zero(expr: &Expr) -> Option<Condition> {
     let (mut open, mut squares) = (Vec::new(), Vec::new());
     let mut is_negative = false;
     for factor in expr.factors() {
@@ -206,23 +253,46 @@ pub(crate) fn above_zero(expr: &Expr) -> Condition {
             (Sign::Negative, _) => is_negative = !is_negative,
             (_, Some(n)) if n % 2 == 0 => squares.push(base.power(2)),
             (_, Some(_)) => open.push(base),
+            (_, None) if exponent.as_number().is_some() => open.push(base),
             _ => open.push(factor),
         }
     }
-    if open.is_empty() && !is_negative && !squares.is_empty() {
-        return Condition::less(Expr::zero(), Expr::product(squares));
+    if open.is_empty() && !squares.is_empty() {
+        return (!is_negative).then(|| Condition::less(Expr::zero(), Expr::product(squares)));
     }
     let sides = Expr::product(open.into_iter().chain(squares));
     let own = if is_negative { -sides } else { sides };
-    if let Some(root) = normal::square_root(&own) {
-        return Condition::less(Expr::zero(), root.power(2));
+    if let Some((root, _)) = last_root(&own) {
+        return Some(Condition::less(Expr::zero(), root.power(2)));
     }
-    solved_for_a_parameter(&own).unwrap_or_else(|| Condition::less(Expr::zero(), own))
+    if normal::square_root(&-&own).is_some() {
+        return None;
+    }
+    Some(solved_for_a_parameter(&own).unwrap_or_else(|| Condition::less(Expr::zero(), own)))
+}
+
+/// c and b of c (s − b)^n for an odd n above 1, where c has a known sign.
+fn power_of_a_difference(terms: &[normal::NormalTerm], symbol: &Symbol) -> Option<(Expr, Expr)> {
+    let coefficients = normal::coefficients(terms)?;
+    let degree = coefficients.len().checked_sub(1).filter(|n| n % 2 == 1 && (3..=HIGHEST).contains(n))?;
+    let (highest, next) = (coefficients.get(degree)?, coefficients.get(degree - 1)?);
+    if sign(highest) == Sign::Unknown {
+        return None;
+    }
+    let (n, place) = (degree as i64, normal::expanded(&(-next / (Expr::integer(degree as i64) * highest)), symbol).ok()?);
+    let power = normal::expanded(&(highest * (Expr::from(symbol.clone()) - &place).power(n)), symbol).ok()?;
+    let typed = Expr::sum(terms.iter().map(|term| term.to_expr(symbol)));
+    (normal::expanded(&typed, symbol).ok()? == power).then(|| (highest.clone(), place))
 }
 
 fn solved_for_a_parameter(expr: &Expr) -> Option<Condition> {
     for symbol in expr.symbols() {
         let Ok(terms) = normal::normal_terms(expr, &symbol) else { continue };
+        let own = Expr::from(symbol.clone());
+        if let Some((factor, limit)) = power_of_a_difference(&terms, &symbol) {
+            let room = if sign(&factor) == Sign::Negative { limit - own } else { own - limit };
+            return Some(solved_for_a_parameter(&room).unwrap_or_else(|| Condition::less(Expr::zero(), room)));
+        }
         let [one, other] = terms.as_slice() else { continue };
         let (constant, power) = if one.exponent.is_zero() { (one, other) } else { (other, one) };
         let plain = constant.exponent.is_zero() && constant.kernel.is_one() && power.kernel.is_one();
@@ -230,10 +300,9 @@ fn solved_for_a_parameter(expr: &Expr) -> Option<Condition> {
             continue;
         }
         let limit = (-&constant.coefficient / &power.coefficient).pow(&power.exponent.recip());
-        if limit.as_symbol().is_none() {
+        if limit.as_symbol().is_none() && limit.as_number().is_none() {
             continue;
         }
-        let own = Expr::from(symbol);
         return Some(match sign(&power.coefficient) {
             Sign::Negative => Condition::less(own, limit),
             _ => Condition::less(limit, own),

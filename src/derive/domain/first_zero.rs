@@ -1,7 +1,7 @@
 //! The first radius beyond a lower end where an expression vanishes, as a formula.
 
+use crate::derive::domain::located::approximate;
 use crate::derive::domain::{sample_bindings, value_at};
-use crate::derive::kinks::approximate;
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Node, Sign, Symbol, normal, sign};
 
@@ -53,6 +53,11 @@ pub(crate) fn first_zero(expr: &Expr, lower: &Expr, zero: Zero) -> Option<Expr> 
     let mut places = Vec::new();
     reached(expr, &Expr::zero(), &mut places);
     places.dedup();
+    first_of(&places, expr, lower, zero).or_else(|| first_of(&places.iter().map(absolute).collect::<Vec<_>>(), expr, lower, zero))
+}
+
+/// The candidate that is the first zero at all random parameters.
+fn first_of(places: &[Expr], expr: &Expr, lower: &Expr, zero: Zero) -> Option<Expr> {
     let samples: Vec<(Bindings, f64)> =
         starts(expr, lower).into_iter().filter(|(_, _, positive)| *positive).map(|(set, low, _)| (set, low)).collect();
     if places.is_empty() || samples.len() < FEWEST {
@@ -64,7 +69,9 @@ pub(crate) fn first_zero(expr: &Expr, lower: &Expr, zero: Zero) -> Option<Expr> 
         for (index, place) in places.iter().enumerate() {
             let Some(at) = number(place, set).filter(|at| *at > low * (1.0 + NEAR)) else { continue };
             let beyond = value_at(expr, set, at * (1.0 + BEYOND));
-            let counts = zero == Zero::Any || beyond.is_nan() || beyond <= 0.0;
+            // The absolute value of a candidate is a zero of even functions only.
+            let vanishes = || value_at(expr, set, at).abs() <= SMALL * value_at(expr, set, at * (1.0 - BEYOND)).abs();
+            let counts = beyond.is_nan() || beyond <= 0.0 || (zero == Zero::Any && vanishes());
             if counts && found.is_none_or(|(_, first)| at < first) {
                 found = Some((index, at));
             }
@@ -77,8 +84,11 @@ pub(crate) fn first_zero(expr: &Expr, lower: &Expr, zero: Zero) -> Option<Expr> 
         }
         chosen = Some(index);
     }
-    places.into_iter().nth(chosen?)
+    places.get(chosen?).cloned()
 }
+
+/// A value next to a zero, as a part of that at a distance of [`BEYOND`].
+const SMALL: f64 = 1e-6;
 
 /// True if the expression is not positive at some radius beyond `lower`, for some of the random parameters.
 pub(crate) fn fails_somewhere(expr: &Expr, lower: &Expr) -> bool {
@@ -118,7 +128,7 @@ fn reached(part: &Expr, value: &Expr, places: &mut Vec<Expr>) {
         }
         Node::Power(base, exponent) if !depends(exponent) => {
             if !value.is_zero() {
-                let root = value.pow(&exponent.recip());
+                let root = root_of(value, exponent);
                 reached(base, &root, places);
                 if exponent.as_integer().is_some_and(|n| n % 2 == 0) {
                     reached(base, &-root, places);
@@ -139,6 +149,33 @@ fn reached(part: &Expr, value: &Expr, places: &mut Vec<Expr>) {
         }
         _ => {}
     }
+}
+
+/// value^(1/n); |u| for the square root of u², whose sign is not known.
+fn root_of(value: &Expr, exponent: &Expr) -> Expr {
+    let is_even = exponent.as_integer().is_some_and(|n| n % 2 == 0);
+    match last_root(value) {
+        Some((root, power)) if is_even && sign(&root) == Sign::Unknown => absolute(&root).pow(&(power / exponent)),
+        _ => value.pow(&exponent.recip()),
+    }
+}
+
+/// u and 2^k of u^(2^k), for the largest k above 0, where u has parameters. The sign of u is arbitrary.
+pub(crate) fn last_root(value: &Expr) -> Option<(Expr, Expr)> {
+    let next = |own: &Expr| normal::square_root(own).filter(|root| !root.symbols().is_empty());
+    let (mut root, mut power) = (next(value)?, Expr::integer(2));
+    while let Some(next) = next(&root).or_else(|| next(&-&root)) {
+        (root, power) = (next, power * Expr::integer(2));
+    }
+    Some((root, power))
+}
+
+/// |u|, with the factors of known sign in front.
+fn absolute(expr: &Expr) -> Expr {
+    let (open, known): (Vec<Expr>, Vec<Expr>) = expr.factors().into_iter().partition(|own| sign(own) == Sign::Unknown);
+    let known = known.into_iter().map(|own| if sign(&own) == Sign::Negative { -own } else { own });
+    let open = Expr::product(open);
+    Expr::product(known) * if open.is_one() { open } else { Expr::call("abs", [open]) }
 }
 
 /// Zeros of sums of two powers of r, and of three that are quadratic in a power of r.

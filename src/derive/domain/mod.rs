@@ -4,6 +4,7 @@ pub(crate) mod barrier;
 pub(crate) mod demand;
 pub(crate) mod demands;
 pub(crate) mod first_zero;
+pub(crate) mod located;
 pub(crate) mod numeric_sign;
 
 use crate::derive::angles;

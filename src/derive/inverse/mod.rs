@@ -14,7 +14,7 @@ pub use table::{InverseRule, TABLE};
 
 use crate::derive::assemble::{Derived, Status};
 use crate::derive::chain::Chain;
-use crate::derive::kinks;
+use crate::derive::domain::located::is_approximate;
 use crate::derive::profile::Profile;
 use crate::derive::rule::{Branches, Pair};
 use crate::derive::rules;
@@ -130,13 +130,13 @@ fn solve_chain(chain: &Chain, read: Reader, conditions: &mut Vec<Condition>) -> 
     }
     // A worn shape: zero up to the only breakpoint.
     let worn = match (parts.as_slice(), chain.breakpoints.as_slice()) {
-        ([Some(first), Some(_)], [breakpoint]) if first.is_empty() && !kinks::is_approximate(breakpoint) => Some(breakpoint),
+        ([Some(first), Some(_)], [breakpoint]) if first.is_empty() && !is_approximate(breakpoint) => Some(breakpoint),
         _ => None,
     };
     let mut intervals = Vec::new();
     for (index, ((lower, upper, piece), list)) in chain.intervals().zip(parts).enumerate() {
         let segment = Segment { lower, upper: upper.cloned() };
-        let rough = kinks::is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(kinks::is_approximate);
+        let rough = is_approximate(&segment.lower) || segment.upper.as_ref().is_some_and(is_approximate);
         let Some(mut list) = list.filter(|_| !rough) else {
             let shared = Expr::sum(common.iter().map(|part| part.to_expr(&radius)));
             intervals.push(InverseInterval { segment, closed: Vec::new(), open: piece - shared });

@@ -4,7 +4,7 @@
 //! terms without a closed pressure have one.
 
 use super::reading;
-use crate::derive::kinks;
+use crate::derive::domain::located::is_approximate;
 use crate::derive::rule::{Branches, Pair};
 use crate::derive::term::Term;
 use crate::expr::{Expr, Sign, sign};
@@ -18,7 +18,7 @@ pub fn outside(term: &Term) -> Option<Branches> {
     if term.segment.is_whole() {
         return power(term).or_else(|| root(term)).map(|expr| Branches::endless(Pair::same(two_over_pi * expr)));
     }
-    if kinks::is_approximate(&term.segment.lower) || term.segment.upper.as_ref().is_some_and(kinks::is_approximate) {
+    if is_approximate(&term.segment.lower) || term.segment.upper.as_ref().is_some_and(is_approximate) {
         return None;
     }
     let coefficients = term.polynomial()?;

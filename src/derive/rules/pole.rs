@@ -63,7 +63,7 @@ impl Pole {
         };
         let w = if above { -offset } else { offset };
         if sign(&w) == Sign::Unknown {
-            conditions.push(above_zero(&w));
+            conditions.push(above_zero(&w)?);
         }
         if above {
             conditions.push(Condition::less(segment.upper.clone().unwrap_or_else(|| Expr::symbol("r")), w.clone()));
