@@ -40,6 +40,9 @@ const MOST_NESTED: u64 = 5_000;
 /// Smallest radius at which g is evaluated for the energy, relative to the contact radius.
 const NEAREST: f64 = 1e-30;
 
+/// Relative error above which an energy has no reliable digit.
+const LARGEST_ERROR: f64 = 0.1;
+
 /// A value, or the reason why it is infinite or undefined in theory.
 pub type Measured = Result<Reading, Reason>;
 
@@ -378,7 +381,11 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
     /// # Errors
     /// Returns the errors of the evaluator.
     pub fn energy(&self, a: f64) -> Result<Reading, ContactError> {
-        representable(work::bounded(|| self.nested_energy(a))?, "a", a)
+        let found = representable(work::bounded(|| self.nested_energy(a))?, "a", a)?;
+        let Estimate { value, error, .. } = found.estimate;
+        // Nothing cancels in the integral of a square; below the normal numbers the error is that of the range of doubles.
+        let lost = value >= f64::MIN_POSITIVE && error > LARGEST_ERROR * value;
+        if lost { Err(TransformError::NoDigits { at: a, value, error }.into()) } else { Ok(found) }
     }
 
     fn nested_energy(&self, a: f64) -> Result<Reading, ContactError> {

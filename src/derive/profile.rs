@@ -106,7 +106,7 @@ impl Profile {
             return Err(TransformError::ConditionFails { condition: print::text_condition(failing) });
         }
         conditions.retain(|own| decided(own).is_none());
-        drop_located_limits(&mut conditions);
+        drop_implied(&mut conditions);
         let mut profile = Self { typed: formula.clone(), chains: resolved, shift: Expr::sum(shift), conditions, demands: open };
         profile.end_at_limits();
         Ok(profile)
@@ -155,8 +155,10 @@ impl Profile {
     }
 }
 
-/// Drops the limits of r that were located numerically where another limit is not above them.
-fn drop_located_limits(conditions: &mut Vec<Condition>) {
+/// Drops u <= v beside u < v, and the limits of r that were located numerically where another limit is not above them.
+fn drop_implied(conditions: &mut Vec<Condition>) {
+    let strict: Vec<Condition> = conditions.iter().filter(|own| own.relation == Relation::Less).cloned().collect();
+    conditions.retain(|own| own.relation == Relation::Less || !strict.contains(&Condition::less(own.left.clone(), own.right.clone())));
     let radius = Expr::symbol("r");
     let limits: Vec<Expr> = conditions.iter().filter(|own| own.left == radius).map(|own| own.right.clone()).collect();
     let is_implied = |limit: &Expr| is_approximate(limit) && limits.iter().any(|own| own != limit && is_proven_not_below(limit, own));

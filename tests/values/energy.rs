@@ -1,11 +1,11 @@
 //! The strain energy and the pressure on the axis: proven bounds, against values of 20 digits from `tests/oracle/energy.py` and laws.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use sneddon::contact::Contact;
+use sneddon::contact::{Contact, ContactError};
 use sneddon::expr::Bindings;
 use sneddon::num::Bound;
 use sneddon::parse;
-use sneddon::transform::{Evaluator, Method, Profile, Solution, derive};
+use sneddon::transform::{Evaluator, Method, Profile, Solution, TransformError, derive};
 use sneddon_checks::decimal::Decimal;
 use sneddon_checks::seeds::{cases, sample};
 
@@ -97,5 +97,20 @@ fn the_force_is_the_derivative_of_the_energy() {
         let ratio = (more - less) / (after - before) / force;
         // The third difference: (Δd)² F″/6 of F.
         assert!((ratio - 1.0).abs() < 3e-8, "{text}: {ratio}");
+    }
+}
+
+/// Class "a number without a digit": the integrand is a square, so that an error as large as the value says that waves were missed.
+#[test]
+fn energies_without_a_digit_are_refused() {
+    for (text, a, has_digits) in
+        [("sin(30*r)*r^2", 1.0, true), ("sin(1e6*r)*r^2", 1.0, false), ("struveh(0,r)*r^2", 10.0, true), ("struveh(0,r)*r^2", 1e6, false)]
+    {
+        let solution = solution(text);
+        match contact(&solution, Method::Auto, None).energy(a) {
+            Ok(found) => assert!(has_digits && found.estimate.error < 1e-6 * found.estimate.value, "{text} at {a}: {found:?}"),
+            Err(ContactError::Transform(TransformError::NoDigits { .. })) => assert!(!has_digits, "{text} at {a}"),
+            Err(other) => panic!("{text} at {a}: {other}"),
+        }
     }
 }

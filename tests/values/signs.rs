@@ -129,6 +129,9 @@ fn conditions_name_the_pole_of_a_difference() {
         ("tan(r/(b-c))", &["r < pi/2*abs(b - c)"]),
         ("ln(cos(2*r/(b-c)))", &["r < pi/4*abs(b - c)"]),
         ("r^2/max(R-r,c)", &["c < R"]),
+        ("min(R-sqrt(R^2-r^2),h)", &["h < R", "r < R"]),
+        ("max(0,R-sqrt(R^2-r^2)-h)", &["h < R", "r < R"]),
+        ("piecewise(R-sqrt(R^2-r^2), r<b, R-sqrt(R^2-b^2))", &["b < R"]),
         ("r^2/abs(R-r)", &["r < R"]),
         ("r^2/max(0,R-r^2)", &["r < sqrt(R)"]),
     ] {

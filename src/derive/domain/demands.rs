@@ -175,9 +175,14 @@ fn end_at(limit: Expr, demand: &Demand) -> Option<Condition> {
         (own, _) if own == Sign::Zero || is_at_end() => {
             (demand.zero == Zero::Any && demand.is_unbounded).then(|| Condition::less(r, limit))
         }
-        _ if angles::is_proven_below(end, &limit) => None,
+        _ if angles::is_proven_below(end, &limit) || is_square(&(limit.power(2) - end.power(2))) => None,
         _ => Some(Condition { left: end.clone(), relation: Relation::LessOrEqual, right: limit }),
     }
+}
+
+/// True for the square of a polynomial in the parameters, which is not negative.
+fn is_square(expr: &Expr) -> bool {
+    normal::square_root(expr).is_some()
 }
 
 /// True if f seems to have a finite limit at the upper end of its piece: its changes towards there become smaller.
