@@ -99,6 +99,7 @@ pub(super) fn is_of_depth(quantity: Quantity) -> bool {
 pub(super) fn series_of(quantity: Quantity) -> &'static [Quantity] {
     match quantity {
         Quantity::Force => &[Quantity::Force],
+        Quantity::Pressure => &[Quantity::Pressure],
         Quantity::ForceOfDepth => &[Quantity::Equivalent, Quantity::Force],
         _ => &[Quantity::Equivalent],
     }

@@ -1,9 +1,11 @@
-//! Routines that sum the power series of g and F next to the axis, where the closed form cancels.
+//! Routines that sum the power series of g, F and p next to the axis, where the closed form cancels.
 //!
-//! f(x τ) = Σ A_n τ^(n+s) in powers of τ, whose coefficients follow from one another at run time, gives g(x) = Σ κ_(n+s) A_n and
-//! F/(2E*) = x Σ κ_(n+s) A_n (n+s)/(n+s+1).
+//! f(x τ) = Σ A_n τ^(n+s) in powers of τ, whose coefficients follow from one another at run time, gives g(x) = Σ κ_(n+s) A_n,
+//! F/(2E*) = x Σ κ_(n+s) A_n (n+s)/(n+s+1) and, for s = 0 and x = a, π p/E* = Σ n κ_n A_n J_n/a with J_n = ∫ τ^(n−1)/√(τ²−ρ²) dτ from
+//! ρ = r/a to 1: (n−1) J_n = √(1−ρ²) + (n−2) ρ² J_(n−2), where nothing cancels, and J_1 = arcosh(1/ρ).
 
 use super::tree::LENGTH;
+use crate::contact::Quantity;
 use crate::eval::{Series, power_series};
 use crate::expr::{Bindings, Expr, FirstPower, Node, Number, Symbol, derivative, leading_term};
 use crate::num::kappa::kappa;
@@ -29,9 +31,8 @@ const GROWING: f64 = 1e6;
 
 /// The series of the first pieces of a profile at `coordinate`; `None` if no recurrence is known.
 ///
-/// `is_force` selects F/(2E*) instead of g; `is_alone` says that no quadrature follows; `sample` has numbers for the parameters, from
-/// which the gaps between powers are read.
-pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, is_alone: bool, sample: &Bindings) -> Option<SeriesText> {
+/// `is_alone` says that no quadrature follows; `sample` has numbers for the parameters, from which the gaps between powers are read.
+pub(super) fn text(profile: &Expr, coordinate: &str, quantity: Quantity, is_alone: bool, sample: &Bindings) -> Option<SeriesText> {
     let [alone, followed] = CANCELLING;
     let cancelling = if is_alone { alone } else { followed };
     let gap = gap(&sample.apply(profile))?;
@@ -41,16 +42,33 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, is_alone: b
     let slope = derivative(profile, &writer.radius).ok()?;
     let lead = (leading_term(&slope)?.exponent.to_f64() + 1.0 - shift).round();
     let (first, second) = if shift == 0.0 { (1.0, kappa(1.0)) } else { (kappa(shift), kappa(shift + 1.0)) };
-    let (weight, front) = match is_force {
-        true => (format!(" * ((_n + {shift:?}) / (_n + {:?}))", shift + 1.0), format!("{coordinate} * ")),
-        false => (String::new(), String::new()),
-    };
     let power = if shift == 0.0 { String::new() } else { format!("pow({coordinate}, {shift:?}) * ") };
+    let sum = format!("{power}(_sum + _lost)");
+    let (mut before, mut integral) = (String::new(), "");
+    let (weight, result) = match quantity {
+        Quantity::Force => (format!(" * ((_n + {shift:?}) / (_n + {:?}))", shift + 1.0), format!("{coordinate} * {sum}")),
+        Quantity::Pressure if shift == 0.0 => {
+            // J_1 has no weight or the factor ρ² where it is infinite; under a cone the pressure is infinite at the axis.
+            before = format!(
+                "let _edge = sqrt(({coordinate} - r) * ({coordinate} + r)); let _square = (r / {coordinate}) * (r / {coordinate});
+                let _j = 0; let _j1 = 0; let _j2 = 0;
+                if r == 0 && {lead:?} <= 1 {{ return nan(); }}"
+            );
+            integral = "_j2 = _j1; _j1 = _j; _j = 0;
+                if _n == 1 && r > 0 { _j = asinh(_edge / r); }
+                if _n >= 2 { _j = (_rim + (_n - 2) * _square * _j2) / (_n - 1); }";
+            before.push_str(&format!(" let _rim = _edge / {coordinate};"));
+            (" * _n * _j".to_owned(), format!("{sum} / {coordinate}"))
+        }
+        Quantity::Pressure => return None,
+        _ => (String::new(), sum),
+    };
     let body = format!(
         "{} {} let _n = 0; let _sum = 0; let _lost = 0; let _total = 0; let _size = 0; let _first = 0; let _small = 0; let _part = 0;
-        let _kappa = {first:?}; let _next = {second:?}; let _after = 0;
+        let _kappa = {first:?}; let _next = {second:?}; let _after = 0; {before}
         while _n < {LENGTH} && _small <= {gap} {{
           if _n > 0 {{ {} }}
+          {integral}
           if _n >= {lead:?} {{
             _part = {total}[_n] * _kappa{weight};
             if _first == 0 {{ _first = abs(_part); }}
@@ -67,7 +85,7 @@ pub(super) fn text(profile: &Expr, coordinate: &str, is_force: bool, is_alone: b
           _n = _n + 1;
         }}
         if _small <= {gap} || _size > {cancelling:?} * abs(_sum) {{ return nan(); }}
-        return {front}{power}(_sum + _lost);",
+        return {result};",
         if writer.step.contains("_k") { "let _s = 0; let _k = 0;" } else { "" },
         writer.begin,
         writer.step,

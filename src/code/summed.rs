@@ -11,6 +11,7 @@ use super::{CodeError, gaussian, read, series};
 use crate::contact::Quantity;
 use crate::expr::{Expr, Number, Symbol, collected, over_one_denominator};
 use crate::transform::Sampler;
+use std::f64::consts::FRAC_1_PI;
 
 /// The number of the first variable for a sum.
 const FIRST_SUM: usize = 1000;
@@ -27,16 +28,22 @@ impl Builder<'_> {
         let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
         let profile = Expr::sum(self.solution.profile.chains.iter().filter_map(|own| own.pieces.first().cloned()));
         let is_force = quantity == Quantity::Force;
-        let parameters: Vec<String> = std::iter::once(coordinate.to_owned()).chain(self.arguments.iter().cloned()).collect();
+        let places = coordinates(quantity).into_iter().map(str::to_owned);
+        let parameters: Vec<String> = places.chain(self.arguments.iter().cloned()).collect();
         let mut used = Vec::new();
         for way in ways {
             self.counter = 0;
             let body = match way {
-                Sum::Series => self.series(&profile, coordinate, is_force, *ways == [Sum::Series])?,
+                Sum::Series => self.series(&profile, quantity, *ways == [Sum::Series])?,
+                Sum::Quadrature if quantity == Quantity::Pressure => None,
                 Sum::Quadrature => self.quadrature(coordinate, is_force)?,
             };
             let Some(body) = body else { continue };
-            let of = if is_force { "F/(2 E)" } else { "g" };
+            let of = match quantity {
+                Quantity::Force => "F/(2 E)",
+                Quantity::Pressure => "pi p/E",
+                _ => "g",
+            };
             let (ending, comment) = match way {
                 Sum::Series => (
                     "series",
@@ -62,7 +69,11 @@ impl Builder<'_> {
             let name = format!("t{}", FIRST_SUM + *way as usize);
             let times = |left: Value, right: Value| Value::binary(Operator::Multiply, left, right);
             let value = Value::name(&name);
-            let result = if is_force { times(times(Value::Number(2.0, true), Value::name("E")), value.clone()) } else { value.clone() };
+            let result = match quantity {
+                Quantity::Force => times(times(Value::Number(2.0, true), Value::name("E")), value.clone()),
+                Quantity::Pressure => times(times(Value::Number(FRAC_1_PI, false), Value::name("E")), value.clone()),
+                _ => value.clone(),
+            };
             let is_finite = Test::Compare(Comparison::LessOrEqual, Value::call("abs", vec![value]), Value::Number(f64::MAX, true));
             let statements = vec![Statement::Let(name, call), when(is_finite, result)];
             self.counter = 0;
@@ -89,9 +100,10 @@ impl Builder<'_> {
     }
 
     /// The body of the routine that sums a series; `None` if no recurrence of its coefficients is known.
-    fn series(&mut self, profile: &Expr, coordinate: &str, is_force: bool, is_alone: bool) -> Result<Option<Vec<Statement>>, CodeError> {
+    fn series(&mut self, profile: &Expr, quantity: Quantity, is_alone: bool) -> Result<Option<Vec<Statement>>, CodeError> {
+        let coordinate = coordinates(quantity).last().copied().unwrap_or("a");
         let Some(sample) = Sampler::new(1).parameters(self.solution) else { return Ok(None) };
-        let Some(found) = series::text(profile, coordinate, is_force, is_alone, &sample) else { return Ok(None) };
+        let Some(found) = series::text(profile, coordinate, quantity, is_alone, &sample) else { return Ok(None) };
         let (mut body, mut renaming) = (Vec::new(), Names::new());
         for (name, constant) in &found.constants {
             let (statements, value) = self.lowered(constant)?;

@@ -1,6 +1,6 @@
 //! The contact radius under a given force with a smooth edge: the root of F(a) = F.
 
-use super::radius::{Absence, Certain, Radii, root};
+use super::radius::{Absence, Certain, Radii, overflow, root};
 use super::{Contact, ContactError};
 use crate::num::Estimate;
 use crate::transform::{Quantities, Reading, TransformError};
@@ -40,7 +40,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
                 Ok(own.estimate)
             }
             // F overflows beyond every root.
-            Err(ContactError::Transform(TransformError::Overflow { .. })) => Ok(Estimate::exact(f64::INFINITY)),
+            Err(ContactError::Transform(TransformError::Overflow { is_negative, .. })) => Ok(Estimate::exact(overflow(is_negative))),
             Err(ContactError::Transform(other)) => Err(other),
             Err(_) => Err(TransformError::NotComputable { at: a }),
         };

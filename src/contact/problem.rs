@@ -52,7 +52,7 @@ pub(super) fn representable(own: Reading, symbol: &'static str, at: f64) -> Resu
     if value.is_finite() && error.is_finite() {
         Ok(own)
     } else if value.is_infinite() {
-        Err(TransformError::Overflow { symbol, at }.into())
+        Err(TransformError::Overflow { symbol, at, is_negative: value < 0.0 }.into())
     } else if value.is_nan() {
         Err(TransformError::NotComputable { at }.into())
     } else {
@@ -269,7 +269,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         self.evaluator.check_domain("a", a)?;
         let value = Bounded::exact(2.0) * Bounded::exact(self.effective_modulus) * Bounded::exact(a);
         if !value.is_finite() {
-            return Err(TransformError::Overflow { symbol: "a", at: a }.into());
+            return Err(TransformError::Overflow { symbol: "a", at: a, is_negative: false }.into());
         }
         Ok(Reading { estimate: Estimate::from_bounded(value, 0), method: "exact" })
     }
@@ -392,7 +392,7 @@ impl<P: Quantities + ?Sized> Contact<'_, P> {
         let depth = self.depth(a)?.estimate;
         let d = depth.bounded();
         if !(d.value * (d.value * a)).is_finite() {
-            return Err(TransformError::Overflow { symbol: "a", at: a }.into());
+            return Err(TransformError::Overflow { symbol: "a", at: a, is_negative: false }.into());
         }
         if let Some(own) = self.evaluator.squared_gap(a, d) {
             let Reading { estimate, method } = own?;

@@ -78,7 +78,7 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
             Ok(g.estimate)
         }
         // g overflows beyond every root.
-        Err(TransformError::Overflow { .. }) => Ok(Estimate::exact(f64::INFINITY)),
+        Err(TransformError::Overflow { is_negative, .. }) => Ok(Estimate::exact(overflow(is_negative))),
         Err(other) => Err(other),
     };
     let stays_below = || unreachable::stays_below(evaluator, depth);
@@ -88,6 +88,11 @@ pub(super) fn of_depth<P: Quantities + ?Sized>(contact: &Contact<'_, P>, radii: 
         Absence::Unproven(reason) => ContactError::NotFound { depth, reason },
     })?;
     Ok(Reading { estimate: Estimate { error: reach, evaluations, bound, way, ..Estimate::exact(a) }, method: "root" })
+}
+
+/// The infinity in place of a value that overflows.
+pub(in crate::contact) fn overflow(is_negative: bool) -> f64 {
+    if is_negative { f64::NEG_INFINITY } else { f64::INFINITY }
 }
 
 /// The reason why a search found no radius.

@@ -2,9 +2,9 @@
 
 use crate::derive::angles;
 use crate::derive::chain::Chain;
+use crate::derive::domain::decided::{decided, drop_implied};
 use crate::derive::domain::demands;
 use crate::derive::domain::located::is_approximate;
-use crate::derive::domain::numeric_sign::decided;
 use crate::derive::profile::Profile;
 use crate::derive::rules;
 use crate::derive::solved::{Agreement, SolvedChain, SolvedInterval, SolvedTerm};
@@ -79,6 +79,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     conditions.sort();
     conditions.dedup();
     conditions.retain(|own| decided(own) != Some(true));
+    drop_implied(&mut conditions);
     Ok(Solution { profile: profile.clone(), chains, conditions, verification })
 }
 

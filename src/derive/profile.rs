@@ -1,10 +1,10 @@
 //! The profile as chains of smooth pieces, read from a formula and examined for jumps, kinks and poles.
 
 use crate::derive::chain::Chain;
+use crate::derive::domain::decided::{decided, drop_implied, is_proven_not_below};
 use crate::derive::domain::demand::Demand;
 use crate::derive::domain::demands;
-use crate::derive::domain::located::is_approximate;
-use crate::derive::domain::numeric_sign::{decided, is_proven_not_below, numeric_sign};
+use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::derive::kinks::{Resolved, groups, resolve};
 use crate::derive::{angles, domain};
 use crate::expr::{Bindings, Condition, Expr, Formula, Relation, Sign, Symbol, undefined_constant};
@@ -153,16 +153,6 @@ impl Profile {
         let radius = Expr::symbol("r");
         self.conditions.iter().filter(move |c| c.left == radius && c.relation != Relation::Equal).map(|c| &c.right)
     }
-}
-
-/// Drops u <= v beside u < v, and the limits of r that were located numerically where another limit is not above them.
-fn drop_implied(conditions: &mut Vec<Condition>) {
-    let strict: Vec<Condition> = conditions.iter().filter(|own| own.relation == Relation::Less).cloned().collect();
-    conditions.retain(|own| own.relation == Relation::Less || !strict.contains(&Condition::less(own.left.clone(), own.right.clone())));
-    let radius = Expr::symbol("r");
-    let limits: Vec<Expr> = conditions.iter().filter(|own| own.left == radius).map(|own| own.right.clone()).collect();
-    let is_implied = |limit: &Expr| is_approximate(limit) && limits.iter().any(|own| own != limit && is_proven_not_below(limit, own));
-    conditions.retain(|own| own.left != radius || !is_implied(&own.right));
 }
 
 impl Chain {

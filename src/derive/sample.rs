@@ -1,6 +1,6 @@
 //! Seeded random places for comparisons: admissible values of the parameters, and points within the profile's reach.
 
-use crate::derive::domain::numeric_sign::decided;
+use crate::derive::domain::decided::decided;
 use crate::derive::engine::Solution;
 use crate::derive::stream::Stream;
 use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Symbol};

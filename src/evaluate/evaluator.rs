@@ -133,7 +133,9 @@ impl<'a> Evaluator<'a> {
             });
         }
         let limits = solution.profile.limits().map(number).collect::<Result<_, _>>()?;
-        let barriers = solution.profile.demands.iter().map(|own| Barrier::new(own, bindings)).collect::<Result<_, _>>()?;
+        let barriers: Result<Vec<Barrier>, _> = solution.profile.demands.iter().map(|own| Barrier::new(own, bindings)).collect();
+        let mut barriers = barriers?;
+        barriers.sort_by(|one, other| one.lower().total_cmp(&other.lower()));
         Ok(Self {
             solution,
             bindings: bindings.clone(),
@@ -191,18 +193,22 @@ impl<'a> Evaluator<'a> {
 
     /// The smallest upper limit of r that the profile has.
     pub fn limit(&self) -> f64 {
-        *self.end.get_or_init(|| work::finished(|| self.with_ends(Barrier::first_end)))
+        *self.end.get_or_init(|| work::finished(|| self.with_ends(|own, _| own.first_end())))
     }
 
     /// The smallest upper limit, or an end of the profile found numerically below `at`, if that is smaller.
     pub(crate) fn limit_up_to(&self, at: f64) -> f64 {
-        if self.barriers.is_empty() { self.limit() } else { self.with_ends(|own| own.end_up_to(at)).min(self.limit()) }
+        if self.barriers.is_empty() { self.limit() } else { self.with_ends(|own, before| own.end_up_to(at.min(before))).min(self.limit()) }
     }
 
     /// The smallest limit or end; an end that lies below a limit only by rounding is replaced by the limit.
-    fn with_ends(&self, end: impl Fn(&Barrier) -> Option<f64>) -> f64 {
+    ///
+    /// `end` is called with the smallest one so far, beyond which no other counts.
+    fn with_ends(&self, end: impl Fn(&Barrier, f64) -> Option<f64>) -> f64 {
         let limit = self.limits.iter().copied().fold(f64::INFINITY, f64::min);
-        let found = self.barriers.iter().filter_map(end).fold(limit, f64::min);
+        let narrowed =
+            |found: f64, own: &Barrier| if own.lower() < found { end(own, found).map_or(found, |end| end.min(found)) } else { found };
+        let found = self.barriers.iter().fold(limit, narrowed);
         if found > limit * (1.0 - SAME) { limit } else { found }
     }
 
@@ -475,7 +481,9 @@ fn finite(reading: Option<Reading>, symbol: &'static str, at: f64) -> Result<Rea
         Some(reading) if reading.estimate.value.is_finite() && reading.estimate.error.is_finite() => Ok(reading),
         // A value without a finite error bound is refused.
         Some(reading) if reading.estimate.value.is_finite() => Err(TransformError::NotComputable { at }),
-        Some(reading) if reading.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol, at }),
+        Some(reading) if reading.estimate.value.is_infinite() => {
+            Err(TransformError::Overflow { symbol, at, is_negative: reading.estimate.value < 0.0 })
+        }
         _ => Err(TransformError::OutOfDomain { symbol, at, limit: String::new() }),
     }
 }

@@ -124,7 +124,7 @@ impl InverseNumbers {
         };
         match best.estimate.value {
             value if value.is_finite() => Ok(best),
-            value if value.is_infinite() => Err(TransformError::Overflow { symbol: "r", at: r }),
+            value if value.is_infinite() => Err(TransformError::Overflow { symbol: "r", at: r, is_negative: value < 0.0 }),
             _ => Err(TransformError::OutOfDomain { symbol: "r", at: r, limit: String::new() }),
         }
     }

@@ -62,13 +62,15 @@ pub enum TransformError {
         /// The known limit, as text that follows the sentence.
         limit: String,
     },
-    /// A value beyond the largest number.
+    /// A value whose magnitude is beyond the largest number.
     #[error("the value at {symbol} = {at:?} is too large for a 64-bit float; expected a smaller {symbol} or other units")]
     Overflow {
         /// Name of the coordinate.
         symbol: &'static str,
         /// The coordinate.
         at: f64,
+        /// The sign of the value.
+        is_negative: bool,
     },
     /// A value below the smallest normal number, too small to compute a further quantity from it.
     #[error("{quantity} at {symbol} = {at:?} is too small for a 64-bit float; expected a larger {symbol}, or other units")]
@@ -213,7 +215,7 @@ impl TransformError {
     pub fn of_radius(self) -> Self {
         match self {
             Self::OutOfDomain { symbol: "x", at, limit } => Self::OutOfDomain { symbol: "a", at, limit },
-            Self::Overflow { symbol: "x", at } => Self::Overflow { symbol: "a", at },
+            Self::Overflow { symbol: "x", at, is_negative } => Self::Overflow { symbol: "a", at, is_negative },
             other => other,
         }
     }

@@ -209,3 +209,27 @@ fn radii_under_forces_keep_their_bounds() {
         assert!(matches!(refused, Err(ContactError::ForceUnreachable { .. })), "{text} under {force}: {refused:?}");
     }
 }
+
+/// Class "a radius where there is none": g falls to minus infinity, where it overflows, or the profile ends first. Values of g that overflow
+/// counted as positive, and the radius of a power went on beyond the end.
+#[test]
+fn no_radius_is_found_beyond_a_maximum_or_an_end() {
+    for (text, largest) in [
+        ("r/[s]*(3-(r/[s])^2)*[s]", 2.565_099_66),
+        ("(r/[s])^2*(3-(r/[s])^2)*[s]", 3.375),
+        ("(r/[s])^1.5*(2-r/[s])*[s]", 1.409_833_01),
+        ("r*min(1/(1-r/[s]),r/[s])", 2.0),
+        ("(1-cosh(r/[s])+2*(r/[s])^2)*[s]", 14.25),
+    ] {
+        for unit in [1e-9, 1.0, 1e6] {
+            for depth in [1.01, 2.0, 1e3] {
+                let found = radius(text, unit, depth * largest * unit);
+                assert!(found.is_err(), "{text} in units of {unit:e}, {depth}: {found:?}");
+            }
+        }
+        assert!(radius(text, 1.0, 0.5 * largest).is_ok(), "{text}");
+    }
+    // F of r(3 − r²) is at most 1.58.
+    let contact = contact("r*(3-r^2)", 1.0);
+    assert!(contact.radius_under_force(100.0).is_err() && contact.force_of_depth(10.0).is_err());
+}

@@ -129,6 +129,10 @@ fn profiles_end_where_an_argument_of_min_or_max_does() {
     }
     // The arguments of a piece count within that piece only.
     assert_eq!(end_beyond("piecewise(min(1-sqrt(1-r^2),0.1), r<0.9, 0.1)", 1.8), None);
+    // The order of these is known from their signs.
+    for (text, end) in [("max(r,ln(1-r))", 1.0), ("min(sqrt(1-r),2+r)", 1.0), ("r^2+max(2,tanh(ln(2-r)))", 2.0)] {
+        assert_eq!(end_beyond(text, 2.5), Some(end), "{text}");
+    }
     for text in ["max(0,sqrt(r-1)-1)", "max(0,ln(r-1))", "max(0.5,acosh(r))"] {
         assert!(matches!(Profile::new(&parse::profile(text).unwrap()), Err(TransformError::NotReal { .. })), "{text}");
     }
@@ -164,6 +168,14 @@ fn profiles_with_kinks_end_at_the_pole_of_an_argument() {
     // Infinite arguments that are not used, or under a factor that is zero there, end nothing.
     for text in ["min(2,1/abs(1-r))", "abs(r-1)*ln(abs(r-1))", "piecewise(0, r<2.5, max(0,4-4/(r-1))-4/3)", "sqrt(abs(r-1))"] {
         assert_eq!(end_beyond(text, 2.8), None, "{text}");
+    }
+}
+
+/// Poles that accumulate at the axis are refused at once; the search for them did not end.
+#[test]
+fn poles_that_accumulate_at_the_axis_are_refused() {
+    for text in ["r*abs(tan(ln(r/3)))", "r/abs(cos(ln(r)))"] {
+        assert!(end_beyond(text, 0.3).is_some_and(|end| end < 1e-300), "{text}");
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::curvature::Curvature;
 use super::{Boundary, Indentation, Load, State};
+use crate::contact::radius::overflow;
 use crate::contact::{Contact, ContactError};
 use crate::num::roots::{RootOptions, bracketed};
 use crate::num::{Bounded, work};
@@ -178,7 +179,7 @@ impl Indentation<'_> {
         let mut gap = |a: f64| match self.contact.evaluator().slope(a) {
             Ok(g) => Ok(g.estimate.value - depth),
             // An overflow lies beyond every root.
-            Err(TransformError::Overflow { .. }) => Ok(f64::INFINITY),
+            Err(TransformError::Overflow { is_negative, .. }) => Ok(overflow(is_negative)),
             Err(other) => Err(other),
         };
         let mut states = Vec::new();
@@ -195,7 +196,7 @@ impl Indentation<'_> {
     pub(super) fn smooth_at_force(&self, force: f64) -> Result<Vec<State>, ContactError> {
         let mut lack = |a: f64| match self.contact.any_force(a) {
             Ok(found) => Ok(found.estimate.value - force),
-            Err(ContactError::Transform(TransformError::Overflow { .. })) => Ok(f64::INFINITY),
+            Err(ContactError::Transform(TransformError::Overflow { is_negative, .. })) => Ok(overflow(is_negative)),
             Err(ContactError::Transform(error)) => Err(error),
             Err(_) => Err(TransformError::NotComputable { at: a }),
         };

@@ -36,6 +36,8 @@ const PLACES: u32 = 512;
 const SHORTEST: f64 = 4.0 * f64::EPSILON;
 /// An interval from the axis on is a place where it is this small a part of the range.
 const NEAREST: f64 = 1e-18;
+/// Steps of a search within an interval, which subnormal places would not end.
+const MOST_HALVINGS: u32 = 1_100;
 /// Powers of two at which a sign is looked for.
 const OCTAVES: std::ops::Range<i32> = -200..200;
 
@@ -51,6 +53,11 @@ impl Barrier {
         let starts_negative = || [lower, next].into_iter().map(|r| form.value(&[r])).find_map(certain_sign) == Some(-1.0);
         let sign = if demand.either_sign && starts_negative() { -1.0 } else { 1.0 };
         Ok(Self { form, sign, zero: demand.zero, lower, upper, known: Mutex::new(Known { met: lower, end: None }) })
+    }
+
+    /// The lower end of its piece.
+    pub(crate) fn lower(&self) -> f64 {
+        self.lower
     }
 
     /// Where the demand fails, if it does at some power of two, or before.
@@ -125,16 +132,19 @@ impl Barrier {
     fn look(&self, from: f64, to: f64) -> Option<f64> {
         let fails = |r: f64| certain_sign(self.form.value(&[r])) == Some(-self.sign);
         let place = |step: u32| from + (to - from) * f64::from(step) / f64::from(PLACES);
-        let size = |r: f64| self.form.value(&[r]).value.abs();
+        // The sizes at the last two places.
+        let (mut before, mut last) = (0.0, 0.0);
         for step in 1..=PLACES {
-            let (before, at) = (place(step - 1), place(step));
-            if fails(at) {
-                return Some(last_before(before, at, fails));
+            let (at, value) = (place(step), self.form.value(&[place(step)]));
+            if certain_sign(value) == Some(-self.sign) {
+                return Some(last_before(place(step - 1), at, fails));
             }
-            let is_lowest = self.zero == Zero::Any && step >= 2 && size(before) <= size(place(step - 2)).min(size(at));
+            let size = value.value.abs();
+            let is_lowest = self.zero == Zero::Any && step >= 3 && last <= f64::min(before, size);
             if is_lowest && let Some(end) = self.double_zero(place(step - 2), at) {
                 return Some(end);
             }
+            (before, last) = (last, size);
         }
         None
     }
@@ -145,7 +155,10 @@ impl Barrier {
         let has_lost_sign = |r: f64| certain_sign(self.form.value(&[r])) != Some(self.sign);
         let size = |r: f64| self.form.value(&[r]).value.abs();
         let (mut low, mut high) = (from, to);
-        while high > low * (1.0 + SHORTEST) {
+        for _ in 0..MOST_HALVINGS {
+            if high <= low * (1.0 + SHORTEST) {
+                break;
+            }
             let (one, two) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
             match [one, two].into_iter().find(|r| has_lost_sign(*r)) {
                 Some(zero) => return Some(last_before(from, zero, has_lost_sign)),
@@ -160,8 +173,11 @@ impl Barrier {
 /// The last place found by bisection before something is the case that is at `to` and not at `from`.
 fn last_before(from: f64, to: f64, is_so: impl Fn(f64) -> bool) -> f64 {
     let (mut before, mut beyond) = (from, to);
-    while beyond > before * (1.0 + SHORTEST) {
+    for _ in 0..MOST_HALVINGS {
         let middle = before + 0.5 * (beyond - before);
+        if beyond <= before * (1.0 + SHORTEST) || middle <= before || middle >= beyond {
+            break;
+        }
         *(if is_so(middle) { &mut beyond } else { &mut before }) = middle;
     }
     before

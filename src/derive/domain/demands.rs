@@ -3,13 +3,14 @@
 use crate::derive::angles;
 use crate::derive::chain::Chain;
 use crate::derive::domain::barrier::Barrier;
+use crate::derive::domain::decided::is_proven_not_below;
 use crate::derive::domain::demand::Demand;
 use crate::derive::domain::first_zero::{Zero, fails_somewhere, first_zero, last_root, starting_sign};
 use crate::derive::domain::located::approximate;
-use crate::derive::domain::numeric_sign::{is_proven_not_below, numeric_sign};
+use crate::derive::domain::numeric_sign::numeric_sign;
 use crate::derive::domain::{sample_bindings, value_at};
 use crate::eval::constant_value;
-use crate::expr::{Bindings, Condition, Expr, Node, Relation, Sign, Symbol, normal, sign};
+use crate::expr::{Bindings, Condition, Expr, Node, Relation, Sign, Symbol, leading_term, normal, sign};
 use crate::integrate::error::TransformError;
 use crate::print;
 
@@ -199,11 +200,12 @@ fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
     let Demand { expr, zero, either_sign, lower, upper, .. } = demand;
     let mut conditions = Vec::new();
     let starts = starting_sign(expr, lower);
-    if starts.is_none() {
-        if *either_sign {
-            // Which sign it has, and where that ends, depends on the parameters.
-            return Ok(conditions);
-        }
+    if starts.is_none() && *either_sign {
+        // Which sign it has, and where that ends, depends on the parameters.
+        return Ok(conditions);
+    }
+    let is_certain = starts == Some(Sign::Positive);
+    if !is_certain && !either_sign {
         let start = Bindings::one("r", lower.clone()).apply(expr);
         if sign(&start) == Sign::Unknown && !start.symbols().is_empty() {
             conditions.push(above_zero(&start).ok_or_else(|| TransformError::NotReal { detail: print::text_expr(expr) })?);
@@ -238,7 +240,13 @@ pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Ve
             Some(Some(limit)) => found.extend(end_at(limit, demand)),
             // No zero was found for this sign.
             Some(None) => {}
-            None => found.push(Condition::less(Expr::zero(), start * expr)),
+            None if !start.is_zero() => found.push(Condition::less(Expr::zero(), start * expr)),
+            // c r^k has the sign of c, and other sums that of their leading term.
+            None => match leading_term(expr) {
+                Some(_) if normal::normal_terms(expr, &Symbol::new("r")).is_ok_and(|terms| terms.len() == 1) => {}
+                Some(leading) if lower.is_zero() => found.push(Condition::less(Expr::zero(), leading.coefficient * expr)),
+                _ => {}
+            },
         }
     }
     found

@@ -1,5 +1,6 @@
 //! The first radius beyond a lower end where an expression vanishes, as a formula.
 
+use crate::derive::angles;
 use crate::derive::domain::located::approximate;
 use crate::derive::domain::{sample_bindings, value_at};
 use crate::eval::constant_value;
@@ -36,7 +37,12 @@ pub(crate) fn starting_sign(expr: &Expr, lower: &Expr) -> Option<Sign> {
 
 /// Random parameters, the lower end there, and whether the expression is positive next to it.
 fn starts(expr: &Expr, lower: &Expr) -> Vec<(Bindings, f64, bool)> {
-    let sets = sample_bindings(&(expr + lower), SAMPLES);
+    // Every other set has its numbers cubed, so that they cover four decades.
+    let whole = expr + lower;
+    let power = |name: &Symbol| if angles::largest(&whole, name).is_some() { 1 } else { 3 };
+    let cubed = |set: Bindings| set.iter().map(|(name, value)| (name.name(), value.power(power(name)))).collect();
+    let sets = sample_bindings(&whole, 2 * SAMPLES).into_iter().enumerate();
+    let sets = sets.map(|(index, set)| if index % 2 == 1 { cubed(set) } else { set });
     let start = |set: Bindings| {
         let low = number(lower, &set)?;
         let value = value_at(expr, &set, low + NEAR * if low > 0.0 { low } else { 1.0 });

@@ -1,6 +1,7 @@
 //! Where a profile is real and finite: its value at the axis, and tests at random admissible points.
 
 pub(crate) mod barrier;
+pub(crate) mod decided;
 pub(crate) mod demand;
 pub(crate) mod demands;
 pub(crate) mod first_zero;

@@ -1,8 +1,9 @@
 //! Integrals of powers of w ± r over √(x²−r²), shared by the linear families.
 
 use super::combination::{Combination, Form};
+use crate::derive::domain::decided::decided;
 use crate::derive::domain::demands::above_zero;
-use crate::expr::{Condition, Expr, Sign, sign};
+use crate::expr::{Condition, Expr, Relation, Sign, sign};
 use crate::integrate::segment::Segment;
 use std::cell::RefCell;
 
@@ -66,10 +67,13 @@ impl Pole {
             conditions.push(above_zero(&w)?);
         }
         if above {
-            conditions.push(Condition::less(segment.upper.clone().unwrap_or_else(|| Expr::symbol("r")), w.clone()));
+            // A root may vanish at the end of its segment.
+            let relation = if half && segment.upper.is_some() { Relation::LessOrEqual } else { Relation::Less };
+            let left = segment.upper.clone().unwrap_or_else(|| Expr::symbol("r"));
+            conditions.push(Condition { left, relation, right: w.clone() });
         }
-        conditions.retain(|condition| condition.decided() != Some(true));
-        if conditions.iter().any(|condition| condition.decided() == Some(false)) {
+        conditions.retain(|condition| decided(condition) != Some(true));
+        if conditions.iter().any(|condition| decided(condition) == Some(false)) {
             return None;
         }
         Some((Self { w, above, half, known: RefCell::default() }, conditions))

@@ -111,6 +111,11 @@ impl Gate {
         } else {
             Some(self.drawn(&[self.conditions.as_slice(), &answer.conditions].concat()))
         };
+        if own.as_ref().is_some_and(Vec::is_empty) && !self.places.is_empty() {
+            // The answer holds for parameters only that the profile excludes.
+            solved.answer = None;
+            return;
+        }
         let places = own.as_ref().unwrap_or(&self.places);
         let subject = if places.is_empty() { None } else { Subject::new(&solved.term, answer, &self.names) };
         for (place, subject) in places.iter().zip(subject.iter().cycle()) {

@@ -118,7 +118,7 @@ impl<'a> Curve<'a> {
     pub fn slope_derivative(&self, x: f64) -> Result<f64, TransformError> {
         self.check("x", x)?;
         let value = self.slope.derivative(x);
-        if value.is_finite() { Ok(value) } else { Err(TransformError::Overflow { symbol: "x", at: x }) }
+        if value.is_finite() { Ok(value) } else { Err(TransformError::Overflow { symbol: "x", at: x, is_negative: value < 0.0 }) }
     }
 
     /// F(a)/(2E*) under a smooth edge.

@@ -116,7 +116,8 @@ impl Evaluator<'_> {
             // An intermediate overflow does not imply that the result overflows.
             let (exact, way) = precise_total(&forms, inputs);
             if exact.value.hi.is_infinite() || (overflow && !exact.is_finite()) {
-                return Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact });
+                let signed = if exact.value.hi.is_infinite() { exact.value.hi } else { closed.value };
+                return Err(TransformError::Overflow { symbol: quantity.coordinate(), at: contact, is_negative: signed < 0.0 });
             }
             Estimate::from_bounded(rounded(exact), 0).by(way)
         };

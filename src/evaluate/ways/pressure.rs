@@ -65,7 +65,9 @@ impl Evaluator<'_> {
         match best.answer()? {
             Some(own) if own.estimate.value.is_nan() => Err(TransformError::NotComputable { at: a }),
             Some(own) if own.estimate.value.is_finite() && !own.estimate.error.is_finite() => Err(TransformError::NotComputable { at: a }),
-            Some(own) if own.estimate.value.is_infinite() => Err(TransformError::Overflow { symbol: "a", at: a }),
+            Some(own) if own.estimate.value.is_infinite() => {
+                Err(TransformError::Overflow { symbol: "a", at: a, is_negative: own.estimate.value < 0.0 })
+            }
             Some(own) => Ok(Some(own)),
             None if self.method == Method::Exact => Err(TransformError::NoClosedForm { quantity: "p" }),
             None => Err(TransformError::NotComputable { at: a }),

@@ -422,16 +422,26 @@ fn even(name: &'static str, a: &[Expr]) -> Option<Expr> {
     }
 }
 
-/// The larger or smaller argument where the order is provable; else the arguments in canonical order.
+/// The larger or smaller argument where the order is provable and the other one is real everywhere; else the arguments in canonical order.
 fn extreme(a: &[Expr], smaller: bool) -> Option<Expr> {
     let [u, v] = a else { return None };
-    match sign(&(u - v)) {
-        Sign::Zero => Some(u.clone()),
-        Sign::Positive => Some(if smaller { v.clone() } else { u.clone() }),
-        Sign::Negative => Some(if smaller { u.clone() } else { v.clone() }),
-        Sign::Unknown if v < u => {
-            Function::named(if smaller { "min" } else { "max" }).map(|f| Expr::function(f, vec![v.clone(), u.clone()]))
-        }
-        Sign::Unknown => None,
+    let order = sign(&(u - v));
+    let (kept, dropped) = if (order == Sign::Positive) == smaller { (v, u) } else { (u, v) };
+    if order == Sign::Zero || (order != Sign::Unknown && is_real_everywhere(dropped)) {
+        return Some(kept.clone());
     }
+    let function = Function::named(if smaller { "min" } else { "max" })?;
+    (v < u).then(|| Expr::function(function, vec![v.clone(), u.clone()]))
+}
+
+/// True if an expression is real and finite for all positive symbols, as far as signs show it.
+fn is_real_everywhere(expr: &Expr) -> bool {
+    expr.parts().all(|own| match own.node() {
+        Node::Power(base, exponent) => sign(base) == Sign::Positive || exponent.as_integer().is_some_and(|n| n >= 0),
+        Node::Function(function, arguments) => {
+            let demands = function.row().domain.map_or_else(Vec::new, |domain| domain(arguments));
+            demands.iter().all(|own| sign(own) == Sign::Positive) && !matches!(function.name(), "tan" | "gamma" | "digamma" | "polygamma")
+        }
+        _ => true,
+    })
 }
