@@ -32,8 +32,11 @@ impl PrecisionArguments {
 /// [`Failure`] unless the value is a whole number from 1 to 17.
 pub(super) fn significant<T>(option: &str, text: &str, read: impl Fn(&str) -> Option<T>) -> Result<T, Failure> {
     read(text.trim()).ok_or_else(|| {
-        Failure::new(format!("{option} {} is not a number of digits", text.trim()))
-            .help(format!("expected a whole number from 1 to {}", Digits::MOST))
-            .at(option, text, 0..text.len())
+        let fault = if text.trim().parse::<i64>().is_ok() { "is out of range" } else { "is not a whole number" };
+        Failure::new(format!("{option} {} {fault}", text.trim())).help(format!("expected a whole number from 1 to {}", Digits::MOST)).at(
+            option,
+            text,
+            0..text.len(),
+        )
     })
 }

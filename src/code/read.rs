@@ -254,7 +254,7 @@ impl Reader {
     }
 }
 
-/// Whether a decimal number is a multiple of 2^-30, and so the double that is read; others are taken to be rounded.
+/// Returns true if the number is a multiple of 2^-30, which a double represents exactly; other numbers are treated as rounded.
 fn is_short(number: f64) -> bool {
     (number * f64::from(1 << 30)).fract() == 0.0
 }

@@ -53,7 +53,7 @@ pub enum TransformError {
         limit: usize,
     },
     /// A point lies outside the profile's domain.
-    #[error("{symbol} = {at:?} lies outside the domain of the profile{limit}")]
+    #[error("{symbol} = {at:?} is not inside the domain of the profile{limit}")]
     OutOfDomain {
         /// Name of the coordinate.
         symbol: &'static str,

@@ -19,7 +19,7 @@ pub struct Derivation<'a> {
     pub relations: &'a Relations,
     /// The requested quantities in this order; empty for the default.
     pub asked: &'a [Quantity],
-    /// Changes to the formulas in print.
+    /// How formulas are printed: renamed symbols and rounding.
     pub presentation: &'a Presentation,
     /// The result of the check, or the reason why it was not possible.
     pub check: Result<Check, Unchecked>,

@@ -80,7 +80,7 @@ impl Grid {
                 fault(format!("the grid has {} radii", r.len()), "expected 1 to 10000000 radii")
             }
             Self::Radial(r) if r.extremes().is_some_and(|(low, high)| low < 0.0 || !high.is_finite()) => {
-                fault("the grid contains a negative radius".to_owned(), "expected radii of at least 0")
+                fault("the grid contains a negative or infinite radius".to_owned(), "expected finite radii of at least 0")
             }
             Self::Radial(r) if r.iter().zip(r.iter().skip(1)).any(|(one, next)| next <= one) => {
                 fault("the radii of the grid are not increasing".to_owned(), "expected increasing radii")
@@ -94,9 +94,10 @@ impl Grid {
             Self::Square { count, .. } if *count == 0 || *count > LARGEST_GRID => {
                 fault(format!("the grid has {count} points along a side"), "expected 1 to 8192 points")
             }
-            Self::Square { count, between: true, .. } if count % 2 == 1 => {
-                fault(format!("{count} points along a side cannot be centred on the axis"), "expected an even number of points")
-            }
+            Self::Square { count, between: true, .. } if count % 2 == 1 => fault(
+                format!("{count} points along a side cannot be placed around the axis"),
+                "expected an even number of points with --between",
+            ),
             Self::Square { side, .. } if !(*side > 0.0 && side.is_finite()) => {
                 fault("the side of the grid is not positive".to_owned(), "expected a positive length")
             }
@@ -111,24 +112,26 @@ impl Grid {
     pub fn parse(text: &str, side: Option<&str>, between: bool, scene: &Scene) -> Result<Self, SceneError> {
         let help = "expected 64 with a box, or start:stop:count such as \"0:2 um:101\"";
         let fault = || SceneError::value(format!("cannot parse the grid {text:?}")).help(help);
-        let length = |own: &str| {
+        let length = |own: &str, what: &str| {
             let quantity = DimensionedNumber::parse(own)?;
             if !scene.system.has_units() && quantity.unit().is_some() {
                 return Err(SceneError::unit(format!("{} has a unit, but the numbers of the scene have none", own.trim()))
                     .help("expected a number without a unit, in the length unit of the scene"));
             }
-            to_double_double(&scene.system.exact(&quantity, Dimension::LENGTH, "the grid")?)
+            to_double_double(&scene.system.exact(&quantity, Dimension::LENGTH, what)?)
         };
         let count = |own: &str| own.trim().parse::<usize>().map_err(|_| fault());
         let grid = match text.split(':').collect::<Vec<_>>().as_slice() {
             [only] => {
                 let count = count(only)?;
                 let declared = scene.data.as_ref().and_then(|own| own.side);
-                let side = side.map(length).transpose()?.map(|own| own.value()).or(declared);
+                let side = side.map(|own| length(own, "the box")).transpose()?.map(|own| own.value()).or(declared);
                 let missing = || SceneError::missing("the grid has no box").help("expected the side of the domain, such as \"8 um\"");
                 Self::Square { side: side.ok_or_else(missing)?, count, between }
             }
-            [start, stop, number] => Self::Radial(Loads::Range(Steps::new(length(start)?, length(stop)?, count(number)?, false))),
+            [start, stop, number] => {
+                Self::Radial(Loads::Range(Steps::new(length(start, "the grid")?, length(stop, "the grid")?, count(number)?, false)))
+            }
             _ => return Err(fault()),
         };
         grid.checked()
@@ -141,7 +144,7 @@ impl Grid {
         Some(Self::Square { side: data.side?, count, between })
     }
 
-    /// Returns the numbers of points along each direction.
+    /// Returns the number of points along each direction.
     pub fn shape(&self) -> Vec<usize> {
         match self {
             Self::Radial(r) => vec![r.len()],

@@ -59,6 +59,8 @@ pub(super) const MARGIN: f64 = 4.0;
 /// 1 + `AT_EDGE`.
 const EDGE: f64 = 1.5;
 const AT_EDGE: f64 = 0.1;
+/// The largest pressure outside of a smooth edge, relative to the mean pressure, in addition to that `EDGE` pixels further inside.
+const OUTSIDE: f64 = 0.02;
 /// The tolerance of displacements around a rim, relative to the tolerance of the force.
 const RIM_OUTSIDE: f64 = 2.0;
 /// Maximum fraction by which a pressure at a rim may be smaller than the exact pressure `EDGE` pixels further inside.
@@ -298,6 +300,11 @@ impl Sums {
         } else if far.is_finite() && exact > 0.0 {
             let limit = (1.0 + AT_EDGE) * far / exact;
             self.compared.limit(Outlier { at: spot.r, data: spot.p, exact, allowed: limit }, limit);
+        } else if inner.is_finite() && self.state.radius <= spot.r {
+            // A pixel that the edge cuts may have what the contact has further inside.
+            let mean = self.state.force / (PI * self.state.radius * self.state.radius);
+            let limit = OUTSIDE + (1.0 + AT_EDGE) * inner / mean;
+            self.compared.limit_relative_to(mean, Outlier { at: spot.r, data: spot.p, exact, allowed: limit }, limit);
         }
     }
 

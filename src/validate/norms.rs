@@ -106,9 +106,16 @@ impl Norms {
 
     /// Compares one row with its own limit, which an average over many rows cannot hide.
     pub(super) fn limit(&mut self, own: Outlier, limit: f64) {
-        let error = ratio(own.difference(), own.exact.abs());
+        if own.exact != 0.0 {
+            self.limit_relative_to(own.exact.abs(), own, limit);
+        }
+    }
+
+    /// The same with the limit relative to `scale`, for rows whose exact value is 0.
+    pub(super) fn limit_relative_to(&mut self, scale: f64, own: Outlier, limit: f64) {
+        let error = ratio(own.difference(), scale);
         let known = |other: &Outlier| other.at == own.at && other.data == own.data;
-        if own.exact == 0.0 || error <= limit || self.suspects.iter().any(|other| known(&other.1)) {
+        if error <= limit || self.suspects.iter().any(|other| known(&other.1)) {
             return;
         }
         self.suspects.push((Beyond { at: own.at, error, limit }, own));

@@ -51,10 +51,10 @@ impl Region {
         (self.apex && r < margin) || self.kinks.iter().any(|kink| (r - kink).abs() < margin)
     }
 
-    /// Returns true inside the contact near its edge, and away from other singular points.
+    /// Returns true near the edge of the contact, and away from other singular points.
     pub(super) fn meets_edge(&self, r: f64) -> bool {
         let margin = self.margin();
-        r < self.a && self.a - r < margin && !self.is_near_inner(r, 2.0 * margin)
+        (self.a - r).abs() < margin && !self.is_near_inner(r, 2.0 * margin)
     }
 }
 

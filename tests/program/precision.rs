@@ -77,10 +77,10 @@ fn values_have_so_many_digits_and_bounds_include_the_rounding() {
 #[test]
 fn what_is_no_number_of_digits_is_refused() {
     for (more, expected) in [
-        (["--precision", "0", "--csv"], "--precision 0 is not a number of digits"),
+        (["--precision", "0", "--csv"], "--precision 0 is out of range"),
         (["--precision", "18", "--csv"], "expected a whole number from 1 to 17"),
-        (["--precision", "x", "--csv"], "--precision x is not a number of digits"),
-        (["--precision", "-3", "--csv"], "--precision -3 is not a number of digits"),
+        (["--precision", "x", "--csv"], "--precision x is not a whole number"),
+        (["--precision", "-3", "--csv"], "--precision -3 is out of range"),
         (["--precision", "4", "--json"], "--precision applies only to text and CSV"),
     ] {
         let done = run(&[["eval", "r^2", "--quantity", "F", "--at", "0.1"].as_slice(), &more].concat());

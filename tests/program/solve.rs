@@ -556,7 +556,7 @@ fn verdicts_say_what_they_rest_on() {
     let radii = answer["validity"]["radii"].as_u64().unwrap();
     assert!(radii > 50 && answer["rows"][0]["verdict"] == format!("valid at {radii} radii"));
     let text = run_in(Path::new("."), &sampled, &["solve", "-"]);
-    assert!(String::from_utf8_lossy(&text.stdout).contains(&format!("\nvalid at {radii} radii: ")));
+    assert!(String::from_utf8_lossy(&text.stdout).contains(&format!("\nvalid at {radii} radii (model: ")));
 }
 
 /// The first touch is a root of f′, a kink or the rim, and no sample: heights from the closed minima of each shape.
@@ -593,7 +593,7 @@ fn the_first_touch_is_exact() {
     assert!((row["F"].as_f64().unwrap() - 2.0 * (0.6 - integral)).abs() < 1e-15);
 }
 
-/// A flat punch is not taken for a flat punch, and none but round indenters are axially symmetric.
+/// A flat punch is not taken for a flat punch, and none but round indenters are axisymmetric.
 #[test]
 fn a_shape_is_not_compared_with_itself() {
     let flat = json(&bare("f = \"0\"\nradius = 2.0", "depth = 0.1"), 0, &[]);
@@ -603,7 +603,7 @@ fn a_shape_is_not_compared_with_itself() {
         let answer = json(&scene, 0, &[]);
         assert!(answer["rows"][0].get("regime").is_none(), "{section}");
         let assumptions = answer["validity"]["assumptions"].as_str().unwrap();
-        assert!(!assumptions.contains("axially symmetric") && assumptions.contains("cross-section"), "{assumptions}");
+        assert!(!assumptions.contains("axisymmetric") && assumptions.contains("cross-section"), "{assumptions}");
     }
     // F of a concave punch beside the flat one of the same rim, both from the first touch: 2Ec(d + h) to 2Ec(d + 2h/3), h = 0.1.
     let concave = json(&bare("f = \"-0.1*r^2\"\nradius = 1.0", "depth = 0.5"), 0, &[]);

@@ -134,7 +134,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         (&["r^"], "column 3"),
         (&["r^2/R"], "the parameter R has no value"),
         (&["1"], "flat profile"),
-        (&["2-sqrt(4-r^2)", "--at", "2"], "outside the domain"),
+        (&["2-sqrt(4-r^2)", "--at", "2"], "not inside the domain"),
         (&["r^2", "--at", "-1"], "negative"),
         (&["r^2", "--radius", "1"], "--radius requires --quantity p"),
         (&["r^2", "--quantity", "k"], "--quantity k: tradeoff measures only g, F and p"),

@@ -207,7 +207,7 @@ fn bad_grids_are_refused() {
         (vec!["--grid", "7", "--box", "3 um", "--between"], "even number"),
         (vec!["--grid", "1:2"], "cannot parse the grid"),
         (vec!["--grid", "2um:1um:5"], "are not increasing"),
-        (vec!["--grid=-1um:1um:5"], "negative radius"),
+        (vec!["--grid=-1um:1um:5"], "negative or infinite radius"),
         (vec![], "no grid"),
         (vec!["--grid", "8", "--box", "1 um", "-o", "a.txt"], ".npy"),
     ] {

@@ -565,6 +565,28 @@ fn one_bad_row_or_pixel_is_named() {
     }
 }
 
+/// Class "a fault that passes": a pressure just outside of a smooth edge, where the norms compare nothing. Any of them passed.
+#[test]
+fn a_pressure_outside_the_contact_is_seen() {
+    let place = room("outside");
+    let scene = Tip::Paraboloid.scene("contact_radius = 1.9", 128);
+    let rows = pressures(Tip::Paraboloid, 128, 1.9, &|row| row);
+    let mean = Tip::Paraboloid.force(1.9) / (std::f64::consts::PI * 1.9 * 1.9);
+    for (at, share, code) in [(1.92, 1.5, 1), (1.98, 0.5, 1), (2.05, 0.05, 1), (2.05, 0.01, 0), (1.92, 0.2, 0)] {
+        let mut is_done = false;
+        let spoiled: String = rows
+            .lines()
+            .map(|line| match line.split_once(',').and_then(|(r, _)| r.parse::<f64>().ok()) {
+                Some(r) if r > at && !std::mem::replace(&mut is_done, true) => format!("{r:?},{:?}\n", share * mean),
+                _ => format!("{line}\n"),
+            })
+            .collect();
+        fs::write(place.join("p.csv"), spoiled).unwrap();
+        let (found, report) = validated(&place, &scene, &["p.csv".to_owned()], &[]);
+        assert!(is_done && found == code, "{share} at {at}: {report:#}");
+    }
+}
+
 /// The errors of good data fall by themselves; a further file that is finer turns no pass into a failure.
 #[test]
 fn errors_far_inside_their_tolerance_pass_without_an_order() {
@@ -685,7 +707,7 @@ fn grid_and_data_that_do_not_fit_are_refused() {
     fs::write(place.join("data.csv"), loads(Tip::Cone, 128, &|_, row| row)).unwrap();
     let scene = Tip::Cone.scene("depth = 0.3", 128);
     for (scene, more, said) in [
-        (scene.clone(), vec!["--grid", "64,128"], "the grid has 2 numbers, but there are 1 files with loads"),
+        (scene.clone(), vec!["--grid", "64,128"], "the grid has 2 numbers, but there is 1 file of loads"),
         (scene.replace("grid = 128", "gird = 128"), vec![], "did you mean grid?"),
         (scene.replace("\"free\"", "\"fre\""), vec![], "did you mean free?"),
         (scene.replace("box = 8", "box = 0"), vec![], "box = 0"),

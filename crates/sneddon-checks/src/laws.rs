@@ -26,7 +26,7 @@ pub const LAWS: [(&str, f64); 8] = [
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     pub scenes: usize,
-    /// Rows whose verdict speaks against them; the laws hold formally.
+    /// Rows that were judged invalid; the laws still hold formally.
     pub invalid: usize,
     /// Scenes without a state, or numbers without digits.
     pub refused: usize,
@@ -110,7 +110,7 @@ fn laws(scene: &Scene, drawn: &Drawn, tally: &mut Tally, said: &impl Fn() -> Str
     let edges: Vec<f64> = std::iter::once(0.0).chain(breakpoints(&solution, state.radius)?).collect();
     let last = edges.last().copied()?;
     let back = panels(&edges, state.radius, |x| {
-        // Only in the last panel the upper end is a itself.
+        // Only in the last panel is the upper end a itself.
         let rest = if x.x > last { x.from_upper } else { state.radius - x.x };
         g(x.x) / (rest * (state.radius + x.x)).sqrt()
     })? * 2.0

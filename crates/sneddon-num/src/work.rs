@@ -218,12 +218,12 @@ pub fn spend(steps: u64) {
     METER.with(|meter| meter.left.set(meter.left.get().saturating_sub(steps)));
 }
 
-/// The steps that are left; `u64::MAX` or nearly so where no budget is open.
+/// Returns the remaining steps; close to `u64::MAX` if no budget is open.
 pub fn left() -> u64 {
     METER.with(|meter| meter.left.get().saturating_sub(1))
 }
 
-/// True if more was spent than the open budget has: what is computed from here on will be thrown away.
+/// Returns true if the open budget is overspent or the work was stopped; results computed after this are discarded.
 #[inline]
 pub fn is_exhausted() -> bool {
     METER.with(|meter| meter.left.get() == 0) || is_stopped()
@@ -235,8 +235,10 @@ pub fn is_stopped() -> bool {
     METER.with(|meter| meter.stop.get().is_some_and(|stop| stop.load(Ordering::Relaxed)))
 }
 
+/// Returns an error if the work must end.
+///
 /// # Errors
-/// [`Exhausted`] if more was spent than the open budget has.
+/// [`Exhausted`] if the open budget is overspent or the work was stopped.
 #[inline]
 pub fn check() -> Result<(), Exhausted> {
     if is_exhausted() { Err(exhausted()) } else { Ok(()) }

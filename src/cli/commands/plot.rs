@@ -176,17 +176,16 @@ impl Subject {
         let failed = |error: ContactError| Failure::profile(&typed.text, &error);
         let profile = settings.bound_profile(&typed)?;
         if profile.is_flat() {
-            return Err(failed(TransformError::Flat.into()));
+            return Err(Failure::profile(&typed.text, &TransformError::Flat.into())
+                .help("plot a punch from a scene: create one with `sneddon scene new flat`"));
         }
         let solution = derive(&profile).map_err(|error| failed(error.into()))?;
         solution.warnings().iter().for_each(|own| warn(own));
-        let largest = match radius {
-            Some(radius) => radius,
-            None => {
-                let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12);
-                reach(&evaluator.map_err(|error| failed(error.into()))?)
-            }
-        };
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).map_err(|error| failed(error.into()))?;
+        if let Some(radius) = radius {
+            evaluator.check_domain("a", radius).map_err(|error| failed(error.into()))?;
+        }
+        let largest = radius.unwrap_or_else(|| reach(&evaluator));
         let scene = Scene { control: Control::ContactRadius, loads: Loads::List(vec![largest]), effective_modulus, ..Scene::of(profile) };
         let named = [Dimension::LENGTH, Dimension::FORCE, Dimension::PRESSURE].map(|own| units.name(own));
         let scene = Scene { system: scene::System::counted(named), ..scene }.swept(LOADS);

@@ -149,6 +149,9 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.load.is_some() && !has_field {
         warn("--load is not used: the data contain the loads");
     }
+    if !has_field && (arguments.cells || arguments.origin.is_some()) {
+        warn("--cells and --origin are not used: the data contain no fields");
+    }
     let page = if report.format() == Format::Html { html::html(&found).map_err(Failure::new)? } else { String::new() };
     let write = |format, out: &mut dyn io::Write| match format {
         Format::Html => out.write_all(page.as_bytes()),

@@ -109,7 +109,7 @@ pub(super) fn read_backwards(terms: &mut Vec<NormalTerm>, breakpoint: Option<&Ex
             let terms: &[NormalTerm] = terms;
             possible.iter().filter_map(move |statement| statement.explains(target, terms, breakpoint))
         });
-        // Choose the statement that removes most terms, or the first of several.
+        // Choose the statement that removes the most terms, or the first of several.
         let best = candidates.reduce(|best, other| if open(&other.1) < open(&best.1) { other } else { best });
         let Some((own, rest)) = best else { break };
         found.push(own);

@@ -39,8 +39,8 @@ pub(super) fn words(valid: bool, radii: Option<u64>) -> String {
     }
 }
 
-/// The assumptions for an axially symmetric indenter.
-pub const ASSUMPTIONS: &str = "frictionless contact of an axially symmetric indenter with an elastic half-space, without adhesion";
+/// The assumptions for an axisymmetric indenter.
+pub const ASSUMPTIONS: &str = "frictionless contact of an axisymmetric indenter with an elastic half-space, without adhesion";
 /// The assumptions for a flat punch with a non-circular cross-section.
 const ASSUMPTIONS_OF_PUNCH: &str =
     "frictionless contact of a flat punch of the given cross-section with an elastic half-space, without adhesion";

@@ -60,9 +60,9 @@ pub fn table(run: &Run<'_>, formally: bool, digits: Digits, out: &mut dyn Write)
     changes.write(run, out)?;
     let (invalid, rows) = verdict.counts();
     if verdict.is_valid() {
-        writeln!(out, "{}: {}", verdict.words(), assumptions(scene))?;
+        writeln!(out, "{} (model: {})", verdict.words(), assumptions(scene))?;
     } else {
-        writeln!(out, "not valid in {invalid} of {rows} rows: {}", assumptions(scene))?;
+        writeln!(out, "not valid in {invalid} of {rows} rows (model: {})", assumptions(scene))?;
     }
     if let Some(own) = verdict.regime() {
         writeln!(out, "{}", own.sentence(&scene.system))?;

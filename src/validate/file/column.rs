@@ -72,12 +72,12 @@ impl Kind {
     }
 }
 
-/// Suffix of a column that is known up to a constant, as in `u+c`.
+/// Returns the name without the suffix of `u+c`, which marks a column known up to a constant; `None` without it.
 fn up_to_a_constant(name: &str) -> Option<&str> {
     name.strip_suffix("+c").map(str::trim_end)
 }
 
-/// Distinguish F and f, but ignore the case of longer words.
+/// Returns true if the names are equal; case matters only for single letters, to distinguish F from f.
 fn is(own: &str, name: &str) -> bool {
     own == name || (own.len() > 1 && own.eq_ignore_ascii_case(name))
 }
@@ -113,7 +113,7 @@ pub(in crate::validate) struct Column {
     pub(in crate::validate) unit: Option<Unit>,
     pub(in crate::validate) name: String,
     pub(in crate::validate) index: usize,
-    /// True for the area of a contact with this radius; the unit is then still a length.
+    /// True if the column contains contact areas; `unit` is then the unit of length whose square they are given in.
     pub(in crate::validate) is_area: bool,
     /// True if the column is known up to a constant.
     pub(in crate::validate) free_constant: bool,

@@ -88,11 +88,12 @@ pub(in crate::validate) fn pixels(
     let given = if grid.is_empty() { declared.map_or(&[][..], |own| &own.grid) } else { grid };
     let side = declared.and_then(|own| own.side);
     if !grid.is_empty() && grid.len() != surveys.len() {
-        let what = if content == Content::Loads { "files with loads" } else { "files with fields" };
-        let message = format!("the grid has {} numbers, but there are {} {what}", grid.len(), surveys.len());
+        let what = if content == Content::Loads { "loads" } else { "fields" };
+        let files = if surveys.len() == 1 { "there is 1 file".to_owned() } else { format!("there are {} files", surveys.len()) };
+        let numbers = if grid.len() == 1 { "1 number".to_owned() } else { format!("{} numbers", grid.len()) };
         return Err(ValidationError::request(
-            message,
-            "expected one number for each file of loads, and the same for files of fields, in the same order, such as 64,128,256",
+            format!("the grid has {numbers}, but {files} of {what}"),
+            "expected one number for each file, in the order of the files, such as 64,128,256",
         ));
     }
     let mut list = Vec::new();

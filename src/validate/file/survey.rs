@@ -23,6 +23,17 @@ pub(in crate::validate) enum Content {
     Field,
 }
 
+impl Content {
+    /// True if a column of this kind says something in such a file.
+    fn reads(self, kind: Kind) -> bool {
+        let of_loads = matches!(kind, Kind::Depth | Kind::Force | Kind::ContactRadius | Kind::Energy | Kind::Stiffness);
+        match self {
+            Self::Loads => of_loads,
+            Self::Field => !of_loads || kind == Kind::Depth,
+        }
+    }
+}
+
 /// The results of the first pass; lengths are in computing units.
 pub(in crate::validate) struct Survey<'s> {
     pub(in crate::validate) data: Data<'s>,
@@ -98,7 +109,8 @@ impl<'s> Survey<'s> {
             }
         }
         let mut notes = std::mem::take(&mut table.notes);
-        let unread = std::mem::take(&mut table.unread);
+        let mut unread = std::mem::take(&mut table.unread);
+        unread.extend(columns.iter().filter(|own| !content.reads(own.kind)).map(|own| own.name.clone()));
         let names = std::mem::take(&mut table.names);
         if rows == 0 {
             return Err(ValidationError::data(

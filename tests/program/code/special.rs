@@ -11,7 +11,7 @@ type Special = (&'static str, &'static str, &'static [(&'static str, &'static st
 
 /// Profiles with elliptic, Fresnel and hypergeometric functions and with slope angles, which the catalogue lacks, the quantities that are
 /// compared, and their largest claim.
-const SPECIAL: [Special; 30] = [
+const SPECIAL: [Special; 32] = [
     ("arsinh", "h*asinh(r/b)", &[("b", "0.8"), ("h", "0.4")], G_AND_F, 16.0),
     ("arcsine", "h*asin(r/R)", &[("R", "1.7"), ("h", "0.4")], G_AND_F, 16.0),
     ("worn arsinh", "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))", &[("b", "1.3"), ("c", "0.4"), ("h", "0.4")], G_AND_F, 16.0),
@@ -44,6 +44,9 @@ const SPECIAL: [Special; 30] = [
     ("difference of waves of numbers", "0.4*(2.2*r-sin(2.2*r))", &[], G_AND_F, 16.0),
     ("square of a wave", "h*sin(k*r)^2", &[("h", "0.4"), ("k", "2.2")], G_AND_F, 16.0),
     ("power", "h*r^0.7", &[("h", "0.4")], &[Quantity::Pressure], 16.0),
+    // Refused without the power series of p.
+    ("power times a sphere", "r^4*(R-sqrt(R^2-r^2))", &[("R", "1.7")], &[Quantity::Pressure], 16.0),
+    ("square times a sphere", "r^2*(R-sqrt(R^2-r^2))", &[("R", "1.7")], &[Quantity::Pressure], 16.0),
     // 30 where 1 - 1/(1 + u) cancels in f'.
     ("cube of a fraction", "(h*(1-1/(1+(r/w)^2)))^3", &[("h", "0.4"), ("w", "1.3")], G_AND_F, 16.0),
     // 260 where 1 - sqrt(1 - u) cancels in f'.

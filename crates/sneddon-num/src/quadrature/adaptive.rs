@@ -1,4 +1,4 @@
-//! Global adaptive Gauss–Kronrod quadrature with an error bound: the piece with the largest error is refined first.
+//! Global adaptive Gauss–Kronrod quadrature with an error estimate: the piece with the largest error is refined first.
 
 use super::super::bounded::Bounded;
 use super::super::error::NumError;
@@ -15,7 +15,7 @@ pub struct Options {
     pub rel_tol: f64,
     /// Accepted absolute error; the larger of the two tolerances counts.
     pub abs_tol: f64,
-    /// Most calls of the integrand.
+    /// Maximum number of evaluations of the integrand.
     pub max_evaluations: u64,
     /// Whether the effect of the rounding of [`Point::x`] is added to the error. Switch it off
     /// only for integrands that use the distances alone, or carry the rounding of x in their own

@@ -4,7 +4,7 @@ use super::polynomial::{Frame, Polynomial};
 use super::{calls, power};
 use crate::expr::{Expr, ExprError, Number};
 
-/// The coefficients by rising power; the last one is not zero.
+/// The coefficients in ascending powers; the last one is not zero.
 #[derive(Clone, Debug)]
 pub(super) struct Univariate {
     coefficients: Vec<Polynomial>,
@@ -24,7 +24,7 @@ impl Univariate {
         Self { coefficients: vec![value], frame }.trimmed()
     }
 
-    /// From the coefficients by rising power.
+    /// From the coefficients in ascending powers.
     pub(super) fn new(coefficients: Vec<Polynomial>, frame: &Frame) -> Self {
         Self { coefficients, frame: frame.clone() }.trimmed()
     }
