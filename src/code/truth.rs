@@ -14,8 +14,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The step of relative differences.
 pub(super) const STEP: f64 = 1e-6;
-/// Steps for condition numbers, of which the largest result is used: at large radii, waves are shorter than the first step. Where two
-/// of them agree, they are not. The last one is to the next double.
+/// Relative steps for condition numbers. The largest result is used, because at large radii a wave may be shorter than the first step;
+/// where two results agree, the larger step was short enough. The last step reaches the next double.
 const STEPS: [f64; 4] = [STEP, 1e-9, 1e-12, f64::EPSILON];
 /// Two changes of f that agree are those of a slope where the first one is at most this part of f.
 const LINEAR: f64 = 0.1;
@@ -283,12 +283,12 @@ fn contact<'a>(solution: &'a Solution, bindings: &Bindings) -> Option<Contact<'a
     Some(Contact::new(Evaluator::new(solution, bindings, Method::Auto, TOLERANCE).ok()?, 1.0, None, TOLERANCE))
 }
 
-/// What of a difference from a reference value lies beyond the error of that value.
+/// The part of a difference from a reference value that exceeds the error of that value.
 pub(super) fn beyond(difference: f64, error: f64) -> f64 {
     (difference.abs() - error).max(0.0)
 }
 
-/// The distance of neighbouring doubles.
+/// The distance between neighbouring doubles.
 pub(super) fn spacing(value: f64) -> f64 {
     value.abs().next_up() - value.abs()
 }

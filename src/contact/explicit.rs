@@ -10,9 +10,9 @@ use crate::transform::{ClosedForm, Reading, Solution, Term, above_zero};
 /// a(d) and F(d) of a smooth-edged contact, with their conditions.
 #[derive(Clone, Debug)]
 pub struct Explicit {
-    /// The contact radius over d.
+    /// The contact radius as a function of d.
     pub contact_radius: Expr,
-    /// The force over d and E.
+    /// The force as a function of d and E.
     pub force: Expr,
     /// The kind of the equation g(a) = d, and the method of its solution.
     pub equation: &'static str,
@@ -22,8 +22,8 @@ pub struct Explicit {
     pub conditions: Vec<Condition>,
 }
 
-/// Solves g(a) = d for a single power, for A a^(2n) + B aⁿ, for a worn paraboloid, and for atan, artanh, 1 − 1/√(1 + r²/b²),
-/// 1 − J₀ and I₀ − 1 (up to the first maximum of g); `None` elsewhere.
+/// Solves g(a) = d where g is a single power, A a^(2n) + B aⁿ or that of a worn paraboloid, and where f is atan, artanh,
+/// 1 − 1/√(1 + r²/b²), 1 − J₀ or I₀ − 1 (up to the first maximum of g); returns `None` otherwise.
 ///
 /// ```
 /// use sneddon::{contact::explicit, parse, print, transform::{Profile, derive}};

@@ -16,7 +16,7 @@ pub fn rim_radius() -> Symbol {
 pub enum Edge {
     /// The profile leaves the surface smoothly: d = g(a).
     Smooth,
-    /// A rim at the contact radius, the depth given: d is free.
+    /// A rim at the contact radius: the depth is independent of a and has the given value.
     Rim(Expr),
 }
 

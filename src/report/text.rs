@@ -25,7 +25,9 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     given.extend(record.depth.map(|d| format!("d = {} (rim)", with_unit(d, &units.at))));
     writeln!(out, "with {}", given.join(", "))?;
     if let Some(shift) = &record.shift {
-        writeln!(out, "f(0) = {} = {} is subtracted, so that f starts at 0", print::text_expr(&shift.expr), number(shift.value))?;
+        let (exact, value) = (print::text_expr(&shift.expr), number(shift.value));
+        let value = if exact == value { value } else { format!("{exact} = {value}") };
+        writeln!(out, "f(0) = {} is subtracted, so that f starts at 0", with_name(value, &units.at))?;
     }
     writeln!(out)?;
     let titled = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
@@ -191,7 +193,11 @@ pub(super) fn table<const N: usize, I: Iterator<Item = [String; N]>>(
 }
 
 fn with_unit(value: f64, unit: &str) -> String {
-    if unit.is_empty() { number(value) } else { format!("{} {unit}", number(value)) }
+    with_name(number(value), unit)
+}
+
+fn with_name(value: String, unit: &str) -> String {
+    if unit.is_empty() { value } else { format!("{value} {unit}") }
 }
 
 /// The shortest decimal that reads back to the same number, whole numbers without a point.

@@ -22,7 +22,7 @@ pub(in crate::cli) struct Arguments {
     /// Quantities, separated by commas: g(x), F(a), p(r, a), d(a), the contact radius a(d), and the force F(d) as F_of_d [default: g,F,d,a].
     #[arg(long, value_name = "LIST", value_parser = Quantities(written), value_delimiter = ',')]
     quantity: Vec<Quantity>,
-    /// Language of the generated code; octave is matlab.
+    /// Language of the generated code; octave is an alias of matlab.
     #[arg(long, value_name = "LANGUAGE", value_enum, ignore_case = true)]
     lang: Lang,
     /// Writes to this file instead of stdout.

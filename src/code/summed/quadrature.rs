@@ -11,7 +11,7 @@ const ALIKE: f64 = 1e-14;
 const ALIKE_AT_THE_END: f64 = 2e-15;
 /// The rule gives up where the intervals fall below this part of the piece, the fortieth power of 1/8.
 const LEAST_SCALE: f64 = 1e-36;
-/// An interval with less than this part of the sum is the last one.
+/// An interval with less than this part of the sum over its piece is the last one; a piece beyond a kink may grow toward the kink.
 const NEGLIGIBLE: f64 = 1e-18;
 
 /// Where a piece lies: the names of the variables for its ends, if it does not begin at the axis and does not reach to infinity.
@@ -21,11 +21,12 @@ pub(super) struct Extent {
 }
 
 /// The variables that the statements assign.
-pub(super) const VARIABLES: [&str; 20] = [
+pub(super) const VARIABLES: [&str; 21] = [
     "_integral",
     "_rest",
     "_doubt",
     "_size",
+    "_own",
     "_start",
     "_width",
     "_side",
@@ -61,7 +62,7 @@ pub(super) fn piece(coordinate: &str, is_force: bool, extent: &Extent) -> String
     // Angles are measured from one end of the piece. The intervals of the lower half are 7/8 of what remains; the upper half is one.
     let inner = format!(
         "_start = {start}; {width}
-        _side = 0;
+        _side = 0; _own = 0;
         while _side <= 1 {{
           _scale = 0.5 * _width;
           while _scale > {LEAST_SCALE:?} * _width {{
@@ -87,13 +88,14 @@ pub(super) fn piece(coordinate: &str, is_force: bool, extent: &Extent) -> String
             _doubt = _doubt + _scale * abs(_gauss - _sum);
             _length = _scale * _length;
             _size = _size + _length;
+            _own = _own + _length;
             if _side == 1 && !(_scale * abs(_gauss - _sum) <= {ALIKE_AT_THE_END:?} * _size) {{ return nan(); }}
             _part = _scale * (_sum + _lost);
             _total = _integral + _part;
             _rest = _rest + ((_integral - _total) + _part);
             _integral = _total;
             _scale = _from;
-            if _length < {NEGLIGIBLE:?} * _size {{ _scale = 0; }}
+            if _length < {NEGLIGIBLE:?} * _own {{ _scale = 0; }}
           }}
           if _scale > 0 {{ return nan(); }}
           _side = _side + 1;

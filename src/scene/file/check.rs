@@ -8,7 +8,7 @@ use num_rational::Ratio;
 use num_traits::ToPrimitive;
 use std::collections::BTreeMap;
 
-/// The dimensions of the parameters; r is a length, and numbers are dimensionless.
+/// The dimensions of the parameters; r, and x in g(x), is a length, and numbers are dimensionless.
 pub(in crate::scene) type Dimensions = BTreeMap<Symbol, Dimension>;
 
 /// Returns an error for the first term that is not a length.
@@ -62,8 +62,10 @@ fn of(expr: &Expr, known: &Dimensions) -> Result<Dimension, SceneError> {
     let overflow = || fault(expr, "has too large an exponent");
     match expr.node() {
         Node::Number(_) | Node::Constant(_) => Ok(Dimension::NONE),
-        Node::Symbol(symbol) if symbol.name() == "r" => Ok(Dimension::LENGTH),
-        Node::Symbol(symbol) => Ok(known.get(symbol).copied().unwrap_or(Dimension::NONE)),
+        Node::Symbol(symbol) => {
+            let coordinate = if matches!(symbol.name(), "r" | "x") { Dimension::LENGTH } else { Dimension::NONE };
+            Ok(known.get(symbol).copied().unwrap_or(coordinate))
+        }
         Node::Product(factors) => factors.iter().try_fold(Dimension::NONE, |all, own| all.times(of(own, known)?).ok_or_else(overflow)),
         Node::Power(base, exponent) => {
             let (own, raised) = (of(base, known)?, of(exponent, known)?);

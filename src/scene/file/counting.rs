@@ -57,7 +57,7 @@ impl Counting {
     /// Returns the value of a quantity of any dimension in these units.
     ///
     /// # Errors
-    /// [`SceneError`] if it contains a force and the modulus has no unit.
+    /// [`SceneError`] if the unit contains a force and the modulus has no unit, or contains a length and no length has a unit.
     pub fn own(&self, name: &str, quantity: &DimensionedNumber) -> Result<Expr, SceneError> {
         let Some(dimension) = quantity.dimension() else { return Ok(quantity.in_base()) };
         if dimension.is_none() {
@@ -121,7 +121,7 @@ impl Counting {
     /// Returns an example of a unit of a dimension, for help lines.
     fn example(&self, wanted: Dimension) -> String {
         match self.name(wanted) {
-            name if name.is_empty() => "um".to_owned(),
+            name if name.is_empty() => if wanted == Dimension::LENGTH { "um" } else { "GPa" }.to_owned(),
             name if name == "E*" => "GPa".to_owned(),
             name => name,
         }

@@ -11,7 +11,7 @@ type Special = (&'static str, &'static str, &'static [(&'static str, &'static st
 
 /// Profiles with elliptic, Fresnel and hypergeometric functions and with slope angles, which the catalogue lacks, the quantities that are
 /// compared, and their largest claim.
-const SPECIAL: [Special; 32] = [
+const SPECIAL: [Special; 33] = [
     ("arsinh", "h*asinh(r/b)", &[("b", "0.8"), ("h", "0.4")], G_AND_F, 16.0),
     ("arcsine", "h*asin(r/R)", &[("R", "1.7"), ("h", "0.4")], G_AND_F, 16.0),
     ("worn arsinh", "piecewise(0, r<c, h*(asinh(r/b)-asinh(c/b)))", &[("b", "1.3"), ("c", "0.4"), ("h", "0.4")], G_AND_F, 16.0),
@@ -36,6 +36,8 @@ const SPECIAL: [Special; 32] = [
     ("fractional cusp", "abs(r^1.2-b)", &[("b", "0.3")], G_AND_F, 16.0),
     ("worn arctangent", "piecewise(0, r<b, h*(atan(r/w)-atan(b/w)))", &[("b", "0.3"), ("h", "0.4"), ("w", "1.3")], FORCES, 16.0),
     ("grown polynomial", "r^2*h+(exp(r)-1)*r^5", &[("h", "0.4")], FORCES, 16.0),
+    // Refused where the intervals of the piece beyond the kink ended before they came near to it.
+    ("kink far inside", "abs(h*(1-1/(1+(r/w)^2))-c)", &[("c", "0.26"), ("h", "0.827"), ("w", "1.3")], G_AND_F, 16.0),
     // 51 for F of the fraction with the power series and the closed form alone.
     ("fraction", "r/(w+r)", &[("w", "1.3")], FORCES, 16.0),
     ("power of a fraction", "(h*r^2/(w^2+r^2))^3", &[("h", "0.4"), ("w", "1.3")], &[Quantity::ForceOfDepth], 16.0),

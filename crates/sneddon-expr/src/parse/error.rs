@@ -42,7 +42,7 @@ pub enum Reason {
     #[error("the expression has more than {} breakpoints", limits::BREAKPOINTS)]
     TooManyBreakpoints,
     /// A character that belongs to no token.
-    #[error("the character {character} is not allowed here")]
+    #[error("{character} is not allowed here")]
     Character {
         /// The character as it can be shown, with its code point.
         character: String,

@@ -1,4 +1,4 @@
-//! Running error analysis with about 30 digits: the operations of numbers that carry a bound of their error.
+//! Running error analysis with about 30 digits: arithmetic on numbers that carry a bound on their error.
 
 use super::{finite, frexp, ldexp, pow, sqrt};
 use crate::Bounded;
