@@ -196,6 +196,10 @@ impl Chain {
     fn refuse_jumps(&self, radius: &Symbol, kinks: &[Expr], conditions: &mut Vec<Condition>) -> Result<(), TransformError> {
         for ((before, beyond), at) in self.pieces.iter().zip(self.pieces.iter().skip(1)).zip(&self.breakpoints) {
             if kinks.contains(at) {
+                // Divided by what vanishes there, the function of a kink jumps.
+                if domain::seems_to_jump(before, beyond, at) {
+                    return Err(TransformError::Jump { at: print::text_expr(at), jump: print::text_expr(&(beyond - before)) });
+                }
                 continue;
             }
             let place = Bindings::one(radius.name(), at.clone());

@@ -171,6 +171,27 @@ fn profiles_with_kinks_end_at_the_pole_of_an_argument() {
     }
 }
 
+/// Class "a kink that jumps": |u| over what vanishes with u. Numbers beyond the jump were called proven, and the jump was left out.
+#[test]
+fn profiles_that_jump_at_a_kink_are_refused() {
+    for text in [
+        "abs((b-r)*(r+c))/(b-r)",
+        "max(0,(r-b)*(r+c))/(r-b)",
+        "r*abs(b-r)/(b-r)",
+        "abs(b*r-r^2)/(b-r)",
+        "r+abs(cos(r))/cos(r)",
+        "abs(r^2-2)/(r-sqrt(2))*r",
+        "r*min(1-r,r-1)/(r-1)",
+    ] {
+        let found = Profile::new(&parse::profile(text).unwrap());
+        assert!(matches!(found, Err(TransformError::Jump { .. })), "{text}: {found:?}");
+    }
+    for text in ["abs(r-b)^0.05", "abs(r-b)*ln(abs(r-b))", "abs(r-1)^3/(r-1)", "1e-9*r+abs(r-b)", "r+1e-12*max(0,r-b)", "abs(r-b)/(r+1e-3)"]
+    {
+        assert!(Profile::new(&parse::profile(text).unwrap()).is_ok(), "{text}");
+    }
+}
+
 /// Poles that accumulate at the axis are refused at once; the search for them did not end.
 #[test]
 fn poles_that_accumulate_at_the_axis_are_refused() {

@@ -128,6 +128,11 @@ fn conditions_name_the_pole_of_a_difference() {
         ("1/(r^2-(k-m)^4)", &["0 < (k - m)^2", "r < (k - m)^2"]),
         ("tan(r/(b-c))", &["r < pi/2*abs(b - c)"]),
         ("ln(cos(2*r/(b-c)))", &["r < pi/4*abs(b - c)"]),
+        // The kinks of products of differences are the zeros of the factors.
+        ("r*sqrt(abs((b-r)*(r+c)))", &[]),
+        ("r*max(0,(r-b)*(r+c))^(3/2)", &[]),
+        ("ln(abs((b-r)*(r+c)))", &["r < b"]),
+        ("sqrt(abs((b^2-r^2)*(r^2+c^2)))", &[]),
         // Decimals, offsets and signs that half of the usual parameters do not show.
         ("r*sqrt(r/b-0.3*r+1)", &["0 < r/b - 0.3*r + 1"]),
         ("r*sqrt(1-r^2/b+0.3*r^2)", &["0 < 0.3*r^2 - r^2/b + 1"]),

@@ -176,6 +176,15 @@ pub(crate) fn last_root(value: &Expr) -> Option<(Expr, Expr)> {
     Some((root, power))
 }
 
+/// √u, without a root where u is the square of what has a known sign, as b² + 2bc + c².
+pub(crate) fn root_of_square(expr: &Expr) -> Expr {
+    match normal::square_root(expr).map(|root| (sign(&root), root)) {
+        Some((Sign::Positive, root)) => root,
+        Some((Sign::Negative, root)) => -root,
+        _ => expr.sqrt(),
+    }
+}
+
 /// |u|, with the factors of known sign in front.
 fn absolute(expr: &Expr) -> Expr {
     let (open, known): (Vec<Expr>, Vec<Expr>) = expr.factors().into_iter().partition(|own| sign(own) == Sign::Unknown);
@@ -198,7 +207,7 @@ fn of_powers(sum: &Expr, radius: &Symbol, places: &mut Vec<Expr>) {
         }
         [c, b, a] if &c.exponent + &a.exponent == Expr::integer(2) * &b.exponent => {
             let (half, power) = (&b.coefficient / Expr::integer(2), (&b.exponent - &c.exponent).recip());
-            let root = (half.power(2) - &a.coefficient * &c.coefficient).sqrt();
+            let root = root_of_square(&(half.power(2) - &a.coefficient * &c.coefficient));
             let tidy = |own: Expr| normal::expanded(&own, radius).unwrap_or(own);
             places.push(tidy((&root - &half) / &a.coefficient).pow(&power));
             places.push(tidy((-root - half) / &a.coefficient).pow(&power));

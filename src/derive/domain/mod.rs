@@ -177,6 +177,24 @@ pub(crate) fn vanishes_at_random_points(expr: &Expr) -> Option<bool> {
     seen.then_some(true)
 }
 
+/// True if the difference of two pieces next to the place where they meet does not become smaller on the way there, and stays finite, at
+/// random admissible parameters.
+pub(crate) fn seems_to_jump(before: &Expr, beyond: &Expr, at: &Expr) -> bool {
+    let whole = before + beyond + at;
+    sample_bindings(&whole, 3).iter().any(|set| {
+        let Ok(place) = constant_value(at, set) else { return false };
+        let sides = |distance: f64| {
+            let (low, high) =
+                (value_at(before, set, place.value * (1.0 - distance)), value_at(beyond, set, place.value * (1.0 + distance)));
+            (high - low, low.abs() + high.abs())
+        };
+        let [(far, _), (near, _), (nearest, size)] = [1e-3, 1e-6, 1e-9].map(sides);
+        // A difference that grows belongs to a pole, where the profile ends.
+        let is_steady = |one: f64, other: f64| (0.9..1.1).contains(&(other / one));
+        nearest.abs() > 1e-6 * size && is_steady(near, nearest) && is_steady(far, near)
+    })
+}
+
 /// Seeded random positive values, exact in `f64`, for every symbol of the expression besides r.
 pub(crate) fn sample_bindings(expr: &Expr, count: usize) -> Vec<Bindings> {
     let names: Vec<Symbol> = expr.symbols().into_iter().filter(|s| s.name() != "r").collect();

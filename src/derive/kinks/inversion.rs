@@ -1,7 +1,7 @@
 //! The sign change of a difference in which r occurs once, by inverting the functions around it from the outside inward.
 
 use crate::derive::angles;
-use crate::derive::domain::first_zero::inverses;
+use crate::derive::domain::first_zero::{inverses, root_of_square};
 use crate::expr::normal;
 use crate::expr::{Bindings, Condition, Expr, Node, Sign, Symbol, multiplied_out, over_one_denominator};
 use std::collections::BTreeMap;
@@ -151,7 +151,7 @@ fn quadratic(one: &(Expr, Expr), two: &(Expr, Expr), c: &Expr, radius: &Symbol) 
         return None;
     }
     let [a, b, c] = if is_rising { [a.clone(), b.clone(), c.clone()] } else { [-a, -b, -c] };
-    let root = tidy(&(b.power(2) - Expr::integer(4) * &a * &c), radius).sqrt();
+    let root = root_of_square(&tidy(&(b.power(2) - Expr::integer(4) * &a * &c), radius));
     // For positive b, this form does not subtract.
     let value = if sign(&b) == Some(Sign::Positive) { -twice(&c) / (&b + root) } else { (root - &b) / twice(&a) };
     Some(Solved::Root { power: (value, m), is_rising })
