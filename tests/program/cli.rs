@@ -641,6 +641,9 @@ fn invert_answers_in_the_form_of_derive() {
     let points = json(&["invert", "x^2/R", "--set", "R=2", "--at", "1,2", "--json"]);
     assert_eq!(points["points"][1]["value"], 1.0);
     assert_eq!(points["points"][1]["method"], "exact");
+    // x is a length; f = r²/(2R).
+    let with_units = json(&["invert", "x^2/R", "--set", "R=20 nm", "--at", "1 nm, 4 nm", "--json"]);
+    assert_eq!(with_units["points"][1]["value"], 0.4);
     let pressed = json(&["invert", "--pressure", "p_0*sqrt(1-r^2/a^2)", "--set", "a=2", "--json"]);
     assert_eq!(pressed["F"]["text"], "8*pi/3*p_0");
 }
