@@ -131,6 +131,7 @@ fn conditions_name_the_pole_of_a_difference() {
         // The kinks of products of differences are the zeros of the factors.
         ("r*sqrt(abs((b-r)*(r+c)))", &[]),
         ("r*max(0,(r-b)*(r+c))^(3/2)", &[]),
+        ("r*sqrt(abs(r^2+b*r-1))", &[]),
         ("ln(abs((b-r)*(r+c)))", &["r < b"]),
         ("sqrt(abs((b^2-r^2)*(r^2+c^2)))", &[]),
         // Decimals, offsets and signs that half of the usual parameters do not show.

@@ -8,7 +8,7 @@ use crate::derive::domain::demand::Demand;
 use crate::derive::domain::first_zero::{Zero, fails_somewhere, first_zero, last_root, starting_sign};
 use crate::derive::domain::located::approximate;
 use crate::derive::domain::numeric_sign::numeric_sign;
-use crate::derive::domain::{sample_bindings, value_at};
+use crate::derive::domain::{sample_bindings, value_at, vanishes_at_random_points};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Node, Relation, Sign, Symbol, leading_term, normal, sign};
 use crate::integrate::error::TransformError;
@@ -169,7 +169,8 @@ fn end_at(limit: Expr, demand: &Demand) -> Option<Condition> {
     let r = Expr::from(radius.clone());
     let Some(end) = &demand.upper else { return Some(Condition::less(r, limit)) };
     let room = &limit - end;
-    let is_at_end = || angles::is_proven_zero(&room, &radius) || room.symbols().is_empty();
+    let is_at_end =
+        || angles::is_proven_zero(&room, &radius) || room.symbols().is_empty() || vanishes_at_random_points(&room) == Some(true);
     match (sign(&room), numeric_sign(&room)) {
         (Sign::Positive, _) | (_, Some(1.0)) => None,
         (Sign::Negative, _) | (_, Some(_)) => Some(Condition::less(r, limit)),
