@@ -153,6 +153,8 @@ fn solve(demand: &Demand) -> Result<Outcome, TransformError> {
     let limit = || (-&constant / &power.coefficient).pow(&power.exponent.recip());
     match (sign(&constant), sign(&power.coefficient)) {
         (Sign::Positive | Sign::Zero, Sign::Positive) => Ok(Outcome::Holds),
+        // c r^k keeps its sign.
+        (Sign::Zero, Sign::Unknown) if demand.either_sign => Ok(Outcome::Holds),
         (Sign::Negative, Sign::Negative) => Err(never()),
         (Sign::Positive, Sign::Negative) => Ok(end_at(limit(), demand).map_or(Outcome::Holds, Outcome::Holding)),
         (Sign::Negative, Sign::Positive) => match sign(&(lower - limit())) {
@@ -242,12 +244,11 @@ pub(crate) fn of_either_sign(demands: &[Demand], conditions: &[Condition]) -> Ve
             // No zero was found for this sign.
             Some(None) => {}
             None if !start.is_zero() => found.push(Condition::less(Expr::zero(), start * expr)),
-            // c r^k has the sign of c, and other sums that of their leading term.
-            None => match leading_term(expr) {
-                Some(_) if normal::normal_terms(expr, &Symbol::new("r")).is_ok_and(|terms| terms.len() == 1) => {}
-                Some(leading) if lower.is_zero() => found.push(Condition::less(Expr::zero(), leading.coefficient * expr)),
-                _ => {}
-            },
+            // A sum that vanishes at the axis begins with the sign of its leading term.
+            None => {
+                let leading = leading_term(expr).filter(|_| lower.is_zero());
+                found.extend(leading.map(|own| Condition::less(Expr::zero(), own.coefficient * expr)));
+            }
         }
     }
     found
