@@ -146,7 +146,7 @@ fn characters(text: &str) -> Result<usize, Failure> {
     // Room for rounding: 95.83 pt are 20 characters.
     let count = points.map(|points| (points / (345.0 / 72.0) + 1e-3).floor()).filter(|count| (20.0..=1000.0).contains(count));
     count.map(|count| count as usize).ok_or_else(|| {
-        Failure::new(format!("--width {typed} is out of range"))
+        Failure::new(format!("--width {typed} is not a valid width"))
             .help("expected 20 to 1000 characters, or a width such as 246pt, 86mm, 8.6cm or 3.4in")
             .at("--width", text, 0..text.len())
     })

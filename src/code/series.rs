@@ -51,13 +51,14 @@ pub(super) fn text(profile: &Expr, coordinate: &str, quantity: Quantity, is_alon
             // J_1 has no weight or the factor ρ² where it is infinite; under a cone the pressure is infinite at the axis.
             before = format!(
                 "let _edge = sqrt(({coordinate} - r) * ({coordinate} + r)); let _square = (r / {coordinate}) * (r / {coordinate});
-                let _j = 0; let _j1 = 0; let _j2 = 0;
-                if r == 0 && {lead:?} <= 1 {{ return nan(); }}"
+                let _rim = _edge / {coordinate}; let _j = 0; let _j1 = 0; let _j2 = 0;"
             );
+            if lead <= 1.0 {
+                before.push_str(" if r == 0 { return nan(); }");
+            }
             integral = "_j2 = _j1; _j1 = _j; _j = 0;
                 if _n == 1 && r > 0 { _j = asinh(_edge / r); }
                 if _n >= 2 { _j = (_rim + (_n - 2) * _square * _j2) / (_n - 1); }";
-            before.push_str(&format!(" let _rim = _edge / {coordinate};"));
             (" * _n * _j".to_owned(), format!("{sum} / {coordinate}"))
         }
         Quantity::Pressure => return None,

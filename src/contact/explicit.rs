@@ -40,9 +40,11 @@ pub fn explicit(solution: &Solution) -> Option<Explicit> {
     // Powers go on beyond the end that another argument of min or max gives the profile.
     let has_end = solution.profile.limits().next().is_some() || !solution.profile.demands.is_empty();
     let found = match terms.as_slice() {
-        [(term, _)] if term.segment.is_whole() && has_end => kernels::single_kernel(term)?,
+        [(term, _)] if term.segment.is_whole() => {
+            let power = if has_end { None } else { single_power(term) };
+            power.or_else(|| kernels::single_kernel(term))?
+        }
         _ if has_end => return None,
-        [(term, _)] if term.segment.is_whole() => single_power(term).or_else(|| kernels::single_kernel(term))?,
         [(one, _), (two, _)] if one.segment.is_whole() && two.segment.is_whole() => two_powers(one, two)?,
         [(term, _)] => worn_paraboloid(term)?,
         _ => return None,

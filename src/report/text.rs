@@ -27,7 +27,7 @@ pub fn evaluation(record: &Evaluation<'_>, out: &mut dyn Write) -> io::Result<()
     if let Some(shift) = &record.shift {
         let (exact, value) = (print::text_expr(&shift.expr), number(shift.value));
         let value = if exact == value { value } else { format!("{exact} = {value}") };
-        writeln!(out, "f(0) = {} is subtracted, so that f starts at 0", with_name(value, &units.at))?;
+        writeln!(out, "f(0) = {} is subtracted, so that f starts at 0", with_unit_name(value, &units.at))?;
     }
     writeln!(out)?;
     let titled = |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name} [{unit}]") };
@@ -193,10 +193,10 @@ pub(super) fn table<const N: usize, I: Iterator<Item = [String; N]>>(
 }
 
 fn with_unit(value: f64, unit: &str) -> String {
-    with_name(number(value), unit)
+    with_unit_name(number(value), unit)
 }
 
-fn with_name(value: String, unit: &str) -> String {
+fn with_unit_name(value: String, unit: &str) -> String {
     if unit.is_empty() { value } else { format!("{value} {unit}") }
 }
 

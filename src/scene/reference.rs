@@ -94,10 +94,9 @@ impl Grid {
             Self::Square { count, .. } if *count == 0 || *count > LARGEST_GRID => {
                 fault(format!("the grid has {count} points along a side"), "expected 1 to 8192 points")
             }
-            Self::Square { count, between: true, .. } if count % 2 == 1 => fault(
-                format!("{count} points along a side cannot be placed around the axis"),
-                "expected an even number of points with --between",
-            ),
+            Self::Square { count, between: true, .. } if count % 2 == 1 => {
+                fault(format!("{count} points along a side cannot be placed around the axis"), "expected an even number of points")
+            }
             Self::Square { side, .. } if !(*side > 0.0 && side.is_finite()) => {
                 fault("the side of the grid is not positive".to_owned(), "expected a positive length")
             }

@@ -233,6 +233,8 @@ struct Sums {
     /// True if the scene or the file declares them as values at points.
     values: bool,
     state: State,
+    /// The mean pressure.
+    mean: f64,
     rim: bool,
     /// The distance between the edge of the contact and the nearest kink.
     room: f64,
@@ -256,6 +258,7 @@ impl Sums {
             means: matches!(survey.cell(pixel.pixel), Some(Cell::Square { .. })),
             values: survey.averaging == Some(Averaging::Values),
             state: *state,
+            mean,
             rim: state.boundary == Boundary::Rim,
         }
     }
@@ -302,9 +305,8 @@ impl Sums {
             self.compared.limit(Outlier { at: spot.r, data: spot.p, exact, allowed: limit }, limit);
         } else if inner.is_finite() && self.state.radius <= spot.r {
             // A pixel that the edge cuts may have what the contact has further inside.
-            let mean = self.state.force / (PI * self.state.radius * self.state.radius);
-            let limit = OUTSIDE + (1.0 + AT_EDGE) * inner / mean;
-            self.compared.limit_relative_to(mean, Outlier { at: spot.r, data: spot.p, exact, allowed: limit }, limit);
+            let limit = OUTSIDE + (1.0 + AT_EDGE) * inner / self.mean;
+            self.compared.limit_relative_to(self.mean, Outlier { at: spot.r, data: spot.p, exact, allowed: limit }, limit);
         }
     }
 

@@ -30,6 +30,14 @@ fn lines(svg: &str) -> Vec<Vec<(f64, f64)>> {
     all.into_iter().filter(|line: &Vec<_>| line.len() > 10).collect()
 }
 
+#[test]
+fn a_radius_beyond_the_end_is_refused() {
+    let done =
+        Command::new(env!("CARGO_BIN_EXE_sneddon")).args(["plot", "R-sqrt(R^2-r^2)", "--set", "R=1", "--radius", "2"]).output().unwrap();
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert!(done.status.code() == Some(2) && done.stdout.is_empty() && said.contains("which ends at r = 1"), "{said}");
+}
+
 /// The picture of `README.md` is what its command in `docs/pictures.md` draws.
 #[test]
 fn the_picture_of_the_readme_is_fresh() {

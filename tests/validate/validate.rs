@@ -701,6 +701,21 @@ fn the_page_needs_nothing_else() {
     }
 }
 
+/// Known columns that a file of loads does not use, and options that apply to fields only, are named.
+#[test]
+fn what_is_not_used_is_named() {
+    let place = room("unused");
+    let rows = loads(Tip::Cone, 128, &|_, row| row);
+    let rows: Vec<String> =
+        rows.lines().enumerate().map(|(i, line)| format!("{line},{}\n", if i == 0 { "radius" } else { "0.05" })).collect();
+    fs::write(place.join("data.csv"), rows.concat()).unwrap();
+    fs::write(place.join("scene.toml"), Tip::Cone.scene("depth = 0.3", 128)).unwrap();
+    let done = run(&place, &["scene.toml", "data.csv", "--cells"].map(str::to_owned));
+    let [said, warned] = [done.stdout, done.stderr].map(|own| String::from_utf8(own).unwrap());
+    assert!(said.lines().next().unwrap().ends_with("ignored columns: radius"), "{said}");
+    assert!(warned.contains("--cells and --origin are not used"), "{warned}");
+}
+
 #[test]
 fn grid_and_data_that_do_not_fit_are_refused() {
     let place = room("grid");

@@ -108,7 +108,7 @@ fn energies_without_a_digit_are_refused() {
     {
         let solution = solution(text);
         match contact(&solution, Method::Auto, None).energy(a) {
-            Ok(found) => assert!(has_digits && found.estimate.error < 1e-6 * found.estimate.value, "{text} at {a}: {found:?}"),
+            Ok(found) => assert!(has_digits && found.estimate.error < 1e-12 * found.estimate.value, "{text} at {a}: {found:?}"),
             Err(ContactError::Transform(TransformError::NoDigits { .. })) => assert!(!has_digits, "{text} at {a}"),
             Err(other) => panic!("{text} at {a}: {other}"),
         }

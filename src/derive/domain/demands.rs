@@ -37,7 +37,7 @@ pub(crate) fn collect(
         for own in unused.get(index).into_iter().flatten().chain([piece]) {
             gather(own, &lower, upper, &mut demands);
         }
-        let is_unbounded = !demands.is_empty() && upper.is_some_and(|upper| !is_bounded_below(piece, upper));
+        let is_unbounded = !demands.is_empty() && upper.is_some_and(|upper| !has_limit_at(piece, upper));
         for demand in demands.into_iter().map(|own| Demand { is_unbounded, ..own }) {
             match solve(&demand)? {
                 Outcome::Holds => {}
@@ -190,7 +190,7 @@ fn is_square(expr: &Expr) -> bool {
 }
 
 /// True if f seems to have a finite limit at the upper end of its piece: its changes towards there become smaller.
-fn is_bounded_below(piece: &Expr, upper: &Expr) -> bool {
+fn has_limit_at(piece: &Expr, upper: &Expr) -> bool {
     sample_bindings(&(piece + upper), SAMPLES).iter().all(|set| {
         let Ok(end) = constant_value(upper, set) else { return false };
         let [one, two, three] = [1e-4, 1e-8, 1e-12].map(|distance| value_at(piece, set, end.value * (1.0 - distance)));
@@ -207,8 +207,7 @@ fn stated(demand: &Demand) -> Result<Vec<Condition>, TransformError> {
         // Which sign it has, and where that ends, depends on the parameters.
         return Ok(conditions);
     }
-    let is_certain = starts == Some(Sign::Positive);
-    if !is_certain && !either_sign {
+    if starts != Some(Sign::Positive) && !either_sign {
         let start = Bindings::one("r", lower.clone()).apply(expr);
         if sign(&start) == Sign::Unknown && !start.symbols().is_empty() {
             conditions.push(above_zero(&start).ok_or_else(|| TransformError::NotReal { detail: print::text_expr(expr) })?);

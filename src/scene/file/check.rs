@@ -8,7 +8,7 @@ use num_rational::Ratio;
 use num_traits::ToPrimitive;
 use std::collections::BTreeMap;
 
-/// The dimensions of the parameters; r, and x in g(x), is a length, and numbers are dimensionless.
+/// The dimensions of the parameters; r and the x of g(x) are lengths, and numbers are dimensionless.
 pub(in crate::scene) type Dimensions = BTreeMap<Symbol, Dimension>;
 
 /// Returns an error for the first term that is not a length.

@@ -121,7 +121,9 @@ impl Counting {
     /// Returns an example of a unit of a dimension, for help lines.
     fn example(&self, wanted: Dimension) -> String {
         match self.name(wanted) {
-            name if name.is_empty() => if wanted == Dimension::LENGTH { "um" } else { "GPa" }.to_owned(),
+            name if name.is_empty() && wanted == Dimension::FORCE => "mN".to_owned(),
+            name if name.is_empty() && wanted == Dimension::PRESSURE => "GPa".to_owned(),
+            name if name.is_empty() => "um".to_owned(),
             name if name == "E*" => "GPa".to_owned(),
             name => name,
         }

@@ -71,13 +71,17 @@ impl<'s> Data<'s> {
         Ok(BufReader::with_capacity(1 << 16, file))
     }
 
+    /// Returns the kinds of columns that give the load of a field.
+    pub(in crate::validate) fn load_kinds(&self) -> &'static [Kind] {
+        if self.arrays.is_some() { &[Kind::Depth, Kind::Force, Kind::ContactRadius] } else { &[Kind::Depth] }
+    }
+
     /// Returns the loads of a file with fields, each with several consecutive rows; `None` for other files.
     fn loads(&self) -> Result<Option<(Kind, Vec<f64>)>, ValidationError> {
         let mut table = Table::open(self)?;
         let has = |kind: Kind| table.index(kind).is_some();
         let places = (has(Kind::Distance) || has(Kind::X)) && table.columns.iter().any(|own| own.kind.is_field());
-        let kinds: &[Kind] = if self.arrays.is_some() { &[Kind::Depth, Kind::Force, Kind::ContactRadius] } else { &[Kind::Depth] };
-        let found = kinds.iter().find_map(|kind| Some((*kind, table.index(*kind)?)));
+        let found = self.load_kinds().iter().find_map(|kind| Some((*kind, table.index(*kind)?)));
         let (true, Some((kind, index))) = (places, found) else { return Ok(None) };
         let (mut loads, mut rows, mut row): (Vec<f64>, usize, _) = (Vec::new(), 0, Vec::new());
         while table.next(&mut row)?.is_some() {

@@ -25,11 +25,11 @@ pub(in crate::validate) enum Content {
 
 impl Content {
     /// True if a column of this kind says something in such a file.
-    fn reads(self, kind: Kind) -> bool {
+    fn reads(self, kind: Kind, data: &Data<'_>) -> bool {
         let of_loads = matches!(kind, Kind::Depth | Kind::Force | Kind::ContactRadius | Kind::Energy | Kind::Stiffness);
         match self {
             Self::Loads => of_loads,
-            Self::Field => !of_loads || kind == Kind::Depth,
+            Self::Field => !of_loads || data.load_kinds().contains(&kind),
         }
     }
 }
@@ -110,7 +110,7 @@ impl<'s> Survey<'s> {
         }
         let mut notes = std::mem::take(&mut table.notes);
         let mut unread = std::mem::take(&mut table.unread);
-        unread.extend(columns.iter().filter(|own| !content.reads(own.kind)).map(|own| own.name.clone()));
+        unread.extend(columns.iter().filter(|own| !content.reads(own.kind, &data)).map(|own| own.name.clone()));
         let names = std::mem::take(&mut table.names);
         if rows == 0 {
             return Err(ValidationError::data(
