@@ -43,6 +43,8 @@ const ENDS: i32 = 15;
 const BENT: f64 = 1e-3;
 /// Maximum number of bisections per decade, by the cost of one evaluation of g in steps.
 const HALVINGS: [(u64, u32); 3] = [(5_000, 8), (200_000, 6), (u64::MAX, 4)];
+/// Number of bisections that are made in any case.
+const CERTAIN: u32 = 2;
 /// Maximum number of iterations to locate a local maximum of g, or the radius where g ceases to exist.
 const STEPS: u32 = 60;
 /// The search ends after this many consecutive samples whose error exceeds their value.
@@ -320,8 +322,7 @@ impl Look<'_> {
             && !self.is_power(*one, *two, here)
         {
             let two = *two;
-            let halvings = HALVINGS.into_iter().find(|(most, _)| cost <= *most).map_or(0, |(_, halvings)| halvings);
-            self.between(two, here, (halvings, halvings.saturating_sub(2)), &mut seen.places);
+            self.between(two, here, cost, 0, &mut seen.places);
         }
         seen.places.push(here);
         self.climb(known.saturating_sub(2), &mut seen.places);
@@ -345,21 +346,23 @@ impl Look<'_> {
         true
     }
 
-    /// Bisects an interval recursively wherever g deviates from a power law.
+    /// Bisects an interval recursively wherever g deviates from a power law, as often as the cost of g next to its upper end allows.
     ///
-    /// Intervals with more than `doubted` bisections left are always bisected, because an oscillation may match the power law at
-    /// one point.
-    fn between(&mut self, one: (f64, f64), two: (f64, f64), (halvings, doubted): (u32, u32), places: &mut Vec<(f64, f64)>) {
+    /// The first [`CERTAIN`] bisections are always made, because an oscillation may match the power law at one point.
+    fn between(&mut self, one: (f64, f64), two: (f64, f64), cost: u64, level: u32, places: &mut Vec<(f64, f64)>) {
+        let most = HALVINGS.into_iter().find(|(most, _)| cost <= *most).map_or(0, |(_, halvings)| halvings);
         let middle = self.start + ((one.0 - self.start) * (two.0 - self.start)).sqrt();
-        if halvings == 0 || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
+        if level >= most || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
             return;
         }
+        let before = work::left();
         let Ok(g) = self.value(middle) else { return };
+        let nearer = before.saturating_sub(work::left());
         let here = (middle, g);
-        if halvings > doubted || !self.is_power(one, here, two) {
-            self.between(one, here, (halvings - 1, doubted), places);
+        if level < CERTAIN || !self.is_power(one, here, two) {
+            self.between(one, here, nearer, level + 1, places);
             places.push(here);
-            self.between(here, two, (halvings - 1, doubted), places);
+            self.between(here, two, cost, level + 1, places);
         } else {
             places.push(here);
         }

@@ -5,16 +5,22 @@ use crate::derive::engine::expanded_or_same;
 use crate::derive::rules::abel;
 use crate::derive::solved::{SolvedChain, SolvedInterval, SolvedTerm};
 use crate::derive::superposed::Superposed;
+use crate::expr::function::pressure_power_in_one_term;
 use crate::expr::{
     Bindings, Expr, Formula, Node, Number, Relation, Symbol, collected, derivative, in_lowest_terms, rewritten, shown, shown_as_mathematics,
 };
 use crate::integrate::error::TransformError;
 use crate::integrate::segment::Segment;
 use crate::integrate::source::ends::{Growth, growth};
+use crate::num::work;
 use std::borrow::Cow;
 
 /// Sizes of expressions are compared up to this number of nodes.
 const SIZE: usize = 10_000;
+
+/// Steps of work that each node takes when the formula is printed. They are counted when the formula is put together, because
+/// nothing is cut while it is printed.
+const PRINTING: u64 = 35;
 
 /// How much of a formula is closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,14 +131,9 @@ impl Solution {
             other => other,
         };
         let positive = self.positive_differences();
-        Derived {
-            formula: formula.scaled(factor).map(&|own| in_lowest_terms(&without_squares(own, &positive))).with_constants_in_front(),
-            status,
-            compared,
-            split,
-            rules,
-            reference: references,
-        }
+        let formula = formula.scaled(factor).map(&|own| in_lowest_terms(&without_squares(own, &positive))).with_constants_in_front();
+        work::spend(PRINTING * formula.expressions().iter().map(|own| own.size_up_to(SIZE) as u64).sum::<u64>());
+        Derived { formula, status, compared, split, rules, reference: references }
     }
 }
 
@@ -335,10 +336,33 @@ fn has_closed_part(formula: &Formula) -> bool {
 /// Collects like terms in the closed parts of a formula, where functions for stable evaluation are the standard ones.
 fn with_collected(formula: Formula) -> Formula {
     match formula {
-        Formula::Closed(expr) => Formula::Closed(collected(&shown_as_mathematics(&expr))),
+        Formula::Closed(expr) => Formula::Closed(collected(&shown_as_mathematics(&with_few_terms(&expr)))),
         Formula::Sum(parts) => Formula::Sum(parts.into_iter().map(with_collected).collect()),
         other => other,
     }
+}
+
+/// The pressures of the powers in one formula are written out up to this number of terms.
+const MOST_TERMS: i64 = 40;
+/// Pressures of powers up to this order are always written out.
+const SHORT_ORDER: i64 = 4;
+
+/// The closed form of a pressure with one term over ₂F₁ for each power where elementary ones would have n²/4 terms together, as
+/// for a polynomial of degree 20.
+fn with_few_terms(expr: &Expr) -> Expr {
+    let order = |own: &Expr| match own.node() {
+        Node::Function(function, arguments) if function.name() == "pressure_power" => arguments.first().and_then(Expr::as_integer),
+        _ => None,
+    };
+    let terms: i64 = expr.parts().filter_map(order).map(|n| n / 2 + 1).sum();
+    if terms <= MOST_TERMS {
+        return expr.clone();
+    }
+    rewritten(expr, &|own, _| {
+        let Node::Function(_, arguments) = own.node() else { return None };
+        let [n, r, a] = arguments.as_slice() else { return None };
+        order(own).is_some_and(|n| n > SHORT_ORDER).then(|| pressure_power_in_one_term(n, r, a))
+    })
 }
 
 /// K(s, r) = √(a²−M²) R_F(M²(M²−m²), a²(M²−m²), M²(a²−m²)) with M = max(r, s), m = min(r, s).

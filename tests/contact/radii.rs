@@ -87,6 +87,16 @@ fn the_top_of_a_hump_is_reached_and_not_passed() {
     }
 }
 
+/// Waves whose amplitude grows: values of g near the root cost less than those at the end of the decade. The first root is that of
+/// a grid of steps of 0.1 with 30 digits.
+#[test]
+fn the_first_root_of_growing_waves_is_found() {
+    for unit in [1e-6, 1.0, 1e7] {
+        let (found, _) = radius("(r/[s])*besselj(0,3+(r/[s])/0.7)", unit, 16.98).unwrap();
+        assert!((found.estimate.value / unit / 19.606_804_767_141_225 - 1.0).abs() < 1e-14, "{found:?}");
+    }
+}
+
 /// Depths that g reaches nowhere are proven to be unreachable, in every unit, and depths that it reaches are found; the supremum of g is
 /// that of a grid with its kinks, with 5 % of room on both sides.
 #[test]

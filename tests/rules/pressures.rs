@@ -1,6 +1,7 @@
 //! Printed pressures with integrals: what closes of them and what stays add up to the numbers.
 #![allow(clippy::unwrap_used)]
 
+use sneddon::print;
 use sneddon::transform::Status;
 use sneddon_checks::formulas::{Values, contact, derived, derived_with, value};
 
@@ -53,6 +54,19 @@ fn pressures_of_logarithms_close() {
     let values: &Values<'_> = &[("b", 0.7), ("C", 1.2)];
     hold("piecewise(0, r<b, C*r^2*ln(r/b))", values, Status::Exact, 4e-15);
     hold("piecewise(C*r^2*ln(r), r<b, C*b^2*ln(b))", values, Status::Exact, 4e-15);
+}
+
+/// A polynomial of degree 20 has a hundred elementary terms, so that each of its powers is one term over ₂F₁.
+#[test]
+fn pressures_of_long_polynomials_have_one_term_for_each_power() {
+    let product = |n: u32| (1..=n).map(|i| format!("(1+r/{i})")).collect::<Vec<_>>().join("*");
+    for (profile, is_long) in
+        [("(1+r)^6".to_owned(), false), ("(1+r)^20".to_owned(), true), (product(16), true), ("r^30".to_owned(), false)]
+    {
+        hold(&profile, &[], Status::Exact, 3e-15);
+        let printed = print::text(&derived(&profile).pressure().unwrap().formula);
+        assert_eq!(printed.contains("hyp2f1"), is_long, "{profile}: {printed}");
+    }
 }
 
 /// ∫ x e^(∓x²/w²)/√(x²−r²) dx closes by the error functions, once the terms of g are added up.

@@ -112,6 +112,23 @@ const ALGEBRA: &[&[&str]] = &[
     &["h*(1+r/b)^3", "h*(b+r)^3/b^3", "h+3*h*r/b+3*h*r^2/b^2+h*r^3/b^3"],
 ];
 
+/// Functions of inverse functions, and the same without.
+const INVERSES: &[&[&str]] = &[
+    &["r*sin(asin(r/b))", "r*cos(acos(r/b))", "r*tan(atan(r/b))", "r*sinh(asinh(r/b))", "r*cosh(acosh(r/b))", "r*tanh(atanh(r/b))", "r^2/b"],
+    &["r*cos(asin(r/b))", "r*sin(acos(r/b))", "r*sqrt(1-r^2/b^2)", "r/cosh(atanh(r/b))"],
+    &["r*tan(asin(r/b))", "r*sinh(atanh(r/b))", "r^2/sqrt(b^2-r^2)", "r/tan(acos(r/b))"],
+    &["r^2*tan(acos(r/b))", "r*sqrt(b^2-r^2)"],
+    &["r*sin(atan(r/b))", "r*tanh(asinh(r/b))", "r^2/sqrt(b^2+r^2)"],
+    &["r*cos(atan(r/b))", "r/cosh(asinh(r/b))", "b*r/sqrt(b^2+r^2)"],
+    &["r*sin(2*asin(r/b))", "2*r^2/b*sqrt(1-r^2/b^2)", "-r*sin(-2*asin(r/b))"],
+    &["r*cos(3*acos(r/b))", "r*(4*(r/b)^3-3*r/b)"],
+    &["r*cosh(2*asinh(r/b))", "r*(1+2*(r/b)^2)"],
+    &["r*tan(2*atan(r/b))", "2*r^2/b/(1-(r/b)^2)"],
+    &["r*sin(asin(r/b)+pi/6)", "r^2/b*sqrt(3)/2+r/2*sqrt(1-r^2/b^2)"],
+    &["r*exp(asinh(r/b))", "r*(r/b+sqrt(1+(r/b)^2))"],
+    &["r*exp(-2*asinh(r/b))", "r*(sqrt(1+(r/b)^2)-r/b)^2"],
+];
+
 fn expression(text: &str) -> Expr {
     match formula(text) {
         Formula::Closed(expr) => expr,
@@ -149,6 +166,11 @@ fn spellings_of_one_profile_have_one_form() {
 #[test]
 fn algebraic_spellings_of_one_profile_have_one_form() {
     all_the_same(ALGEBRA);
+}
+
+#[test]
+fn functions_of_inverse_functions_are_algebraic() {
+    all_the_same(INVERSES);
 }
 
 /// Draws spellings: what it is asked for is fixed, how it is written is not.

@@ -6,7 +6,8 @@ use crate::derive::term::Term;
 use crate::expr::function::elliptic_moment_parts;
 use crate::expr::normal;
 use crate::expr::{Expr, Number, Sign, Symbol, derivative, sign};
-use crate::num::work;
+use std::collections::HashMap;
+use std::iter::successors;
 
 pub(super) static RULE: Rule = Rule {
     id: "polynomial-segment",
@@ -26,8 +27,8 @@ pub(super) static RULE: Rule = Rule {
     apply,
 };
 
-/// Steps of work after which the pressure is left as an integral; that of `max(r,b)^40` takes fewer.
-const LONGEST: u64 = 28_000_000;
+/// With more coefficients of f′ the pressure is left as an integral: its formula has some n² terms.
+const MOST: usize = 40;
 
 /// f′ = Σ c_m r^m on [b, c).
 ///
@@ -63,8 +64,7 @@ fn apply(term: &Term) -> Option<Answer> {
     Some(Answer {
         slope: Branches { within: slope(None), beyond: slope(upper) },
         force: Branches { within: force(None), beyond: force(upper) },
-        // The pressure of a high power takes more work than g and F, which stay closed without it.
-        pressure: work::share(LONGEST, || pressure(&coefficients, lower, upper)).flatten(),
+        pressure: pressure(&coefficients, lower, upper),
         conditions: Vec::new(),
     })
 }
@@ -107,32 +107,65 @@ fn moments(coefficients: &[Expr], shift: usize, b: &Expr, c: Option<&Expr>, x: &
     let highest = coefficients.len() + shift;
     let angle_parts = angle_coefficients(highest, x);
     let angle = tidy(&Expr::sum(coefficients.iter().zip(angle_parts.iter().skip(shift)).map(|(c, part)| c * part)));
-    let combine = |parts: &[Vec<Expr>]| {
-        let products = coefficients.iter().zip(parts.iter().skip(shift)).flat_map(|(c, list)| list.iter().map(move |part| c * part));
-        tidy(&Expr::sum(products))
-    };
+    let numbers = root_numbers(highest);
+    let combine = |end: &Expr| tidy(&root_factor(coefficients, shift, &numbers, end, x));
     let root = |end: &Expr| (x.power(2) - end.power(2)).sqrt();
-    let mut terms = vec![root(b) * combine(&root_parts(highest, b, x))];
+    let mut terms = vec![root(b) * combine(b)];
     if let Some(c) = c {
-        terms.push(-(root(c) * combine(&root_parts(highest, c, x))));
+        terms.push(-(root(c) * combine(c)));
     }
     terms.push(angle * arc);
     Expr::sum(terms)
 }
 
-/// The terms of the factor of √(x²−e²) in J_m, for every m: α_m = ((m−1) x² α_(m−2) + e^(m−1))/m, a polynomial in x² and e.
-fn root_parts(highest: usize, end: &Expr, x: &Expr) -> Vec<Vec<Expr>> {
+/// The numbers in the factor α_m of √(x²−e²) in J_m, for every m: α_m = ((m−1) x² α_(m−2) + e^(m−1))/m, so that
+/// α_m = Σ_j n_j x^(2j) e^(m−1−2j).
+fn root_numbers(highest: usize) -> Vec<Vec<Number>> {
     let mut numbers = vec![Vec::new(), vec![Number::integer(1)]];
     for m in 2..=highest {
         let factor = Number::ratio(m as i64 - 1, m as i64);
         let before = numbers.get(m - 2).into_iter().flatten().map(|own| own * &factor);
         numbers.push([Number::ratio(1, m as i64)].into_iter().chain(before).collect());
     }
-    let part = |m: usize, (j, number): (usize, &Number)| {
-        let (of_x, of_end) = (2 * j as i64, m as i64 - 1 - 2 * j as i64);
-        Expr::product([Expr::number(number.clone()), x.power(of_x), end.power(of_end)])
+    numbers
+}
+
+/// Σ c_m α_(m+shift). Coefficients c_m = C n_m b^(N−m) of a polynomial that is homogeneous in r and b have one term for each
+/// power of x, and their numbers are added up before terms are built.
+fn root_factor(coefficients: &[Expr], shift: usize, numbers: &[Vec<Number>], end: &Expr, x: &Expr) -> Expr {
+    let next = |power: &Number| end.as_number().map(|own| power * own);
+    let powers: Vec<Number> = successors(end.as_number().map(|_| Number::integer(1)), next).take(numbers.len()).collect();
+    if powers.is_empty() && end.symbols().is_empty() {
+        // Powers of one root of a number would not be one root again.
+        let terms = (shift as i64..).zip(coefficients).zip(numbers.iter().skip(shift)).flat_map(|((m, c), list)| {
+            let term = move |(j, number): (i64, &Number)| {
+                Expr::product([Expr::number(number.clone()), c.clone(), x.power(2 * j), end.power(m - 1 - 2 * j)])
+            };
+            (0..).zip(list).map(term)
+        });
+        return Expr::sum(terms);
+    }
+    let mut sums: Vec<(Expr, Vec<Number>)> = Vec::new();
+    let mut places: HashMap<Expr, usize> = HashMap::new();
+    for ((m, c), list) in (shift..).zip(coefficients).zip(numbers.iter().skip(shift)).filter(|((_, c), _)| !c.is_zero()) {
+        // A symbolic end has its power at j = 0 here, and the division by e^(2j) follows with the sums.
+        let (number, rest) = if powers.is_empty() { (c * end.power(m as i64 - 1)).split_coefficient() } else { c.split_coefficient() };
+        let place = *places.entry(rest.clone()).or_insert_with(|| {
+            sums.push((rest, Vec::new()));
+            sums.len() - 1
+        });
+        let Some((_, sum)) = sums.get_mut(place) else { continue };
+        sum.resize(sum.len().max(list.len()), Number::integer(0));
+        for (j, (own, part)) in sum.iter_mut().zip(list).enumerate() {
+            let part = &number * part;
+            *own = &*own + &powers.get(m - 1 - 2 * j).map_or_else(|| part.clone(), |power| &part * power);
+        }
+    }
+    let term = |rest: &Expr, j: i64, number: Number| {
+        let of_end = if powers.is_empty() { end.power(-2 * j) } else { Expr::one() };
+        Expr::product([Expr::number(number), rest.clone(), x.power(2 * j), of_end])
     };
-    numbers.iter().enumerate().map(|(m, list)| list.iter().enumerate().map(|own| part(m, own)).collect()).collect()
+    Expr::sum(sums.iter().flat_map(|(rest, list)| (0..).zip(list).filter(|(_, n)| !n.is_zero()).map(|(j, n)| term(rest, j, n.clone()))))
 }
 
 /// The factor of the angle in J_m: β_m = (m−1)/m x² β_(m−2), β_0 = 1.
@@ -147,7 +180,7 @@ fn angle_coefficients(highest: usize, x: &Expr) -> Vec<Expr> {
 
 /// The pressure of odd f′, by elliptic integrals: with g = x √(x²−b²) α(x²) the integrand g′ is even over √(x²−b²).
 fn pressure(coefficients: &[Expr], lower: &Expr, upper: Option<&Expr>) -> Option<Branches> {
-    if coefficients.iter().step_by(2).any(|c| !c.is_zero()) {
+    if coefficients.len() > MOST || coefficients.iter().step_by(2).any(|c| !c.is_zero()) {
         return None;
     }
     let from = |end: &Expr| if end.is_zero() { Some(power_pressure(coefficients)) } else { worn_pressure(coefficients, end) };
@@ -174,18 +207,18 @@ fn power_pressure(coefficients: &[Expr]) -> Pair {
 fn worn_pressure(coefficients: &[Expr], b: &Expr) -> Option<Pair> {
     let symbol = Symbol::new("x");
     let x = Expr::from(symbol.clone());
-    let roots = root_parts(coefficients.len(), b, &x);
-    let alpha = Expr::sum(coefficients.iter().zip(&roots).flat_map(|(c, parts)| parts.iter().map(move |part| c * part)));
+    let alpha = root_factor(coefficients, 0, &root_numbers(coefficients.len()), b, &x);
     // g′ √(x²−b²) = (x²−b²)(α + x α′) + x² α
     let numerator = (x.power(2) - b.power(2)) * (&alpha + &x * derivative(&alpha, &symbol).ok()?) + x.power(2) * &alpha;
     let list = normal::polynomial_coefficients(&numerator, &symbol)?;
     let (r, a) = (Expr::symbol("r"), Expr::symbol("a"));
     let moment = |k: i64| Expr::call("elliptic_moment", [Expr::integer(k), b.clone(), r.clone(), a.clone()]);
     let (mut evaluated, mut parts) = (Vec::new(), [Expr::zero(), Expr::zero(), Expr::zero()]);
-    for (power, c) in list.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
-        let k = power as i64 / 2;
+    let moments = elliptic_moment_parts(list.len() as i64 / 2, b, &r, &a);
+    // All powers are even.
+    for ((k, c), own) in (0..).zip(list.iter().step_by(2)).zip(moments).filter(|((_, c), _)| !c.is_zero()) {
         evaluated.push(c * moment(k));
-        for (sum, part) in parts.iter_mut().zip(elliptic_moment_parts(k, b, &r, &a)) {
+        for (sum, part) in parts.iter_mut().zip(own) {
             *sum = &*sum + c * part;
         }
     }

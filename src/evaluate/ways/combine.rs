@@ -209,7 +209,7 @@ pub(crate) fn unless_underflown(
 }
 
 /// Steps of one number in addition to its tapes, measured by `benches/steps.rs`.
-const OVERHEAD: u64 = 60;
+const OVERHEAD: u64 = 48;
 /// Steps, about a millisecond, after which a closed form with special functions is abandoned in favour of quadrature.
 const CLOSED_FORM_STEPS: u64 = 100_000;
 /// The same for closed forms with 30 digits.

@@ -176,7 +176,7 @@ impl Number {
 
     /// The reciprocal; `None` for 0.
     pub fn reciprocal(&self) -> Option<Self> {
-        (!self.is_zero()).then(|| Self::keep(self.value.recip(), self.decimal))
+        (!self.is_zero()).then(|| Self::computed(self.value.recip(), self.decimal))
     }
 
     /// The integer power, where it is defined and not larger than a fold may be.
@@ -191,7 +191,7 @@ impl Number {
         }
         let exponent = if unit { exponent % 2 } else { exponent };
         let value = Pow::pow(&self.value, i32::try_from(exponent).ok()?);
-        Some(Self::keep(value, self.decimal))
+        Some(Self::computed(value, self.decimal))
     }
 
     /// The exact k-th root of a positive number, where it is rational.
@@ -201,13 +201,13 @@ impl Number {
         }
         let (p, q) = (self.value.numer().nth_root(k), self.value.denom().nth_root(k));
         let exact = Pow::pow(&p, k) == *self.value.numer() && Pow::pow(&q, k) == *self.value.denom();
-        exact.then(|| Self::keep(BigRational::new(p, q), self.decimal))
+        exact.then(|| Self::computed(BigRational::new(p, q), self.decimal))
     }
 
     /// The largest positive rational of which both numbers are integer multiples; the magnitude of the other if one is 0.
     pub fn common_factor(&self, other: &Self) -> Self {
         let (p, q) = (self.value.numer().gcd(other.value.numer()), self.value.denom().lcm(other.value.denom()));
-        Self::keep(BigRational::new(p, q), self.decimal || other.decimal)
+        Self::computed(BigRational::new(p, q), self.decimal || other.decimal)
     }
 
     /// The absolute value.
@@ -222,7 +222,8 @@ impl Number {
         Some((part(self.value.numer())?, part(self.value.denom())?))
     }
 
-    fn keep(value: BigRational, decimal: bool) -> Self {
+    /// A number computed from others, some of which had decimals.
+    pub(super) fn computed(value: BigRational, decimal: bool) -> Self {
         let decimal = decimal && !value.is_integer();
         Self { value, decimal }
     }
@@ -400,7 +401,7 @@ fn parts(own: &Number) -> (&BigInt, &BigInt) {
 /// Counts the work of an operation on numbers of many words; false if the budget is used up.
 fn charge(one: &Number, other: &Number) -> bool {
     let words = 1 + (one.bits() + other.bits()) / 64;
-    work::spend(75 + words + words * words / 16);
+    work::spend(120 + words + words * words / 16);
     !work::is_exhausted()
 }
 
@@ -408,7 +409,7 @@ impl Add for &Number {
     type Output = Number;
     fn add(self, other: Self) -> Number {
         let small = small_sum(self, other, 1);
-        Number::keep(small.unwrap_or_else(|| long_sum(self, other, false)), self.decimal || other.decimal)
+        Number::computed(small.unwrap_or_else(|| long_sum(self, other, false)), self.decimal || other.decimal)
     }
 }
 
@@ -416,7 +417,7 @@ impl Sub for &Number {
     type Output = Number;
     fn sub(self, other: Self) -> Number {
         let small = small_sum(self, other, -1);
-        Number::keep(small.unwrap_or_else(|| long_sum(self, other, true)), self.decimal || other.decimal)
+        Number::computed(small.unwrap_or_else(|| long_sum(self, other, true)), self.decimal || other.decimal)
     }
 }
 
@@ -424,7 +425,7 @@ impl Mul for &Number {
     type Output = Number;
     fn mul(self, other: Self) -> Number {
         let small = self.small().zip(other.small()).map(|((p, q), (n, m))| fraction(p * n, q * m));
-        Number::keep(small.unwrap_or_else(|| long_product(self, other)), self.decimal || other.decimal)
+        Number::computed(small.unwrap_or_else(|| long_product(self, other)), self.decimal || other.decimal)
     }
 }
 

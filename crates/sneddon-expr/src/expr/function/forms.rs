@@ -381,15 +381,11 @@ fn hypotenuse(u: &Expr, v: &Expr) -> Expr {
     (u.power(2) + v.power(2)).sqrt()
 }
 
-/// S_n = ∫_s^a xⁿ/√(x²−s²) dx: elementary for small whole n by n S_n = a^(n−1) w + (n−1) s² S_(n−2), else by 2F1.
+/// S_n = ∫_s^a xⁿ/√(x²−s²) dx: elementary for small whole n by n S_n = a^(n−1) w + (n−1) s² S_(n−2), else by ₂F₁.
 fn pressure_power(n: &Expr, s: &Expr, a: &Expr) -> Expr {
     const HIGHEST: i64 = 40;
     let w = leg(a, s);
-    let Some(whole) = n.as_integer().filter(|n| (0..=HIGHEST).contains(n)) else {
-        let (two, one) = (Expr::integer(2), Expr::one());
-        let arguments = [one.clone(), (&one - n) / &two, Expr::ratio(3, 2), one - (s / a).power(2)];
-        return a.pow(&(n - Expr::one())) * w * Expr::call("hyp2f1", arguments);
-    };
+    let Some(whole) = n.as_integer().filter(|n| (0..=HIGHEST).contains(n)) else { return pressure_power_in_one_term(n, s, a) };
     // S_n = w·P(a, s) + c·s^n·arcosh(a/s), the last only for even n.
     let (mut start, mut factor, mut polynomial) = (whole % 2, Expr::one(), Vec::new());
     if start == 1 {
@@ -406,6 +402,14 @@ fn pressure_power(n: &Expr, s: &Expr, a: &Expr) -> Expr {
     if whole % 2 == 1 { with_root } else { with_root + factor * Expr::call("acosh", [a / s]) }
 }
 
+/// ∫_s^a xⁿ/√(x²−s²) dx = a^(n−1) √(a²−s²) ₂F₁(1, (1−n)/2; 3/2; 1−s²/a²) for any real n > −1 and 0 < s < a, one term where the
+/// elementary form has n/2 of them.
+pub fn pressure_power_in_one_term(n: &Expr, s: &Expr, a: &Expr) -> Expr {
+    let (two, one) = (Expr::integer(2), Expr::one());
+    let arguments = [one.clone(), (&one - n) / &two, Expr::ratio(3, 2), &one - (s / a).power(2)];
+    a.pow(&(n - one)) * leg(a, s) * Expr::call("hyp2f1", arguments)
+}
+
 /// Returns `k` as the order of an elliptic moment: −1 or a whole number from 0 to 400.
 fn whole_order(k: f64) -> Option<i32> {
     if k == -1.0 { Some(-1) } else { order(k).and_then(|k| k.try_into().ok()) }
@@ -415,7 +419,7 @@ fn whole_order(k: f64) -> Option<i32> {
 fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
     let moment = |k: i64| Expr::call("elliptic_moment", [Expr::integer(k), b.clone(), s.clone(), a.clone()]);
     if k > 1 {
-        let [first, second, root] = elliptic_moment_parts(k, b, s, a);
+        let Some([first, second, root]) = elliptic_moment_parts(k, b, s, a).pop() else { return moment(k) };
         return first * moment(0) + second * moment(1) + root * leg(a, b) * leg(a, s);
     }
     let (big, small) = (Expr::call("max", [b.clone(), s.clone()]), Expr::call("min", [b.clone(), s.clone()]));
@@ -437,24 +441,22 @@ fn elliptic_moment(k: i64, b: &Expr, s: &Expr, a: &Expr) -> Expr {
     }
 }
 
-/// α, β, γ of E_k = α E_0 + β E_1 + γ √((a²−b²)(a²−s²)), polynomials in the squares of a, b and s.
+/// α, β, γ of E_k = α E_0 + β E_1 + γ √((a²−b²)(a²−s²)) for every k up to the highest, polynomials in the squares of a, b and s.
 ///
 /// From (2k−1)E_k = (2k−2)(b²+s²)E_(k−1) − (2k−3)b²s²E_(k−2) + a^(2k−3)√((a²−b²)(a²−s²)).
-pub fn elliptic_moment_parts(k: i64, b: &Expr, s: &Expr, a: &Expr) -> [Expr; 3] {
+pub fn elliptic_moment_parts(highest: i64, b: &Expr, s: &Expr, a: &Expr) -> Vec<[Expr; 3]> {
     let (total, product) = (b.power(2) + s.power(2), (b * s).power(2));
     let (zero, one) = (Expr::zero, Expr::one);
-    let (mut before, mut own) = ([one(), zero(), zero()], [zero(), one(), zero()]);
-    if k == 0 {
-        return before;
-    }
+    let mut list = vec![[one(), zero(), zero()], [zero(), one(), zero()]];
     let symbol = Symbol::new("a");
-    for j in 2..=k {
+    for j in 2..=highest {
         let mut next = [zero(), zero(), a.power(2 * j - 3)];
-        for (sum, (one, two)) in next.iter_mut().zip(own.iter().zip(&before)) {
+        let [.., before, own] = list.as_slice() else { break };
+        for (sum, (one, two)) in next.iter_mut().zip(own.iter().zip(before)) {
             let step = Expr::integer(2 * j - 2) * &total * one - Expr::integer(2 * j - 3) * &product * two + &*sum;
             *sum = expanded(&(step / Expr::integer(2 * j - 1)), &symbol).unwrap_or_else(|_| zero());
         }
-        before = std::mem::replace(&mut own, next);
+        list.push(next);
     }
-    own
+    list
 }

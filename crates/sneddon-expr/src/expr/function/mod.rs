@@ -12,7 +12,7 @@ mod typeset;
 mod undefined;
 mod waves;
 
-pub use forms::elliptic_moment_parts;
+pub use forms::{elliptic_moment_parts, pressure_power_in_one_term};
 pub use slices::{Growth, SliceLaw};
 pub use typeset::{Font, Letters, Setting, Typeset};
 pub(crate) use undefined::has_value;

@@ -9,6 +9,9 @@ use crate::expr::{Expr, ExprError, Node, Number, Sign, sign};
 /// Every identity holds wherever the call is real, for positive symbols.
 pub(super) fn rewritten(name: &str, arguments: &[Polynomial]) -> Result<Option<Polynomial>, ExprError> {
     let [u] = arguments else { return Ok(None) };
+    if let Some(result) = of_inverse(name, u)? {
+        return Ok(Some(result));
+    }
     match name {
         "exp" => exponential(u).map(Some),
         "ln" => logarithm::of(u).map(Some),
@@ -34,7 +37,14 @@ fn exponential(u: &Polynomial) -> Result<Polynomial, ExprError> {
                 let exponent = Polynomial::single(factor, number.clone(), frame).to_expr();
                 result = result.times(&power::raise(&Polynomial::expand(&argument, frame)?, &exponent)?)?;
             }
-            None => rest.add_term(monomial.clone(), number),
+            None => match multiple_of_inverse(&Polynomial::single(monomial.clone(), number.clone(), frame), true) {
+                // e^(nθ) = (cosh θ ± sinh θ)^|n|
+                Some((inverse, v, n)) => {
+                    let (sine, cosine) = sine_and_cosine(inverse, v, n.signum());
+                    result = result.times(&Polynomial::expand(&(cosine + sine).power(n.abs()), frame)?)?;
+                }
+                None => rest.add_term(monomial.clone(), number),
+            },
         }
     }
     if rest.is_zero() {
@@ -85,6 +95,72 @@ fn phase(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
         _ => first(cosine) * second(cosine) + first(sine) * second(sine),
     };
     Polynomial::expand(&total, frame).map(Some)
+}
+
+/// The largest multiple of an inverse function whose sine and cosine are written out.
+const HIGHEST_MULTIPLE: i64 = 8;
+
+/// Functions of a multiple of an inverse function and a phase, without the inverse function.
+///
+/// The identities hold wherever the inverse function is real.
+fn of_inverse(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
+    let frame = u.frame();
+    let is_hyperbolic = name.ends_with('h');
+    if !matches!(name, "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh") {
+        return Ok(None);
+    }
+    let (dependent, constant) = u.split(|monomial| depends(monomial, frame));
+    let Some((inverse, v, n)) = multiple_of_inverse(&dependent, is_hyperbolic) else { return Ok(None) };
+    let (mut sine, mut cosine) = sine_and_cosine(inverse, v, n);
+    if !constant.is_zero() {
+        let of_phase = constant.to_expr();
+        let names = if is_hyperbolic { ["sinh", "cosh"] } else { ["sin", "cos"] };
+        let [first, second] = names.map(|own| exact(own, &of_phase).unwrap_or_else(|| Expr::call(own, [of_phase.clone()])));
+        let product = &sine * &first;
+        let other = if is_hyperbolic { product } else { -product };
+        (sine, cosine) = (&sine * &second + &cosine * first, cosine * second + other);
+    }
+    let result = match name {
+        "sin" | "sinh" => sine,
+        "cos" | "cosh" => cosine,
+        _ => sine / cosine,
+    };
+    Polynomial::expand(&result, frame).map(Some)
+}
+
+/// sin nθ and cos nθ, or sinh nθ and cosh nθ, for an inverse function θ of v: polynomials in sin θ and cos θ, which are algebraic in v.
+fn sine_and_cosine(inverse: &str, v: Expr, n: i64) -> (Expr, Expr) {
+    let (one, square) = (Expr::one(), v.power(2));
+    let (cosine, sine) = match inverse {
+        "asin" => ((one - square).sqrt(), v),
+        "asinh" => ((one + square).sqrt(), v),
+        "acosh" => (v, (square - one).sqrt()),
+        _ => {
+            let root = if inverse == "atan" { one + square } else { one - square }.sqrt();
+            (root.recip(), v / root)
+        }
+    };
+    // (cos θ + sin θ)ⁿ: terms with odd powers of the sine, and the others. i² = −1 belongs to the square of a circular sine.
+    let (mut odd, mut even, mut choices) = (Vec::new(), Vec::new(), Number::integer(1));
+    for k in 0..=n.abs() {
+        let sign = if !inverse.ends_with('h') && k % 4 >= 2 { -1 } else { 1 };
+        let number = Expr::number(&choices * &Number::integer(sign));
+        let part = if k % 2 == 1 { &mut odd } else { &mut even };
+        part.push(number * cosine.power(n.abs() - k) * sine.power(k));
+        choices = &choices * &Number::ratio(n.abs() - k, k + 1);
+    }
+    (Expr::integer(n.signum()) * Expr::sum(odd), Expr::sum(even))
+}
+
+/// n·θ for a whole n and an inverse function θ of the given kind, as its name, its argument and n.
+fn multiple_of_inverse(u: &Polynomial, is_hyperbolic: bool) -> Option<(&'static str, Expr, i64)> {
+    let (monomial, number) = u.only()?;
+    let n = number.to_i64().filter(|n| n.abs() <= HIGHEST_MULTIPLE)?;
+    let (atom, power) = monomial.iter().next().filter(|_| monomial.len() == 1)?;
+    let Node::Function(function, arguments) = atom.node() else { return None };
+    let kinds: &[&'static str] = if is_hyperbolic { &["asinh", "acosh", "atanh"] } else { &["asin", "atan"] };
+    let inverse = kinds.iter().find(|own| **own == function.name())?;
+    power.is_one().then(|| Some((*inverse, arguments.first()?.clone(), n))).flatten()
 }
 
 /// sin and cos at multiples of π/6 and π/4.

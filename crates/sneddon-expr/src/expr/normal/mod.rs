@@ -8,7 +8,6 @@ mod division;
 mod factor;
 mod gather;
 mod logarithm;
-mod monomial;
 mod polynomial;
 mod power;
 mod rational;

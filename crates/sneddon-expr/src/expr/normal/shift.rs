@@ -1,7 +1,8 @@
 //! Polynomials about another point.
 
 use super::{expanded, is_sum};
-use crate::expr::{Expr, Symbol};
+use crate::expr::{Expr, Number, Symbol};
+use std::collections::HashMap;
 
 /// The coefficients of Σ c_m v^m in powers of v − b, without zeros: pairs of k and P^(k)(b)/k!; `None` if they cannot be
 /// expanded.
@@ -15,8 +16,17 @@ use crate::expr::{Expr, Symbol};
 /// ```
 pub fn shifted_coefficients(coefficients: &[Expr], b: &Expr, variable: &Symbol) -> Option<Vec<(i64, Expr)>> {
     let tidy = |own: Expr| if own.factors().iter().any(is_sum) { expanded(&own, variable).ok() } else { Some(own) };
-    let mut list = coefficients.iter().cloned().map(tidy).collect::<Option<Vec<_>>>()?;
-    // Synthetic division by v − b, once for each coefficient.
+    let list = coefficients.iter().cloned().map(tidy).collect::<Option<Vec<_>>>()?;
+    let shifted = match b {
+        _ if b.is_zero() => list,
+        _ if b.factors().iter().any(is_sum) => by_division(list, b, &tidy)?,
+        _ => by_numbers(&list, b),
+    };
+    Some((0..).zip(shifted).filter(|(_, value)| !value.is_zero()).collect())
+}
+
+/// By synthetic division by v − b, once for each coefficient.
+fn by_division(mut list: Vec<Expr>, b: &Expr, tidy: &impl Fn(Expr) -> Option<Expr>) -> Option<Vec<Expr>> {
     for k in 0..list.len() {
         let mut carried = Expr::zero();
         for own in list.iter_mut().skip(k).rev() {
@@ -24,5 +34,34 @@ pub fn shifted_coefficients(coefficients: &[Expr], b: &Expr, variable: &Symbol) 
             *own = carried.clone();
         }
     }
-    Some((0..).zip(list).filter(|(_, value)| !value.is_zero()).collect())
+    Some(list)
+}
+
+/// p_k = Σ C(m, k) c_m b^(m−k). Terms c_m b^m that differ by a number alone, as in a polynomial that is homogeneous in v and b,
+/// are added up as numbers.
+fn by_numbers(list: &[Expr], b: &Expr) -> Vec<Expr> {
+    let mut sums: Vec<(Expr, Vec<Number>)> = Vec::new();
+    let mut places: HashMap<Expr, usize> = HashMap::new();
+    let mut choices: Vec<Number> = Vec::new();
+    for (m, c) in (0..).zip(list) {
+        // The next row of Pascal's triangle.
+        let inner = choices.iter().zip(choices.iter().skip(1)).map(|(one, next)| one + next);
+        choices = choices.first().cloned().into_iter().chain(inner).chain([Number::integer(1)]).collect();
+        let scale = b.power(m);
+        for term in c.terms().into_iter().filter(|own| !own.is_zero()) {
+            let (number, rest) = (term * &scale).split_coefficient();
+            let place = *places.entry(rest.clone()).or_insert_with(|| {
+                sums.push((rest, vec![Number::integer(0); list.len()]));
+                sums.len() - 1
+            });
+            for (sum, choice) in sums.get_mut(place).into_iter().flat_map(|(_, own)| own).zip(&choices) {
+                *sum = &*sum + &(&number * choice);
+            }
+        }
+    }
+    let coefficient = |k: usize| {
+        let parts = sums.iter().filter_map(|(rest, own)| Some(Expr::number(own.get(k).filter(|n| !n.is_zero())?.clone()) * rest));
+        Expr::sum(parts.map(|own| own * b.power(-(k as i64))))
+    };
+    (0..list.len()).map(coefficient).collect()
 }

@@ -1,5 +1,8 @@
 //! Sums of products of powers over exact numbers, the arithmetic behind the recognition form.
 
+mod dense;
+mod monomial;
+
 use super::{calls, gather, power};
 use crate::expr::{Expr, ExprError, Node, Number, Symbol};
 use crate::num::work;
@@ -7,7 +10,7 @@ use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-pub(super) use super::monomial::Monomial;
+pub(in crate::expr::normal) use monomial::Monomial;
 
 /// The data shared by one expansion: the variable whose roots are brought to canonical form, and the remaining work.
 ///
@@ -214,6 +217,10 @@ impl Polynomial {
     pub(super) fn times(&self, other: &Self) -> Result<Self, ExprError> {
         if self.len().saturating_mul(other.len()) > 40 * Self::LIMIT {
             return Err(ExprError::TooLarge { limit: Self::LIMIT });
+        }
+        if let Some(terms) = dense::product(&self.terms, &other.terms) {
+            work::check()?;
+            return Ok(Self { terms, frame: self.frame.clone() });
         }
         let mut result = Self::zero(&self.frame);
         for (left, a) in &self.terms {

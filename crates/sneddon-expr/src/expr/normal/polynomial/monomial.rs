@@ -9,21 +9,21 @@ use std::ops::Deref;
 /// It is read as the map from each atom to its exponent. The only way to put a factor in is [`Self::multiply`], so that a
 /// factor which is there already can never be lost.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Monomial(BTreeMap<Expr, Expr>);
+pub(in crate::expr::normal) struct Monomial(BTreeMap<Expr, Expr>);
 
 impl Monomial {
     /// The empty product, which is 1.
-    pub(super) fn new() -> Self {
+    pub(in crate::expr::normal) fn new() -> Self {
         Self::default()
     }
 
     /// atom^power.
-    pub(super) fn power(atom: Expr, power: Expr) -> Self {
+    pub(in crate::expr::normal) fn power(atom: Expr, power: Expr) -> Self {
         Self::from_iter([(atom, power)])
     }
 
     /// Multiplies by atom^power: exponents of one atom add up, and one that becomes 0 leaves.
-    pub(super) fn multiply(&mut self, atom: Expr, power: Expr) {
+    pub(in crate::expr::normal) fn multiply(&mut self, atom: Expr, power: Expr) {
         let total = match self.0.remove(&atom) {
             Some(before) => before + power,
             None => power,
@@ -34,14 +34,14 @@ impl Monomial {
     }
 
     /// The product of two.
-    pub(super) fn times(&self, other: &Self) -> Self {
+    pub(in crate::expr::normal) fn times(&self, other: &Self) -> Self {
         let mut product = self.clone();
         product.extend(other.clone());
         product
     }
 
     /// Takes an atom out with its power.
-    pub(super) fn remove(&mut self, atom: &Expr) -> Option<Expr> {
+    pub(in crate::expr::normal) fn remove(&mut self, atom: &Expr) -> Option<Expr> {
         self.0.remove(atom)
     }
 }
