@@ -3,7 +3,7 @@
 pub use crate::derive::assemble::{Derived, Status};
 pub use crate::derive::chain::Chain;
 pub use crate::derive::closed_form::ClosedForm;
-pub(crate) use crate::derive::domain::demands::above_zero;
+pub(crate) use crate::derive::domain::above_zero::above_zero;
 pub use crate::derive::engine::{Solution, derive};
 pub use crate::derive::inverse::{FromPressure, Inverse, InverseRule, Reader, TABLE, equivalent_of_pressure, invert};
 pub use crate::derive::profile::Profile;

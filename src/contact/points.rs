@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// Divisor of the budget: one part of this many is reserved for writing the answer.
 const FOR_THE_ANSWER: u64 = 16;
 /// Divisor of the remaining budget: a single point may use one part of this many.
-const FOR_ONE: u64 = 3;
+const FOR_ONE: u64 = 2;
 /// Factor between the budget of a block and its expected cost.
 const HEADROOM: u64 = 4;
 /// Steps above which a list of pressures under one contact is answered by one expansion.

@@ -53,6 +53,8 @@ const LOST: u32 = 3;
 const EXPENSIVE: u64 = 1_000_000;
 /// Maximum number of further radii searched for an accurate value of g.
 const LEAP: usize = 20;
+/// The distance from a root at which its sign is certain is increased by at most this factor at once.
+const MOST_MISSING: f64 = 64.0;
 /// Ratio of depths below which the smaller one is negligible.
 const NOTHING: f64 = 1e-9;
 /// The search ends after this many consecutive samples without a new maximum of g.
@@ -121,7 +123,7 @@ pub(super) fn root(
         let Estimate { value, error, .. } = height(a)?;
         if error > value.abs() { Err(TransformError::NoDigits { at: a, value, error }) } else { Ok(value) }
     };
-    let mut look = Look { height: &mut with_digits, stays_below, start, places: outward(start, limit), refused: None };
+    let mut look = Look { height: &mut with_digits, stays_below, start, limit, places: outward(start, limit), refused: None };
     let (lower, upper) = match look.bracket(radii, target)? {
         Ok(found) => found,
         Err(absence) => return Ok(Err(absence)),
@@ -165,7 +167,14 @@ pub(super) fn certain(
             let spread = both.clone().map(|own| own.value.abs() + own.error).fold(0.0, f64::max);
             return Ok(Some(Certain { reach, spread, bound: both.fold(Bound::Proven, |bound, own| bound.and(own.bound)) }));
         }
-        reach *= 2.0;
+        // The difference grows with the distance, the errors do not.
+        let error = below.into_iter().chain(above).map(|own| own.error).fold(0.0, f64::max);
+        let half = match (below, above) {
+            (Some(below), Some(above)) => 0.5 * (above.value - below.value),
+            (one, other) => one.or(other).map_or(0.0, |own| own.value.abs()),
+        };
+        let missing = if half > 0.0 { (error / half).max(2.0) } else { 2.0 };
+        reach *= missing.min(MOST_MISSING).log2().ceil().exp2();
     }
     Ok(None)
 }
@@ -175,6 +184,7 @@ struct Look<'a> {
     height: &'a mut dyn FnMut(f64) -> Result<f64, TransformError>,
     stays_below: &'a dyn Fn() -> Option<&'static str>,
     start: f64,
+    limit: f64,
     /// The radii to sample, in increasing order.
     places: Vec<f64>,
     /// The error of a method that has no value at some radius.
@@ -351,7 +361,7 @@ impl Look<'_> {
     /// The first [`CERTAIN`] bisections are always made, because an oscillation may match the power law at one point.
     fn between(&mut self, one: (f64, f64), two: (f64, f64), cost: u64, level: u32, places: &mut Vec<(f64, f64)>) {
         let most = HALVINGS.into_iter().find(|(most, _)| cost <= *most).map_or(0, |(_, halvings)| halvings);
-        let middle = self.start + ((one.0 - self.start) * (two.0 - self.start)).sqrt();
+        let middle = self.middle(one.0, two.0);
         if level >= most || middle <= one.0 || middle >= two.0 || work::is_exhausted() {
             return;
         }
@@ -368,9 +378,24 @@ impl Look<'_> {
         }
     }
 
-    /// Returns `true` if the third sample lies on the power law through the first two; g may be negative at all three.
+    /// The geometric mean of two distances from the flat part of the tip, or from the end of the profile where that is nearer.
+    fn middle(&self, one: f64, two: f64) -> f64 {
+        if self.is_near_end(one) {
+            return self.limit - ((self.limit - one) * (self.limit - two)).sqrt();
+        }
+        self.start + ((one - self.start) * (two - self.start)).sqrt()
+    }
+
+    /// Returns `true` in the outer half of a profile with an end.
+    fn is_near_end(&self, a: f64) -> bool {
+        self.limit.is_finite() && a - self.start > self.limit - a
+    }
+
+    /// Returns `true` if the third sample lies on the power law through the first two, of the distance from the flat part of the tip
+    /// or, next to the end of the profile, from there; g may be negative at all three.
     fn is_power(&self, one: (f64, f64), two: (f64, f64), other: (f64, f64)) -> bool {
-        let [x, y, z] = [one, two, other].map(|(a, _)| (a - self.start).ln());
+        let near_end = [one, two, other].iter().all(|(a, _)| self.is_near_end(*a));
+        let [x, y, z] = [one, two, other].map(|(a, _)| if near_end { self.limit - a } else { a - self.start }.ln());
         let sign = if one.1 < 0.0 { -1.0 } else { 1.0 };
         // The logarithm of a value of the other sign is NaN, which lies on no power law.
         let [f, g, h] = [one, two, other].map(|(_, g)| (sign * g).ln());

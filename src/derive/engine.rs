@@ -2,7 +2,8 @@
 
 use crate::derive::angles;
 use crate::derive::chain::Chain;
-use crate::derive::domain::decided::{decided, drop_implied};
+use crate::derive::domain::above_zero::above_zero;
+use crate::derive::domain::decided::{decided_for_all, drop_implied};
 use crate::derive::domain::demands;
 use crate::derive::domain::located::is_approximate;
 use crate::derive::profile::Profile;
@@ -66,8 +67,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
         if let Some((_, answer)) = &term.answer {
             // State signs as the profile does: b < R instead of 0 < R − b.
             let is_sign = |own: &Condition| own.relation == Relation::Less && own.left.is_zero();
-            let stated =
-                |own: &Condition| if is_sign(own) { demands::above_zero(&own.right).unwrap_or_else(|| own.clone()) } else { own.clone() };
+            let stated = |own: &Condition| if is_sign(own) { above_zero(&own.right).unwrap_or_else(|| own.clone()) } else { own.clone() };
             conditions.extend(answer.conditions.iter().map(stated));
         }
     }
@@ -78,7 +78,7 @@ fn solve(profile: &Profile) -> Result<Solution, TransformError> {
     conditions.extend(demands::of_either_sign(&profile.demands, &conditions));
     conditions.sort();
     conditions.dedup();
-    conditions.retain(|own| decided(own) != Some(true));
+    conditions.retain(|own| decided_for_all(own) != Some(true));
     drop_implied(&mut conditions);
     Ok(Solution { profile: profile.clone(), chains, conditions, verification })
 }

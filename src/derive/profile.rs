@@ -1,7 +1,7 @@
 //! The profile as chains of smooth pieces, read from a formula and examined for jumps, kinks and poles.
 
 use crate::derive::chain::Chain;
-use crate::derive::domain::decided::{decided, drop_implied, is_proven_not_below};
+use crate::derive::domain::decided::{decided_for_all, drop_implied, is_proven_not_below};
 use crate::derive::domain::demand::Demand;
 use crate::derive::domain::demands;
 use crate::derive::domain::numeric_sign::numeric_sign;
@@ -102,10 +102,10 @@ impl Profile {
         }
         conditions.sort();
         conditions.dedup();
-        if let Some(failing) = conditions.iter().find(|own| decided(own) == Some(false)) {
+        if let Some(failing) = conditions.iter().find(|own| decided_for_all(own) == Some(false)) {
             return Err(TransformError::ConditionFails { condition: print::text_condition(failing) });
         }
-        conditions.retain(|own| decided(own).is_none());
+        conditions.retain(|own| decided_for_all(own).is_none());
         drop_implied(&mut conditions);
         let mut profile = Self { typed: formula.clone(), chains: resolved, shift: Expr::sum(shift), conditions, demands: open };
         profile.end_at_limits();

@@ -1,6 +1,6 @@
 //! Seeded random places for comparisons: admissible values of the parameters, and points within the profile's reach.
 
-use crate::derive::domain::decided::decided;
+use crate::derive::domain::decided::decided_for_all;
 use crate::derive::engine::Solution;
 use crate::derive::stream::Stream;
 use crate::expr::{Bindings, Condition, Expr, Node, Number, Relation, Symbol};
@@ -79,5 +79,5 @@ fn put_in_order(values: &mut BTreeMap<Symbol, Number>, conditions: &[Condition])
 
 /// Conditions on parameters alone decide; those on r are met by the choice of points.
 pub(crate) fn admissible(condition: &Condition) -> bool {
-    decided(condition).unwrap_or(true)
+    decided_for_all(condition).unwrap_or(true)
 }

@@ -97,6 +97,23 @@ fn the_first_root_of_growing_waves_is_found() {
     }
 }
 
+/// Beyond its maximum a falling g overflows; its slopes are too large for products with radii.
+#[test]
+fn a_falling_g_is_proven_to_stay_below() {
+    for text in ["r*(3-r^2)", "r-r^2/4", "r*exp(-r)-r^3"] {
+        assert!(matches!(radius(text, 1.0, 30.0), Err(ContactError::Unreachable { .. })), "{text}");
+    }
+}
+
+/// Toward a pole, radii are looked for by their distance from it: 10¹⁰ took the whole budget.
+#[test]
+fn depths_next_to_a_pole_are_reached() {
+    for text in ["r^2/besselj(0,r)", "r^2/(2-besseli(0,r))"] {
+        let (found, back) = radius(text, 1.0, 1e10).unwrap();
+        assert!((back / 1e10 - 1.0).abs() < 1e-5, "{text}: from {back:e} to {found:?}");
+    }
+}
+
 /// Depths that g reaches nowhere are proven to be unreachable, in every unit, and depths that it reaches are found; the supremum of g is
 /// that of a grid with its kinks, with 5 % of room on both sides.
 #[test]

@@ -114,7 +114,15 @@ const ALGEBRA: &[&[&str]] = &[
 
 /// Functions of inverse functions, and the same without.
 const INVERSES: &[&[&str]] = &[
-    &["r*sin(asin(r/b))", "r*cos(acos(r/b))", "r*tan(atan(r/b))", "r*sinh(asinh(r/b))", "r*cosh(acosh(r/b))", "r*tanh(atanh(r/b))", "r^2/b"],
+    &[
+        "r*sin(asin(r/b))",
+        "r*cos(acos(r/b))",
+        "r*tan(atan(r/b))",
+        "r*sinh(asinh(r/b))",
+        "r*cosh(acosh(r/b))",
+        "r*tanh(atanh(r/b))",
+        "r^2/b",
+    ],
     &["r*cos(asin(r/b))", "r*sin(acos(r/b))", "r*sqrt(1-r^2/b^2)", "r/cosh(atanh(r/b))"],
     &["r*tan(asin(r/b))", "r*sinh(atanh(r/b))", "r^2/sqrt(b^2-r^2)", "r/tan(acos(r/b))"],
     &["r^2*tan(acos(r/b))", "r*sqrt(b^2-r^2)"],
@@ -125,6 +133,8 @@ const INVERSES: &[&[&str]] = &[
     &["r*cosh(2*asinh(r/b))", "r*(1+2*(r/b)^2)"],
     &["r*tan(2*atan(r/b))", "2*r^2/b/(1-(r/b)^2)"],
     &["r*sin(asin(r/b)+pi/6)", "r^2/b*sqrt(3)/2+r/2*sqrt(1-r^2/b^2)"],
+    &["r*tan(pi/2-r/b)", "-r*tan(r/b+pi/2)", "-r*tan(r/b-3*pi/2)"],
+    &["r*tan(r/b+pi)", "r*tan(r/b-2*pi)", "r*tan(r/b)"],
     &["r*exp(asinh(r/b))", "r*(r/b+sqrt(1+(r/b)^2))"],
     &["r*exp(-2*asinh(r/b))", "r*(sqrt(1+(r/b)^2)-r/b)^2"],
 ];

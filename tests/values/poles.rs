@@ -31,6 +31,34 @@ fn end_beyond(text: &str, at: f64) -> Option<f64> {
     ends[0]
 }
 
+/// Poles of functions at the axis, which doubles do not see because π/2 is rounded; and profiles that are real at the axis only.
+#[test]
+fn profiles_that_begin_with_a_pole_are_refused() {
+    let refused = |text: &str| Profile::new(&parse::profile(text).unwrap()).err();
+    for text in [
+        "tan(acos(r))",
+        "tan(pi/2-r)",
+        "1/cos(asin(1-r))",
+        "ln(cos(acos(r)))",
+        "sqrt(r)*tan(acos(r))",
+        "r^2*tan(acos(r^3))",
+        "tan(asin(b/(b+r)))",
+        "tan(2*atan(1-r/b))",
+    ] {
+        assert!(matches!(refused(text), Some(TransformError::SingularAtAxis { .. })), "{text}");
+    }
+    for text in ["asin(1+r)", "sin(asin(1+r/b))", "cos(2*acos(1+r/b))", "tanh(acosh(b/(b+r)))"] {
+        assert!(matches!(refused(text), Some(TransformError::NotReal { .. })), "{text}");
+    }
+    // Factors outweigh the pole, and the limit of f is subtracted.
+    for (text, height) in [("r*tan(acos(r))", (1.0f64 - 0.09).sqrt() - 1.0), ("r*tan(pi/2-r)", 0.3 / 0.3f64.tan() - 1.0)] {
+        let solution = solution(text);
+        let evaluator = Evaluator::new(&solution, &Bindings::default(), Method::Auto, 1e-12).unwrap();
+        let found = evaluator.height(0.3).unwrap().estimate.value;
+        assert!((found - height).abs() < 4e-16, "{text}: {found} and {height}");
+    }
+}
+
 #[test]
 fn numbers_before_the_end_are_right_and_those_beyond_are_refused_with_its_place() {
     for line in include_str!("../oracle/poles.csv").lines().filter(|line| !line.starts_with('#')) {

@@ -220,8 +220,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         contact::each_point(&at, read).map_err(failed)?
     };
     if depth.is_none() {
-        let known: Vec<f64> = at.iter().zip(&readings).filter(|(_, reading)| reading.is_ok()).map(|(at, _)| *at).collect();
-        work::part(|| warn_of_falls(&contact, quantity, &known, radius));
+        work::part(|| warn_of_falls(&contact, quantity, &at, &readings, radius));
     }
     warn_of_invalid_contact(quantity, &readings);
     warn_of_few_digits(demanded.unwrap_or(FEW_DIGITS), &readings);
@@ -285,15 +284,18 @@ fn shift(profile: &Profile, typed: &Profile) -> Option<Shift> {
 }
 
 /// Warns if g decreases before the largest contact radius, because larger contacts may not exist; the verdict belongs to `solve`.
-fn warn_of_falls(contact: &Contact<'_>, quantity: Quantity, at: &[f64], radius: Option<f64>) {
-    let most = at.iter().copied().fold(0.0, f64::max);
+fn warn_of_falls(contact: &Contact<'_>, quantity: Quantity, at: &[f64], readings: &[Measured], radius: Option<f64>) {
+    let known = || at.iter().zip(readings).filter_map(|(at, reading)| Some((*at, reading.as_ref().ok()?.estimate.value)));
+    let coordinate = || known().map(|(at, _)| at).fold(0.0, f64::max);
+    let value = || known().map(|(_, value)| value).fold(0.0, f64::max);
     let of_depth = |depth: f64| contact.contact_radius(depth).map(|own| own.estimate.value);
-    let largest = match quantity.coordinate() {
+    let largest = match quantity {
         _ if !quantity.needs_contact() => return,
         _ if quantity.needs_radius() => Ok(radius.unwrap_or(0.0)),
-        "d" => of_depth(most),
-        "F" => contact.depth_of_force(most).and_then(|own| of_depth(own.estimate.value)),
-        _ => Ok(most),
+        Quantity::Radius | Quantity::RadiusOfForce => Ok(value()),
+        Quantity::DepthOfForce => of_depth(value()),
+        _ if quantity.coordinate() == "d" => of_depth(coordinate()),
+        _ => Ok(coordinate()),
     };
     let Ok(largest) = largest else { return };
     let places = (1..=LOOKS).map(|step| largest * f64::from(step) / f64::from(LOOKS));

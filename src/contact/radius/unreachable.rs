@@ -26,6 +26,8 @@ const AT_AXIS: f64 = 1e-4;
 const LAST: f64 = 8.0 * f64::EPSILON;
 /// Ratio of x to the smallest radius from which on the bounds on f′ are summed by parts.
 const NEAR: f64 = 8.0;
+/// Slopes below minus this one count as this one.
+const LARGEST: f64 = 1e100;
 /// Bound on the rounding error of a sum, relative to the sum of the magnitudes.
 const ROUNDING: f64 = 1e-12;
 
@@ -60,7 +62,9 @@ struct Cells(Vec<Cell>);
 impl Cell {
     /// `None` if f′ has no bounds.
     fn new<P: Quantities + ?Sized>(shape: &P, lower: f64, upper: f64) -> Option<Self> {
-        let f_prime = shape.f_prime_over(lower, upper)?;
+        let (low, high) = shape.f_prime_over(lower, upper)?;
+        // A weaker upper bound keeps the products with radii finite.
+        let f_prime = (low, high.max(-LARGEST));
         let height = |r: f64| {
             let own = shape.height(r).ok()?.estimate;
             (own.bound == Bound::Proven).then_some((own.value - own.error, own.value + own.error))

@@ -12,7 +12,7 @@ pub(crate) fn is_proven_not_below(one: &Expr, other: &Expr) -> bool {
 }
 
 /// True or false where a condition holds, or fails, for all positive parameters.
-pub(crate) fn decided(condition: &Condition) -> Option<bool> {
+pub(crate) fn decided_for_all(condition: &Condition) -> Option<bool> {
     let room = &condition.right - &condition.left;
     condition.decided().or_else(|| match (condition.relation, sign(&room)) {
         (Relation::Equal, Sign::Positive | Sign::Negative) => Some(false),

@@ -1,5 +1,6 @@
 //! Where a profile is real and finite: its value at the axis, and tests at random admissible points.
 
+pub(crate) mod above_zero;
 pub(crate) mod barrier;
 pub(crate) mod decided;
 pub(crate) mod demand;
@@ -11,6 +12,7 @@ pub(crate) mod numeric_sign;
 use crate::derive::angles;
 use crate::derive::stream::Stream;
 use crate::eval::{BoundedAlgebra, WideAlgebra, constant_value, walk};
+use crate::expr::function::has_pole;
 use crate::expr::{Bindings, Condition, Expr, Node, Number, Sign, Symbol, leading_term, normal, sign};
 use crate::integrate::error::TransformError;
 use crate::num::{Bounded, Precise, Wide};
@@ -37,7 +39,11 @@ pub(crate) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
         return Ok(value);
     }
     // sin(k r)/(k r) and the like: the leading term of their power series.
-    if let Some(term) = leading_term(piece) {
+    let recognised = || {
+        let terms = normal::normal_terms(piece, &radius).ok()?;
+        leading_term(&Expr::sum(terms.iter().map(|term| term.to_expr(&radius))))
+    };
+    if let Some(term) = leading_term(piece).or_else(recognised) {
         return match term.exponent {
             own if own.is_positive() => Ok(Expr::zero()),
             own if own.is_zero() => Ok(term.coefficient),
@@ -54,6 +60,7 @@ pub(crate) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
             && w.is_finite()
             && (v - w).abs() <= 1e-9 * size.max(w.abs())
             && (u - v).abs() <= 1e-6 * size.max(w.abs())
+            && converges(piece, set)
     });
     if !settled {
         return Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) });
@@ -151,14 +158,24 @@ fn probe(expr: &Expr, r: f64) -> Probe {
     if real { Probe::Finite } else { Probe::NotReal }
 }
 
-/// False if something vanishes at the axis under a power that may be negative, or in a logarithm.
+/// False if something vanishes at the axis under a power that may be negative, or in a logarithm, or a function has no value there,
+/// such as tan(π/2).
 fn is_regular(expr: &Expr) -> bool {
-    let vanishes = |inner: &Expr| Bindings::one("r", Expr::zero()).apply(inner).is_zero();
+    let at_axis = Bindings::one("r", Expr::zero());
+    let vanishes = |inner: &Expr| at_axis.apply(inner).is_zero();
     expr.parts().all(|own| match own.node() {
         Node::Power(base, exponent) => sign(exponent) == Sign::Positive || !vanishes(base),
-        Node::Function(function, arguments) => function.name() != "ln" || !arguments.iter().any(vanishes),
-        _ => true,
+        Node::Function(function, arguments) if function.name() == "ln" && arguments.iter().any(vanishes) => false,
+        _ => !has_pole_at_axis(own),
     })
+}
+
+/// True for a function with a pole at the axis, such as tan(π/2 − r); that of a logarithm is outweighed by every power.
+fn has_pole_at_axis(expr: &Expr) -> bool {
+    match Bindings::one("r", Expr::zero()).apply(expr).node() {
+        Node::Function(function, arguments) => function.name() != "ln" && has_pole(*function, arguments),
+        _ => false,
+    }
 }
 
 /// True where the expression vanishes within its error bound at 32 random admissible points; `None` where it is real at none.
@@ -207,6 +224,17 @@ pub(crate) fn sample_bindings(expr: &Expr, count: usize) -> Vec<Bindings> {
         Expr::number(acute.unwrap_or(value))
     };
     (0..count).map(|_| names.iter().zip(&largest).map(|(name, largest)| (name.name(), draw(*largest))).collect()).collect()
+}
+
+/// False if the values move apart toward the axis by more than their errors: where 1 − r is 1 to rounding, 1/cos(asin(1 − r)) is a
+/// large constant.
+fn converges(piece: &Expr, set: &Bindings) -> bool {
+    let here = set.apply(piece);
+    let at = |r: f64| walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).ok();
+    let [Some(far), Some(near), Some(nearest)] = [1e-3, 1e-6, 1e-9].map(at) else { return true };
+    let doubt = 2.0 * (near.error + nearest.error);
+    let step = (nearest.value - near.value).abs();
+    step.is_nan() || step <= 0.9 * (near.value - far.value).abs() + doubt
 }
 
 pub(crate) fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {

@@ -1,8 +1,8 @@
 //! Integrals of powers of w ± r over √(x²−r²), shared by the linear families.
 
 use super::combination::{Combination, Form};
-use crate::derive::domain::decided::decided;
-use crate::derive::domain::demands::above_zero;
+use crate::derive::domain::above_zero::above_zero;
+use crate::derive::domain::decided::decided_for_all;
 use crate::expr::{Condition, Expr, Relation, Sign, sign};
 use crate::integrate::segment::Segment;
 use std::cell::RefCell;
@@ -72,8 +72,8 @@ impl Pole {
             let left = segment.upper.clone().unwrap_or_else(|| Expr::symbol("r"));
             conditions.push(Condition { left, relation, right: w.clone() });
         }
-        conditions.retain(|condition| decided(condition) != Some(true));
-        if conditions.iter().any(|condition| decided(condition) == Some(false)) {
+        conditions.retain(|condition| decided_for_all(condition) != Some(true));
+        if conditions.iter().any(|condition| decided_for_all(condition) == Some(false)) {
             return None;
         }
         Some((Self { w, above, half, known: RefCell::default() }, conditions))

@@ -3,6 +3,7 @@
 //! Arithmetic on truncated power series decides what substitution cannot: limits such as sin(k r)/(k r), and whether the
 //! slopes of several terms cancel at the axis.
 
+use super::function::has_value;
 use super::{Bindings, Expr, Node, Number, Sign, Symbol, derivative, normal, sign};
 
 /// The leading power of r of an expression at the axis, and its coefficient.
@@ -262,11 +263,13 @@ fn is_zero(expr: &Expr) -> bool {
     expr.is_zero() || (expr.as_number().is_none() && normal::is_proven_zero(expr, &Symbol::new("r")))
 }
 
-/// False if a derivative at the place divides by zero or takes the logarithm of zero.
+/// False if a derivative at the place divides by zero, takes the logarithm of zero, or has another constant without a value in it.
 fn is_finite(expr: &Expr) -> bool {
     expr.parts().all(|own| match own.node() {
         Node::Power(base, exponent) => !base.is_zero() || sign(exponent) == Sign::Positive,
-        Node::Function(function, arguments) => function.name() != "ln" || !arguments.iter().any(Expr::is_zero),
+        Node::Function(function, arguments) => {
+            !(function.name() == "ln" && arguments.iter().any(Expr::is_zero)) && has_value(*function, arguments)
+        }
         _ => true,
     })
 }

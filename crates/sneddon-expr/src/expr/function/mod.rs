@@ -16,7 +16,7 @@ pub use forms::{elliptic_moment_parts, pressure_power_in_one_term};
 pub use slices::{Growth, SliceLaw};
 pub use typeset::{Font, Letters, Setting, Typeset};
 pub(crate) use undefined::has_value;
-pub use undefined::undefined_constant;
+pub use undefined::{has_pole, undefined_constant};
 
 use super::{Expr, Sign};
 use crate::num::{DoubleDouble, Precise, Region};

@@ -2,18 +2,22 @@
 
 use crate::expr::{Expr, Formula, Function, Node, Number, Sign, known_sign};
 
+/// True if the function is known to be infinite for these arguments, such as tan(π/2), Γ(0) and artanh 1.
+pub fn has_pole(function: Function, arguments: &[Expr]) -> bool {
+    let numbers: Option<Vec<f64>> = arguments.iter().map(|argument| argument.as_number().map(Number::to_f64)).collect();
+    // Infinite by overflow, as exp(1000), is a value.
+    let is_small = |numbers: &[f64]| numbers.iter().all(|number| number.abs() <= 1.0);
+    let is_infinite = numbers.is_some_and(|own| is_small(&own) && (function.row().value)(&own).is_infinite());
+    let is_pole = |cosine| function.name() == "tan" && Expr::function(cosine, arguments.to_vec()).is_zero();
+    is_infinite || Function::named("cos").is_some_and(is_pole)
+}
+
 /// False if the function is known to have no finite real value for these arguments.
 pub(crate) fn has_value(function: Function, arguments: &[Expr]) -> bool {
     let row = function.row();
     let numbers: Option<Vec<f64>> = arguments.iter().map(|argument| argument.as_number().map(Number::to_f64)).collect();
     let value = numbers.map(|numbers| (row.value)(&numbers));
-    // Infinite by overflow, as exp(1000), is a value; infinite at a small argument, as gamma(0), is a pole.
-    let small = arguments.iter().all(|argument| argument.as_number().is_some_and(|number| number.to_f64().abs() <= 1.0));
-    if value.is_some_and(|value| value.is_nan() || (value.is_infinite() && small)) {
-        return false;
-    }
-    let is_pole = |cosine| row.name == "tan" && Expr::function(cosine, arguments.to_vec()).is_zero();
-    if Function::named("cos").is_some_and(is_pole) {
+    if value.is_some_and(f64::is_nan) || has_pole(function, arguments) {
         return false;
     }
     row.domain.is_none_or(|domain| {

@@ -16,6 +16,7 @@ pub(super) fn rewritten(name: &str, arguments: &[Polynomial]) -> Result<Option<P
         "exp" => exponential(u).map(Some),
         "ln" => logarithm::of(u).map(Some),
         "sin" | "cos" | "sinh" | "cosh" => phase(name, u),
+        "tan" => quarter_phase(u),
         "acos" => complement(call("asin", &[u.to_expr()], u.frame())?).map(Some),
         "atan" | "asin" | "atanh" | "asinh" | "acosh" => inverse(name, u),
         _ => Ok(None),
@@ -97,6 +98,17 @@ fn phase(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
     Polynomial::expand(&total, frame).map(Some)
 }
 
+/// tan(u + nπ) = tan u and tan(u + π/2 + nπ) = −1/tan u.
+fn quarter_phase(u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
+    let frame = u.frame();
+    let (dependent, constant) = u.split(|monomial| depends(monomial, frame));
+    let (quarters, rest) = (constant.to_expr() * Expr::integer(2)).split_coefficient();
+    let Some(quarters) = quarters.to_i64().filter(|_| rest == Expr::pi() && !dependent.is_zero()) else { return Ok(None) };
+    let tangent = Expr::call("tan", [dependent.to_expr()]);
+    let result = if quarters % 2 == 0 { tangent } else { -tangent.recip() };
+    Polynomial::expand(&result, frame).map(Some)
+}
+
 /// The largest multiple of an inverse function whose sine and cosine are written out.
 const HIGHEST_MULTIPLE: i64 = 8;
 
@@ -115,7 +127,13 @@ fn of_inverse(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprErro
     if !constant.is_zero() {
         let of_phase = constant.to_expr();
         let names = if is_hyperbolic { ["sinh", "cosh"] } else { ["sin", "cos"] };
-        let [first, second] = names.map(|own| exact(own, &of_phase).unwrap_or_else(|| Expr::call(own, [of_phase.clone()])));
+        let values = names.map(|own| exact(own, &of_phase));
+        // The quotient of two sums with symbolic phases is longer than the function.
+        if matches!(name, "tan" | "tanh") && values.iter().any(Option::is_none) {
+            return Ok(None);
+        }
+        let [first, second] = names.map(|own| Expr::call(own, [of_phase.clone()]));
+        let [first, second] = [(first, &values[0]), (second, &values[1])].map(|(call, value)| value.clone().unwrap_or(call));
         let product = &sine * &first;
         let other = if is_hyperbolic { product } else { -product };
         (sine, cosine) = (&sine * &second + &cosine * first, cosine * second + other);
