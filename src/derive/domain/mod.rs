@@ -50,6 +50,8 @@ pub(crate) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
             _ => Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) }),
         };
     }
+    // Where poles cancel, as those of digamma(r) + 1/r, the difference of two large numbers says nothing.
+    let has_pole = piece.parts().any(has_pole_at_axis);
     // r^n ln(1 + 1/r) and the like: look at the sequence r → 0.
     let settled = sample_bindings(piece, 3).iter().all(|set| {
         let near = |r: f64| value_at(piece, set, r);
@@ -61,6 +63,7 @@ pub(crate) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
             && (v - w).abs() <= 1e-9 * size.max(w.abs())
             && (u - v).abs() <= 1e-6 * size.max(w.abs())
             && converges(piece, set)
+            && (!has_pole || has_digits(piece, set, 1e-80))
     });
     if !settled {
         return Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) });
@@ -170,10 +173,13 @@ fn is_regular(expr: &Expr) -> bool {
     })
 }
 
-/// True for a function with a pole at the axis, such as tan(π/2 − r); that of a logarithm is outweighed by every power.
+/// True for a function with a pole at the axis, such as tan(π/2 − r). Those of ln, artanh and K are logarithmic: every power outweighs
+/// them.
 fn has_pole_at_axis(expr: &Expr) -> bool {
     match Bindings::one("r", Expr::zero()).apply(expr).node() {
-        Node::Function(function, arguments) => function.name() != "ln" && has_pole(*function, arguments),
+        Node::Function(function, arguments) => {
+            matches!(function.name(), "tan" | "gamma" | "digamma" | "polygamma") && has_pole(*function, arguments)
+        }
         _ => false,
     }
 }
@@ -224,6 +230,11 @@ pub(crate) fn sample_bindings(expr: &Expr, count: usize) -> Vec<Bindings> {
         Expr::number(acute.unwrap_or(value))
     };
     (0..count).map(|_| names.iter().zip(&largest).map(|(name, largest)| (name.name(), draw(*largest))).collect()).collect()
+}
+
+fn has_digits(piece: &Expr, set: &Bindings, r: f64) -> bool {
+    let value = walk(&set.apply(piece), &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r)));
+    value.is_ok_and(|own| own.error < 1e-3 * own.value.abs())
 }
 
 /// False if the values move apart toward the axis by more than their errors: where 1 − r is 1 to rounding, 1/cos(asin(1 − r)) is a

@@ -8,6 +8,10 @@ pub fn has_pole(function: Function, arguments: &[Expr]) -> bool {
     // Infinite by overflow, as exp(1000), is a value.
     let is_small = |numbers: &[f64]| numbers.iter().all(|number| number.abs() <= 1.0);
     let is_infinite = numbers.is_some_and(|own| is_small(&own) && (function.row().value)(&own).is_infinite());
+    let of_gamma = || arguments.last().and_then(Expr::as_integer).is_some_and(|n| n <= 0);
+    if matches!(function.name(), "gamma" | "digamma" | "polygamma") && of_gamma() {
+        return true;
+    }
     let is_pole = |cosine| function.name() == "tan" && Expr::function(cosine, arguments.to_vec()).is_zero();
     is_infinite || Function::named("cos").is_some_and(is_pole)
 }
