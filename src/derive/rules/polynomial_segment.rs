@@ -6,7 +6,7 @@ use crate::derive::term::Term;
 use crate::expr::function::elliptic_moment_parts;
 use crate::expr::normal;
 use crate::expr::{Expr, Number, Sign, Symbol, derivative, sign};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::iter::successors;
 
 pub(super) static RULE: Rule = Rule {
@@ -145,16 +145,11 @@ fn root_factor(coefficients: &[Expr], shift: usize, numbers: &[Vec<Number>], end
         });
         return Expr::sum(terms);
     }
-    let mut sums: Vec<(Expr, Vec<Number>)> = Vec::new();
-    let mut places: HashMap<Expr, usize> = HashMap::new();
+    let mut sums: BTreeMap<Expr, Vec<Number>> = BTreeMap::new();
     for ((m, c), list) in (shift..).zip(coefficients).zip(numbers.iter().skip(shift)).filter(|((_, c), _)| !c.is_zero()) {
         // A symbolic end has its power at j = 0 here, and the division by e^(2j) follows with the sums.
         let (number, rest) = if powers.is_empty() { (c * end.power(m as i64 - 1)).split_coefficient() } else { c.split_coefficient() };
-        let place = *places.entry(rest.clone()).or_insert_with(|| {
-            sums.push((rest, Vec::new()));
-            sums.len() - 1
-        });
-        let Some((_, sum)) = sums.get_mut(place) else { continue };
+        let sum = sums.entry(rest).or_default();
         sum.resize(sum.len().max(list.len()), Number::integer(0));
         for (j, (own, part)) in sum.iter_mut().zip(list).enumerate() {
             let part = &number * part;

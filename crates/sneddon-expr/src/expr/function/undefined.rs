@@ -4,23 +4,24 @@ use crate::expr::{Expr, Formula, Function, Node, Number, Sign, known_sign};
 
 /// True if the function is known to be infinite for these arguments, such as tan(π/2), Γ(0) and artanh 1.
 pub fn has_pole(function: Function, arguments: &[Expr]) -> bool {
-    let numbers: Option<Vec<f64>> = arguments.iter().map(|argument| argument.as_number().map(Number::to_f64)).collect();
-    // Infinite by overflow, as exp(1000), is a value.
-    let is_small = |numbers: &[f64]| numbers.iter().all(|number| number.abs() <= 1.0);
-    let is_infinite = numbers.is_some_and(|own| is_small(&own) && (function.row().value)(&own).is_infinite());
-    let of_gamma = || arguments.last().and_then(Expr::as_integer).is_some_and(|n| n <= 0);
-    if matches!(function.name(), "gamma" | "digamma" | "polygamma") && of_gamma() {
-        return true;
+    match function.name() {
+        "tan" => Function::named("cos").is_some_and(|cosine| Expr::function(cosine, arguments.to_vec()).is_zero()),
+        "gamma" | "digamma" | "polygamma" => arguments.last().and_then(Expr::as_integer).is_some_and(|n| n <= 0),
+        // Infinite by overflow, as exp(1000), is a value.
+        _ => {
+            numbers(arguments).is_some_and(|own| own.iter().all(|number| number.abs() <= 1.0) && (function.row().value)(&own).is_infinite())
+        }
     }
-    let is_pole = |cosine| function.name() == "tan" && Expr::function(cosine, arguments.to_vec()).is_zero();
-    is_infinite || Function::named("cos").is_some_and(is_pole)
+}
+
+fn numbers(arguments: &[Expr]) -> Option<Vec<f64>> {
+    arguments.iter().map(|argument| argument.as_number().map(Number::to_f64)).collect()
 }
 
 /// False if the function is known to have no finite real value for these arguments.
 pub(crate) fn has_value(function: Function, arguments: &[Expr]) -> bool {
     let row = function.row();
-    let numbers: Option<Vec<f64>> = arguments.iter().map(|argument| argument.as_number().map(Number::to_f64)).collect();
-    let value = numbers.map(|numbers| (row.value)(&numbers));
+    let value = numbers(arguments).map(|own| (row.value)(&own));
     if value.is_some_and(f64::is_nan) || has_pole(function, arguments) {
         return false;
     }

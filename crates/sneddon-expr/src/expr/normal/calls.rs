@@ -112,38 +112,21 @@ fn quarter_phase(u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
 /// The largest multiple of an inverse function whose sine and cosine are written out.
 const HIGHEST_MULTIPLE: i64 = 8;
 
-/// Functions of a multiple of an inverse function and a phase, without the inverse function.
+/// Functions of a multiple of an inverse function, without it; a phase beside the multiple is split off by the addition theorems first.
 ///
 /// The identities hold wherever the inverse function is real.
 fn of_inverse(name: &str, u: &Polynomial) -> Result<Option<Polynomial>, ExprError> {
-    let frame = u.frame();
-    let is_hyperbolic = name.ends_with('h');
     if !matches!(name, "sin" | "cos" | "tan" | "sinh" | "cosh" | "tanh") {
         return Ok(None);
     }
-    let (dependent, constant) = u.split(|monomial| depends(monomial, frame));
-    let Some((inverse, v, n)) = multiple_of_inverse(&dependent, is_hyperbolic) else { return Ok(None) };
-    let (mut sine, mut cosine) = sine_and_cosine(inverse, v, n);
-    if !constant.is_zero() {
-        let of_phase = constant.to_expr();
-        let names = if is_hyperbolic { ["sinh", "cosh"] } else { ["sin", "cos"] };
-        let values = names.map(|own| exact(own, &of_phase));
-        // The quotient of two sums with symbolic phases is longer than the function.
-        if matches!(name, "tan" | "tanh") && values.iter().any(Option::is_none) {
-            return Ok(None);
-        }
-        let [first, second] = names.map(|own| Expr::call(own, [of_phase.clone()]));
-        let [first, second] = [(first, &values[0]), (second, &values[1])].map(|(call, value)| value.clone().unwrap_or(call));
-        let product = &sine * &first;
-        let other = if is_hyperbolic { product } else { -product };
-        (sine, cosine) = (&sine * &second + &cosine * first, cosine * second + other);
-    }
+    let Some((inverse, v, n)) = multiple_of_inverse(u, name.ends_with('h')) else { return Ok(None) };
+    let (sine, cosine) = sine_and_cosine(inverse, v, n);
     let result = match name {
         "sin" | "sinh" => sine,
         "cos" | "cosh" => cosine,
         _ => sine / cosine,
     };
-    Polynomial::expand(&result, frame).map(Some)
+    Polynomial::expand(&result, u.frame()).map(Some)
 }
 
 /// sin nθ and cos nθ, or sinh nθ and cosh nθ, for an inverse function θ of v: polynomials in sin θ and cos θ, which are algebraic in v.

@@ -2,7 +2,7 @@
 
 use super::{expanded, is_sum};
 use crate::expr::{Expr, Number, Symbol};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 /// The coefficients of Σ c_m v^m in powers of v − b, without zeros: pairs of k and P^(k)(b)/k!; `None` if they cannot be
 /// expanded.
@@ -40,8 +40,7 @@ fn by_division(mut list: Vec<Expr>, b: &Expr, tidy: &impl Fn(Expr) -> Option<Exp
 /// p_k = Σ C(m, k) c_m b^(m−k). Terms c_m b^m that differ by a number alone, as in a polynomial that is homogeneous in v and b,
 /// are added up as numbers.
 fn by_numbers(list: &[Expr], b: &Expr) -> Vec<Expr> {
-    let mut sums: Vec<(Expr, Vec<Number>)> = Vec::new();
-    let mut places: HashMap<Expr, usize> = HashMap::new();
+    let mut sums: BTreeMap<Expr, Vec<Number>> = BTreeMap::new();
     let mut choices: Vec<Number> = Vec::new();
     for (m, c) in (0..).zip(list) {
         // The next row of Pascal's triangle.
@@ -50,11 +49,8 @@ fn by_numbers(list: &[Expr], b: &Expr) -> Vec<Expr> {
         let scale = b.power(m);
         for term in c.terms().into_iter().filter(|own| !own.is_zero()) {
             let (number, rest) = (term * &scale).split_coefficient();
-            let place = *places.entry(rest.clone()).or_insert_with(|| {
-                sums.push((rest, vec![Number::integer(0); list.len()]));
-                sums.len() - 1
-            });
-            for (sum, choice) in sums.get_mut(place).into_iter().flat_map(|(_, own)| own).zip(&choices) {
+            let own = sums.entry(rest).or_insert_with(|| vec![Number::integer(0); list.len()]);
+            for (sum, choice) in own.iter_mut().zip(&choices) {
                 *sum = &*sum + &(&number * choice);
             }
         }
