@@ -15,6 +15,12 @@ pub enum TransformError {
         /// The behaviour found at the axis.
         detail: String,
     },
+    /// The limit of f at r = 0 was not found.
+    #[error("the limit of the profile at r = 0 is not known ({detail}); expected a form with a value there, such as C*r^n with n > 0")]
+    UnknownAtAxis {
+        /// The profile.
+        detail: String,
+    },
     /// The value of f jumps at a breakpoint.
     #[error("the profile jumps by {jump} at r = {at}; expected pieces that meet at their breakpoints")]
     Jump {

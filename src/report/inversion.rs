@@ -72,6 +72,12 @@ pub fn refusal(error: &TransformError, read: impl Fn(&str) -> Option<Formula>) -
             let detail = over_x(detail);
             format!("g has no finite value at x = 0 ({detail}); expected a function such as C*x^n with n > 0")
         }
+        TransformError::UnknownAtAxis { detail } => {
+            format!(
+                "the limit of g at x = 0 is not known ({}); expected a form with a value there, such as C*x^n with n > 0",
+                over_x(detail)
+            )
+        }
         TransformError::NotReal { detail } => {
             format!("g is not a real number near x = 0 ({}); check the signs under roots and logarithms", over_x(detail))
         }

@@ -2,7 +2,7 @@
 
 use super::{infinite_pressure, open_pressure};
 use crate::contact::{Asked, Comparisons, Edge, Formulas, Measured, Quantity, Reason, Relations};
-use crate::expr::{Condition, Expr, Formula, Relation};
+use crate::expr::{Condition, Expr, Formula, Relation, Symbol};
 use crate::print::{Presentation, Prose};
 use crate::transform::{Check, Derived, Profile, TransformError};
 use std::borrow::Cow;
@@ -103,6 +103,9 @@ impl Derivation<'_> {
         let pressure = self.relations.pressure.as_ref().filter(|_| self.asked.is_empty() || self.asked.contains(&Quantity::Pressure));
         let reasons = pressure.map_or_else(Vec::new, |own| open_pressure::reasons(&own.formula));
         let infinite = pressure.and_then(|_| infinite_pressure::note(self.profile));
+        if self.relations.conditions.iter().flat_map(Prose::conditions).any(may_hold_again) {
+            notes.push("a condition on $r$ must hold at every radius from 0 to $a$");
+        }
         let notes = notes.into_iter().map(Prose::read);
         let all = conventions().into_iter().chain(notes).chain(reasons).chain(infinite).chain(rounding(self.presentation));
         all.map(|own| own.presented(self.presentation)).collect()
@@ -117,6 +120,12 @@ impl Derivation<'_> {
     pub(super) fn has_rim(&self) -> bool {
         matches!(self.edge, Edge::Rim(_))
     }
+}
+
+/// True for a condition on r that may hold again beyond the end of the profile, as 0 < cos(c)*cos(r/b + c) does; r < b does not.
+fn may_hold_again(condition: &Condition) -> bool {
+    let r = Symbol::new("r");
+    condition.right.contains(&r) || (condition.left.contains(&r) && condition.left.as_symbol() != Some(&r))
 }
 
 /// The conventions of every answer.

@@ -9,7 +9,7 @@ use crate::derive::domain::demand::Demand;
 use crate::derive::domain::first_zero::{Zero, fails_somewhere, first_zero, starting_sign};
 use crate::derive::domain::located::approximate;
 use crate::derive::domain::numeric_sign::numeric_sign;
-use crate::derive::domain::{sample_bindings, value_at, vanishes_at_random_points};
+use crate::derive::domain::{is_regular, sample_bindings, value_at, vanishes_at_random_points};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Condition, Expr, Node, Relation, Sign, Symbol, leading_term, normal, sign};
 use crate::integrate::error::TransformError;
@@ -102,6 +102,10 @@ fn gather(expr: &Expr, lower: &Expr, upper: Option<&Expr>, demands: &mut Vec<Dem
 
 /// True if the expression is known to be negative next to the lower end.
 fn starts_negative(expr: &Expr, lower: &Expr) -> bool {
+    // r/tanh(r) − 1 is 0/0 − 1 at the axis.
+    if lower.is_zero() && !is_regular(expr) {
+        return starting_sign(expr, lower) == Some(Sign::Negative);
+    }
     let here = Bindings::one("r", lower.clone()).apply(expr);
     sign(&here) == Sign::Negative || numeric_sign(&here) == Some(-1.0)
 }

@@ -2,7 +2,7 @@
 
 use crate::derive::angles;
 use crate::derive::domain::located::approximate;
-use crate::derive::domain::{sample_bindings, value_at};
+use crate::derive::domain::{certain_sign_at, sample_bindings, value_at};
 use crate::eval::constant_value;
 use crate::expr::{Bindings, Expr, Node, Sign, Symbol, normal, sign};
 
@@ -45,8 +45,8 @@ fn starts(expr: &Expr, lower: &Expr) -> Vec<(Bindings, f64, bool)> {
     let sets = sets.map(|(index, set)| if index % 2 == 1 { cubed(set) } else { set });
     let start = |set: Bindings| {
         let low = number(lower, &set)?;
-        let value = value_at(expr, &set, low + NEAR * if low > 0.0 { low } else { 1.0 });
-        (value.is_finite() && value != 0.0).then_some((set, low, value > 0.0))
+        let sign = certain_sign_at(expr, &set, low + NEAR * if low > 0.0 { low } else { 1.0 })?;
+        Some((set, low, sign > 0.0))
     };
     sets.into_iter().filter_map(start).collect()
 }

@@ -39,11 +39,9 @@ pub(crate) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
         return Ok(value);
     }
     // sin(k r)/(k r) and the like: the leading term of their power series.
-    let recognised = || {
-        let terms = normal::normal_terms(piece, &radius).ok()?;
-        leading_term(&Expr::sum(terms.iter().map(|term| term.to_expr(&radius))))
-    };
-    if let Some(term) = leading_term(piece).or_else(recognised) {
+    let terms = normal::normal_terms(piece, &radius).ok();
+    let recognised = terms.map_or_else(|| piece.clone(), |terms| Expr::sum(terms.iter().map(|term| term.to_expr(&radius))));
+    if let Some(term) = leading_term(piece).or_else(|| leading_term(&recognised)) {
         return match term.exponent {
             own if own.is_positive() => Ok(Expr::zero()),
             own if own.is_zero() => Ok(term.coefficient),
@@ -65,8 +63,9 @@ pub(crate) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
             && converges(piece, set)
             && (!has_pole || has_digits(piece, set, 1e-80))
     });
+    let unknown = || TransformError::UnknownAtAxis { detail: print::text_expr(piece) };
     if !settled {
-        return Err(TransformError::SingularAtAxis { detail: print::text_expr(piece) });
+        return Err(if grows(&recognised) { TransformError::SingularAtAxis { detail: print::text_expr(piece) } } else { unknown() });
     }
     let limits: Vec<f64> = sample_bindings(piece, 3).iter().map(|set| value_at(piece, set, 1e-160)).collect();
     if limits.iter().all(|limit| limit.abs() < 1e-30) {
@@ -75,8 +74,17 @@ pub(crate) fn value_at_axis(piece: &Expr, conditions: &mut Vec<Condition>) -> Re
     match (limits.first().copied().and_then(Number::from_f64), piece.symbols().len()) {
         // A limit that was looked at is known to a double's digits only.
         (Some(limit), 0 | 1) => Ok(Expr::call("approximate", [Expr::number(limit)])),
-        _ => Err(TransformError::SingularAtAxis { detail: format!("{} is 0/0 there", print::text_expr(piece)) }),
+        _ => Err(unknown()),
     }
+}
+
+/// True where the values toward the axis exceed any limit that equal or growing steps between them exceed, as those of ln(r) do.
+fn grows(piece: &Expr) -> bool {
+    sample_bindings(piece, 3).iter().all(|set| {
+        let [far, near, nearest] = [1e-40, 1e-80, 1e-160].map(|r| value_at(piece, set, r));
+        let (step, before) = ((nearest - near).abs(), (near - far).abs());
+        nearest.is_infinite() || (step > 0.0 && step >= 0.9 * before && has_digits(piece, set, 1e-80))
+    })
 }
 
 /// The limit from the recognition form, where every term is a plain power.
@@ -163,7 +171,7 @@ fn probe(expr: &Expr, r: f64) -> Probe {
 
 /// False if something vanishes at the axis under a power that may be negative, or in a logarithm, or a function has no value there,
 /// such as tan(π/2).
-fn is_regular(expr: &Expr) -> bool {
+pub(crate) fn is_regular(expr: &Expr) -> bool {
     let at_axis = Bindings::one("r", Expr::zero());
     let vanishes = |inner: &Expr| at_axis.apply(inner).is_zero();
     expr.parts().all(|own| match own.node() {
@@ -246,6 +254,17 @@ fn converges(piece: &Expr, set: &Bindings) -> bool {
     let doubt = 2.0 * (near.error + nearest.error);
     let step = (nearest.value - near.value).abs();
     step.is_nan() || step <= 0.9 * (near.value - far.value).abs() + doubt
+}
+
+/// 1 or −1 if the error bound of the value determines its sign, in double precision or with 30 digits.
+pub(crate) fn certain_sign_at(expr: &Expr, set: &Bindings, r: f64) -> Option<f64> {
+    let here = set.apply(expr);
+    let is_certain = |value: f64, error: f64| (value.abs() > error).then(|| value.signum());
+    let own = walk(&here, &mut BoundedAlgebra, &mut |_| Some(Bounded::exact(r))).ok();
+    own.and_then(|own| is_certain(own.value, own.error)).or_else(|| {
+        let own = walk(&here, &mut WideAlgebra, &mut |_| Some(Wide::new(Precise::exact(r)))).ok()?.precise();
+        is_certain(own.value.hi, own.error)
+    })
 }
 
 pub(crate) fn value_at(expr: &Expr, set: &Bindings, r: f64) -> f64 {

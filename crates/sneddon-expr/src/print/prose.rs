@@ -71,6 +71,11 @@ impl Prose {
         self.0.is_empty()
     }
 
+    /// The conditions in the sentence.
+    pub fn conditions(&self) -> impl Iterator<Item = &Condition> {
+        self.0.iter().filter_map(|span| if let Span::Condition(own) = span { Some(own) } else { None })
+    }
+
     /// Replaces formulas and names by their presentation.
     #[must_use]
     pub fn presented(&self, presentation: &Presentation) -> Self {
