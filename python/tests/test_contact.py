@@ -45,6 +45,22 @@ def test_ways_round_meet():
     assert (abs(value - d) <= bound + 1e-14 * d).all()
 
 
+# Roots by mpmath with 40 digits.
+@pytest.mark.parametrize(
+    "text, values, depth, radius",
+    [
+        ("h*(1-exp(-r^2/w^2))", {"h": 1.0, "w": 0.1}, 1.076, 0.0999827911989952),
+        ("c*(cosh(r/c)-1)", {"c": 1e-3}, 1e-6, 3.162102005203696e-5),
+        ("c*(cosh(r/c)-1)", {"c": 1e-3}, 1e100, 0.23490349973997096),
+        ("piecewise(0, r<b, (r-b)^2/(2*R))", {"b": 1e-6, "R": 2e-7}, 1e-9, 1.0035522722079924e-6),
+        ("h*sin(pi*r/l)^2", {"h": 2e-9, "l": 5e-8}, 1e-9, 8.48662033171752e-9),
+        ("-h*ln(cos(r/w))", {"h": 1e-9, "w": 1e-8}, 1e-8, 1.5152643022404682e-8),
+    ],
+)
+def test_radii_of_humps_waves_and_ends_are_found(text, values, depth, radius):
+    assert sneddon.Contact(text, **values).contact_radius(depth=depth) == pytest.approx(radius, rel=4e-15)
+
+
 def test_laws():
     """F = 2π∫p r dr, dF/dd = k, U = ∫F dd, u = d - f inside, the mean pressure."""
     a, n = 1.2, 400

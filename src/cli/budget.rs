@@ -25,6 +25,8 @@ const USUAL: f64 = 3.0;
 pub(super) const LONGEST: f64 = 86_400.0;
 /// The clock ends unfinished parts of the answer, such as points and rows, once this multiple of the budget is spent.
 const PATIENCE: f64 = if cfg!(debug_assertions) { 40.0 } else { 10.0 };
+/// The clock allows at least this many milliseconds: the tables that a process reads once count towards no budget.
+const LEAST: u64 = 2_000;
 /// After that, writing what is finished may take this fraction of the time so far, and at least a second, before the program stops.
 const GRACE: f64 = 0.25;
 /// Interval between two checks of the clock.
@@ -92,7 +94,7 @@ pub(super) fn judged(check: &Result<Check, Unchecked>) -> Outcome {
 ///
 /// It never changes a value: it ends the parts of an answer that the command can leave out, and the program if that does not help.
 pub(super) fn watch(seconds: f64) {
-    LIMIT.store((1000.0 * PATIENCE * seconds) as u64, Ordering::Relaxed);
+    LIMIT.store(((1000.0 * PATIENCE * seconds) as u64).max(LEAST), Ordering::Relaxed);
     let watch = || {
         loop {
             std::thread::sleep(LOOK);

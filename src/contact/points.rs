@@ -39,9 +39,9 @@ impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
 
     /// Returns a contact whose pressures under the radius of an expansion, see [`Quantities::pressure_curve`], come from it.
     ///
-    /// The errors of the expansion are estimated; where one exceeds 1e-10 of the value, and for every other quantity, the profile is
-    /// asked as before.
-    pub fn with_pressures(&self, curve: Arc<PressureCurve<'static>>) -> Contact<'a, Expanded<P>> {
+    /// The errors of the expansion are estimated; where one exceeds 1e-10 of the value, without an expansion, and for every other
+    /// quantity, the profile is asked as before.
+    pub fn with_pressures(&self, curve: Option<Arc<PressureCurve<'static>>>) -> Contact<'a, Expanded<P>> {
         let evaluator = Expanded { profile: self.shared_evaluator(), curve };
         Contact::new(evaluator, self.effective_modulus(), self.depth_of_rim(), self.tolerance())
     }
@@ -50,7 +50,7 @@ impl<'a, P: Quantities + ?Sized> Contact<'a, P> {
 /// A profile whose pressures under one contact radius come from one expansion; see [`Contact::with_pressures`].
 pub struct Expanded<P: ?Sized> {
     profile: Arc<P>,
-    curve: Arc<PressureCurve<'static>>,
+    curve: Option<Arc<PressureCurve<'static>>>,
 }
 
 impl<P: Quantities + ?Sized> Quantities for Expanded<P> {
@@ -67,10 +67,8 @@ impl<P: Quantities + ?Sized> Quantities for Expanded<P> {
     }
 
     fn pressure(&self, r: f64, a: f64) -> Result<Option<Reading>, TransformError> {
-        if a != self.curve.radius() {
-            return self.profile.pressure(r, a);
-        }
-        match self.curve.at(r)? {
+        let Some(curve) = self.curve.as_ref().filter(|own| own.radius() == a) else { return self.profile.pressure(r, a) };
+        match curve.at(r)? {
             Some(own) if own.error <= FINE * own.value.abs() => Ok(Some(Reading { estimate: own, method: "curve" })),
             Some(_) => self.profile.pressure(r, a),
             None => Ok(None),

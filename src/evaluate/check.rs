@@ -28,14 +28,14 @@ pub struct Check {
 const POINTS: u32 = 64;
 /// Random sets of parameters over which the points are distributed.
 const DRAWS: u32 = 8;
-/// Profiles with more terms than this count as long.
-const MANY_TERMS: usize = 40;
+/// F and p are compared at one of as many points as the profile has terms, within these limits.
+const EVERY: (usize, usize) = (4, 32);
 /// The relative tolerance of the quadratures of a check.
 const TOLERANCE: f64 = 1e-12;
 /// Steps of work after which no new point is started; for an expensive profile, fewer points suffice.
 const ENOUGH: u64 = 60_000_000;
 
-/// Compares g at up to 64 points, F and p at up to 16 of them, at the set values or at seeded random admissible ones.
+/// Compares g at up to 64 points, F and p at up to 16 of them and at fewer for a profile with more than four terms, at the set values or at seeded random admissible ones.
 ///
 /// A point counts if a closed form is compared with a quadrature whose bound is small enough to contradict it.
 ///
@@ -60,8 +60,8 @@ fn compared(solution: &Solution) -> Result<Check, TransformError> {
     }
     let mut sampler = Sampler::new(0x0c4e_c4ed);
     let draws = if solution.profile.parameters().is_empty() { 1 } else { DRAWS };
-    // For a long profile, fewer of the expensive pressures suffice.
-    let every = if solution.terms().count() > MANY_TERMS { 32 } else { 4 };
+    // For a long profile, fewer of the expensive forces and pressures suffice.
+    let every = solution.terms().count().clamp(EVERY.0, EVERY.1);
     let (mut tally, mut visited, mut trouble) = (Tally::default(), 0, None);
     let mut seen = [false; 3];
     let before = work::left();

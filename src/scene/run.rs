@@ -3,7 +3,7 @@
 use super::regime::{Regime, SAME_SHAPE, Simple};
 use super::{Control, DepthFrom, Dimension, Loads, MeasuredTip, Quantity, Row, Scene, SceneError, Work};
 use crate::contact::{
-    Boundary, Contact, ContactError, Estimates, Finding, Indentation, Indented, Kind, Load, Loaded, Measured, Naming, Part, Reason, Setup,
+    Boundary, Contact, ContactError, Estimates, Expanded, Finding, Indentation, Indented, Kind, Load, Loaded, Naming, Part, Reason, Setup,
     Severity, State, in_unit, step_of,
 };
 use crate::num::{Bound, Bounded, Estimate, work};
@@ -26,9 +26,9 @@ pub struct Run<'a> {
     pub(super) doubt: Cell<Option<(State, Option<Estimates>)>>,
     tip: OnceCell<Option<Simple>>,
     /// Number of pressures that are expected in all.
-    pub(super) many: Cell<usize>,
-    /// Whether they cost too much one by one.
-    expensive: OnceCell<bool>,
+    many: Cell<usize>,
+    /// Whether they cost too much one by one, once that is known.
+    expensive: Cell<Option<bool>>,
     /// The last state whose pressures were computed, and one expansion for all of them.
     expansion: RefCell<Option<(State, Option<Arc<PressureCurve<'static>>>)>>,
 }
@@ -87,7 +87,7 @@ impl<'a> Run<'a> {
             doubt: Cell::default(),
             tip: OnceCell::new(),
             many: Cell::new(scene.outputs.at.len().saturating_mul(scene.loads.len())),
-            expensive: OnceCell::new(),
+            expensive: Cell::default(),
             expansion: RefCell::default(),
         };
         // Report invalid input before any output is written.
@@ -436,20 +436,28 @@ impl<'a> Run<'a> {
             Quantity::AxialStress => asked.stresses += 1,
             _ => asked.displacements += 1,
         });
-        let contact = self.indentation.contact(state);
         let found = match curve {
-            Quantity::Pressure => self.pressure(&contact, state, at),
-            _ => curve.number(&contact, at, state.radius),
+            Quantity::Pressure => self.for_pressures(state).pressure(at, state.radius),
+            _ => curve.number(&self.contact(state), at, state.radius),
         };
         found.map_err(|_| FAILED)?.map_err(|reason| reason.fixed_text().unwrap_or(FAILED))
     }
 }
 
 impl<'a> Run<'a> {
-    fn pressure(&self, contact: &Contact<'a, Superposition<'a>>, state: &State, at: f64) -> Result<Measured, ContactError> {
+    /// Expects this many pressures from now on; the next state decides whether they come from an expansion.
+    pub(super) fn expect(&self, pressures: usize) {
+        self.many.set(pressures);
+        self.expensive.set(None);
+    }
+
+    /// The contact of a state, with one expansion for all pressures where these are many and each of them is expensive.
+    pub(super) fn for_pressures(&self, state: &State) -> Contact<'a, Expanded<Superposition<'a>>> {
+        let contact = self.contact(state);
         // The first state decides for all.
-        let is_chosen =
-            self.scene.method == Method::Auto && *self.expensive.get_or_init(|| contact.are_expensive(state.radius, self.many.get()));
+        let are_expensive = || self.expensive.get().unwrap_or_else(|| contact.are_expensive(state.radius, self.many.get()));
+        let is_chosen = self.scene.method == Method::Auto && are_expensive();
+        self.expensive.set(Some(is_chosen));
         let known = self.expansion.borrow().clone().filter(|own| own.0 == *state);
         let (_, curve) = known.unwrap_or_else(|| {
             let curve = if is_chosen { contact.evaluator().pressure_curve(state.radius) } else { None };
@@ -460,10 +468,7 @@ impl<'a> Run<'a> {
             }
             own
         });
-        match curve {
-            Some(curve) => contact.with_pressures(curve).pressure(at, state.radius),
-            None => contact.pressure(at, state.radius),
-        }
+        contact.with_pressures(curve)
     }
 }
 

@@ -45,6 +45,9 @@ pub struct Time {
     pub high: f64,
 }
 
+/// The reason of what was not measured because the time was used up.
+const NO_TIME: &str = "no time was left";
+
 /// A method or a step of its ladder without a result.
 #[derive(Clone, Debug)]
 pub struct Skipped {
@@ -54,6 +57,13 @@ pub struct Skipped {
     pub setting: Option<String>,
     /// The reason.
     pub why: String,
+}
+
+impl Skipped {
+    /// Returns true for what was not measured because the time was used up.
+    pub fn is_cut(&self) -> bool {
+        self.why == NO_TIME
+    }
 }
 
 /// The target duration of one batch.
@@ -89,8 +99,7 @@ pub(super) fn measure<'a>(
     let half = start + budget / 2;
     let (mut measured, mut skipped) = (Vec::new(), Vec::new());
     for mut candidate in candidates {
-        let outcome =
-            if Instant::now() > half { Err("no time was left".to_owned()) } else { errors(problem, truths, &mut candidate, half) };
+        let outcome = if Instant::now() > half { Err(NO_TIME.to_owned()) } else { errors(problem, truths, &mut candidate, half) };
         match outcome {
             Ok(row) => measured.push(Measured::new(problem, candidate, row)),
             Err(why) => skipped.push(Skipped { method: candidate.method, setting: Some(candidate.setting), why }),
@@ -123,7 +132,7 @@ fn errors(problem: &Problem<'_>, truths: &[Truth], candidate: &mut Candidate<'_>
             for (index, at) in problem.points.iter().enumerate() {
                 let why = |why: String| format!("at {} = {at:?}: {why}", problem.quantity.coordinate());
                 if Instant::now() > deadline {
-                    return Err("no time was left".to_owned());
+                    return Err(NO_TIME.to_owned());
                 }
                 found.push(run(index, *at).map_err(why)?);
             }

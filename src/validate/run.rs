@@ -1,11 +1,11 @@
 //! Runs a validation: surveys the files, determines the pixels, compares, judges, and searches for a fault.
 
-use super::diagnosis::{self, Evidence};
+use super::diagnosis::{self, Evidence, Unfinished};
 use super::exact::Exact;
 use super::order::Level;
 use super::region::Region;
 use super::verdict::{Verdict, verdict};
-use super::{FileReport, Suspicion, Validation, ValidationError, field, loads};
+use super::{FileReport, SEARCH_CUT, Suspicion, Validation, ValidationError, field, loads};
 use crate::contact::{Boundary, Load, State};
 use crate::scene::{Change, Control, Scene, Walls, scene_for_data};
 use crate::validate::diagnosis::placing::placings;
@@ -111,7 +111,7 @@ struct Part {
     /// The load of the fields, if the files have several loads.
     load: Option<String>,
     verdict: Verdict,
-    suspicion: Option<Suspicion>,
+    suspicion: Result<Option<Suspicion>, Unfinished>,
     files: Vec<FileReport>,
     /// Warnings about the exact solution.
     warnings: Vec<String>,
@@ -132,7 +132,7 @@ impl Part {
         };
         let verdict = Verdict { passed: false, judged: wrong.is_some(), reason, advice: None, order: None, grows: false };
         let files = files.iter().map(|(survey, pixel)| survey.report(scene, pixel.grid)).collect();
-        Self { load: Some(load), verdict, suspicion: None, files, warnings }
+        Self { load: Some(load), verdict, suspicion: Ok(None), files, warnings }
     }
 
     /// Fails if the points of the data contradict the declaration.
@@ -145,8 +145,8 @@ impl Part {
             // Coordinates from a corner often miss a pixel as well, and the axis is the larger fault. Contact radii that do not fit the
             // box may be the consequence of another fault, such as swapped columns.
             let is_larger = |own: &Suspicion| of_radii || matches!(own.id, "origin-corner" | "fftshift");
-            if !self.suspicion.as_ref().is_some_and(is_larger) {
-                self.suspicion = Some(found);
+            if !matches!(&self.suspicion, Ok(Some(own)) if is_larger(own)) {
+                self.suspicion = Ok(Some(found));
             }
         }
         self
@@ -154,7 +154,7 @@ impl Part {
 
     /// Returns the reason, with advice if no fault explains the data.
     fn reason(&self) -> String {
-        let own = match self.verdict.advice.filter(|_| self.suspicion.is_none()) {
+        let own = match self.verdict.advice.filter(|_| matches!(self.suspicion, Ok(None))) {
             Some(advice) => format!("{}; {advice}", self.verdict.reason),
             None => self.verdict.reason.clone(),
         };
@@ -168,7 +168,9 @@ const NOTHING: f64 = 1e-6;
 const MOST_REASONS: usize = 2;
 
 /// Combines the results of all kinds.
-fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
+fn together(parts: Vec<Part>, count: usize, mut notes: Vec<String>) -> Validation {
+    let is_cut = parts.iter().any(|own| own.suspicion.is_err());
+    notes.extend(is_cut.then(|| SEARCH_CUT.to_owned()));
     // A load without comparable points, such as the first load of a ramp from 0, is ignored if other loads can be compared.
     let passed = parts.iter().any(|own| own.verdict.passed) && parts.iter().all(|own| own.verdict.passed || !own.verdict.judged);
     let mut telling: Vec<String> =
@@ -181,13 +183,14 @@ fn together(parts: Vec<Part>, count: usize, notes: Vec<String>) -> Validation {
     }
     let unjudged: Vec<String> = parts.iter().filter(|own| !own.verdict.judged).map(Part::reason).collect();
     telling.extend(unjudged.into_iter().take(MOST_REASONS));
-    let suspicions: Vec<&Suspicion> = parts.iter().filter_map(|own| own.suspicion.as_ref()).collect();
+    let suspicions: Vec<&Suspicion> = parts.iter().filter_map(|own| own.suspicion.as_ref().ok()?.as_ref()).collect();
     let agreed = suspicions.first().filter(|first| suspicions.iter().all(|own| own.id == first.id));
     let orders: Vec<_> = parts.iter().filter_map(|own| own.verdict.order).collect();
     Validation {
         passed,
         reason: telling.join("; "),
         suspicion: agreed.map(|own| (*own).clone()),
+        is_cut,
         columns: parts.iter().filter_map(|own| own.files.last()).flat_map(|own| own.columns.clone()).collect(),
         warnings: parts.iter().flat_map(|own| own.warnings.iter().cloned()).collect::<BTreeSet<_>>().into_iter().collect(),
         orders: (count > parts.len() && !orders.is_empty()).then_some(orders),
@@ -229,14 +232,14 @@ impl Work<'_> {
         let place = |at: f64| last.map_or(String::new(), |own| own.place(control, at, self.scene));
         let verdict = verdict(finest.column, &finest.report.columns, &levels, (self.judge.solver, has_rim), finest.unmatched, &place);
         let suspicion = if verdict.passed {
-            None
+            Ok(None)
         } else if let Some(own) = finest
             .single
             .clone()
             .or_else(|| finest.scaled.clone())
             .or_else(|| reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>()))
         {
-            Some(own)
+            Ok(Some(own))
         } else {
             let pixel = files.last().and_then(|own| own.1.pixel);
             let margin = finest.rows.iter().map(|row| row.radius).fold(0.0, f64::max);
@@ -284,18 +287,24 @@ impl Work<'_> {
         let verdict = verdict(column, &finest.report.columns, &levels, judged, 0, &place);
         let reversed = reversed(&verdict, &all.iter().map(|own| &own.report).collect::<Vec<_>>());
         let suspicion = match finest.single.clone().or(reversed) {
-            _ if verdict.passed => None,
-            Some(own) => Some(own),
-            None => files.last().and_then(|(survey, pixel)| self.suspicion(finest, survey, *pixel, &state)),
+            _ if verdict.passed => Ok(None),
+            Some(own) => Ok(Some(own)),
+            None => files.last().map_or(Ok(None), |(survey, pixel)| self.suspicion(finest, survey, *pixel, &state)),
         };
         let load = files.first().and_then(|(survey, _)| survey.load_name(self.scene));
         Ok(Part { load, verdict, suspicion, files: all.into_iter().map(|own| own.report).collect(), warnings: solution.warnings() })
     }
 
-    fn suspicion(&self, finest: &field::Compared, survey: &Survey<'_>, pixel: Pixel, state: &State) -> Option<Suspicion> {
+    fn suspicion(
+        &self,
+        finest: &field::Compared,
+        survey: &Survey<'_>,
+        pixel: Pixel,
+        state: &State,
+    ) -> Result<Option<Suspicion>, Unfinished> {
         let fails = |name: &str| finest.report.columns.iter().any(|own| own.name == name && own.passed == Some(false));
         if fails("u") && !fails("p") && !fails("F_from_p") {
-            return self.suspicion_of_displacements(finest, survey, pixel, state);
+            return Ok(self.suspicion_of_displacements(finest, survey, pixel, state));
         }
         let declared = self.scene.data.as_ref();
         let held = match (declared.and_then(|own| own.control), self.scene.control) {

@@ -46,6 +46,7 @@ const SHAPES: [(&str, f64); 14] = [
     ("[s]*atan((r/[s])^2)", 1.3),
 ];
 
+/// Class "no contact radius where there is one".
 #[test]
 fn radii_are_found_alike_in_every_unit() {
     let (mut stream, mut worst) = (Stream::new(33), (0.0f64, 0.0f64));
@@ -64,7 +65,7 @@ fn radii_are_found_alike_in_every_unit() {
     println!("largest difference between units {:e}, of the round trip {:e}", worst.0, worst.1);
 }
 
-/// For 1 − exp(−r²), g = 2x D(x) has a maximum: just below it there are two radii, of which the first is returned; above it there is none.
+/// Class "a radius next to a maximum". For 1 − exp(−r²), g = 2x D(x) has a maximum: just below it there are two radii, of which the first is returned; above it there is none.
 #[test]
 fn the_top_of_a_hump_is_reached_and_not_passed() {
     // D(x) + x D′(x) = 0 with D′ = 1 − 2x D, by bisection.
@@ -87,7 +88,7 @@ fn the_top_of_a_hump_is_reached_and_not_passed() {
     }
 }
 
-/// Waves whose amplitude grows: values of g near the root cost less than those at the end of the decade. The first root is that of
+/// Class "not the first root". Waves whose amplitude grows: values of g near the root cost less than those at the end of the decade. The first root is that of
 /// a grid of steps of 0.1 with 30 digits.
 #[test]
 fn the_first_root_of_growing_waves_is_found() {
@@ -105,7 +106,7 @@ fn a_falling_g_is_proven_to_stay_below() {
     }
 }
 
-/// Toward a pole, radii are looked for by their distance from it: 10¹⁰ took the whole budget.
+/// Class "depths next to a pole". Toward a pole, radii are looked for by their distance from it: 10¹⁰ took the whole budget.
 #[test]
 fn depths_next_to_a_pole_are_reached() {
     for text in ["r^2/besselj(0,r)", "r^2/(2-besseli(0,r))"] {
@@ -114,7 +115,7 @@ fn depths_next_to_a_pole_are_reached() {
     }
 }
 
-/// Depths that g reaches nowhere are proven to be unreachable, in every unit, and depths that it reaches are found; the supremum of g is
+/// Class "none without a proof". Depths that g reaches nowhere are proven to be unreachable, in every unit, and depths that it reaches are found; the supremum of g is
 /// that of a grid with its kinks, with 5 % of room on both sides.
 #[test]
 fn that_no_radius_reaches_a_depth_is_proven() {
@@ -148,7 +149,7 @@ fn that_no_radius_reaches_a_depth_is_proven() {
     }
 }
 
-/// Oscillating profiles, and depths near the end of a profile, at nanometre scale.
+/// Class "waves and ends at nanometres". Oscillating profiles, and depths near the end of a profile, at nanometre scale.
 #[test]
 fn waves_and_ends_are_followed() {
     for (text, depths) in [

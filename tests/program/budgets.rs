@@ -189,6 +189,7 @@ fn is_cut(text: &str) -> bool {
     text.contains("work limit was reached")
 }
 
+/// Class "the budget changes an answer".
 #[test]
 fn a_small_budget_gives_the_same_answer_a_part_of_it_or_none() {
     let whole: Vec<Answer> = COMMANDS.iter().enumerate().map(|(index, command)| answer(command, 30.0, index)).collect();
@@ -204,7 +205,108 @@ fn a_small_budget_gives_the_same_answer_a_part_of_it_or_none() {
     assert!(cut > cases(10, 40), "only {cut} were cut");
 }
 
-/// A point outside the domain or beyond the budget has no value; the others keep theirs.
+/// Class "an output is written before the budget is checked": the commands that printed `p(r) = 0`, `f = r^2/(2*R^0)` and `f'(r) = 0` and
+/// overwrote files, and further members, at budgets down to a hundredth of what they printed these with.
+#[test]
+fn an_answer_is_complete_before_it_is_written() {
+    for (index, (command, budget)) in [
+        ("derive r^2/(2*R) --set R=2", 2e-4),
+        ("derive r^2/(2*R) --set R=2 --json", 2e-4),
+        ("derive r^2/(2*R) --set R=2 -o FILE.json", 2e-4),
+        ("derive r^2/(2*R) --json", 0.01),
+        ("derive r^2/(2*R) --steps", 2e-4),
+        ("invert x^2/R", 3.36e-5),
+        ("invert x*atan(x/R) --json", 1e-3),
+        ("derive R-sqrt(R^2-r^2) -o FILE.tex", 2e-3),
+        ("derive h*ln(1+r/w) --format typst", 2e-3),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let whole = answer(command, 30.0, 9000 + index);
+        assert_eq!(whole.code, 0, "{command}");
+        for share in [1.0, 0.5, 0.2, 0.1, 0.03, 0.01] {
+            let own = answer(command, share * budget, 9000 + index);
+            let fault = fault(&whole, &own);
+            assert!(fault.is_none(), "{command} --budget {:e}: {}", share * budget, fault.unwrap());
+        }
+    }
+}
+
+/// Class "the clock decides": the process reads tables once that count towards no budget, and the answer of a small one depended on
+/// the moment at which the clock looked.
+#[test]
+fn the_clock_changes_no_answer() {
+    for (index, (command, budget)) in [
+        ("invert x*atanh(x/R) --json", 5e-3),
+        ("invert h*ln(1+x^2/w^2) --json", 3e-3),
+        ("derive asinh(r^12) --json", 1e-3),
+        ("derive asinh(r^12) --json", 0.03),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let place = place(9100 + index);
+        let words: Vec<&str> = command.split(' ').collect();
+        let once = || {
+            let done =
+                Command::new(env!("CARGO_BIN_EXE_sneddon")).args(&words).args(["--budget", &format!("{budget:e}")]).output().unwrap();
+            assert!(!String::from_utf8_lossy(&done.stderr).contains("processor time"), "{command} {budget:e}");
+            (done.status.code(), done.stdout)
+        };
+        let first = once();
+        assert!((0..cases(3, 20)).all(|_| once() == first), "{command} --budget {budget:e} in {}", place.display());
+    }
+}
+
+/// Class "a check that was cut gives a false verdict": the comparison keeps its verdict where the search for a fault is cut short, and both
+/// are missing where the comparison is.
+#[test]
+fn a_validation_that_was_cut_short_says_so() {
+    let place = place(9200);
+    let tips = ["r^2*(1+0.2*besselj(0,9*r)^2*exp(-r))", "asinh(r^5)+r^2", "r^2*struveh(0,r)+r^2"];
+    fs::write(place.join("rows.csv"), "d,F\n0.05,0.01\n0.1,0.03\n0.2,0.08\n0.4,0.2\n").unwrap();
+    for tip in tips.into_iter().take(cases(1, 3)) {
+        fs::write(place.join("scene.toml"), format!("[profile]\nf = \"{tip}\"\n[material]\neffective_modulus = 1\n")).unwrap();
+        let own = |budget: f64| {
+            let own = answered(&["validate", "scene.toml", "rows.csv", "--json"], budget, &place);
+            (own.code, serde_json::from_str::<Value>(&own.text).unwrap())
+        };
+        let (code, whole) = own(30.0);
+        assert!(code == 1 && whole["passed"] == false && whole.get("complete").is_none(), "{tip}: {whole}");
+        let (mut without_search, mut without_verdict) = (0, 0);
+        for budget in [1e-6, 1e-4, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 1.1] {
+            let (code, part) = own(budget);
+            assert_eq!(code, 1, "{tip} {budget}");
+            if part.get("complete").is_none() {
+                assert_eq!(part, whole, "{tip} {budget}");
+                continue;
+            }
+            assert!(part["complete"] == false && part["why"].is_string(), "{tip} {budget}: {part}");
+            if part["columns"].is_null() {
+                without_verdict += 1;
+            } else {
+                without_search += 1;
+                assert!(part["suspicion"].is_null() && part["columns"] == whole["columns"] && part["reason"].is_string(), "{tip} {budget}");
+            }
+        }
+        assert!(without_search > 0 && without_verdict > 0, "{tip}: {without_search}, {without_verdict}");
+    }
+}
+
+/// Class "a measurement that was cut exits with 0".
+#[test]
+fn a_tradeoff_that_was_cut_short_says_so() {
+    for words in [["tradeoff", "ln(cosh(r))"], ["tradeoff", "r^2/4"], ["tradeoff", "exp(sin(r))-1"]] {
+        let run = |more: &[&str]| Command::new(env!("CARGO_BIN_EXE_sneddon")).args(words).args(more).output().unwrap();
+        let done = run(&["--budget", "1e-5", "--json"]);
+        let document: Value = serde_json::from_slice(&done.stdout).unwrap();
+        assert!(done.status.code() == Some(1) && document["complete"] == false && document["why"].is_string(), "{words:?}: {document}");
+        let text = String::from_utf8(run(&["--budget", "1e-5"]).stdout).unwrap();
+        assert!(text.contains("Incomplete: "), "{text}");
+    }
+}
+
 /// The same for random profiles, as people type them.
 #[test]
 fn a_small_budget_gives_no_other_answer_for_random_profiles() {
@@ -226,8 +328,11 @@ fn a_small_budget_gives_no_other_answer_for_random_profiles() {
     assert!(cut > cases(3, 100) && valid > cases(3, 100), "{cut} of {valid} were cut");
 }
 
+/// Class "finished work is thrown away": a point outside the domain or beyond the budget has no value, and the others keep theirs.
 #[test]
 fn points_keep_their_values_where_others_have_none() {
+    let list = answer("eval struveh(0,r)*r^2 --quantity p --at 0:0.99:200 --radius 1 --csv", 3.0, 9999);
+    assert!(list.code == 0 && list.text.lines().count() == 201 && !list.text.contains(",,"), "{}", list.text);
     let all = |budget: f64| answer("eval struveh(0,r)*r^2 --quantity p --at 0:0.99:40 --radius 1 --csv", budget, 9999);
     let (whole, part) = (all(30.0), all(0.1));
     assert_eq!(whole.code, 0);
@@ -263,8 +368,6 @@ fn checks_of_high_powers_in_denominators_are_whole() {
     }
 }
 
-/// Class "a long list of expensive pressures is cut": one expansion computes all of them whatever the budget is, and its values agree with
-/// the proven values of single points. A short list does not use it.
 /// Class "the clock stops real commands": large sums and powers are whole within the default budget.
 #[test]
 fn large_profiles_are_whole() {
@@ -278,8 +381,34 @@ fn large_profiles_are_whole() {
         let document: Value = serde_json::from_slice(&done.stdout).unwrap();
         assert!(done.status.success() && document.get("complete").is_none(), "{:.40}: {:?}", words[1], document["why"]);
     }
+    // A truncated cone, a worn sphere and a cone with a cap on a grid of 128 points along each side.
+    let place = place(9300);
+    for (name, shape) in [
+        ("cone", "shape = \"truncated-cone\"\nparameters = { b = \"1 um\", theta = \"12 deg\" }"),
+        ("sphere", "shape = \"worn-sphere\"\nparameters = { b = \"1 um\", R = \"10 um\" }"),
+        ("cap", "shape = \"cone-with-parabolic-cap\"\nparameters = { b = \"0.2 um\", theta = \"12 deg\" }"),
+    ]
+    .into_iter()
+    .take(cases(1, 3))
+    {
+        let scene = format!(
+            "[profile]\n{shape}\n[material]\nE = \"72 GPa\"\nnu = 0.17\n[load]\ncontact_radius = \"1.9 um\"\n[outputs]\nquantities = [\"p\"]\n\
+             units = {{ length = \"um\", force = \"mN\", pressure = \"GPa\" }}\n[data]\nbox = \"8 um\"\n"
+        );
+        fs::write(place.join("scene.toml"), scene).unwrap();
+        let run = |words: &[&str]| Command::new(env!("CARGO_BIN_EXE_sneddon")).args(words).current_dir(&place).output().unwrap();
+        for more in [&[][..], &["--cells"]] {
+            let made = run(&[&["reference", "scene.toml", "--grid", "128", "-o", "p.csv"], more].concat());
+            assert_eq!(made.status.code(), Some(0), "{name}: {}", String::from_utf8_lossy(&made.stderr));
+            let done = run(&[&["validate", "scene.toml", "p.csv", "--json"], more].concat());
+            let document: Value = serde_json::from_slice(&done.stdout).unwrap();
+            assert!(done.status.success() && document["passed"] == true && document.get("complete").is_none(), "{name}: {document}");
+        }
+    }
 }
 
+/// Class "a long list of expensive pressures is cut": one expansion computes all of them whatever the budget is, and its values agree with
+/// the proven values of single points. A short list does not use it.
 #[test]
 fn many_expensive_pressures_come_from_one_expansion() {
     for profile in ["r^2*(1+0.2*besselj(0,9*r)^2*exp(-r))", "besselj(0,r)^2*r"].into_iter().take(cases(1, 2)) {

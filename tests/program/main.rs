@@ -7,6 +7,7 @@ mod code;
 mod definitions;
 mod docs;
 mod endings;
+mod ends;
 mod pictures;
 mod points;
 mod precision;

@@ -37,7 +37,8 @@ fn every_command_answers_or_refuses_every_quantity() {
             let key = quantity.key();
             let done = run(&[command, &["--quantity", key]].concat());
             let (out, said) = (String::from_utf8(done.stdout).unwrap(), String::from_utf8(done.stderr).unwrap());
-            if done.status.success() {
+            // A measurement that the clock cut short exits with 1.
+            if done.status.success() || (command[0] == "tradeoff" && out.contains("Incomplete: ")) {
                 answered += 1;
                 assert!(help.contains(&format!("- {key}:")), "{command:?} {key}: {help}");
                 // A document has the quantity that was asked for, under its key.

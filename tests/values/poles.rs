@@ -80,6 +80,7 @@ fn profiles_that_begin_with_a_pole_are_refused() {
     }
 }
 
+/// Class "a number beyond a pole".
 #[test]
 fn numbers_before_the_end_are_right_and_those_beyond_are_refused_with_its_place() {
     for line in include_str!("../oracle/poles.csv").lines().filter(|line| !line.starts_with('#')) {
@@ -299,6 +300,7 @@ fn a_narrow_range_of_poles_is_found() {
     }
 }
 
+/// Class "a condition does not name the end".
 #[test]
 fn conditions_name_the_end() {
     let expected = [
@@ -324,6 +326,7 @@ fn conditions_name_the_end() {
     }
 }
 
+/// Class "angles are not exact".
 #[test]
 fn angles_have_exact_values() {
     for (text, same) in [

@@ -211,7 +211,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let many = radius.filter(|_| quantity == Quantity::Pressure && method == Method::Auto);
         let expanded = many.filter(|a| contact.are_expensive(*a, at.len())).and_then(|a| {
             let curve = contact.evaluator().pressure_curve(a).ok()?;
-            Some(contact.with_pressures(Arc::new(curve)))
+            Some(contact.with_pressures(Some(Arc::new(curve))))
         });
         let read = |block: &[f64]| match (&expanded, many) {
             (Some(own), Some(a)) => block.iter().map(|r| own.pressure(*r, a)).collect(),

@@ -49,8 +49,10 @@ pub(in crate::cli) struct Arguments {
 }
 
 const EXAMPLES: &str = "Examples:
-  sneddon tradeoff 'r^2/(2*R)' --set R=2 --budget 1
-  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --at 0.5 --tol 1e-9 --budget 2 -o sphere.svg";
+  sneddon tradeoff 'r^2/(2*R)' --set R=2
+  sneddon tradeoff 'R-sqrt(R^2-r^2)' --set R=2 --quantity p --radius 1 --at 0.5 --tol 1e-9 -o sphere.svg
+
+Exit codes: 0 done, 1 the time did not suffice for every method, 2 bad input (the reason is on stderr).";
 
 #[derive(Clone, Copy, PartialEq)]
 enum Format {
@@ -108,7 +110,7 @@ pub(in crate::cli) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if has_plot {
         output::print(|out| write(flag.unwrap_or(Format::Text), out))?;
     }
-    Ok(Outcome::Done)
+    Ok(if record.cut().is_some() { Outcome::Failed } else { Outcome::Done })
 }
 
 /// Checks whether `tradeoff` supports a quantity.

@@ -10,7 +10,7 @@ use crate::integrate::pressure::direct::{Jump, kernel_at};
 use crate::integrate::pressure::legendre::Expansion;
 use crate::num::spectral::{above, chop, right_sided, rule};
 use crate::num::stable::leg;
-use crate::num::{Bounded, Estimate};
+use crate::num::{Bounded, Estimate, work};
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -73,6 +73,9 @@ struct Part {
 
 /// Maximum number of halvings of pieces next to a breakpoint.
 const DEEPEST: u32 = 52;
+/// Steps of work for a part besides its terms, and for the kernel of a jump.
+const PART: u64 = 2;
+const JUMP: u64 = 10;
 const COUNTS: [usize; 3] = [16, 32, 64];
 /// The tolerance of the quadrature used near breakpoints, and of the check.
 const CHECK: f64 = 1e-13;
@@ -168,8 +171,10 @@ impl<'a> PressureCurve<'a> {
             return self.profile.pressure(r, self.a, CHECK);
         }
         let (mut value, mut error) = (0.0, 0.0);
+        work::spend(JUMP * self.jumps.len() as u64);
         for part in self.parts.iter().rev() {
             let Some((own, doubt)) = part.share(r) else { break };
+            work::spend(PART + part.divided.len() as u64 / 2);
             value += own;
             error += doubt;
         }

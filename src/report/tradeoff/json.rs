@@ -26,6 +26,10 @@ pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
         skipped: Vec<Missing<'a>>,
         advice: Vec<Pick<'a>>,
         sentences: Vec<String>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        complete: Option<bool>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        why: Option<String>,
     }
     #[derive(Serialize)]
     struct Reference {
@@ -130,6 +134,8 @@ pub fn tradeoff(record: &Tradeoff<'_>, out: &mut dyn Write) -> io::Result<()> {
             })
             .collect(),
         sentences: record.sentences(),
+        complete: record.cut().map(|_| false),
+        why: record.cut(),
     };
     write("tradeoff", &document, out)
 }

@@ -51,7 +51,15 @@ impl Tradeoff<'_> {
             let wanted: Vec<String> = own.iter().map(|advice| format!("{:e}", advice.wanted)).collect();
             sentences.push(self.sentence(&wanted.join(", "), first));
         }
+        sentences.extend(self.cut().map(|own| format!("Incomplete: {own}.")));
         sentences
+    }
+
+    /// Returns the number of settings that the time did not suffice for, as a sentence without a period; `None` if all were measured.
+    pub fn cut(&self) -> Option<String> {
+        let count = self.study.skipped.iter().filter(|own| own.is_cut()).count();
+        let settings = if count == 1 { "1 setting was" } else { &format!("{count} settings were") };
+        (count > 0).then(|| format!("{settings} not measured, because the time was used up"))
     }
 
     fn sentence(&self, wanted: &str, advice: &Advice) -> String {

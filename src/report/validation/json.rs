@@ -1,6 +1,6 @@
 //! A validation as JSON.
 
-use crate::validate::{Column, FileReport, Order, Suspicion, Validation};
+use crate::validate::{Column, FileReport, Order, SEARCH_CUT, Suspicion, Validation};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
@@ -9,7 +9,7 @@ use std::io::{self, Write};
 /// # Errors
 /// Returns the errors of the writer.
 pub fn validation(validation: &Validation, out: &mut dyn Write) -> io::Result<()> {
-    let document = json!({
+    let mut document = json!({
         "passed": validation.passed,
         "reason": validation.reason,
         "suspicion": validation.suspicion.as_ref().map(|own| own.text.clone()),
@@ -19,6 +19,10 @@ pub fn validation(validation: &Validation, out: &mut dyn Write) -> io::Result<()
         "files": validation.files.iter().map(file).collect::<Vec<_>>(),
         "notes": validation.notes,
     });
+    if let (true, Some(map)) = (validation.is_cut, document.as_object_mut()) {
+        map.insert("complete".to_owned(), json!(false));
+        map.insert("why".to_owned(), json!(SEARCH_CUT));
+    }
     super::super::json::write("validate", &document, out)
 }
 

@@ -73,7 +73,7 @@ impl Trial<'_> {
             (edge, "another reference for depth: d is the displacement at the edge of the contact, d - f(a), instead of at the axis"),
             (contact, "another reference for depth: d is only the height f(a) of the contact, without the sink-in outside"),
         ] {
-            let score = score::loads(exact, &rows, self.gauge);
+            let score = self.limited(|| score::loads(exact, &rows, self.gauge));
             tried.extend(score.map(|score| Tried { id: "reference", text: text.to_owned(), score, free: false, rough: false }));
         }
     }
@@ -87,7 +87,7 @@ impl Trial<'_> {
         }
         let score = |factor: f64| {
             let rows: Vec<Row> = rows.iter().map(|row| Row { force: row.force / factor, ..*row }).collect();
-            score::loads(exact, &rows, self.gauge)
+            self.limited(|| score::loads(exact, &rows, self.gauge))
         };
         if let Some(x) = minimum(-1.0, 1.0, 81, &|x| score(10f64.powf(x)).map_or(f64::MAX, |own| own.share())) {
             let factor = 10f64.powf(x);
@@ -97,7 +97,8 @@ impl Trial<'_> {
             tried.extend(score(factor).map(|score| Tried { id: "modulus", text, score, free: true, rough: false }));
         }
         let mut fit = |id: &'static str, name: &dyn Fn(f64) -> String, change: &dyn Fn(&Row, f64) -> Row| {
-            let score = |x: f64| score::loads(exact, &rows.iter().map(|row| change(row, x)).collect::<Vec<_>>(), self.gauge);
+            let changed = |x: f64| rows.iter().map(|row| change(row, x)).collect::<Vec<_>>();
+            let score = |x: f64| self.limited(|| score::loads(exact, &changed(x), self.gauge));
             let Some(x) = minimum(-0.5, 0.5, 41, &|x| score(x).map_or(f64::MAX, |own| own.share())) else { return };
             tried.extend(score(x).map(|score| Tried { id, text: name(x), score, free: true, rough: false }));
         };

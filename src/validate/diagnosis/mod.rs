@@ -54,8 +54,8 @@ const TRIED: usize = 40;
 
 /// Maximum work for a hypothesis that requires a new exact solution, in steps (about 0.2 s).
 const ONE: u64 = 20_000_000;
-/// Maximum work for all such hypotheses together, in steps (about 1.5 s).
-const ALL: u64 = 150_000_000;
+/// Maximum work for all such hypotheses together, in steps (about 1 s).
+const ALL: u64 = 100_000_000;
 
 /// A tested hypothesis.
 #[derive(Clone)]
@@ -69,16 +69,23 @@ struct Tried {
     rough: bool,
 }
 
-/// Finds the fault that explains the data.
-pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &Gauge) -> Option<Suspicion> {
-    // The search uses at most half of the remaining budget, so that the verdict can still be written.
-    let trial = Trial { text, scene, gauge, left: Cell::new(ALL.min(work::left() / 2)) };
-    let (before, tried) = match evidence {
-        Evidence::Loads { rows, factors } => trial.loads(rows, factors)?,
-        Evidence::Field { .. } => trial.field(evidence)?,
+/// Finds the fault that explains the data; an error if the budget does not suffice for the search.
+pub(super) fn diagnose(text: &str, scene: &Scene, evidence: &Evidence, gauge: &Gauge) -> Result<Option<Suspicion>, Unfinished> {
+    let trial = Trial { text, scene, gauge, left: Cell::new(ALL) };
+    let search = || {
+        let (before, tried) = match evidence {
+            Evidence::Loads { rows, factors } => trial.loads(rows, factors)?,
+            Evidence::Field { .. } => trial.field(evidence)?,
+        };
+        chosen(before, tried)
     };
-    chosen(before, tried)
+    // The rest is for writing the verdict.
+    let most = work::left() - work::left() / 8;
+    work::until_deadline(|| work::share(most, search)).ok_or(Unfinished)
 }
+
+/// The search for a fault was cut short.
+pub(super) struct Unfinished;
 
 fn chosen(before: Option<Score>, tried: Vec<Tried>) -> Option<Suspicion> {
     let old = |column: usize| before.and_then(|own| own.errors.get(column).copied()).unwrap_or(f64::MAX);
@@ -167,7 +174,11 @@ impl Trial<'_> {
 
     /// Runs a computation if its work stays within the limits for one hypothesis and for all of them.
     fn limited<T>(&self, ask: impl FnOnce() -> Option<T>) -> Option<T> {
-        let (found, spent, whole) = work::until_deadline(|| work::apart(ONE.min(self.left.get()), ask));
+        let most = ONE.min(self.left.get());
+        if most == 0 || work::is_exhausted() {
+            return None;
+        }
+        let (found, spent, whole) = work::apart(most, ask);
         self.left.set(self.left.get().saturating_sub(spent));
         work::spend(spent);
         found.filter(|_| whole)

@@ -116,3 +116,17 @@ fn claims_of_contact_radii_end_at_the_first_maximum() {
         }
     }
 }
+
+/// Class "generated code searches differently": radii by mpmath with 40 digits, roots of 2 h x/w D(x/w), of π/2 x L₀(x/c), and of the integral
+/// for a rounded edge, which `eval` and Python find as well.
+#[test]
+fn the_search_finds_the_radii_of_humps_catenaries_and_edges() {
+    let near = |call: &str, radius: f64| format!("fabs(sneddon_a({call})/{radius:e} - 1.0) < 1e-14");
+    let hump = [near("1.076, 1.0, 0.1", 0.099_982_791_198_995_2), "isnan(sneddon_a(1.3, 1.0, 0.1))".to_owned()];
+    assert_in_c("hump", "h*(1-exp(-r^2/w^2))", &[Quantity::Radius], &hump);
+    let catenary =
+        [("1e-6, 1e-3", 3.162_102_005_203_696e-5), ("1.0, 1e-3", 0.006_424_751_496_558_347), ("1e100, 1e-3", 0.234_903_499_739_970_96)];
+    assert_in_c("catenary", "c*(cosh(r/c)-1)", &[Quantity::Radius], &catenary.map(|(call, radius)| near(call, radius)));
+    let edge = [near("1e-9, 2e-7, 1e-6", 1.003_552_272_207_992_4e-6)];
+    assert_in_c("edge", "piecewise(0,r<b,(r-b)^2/(2*R))", &[Quantity::Radius], &edge);
+}

@@ -208,6 +208,9 @@ fn connections(upper: &[Ball], lower: &[Ball], moves: &[f64]) -> Connections {
     if let Some(known) = KNOWN.with_borrow(|known| known.get(&key).cloned()) {
         return known;
     }
+    if work::is_exhausted() {
+        return Rc::new([]);
+    }
     let moved = |by: &f64| (0_usize..).zip(upper).map(|(i, p)| *p + SPREAD[i % SPREAD.len()] * *by).collect::<Vec<_>>();
     let made: Connections = work::unbroken(|| moves.iter().map(|by| Connection::new(moved(by), lower)).collect());
     KNOWN.with_borrow_mut(|known| {

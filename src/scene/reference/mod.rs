@@ -1,12 +1,14 @@
 //! Exact fields of a contact on the grid of a solver: values at points, or means of the pressure over cells.
 
+mod cells;
+
 use super::load::Steps;
 use super::{Dimension, DimensionedNumber, Loads, Point, Quantity, Run, Scene, SceneError};
-use crate::contact::{ContactError, PartialForce, State};
-use crate::num::{Bound, Estimate, work};
+use crate::contact::State;
+use crate::num::Bound;
 use crate::scene::file::dimensioned::to_double_double;
+use cells::Means;
 use std::cell::Cell;
-use std::f64::consts::PI;
 
 /// The points at which a solver has values, in computing units.
 #[derive(Clone, Debug, PartialEq)]
@@ -231,6 +233,7 @@ impl Field {
     }
 }
 
+const NO_DIGITS: &str = "no digit of the value is reliable";
 /// Returns the index of the pair i ≥ j ≥ 0 in the octant.
 fn triangle(i: usize, j: usize) -> usize {
     i * (i + 1) / 2 + j
@@ -255,40 +258,22 @@ impl Run<'_> {
     /// assert!(mean > 0.0 && error < 1e-10 * mean);
     /// ```
     pub fn field(&self, grid: &Grid, curve: Quantity, state: Option<&State>, cells: bool) -> Field {
-        self.many.set(grid.distinct());
-        let length = self.scene().system.out(Dimension::LENGTH);
-        let means = if cells && curve == Quantity::Pressure { state.filter(|own| own.radius > 0.0) } else { None };
-        let means = means.map(|state| {
-            (PartialForce::new(&self.contact(state), state.radius, self.kinks().into_iter().map(|own| own.0 / length)), state)
-        });
-        let factor = self.scene().system.out(Dimension::PRESSURE);
         let bound = Cell::new(Bound::Proven);
+        let pressed = state.filter(|own| cells && curve == Quantity::Pressure && own.radius > 0.0);
+        let means = pressed.map(|state| Means::new(self, state, grid.distinct(), &bound));
+        if means.is_none() {
+            self.expect(grid.distinct());
+        }
         let seen = |point: Point| {
             bound.set(bound.get().and(point.bound));
             point.value
-        };
-        let doubt = means.as_ref().and_then(|(_, state)| self.doubt(state));
-        let mean = |force: Result<Estimate, ContactError>, area: f64, ends: [f64; 2], diagonal: Option<f64>| match (force, doubt) {
-            (Ok(own), Some(doubt)) if own.value.is_finite() && own.error.is_finite() => {
-                self.told();
-                bound.set(bound.get().and(own.bound).and(doubt.bound));
-                let value = own.value / area;
-                let inherited = doubt.of_mean(ends, diagonal, area, value);
-                Ok((value * factor, (own.error / area + 2.0 * f64::EPSILON * value.abs() + inherited) * factor.abs()))
-            }
-            _ => Err("no digit of the value is reliable"),
         };
         let mut values = Vec::new();
         match grid.square() {
             None => {
                 for index in 0..grid.distinct() {
                     values.push(match (&means, grid) {
-                        _ if work::until_deadline(work::is_exhausted) => Err(self.point_is_cut()),
-                        (Some((Err(_), _)), _) => Err("no digit of the value is reliable"),
-                        (Some((Ok(force), _)), Grid::Radial(radii)) => {
-                            let [inner, outer] = ring(radii, index);
-                            mean(force.on_ring(inner, outer), PI * (outer - inner) * (outer + inner), [inner, outer], None)
-                        }
+                        (Some(means), Grid::Radial(radii)) => means.on_ring(ring(radii, index)),
                         _ => seen(self.point(curve, state, grid.radius(index))),
                     });
                 }
@@ -300,18 +285,11 @@ impl Run<'_> {
                 for i in 0..=square.reach() {
                     for j in 0..=i {
                         let (x, y) = (square.distance(i), square.distance(j));
+                        // A cell on an axis consists of two equal halves.
+                        let half = |own: f64| [(own - 0.5).max(0.0) * step, (own + 0.5) * step];
                         values.push(match &means {
-                            _ if work::until_deadline(work::is_exhausted) => Err(self.point_is_cut()),
+                            Some(means) => means.on_rectangle(half(x), half(y)),
                             None => seen(self.point(curve, state, (x * step).hypot(y * step))),
-                            Some((Err(_), _)) => Err("no digit of the value is reliable"),
-                            // A cell on an axis consists of two equal halves.
-                            Some((Ok(_), state)) if (x - 0.5).max(0.0).hypot((y - 0.5).max(0.0)) * step >= state.radius => Ok((0.0, 0.0)),
-                            Some((Ok(force), _)) => {
-                                let half = |own: f64| [(own - 0.5).max(0.0) * step, (own + 0.5) * step];
-                                let ([x0, x1], [y0, y1]) = (half(x), half(y));
-                                let (ends, diagonal) = ([x0.hypot(y0), x1.hypot(y1)], (x1 - x0).hypot(y1 - y0));
-                                mean(force.on_rectangle([x0, x1], [y0, y1]), (x1 - x0) * (y1 - y0), ends, Some(diagonal))
-                            }
                         });
                     }
                 }
